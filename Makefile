@@ -1,0 +1,135 @@
+# archard: wear of sliding surfaces. `make` builds, `make demo` shows, `make check` tests.
+
+PREFIX  ?= /usr/local
+BINDIR  ?= $(PREFIX)/bin
+LIBDIR  ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+DATADIR ?= $(PREFIX)/share
+MANDIR  ?= $(DATADIR)/man
+
+CC      ?= cc
+CFLAGS  ?= -O2 -g
+WARNINGS = -Wall -Wextra -Wshadow -Wmissing-prototypes -Wstrict-prototypes -Wconversion -Werror
+SANITIZER ?=
+
+comma := ,
+BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))
+OBJ   = $(BUILD)/obj
+
+PACKAGES = lua5.4 readline sqlite3
+pkg_cflags := $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null)
+lua_libs    = $(shell pkg-config --libs lua5.4)
+rl_libs     = $(shell pkg-config --libs readline)
+sql_libs    = $(shell pkg-config --libs sqlite3)
+# One gcc flag set for every file: -std=c11 with POSIX; contraction off, so that results do not
+# depend on what the compiler fuses.
+all_cflags = -std=c11 -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc $(pkg_cflags) -MMD -MP \
+             -ffp-contract=off $(WARNINGS) \
+             $(if $(SANITIZER),-fsanitize=$(SANITIZER) -fno-omit-frame-pointer -fno-sanitize-recover=all) \
+             $(CPPFLAGS) $(CFLAGS)
+all_ldflags = $(if $(SANITIZER),-fsanitize=$(SANITIZER)) $(LDFLAGS)
+core_libs = -lcholmod -llapack -lblas -lgomp -lm
+
+core_src  := $(wildcard src/core/*/*.c)
+side_src  := $(wildcard src/plot/*.c src/store/*.c)
+front_src := $(wildcard src/lua/*.c src/cli/*.c)
+scripts   := $(sort $(wildcard scripts/*.lua))
+obj_of     = $(patsubst %.c,$(OBJ)/%.o,$(1))
+
+core_lib = $(BUILD)/libarchard.a
+program  = $(BUILD)/archard
+
+unit_src   := $(wildcard tests/unit/*.c)
+unit_tests  = $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(unit_src))
+
+.PHONY: all demo check test-programs bench format lint install uninstall clean setup
+.DELETE_ON_ERROR:
+
+all: $(program)
+
+# --- set-up -----------------------------------------------------------------------------------
+# Plain `make` never installs: it names what is missing. `make demo` and `make check` install.
+ifneq ($(MAKECMDGOALS),clean)
+ifneq ($(MAKECMDGOALS),uninstall)
+ifeq ($(filter demo check setup,$(MAKECMDGOALS)),)
+missing := $(shell scripts/setup --list)
+ifneq ($(missing),)
+$(error Missing packages: $(missing). Run scripts/setup to install them)
+endif
+endif
+endif
+endif
+
+setup:
+	@scripts/setup
+
+# --- build ------------------------------------------------------------------------------------
+$(OBJ)/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(all_cflags) -c $< -o $@
+
+$(core_lib): $(call obj_of,$(core_src))
+	@rm -f $@
+	$(AR) rcs $@ $^
+
+# The Lua files that ship live inside the binary.
+$(BUILD)/embedded.c: scripts/embed.awk $(scripts)
+	@mkdir -p $(@D)
+	awk -f scripts/embed.awk $(scripts) > $@
+
+$(OBJ)/embedded.o: $(BUILD)/embedded.c
+	@mkdir -p $(@D)
+	$(CC) $(all_cflags) -c $< -o $@
+
+$(program): $(call obj_of,$(front_src)) $(call obj_of,$(side_src)) $(OBJ)/embedded.o $(core_lib)
+	$(CC) $(all_ldflags) -rdynamic $^ $(lua_libs) $(rl_libs) $(sql_libs) $(core_libs) -ldl -o $@
+
+# A unit test links the engine, plot and store, never Lua or readline: that it links is a test.
+$(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(call obj_of,$(side_src)) $(core_lib)
+	@mkdir -p $(@D)
+	$(CC) $(all_ldflags) $^ -lcmocka $(sql_libs) $(core_libs) -o $@
+
+test-programs: $(program) $(unit_tests)
+
+# --- use --------------------------------------------------------------------------------------
+demo:
+	@scripts/setup
+	@$(MAKE) --no-print-directory all
+	@$(program) examples/demo.lua
+
+check:
+	@scripts/setup test
+	@$(MAKE) --no-print-directory -j2 test-programs
+	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run
+
+bench: $(program)
+	$(program) scripts/bench.lua
+
+# --- care -------------------------------------------------------------------------------------
+c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/core/*/*.[ch] tests/unit/*.[ch])
+
+format:
+	clang-format -i $(c_files)
+
+lint:
+	clang-format --dry-run --Werror $(c_files)
+	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
+	  --error-exitcode=1 --suppress=missingIncludeSystem -Iinclude -Isrc src
+	shellcheck scripts/setup tests/run .ci/run
+	mandoc -T lint -W warning man/*.1
+
+install: all
+	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR) $(DESTDIR)$(INCLUDEDIR)/archard $(DESTDIR)$(MANDIR)/man1
+	install -m 755 $(program) $(DESTDIR)$(BINDIR)/archard
+	install -m 644 $(core_lib) $(DESTDIR)$(LIBDIR)/libarchard.a
+	install -m 644 include/archard/*.h $(DESTDIR)$(INCLUDEDIR)/archard/
+	install -m 644 man/archard.1 $(DESTDIR)$(MANDIR)/man1/archard.1
+
+uninstall:
+	rm -f $(DESTDIR)$(BINDIR)/archard $(DESTDIR)$(LIBDIR)/libarchard.a $(DESTDIR)$(MANDIR)/man1/archard.1
+	rm -rf $(DESTDIR)$(INCLUDEDIR)/archard
+
+clean:
+	rm -rf build build-*
+
+-include $(shell find $(OBJ) -name '*.d' 2>/dev/null)

@@ -1,0 +1,59 @@
+/* archard/base.h - status codes and errors, shared by every layer.
+ *
+ * Units everywhere: mm, N, MPa (N/mm2). Plane strain; forces in the engine are per mm of thickness
+ * unless a name or comment says otherwise.
+ */
+#ifndef ARCHARD_BASE_H
+#define ARCHARD_BASE_H
+
+#include <stddef.h>
+
+#define ARC_VERSION "0.1.0"
+
+/* Zero is success; positive: it did not succeed, yet nothing is broken; negative: it cannot work. */
+#define ARC_STATUS_LIST(X)                                                                         \
+  X(OK, 0, "success")                                                                              \
+  X(STOPPED, 1, "stopped on request")                                                              \
+  X(NOT_CONVERGED, 2, "did not converge")                                                          \
+  X(CALLBACK, 3, "a user function failed")                                                         \
+  X(ARGUMENT, -1, "invalid argument")                                                              \
+  X(MEMORY, -2, "out of memory")                                                                   \
+  X(GEOMETRY, -3, "invalid geometry")                                                              \
+  X(ZONE, -4, "outside the candidate contact zone")                                                \
+  X(NUMERIC, -5, "numerical breakdown")                                                            \
+  X(IO, -6, "input or output failed")                                                              \
+  X(FORMAT, -7, "not a file of the expected format")                                               \
+  X(MISSING, -8, "a program that is needed is missing")
+
+typedef enum arc_status {
+#define ARC_STATUS_ENUM(name, value, text) ARC_##name = (value),
+  ARC_STATUS_LIST(ARC_STATUS_ENUM)
+#undef ARC_STATUS_ENUM
+} arc_status;
+
+/* What went wrong, in words for the user. Functions that take an arc_error fill it on failure and
+ * leave it alone on success; NULL is allowed everywhere. */
+typedef struct arc_error {
+  arc_status status;
+  char message[512];
+} arc_error;
+
+/* The fixed text of a status, e.g. "out of memory". Never NULL. */
+const char *arc_status_text(arc_status status);
+
+/* The name of a status without its prefix, e.g. "MEMORY". Never NULL. */
+const char *arc_status_name(arc_status status);
+
+/* Fills `error` (may be NULL) with a printf-style message and returns `status`. */
+arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Asked now and then by long computations; non-zero stops them with ARC_STOPPED. */
+typedef int (*arc_stop_fn)(void *context);
+
+/* Runs BLAS and OpenMP of this process on one thread: at these sizes more threads only cost, and
+ * a child of fork() would hang. Programs call it once at start; returns the BLAS' own description
+ * or NULL where it has none. */
+const char *arc_single_threaded(void);
+
+#endif

@@ -1,0 +1,36 @@
+/* Status texts and error messages. */
+#include "archard/base.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+const char *arc_status_text(arc_status status) {
+  switch (status) {
+#define CASE(name, value, text)                                                                    \
+  case ARC_##name: return text;
+    ARC_STATUS_LIST(CASE)
+#undef CASE
+  }
+  return "unknown status";
+}
+
+const char *arc_status_name(arc_status status) {
+  switch (status) {
+#define CASE(name, value, text)                                                                    \
+  case ARC_##name: return #name;
+    ARC_STATUS_LIST(CASE)
+#undef CASE
+  }
+  return "UNKNOWN";
+}
+
+arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...) {
+  if (error) {
+    error->status = status;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
+  }
+  return status;
+}
