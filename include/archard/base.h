@@ -10,7 +10,8 @@
 
 #define ARC_VERSION "0.1.0"
 
-/* Zero is success; positive: it did not succeed, yet nothing is broken; negative: it cannot work. */
+/* Zero is success; positive: it did not succeed, yet nothing is broken; negative: it cannot work.
+ */
 #define ARC_STATUS_LIST(X)                                                                         \
   X(OK, 0, "success")                                                                              \
   X(STOPPED, 1, "stopped on request")                                                              \

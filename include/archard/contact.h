@@ -1,0 +1,102 @@
+/* archard/contact.h - worn shapes, and one frictionless contact solution on them.
+ *
+ * Frictionless hard contact, mortar coupling in x with a dual basis on the cylinder's side: nodal
+ * forces f of the cylinder and B'f of the plate balance identically. Solved exactly for f >= 0, gap
+ * >= 0, f gap = 0, sum f = load.
+ */
+#ifndef ARCHARD_CONTACT_H
+#define ARCHARD_CONTACT_H
+
+#include "archard/model.h"
+
+/* Whether wear moves the nodes (and so the stiffness of the wear box), or enters through the gap
+ * alone. */
+typedef enum arc_geometry { ARC_MOVING = 0, ARC_FROZEN = 1 } arc_geometry;
+
+/* The worn surfaces of both bodies on one model. Opaque; keeps its model alive. */
+typedef struct arc_shape arc_shape;
+
+/* Unworn surfaces. `refresh`: the wear box is condensed again once a surface node has moved by more
+ * than this share of an element's height since the last time [-]; 0: whenever it moved. */
+arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
+                            arc_shape **shape, arc_error *error);
+arc_status arc_shape_clone(const arc_shape *shape, arc_shape **copy, arc_error *error);
+void arc_shape_destroy(arc_shape **shape);
+arc_model *arc_shape_model(const arc_shape *shape);
+
+/* Wears one body by `depth` [surface] at the candidate nodes [mm]: nodes move along their current
+ * normals (Eq. 8 of the paper), the scalar sums are kept beside them, the wear box is smoothed.
+ * ARC_GEOMETRY (a wear-box element would collapse) or ARC_MEMORY/ARC_NUMERIC: the shape is
+ * unchanged. */
+arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error);
+
+/* Wears one body everywhere by the same depth [mm], as a plate under a stroke over its whole width:
+ * a flat surface stays flat, the contact does not notice. */
+void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth);
+
+/* A candidate-surface profile; arrays of `count` doubles owned by the shape, valid until it
+ * changes. */
+typedef struct arc_profile {
+  int count;
+  const double *x; /* [mm] unworn position of the nodes */
+  const double *h; /* [mm] wear depth, scalar sum along the normals (Eq. 6) */
+  const double *y; /* [mm] present height of the nodes */
+} arc_profile;
+arc_profile arc_shape_profile(const arc_shape *shape, arc_body body);
+
+/* Largest wear depth [mm], scalar sum; and the largest length of the vector sum (Eq. 8). */
+double arc_shape_depth(const arc_shape *shape, arc_body body);
+double arc_shape_vector_depth(const arc_shape *shape, arc_body body);
+/* Present nodes of a body [2 * nodes] (wear box moved), written to xy. */
+void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy);
+
+/* What a contact solution yields. */
+typedef struct arc_contact arc_contact;
+
+/* Solves for load [N] > 0 (whole thickness) with the plate at x [mm]. The solution keeps what it
+ * needs and does not follow later changes of the shape. Errors: ARC_ARGUMENT (load), ARC_ZONE (the
+ * contact reaches the edge of a candidate zone, the message names the zone it needs), ARC_MEMORY,
+ * ARC_NUMERIC. */
+arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_contact **contact,
+                             arc_error *error);
+void arc_contact_destroy(arc_contact **contact);
+
+typedef struct arc_contact_result {
+  double load;        /* [N] */
+  double x;           /* [mm] plate position */
+  double p_center;    /* [MPa] at the cylinder's lowest node, x = 0 of the cylinder */
+  double p_max;       /* [MPa] largest nodal pressure */
+  double half_width;  /* [mm] half the contact width, interpolated between nodes */
+  double left, right; /* [mm] contact edges, cylinder frame */
+  double approach;    /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
+  int iterations;     /* active-set iterations */
+} arc_contact_result;
+arc_contact_result arc_contact_get(const arc_contact *contact);
+
+/* Nodal pressure on a body's candidate nodes; arrays of `count`, owned by the contact.
+ * x is in the frame of the cylinder for both bodies (plate nodes: own x + plate position). */
+typedef struct arc_pressure {
+  int count;
+  const double *x; /* [mm] */
+  const double *p; /* [MPa] */
+  const double *f; /* [N/mm] nodal force per thickness, p times tributary width */
+} arc_pressure;
+arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
+
+/* Displacements and stresses by back-substitution; arrays of `nodes` (nodal averages), owned by the
+ * field. */
+typedef struct arc_field {
+  int nodes;
+  double *x, *y;                 /* [mm] nodes as worn */
+  double *ux, *uy;               /* [mm] displacements */
+  double *sxx, *syy, *szz, *sxy; /* [MPa] plane strain: szz = nu (sxx + syy) */
+  double *mises;                 /* [MPa] */
+  double *shear;                 /* [MPa] largest in-plane shear */
+} arc_field;
+arc_status arc_contact_field(const arc_contact *contact, arc_body body, arc_field **field,
+                             arc_error *error);
+void arc_field_destroy(arc_field **field);
+/* The model a contact was solved on (borrowed). */
+arc_model *arc_contact_model(const arc_contact *contact);
+
+#endif

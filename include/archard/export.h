@@ -1,0 +1,22 @@
+/* archard/export.h - files for other tools. Each writes to a temporary file beside `path` and
+ * renames it, so that a failure (ARC_IO, the message names the file and the reason) leaves no half
+ * file.
+ */
+#ifndef ARCHARD_EXPORT_H
+#define ARCHARD_EXPORT_H
+
+#include "archard/wear.h"
+
+/* Columns of `rows` doubles with a header line of names. */
+arc_status arc_export_csv(const char *path, size_t columns, const char *const names[],
+                          const double *const data[], size_t rows, arc_error *error);
+
+/* Legacy VTK text of one body's mesh, or of a field on it (field may be NULL). */
+arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_field *field,
+                          arc_error *error);
+
+/* Abaqus/CalculiX input deck of both meshes: nodes, elements, surfaces, boundary sets, materials.
+ */
+arc_status arc_export_inp(const char *path, const arc_model *model, arc_error *error);
+
+#endif

@@ -1,0 +1,82 @@
+/* archard/mesh.h - finite element meshes of the two bodies.
+ *
+ * Frame (both bodies, plate at x = 0, just touching, no load): the origin is the first point of
+ * contact, x along the plate's surface, y up. The cylinder (a half cylinder, flat top built in)
+ * lies above, the plate below. Every mesh is an exact mirror image about x = 0.
+ */
+#ifndef ARCHARD_MESH_H
+#define ARCHARD_MESH_H
+
+#include "archard/base.h"
+
+typedef enum arc_body { ARC_CYLINDER = 0, ARC_PLATE = 1 } arc_body;
+#define ARC_BODIES 2
+
+/* "cylinder" or "plate". */
+const char *arc_body_name(arc_body body);
+
+/* Quadrilateral formulation: CPE4 fully integrated bilinear; CPE4I with incompatible modes (bends
+ * freely). */
+typedef enum arc_element { ARC_CPE4 = 0, ARC_CPE4I = 1 } arc_element;
+
+/* What to mesh. The plate is 2 radius wide and radius high. */
+typedef struct arc_mesh_def {
+  double size;             /* [mm] element width at the contact, 0.020 */
+  double height;           /* [mm] element height at the contact, 0.025 */
+  double far;              /* [mm] largest element size away from the contact, 1.0 */
+  double zone[ARC_BODIES]; /* [mm] full width of the fine candidate contact zone, 1.0 and 1.2;
+                              the two nested partitions around the contact scale with it */
+  int rows;                /* element rows of the wear box, 3 */
+  arc_element element;     /* ARC_CPE4 */
+} arc_mesh_def;
+
+/* The defaults above. */
+arc_mesh_def arc_mesh_default(void);
+
+/* A mesh; read-only for its users, owned by arc_mesh_build's caller. Indices are 0-based.
+ * Elements and their corners run counter-clockwise. */
+typedef struct arc_mesh {
+  arc_body body;
+  double radius;    /* [mm] */
+  arc_mesh_def def; /* as asked for */
+  int nodes;        /* number of nodes */
+  double *xy;       /* [2 * nodes] x, y of each node [mm] */
+  int elements;     /* number of elements = quads + triangles */
+  int *element;     /* [4 * elements] corners; a triangle has -1 as its fourth */
+  int quads, triangles;
+  int surface;       /* number of candidate contact nodes; odd, the middle one is at x = 0 */
+  int *surface_node; /* [surface] by increasing x */
+  int rows;          /* rows of the wear box */
+  int *box_node; /* [surface * (rows + 1)] nodes of the wear box, column by column in the order of
+                    surface_node, each from the surface inwards */
+  int box_elements;  /* the first box_elements elements are the wear box, column by column */
+  int fixed;         /* number of nodes tied to the rigid base or built in */
+  int *fixed_node;   /* [fixed] */
+  int outline;       /* number of nodes of the boundary polygon */
+  int *outline_node; /* [outline] counter-clockwise, not closed */
+} arc_mesh;
+
+/* Meshes one body. Errors: ARC_ARGUMENT (a size not positive, larger than the body, fewer than 1
+ * row), ARC_ZONE (zone too wide for the body or too narrow to hold contact), ARC_GEOMETRY (an
+ * element came out inverted), ARC_MEMORY. On failure *mesh is NULL. */
+arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius, arc_mesh **mesh,
+                          arc_error *error);
+
+/* Frees and nulls; NULL is fine. */
+void arc_mesh_destroy(arc_mesh **mesh);
+
+/* Shape quality over all elements. */
+typedef struct arc_quality {
+  double smallest_angle; /* [degree] */
+  double largest_angle;  /* [degree] */
+  double aspect;         /* longest edge / shortest edge of the worst element */
+  double jacobian_ratio; /* smallest over largest corner Jacobian of the worst quad, 1 =
+                            parallelogram */
+  double
+      smallest_jacobian; /* [mm2] smallest corner Jacobian (twice a corner triangle's area); > 0 */
+} arc_quality;
+
+/* Quality with the nodes at `xy` ([2 * nodes], NULL: the mesh's own). */
+arc_quality arc_mesh_quality(const arc_mesh *mesh, const double *xy);
+
+#endif
