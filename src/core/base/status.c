@@ -7,7 +7,8 @@
 const char *arc_status_text(arc_status status) {
   switch (status) {
 #define CASE(name, value, text)                                                                    \
-  case ARC_##name: return text;
+  case ARC_##name:                                                                                 \
+    return text;
     ARC_STATUS_LIST(CASE)
 #undef CASE
   }
@@ -17,7 +18,8 @@ const char *arc_status_text(arc_status status) {
 const char *arc_status_name(arc_status status) {
   switch (status) {
 #define CASE(name, value, text)                                                                    \
-  case ARC_##name: return #name;
+  case ARC_##name:                                                                                 \
+    return #name;
     ARC_STATUS_LIST(CASE)
 #undef CASE
   }

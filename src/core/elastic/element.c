@@ -1,0 +1,149 @@
+/* Element stiffness and stress. CPE4I adds Wilson's two bubble modes, with the centre's Jacobian in
+ * their gradients so that the patch test holds (Taylor's correction), and condenses them. */
+#include "core/elastic/element.h"
+#include "core/base/dense.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double corner_xi[4] = {-1, 1, 1, -1}, corner_eta[4] = {-1, -1, 1, 1};
+
+elasticity elasticity_of(arc_material m) {
+  const double scale = m.E / ((1 + m.nu) * (1 - 2 * m.nu));
+  return (elasticity){scale * (1 - m.nu), scale * m.nu, scale * (1 - 2 * m.nu) / 2, m.nu};
+}
+
+element element_at(const double *xy, const int corner[4], arc_element kind) {
+  element e = {.corners = corner[3] < 0 ? 3 : 4, .kind = kind};
+  for (int c = 0; c < e.corners; c++) memcpy(e.xy[c], &xy[2 * corner[c]], sizeof e.xy[c]);
+  return e;
+}
+
+/* Jacobian of the bilinear map and its determinant. */
+static double jacobian(const element *e, double xi, double eta, double j[2][2]) {
+  memset(j, 0, 4 * sizeof(double));
+  for (int c = 0; c < 4; c++) {
+    const double dxi = corner_xi[c] * (1 + corner_eta[c] * eta) / 4;
+    const double deta = corner_eta[c] * (1 + corner_xi[c] * xi) / 4;
+    for (int d = 0; d < 2; d++) {
+      j[0][d] += dxi * e->xy[c][d];
+      j[1][d] += deta * e->xy[c][d];
+    }
+  }
+  return j[0][0] * j[1][1] - j[0][1] * j[1][0];
+}
+
+static void to_space(const double j[2][2], double det, double dxi, double deta, double g[2]) {
+  g[0] = (j[1][1] * dxi - j[0][1] * deta) / det;
+  g[1] = (-j[1][0] * dxi + j[0][0] * deta) / det;
+}
+
+/* Gradients of the corner functions and the Jacobian's determinant at a point of a quadrilateral.
+ */
+static double quad_gradients(const element *e, double xi, double eta, double g[][2]) {
+  double j[2][2];
+  const double det = jacobian(e, xi, eta, j);
+  for (int c = 0; c < 4; c++)
+    to_space(j, det, corner_xi[c] * (1 + corner_eta[c] * eta) / 4,
+             corner_eta[c] * (1 + corner_xi[c] * xi) / 4, g[c]);
+  return det;
+}
+
+/* Gradients of the bubbles 1 - xi^2 and 1 - eta^2, pulled through the centre's Jacobian. */
+static void bubble_gradients(const element *e, double xi, double eta, double det, double g[][2]) {
+  double j[2][2];
+  const double det0 = jacobian(e, 0, 0, j);
+  to_space(j, det0, -2 * xi, 0, g[0]);
+  to_space(j, det0, 0, -2 * eta, g[1]);
+  for (int b = 0; b < 2; b++)
+    for (int d = 0; d < 2; d++) g[b][d] *= det0 / det;
+}
+
+static double triangle_gradients(const element *e, double g[][2]) {
+  const double(*p)[2] = e->xy;
+  const double det =
+      (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
+  for (int c = 0; c < 3; c++) {
+    const double *q = p[(c + 1) % 3], *r = p[(c + 2) % 3];
+    g[c][0] = (q[1] - r[1]) / det;
+    g[c][1] = (r[0] - q[0]) / det;
+  }
+  return det;
+}
+
+/* k += weight B' D B, k [2 modes x 2 modes] row-major. */
+static void add_product(int modes, double g[][2], elasticity d, double weight, double *k) {
+  const int n = 2 * modes;
+  for (int a = 0; a < modes; a++) {
+    for (int b = 0; b < modes; b++) {
+      double *at = &k[2 * a * n + 2 * b];
+      at[0] += weight * (d.c11 * g[a][0] * g[b][0] + d.c33 * g[a][1] * g[b][1]);
+      at[1] += weight * (d.c12 * g[a][0] * g[b][1] + d.c33 * g[a][1] * g[b][0]);
+      at[n] += weight * (d.c12 * g[a][1] * g[b][0] + d.c33 * g[a][0] * g[b][1]);
+      at[n + 1] += weight * (d.c11 * g[a][1] * g[b][1] + d.c33 * g[a][0] * g[b][0]);
+    }
+  }
+}
+
+/* Stiffness of a quadrilateral with `modes` = 4 corner functions, or 6 with the bubbles. */
+static void quad_stiffness(const element *e, elasticity d, int modes, double *k) {
+  const double at = 1 / sqrt(3);
+  memset(k, 0, (size_t)(4 * modes * modes) * sizeof *k);
+  for (int p = 0; p < 4; p++) {
+    const double xi = at * corner_xi[p], eta = at * corner_eta[p];
+    double g[6][2];
+    const double det = quad_gradients(e, xi, eta, g);
+    if (modes > 4) bubble_gradients(e, xi, eta, det, &g[4]);
+    add_product(modes, g, d, det, k);
+  }
+}
+
+/* Eliminates the four bubble unknowns of full [12 x 12]: from the last one up. */
+static void condense_bubbles(double *full, double *k) {
+  for (int m = 11; m >= 8; m--)
+    for (int r = 0; r < m; r++)
+      for (int c = 0; c < m; c++)
+        full[r * 12 + c] -= full[r * 12 + m] * full[m * 12 + c] / full[m * 12 + m];
+  for (int r = 0; r < 8; r++) memcpy(&k[8 * r], &full[12 * r], 8 * sizeof *k);
+}
+
+void element_stiffness(const element *e, elasticity d, double *k) {
+  if (e->corners == 3) {
+    double g[3][2];
+    const double det = triangle_gradients(e, g);
+    memset(k, 0, 36 * sizeof *k);
+    add_product(3, g, d, det / 2, k);
+  } else if (e->kind == ARC_CPE4) {
+    quad_stiffness(e, d, 4, k);
+  } else {
+    double full[144];
+    quad_stiffness(e, d, 6, full);
+    condense_bubbles(full, k);
+  }
+}
+
+/* At the centre the bubbles have no gradient: one formula for both quadrilaterals. */
+void element_stress(const element *e, elasticity d, const double *u, double stress[3]) {
+  double g[4][2], exx = 0, eyy = 0, gxy = 0;
+  if (e->corners == 3)
+    triangle_gradients(e, g);
+  else
+    quad_gradients(e, 0, 0, g);
+  for (int c = 0; c < e->corners; c++) {
+    exx += g[c][0] * u[2 * c];
+    eyy += g[c][1] * u[2 * c + 1];
+    gxy += g[c][1] * u[2 * c] + g[c][0] * u[2 * c + 1];
+  }
+  stress[0] = d.c11 * exx + d.c12 * eyy;
+  stress[1] = d.c12 * exx + d.c11 * eyy;
+  stress[2] = d.c33 * gxy;
+}
+
+double element_area(const element *e) {
+  double area = 0;
+  for (int c = 0; c < e->corners; c++) {
+    const double *p = e->xy[c], *q = e->xy[(c + 1) % e->corners];
+    area += (p[0] * q[1] - q[0] * p[1]) / 2;
+  }
+  return area;
+}

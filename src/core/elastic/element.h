@@ -1,0 +1,35 @@
+/* Plane-strain elements: CPE3, CPE4 and CPE4I. Engineering strains; Voigt order xx, yy, xy. */
+#ifndef ELASTIC_ELEMENT_H
+#define ELASTIC_ELEMENT_H
+
+#include "archard/model.h"
+
+/* D of plane strain [MPa]: sigma = D epsilon. */
+typedef struct elasticity {
+  double c11, c12, c33;
+  double nu;
+} elasticity;
+
+elasticity elasticity_of(arc_material material);
+
+/* An element's corners; `corners` is 3 or 4. */
+typedef struct element {
+  int corners;
+  arc_element kind; /* formulation of a quadrilateral */
+  double xy[4][2];
+} element;
+
+/* The element with the corners corner[4] (-1 fourth: triangle) of a mesh with nodes xy. */
+element element_at(const double *xy, const int corner[4], arc_element kind);
+
+/* Stiffness per mm of thickness [N/mm2], k [64], row-major 2 corners x 2 corners in the order x0 y0
+ * x1 y1 ... */
+void element_stiffness(const element *e, elasticity d, double *k);
+
+/* Stress at the centre of the element from corner displacements u [2 corners]: xx, yy, xy [MPa]. */
+void element_stress(const element *e, elasticity d, const double *u, double stress[3]);
+
+/* Area [mm2]. */
+double element_area(const element *e);
+
+#endif

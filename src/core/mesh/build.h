@@ -1,0 +1,28 @@
+/* Inside the mesher: a mesh under construction, as polygons over logical points. */
+#ifndef MESH_BUILD_H
+#define MESH_BUILD_H
+
+#include "archard/mesh.h"
+#include "core/mesh/map.h"
+#include "core/mesh/quadtree.h"
+
+/* Logical points are keyed in half units, so that a cell's middle has one too. */
+typedef struct mesh_key {
+  int i, j;
+} mesh_key;
+
+typedef struct mesh_builder {
+  body_map map;
+  int count, capacity;
+  mesh_key *corner; /* [4 * capacity] corners of each element; a triangle repeats its third */
+} mesh_builder;
+
+/* Adds the elements of the half body s >= 0: the wear box first, column by column, then the rest;
+ * hanging nodes are closed with triangles. `columns` x `rows` is the half wear box. ARC_MEMORY. */
+arc_status mesh_tile(mesh_builder *builder, const quadtree *tree, int columns, int rows);
+
+/* Chains the edges that only one element has into the boundary polygon. ARC_MEMORY or ARC_GEOMETRY.
+ */
+arc_status mesh_outline(arc_mesh *mesh);
+
+#endif

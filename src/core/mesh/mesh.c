@@ -1,0 +1,283 @@
+/* One mesher for both bodies: sizes to quadtree, leaves to elements, the half body to the whole
+ * one. */
+#include "core/mesh/build.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A finer mesh than this is a mistake, not a wish. */
+enum { most_elements = 4000000 };
+
+const char *arc_body_name(arc_body body) {
+  return body == ARC_CYLINDER ? "cylinder" : "plate";
+}
+
+arc_mesh_def arc_mesh_default(void) {
+  return (arc_mesh_def){.size = 0.020,
+                        .height = 0.025,
+                        .far = 1.0,
+                        .zone = {1.0, 1.2},
+                        .rows = 3,
+                        .element = ARC_CPE4};
+}
+
+/* The two nested partitions, half widths and depths [mm], as shares of the zone's full width: 1 x
+ * 0.5 in 4 x 1 mm for the cylinder, 1.2 x 0.5 in 4.2 x 1.5 mm for the plate. */
+typedef struct partitions {
+  double inner_s, inner_d, outer_s, outer_d;
+} partitions;
+
+static partitions partitions_of(const arc_mesh_def *def, arc_body body, double radius) {
+  const double z = def->zone[body];
+  partitions p = body == ARC_CYLINDER ? (partitions){z / 2, 0.5 * z, 2 * z, z}
+                                      : (partitions){z / 2, z * 0.5 / 1.2, 1.75 * z, 1.25 * z};
+  p.inner_d = fmax(p.inner_d, (def->rows + 1) * def->height);
+  p.outer_s = fmin(p.outer_s, 0.9 * radius);
+  p.outer_d = fmin(fmax(p.outer_d, p.inner_d), 0.5 * radius);
+  return p;
+}
+
+typedef struct size_rule {
+  partitions part;
+  const body_map *map;
+  double far;
+} size_rule;
+
+/* Finest in the inner partition, at most four times that in the outer one, at most `far` elsewhere.
+ */
+static int coarsest_level(const void *context, const quad_cell *c) {
+  const size_rule *rule = context;
+  const body_map *m = rule->map;
+  const double s = c->i * m->size * (1 + 1e-12) + 1e-12, d = c->j * m->height + 1e-12;
+  if (s < rule->part.inner_s && d < rule->part.inner_d) return 0;
+  const double wide = body_map_unit(m, c->j), tall = wide * m->height / m->size;
+  int level = (int)floor(log2(rule->far / fmax(wide, tall)) + 1e-9);
+  if (s < rule->part.outer_s && d < rule->part.outer_d && level > 2) level = 2;
+  return level > 0 ? level : 0;
+}
+
+static arc_status check_zone(const arc_mesh_def *def, arc_body body, double radius,
+                             arc_error *error) {
+  const double z = def->zone[body], widest = 1.6 * radius, narrowest = 4 * def->size;
+  if (z >= narrowest * (1 - 1e-9) && z <= widest) return ARC_OK;
+  return arc_fail(error, ARC_ZONE,
+                  "mesh.zone.%s: expected between 4 size = %g mm and 1.6 radius = %g mm, got %g mm",
+                  arc_body_name(body), narrowest, widest, z);
+}
+
+static arc_status check_positive(const char *field, double value, double limit, const char *what,
+                                 arc_error *error) {
+  if (value > 0 && value <= limit) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT, "%s: expected above 0 and at most %s = %g mm, got %g mm",
+                  field, what, limit, value);
+}
+
+static arc_status check(const arc_mesh_def *def, arc_body body, double radius, arc_error *error) {
+  if (!(radius > 0) || !isfinite(radius))
+    return arc_fail(error, ARC_ARGUMENT, "radius: expected above 0 mm, got %g mm", radius);
+  arc_status status;
+  if ((status = check_positive("mesh.size", def->size, radius / 10, "radius / 10", error)) ||
+      (status = check_positive("mesh.height", def->height, radius / 10, "radius / 10", error)) ||
+      (status = check_positive("mesh.far", def->far, radius, "radius", error)))
+    return status;
+  const double aspect = def->height / def->size;
+  if (!(aspect > 0.05 && aspect < 20))
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "mesh.height: expected between size / 20 and 20 size, got %g mm at a size of %g mm",
+        def->height, def->size);
+  if (def->far < fmax(def->size, def->height))
+    return arc_fail(error, ARC_ARGUMENT,
+                    "mesh.far: expected at least the element size %g mm, got %g mm",
+                    fmax(def->size, def->height), def->far);
+  if (def->rows < 1 || def->rows * def->height > radius / 4)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "mesh.rows: expected from 1 to radius / 4 / height = %d, got %d",
+                    (int)(radius / 4 / def->height), def->rows);
+  if ((status = check_zone(def, body, radius, error))) return status;
+  const partitions p = partitions_of(def, body, radius);
+  const double estimate = 2 * p.inner_s * p.inner_d / (def->size * def->height) +
+                          radius * radius * 2 / (def->far * def->far);
+  if (estimate > most_elements)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "mesh.size: %g mm asks for about %.0f elements, at most %d are allowed",
+                    def->size, estimate, most_elements);
+  return ARC_OK;
+}
+
+/* --- from logical elements of the half body to the whole mesh
+ * ------------------------------------------------- */
+
+static int compare_keys(const void *a, const void *b) {
+  const mesh_key *p = a, *q = b;
+  if (p->j != q->j) return p->j < q->j ? -1 : 1;
+  return (p->i > q->i) - (p->i < q->i);
+}
+
+/* Sorted distinct keys of both halves. Returns their number, or -1. */
+static int collect_keys(const mesh_builder *b, mesh_key **keys) {
+  const int corners = 4 * b->count;
+  mesh_key *all = malloc(2 * (size_t)corners * sizeof *all);
+  if (!all) return -1;
+  for (int c = 0; c < corners; c++) {
+    all[2 * c] = b->corner[c];
+    all[2 * c + 1] = (mesh_key){-b->corner[c].i, b->corner[c].j};
+  }
+  qsort(all, 2 * (size_t)corners, sizeof *all, compare_keys);
+  int n = 0;
+  for (int c = 0; c < 2 * corners; c++)
+    if (n == 0 || compare_keys(&all[n - 1], &all[c]) != 0) all[n++] = all[c];
+  *keys = all;
+  return n;
+}
+
+static int find_key(const mesh_key *keys, int n, mesh_key wanted) {
+  const mesh_key *at = bsearch(&wanted, keys, (size_t)n, sizeof *keys, compare_keys);
+  return at ? (int)(at - keys) : -1;
+}
+
+static double twice_area(const double *xy, const int *e) {
+  double area = 0;
+  const int corners = e[3] < 0 ? 3 : 4;
+  for (int c = 0; c < corners; c++) {
+    const double *p = &xy[2 * e[c]], *q = &xy[2 * e[(c + 1) % corners]];
+    area += p[0] * q[1] - q[0] * p[1];
+  }
+  return area;
+}
+
+/* Writes one element counter-clockwise; `mirror` is 1 or -1. */
+static void place_element(arc_mesh *mesh, const mesh_key *keys, const mesh_key *corner, int mirror,
+                          int at) {
+  int *e = &mesh->element[4 * at];
+  for (int c = 0; c < 4; c++)
+    e[c] = find_key(keys, mesh->nodes, (mesh_key){mirror * corner[c].i, corner[c].j});
+  if (e[3] == e[2]) e[3] = -1;
+  if (twice_area(mesh->xy, e) < 0) {
+    const int last = e[3] < 0 ? 2 : 3, swap = e[1];
+    e[1] = e[last];
+    e[last] = swap;
+  }
+}
+
+static void place_nodes(arc_mesh *mesh, const body_map *map, const mesh_key *keys) {
+  const int core = 2 * (map->lines << map->root_level) + 2;
+  for (int n = 0; n < mesh->nodes; n++) {
+    double *xy = &mesh->xy[2 * n];
+    if (map->body == ARC_CYLINDER && keys[n].j == core) {
+      xy[0] = 0, xy[1] = map->radius;
+      continue;
+    }
+    body_map_point(map, abs(keys[n].i) / 2.0, keys[n].j / 2.0, xy);
+    if (keys[n].i < 0) xy[0] = -xy[0];
+  }
+}
+
+/* The wear box of the whole body comes first, column by column from left to right. */
+static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key *keys, int half) {
+  const int box = half * mesh->rows;
+  int at = 0;
+  for (int column = half - 1; column >= 0; column--)
+    for (int row = 0; row < mesh->rows; row++)
+      place_element(mesh, keys, &b->corner[4 * (column * mesh->rows + row)], -1, at++);
+  for (int e = 0; e < box; e++) place_element(mesh, keys, &b->corner[4 * e], 1, at++);
+  for (int e = box; e < b->count; e++) {
+    place_element(mesh, keys, &b->corner[4 * e], 1, at++);
+    place_element(mesh, keys, &b->corner[4 * e], -1, at++);
+  }
+  mesh->box_elements = 2 * box;
+  for (int e = 0; e < mesh->elements; e++) mesh->triangles += mesh->element[4 * e + 3] < 0;
+  mesh->quads = mesh->elements - mesh->triangles;
+}
+
+static void place_sets(arc_mesh *mesh, const body_map *map, const mesh_key *keys, int half) {
+  for (int c = 0; c < mesh->surface; c++)
+    for (int row = 0; row <= mesh->rows; row++)
+      mesh->box_node[c * (mesh->rows + 1) + row] =
+          find_key(keys, mesh->nodes, (mesh_key){2 * (c - half), 2 * row});
+  for (int c = 0; c < mesh->surface; c++)
+    mesh->surface_node[c] = mesh->box_node[c * (mesh->rows + 1)];
+  const int side = 2 * (map->columns << map->root_level),
+            deep = 2 * (map->lines << map->root_level);
+  for (int n = 0; n < mesh->nodes; n++) {
+    const int tied = map->body == ARC_PLATE ? keys[n].j == deep
+                                            : abs(keys[n].i) == side || keys[n].j == deep + 2;
+    if (tied) mesh->fixed_node[mesh->fixed++] = n;
+  }
+}
+
+static arc_status fill(arc_mesh *mesh, const mesh_builder *b, int half) {
+  mesh_key *keys = NULL;
+  mesh->nodes = collect_keys(b, &keys);
+  if (mesh->nodes < 0) return ARC_MEMORY;
+  mesh->elements = 2 * b->count;
+  mesh->surface = 2 * half + 1;
+  mesh->xy = malloc(2 * (size_t)mesh->nodes * sizeof(double));
+  mesh->element = malloc(4 * (size_t)mesh->elements * sizeof(int));
+  mesh->surface_node = malloc((size_t)mesh->surface * sizeof(int));
+  mesh->box_node = malloc((size_t)(mesh->surface * (mesh->rows + 1)) * sizeof(int));
+  mesh->fixed_node = malloc((size_t)mesh->nodes * sizeof(int));
+  const int complete =
+      mesh->xy && mesh->element && mesh->surface_node && mesh->box_node && mesh->fixed_node;
+  if (complete) {
+    place_nodes(mesh, &b->map, keys);
+    place_elements(mesh, b, keys, half);
+    place_sets(mesh, &b->map, keys, half);
+  }
+  free(keys);
+  return complete ? ARC_OK : ARC_MEMORY;
+}
+
+static arc_status tile_and_fill(arc_mesh *mesh, int half) {
+  const partitions part = partitions_of(&mesh->def, mesh->body, mesh->radius);
+  mesh_builder b = {
+      .map = body_map_make(&mesh->def, mesh->body, mesh->radius, part.outer_s, part.outer_d)};
+  const size_rule rule = {part, &b.map, mesh->def.far};
+  quadtree tree = {0};
+  arc_status status =
+      quadtree_build(&tree, b.map.root_level, b.map.columns, b.map.lines, coarsest_level, &rule);
+  if (status == ARC_OK) status = mesh_tile(&b, &tree, half, mesh->rows);
+  if (status == ARC_OK) status = fill(mesh, &b, half);
+  quadtree_free(&tree);
+  free(b.corner);
+  return status;
+}
+
+arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius, arc_mesh **out,
+                          arc_error *error) {
+  *out = NULL;
+  arc_status status = check(def, body, radius, error);
+  if (status != ARC_OK) return status;
+  arc_mesh *mesh = calloc(1, sizeof *mesh);
+  if (!mesh)
+    return arc_fail(error, ARC_MEMORY, "out of memory for the %s's mesh", arc_body_name(body));
+  mesh->body = body;
+  mesh->radius = radius;
+  mesh->def = *def;
+  mesh->rows = def->rows;
+  const int half = (int)ceil(def->zone[body] / 2 / def->size - 1e-9);
+  status = tile_and_fill(mesh, half);
+  if (status == ARC_OK) status = mesh_outline(mesh);
+  if (status == ARC_MEMORY)
+    arc_fail(error, status, "out of memory for the %s's mesh", arc_body_name(body));
+  else if (status == ARC_OK && !(arc_mesh_quality(mesh, NULL).smallest_jacobian > 0))
+    status = arc_fail(error, ARC_GEOMETRY,
+                      "the %s's mesh has an inverted element (size %g, far %g, zone %g mm)",
+                      arc_body_name(body), def->size, def->far, def->zone[body]);
+  if (status != ARC_OK) arc_mesh_destroy(&mesh);
+  *out = mesh;
+  return status;
+}
+
+void arc_mesh_destroy(arc_mesh **mesh) {
+  if (!mesh || !*mesh) return;
+  free((*mesh)->xy);
+  free((*mesh)->element);
+  free((*mesh)->surface_node);
+  free((*mesh)->box_node);
+  free((*mesh)->fixed_node);
+  free((*mesh)->outline_node);
+  free(*mesh);
+  *mesh = NULL;
+}

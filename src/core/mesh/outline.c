@@ -1,0 +1,61 @@
+/* The boundary polygon: edges that belong to one element only, chained. */
+#include "core/mesh/build.h"
+
+#include <stdlib.h>
+
+typedef struct edge {
+  int from, to;
+} edge;
+
+static int compare_undirected(const void *a, const void *b) {
+  const edge *p = a, *q = b;
+  const int pl = p->from < p->to ? p->from : p->to, ql = q->from < q->to ? q->from : q->to;
+  if (pl != ql) return pl < ql ? -1 : 1;
+  const int ph = p->from + p->to - pl, qh = q->from + q->to - ql;
+  return (ph > qh) - (ph < qh);
+}
+
+static int all_edges(const arc_mesh *mesh, edge *list) {
+  int n = 0;
+  for (int e = 0; e < mesh->elements; e++) {
+    const int *c = &mesh->element[4 * e], corners = c[3] < 0 ? 3 : 4;
+    for (int k = 0; k < corners; k++) list[n++] = (edge){c[k], c[(k + 1) % corners]};
+  }
+  return n;
+}
+
+/* next[node] = the node that follows it on the boundary, -1 inside. Returns a boundary node, or -1.
+ */
+static int link_boundary(const arc_mesh *mesh, edge *list, int *next) {
+  const int n = all_edges(mesh, list);
+  qsort(list, (size_t)n, sizeof *list, compare_undirected);
+  for (int k = 0; k < mesh->nodes; k++) next[k] = -1;
+  int first = -1;
+  for (int k = 0; k < n; k++) {
+    const int twin = (k > 0 && compare_undirected(&list[k - 1], &list[k]) == 0) ||
+                     (k + 1 < n && compare_undirected(&list[k], &list[k + 1]) == 0);
+    if (twin) continue;
+    next[list[k].from] = list[k].to;
+    if (first < 0) first = list[k].from;
+  }
+  return first;
+}
+
+arc_status mesh_outline(arc_mesh *mesh) {
+  edge *list = malloc(4 * (size_t)mesh->elements * sizeof *list);
+  int *next = malloc((size_t)mesh->nodes * sizeof *next);
+  mesh->outline_node = malloc((size_t)mesh->nodes * sizeof(int));
+  arc_status status = list && next && mesh->outline_node ? ARC_OK : ARC_MEMORY;
+  if (status == ARC_OK) {
+    const int first = link_boundary(mesh, list, next);
+    int at = first;
+    do {
+      mesh->outline_node[mesh->outline++] = at;
+      at = next[at];
+    } while (at >= 0 && at != first && mesh->outline < mesh->nodes);
+    if (at != first) status = ARC_GEOMETRY;
+  }
+  free(list);
+  free(next);
+  return status;
+}
