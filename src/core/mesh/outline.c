@@ -49,11 +49,12 @@ arc_status mesh_outline(arc_mesh *mesh) {
   if (status == ARC_OK) {
     const int first = link_boundary(mesh, list, next);
     int at = first;
-    do {
+    while (at >= 0 && mesh->outline < mesh->nodes) {
       mesh->outline_node[mesh->outline++] = at;
       at = next[at];
-    } while (at >= 0 && at != first && mesh->outline < mesh->nodes);
-    if (at != first) status = ARC_GEOMETRY;
+      if (at == first) break;
+    }
+    if (first < 0 || at != first) status = ARC_GEOMETRY;
   }
   free(list);
   free(next);

@@ -1,0 +1,101 @@
+/* One contact solution as an object: a pose, solved, and what users ask of it. */
+#include "core/contact/solution.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static arc_status out_of_memory(arc_error *error) {
+  return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
+}
+
+static arc_status allocate(arc_contact *c) {
+  if (pose_create(&c->pose, c->shape->model) != ARC_OK) return ARC_MEMORY;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const size_t n = (size_t)c->shape->side[b].n;
+    c->count[b] = (int)n;
+    c->x[b] = calloc(3 * n, sizeof(double));
+    if (!c->x[b]) return ARC_MEMORY;
+    c->p[b] = c->x[b] + n;
+    c->f[b] = c->p[b] + n;
+  }
+  return ARC_OK;
+}
+
+static void read_pressures(arc_contact *c) {
+  pose_pressures(&c->pose, c->p[ARC_CYLINDER], c->p[ARC_PLATE]);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const double *width = b == ARC_CYLINDER ? c->pose.wc : c->pose.wp;
+    for (int i = 0; i < c->count[b]; i++) {
+      c->x[b][i] = c->shape->side[b].xy[2 * i] + (b == ARC_PLATE ? c->pose.x : 0);
+      c->f[b][i] = c->p[b][i] * width[i];
+    }
+  }
+}
+
+static void read_result(arc_contact *c, double load, double x) {
+  const arc_model_def *def = arc_model_definition(c->shape->model);
+  const double E_star = 1 / (1 / arc_material_E_star(def->material[ARC_CYLINDER]) +
+                             1 / arc_material_E_star(def->material[ARC_PLATE]));
+  double edges[2], largest = 0;
+  pose_edges(&c->pose, c->shape, E_star, edges);
+  for (int i = 0; i < c->count[ARC_CYLINDER]; i++) largest = fmax(largest, c->p[ARC_CYLINDER][i]);
+  c->result = (arc_contact_result){.load = load,
+                                   .x = x,
+                                   .p_center = c->p[ARC_CYLINDER][c->count[ARC_CYLINDER] / 2],
+                                   .p_max = largest,
+                                   .left = edges[0],
+                                   .right = edges[1],
+                                   .half_width = (edges[1] - edges[0]) / 2,
+                                   .approach = c->pose.approach,
+                                   .iterations = c->pose.iterations};
+}
+
+arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_contact **result,
+                             arc_error *error) {
+  *result = NULL;
+  if (!(load > 0) || !isfinite(load))
+    return arc_fail(error, ARC_ARGUMENT, "load: expected above 0 N, got %g N", load);
+  if (!isfinite(x))
+    return arc_fail(error, ARC_ARGUMENT, "x: expected a plate position in mm, got %g", x);
+  arc_contact *c = calloc(1, sizeof *c);
+  if (!c) return out_of_memory(error);
+  arc_status status = arc_shape_clone(shape, &c->shape, error);
+  if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
+  if (status == ARC_OK) status = pose_place(&c->pose, c->shape, x, error);
+  if (status == ARC_OK) {
+    pose_stiffen(&c->pose, c->shape);
+    pose_measure(&c->pose, c->shape);
+    status = pose_solve(&c->pose, load / arc_model_definition(shape->model)->thickness, error);
+  }
+  if (status == ARC_OK) {
+    read_pressures(c);
+    read_result(c, load, x);
+  } else {
+    arc_contact_destroy(&c);
+  }
+  *result = c;
+  return status;
+}
+
+void arc_contact_destroy(arc_contact **contact) {
+  if (!contact || !*contact) return;
+  arc_contact *c = *contact;
+  pose_free(&c->pose);
+  for (int b = 0; b < ARC_BODIES; b++) free(c->x[b]);
+  arc_shape_destroy(&c->shape);
+  free(c);
+  *contact = NULL;
+}
+
+arc_contact_result arc_contact_get(const arc_contact *contact) {
+  return contact->result;
+}
+
+arc_pressure arc_contact_pressure(const arc_contact *c, arc_body body) {
+  return (arc_pressure){c->count[body], c->x[body], c->p[body], c->f[body]};
+}
+
+arc_model *arc_contact_model(const arc_contact *contact) {
+  return contact->shape->model;
+}

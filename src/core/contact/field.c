@@ -1,0 +1,151 @@
+/* Displacements and stresses inside a body, by back-substitution from a contact solution. */
+#include "core/contact/solution.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static arc_status out_of_memory(arc_error *error) {
+  return arc_fail(error, ARC_MEMORY, "out of memory for a stress field");
+}
+
+static arc_status field_create(arc_field **result, int nodes) {
+  const size_t n = (size_t)nodes;
+  arc_field *field = calloc(1, sizeof *field);
+  double *block = calloc(10 * n, sizeof *block);
+  *result = field;
+  if (!field || !block) {
+    free(field);
+    free(block);
+    *result = NULL;
+    return ARC_MEMORY;
+  }
+  double **member[] = {&field->x,   &field->y,   &field->ux,  &field->uy,    &field->sxx,
+                       &field->syy, &field->szz, &field->sxy, &field->mises, &field->shear};
+  for (int m = 0; m < 10; m++) *member[m] = block + (size_t)m * n;
+  field->nodes = nodes;
+  return ARC_OK;
+}
+
+void arc_field_destroy(arc_field **field) {
+  if (!field || !*field) return;
+  free((*field)->x);
+  free(*field);
+  *field = NULL;
+}
+
+/* Adds to nodal values [3 * nodes] the averages of element values [3 * elements] around each node,
+ * weighted by area. */
+static void average_to_nodes(const arc_mesh *mesh, const double *area, const double *value,
+                             const double *weight, double *nodal) {
+  for (int e = 0; e < mesh->elements; e++)
+    for (int c = 0; c < 4; c++) {
+      const int node = mesh->element[4 * e + c];
+      if (node < 0) continue;
+      for (int s = 0; s < 3; s++) nodal[3 * node + s] += value[3 * e + s] * area[e] / weight[node];
+    }
+}
+
+/* Element values become half of what the mean of their corners misses: averaging to the nodes and
+ * back loses the second derivative twice. */
+static void halve_what_is_missed(const arc_mesh *mesh, const double *nodal, double *value) {
+  for (int e = 0; e < mesh->elements; e++) {
+    const int *corner = &mesh->element[4 * e], corners = corner[3] < 0 ? 3 : 4;
+    for (int s = 0; s < 3; s++) {
+      double mean = 0;
+      for (int c = 0; c < corners; c++) mean += nodal[3 * corner[c] + s] / corners;
+      value[3 * e + s] = (value[3 * e + s] - mean) / 2;
+    }
+  }
+}
+
+typedef struct recovery {
+  double *area, *value;   /* [elements], [3 * elements] */
+  double *weight, *nodal; /* [nodes], [3 * nodes] */
+} recovery;
+
+static void element_stresses(const elastic_body *b, const double *xy, const double *u,
+                             recovery *r) {
+  const arc_mesh *mesh = b->mesh;
+  for (int e = 0; e < mesh->elements; e++) {
+    const int *corner = &mesh->element[4 * e];
+    const element el = element_at(xy, corner, mesh->def.element);
+    double ue[8];
+    for (int c = 0; c < el.corners; c++) memcpy(&ue[2 * c], &u[2 * corner[c]], 2 * sizeof *ue);
+    element_stress(&el, b->d, ue, &r->value[3 * e]);
+    r->area[e] = element_area(&el);
+    for (int c = 0; c < el.corners; c++) r->weight[corner[c]] += r->area[e];
+  }
+}
+
+/* Nodal stresses from the elements' centres, where they are most accurate. Plain averages flatten
+ * peaks by a term of second order; averaging once more what they miss takes it out. */
+static arc_status recover_stresses(const elastic_body *b, const double *xy, const double *u,
+                                   arc_field *field) {
+  const arc_mesh *mesh = b->mesh;
+  const size_t elements = (size_t)mesh->elements, nodes = (size_t)mesh->nodes;
+  double *block = calloc(4 * elements + 4 * nodes, sizeof *block);
+  if (!block) return ARC_MEMORY;
+  recovery r = {block, block + elements, block + 4 * elements, block + 4 * elements + nodes};
+  element_stresses(b, xy, u, &r);
+  average_to_nodes(mesh, r.area, r.value, r.weight, r.nodal);
+  halve_what_is_missed(mesh, r.nodal, r.value);
+  average_to_nodes(mesh, r.area, r.value, r.weight, r.nodal);
+  for (size_t n = 0; n < nodes; n++) {
+    field->sxx[n] = r.nodal[3 * n];
+    field->syy[n] = r.nodal[3 * n + 1];
+    field->sxy[n] = r.nodal[3 * n + 2];
+  }
+  free(block);
+  return ARC_OK;
+}
+
+static void derive_invariants(double nu, arc_field *field) {
+  for (int n = 0; n < field->nodes; n++) {
+    const double x = field->sxx[n], y = field->syy[n], t = field->sxy[n], z = nu * (x + y);
+    field->szz[n] = z;
+    field->shear[n] = hypot((x - y) / 2, t);
+    field->mises[n] =
+        sqrt(((x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x)) / 2 + 3 * t * t);
+  }
+}
+
+/* Nodal displacements u and box nodes, then stresses; work holds u and xy. */
+static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *field, double *work,
+                             double *box, arc_error *error) {
+  const shape_side *side = &c->shape->side[body];
+  const size_t n = (size_t)field->nodes;
+  double *u = work, *xy = work + 2 * n, *f = box + 2 * (size_t)side->body->box_count;
+  const double sign = body == ARC_CYLINDER ? 1 : -1;
+  for (int i = 0; i < side->n; i++) f[i] = sign * c->f[body][i];
+  shape_box(side, side->xy, box);
+  const arc_status status = body_displacements(side->body, box, f, u, error);
+  if (status != ARC_OK) return status;
+  arc_shape_nodes(c->shape, body, xy);
+  if (recover_stresses(side->body, xy, u, field) != ARC_OK) return out_of_memory(error);
+  derive_invariants(side->body->d.nu, field);
+  for (size_t k = 0; k < n; k++) {
+    field->x[k] = xy[2 * k] + (body == ARC_PLATE ? c->pose.x : 0);
+    field->y[k] = xy[2 * k + 1];
+    field->ux[k] = u[2 * k];
+    field->uy[k] = u[2 * k + 1];
+  }
+  return ARC_OK;
+}
+
+arc_status arc_contact_field(const arc_contact *c, arc_body body, arc_field **field,
+                             arc_error *error) {
+  const elastic_body *b = c->shape->side[body].body;
+  const size_t n = (size_t)b->mesh->nodes,
+               box_size = 2 * (size_t)b->box_count + (size_t)b->mesh->surface;
+  double *work = calloc(4 * n, sizeof *work), *box = malloc(box_size * sizeof *box);
+  arc_status status = field_create(field, b->mesh->nodes);
+  if (!work || !box || status != ARC_OK)
+    status = out_of_memory(error);
+  else
+    status = fill_field(c, body, *field, work, box, error);
+  if (status != ARC_OK) arc_field_destroy(field);
+  free(work);
+  free(box);
+  return status;
+}

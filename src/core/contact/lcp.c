@@ -1,0 +1,162 @@
+/* The contact problem: f >= 0, g = gap - approach + A f >= 0, f'g = 0, sum f = load.
+ *
+ * A primal-dual active set (semismooth Newton) from the last set: one factorisation where the set
+ * is still right. Should it cycle, a primal active-set method on the equivalent convex problem, min
+ * f'A f / 2 + gap'f, takes over: its objective falls with every set, so no set comes back.
+ */
+#include "core/base/dense.h"
+#include "core/contact/pose.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { newton_limit = 30 };
+
+static int factorise(pose *p) {
+  if (p->factored) return 0;
+  const int n = p->active;
+  for (int c = 0; c < n; c++)
+    for (int r = c; r < n; r++)
+      p->factor[dense_at(r, c, n)] = p->a[dense_at(p->set[r], p->set[c], p->count)];
+  if (dense_cholesky(n, p->factor, n)) return 1;
+  for (int k = 0; k < n; k++) p->ones[k] = 1;
+  dense_cholesky_solve(n, 1, p->factor, n, p->ones, n);
+  p->factored = 1;
+  return 0;
+}
+
+/* Forces on the set that close its gaps under the load: fs [active] and the approach. Non-zero: A
+ * is not definite. */
+static int solve_on_set(pose *p, double load, double *fs) {
+  if (factorise(p)) return 1;
+  double sum = 0, total = 0;
+  for (int k = 0; k < p->active; k++) fs[k] = p->gap[p->set[k]];
+  dense_cholesky_solve(p->active, 1, p->factor, p->active, fs, p->active);
+  for (int k = 0; k < p->active; k++) {
+    sum += fs[k];
+    total += p->ones[k];
+  }
+  p->approach = (load + sum) / total;
+  for (int k = 0; k < p->active; k++) fs[k] = p->approach * p->ones[k] - fs[k];
+  return 0;
+}
+
+/* f by candidate from fs on the set; the gaps that remain. */
+static void spread(pose *p, const double *fs) {
+  for (int k = 0; k < p->count; k++) {
+    p->f[k] = 0;
+    p->open[k] = p->gap[k] - p->approach;
+  }
+  for (int s = 0; s < p->active; s++) {
+    const double *column = &p->a[dense_at(0, p->set[s], p->count)];
+    p->f[p->set[s]] = fs[s];
+    for (int k = 0; k < p->count; k++) p->open[k] += column[k] * fs[s];
+  }
+  for (int s = 0; s < p->active; s++) p->open[p->set[s]] = 0;
+}
+
+/* Nodes that press stay, nodes that penetrate join. Returns whether the set changed. */
+static int update_set(pose *p) {
+  int n = 0, same = 1;
+  for (int k = 0, s = 0; k < p->count; k++) {
+    const int was = s < p->active && p->set[s] == k;
+    const int is = was ? p->f[k] > 0 : p->open[k] < 0;
+    s += was;
+    same = same && was == is;
+    if (is) p->work[n++] = k;
+  }
+  if (same) return 0;
+  for (int k = 0; k < n; k++) p->set[k] = (int)p->work[k];
+  p->active = n;
+  p->factored = 0;
+  return 1;
+}
+
+static void all_active(pose *p) {
+  p->active = p->count;
+  p->factored = 0;
+  for (int k = 0; k < p->count; k++) p->set[k] = k;
+}
+
+/* 1 solved, 0 gave up, -1 broke down. */
+static int newton(pose *p, double load, double *fs) {
+  if (p->active == 0) all_active(p);
+  for (int i = 0; i < newton_limit; i++) {
+    p->iterations++;
+    if (solve_on_set(p, load, fs)) return -1;
+    spread(p, fs);
+    if (!update_set(p)) return 1;
+    if (p->active == 0) return 0;
+  }
+  return 0;
+}
+
+static void insert(pose *p, int candidate) {
+  int at = p->active++;
+  for (; at > 0 && p->set[at - 1] > candidate; at--) p->set[at] = p->set[at - 1];
+  p->set[at] = candidate;
+  p->factored = 0;
+}
+
+static void drop(pose *p, int at) {
+  p->active--;
+  memmove(&p->set[at], &p->set[at + 1], (size_t)(p->active - at) * sizeof *p->set);
+  p->factored = 0;
+}
+
+/* From the feasible forces f towards those of the set, as far as they stay non-negative; drops a
+ * node that blocks. Returns 1 where the way was free, 0 where a node was dropped, -1 on breakdown.
+ */
+static int advance(pose *p, double load, double *f, double *fs) {
+  if (solve_on_set(p, load, fs)) return -1;
+  double step = 1;
+  int blocking = -1;
+  for (int s = 0; s < p->active; s++) {
+    if (fs[s] > 0) continue;
+    const double share = f[p->set[s]] / (f[p->set[s]] - fs[s]);
+    if (share < step || blocking < 0) step = share, blocking = s;
+  }
+  for (int s = 0; s < p->active; s++) f[p->set[s]] += step * (fs[s] - f[p->set[s]]);
+  if (blocking < 0) return 1;
+  f[p->set[blocking]] = 0;
+  drop(p, blocking);
+  return 0;
+}
+
+static int most_penetrating(const pose *p) {
+  int worst = -1;
+  double least = 0;
+  for (int k = 0; k < p->count; k++)
+    if (p->open[k] < least) least = p->open[k], worst = k;
+  return worst;
+}
+
+static int descend(pose *p, double load, double *fs) {
+  double *f = p->work + p->nc;
+  int start = 0;
+  for (int k = 1; k < p->count; k++)
+    if (p->gap[k] < p->gap[start]) start = k;
+  memset(f, 0, (size_t)p->count * sizeof *f);
+  f[start] = load;
+  p->active = 0;
+  insert(p, start);
+  for (int guard = 0; guard < 100 * p->count; guard++) {
+    p->iterations++;
+    int free_way;
+    while ((free_way = advance(p, load, f, fs)) == 0) p->iterations++;
+    if (free_way < 0) return -1;
+    spread(p, fs);
+    const int worst = most_penetrating(p);
+    if (worst < 0 || p->open[worst] > -1e-14 * fabs(p->approach)) return 1;
+    insert(p, worst);
+  }
+  return 0;
+}
+
+arc_status lcp_solve(pose *p, double load) {
+  double *fs = p->work + 2 * (p->nc + p->np);
+  p->iterations = 0;
+  int solved = newton(p, load, fs);
+  if (solved == 0) solved = descend(p, load, fs);
+  return solved == 1 ? ARC_OK : ARC_NUMERIC;
+}

@@ -1,0 +1,169 @@
+/* Mortar coupling: a dual basis psi on the cylinder's segments, biorthogonal to its hat functions,
+ * integrated exactly against the plate's hat functions over the overlaps. Row i of B is (1 / w_i)
+ * integral psi_i phi_l dx. */
+#include "core/contact/pose.h"
+#include "core/base/dense.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static double tributary(const double *xy, int n, int i) {
+  const int a = i > 0 ? i - 1 : 0, b = i + 1 < n ? i + 1 : i;
+  return (xy[2 * b] - xy[2 * a]) / 2;
+}
+
+/* Cylinder nodes whose two segments lie wholly over the plate's candidate zone. */
+static void find_candidates(pose *p, const double *cyl, double plate_left, double plate_right) {
+  int lo = 1, hi = p->nc - 2;
+  while (lo <= hi && cyl[2 * (lo - 1)] < plate_left) lo++;
+  while (hi >= lo && cyl[2 * (hi + 1)] > plate_right) hi--;
+  p->lo = lo;
+  p->count = hi - lo + 1;
+}
+
+/* The plate segment [l, l + 1] that holds x (cylinder frame). */
+static int plate_segment(const pose *p, const double *plate, double x) {
+  int low = 0, high = p->np - 2;
+  while (low < high) {
+    const int middle = (low + high + 1) / 2;
+    if (plate[2 * middle] + p->x <= x)
+      low = middle;
+    else
+      high = middle - 1;
+  }
+  return low;
+}
+
+/* Adds integral psi phi over the part [u, v] of plate segment l; psi runs linearly from at_a to
+ * at_b over [a, b]. */
+static void add_overlap(const double *plate, double shift, int l, double a, double b, double at_a,
+                        double at_b, double u, double v, double *entry) {
+  static const double gauss = 0.57735026918962576451;
+  const double left = plate[2 * l] + shift, right = plate[2 * l + 2] + shift;
+  for (int g = -1; g <= 1; g += 2) {
+    const double x = (u + v) / 2 + g * gauss * (v - u) / 2;
+    const double psi = at_a + (at_b - at_a) * (x - a) / (b - a);
+    const double phi = (x - left) / (right - left), weight = (v - u) / 2 * psi;
+    entry[0] += weight * (1 - phi);
+    entry[1] += weight * phi;
+  }
+}
+
+/* One of the two segments around a candidate: [a, b] with psi from at_a to at_b. */
+static void add_segment(const pose *p, const double *plate, double a, double b, double at_a,
+                        double at_b, int first, double *row) {
+  for (int l = plate_segment(p, plate, a); l < p->np - 1 && plate[2 * l] + p->x < b; l++) {
+    const double u = fmax(a, plate[2 * l] + p->x), v = fmin(b, plate[2 * l + 2] + p->x);
+    if (v > u) add_overlap(plate, p->x, l, a, b, at_a, at_b, u, v, &row[l - first]);
+  }
+}
+
+/* Longest row: plate nodes within reach of any candidate's two segments. */
+static int row_width(const pose *p, const double *cyl, const double *plate) {
+  int width = 2;
+  for (int i = p->lo; i < p->lo + p->count; i++) {
+    const int a = plate_segment(p, plate, cyl[2 * (i - 1)]);
+    const int b = plate_segment(p, plate, cyl[2 * (i + 1)]) + 1;
+    if (b - a + 1 > width) width = b - a + 1;
+  }
+  return width;
+}
+
+static arc_status make_room(pose *p, int width) {
+  if (width > p->width) {
+    double *grown = realloc(p->b, (size_t)p->nc * (size_t)width * sizeof *grown);
+    if (!grown) return ARC_MEMORY;
+    p->b = grown;
+    p->width = width;
+  }
+  memset(p->b, 0, (size_t)p->nc * (size_t)p->width * sizeof *p->b);
+  return ARC_OK;
+}
+
+static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
+  const int i = p->lo + k;
+  const double a = cyl[2 * (i - 1)], b = cyl[2 * i], c = cyl[2 * (i + 1)];
+  double *row = &p->b[k * p->width];
+  /* rows at the plate's end stay inside it */
+  int first = plate_segment(p, plate, a);
+  if (first > p->np - p->width) first = p->np - p->width;
+  if (first < 0) first = 0;
+  p->first[k] = first;
+  add_segment(p, plate, a, b, -1, 2, first, row);
+  add_segment(p, plate, b, c, 2, -1, first, row);
+  for (int q = 0; q < p->width; q++) row[q] /= p->wc[i];
+}
+
+arc_status pose_place(pose *p, const arc_shape *shape, double x, arc_error *error) {
+  const double *cyl = shape->side[ARC_CYLINDER].xy, *plate = shape->side[ARC_PLATE].xy;
+  p->x = x;
+  const int lo = p->lo, count = p->count;
+  find_candidates(p, cyl, plate[0] + x, plate[2 * p->np - 2] + x);
+  if (p->lo != lo || p->count != count) p->active = p->factored = 0;
+  if (p->count < 3)
+    return arc_fail(
+        error, ARC_ZONE,
+        "plate position x = %g mm: the candidate zones of cylinder (%g mm) and plate (%g mm) do "
+        "not overlap there; mesh.zone.plate must be wider",
+        x, cyl[2 * p->nc - 2] - cyl[0], plate[2 * p->np - 2] - plate[0]);
+  if (make_room(p, row_width(p, cyl, plate)) != ARC_OK)
+    return arc_fail(error, ARC_MEMORY, "out of memory for the contact");
+  for (int i = 0; i < p->nc; i++) p->wc[i] = tributary(cyl, p->nc, i);
+  for (int l = 0; l < p->np; l++) p->wp[l] = tributary(plate, p->np, l);
+  for (int k = 0; k < p->count; k++) fill_row(p, k, cyl, plate);
+  return ARC_OK;
+}
+
+void pose_to_cylinder(const pose *p, const double *v, double *result) {
+  memset(result, 0, (size_t)p->nc * sizeof *result);
+  for (int k = 0; k < p->count; k++) {
+    const double *row = &p->b[k * p->width], *from = &v[p->first[k]];
+    double sum = 0;
+    for (int q = 0; q < p->width; q++) sum += row[q] * from[q];
+    result[p->lo + k] = sum;
+  }
+}
+
+void pose_to_plate(const pose *p, const double *v, double *result) {
+  memset(result, 0, (size_t)p->np * sizeof *result);
+  for (int k = 0; k < p->count; k++) {
+    const double *row = &p->b[k * p->width], at = v[p->lo + k];
+    if (at == 0) continue;
+    double *to = &result[p->first[k]];
+    for (int q = 0; q < p->width; q++) to[q] += row[q] * at;
+  }
+}
+
+/* A = F_c + B F_p B', the lower triangle first, then mirrored: A is symmetric to the bit. */
+void pose_stiffen(pose *p, const arc_shape *shape) {
+  const double *fc = shape_compliance(&shape->side[ARC_CYLINDER])->normal;
+  const double *fp = shape_compliance(&shape->side[ARC_PLATE])->normal;
+  double *column = p->work; /* F_p b_k */
+  for (int k = 0; k < p->count; k++) {
+    memset(column, 0, (size_t)p->np * sizeof *column);
+    for (int q = 0; q < p->width; q++) {
+      const double weight = p->b[k * p->width + q];
+      const double *from = &fp[dense_at(0, p->first[k] + q, p->np)];
+      if (weight != 0)
+        for (int l = 0; l < p->np; l++) column[l] += weight * from[l];
+    }
+    for (int r = k; r < p->count; r++) {
+      const double *row = &p->b[r * p->width], *from = &column[p->first[r]];
+      double sum = fc[dense_at(p->lo + r, p->lo + k, p->nc)];
+      for (int q = 0; q < p->width; q++) sum += row[q] * from[q];
+      p->a[dense_at(r, k, p->count)] = p->a[dense_at(k, r, p->count)] = sum;
+    }
+  }
+  p->factored = 0;
+}
+
+void pose_measure(pose *p, const arc_shape *shape) {
+  const double *cyl = shape->side[ARC_CYLINDER].xy, *plate = shape->side[ARC_PLATE].xy;
+  for (int k = 0; k < p->count; k++) {
+    double below = 0;
+    for (int q = 0; q < p->width && p->first[k] + q < p->np; q++)
+      below += p->b[k * p->width + q] * plate[2 * (p->first[k] + q) + 1];
+    p->gap[k] = cyl[2 * (p->lo + k) + 1] - below;
+  }
+}

@@ -1,0 +1,144 @@
+/* One contact pose: room, solution, and what is read from it. Leans on mortar.c and lcp.c. */
+#include "core/contact/pose.h"
+#include "core/base/dense.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+arc_status pose_create(pose *p, const arc_model *model) {
+  const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
+  const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
+  *p = (pose){.nc = (int)nc, .np = (int)np};
+  p->first = malloc(nc * sizeof(int));
+  p->set = malloc(nc * sizeof(int));
+  p->a = malloc(nc * nc * sizeof(double));
+  p->factor = malloc(nc * nc * sizeof(double));
+  p->wc = calloc(5 * nc + np + 4 * (nc + np), sizeof(double)); /* one block for the small arrays */
+  if (!p->first || !p->set || !p->a || !p->factor || !p->wc) {
+    pose_free(p);
+    return ARC_MEMORY;
+  }
+  p->gap = p->wc + nc;
+  p->f = p->gap + nc;
+  p->open = p->f + nc;
+  p->ones = p->open + nc;
+  p->wp = p->ones + nc;
+  p->work = p->wp + np;
+  return ARC_OK;
+}
+
+void pose_free(pose *p) {
+  free(p->first);
+  free(p->set);
+  free(p->a);
+  free(p->factor);
+  free(p->wc);
+  free(p->b);
+  *p = (pose){0};
+}
+
+/* The zone that would have held the contact, in words. */
+static arc_status edge_reached(pose *p, int left, arc_error *error) {
+  const int node = left ? p->lo : p->lo + p->count - 1;
+  const int cylinder = node == 1 || node == p->nc - 2;
+  p->active = p->factored = 0;
+  return arc_fail(
+      error, ARC_ZONE,
+      "with the plate at x = %g mm the contact reaches the %s edge of the %s's candidate zone; "
+      "widen mesh.zone.%s",
+      p->x, left ? "left" : "right", cylinder ? "cylinder" : "plate",
+      cylinder ? "cylinder" : "plate");
+}
+
+arc_status pose_solve(pose *p, double load, arc_error *error) {
+  if (lcp_solve(p, load) != ARC_OK) {
+    p->active = p->factored = 0;
+    return arc_fail(error, ARC_NUMERIC,
+                    "the contact solution broke down with the plate at x = %g mm", p->x);
+  }
+  if (p->set[0] == 0) return edge_reached(p, 1, error);
+  if (p->set[p->active - 1] == p->count - 1) return edge_reached(p, 0, error);
+  return ARC_OK;
+}
+
+/* Forces at all cylinder nodes from those at candidates. */
+static void nodal_forces(const pose *p, double *f) {
+  memset(f, 0, (size_t)p->nc * sizeof *f);
+  memcpy(&f[p->lo], p->f, (size_t)p->count * sizeof *f);
+}
+
+/* The dual basis dips below zero beside its node, so that a plate node just outside the contact may
+ * be pulled a little. Such a force goes to the neighbour that is pressed more: nothing is pulled,
+ * and the sum stays. */
+static void push_only(double *f, int n) {
+  for (int pass = 0, left = 1; left && pass < 4; pass++) {
+    left = 0;
+    for (int l = 1; l < n - 1; l++) {
+      if (f[l] >= 0) continue;
+      const double deficit = f[l], before = f[l - 1], after = f[l + 1];
+      f[l] = 0;
+      if (before == after)
+        f[l - 1] += deficit / 2, f[l + 1] += deficit / 2;
+      else
+        f[before > after ? l - 1 : l + 1] += deficit;
+      left = 1;
+    }
+  }
+}
+
+void pose_pressures(const pose *p, double *pc, double *pp) {
+  nodal_forces(p, pc);
+  pose_to_plate(p, pc, pp);
+  push_only(pp, p->np);
+  for (int i = 0; i < p->nc; i++) pc[i] /= p->wc[i];
+  for (int l = 0; l < p->np; l++) pp[l] /= p->wp[l];
+}
+
+void pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up) {
+  double *fc = p->work, *fp = p->work + p->nc;
+  nodal_forces(p, fc);
+  pose_to_plate(p, fc, fp);
+  const double *gc = shape_compliance(&shape->side[ARC_CYLINDER])->tangential;
+  const double *gp = shape_compliance(&shape->side[ARC_PLATE])->tangential;
+  dense_multiply(p->nc, 1, p->nc, 1, gc, p->nc, fc, p->nc, 0, uc, p->nc);
+  dense_multiply(p->np, 1, p->np, -1, gp, p->np, fp, p->np, 0, up, p->np);
+}
+
+void pose_linear(const pose *p, const double *dg, double *df) {
+  double *x = p->work, sum = 0, total = 0;
+  for (int s = 0; s < p->active; s++) x[s] = dg[p->lo + p->set[s]];
+  dense_cholesky_solve(p->active, 1, p->factor, p->active, x, p->active);
+  for (int s = 0; s < p->active; s++) {
+    sum += x[s];
+    total += p->ones[s];
+  }
+  memset(df, 0, (size_t)p->nc * sizeof *df);
+  for (int s = 0; s < p->active; s++) df[p->lo + p->set[s]] = sum / total * p->ones[s] - x[s];
+}
+
+/* Between the last node in contact (pressure q at distance 0) and the next one (gap g at distance
+ * h) lies the edge, at e from the first: near the edge of a smooth contact q = c sqrt(e) and g = 4
+ * c (h - e)^(3/2) / (3 E*). Solves for e. */
+static double edge_offset(double q, double g, double h, double E_star) {
+  double low = 0, high = h;
+  for (int i = 0; i < 60; i++) {
+    const double e = (low + high) / 2;
+    if (4 * q * pow(h - e, 1.5) > 3 * E_star * g * sqrt(e))
+      low = e;
+    else
+      high = e;
+  }
+  return (low + high) / 2;
+}
+
+void pose_edges(const pose *p, const arc_shape *shape, double E_star, double edges[2]) {
+  const double *cyl = shape->side[ARC_CYLINDER].xy;
+  for (int side = 0; side < 2; side++) {
+    const int direction = side ? 1 : -1;
+    const int k = side ? p->set[p->active - 1] : p->set[0], node = p->lo + k;
+    const double x = cyl[2 * node], h = fabs(cyl[2 * (node + direction)] - x);
+    edges[side] =
+        x + direction * edge_offset(p->f[k] / p->wc[node], p->open[k + direction], h, E_star);
+  }
+}

@@ -1,0 +1,72 @@
+/* The contact with the plate at one position: mortar coupling, contact matrix, solution with warm
+ * start.
+ *
+ * Everything is in the cylinder's frame and per mm of thickness. B [candidates x plate nodes] takes
+ * plate nodal values to cylinder nodes; plate forces are B'f, so that forces balance to rounding. g
+ * = gap - approach + A f with A = F_c + B F_p B'. Contact tractions act along y.
+ */
+#ifndef CONTACT_POSE_H
+#define CONTACT_POSE_H
+
+#include "core/contact/shape.h"
+
+typedef struct pose {
+  double x;        /* [mm] plate position */
+  int nc, np;      /* surface nodes of cylinder and plate */
+  int lo, count;   /* candidates: cylinder nodes lo .. lo + count - 1 */
+  int width;       /* row length of B */
+  int *first;      /* [nc] first plate node of each row of B, by candidate */
+  double *b;       /* [nc * width] rows of B */
+  double *wc, *wp; /* [nc], [np] tributary widths [mm] */
+  double *a;       /* [count x count] A [mm2/N] */
+  double *gap;     /* [nc] initial gap of the candidates [mm] */
+  double *
+      f; /* [nc] solution: nodal forces [N/mm], by candidate; also closed gaps below zero on work */
+  double *open;    /* [nc] solution: gap left [mm], by candidate */
+  double approach; /* [mm] */
+  int iterations;  /* of the last solution; all of them count */
+  int active;      /* size of the active set */
+  int *set;        /* [nc] the active candidates in increasing order */
+  double *factor;  /* [active x active] Cholesky factor of A on the set */
+  double *ones;    /* [nc] (A_set)^-1 1 */
+  int factored;    /* factor and ones belong to set and A */
+  double *work;    /* [4 * (nc + np)] */
+} pose;
+
+/* Room for a pose on a model; ARC_MEMORY leaves it empty. */
+arc_status pose_create(pose *p, const arc_model *model);
+void pose_free(pose *p);
+
+/* B and tributary widths for the plate at x [mm] on this shape's present nodes. ARC_ZONE where
+ * fewer than three candidates remain, ARC_MEMORY. */
+arc_status pose_place(pose *p, const arc_shape *shape, double x, arc_error *error);
+/* Contact matrix from the shape's present compliance. */
+void pose_stiffen(pose *p, const arc_shape *shape);
+/* Initial gaps from the shape's present heights. */
+void pose_measure(pose *p, const arc_shape *shape);
+
+/* Solves for a load per thickness [N/mm]. On ARC_ZONE (contact at the edge of the candidates) and
+ * ARC_NUMERIC the warm start is dropped, nothing else changes. */
+arc_status pose_solve(pose *p, double load, arc_error *error);
+
+/* Pressures [MPa] of the solution at all surface nodes: pc [nc], pp [np]. */
+void pose_pressures(const pose *p, double *pc, double *pp);
+/* Elastic displacement along x of the solution [mm]: at cylinder nodes uc [nc], plate nodes up
+ * [np]. */
+void pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up);
+/* result [nc] := B v for the candidates, 0 elsewhere; v [np]. */
+void pose_to_cylinder(const pose *p, const double *v, double *result);
+/* result [np] := B' v; v by cylinder node [nc]. */
+void pose_to_plate(const pose *p, const double *v, double *result);
+/* Change of nodal forces df [nc] for a change of gap dg [nc] with the active set as it is and the
+ * load kept. */
+void pose_linear(const pose *p, const double *dg, double *df);
+/* Contact edges [mm], interpolated between nodes with the square-root law of smooth contacts.
+ * E_star: the couple's. */
+void pose_edges(const pose *p, const arc_shape *shape, double E_star, double edges[2]);
+
+/* The complementarity problem (lcp.c): finds p's set, factor, ones, f, approach for a load, from
+ * the set as a warm start. */
+arc_status lcp_solve(pose *p, double load);
+
+#endif

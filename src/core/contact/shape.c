@@ -1,0 +1,269 @@
+/* Worn surfaces: nodes move along their normals, the wear box follows, the compliance is renewed
+ * when it is due. */
+#include "core/contact/shape.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* An element of the wear box may lose this share of its height before the mesh counts as used up.
+ */
+static const double thinnest = 0.1;
+
+static arc_status out_of_memory(arc_error *error) {
+  return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
+}
+
+/* Into the material: up for the cylinder, down for the plate. */
+static double inward(const shape_side *side) {
+  return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
+}
+
+static arc_status allocate_side(shape_side *side, const elastic_body *body) {
+  const size_t n = (size_t)body->mesh->surface;
+  side->body = body;
+  side->n = body->mesh->surface;
+  side->h = calloc(7 * n, sizeof(double)); /* one block for all the arrays of a side */
+  if (!side->h) return ARC_MEMORY;
+  side->x0 = side->h + n;
+  side->y = side->x0 + n;
+  side->xy = side->y + n;
+  side->settled = side->xy + 2 * n;
+  return ARC_OK;
+}
+
+static void fill_unworn(shape_side *side) {
+  const arc_mesh *mesh = side->body->mesh;
+  for (int i = 0; i < side->n; i++) {
+    const double *node = &mesh->xy[2 * mesh->surface_node[i]];
+    side->x0[i] = node[0];
+    side->y[i] = node[1];
+    memcpy(&side->xy[2 * i], node, 2 * sizeof(double));
+  }
+  memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
+}
+
+arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
+                            arc_shape **result, arc_error *error) {
+  *result = NULL;
+  if (!(refresh >= 0))
+    return arc_fail(error, ARC_ARGUMENT, "refresh: expected 0 or above, got %g", refresh);
+  arc_shape *shape = calloc(1, sizeof *shape);
+  if (!shape) return out_of_memory(error);
+  shape->model = arc_model_retain(model);
+  shape->geometry = geometry;
+  shape->refresh = refresh;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    if (allocate_side(&shape->side[b], model_body(model, (arc_body)b)) != ARC_OK) {
+      arc_shape_destroy(&shape);
+      return out_of_memory(error);
+    }
+    fill_unworn(&shape->side[b]);
+  }
+  *result = shape;
+  return ARC_OK;
+}
+
+static arc_status copy_compliance(compliance *to, const compliance *from) {
+  if (from->n == 0) return ARC_OK;
+  const arc_status status = compliance_create(to, from->n);
+  if (status != ARC_OK) return status;
+  const size_t bytes = (size_t)from->n * (size_t)from->n * sizeof(double);
+  memcpy(to->normal, from->normal, bytes);
+  memcpy(to->tangential, from->tangential, bytes);
+  return ARC_OK;
+}
+
+arc_status arc_shape_clone(const arc_shape *shape, arc_shape **result, arc_error *error) {
+  arc_shape *copy;
+  arc_status status = arc_shape_create(shape->model, shape->geometry, shape->refresh, &copy, error);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
+    const shape_side *from = &shape->side[b];
+    shape_side *to = &copy->side[b];
+    memcpy(to->h, from->h, 7 * (size_t)from->n * sizeof(double));
+    to->even = from->even;
+    status = copy_compliance(&to->own, &from->own);
+    if (status != ARC_OK) out_of_memory(error);
+  }
+  if (status == ARC_OK)
+    copy->condensed = shape->condensed;
+  else
+    arc_shape_destroy(&copy);
+  *result = copy;
+  return status;
+}
+
+void arc_shape_destroy(arc_shape **shape) {
+  if (!shape || !*shape) return;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    free((*shape)->side[b].h);
+    compliance_free(&(*shape)->side[b].own);
+  }
+  arc_model_release(&(*shape)->model);
+  free(*shape);
+  *shape = NULL;
+}
+
+arc_model *arc_shape_model(const arc_shape *shape) {
+  return shape->model;
+}
+
+/* Node k of the wear box: its column is pulled along with the surface, fully at the top, not at all
+ * at the bottom. */
+static void box_node_at(const shape_side *side, const double *surface_xy, int k, double xy[2]) {
+  const arc_mesh *mesh = side->body->mesh;
+  const int column = k / (mesh->rows + 1), row = k % (mesh->rows + 1);
+  const double *top = &mesh->xy[2 * mesh->surface_node[column]];
+  const double share = (double)(mesh->rows - row) / mesh->rows;
+  for (int d = 0; d < 2; d++)
+    xy[d] = mesh->xy[2 * mesh->box_node[k] + d] + share * (surface_xy[2 * column + d] - top[d]);
+}
+
+void shape_box(const shape_side *side, const double *surface_xy, double *box_xy) {
+  for (int k = 0; k < side->body->box_count; k++) box_node_at(side, surface_xy, k, &box_xy[2 * k]);
+}
+
+/* Moves the surface by `depth` along its present normals (frozen geometry: straight up or down). */
+static void move_surface(const shape_side *side, arc_geometry geometry, const double *depth,
+                         double *xy) {
+  const double in = inward(side);
+  for (int i = 0; i < side->n; i++) {
+    const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
+    double nx = 0, ny = in;
+    if (geometry == ARC_MOVING) {
+      const double tx = side->xy[2 * b] - side->xy[2 * a],
+                   ty = side->xy[2 * b + 1] - side->xy[2 * a + 1];
+      const double length = hypot(tx, ty);
+      nx = -in * ty / length;
+      ny = in * tx / length;
+    }
+    xy[2 * i] = side->xy[2 * i] + depth[i] * nx;
+    xy[2 * i + 1] = side->xy[2 * i + 1] + depth[i] * ny;
+  }
+}
+
+/* The wear box must keep its elements: every column a share of its height, the nodes their order.
+ */
+static arc_status check_box(const shape_side *side, const double *xy, arc_error *error) {
+  const arc_mesh *mesh = side->body->mesh;
+  const double box = mesh->rows * mesh->def.height;
+  for (int i = 0; i < side->n; i++) {
+    const double *bottom = &mesh->xy[2 * mesh->box_node[i * (mesh->rows + 1) + mesh->rows]];
+    const double left = (bottom[1] - xy[2 * i + 1]) * inward(side);
+    if (left > thinnest * box && (i == 0 || xy[2 * i] > xy[2 * i - 2])) continue;
+    return arc_fail(
+        error, ARC_GEOMETRY,
+        "the %s's wear at x = %.4g mm leaves %.3g mm of its wear box of %d rows of %g mm; "
+        "use more rows (mesh.rows), higher elements or smaller steps",
+        arc_body_name(mesh->body), side->x0[i], left, mesh->rows, mesh->def.height);
+  }
+  return ARC_OK;
+}
+
+static int refresh_is_due(const arc_shape *shape, const shape_side *side, const double *xy) {
+  if (shape->geometry == ARC_FROZEN) return 0;
+  const double limit = shape->refresh * side->body->mesh->def.height;
+  for (int i = 0; i < side->n; i++) {
+    const double moved =
+        hypot(xy[2 * i] - side->settled[2 * i], xy[2 * i + 1] - side->settled[2 * i + 1]);
+    if (moved > limit) return 1;
+  }
+  return 0;
+}
+
+static arc_status condense(const shape_side *side, const double *xy, compliance *result,
+                           arc_error *error) {
+  double *box = malloc(2 * (size_t)side->body->box_count * sizeof *box);
+  arc_status status = box ? compliance_create(result, side->n) : ARC_MEMORY;
+  if (status != ARC_OK) {
+    out_of_memory(error);
+  } else {
+    shape_box(side, xy, box);
+    status = body_condense(side->body, box, result, error);
+    if (status != ARC_OK) compliance_free(result);
+  }
+  free(box);
+  return status;
+}
+
+static void commit(shape_side *side, const double *depth, const double *xy) {
+  for (int i = 0; i < side->n; i++) {
+    side->h[i] += depth[i];
+    side->y[i] = xy[2 * i + 1] + inward(side) * side->even;
+  }
+  memcpy(side->xy, xy, 2 * (size_t)side->n * sizeof *xy);
+}
+
+static void settle(arc_shape *shape, shape_side *side, compliance renewed) {
+  compliance_free(&side->own);
+  side->own = renewed;
+  memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
+  shape->condensed++;
+}
+
+arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error) {
+  shape_side *side = &shape->side[body];
+  double *xy = malloc(2 * (size_t)side->n * sizeof *xy);
+  if (!xy) return out_of_memory(error);
+  move_surface(side, shape->geometry, depth, xy);
+  arc_status status = shape->geometry == ARC_MOVING ? check_box(side, xy, error) : ARC_OK;
+  compliance renewed = {0};
+  const int due = status == ARC_OK && refresh_is_due(shape, side, xy);
+  if (due) status = condense(side, xy, &renewed, error);
+  if (status == ARC_OK) {
+    commit(side, depth, xy);
+    if (due) settle(shape, side, renewed);
+  }
+  free(xy);
+  return status;
+}
+
+void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth) {
+  shape_side *side = &shape->side[body];
+  side->even += depth;
+  for (int i = 0; i < side->n; i++) {
+    side->h[i] += depth;
+    side->y[i] = side->xy[2 * i + 1] + inward(side) * side->even;
+  }
+}
+
+arc_profile arc_shape_profile(const arc_shape *shape, arc_body body) {
+  const shape_side *side = &shape->side[body];
+  return (arc_profile){side->n, side->x0, side->h, side->y};
+}
+
+double arc_shape_depth(const arc_shape *shape, arc_body body) {
+  const shape_side *side = &shape->side[body];
+  double depth = side->h[0];
+  for (int i = 1; i < side->n; i++) depth = fmax(depth, side->h[i]);
+  return depth;
+}
+
+double arc_shape_vector_depth(const arc_shape *shape, arc_body body) {
+  const shape_side *side = &shape->side[body];
+  const arc_mesh *mesh = side->body->mesh;
+  double depth = 0;
+  for (int i = 0; i < side->n; i++) {
+    const double *top = &mesh->xy[2 * mesh->surface_node[i]];
+    const double down = (side->xy[2 * i + 1] - top[1]) * inward(side) + side->even;
+    depth = fmax(depth, hypot(side->xy[2 * i] - top[0], down));
+  }
+  return depth;
+}
+
+void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy) {
+  const shape_side *side = &shape->side[body];
+  const arc_mesh *mesh = side->body->mesh;
+  memcpy(xy, mesh->xy, 2 * (size_t)mesh->nodes * sizeof *xy);
+  for (int k = 0; k < side->body->box_count; k++)
+    box_node_at(side, side->xy, k, &xy[2 * mesh->box_node[k]]);
+}
+
+size_t shape_bytes(const arc_shape *shape) {
+  size_t bytes = sizeof *shape;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const size_t n = (size_t)shape->side[b].n, own = (size_t)shape->side[b].own.n;
+    bytes += (7 * n + 2 * own * own) * sizeof(double);
+  }
+  return bytes;
+}

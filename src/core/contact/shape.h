@@ -1,0 +1,37 @@
+/* Inside of arc_shape: the worn surfaces and the compliance that goes with them. */
+#ifndef CONTACT_SHAPE_H
+#define CONTACT_SHAPE_H
+
+#include "archard/contact.h"
+#include "core/elastic/body.h"
+
+typedef struct shape_side {
+  const elastic_body *body;
+  int n;
+  double *h;       /* [n] wear depth, scalar sum [mm] */
+  double *x0, *y;  /* [n] unworn x; present height, even wear included [mm] */
+  double *xy;      /* [2 n] present surface nodes, even wear left out [mm] */
+  double *settled; /* [2 n] surface nodes at the last condensation */
+  double even;     /* [mm] wear that left the surface as it was */
+  compliance own;  /* of the worn box; n = 0 while the unworn one serves */
+} shape_side;
+
+struct arc_shape {
+  arc_model *model;
+  arc_geometry geometry;
+  double refresh;
+  long condensed; /* counts changes of compliance, so that others know when theirs is stale */
+  shape_side side[ARC_BODIES];
+};
+
+static inline const compliance *shape_compliance(const shape_side *side) {
+  return side->own.n > 0 ? &side->own : &side->body->unworn;
+}
+
+/* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n]. */
+void shape_box(const shape_side *side, const double *surface_xy, double *box_xy);
+
+/* Bytes of one shape. */
+size_t shape_bytes(const arc_shape *shape);
+
+#endif

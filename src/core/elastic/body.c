@@ -1,0 +1,191 @@
+/* Building one condensed body: numbering, assembly outside the wear box, Schur complement. */
+#include "core/elastic/body.h"
+#include "core/base/dense.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Right-hand sides solved together when the far part is eliminated. */
+enum { block = 32 };
+
+static arc_status out_of_memory(const elastic_body *b, arc_error *error) {
+  return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(b->mesh->body));
+}
+
+/* Rim: box nodes that an element outside the box touches. */
+static void number_box(elastic_body *b) {
+  const arc_mesh *m = b->mesh;
+  for (int n = 0; n < m->nodes; n++) b->node_box[n] = -1;
+  for (int k = 0; k < b->box_count; k++) {
+    b->node_box[m->box_node[k]] = k;
+    b->box_rim[k] = b->box_inner[k] = -1;
+  }
+  for (int e = m->box_elements; e < m->elements; e++)
+    for (int c = 0; c < 4; c++) {
+      const int node = m->element[4 * e + c];
+      if (node >= 0 && b->node_box[node] >= 0) b->box_rim[b->node_box[node]] = 0;
+    }
+  for (int k = 0; k < b->box_count; k++) {
+    if (b->box_rim[k] == 0)
+      b->box_rim[k] = b->rim++;
+    else
+      b->box_inner[k] = b->inner++;
+  }
+  b->band = 2 * (m->rows + 1) + 1; /* from a node to its diagonal neighbour in the next column */
+}
+
+static void number_far(elastic_body *b) {
+  const arc_mesh *m = b->mesh;
+  for (int n = 0; n < m->nodes; n++) b->node_far[n] = b->node_box[n] >= 0 ? -1 : 0;
+  for (int k = 0; k < m->fixed; k++) b->node_far[m->fixed_node[k]] = -1;
+  for (int n = 0; n < m->nodes; n++) {
+    if (b->node_far[n] < 0) continue;
+    b->node_far[n] = b->far_count;
+    b->far_count += 2;
+  }
+}
+
+/* Adds one far element: far-far entries to `stiffness`, far-rim to the coupling, rim-rim to s_far.
+ */
+static arc_status add_far_element(elastic_body *b, int e, sparse_entries *stiffness) {
+  const int *corner = &b->mesh->element[4 * e];
+  const element el = element_at(b->mesh->xy, corner, b->mesh->def.element);
+  double k[64];
+  element_stiffness(&el, b->d, k);
+  const int n = 2 * el.corners;
+  int far[8], rim[8];
+  for (int r = 0; r < n; r++) {
+    const int node = corner[r / 2], box = b->node_box[node];
+    far[r] = b->node_far[node] < 0 ? -1 : b->node_far[node] + r % 2;
+    rim[r] = box < 0 ? -1 : 2 * b->box_rim[box] + r % 2;
+  }
+  arc_status status = ARC_OK;
+  for (int r = 0; r < n; r++)
+    for (int c = 0; c < n && status == ARC_OK; c++) {
+      const double value = k[r * n + c];
+      if (far[r] >= 0 && far[c] >= 0) {
+        if (far[r] >= far[c]) status = sparse_add(stiffness, far[r], far[c], value);
+      } else if (far[r] >= 0 && rim[c] >= 0) {
+        status = sparse_add(&b->coupling, far[r], rim[c], value);
+      } else if (rim[r] >= 0 && rim[c] >= 0) {
+        b->s_far[dense_at(rim[r], rim[c], 2 * b->rim)] += value;
+      }
+    }
+  return status;
+}
+
+static arc_status assemble_and_factorise(elastic_body *b, arc_error *error) {
+  sparse_entries stiffness = {0};
+  arc_status status = ARC_OK;
+  for (int e = b->mesh->box_elements; e < b->mesh->elements && status == ARC_OK; e++)
+    status = add_far_element(b, e, &stiffness);
+  if (status == ARC_OK)
+    status = factor_create(b->far_count, &stiffness, &b->far, error);
+  else
+    out_of_memory(b, error);
+  sparse_free(&stiffness);
+  return status;
+}
+
+/* S_far = K_rr - K_rf K_ff^-1 K_fr, some columns of K_fr at a time. */
+static arc_status eliminate_far(elastic_body *b, arc_error *error) {
+  const int m = 2 * b->rim;
+  const size_t n = (size_t)b->far_count;
+  double *x = malloc(n * block * sizeof *x);
+  if (!x) return out_of_memory(b, error);
+  arc_status status = ARC_OK;
+  for (int first = 0; first < m && status == ARC_OK; first += block) {
+    const int count = m - first < block ? m - first : block;
+    memset(x, 0, n * (size_t)count * sizeof *x);
+    for (size_t k = 0; k < b->coupling.count; k++) {
+      const int c = b->coupling.column[k] - first;
+      if (c >= 0 && c < count)
+        x[(size_t)b->coupling.row[k] + (size_t)c * n] += b->coupling.value[k];
+    }
+    status = factor_solve(b->far, count, x, error);
+    for (size_t k = 0; k < b->coupling.count && status == ARC_OK; k++)
+      for (int c = 0; c < count; c++)
+        b->s_far[dense_at(b->coupling.column[k], first + c, m)] -=
+            b->coupling.value[k] * x[(size_t)b->coupling.row[k] + (size_t)c * n];
+  }
+  free(x);
+  return status;
+}
+
+static arc_status allocate(elastic_body *b) {
+  const arc_mesh *m = b->mesh;
+  b->box_count = m->surface * (m->rows + 1);
+  b->node_box = malloc((size_t)m->nodes * sizeof(int));
+  b->node_far = malloc((size_t)m->nodes * sizeof(int));
+  b->box_inner = malloc((size_t)b->box_count * sizeof(int));
+  b->box_rim = malloc((size_t)b->box_count * sizeof(int));
+  if (!b->node_box || !b->node_far || !b->box_inner || !b->box_rim) return ARC_MEMORY;
+  number_box(b);
+  number_far(b);
+  b->s_far = calloc((size_t)(4 * b->rim) * (size_t)b->rim, sizeof(double));
+  if (!b->s_far) return ARC_MEMORY;
+  return compliance_create(&b->unworn, m->surface);
+}
+
+static arc_status condense_unworn(elastic_body *b, arc_error *error) {
+  double *box = malloc(2 * (size_t)b->box_count * sizeof *box);
+  if (!box) return out_of_memory(b, error);
+  for (int k = 0; k < b->box_count; k++)
+    memcpy(&box[2 * k], &b->mesh->xy[2 * b->mesh->box_node[k]], 2 * sizeof *box);
+  const arc_status status = body_condense(b, box, &b->unworn, error);
+  free(box);
+  return status;
+}
+
+arc_status body_create(const arc_model_def *def, arc_body which, elastic_body **result,
+                       arc_error *error) {
+  *result = NULL;
+  elastic_body *b = calloc(1, sizeof *b);
+  if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(which));
+  b->material = def->material[which];
+  b->d = elasticity_of(b->material);
+  arc_status status = arc_mesh_build(&def->mesh, which, def->radius, &b->mesh, error);
+  if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);
+  if (status == ARC_OK) status = assemble_and_factorise(b, error);
+  if (status == ARC_OK) status = eliminate_far(b, error);
+  if (status == ARC_OK) status = condense_unworn(b, error);
+  if (status != ARC_OK) body_destroy(&b);
+  *result = b;
+  return status;
+}
+
+void body_destroy(elastic_body **body) {
+  if (!body || !*body) return;
+  elastic_body *b = *body;
+  arc_mesh_destroy(&b->mesh);
+  free(b->node_box);
+  free(b->node_far);
+  free(b->box_inner);
+  free(b->box_rim);
+  factor_destroy(&b->far);
+  sparse_free(&b->coupling);
+  free(b->s_far);
+  compliance_free(&b->unworn);
+  free(b);
+  *body = NULL;
+}
+
+size_t body_bytes(const elastic_body *b) {
+  const size_t n = (size_t)b->mesh->nodes, m = (size_t)(2 * b->rim), s = (size_t)b->mesh->surface;
+  return factor_bytes(b->far) + b->coupling.capacity * 16 + 8 * m * m + 16 * s * s + n * 24 +
+         (size_t)b->mesh->elements * 16;
+}
+
+arc_status compliance_create(compliance *c, int n) {
+  const size_t count = (size_t)n * (size_t)n;
+  *c = (compliance){n, calloc(count, sizeof(double)), calloc(count, sizeof(double))};
+  if (c->normal && c->tangential) return ARC_OK;
+  compliance_free(c);
+  return ARC_MEMORY;
+}
+
+void compliance_free(compliance *c) {
+  free(c->normal);
+  free(c->tangential);
+  *c = (compliance){0};
+}

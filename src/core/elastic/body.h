@@ -1,0 +1,63 @@
+/* One elastic body, condensed to its wear box.
+ *
+ * Unknowns: `far` outside the wear box, eliminated once; `rim` the box nodes that far elements
+ * touch; `inner` the other box nodes, the contact surface among them. In the inner unknowns,
+ * numbered column by column, K_box is a narrow band.
+ */
+#ifndef ELASTIC_BODY_H
+#define ELASTIC_BODY_H
+
+#include "archard/model.h"
+#include "core/elastic/element.h"
+#include "core/elastic/factor.h"
+
+/* Response of the n candidate surface nodes to vertical nodal forces per thickness [mm2/N],
+ * column-major n x n: `normal` = vertical displacement (F, symmetric), `tangential` = displacement
+ * along x. */
+typedef struct compliance {
+  int n;
+  double *normal, *tangential;
+} compliance;
+
+typedef struct elastic_body {
+  arc_mesh *mesh;
+  arc_material material;
+  elasticity d;
+  int *node_box;  /* [nodes] index in the wear box (as box_node), or -1 */
+  int *node_far;  /* [nodes] far unknown of its x (y follows), or -1 */
+  int far_count;  /* far unknowns */
+  int box_count;  /* nodes of the wear box */
+  int *box_inner; /* [box_count] inner number, or -1 */
+  int *box_rim;   /* [box_count] rim number, or -1 */
+  int inner, rim; /* nodes of each kind */
+  int band;       /* half band width of the inner unknowns */
+  factor *far;
+  sparse_entries coupling; /* K between far (row) and rim (column) unknowns */
+  double *s_far;           /* [2 rim x 2 rim] Schur complement of the far part */
+  compliance unworn;
+} elastic_body;
+
+/* Meshes, assembles, factorises, condenses. On failure *body is NULL. */
+arc_status body_create(const arc_model_def *def, arc_body which, elastic_body **body,
+                       arc_error *error);
+void body_destroy(elastic_body **body);
+size_t body_bytes(const elastic_body *body);
+
+/* Room for a compliance of n nodes; ARC_MEMORY leaves it empty. */
+arc_status compliance_create(compliance *c, int n);
+void compliance_free(compliance *c);
+
+/* The compliance with the wear-box nodes at box_xy [2 * box_count] (order of box_node).
+ * ARC_NUMERIC, ARC_MEMORY. */
+arc_status body_condense(const elastic_body *body, const double *box_xy, compliance *result,
+                         arc_error *error);
+
+/* Displacements u [2 * nodes] of the whole body under vertical surface forces f [surface, N/mm], by
+ * back-substitution. */
+arc_status body_displacements(const elastic_body *body, const double *box_xy, const double *f,
+                              double *u, arc_error *error);
+
+/* The model's body (not public: contact and wear lean on it). */
+const elastic_body *model_body(const arc_model *model, arc_body which);
+
+#endif
