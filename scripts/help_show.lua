@@ -1,0 +1,126 @@
+-- Turns help entries into text fitted to the terminal. Leans on archard.term.
+
+local term = require "archard.term"
+
+local show = {}
+
+local function page_width()
+  return math.min((term.size()), 100)
+end
+
+local function heading(text)
+  return term.colour() and "\27[1m" .. text .. "\27[0m" or text
+end
+
+-- Paragraphs (separated by empty lines) filled to the width; lines that begin with two spaces stay.
+local function fill(text, width, margin)
+  local lines = {}
+  local line = ""
+  local function flush()
+    if line ~= "" then lines[#lines + 1] = margin .. line end
+    line = ""
+  end
+  for source in (text .. "\n"):gmatch("(.-)\n") do
+    if source:find("^  ") or source == "" then
+      flush()
+      lines[#lines + 1] = source == "" and "" or margin .. source
+    else
+      for word in source:gmatch("%S+") do
+        if line ~= "" and #margin + #line + 1 + #word > width then flush() end
+        line = line == "" and word or line .. " " .. word
+      end
+    end
+  end
+  flush()
+  return (table.concat(lines, "\n"):gsub("\n+$", ""))
+end
+
+-- "one of ..., default ..., unit" of an entry, as far as they are known.
+function show.facts(entry)
+  local facts = {}
+  if entry.type then
+    facts[#facts + 1] = entry.type
+  elseif entry.values then
+    facts[#facts + 1] = '"' .. table.concat(entry.values, '", "') .. '"'
+  end
+  if entry.unit then facts[#facts + 1] = "in " .. entry.unit end
+  if entry.default ~= nil then facts[#facts + 1] = "default " .. tostring(entry.default) end
+  return table.concat(facts, ", ")
+end
+
+function show.first_sentence(text)
+  local flat = text:gsub("%s+", " ")
+  return flat:match("^(.-[.])%s%u") or flat
+end
+
+-- A table of entries: name, then the facts and the first sentence.
+local function listing(title, entries, width)
+  if #entries == 0 then return nil end
+  local size = 0
+  for _, entry in ipairs(entries) do size = math.max(size, #entry.name) end
+  local lines = { heading(title) }
+  for _, entry in ipairs(entries) do
+    local facts = show.facts(entry)
+    local text = show.first_sentence(entry.text)
+    if facts ~= "" then text = text:gsub("%.?$", "") .. " (" .. facts .. ")." end
+    local name = "  " .. entry.name .. (" "):rep(size - #entry.name + 2)
+    local body = fill(text, width, (" "):rep(#name))
+    lines[#lines + 1] = name .. body:sub(#name + 1)
+  end
+  return table.concat(lines, "\n")
+end
+
+local function of_kind(entries, wanted)
+  local list = {}
+  for _, entry in ipairs(entries) do
+    if (entry.kind == "method" or entry.kind == "function") == wanted then
+      list[#list + 1] = entry
+    end
+  end
+  return list
+end
+
+-- The whole text of one entry; `help` gives what belongs to it.
+function show.entry(help, entry)
+  local width = page_width()
+  local parts = { heading(entry.use or entry.address) }
+  local facts = show.facts(entry)
+  if facts ~= "" then parts[1] = parts[1] .. "\n" .. fill(facts, width, "  ") end
+  parts[#parts + 1] = fill(entry.text, width, "  ")
+  local definition
+  if entry.kind == "option" then
+    local path = (entry.path ~= "" and entry.path .. "." or "") .. entry.name
+    definition = help.definition(entry.owner, path)
+  else
+    definition = help.definition(entry.address)
+  end
+  local members = entry.kind == "option" and {} or help.members(entry.address)
+  parts[#parts + 1] = listing("Fields of the definition", definition, width)
+  parts[#parts + 1] = listing("Fields", of_kind(members, false), width)
+  parts[#parts + 1] = listing("Functions", of_kind(members, true), width)
+  return table.concat(parts, "\n\n")
+end
+
+local overview = [[
+archard simulates how two rubbing surfaces wear each other away: a half cylinder
+sliding on a plate. Lengths are in mm, forces in N, pressures in MPa.
+
+Describe     material{}  hertz{}  model{}
+Contact      c = contact{ load=100 }      c.p_max  c:pressure("plate")  c:stress()
+Wear         w = wear{ alpha=0.5 }        w:step()  w:step(10)  w:run()
+  look       w  w.history  w:profile("plate")  w:pressure("cylinder")
+  keep       w:clone()  w:save("run.archard")  wear.open("run.archard")
+Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
+             plot.mesh(m)  plot.stress(c)  plot{ {x=..., y=...} }
+Many cases   study{ base=..., vary=... }  study.paper()
+Files        export.csv(w, "w.csv")  export.vtk(w, "w.vtk")  export.inp(m, "m.inp")
+
+help(wear) explains an object, help(w.step) a method, help "jump" a name.
+Tab completes names, also the fields inside wear{ }. The last value is in _ .
+Ctrl-C stops a run after its step, Ctrl-D leaves.]]
+
+function show.overview()
+  return overview
+end
+
+return show

@@ -1,0 +1,76 @@
+-- A progress bar on standard error: only where that is a terminal, redrawn at most ten times a
+-- second, fitted to the terminal's width as it is then. Leans on archard.term.
+--
+--   local bar = progress.new{ total = 1320, label = "wear", unit = "mm" }
+--   bar:update(done, "cycle 2700")     done in the unit of total; the note is optional
+--   bar:close()                        wipes the bar; also when an error ended the work
+
+local term = require "archard.term"
+
+local progress = {}
+progress.__index = progress
+progress.__close = function(self) self:close() end
+
+local pause = 0.1 -- seconds between two drawings
+
+function progress.new(definition)
+  local self = {
+    total = definition.total,
+    label = definition.label or "",
+    unit = definition.unit or "",
+    shown = term.movable("stderr"),
+    started = term.clock(),
+    first = definition.done or 0, -- what was done before: it says nothing about the rate
+    last = -math.huge,
+  }
+  return setmetatable(self, progress)
+end
+
+local function duration(seconds)
+  if seconds ~= seconds or seconds > 359999 then return "-:--" end
+  local whole = math.floor(seconds + 0.5)
+  local hours, minutes = whole // 3600, whole // 60 % 60
+  if hours > 0 then return ("%d:%02d:%02d"):format(hours, minutes, whole % 60) end
+  return ("%d:%02d"):format(minutes, whole % 60)
+end
+
+-- The line without its bar: what must be said comes first, the bar gets what room is left.
+function progress:parts(done, note, now)
+  local share = self.total > 0 and math.min(1, math.max(0, done / self.total)) or 1
+  local rate = (done - self.first) / math.max(now - self.started, 1e-9)
+  local left = rate > 0 and (self.total - done) / rate or math.huge
+  local head = ("%s%3.0f %%"):format(self.label ~= "" and self.label .. " " or "", 100 * share)
+  local tail = ("%.4g/%.4g %s  %.3g %s/s  %s left"):format(done, self.total, self.unit, rate,
+    self.unit, duration(left))
+  if note then tail = note .. "  " .. tail end
+  return share, head, tail
+end
+
+-- The text for one line of `width` columns; also what the tests look at.
+function progress:line(done, note, now, width)
+  local share, head, tail = self:parts(done, note, now)
+  local room = width - #head - #tail - 6
+  if room < 6 then return (head .. "  " .. tail):sub(1, math.max(width - 1, 0)) end
+  room = math.min(room, 30)
+  local full = math.floor(share * room + 0.5)
+  local bar = ("#"):rep(full) .. ("."):rep(room - full)
+  return ("%s [%s] %s"):format(head, bar, tail)
+end
+
+function progress:update(done, note)
+  if not self.shown then return end
+  local now = term.clock()
+  if now - self.last < pause and done < self.total then return end
+  self.last = now
+  local width = term.size("stderr")
+  io.stderr:write("\r", self:line(done, note, now, width), "\27[K")
+  self.drawn = true
+end
+
+function progress:close()
+  if self.drawn then io.stderr:write("\r\27[K") end
+  self.drawn = false
+  self.shown = false
+end
+
+return progress

@@ -1,0 +1,216 @@
+/* The history file: read whole, cut into entries, cleaned of copies, rewritten under another name
+ * and renamed when there was something to clean. A lock on its folder keeps two sessions apart. */
+#include "cli/history_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+/* An entry: its header line "#TIME" and its text, both within the text of the file. */
+typedef struct entry {
+  char *header, *text;
+  int position, copy; /* copy: the same text comes again later */
+} entry;
+
+typedef struct history {
+  char *text; /* the file, with a '\0' behind every header and entry */
+  entry *entries;
+  int count;
+} history;
+
+/* --- places ---------------------------------------------------------------------------------- */
+
+static char *join(const char *folder, const char *name) {
+  size_t size = strlen(folder) + strlen(name) + 2;
+  char *path = malloc(size);
+  if (path) snprintf(path, size, "%s/%s", folder, name);
+  return path;
+}
+
+/* Makes every missing folder of `path`, for the user alone. Returns zero on failure. */
+static int make_folders(char *path) {
+  for (char *slash = path + 1;; slash++) {
+    if (*slash != '/' && *slash != '\0') continue;
+    char kept = *slash;
+    *slash = '\0';
+    int failed = mkdir(path, 0700) != 0 && errno != EEXIST;
+    *slash = kept;
+    if (failed) return 0;
+    if (kept == '\0') return 1;
+  }
+}
+
+static char *state_folder(void) {
+  const char *state = getenv("XDG_STATE_HOME");
+  if (state != NULL && *state == '/') return join(state, "archard");
+  const char *home = getenv("HOME");
+  return home != NULL && *home == '/' ? join(home, ".local/state/archard") : NULL;
+}
+
+char *history_file_open(void) {
+  char *folder = state_folder();
+  char *path = NULL;
+  if (folder && make_folders(folder)) path = join(folder, "history");
+  free(folder);
+  return path;
+}
+
+/* Returns the descriptor that holds the lock; closing it gives the lock back. */
+static int lock_folder(const char *path) {
+  char *folder = strdup(path);
+  if (folder == NULL) return -1;
+  *strrchr(folder, '/') = '\0';
+  int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  free(folder);
+  if (descriptor >= 0) flock(descriptor, LOCK_EX);
+  return descriptor;
+}
+
+static void unlock_folder(int descriptor) {
+  if (descriptor >= 0) close(descriptor);
+}
+
+/* --- writing --------------------------------------------------------------------------------- */
+
+static FILE *open_private(const char *path, int flags) {
+  int descriptor = open(path, O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0600);
+  if (descriptor < 0) return NULL;
+  FILE *file = fdopen(descriptor, "a");
+  if (file == NULL) close(descriptor);
+  return file;
+}
+
+/* A history that cannot be written is no reason to disturb the session: errors are let pass. */
+void history_file_append(const char *path, const char *text) {
+  int lock = lock_folder(path);
+  FILE *file = open_private(path, O_APPEND);
+  if (file) {
+    fprintf(file, "#%lld\n%s\n", (long long)time(NULL), text);
+    fclose(file);
+  }
+  unlock_folder(lock);
+}
+
+static void rewrite(const char *path, const history *self, int first) {
+  size_t size = strlen(path) + sizeof ".new";
+  char *fresh = malloc(size);
+  if (fresh == NULL) return;
+  snprintf(fresh, size, "%s.new", path);
+  FILE *file = open_private(fresh, O_TRUNC);
+  if (file) {
+    for (int i = first; i < self->count; i++)
+      if (!self->entries[i].copy)
+        fprintf(file, "%s\n%s\n", self->entries[i].header, self->entries[i].text);
+    int broken = ferror(file);
+    if (fclose(file) == 0 && !broken) rename(fresh, path);
+  }
+  free(fresh);
+}
+
+/* --- reading --------------------------------------------------------------------------------- */
+
+static char *read_text(const char *path) {
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) return NULL;
+  char *text = NULL;
+  struct stat facts;
+  if (fstat(fileno(file), &facts) == 0 && facts.st_size > 0) {
+    size_t size = (size_t)facts.st_size;
+    text = malloc(size + 1);
+    if (text) text[fread(text, 1, size, file)] = '\0';
+  }
+  fclose(file);
+  return text;
+}
+
+static int is_header(const char *line) {
+  size_t digits = line[0] == '#' ? strspn(line + 1, "0123456789") : 0;
+  return digits > 0 && (line[1 + digits] == '\n' || line[1 + digits] == '\0');
+}
+
+static char *next_line(char *line) {
+  char *end = strchr(line, '\n');
+  return end ? end + 1 : NULL;
+}
+
+static int count_headers(char *text) {
+  int count = 0;
+  for (char *line = text; line && *line; line = next_line(line)) count += is_header(line);
+  return count;
+}
+
+/* Ends the text before `line`, whose newline it was. */
+static void cut_before(char *line) {
+  line[-1] = '\0';
+}
+
+static void cut_entries(history *self) {
+  char *line = self->text, *after;
+  int open = 0;
+  for (; line && *line; line = after) {
+    after = next_line(line);
+    if (!is_header(line)) continue;
+    if (open) cut_before(line);
+    open = after && *after;
+    if (!open) break;
+    cut_before(after);
+    self->entries[self->count] = (entry){line, after, self->count, 0};
+    self->count++;
+  }
+  if (!open || self->count == 0) return;
+  char *last = self->entries[self->count - 1].text;
+  size_t length = strlen(last);
+  if (length > 0 && last[length - 1] == '\n') last[length - 1] = '\0';
+}
+
+static int by_text(const void *left, const void *right) {
+  const entry *a = *(entry *const *)left, *b = *(entry *const *)right;
+  int order = strcmp(a->text, b->text);
+  return order ? order : a->position - b->position;
+}
+
+/* Marks every entry that comes again later; returns how many are not copies, -1 without memory. */
+static int mark_copies(history *self) {
+  entry **sorted = malloc((size_t)self->count * sizeof *sorted);
+  if (sorted == NULL) return -1;
+  for (int i = 0; i < self->count; i++) sorted[i] = &self->entries[i];
+  qsort(sorted, (size_t)self->count, sizeof *sorted, by_text);
+  int kept = self->count;
+  for (int i = 0; i + 1 < self->count; i++) {
+    sorted[i]->copy = strcmp(sorted[i]->text, sorted[i + 1]->text) == 0;
+    kept -= sorted[i]->copy;
+  }
+  free(sorted);
+  return kept;
+}
+
+/* The first entry of the last `limit` ones that are no copies. */
+static int first_kept(const history *self, int limit) {
+  int i = self->count;
+  while (i > 0 && limit > 0) limit -= !self->entries[--i].copy;
+  return i;
+}
+
+void history_file_read(const char *path, int limit, history_entry_fn found, void *context) {
+  int lock = lock_folder(path);
+  history self = {.text = read_text(path)};
+  int capacity = self.text ? count_headers(self.text) : 0;
+  if (capacity > 0) self.entries = calloc((size_t)capacity, sizeof *self.entries);
+  if (self.entries) {
+    cut_entries(&self);
+    int kept = mark_copies(&self);
+    int first = first_kept(&self, limit);
+    if (first > 0 || (kept >= 0 && kept < self.count)) rewrite(path, &self, first);
+    for (int i = first; found && i < self.count; i++)
+      if (!self.entries[i].copy) found(context, self.entries[i].text);
+  }
+  unlock_folder(lock);
+  free(self.entries);
+  free(self.text);
+}

@@ -1,0 +1,209 @@
+/* The command: reads its options, opens Lua and the module `archard`, runs what was asked for, and
+ * turns the outcome into the exit status. Leans on run (every chunk), repl (the prompt and piped
+ * input) and signals. */
+#include "archard/base.h"
+#include "cli/repl.h"
+#include "cli/run.h"
+#include "cli/signals.h"
+#include "lua/archard.h"
+#include "lua/interrupt.h"
+
+#include <getopt.h>
+#include <lauxlib.h>
+#include <locale.h>
+#include <lualib.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { EXIT_DONE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
+
+/* What the options ask for. `steps` are the -e and -l in their order. */
+typedef struct command {
+  struct step {
+    int kind;         /* 'e' or 'l' */
+    const char *text; /* the chunk, or the module */
+  } * steps;
+  int step_count;
+  int interactive, version, help, wrong;
+  int script; /* index of the script in argv; argc when there is none */
+  int argc;
+  char **argv;
+} command;
+
+static void print_usage(FILE *stream) {
+  fputs("usage: archard [options] [script [arguments]]\n"
+        "  -e CHUNK        run the Lua text CHUNK\n"
+        "  -l MODULE       require MODULE and put it into the global of that name\n"
+        "  -i              go to the prompt after the script\n"
+        "  -v, --version   print the version\n"
+        "  -h, --help      print this help\n"
+        "  -               run standard input as a script\n"
+        "  --              end of the options\n"
+        "Without a script, archard shows its prompt, or obeys standard input line by line.\n"
+        "At the prompt, help() explains the objects. See also archard(1).\n",
+        stream);
+}
+
+static void read_options(command *self) {
+  static const struct option names[] = {
+      {"version", no_argument, NULL, 'v'},
+      {"help", no_argument, NULL, 'h'},
+      {NULL, 0, NULL, 0},
+  };
+  int letter;
+  while ((letter = getopt_long(self->argc, self->argv, "+e:l:ivh", names, NULL)) != -1) {
+    switch (letter) {
+    case 'e':
+    case 'l':
+      self->steps[self->step_count].kind = letter;
+      self->steps[self->step_count++].text = optarg;
+      break;
+    case 'i':
+      self->interactive = 1;
+      break;
+    case 'v':
+      self->version = 1;
+      break;
+    case 'h':
+      self->help = 1;
+      break;
+    default:
+      self->wrong = 1;
+    }
+  }
+  self->script = optind;
+}
+
+/* arg[0] is the script, what stands before it has negative indices, as in the stock interpreter. */
+static void set_arg_table(lua_State *L, const command *self) {
+  int zero = self->script < self->argc ? self->script : 0;
+  lua_createtable(L, self->argc - zero, zero + 1);
+  for (int i = 0; i < self->argc; i++) {
+    lua_pushstring(L, self->argv[i]);
+    lua_rawseti(L, -2, i - zero);
+  }
+  lua_setglobal(L, "arg");
+}
+
+static run_status run_chunk(lua_State *L, const char *text) {
+  if (luaL_loadbuffer(L, text, strlen(text), "=(command line)") != LUA_OK) return run_refused(L);
+  return run_call(L, 0, 0);
+}
+
+static run_status run_module(lua_State *L, const char *name) {
+  lua_getglobal(L, "require");
+  lua_pushstring(L, name);
+  run_status status = run_call(L, 1, 1);
+  if (status == RUN_OK) lua_setglobal(L, name);
+  return status;
+}
+
+static run_status run_steps(lua_State *L, const command *self) {
+  run_status status = RUN_OK;
+  for (int i = 0; i < self->step_count && status == RUN_OK; i++) {
+    const struct step *step = &self->steps[i];
+    status = step->kind == 'e' ? run_chunk(L, step->text) : run_module(L, step->text);
+  }
+  return status;
+}
+
+static run_status run_script(lua_State *L, const command *self) {
+  const char *name = self->argv[self->script];
+  if (strcmp(name, "-") == 0) name = NULL;
+  if (luaL_loadfile(L, name) != LUA_OK) return run_refused(L);
+  int count = self->argc - self->script - 1;
+  luaL_checkstack(L, count, "too many arguments to the script");
+  for (int i = 0; i < count; i++) lua_pushstring(L, self->argv[self->script + 1 + i]);
+  return run_call(L, count, 0);
+}
+
+/* Standard input: the prompt where a terminal is there to show it on. */
+static run_status run_input(lua_State *L) {
+  if (!isatty(STDIN_FILENO)) return repl_run_pipe(L);
+  signals_install(1);
+  repl_run(L);
+  return RUN_OK;
+}
+
+static run_status run_command(lua_State *L, const command *self) {
+  int has_script = self->script < self->argc;
+  if (self->version) puts("archard " ARC_VERSION);
+  run_status status = run_steps(L, self);
+  if (status == RUN_OK && has_script) status = run_script(L, self);
+  int idle = !has_script && self->step_count == 0 && !self->version;
+  /* After a failure -i still gives the prompt: that is what it is for. */
+  if (self->interactive || (idle && status == RUN_OK)) {
+    run_status session = run_input(L);
+    if (status == RUN_OK || isatty(STDIN_FILENO)) status = session;
+  }
+  return status;
+}
+
+/* Everything that may raise an error of Lua's happens in here. */
+static int session(lua_State *L) {
+  const command *self = lua_touserdata(L, 1);
+  luaL_checkversion(L);
+  luaL_openlibs(L);
+  lua_warning(L, "@on", 0);
+  interrupt_install(L);
+  signals_install(0);
+  set_arg_table(L, self);
+  luaopen_archard(L);
+  lua_settop(L, 0);
+  lua_pushinteger(L, run_command(L, self));
+  return 1;
+}
+
+static int exit_status(run_status status) {
+  if (status == RUN_INTERRUPTED || interrupt_pending(NULL)) return EXIT_INTERRUPTED;
+  return status == RUN_OK ? EXIT_DONE : EXIT_ERROR;
+}
+
+static int run_state(command *self) {
+  lua_State *L = luaL_newstate();
+  if (L == NULL) {
+    fputs("archard: not enough memory to start\n", stderr);
+    return EXIT_ERROR;
+  }
+  lua_pushcfunction(L, session);
+  lua_pushlightuserdata(L, self);
+  int status = EXIT_ERROR;
+  if (lua_pcall(L, 1, 1, 0) == LUA_OK)
+    status = exit_status((run_status)lua_tointeger(L, -1));
+  else
+    run_refused(L);
+  lua_close(L);
+  return status;
+}
+
+/* Output that could not be written (a full disk, say) must not look like success. */
+static int close_output(int status) {
+  if (fflush(stdout) == 0 && !ferror(stdout)) return status;
+  perror("archard: standard output");
+  return status == EXIT_DONE ? EXIT_ERROR : status;
+}
+
+int main(int argc, char **argv) {
+  setlocale(LC_CTYPE, "");
+  arc_single_threaded();
+  command self = {.argc = argc, .argv = argv};
+  self.steps = calloc((size_t)argc + 1, sizeof *self.steps);
+  if (self.steps == NULL) {
+    fputs("archard: not enough memory to start\n", stderr);
+    return EXIT_ERROR;
+  }
+  read_options(&self);
+  int status = EXIT_DONE;
+  if (self.wrong) {
+    print_usage(stderr);
+    status = EXIT_USAGE;
+  } else if (self.help) {
+    print_usage(stdout);
+  } else {
+    status = run_state(&self);
+  }
+  free(self.steps);
+  return close_output(status);
+}

@@ -1,0 +1,232 @@
+/* Reads chunks, runs them, shows their values. What is a complete chunk and how a value looks is
+ * decided by scripts/prompt.lua, what may be completed by scripts/complete.lua; lines come from the
+ * line editor or from standard input. */
+#include "cli/repl.h"
+
+#include "archard/base.h"
+#include "cli/edit.h"
+#include "lua/interrupt.h"
+
+#include <lauxlib.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* The lines of a chunk so far. */
+typedef struct pending {
+  char *text; /* NULL when empty */
+  size_t length;
+} pending;
+
+static void pending_clear(pending *self) {
+  free(self->text);
+  *self = (pending){NULL, 0};
+}
+
+/* Adds a line; returns zero without memory. */
+static int pending_add(pending *self, const char *line) {
+  size_t size = strlen(line);
+  char *text = realloc(self->text, self->length + size + 2);
+  if (text == NULL) return 0;
+  if (self->text) text[self->length++] = '\n';
+  memcpy(text + self->length, line, size + 1);
+  self->text = text;
+  self->length += size;
+  return 1;
+}
+
+/* --- the functions of scripts/prompt.lua ------------------------------------------------------ */
+
+static void push_module_function(lua_State *L, const char *module, const char *name) {
+  lua_getglobal(L, "require");
+  lua_pushstring(L, module);
+  lua_call(L, 1, 1);
+  lua_getfield(L, -1, name);
+  lua_remove(L, -2);
+}
+
+enum { CHUNK_READY, CHUNK_OPEN, CHUNK_WRONG };
+
+/* Compiles the chunk; pushes the function (ready), the message (wrong) or nothing (open). */
+static int compile(lua_State *L, const char *text, const char *name, int line) {
+  push_module_function(L, "archard.prompt", "compile");
+  lua_pushstring(L, text);
+  lua_pushstring(L, name);
+  lua_pushinteger(L, line);
+  lua_call(L, 3, 2);
+  int state = lua_isfunction(L, -2) ? CHUNK_READY : lua_isstring(L, -1) ? CHUNK_WRONG : CHUNK_OPEN;
+  if (state == CHUNK_READY)
+    lua_pop(L, 1);
+  else if (state == CHUNK_WRONG)
+    lua_remove(L, -2);
+  else
+    lua_pop(L, 2);
+  return state;
+}
+
+/* Runs the function on top of the stack, then shows its values. */
+static run_status evaluate(lua_State *L) {
+  int base = lua_gettop(L);
+  run_status status = run_call(L, 0, LUA_MULTRET);
+  int values = status == RUN_OK ? lua_gettop(L) - base + 1 : 0;
+  if (values > 0) {
+    push_module_function(L, "archard.prompt", "show");
+    lua_insert(L, base);
+    status = run_call(L, values, 0);
+  }
+  lua_settop(L, base - 1);
+  fflush(stdout);
+  return status;
+}
+
+/* --- completion ------------------------------------------------------------------------------- */
+
+/* What the completion callback needs. */
+typedef struct prompt {
+  lua_State *L;
+  pending chunk;
+} prompt;
+
+/* (prompt, before) -> a list of words or "files", what follows a word that is the only one */
+static int find_words(lua_State *L) {
+  prompt *self = lua_touserdata(L, 1);
+  push_module_function(L, "archard.complete", "words");
+  lua_pushfstring(L, "%s\n%s", self->chunk.text ? self->chunk.text : "", lua_tostring(L, 2));
+  lua_call(L, 1, 2);
+  return 2;
+}
+
+static void copy_words(lua_State *L, edit_proposal *proposal) {
+  size_t count = lua_rawlen(L, -1);
+  proposal->words = calloc(count + 1, sizeof *proposal->words);
+  for (size_t i = 0; proposal->words && i < count; i++) {
+    lua_rawgeti(L, -1, (lua_Integer)i + 1);
+    const char *word = lua_tostring(L, -1);
+    if (word && (proposal->words[proposal->count] = strdup(word))) proposal->count++;
+    lua_pop(L, 1);
+  }
+}
+
+static void complete(void *context, const char *before, edit_proposal *proposal) {
+  prompt *self = context;
+  lua_State *L = self->L;
+  int top = lua_gettop(L);
+  lua_pushcfunction(L, find_words);
+  lua_pushlightuserdata(L, self);
+  lua_pushstring(L, before);
+  /* An error in here is not the user's: without an answer there are no words. */
+  if (lua_pcall(L, 2, 2, 0) == LUA_OK) {
+    const char *append = lua_tostring(L, -1);
+    proposal->append = append ? *append : '\0';
+    lua_pop(L, 1);
+    proposal->files = lua_type(L, -1) == LUA_TSTRING;
+    if (lua_istable(L, -1)) copy_words(L, proposal);
+  }
+  lua_settop(L, top);
+}
+
+/* --- the prompt ------------------------------------------------------------------------------- */
+
+/* Asks scripts/prompt.lua for a text ("first", "more", "banner"), in colours where allowed. */
+static void push_text(lua_State *L, const char *which) {
+  push_module_function(L, "archard.prompt", "text");
+  lua_pushstring(L, which);
+  lua_call(L, 1, 1);
+}
+
+static edit_result read_line(prompt *self, char **line) {
+  push_text(self->L, self->chunk.text ? "more" : "first");
+  edit_result result = edit_read(lua_tostring(self->L, -1), line);
+  lua_pop(self->L, 1);
+  return result;
+}
+
+static int asks_to_leave(const prompt *self, const char *line) {
+  if (self->chunk.text || (strcmp(line, "exit") != 0 && strcmp(line, "quit") != 0)) return 0;
+  int taken = lua_getglobal(self->L, line) != LUA_TNIL;
+  lua_pop(self->L, 1);
+  return !taken;
+}
+
+/* Adds a line to the chunk, and runs the chunk once it is complete. */
+static void take_line(prompt *self, const char *line) {
+  if (!pending_add(&self->chunk, line)) {
+    fputs("archard: out of memory; the input is dropped\n", stderr);
+    pending_clear(&self->chunk);
+    return;
+  }
+  int state = compile(self->L, self->chunk.text, "=prompt", 1);
+  if (state == CHUNK_OPEN) return;
+  edit_remember(self->chunk.text);
+  pending_clear(&self->chunk);
+  if (state == CHUNK_READY)
+    evaluate(self->L);
+  else
+    run_refused(self->L);
+  interrupt_clear();
+}
+
+void repl_run(lua_State *L) {
+  prompt self = {L, {NULL, 0}};
+  edit_start(complete, &self);
+  push_text(L, "banner");
+  fputs(lua_tostring(L, -1), isatty(STDOUT_FILENO) ? stdout : stderr);
+  lua_pop(L, 1);
+  char *line = NULL;
+  edit_result result;
+  while ((result = read_line(&self, &line)) != EDIT_END) {
+    if (result == EDIT_INTERRUPTED) {
+      pending_clear(&self.chunk);
+      interrupt_clear();
+      continue;
+    }
+    int leave = asks_to_leave(&self, line);
+    if (!leave) take_line(&self, line);
+    free(line);
+    if (leave) break;
+  }
+  pending_clear(&self.chunk);
+  edit_finish();
+}
+
+/* --- piped input ------------------------------------------------------------------------------ */
+
+/* A chunk that began at line `first` is complete, wrong, or in want of more lines. */
+static run_status take_piped(lua_State *L, pending *chunk, int first, int last_line) {
+  int state = compile(L, chunk->text, "=stdin", first);
+  if (state == CHUNK_OPEN && !last_line) return RUN_OK;
+  if (state == CHUNK_OPEN) {
+    lua_pushfstring(L, "stdin:%d: the input ends within the chunk that begins here", first);
+    state = CHUNK_WRONG;
+  }
+  pending_clear(chunk);
+  return state == CHUNK_READY ? evaluate(L) : run_refused(L);
+}
+
+static void strip_newline(char *line, ssize_t length) {
+  if (length > 0 && line[length - 1] == '\n') line[--length] = '\0';
+  if (length > 0 && line[length - 1] == '\r') line[length - 1] = '\0';
+}
+
+run_status repl_run_pipe(lua_State *L) {
+  pending chunk = {NULL, 0};
+  char *line = NULL;
+  size_t capacity = 0;
+  ssize_t length;
+  int number = 0, first = 1;
+  run_status status = RUN_OK;
+  while (status == RUN_OK && (length = getline(&line, &capacity, stdin)) != -1) {
+    number++;
+    strip_newline(line, length);
+    if (number == 1 && line[0] == '#') line[0] = '\0'; /* as in a script */
+    if (chunk.text == NULL) first = number;
+    if (!pending_add(&chunk, line)) status = luaL_error(L, "out of memory");
+    status = take_piped(L, &chunk, first, 0);
+  }
+  if (status == RUN_OK && chunk.text) status = take_piped(L, &chunk, first, 1);
+  if (status == RUN_OK && interrupt_pending(NULL)) status = RUN_INTERRUPTED;
+  pending_clear(&chunk);
+  free(line);
+  return status;
+}

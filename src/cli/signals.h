@@ -1,0 +1,9 @@
+/* cli/signals.h - what Ctrl-C does, in a session and in a script. */
+#ifndef CLI_SIGNALS_H
+#define CLI_SIGNALS_H
+
+/* Ctrl-C asks the running work to stop. In a session (`stay` non-zero) the program goes on, and
+ * further ones only say how to end it; otherwise the second one ends it at once. */
+void signals_install(int stay);
+
+#endif

@@ -1,0 +1,25 @@
+/* lua/interrupt.h - stops whatever runs, in Lua or in the engine, when the user asks.
+ *
+ * A request sets a flag, which the engine polls through interrupt_pending, and arms a hook in the
+ * running coroutine. The flag and the hook stay until interrupt_clear, so that pcall cannot swallow
+ * the request. Nothing is paid while no request is there.
+ */
+#ifndef LUA_INTERRUPT_H
+#define LUA_INTERRUPT_H
+
+#include <lua.h>
+
+/* Makes `L` the state that requests go to, and replaces coroutine.resume, wrap and close by
+ * versions that keep track of the running coroutine. Once, after the standard libraries. */
+void interrupt_install(lua_State *L);
+
+/* Asks for a stop; may be called from a signal handler. Returns how many requests were pending. */
+int interrupt_request(void);
+
+/* Non-zero when a stop was asked for: an arc_stop_fn for the engine; `context` is not used. */
+int interrupt_pending(void *context);
+
+/* Forgets the request. Called when nothing of the user's runs any more. */
+void interrupt_clear(void);
+
+#endif
