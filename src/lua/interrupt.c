@@ -12,10 +12,14 @@ static lua_State *main_state;
 
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
-  if (requests)
-    luaL_error(L, "interrupted");
-  else /* a coroutine that was left armed and is resumed later */
+  if (!requests) { /* a coroutine that was left armed and is resumed later */
     lua_sethook(L, NULL, 0, 0);
+    return;
+  }
+  luaL_where(L, 0); /* the function the hook came upon */
+  lua_pushliteral(L, "interrupted");
+  lua_concat(L, 2);
+  lua_error(L);
 }
 
 /* lua_sethook is made to be called from signal handlers. */
@@ -70,13 +74,11 @@ static lua_State *check_coroutine(lua_State *L) {
 static int tracked_resume(lua_State *L) {
   lua_State *co = check_coroutine(L);
   int results = resume(L, co, lua_gettop(L) - 1);
+  int count = results >= 0 ? results : 1;
+  if (results < 0) lua_xmove(co, L, 1);
   lua_pushboolean(L, results >= 0);
-  if (results < 0) {
-    lua_xmove(co, L, 1);
-    return 2;
-  }
-  lua_insert(L, -(results + 1));
-  return results + 1;
+  lua_insert(L, -(count + 1));
+  return count + 1;
 }
 
 /* A coroutine that failed, not one that merely cannot be resumed, has to be closed. */
