@@ -10,13 +10,21 @@ static volatile sig_atomic_t requests;
 static lua_State *volatile running;
 static lua_State *main_state;
 
+/* Pushes "file:line: " of the Lua function that runs, or of the one that called a C function. */
+static void push_place(lua_State *L) {
+  luaL_where(L, 0);
+  if (lua_rawlen(L, -1) > 0) return;
+  lua_pop(L, 1);
+  luaL_where(L, 1);
+}
+
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
   if (!requests) { /* a coroutine that was left armed and is resumed later */
     lua_sethook(L, NULL, 0, 0);
     return;
   }
-  luaL_where(L, 0); /* the function the hook came upon */
+  push_place(L);
   lua_pushliteral(L, "interrupted");
   lua_concat(L, 2);
   lua_error(L);
