@@ -68,23 +68,16 @@ static void nodal_forces(const pose *p, double *f) {
   memcpy(&f[p->lo], p->f, (size_t)p->count * sizeof *f);
 }
 
-/* The dual basis dips below zero beside its node, so that a plate node just outside the contact may
- * be pulled a little. Such a force goes to the neighbour that is pressed more: nothing is pulled,
- * and the sum stays. */
+/* The dual basis dips below zero beside its node, so that a plate node just outside the contact may be pulled a little.
+ * Such a force goes to the next node towards the most loaded one: nothing is pulled, and the sum stays. */
 static void push_only(double *f, int n) {
-  for (int pass = 0, left = 1; left && pass < 4; pass++) {
-    left = 0;
-    for (int l = 1; l < n - 1; l++) {
-      if (f[l] >= 0) continue;
-      const double deficit = f[l], before = f[l - 1], after = f[l + 1];
-      f[l] = 0;
-      if (before == after)
-        f[l - 1] += deficit / 2, f[l + 1] += deficit / 2;
-      else
-        f[before > after ? l - 1 : l + 1] += deficit;
-      left = 1;
-    }
-  }
+  int peak = 0;
+  for (int l = 1; l < n; l++)
+    if (f[l] > f[peak]) peak = l;
+  for (int l = 0; l < peak; l++)
+    if (f[l] < 0) f[l + 1] += f[l], f[l] = 0;
+  for (int l = n - 1; l > peak; l--)
+    if (f[l] < 0) f[l - 1] += f[l], f[l] = 0;
 }
 
 void pose_pressures(const pose *p, double *pc, double *pp) {

@@ -1,0 +1,73 @@
+/* What is measured after each update, in the reference configuration. */
+#include "core/wear/run.h"
+
+#include <math.h>
+
+static double E_star(const arc_model_def *def) {
+  return 1 / (1 / arc_material_E_star(def->material[ARC_CYLINDER]) +
+              1 / arc_material_E_star(def->material[ARC_PLATE]));
+}
+
+/* alpha = 0 over the whole plate from unworn surfaces: the contact stays Hertz', in closed form. */
+static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
+  return w->def.alpha == 0 && w->over_plate && w->procedure == ARC_NSP &&
+         arc_shape_depth(shape, ARC_CYLINDER) == 0;
+}
+
+static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
+                                  arc_error *error) {
+  const arc_model_def *def = arc_model_definition(w->model);
+  if (stays_hertzian(w, shape)) {
+    arc_hertz hertz;
+    const arc_status status =
+        arc_hertz_solve(def->radius, def->thickness, w->def.load, def->material, &hertz, error);
+    record->p_center = record->p_max = hertz.p_max;
+    record->half_width = hertz.half_width;
+    return status;
+  }
+  arc_status status = wear_prepare_pose(w, w->poses, shape, error);
+  if (status == ARC_OK) status = pose_solve(&w->reference, w->def.load / def->thickness, error);
+  if (status != ARC_OK) return status;
+  pose *p = &w->reference;
+  double edges[2];
+  pose_edges(p, shape, E_star(def), edges);
+  record->half_width = (edges[1] - edges[0]) / 2;
+  record->p_center = record->p_max = 0;
+  for (int k = 0; k < p->count; k++)
+    record->p_max = fmax(record->p_max, p->f[k] / p->wc[p->lo + k]);
+  const int centre = p->nc / 2 - p->lo;
+  if (centre >= 0 && centre < p->count) record->p_center = p->f[centre] / p->wc[p->nc / 2];
+  record->solutions += 1;
+  return ARC_OK;
+}
+
+arc_status wear_measure(arc_wear *w, const arc_shape *shape, const arc_wear_record *before,
+                        arc_wear_record *record, arc_error *error) {
+  *record = before ? *before : (arc_wear_record){0};
+  const arc_status status = measure_contact(w, shape, record, error);
+  if (status != ARC_OK) return status;
+  record->k = w->def.k;
+  record->alpha = w->def.alpha;
+  record->depth_cylinder = arc_shape_depth(shape, ARC_CYLINDER);
+  record->depth_plate = arc_shape_depth(shape, ARC_PLATE);
+  record->depth_partition = record->depth_cylinder / (record->depth_cylinder + record->depth_plate);
+  return ARC_OK;
+}
+
+/* Sawtooth part of a profile: fourth differences over 16 (a pure sawtooth of amplitude 1 gives 1),
+ * root mean square over the middle of the contact, as a share of the largest depth. */
+double arc_wear_roughness(const arc_wear *w, arc_body body) {
+  const arc_profile profile = arc_shape_profile(w->shape, body);
+  const double deepest = arc_shape_depth(w->shape, body);
+  const double reach = 0.8 * arc_wear_last(w)->half_width;
+  double sum = 0;
+  int count = 0;
+  for (int i = 2; i < profile.count - 2; i++) {
+    if (fabs(profile.x[i]) > reach) continue;
+    const double *h = &profile.h[i];
+    const double saw = (h[-2] - 4 * h[-1] + 6 * h[0] - 4 * h[1] + h[2]) / 16;
+    sum += saw * saw;
+    count++;
+  }
+  return deepest > 0 && count > 0 ? sqrt(sum / count) / deepest : 0;
+}
