@@ -50,6 +50,24 @@ double arc_shape_vector_depth(const arc_shape *shape, arc_body body);
 /* Present nodes of a body [2 * nodes] (wear box moved), written to xy. */
 void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy);
 
+/* All that makes one body's worn surface, to be stored; arrays of `count` nodes owned by the shape.
+ */
+typedef struct arc_surface_state {
+  int count;
+  int condensed;         /* whether the wear box has been condensed again since it was unworn */
+  double even;           /* [mm] wear that left the surface as it was */
+  const double *h;       /* [count] wear depth, even wear included [mm] */
+  const double *xy;      /* [2 * count] present nodes, even wear left out [mm] */
+  const double *settled; /* [2 * count] nodes at the last condensation [mm] */
+} arc_surface_state;
+arc_surface_state arc_shape_state(const arc_shape *shape, arc_body body);
+
+/* The shape with these states: the same bits as the one they came from. ARC_ARGUMENT (counts are
+ * not the model's), ARC_GEOMETRY, ARC_MEMORY, ARC_NUMERIC. */
+arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double refresh,
+                             const arc_surface_state state[ARC_BODIES], arc_shape **shape,
+                             arc_error *error);
+
 /* What a contact solution yields. */
 typedef struct arc_contact arc_contact;
 

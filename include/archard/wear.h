@@ -75,6 +75,12 @@ arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_
 arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error);
 void arc_wear_destroy(arc_wear **wear);
 
+/* A run as it stood after the last of `count` >= 1 records on `shape` (copied): goes on to the same
+ * bits as one that was never stored. Errors as in arc_wear_create. */
+arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc_shape *shape,
+                            const arc_wear_record *history, size_t count, arc_wear **wear,
+                            arc_error *error);
+
 /* The zones a model needs for this run, to build one that suits (see arc_mesh_def.zone). */
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]);
 

@@ -96,7 +96,7 @@ static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
 }
 
 arc_status pose_place(pose *p, const arc_shape *shape, double x, arc_error *error) {
-  const double *cyl = shape->side[ARC_CYLINDER].xy, *plate = shape->side[ARC_PLATE].xy;
+  const double *cyl = shape->side[ARC_CYLINDER].settled, *plate = shape->side[ARC_PLATE].settled;
   p->x = x;
   const int lo = p->lo, count = p->count;
   find_candidates(p, cyl, plate[0] + x, plate[2 * p->np - 2] + x);

@@ -68,8 +68,9 @@ static void nodal_forces(const pose *p, double *f) {
   memcpy(&f[p->lo], p->f, (size_t)p->count * sizeof *f);
 }
 
-/* The dual basis dips below zero beside its node, so that a plate node just outside the contact may be pulled a little.
- * Such a force goes to the next node towards the most loaded one: nothing is pulled, and the sum stays. */
+/* The dual basis dips below zero beside its node, so that a plate node just outside the contact may
+ * be pulled a little. Such a force goes to the next node towards the most loaded one: nothing is
+ * pulled, and the sum stays. */
 static void push_only(double *f, int n) {
   int peak = 0;
   for (int l = 1; l < n; l++)

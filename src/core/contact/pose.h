@@ -37,8 +37,9 @@ typedef struct pose {
 arc_status pose_create(pose *p, const arc_model *model);
 void pose_free(pose *p);
 
-/* B and tributary widths for the plate at x [mm] on this shape's present nodes. ARC_ZONE where
- * fewer than three candidates remain, ARC_MEMORY. */
+/* B and tributary widths for the plate at x [mm], from where the nodes stood along x at the last
+ * condensation: coupling and compliance always belong together. ARC_ZONE where fewer than three
+ * candidates remain, ARC_MEMORY. */
 arc_status pose_place(pose *p, const arc_shape *shape, double x, arc_error *error);
 /* Contact matrix from the shape's present compliance. */
 void pose_stiffen(pose *p, const arc_shape *shape);

@@ -227,6 +227,41 @@ void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth) {
   }
 }
 
+arc_surface_state arc_shape_state(const arc_shape *shape, arc_body body) {
+  const shape_side *side = &shape->side[body];
+  return (arc_surface_state){side->n, side->own.n > 0, side->even,
+                             side->h, side->xy,        side->settled};
+}
+
+static arc_status restore_side(arc_shape *shape, arc_body body, const arc_surface_state *state,
+                               arc_error *error) {
+  shape_side *side = &shape->side[body];
+  if (state->count != side->n)
+    return arc_fail(error, ARC_ARGUMENT, "%s: expected a state of %d surface nodes, got %d",
+                    arc_body_name(body), side->n, state->count);
+  const size_t n = (size_t)side->n * sizeof(double);
+  memcpy(side->h, state->h, n);
+  memcpy(side->xy, state->xy, 2 * n);
+  memcpy(side->settled, state->settled, 2 * n);
+  side->even = state->even;
+  for (int i = 0; i < side->n; i++) side->y[i] = side->xy[2 * i + 1] + inward(side) * side->even;
+  if (!state->condensed) return ARC_OK;
+  const arc_status status = check_box(side, side->settled, error);
+  if (status != ARC_OK) return status;
+  shape->condensed++;
+  return condense(side, side->settled, &side->own, error);
+}
+
+arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double refresh,
+                             const arc_surface_state state[ARC_BODIES], arc_shape **result,
+                             arc_error *error) {
+  arc_status status = arc_shape_create(model, geometry, refresh, result, error);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    status = restore_side(*result, (arc_body)b, &state[b], error);
+  if (status != ARC_OK) arc_shape_destroy(result);
+  return status;
+}
+
 arc_profile arc_shape_profile(const arc_shape *shape, arc_body body) {
   const shape_side *side = &shape->side[body];
   return (arc_profile){side->n, side->x0, side->h, side->y};

@@ -16,12 +16,9 @@ arc_status wear_prepare_pose(arc_wear *w, int index, const arc_shape *shape, arc
   pose *p = index < w->poses ? &w->pose[index] : &w->reference;
   long *known = &w->condensed[index];
   const double x = index < w->poses ? wear_position(w, index) : 0;
-  /* frozen nodes never move along x: coupling and matrix stay */
-  if (*known < 0 || shape->geometry == ARC_MOVING) {
+  if (*known != shape->condensed) {
     const arc_status status = pose_place(p, shape, x, error);
     if (status != ARC_OK) return status;
-  }
-  if (*known != shape->condensed) {
     pose_stiffen(p, shape);
     *known = shape->condensed;
   }

@@ -109,18 +109,27 @@ arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_
   return status;
 }
 
-arc_status arc_wear_clone(const arc_wear *wear, arc_wear **result, arc_error *error) {
+arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc_shape *stored,
+                            const arc_wear_record *history, size_t count, arc_wear **result,
+                            arc_error *error) {
   *result = NULL;
-  arc_shape *shape;
-  arc_status status = arc_shape_clone(wear->shape, &shape, error);
+  arc_status status = wear_check(def, arc_model_definition(model), error);
+  if (status == ARC_OK && (count < 1 || !history))
+    status = arc_fail(error, ARC_ARGUMENT, "history: expected at least one record, got %zu", count);
   if (status != ARC_OK) return status;
-  arc_wear *copy;
-  status = create(wear->model, &wear->def, shape, &copy, error);
-  for (size_t r = 0; r < wear->records && status == ARC_OK; r++)
-    status = append(copy, &wear->history[r], error);
-  if (status != ARC_OK) arc_wear_destroy(&copy);
-  *result = copy;
+  arc_shape *shape;
+  if ((status = start_shape(model, def, stored, &shape, error)) != ARC_OK) return status;
+  arc_wear *w;
+  status = create(model, def, shape, &w, error);
+  for (size_t r = 0; r < count && status == ARC_OK; r++) status = append(w, &history[r], error);
+  if (status != ARC_OK) arc_wear_destroy(&w);
+  *result = w;
   return status;
+}
+
+arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error) {
+  return arc_wear_restore(wear->model, &wear->def, wear->shape, wear->history, wear->records, copy,
+                          error);
 }
 
 void arc_wear_destroy(arc_wear **wear) {

@@ -1,0 +1,48 @@
+/* Complete files or none. */
+#include "core/export/file.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static arc_status fail(const char *path, arc_error *error) {
+  return arc_fail(error, ARC_IO, "cannot write %s: %s", path, strerror(errno));
+}
+
+static void forget(output_file *file) {
+  free(file->path);
+  free(file->temporary);
+  *file = (output_file){0};
+}
+
+arc_status output_open(output_file *file, const char *path, arc_error *error) {
+  static const char ending[] = ".part";
+  const size_t length = strlen(path);
+  *file = (output_file){.path = malloc(length + 1), .temporary = malloc(length + sizeof ending)};
+  if (!file->path || !file->temporary) {
+    forget(file);
+    return arc_fail(error, ARC_MEMORY, "out of memory for writing %s", path);
+  }
+  memcpy(file->path, path, length + 1);
+  memcpy(file->temporary, path, length);
+  memcpy(file->temporary + length, ending, sizeof ending);
+  file->stream = fopen(file->temporary, "w");
+  if (file->stream) return ARC_OK;
+  const arc_status status = fail(path, error);
+  forget(file);
+  return status;
+}
+
+arc_status output_close(output_file *file, arc_error *error) {
+  int bad = ferror(file->stream);
+  if (fflush(file->stream) != 0) bad = 1;
+  if (fclose(file->stream) != 0) bad = 1;
+  if (!bad && rename(file->temporary, file->path) != 0) bad = 1;
+  arc_status status = ARC_OK;
+  if (bad) {
+    status = fail(file->path, error);
+    remove(file->temporary);
+  }
+  forget(file);
+  return status;
+}

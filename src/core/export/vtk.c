@@ -1,0 +1,53 @@
+/* Legacy VTK text: an unstructured grid, with displacements and stresses at its nodes. */
+#include "archard/export.h"
+#include "core/export/file.h"
+
+enum { vtk_triangle = 5, vtk_quad = 9 };
+
+static void write_grid(FILE *out, const arc_mesh *mesh, const double *x, const double *y) {
+  fprintf(out, "# vtk DataFile Version 3.0\narchard: %s, lengths in mm, stresses in MPa\nASCII\n",
+          arc_body_name(mesh->body));
+  fprintf(out, "DATASET UNSTRUCTURED_GRID\nPOINTS %d double\n", mesh->nodes);
+  for (int n = 0; n < mesh->nodes; n++)
+    fprintf(out, "%.17g %.17g 0\n", x ? x[n] : mesh->xy[2 * n], y ? y[n] : mesh->xy[2 * n + 1]);
+  fprintf(out, "CELLS %d %d\n", mesh->elements, 5 * mesh->quads + 4 * mesh->triangles);
+  for (int e = 0; e < mesh->elements; e++) {
+    const int *c = &mesh->element[4 * e];
+    if (c[3] < 0)
+      fprintf(out, "3 %d %d %d\n", c[0], c[1], c[2]);
+    else
+      fprintf(out, "4 %d %d %d %d\n", c[0], c[1], c[2], c[3]);
+  }
+  fprintf(out, "CELL_TYPES %d\n", mesh->elements);
+  for (int e = 0; e < mesh->elements; e++)
+    fprintf(out, "%d\n", mesh->element[4 * e + 3] < 0 ? vtk_triangle : vtk_quad);
+}
+
+static void write_scalar(FILE *out, const char *name, int count, const double *value) {
+  fprintf(out, "SCALARS %s double 1\nLOOKUP_TABLE default\n", name);
+  for (int n = 0; n < count; n++) fprintf(out, "%.17g\n", value[n]);
+}
+
+static void write_field(FILE *out, const arc_field *f) {
+  fprintf(out, "POINT_DATA %d\nVECTORS displacement double\n", f->nodes);
+  for (int n = 0; n < f->nodes; n++) fprintf(out, "%.17g %.17g 0\n", f->ux[n], f->uy[n]);
+  write_scalar(out, "sxx", f->nodes, f->sxx);
+  write_scalar(out, "syy", f->nodes, f->syy);
+  write_scalar(out, "szz", f->nodes, f->szz);
+  write_scalar(out, "sxy", f->nodes, f->sxy);
+  write_scalar(out, "mises", f->nodes, f->mises);
+  write_scalar(out, "shear", f->nodes, f->shear);
+}
+
+arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_field *field,
+                          arc_error *error) {
+  output_file file;
+  if (field && field->nodes != mesh->nodes)
+    return arc_fail(error, ARC_ARGUMENT, "field: expected %d nodes as in the mesh, got %d",
+                    mesh->nodes, field->nodes);
+  const arc_status status = output_open(&file, path, error);
+  if (status != ARC_OK) return status;
+  write_grid(file.stream, mesh, field ? field->x : NULL, field ? field->y : NULL);
+  if (field) write_field(file.stream, field);
+  return output_close(&file, error);
+}
