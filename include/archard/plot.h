@@ -1,0 +1,194 @@
+/* archard/plot.h - figures drawn by gnuplot.
+ *
+ * Two things: the gnuplot child process (arc_gnuplot), and a figure described by columns of doubles
+ * (arc_plot_figure). Nothing here knows a mesh or a wear run. Nothing here prints: a picture in
+ * characters is handed to the caller.
+ *
+ * Texts are UTF-8 and are shown as they stand: no character in them has a meaning for gnuplot.
+ * The arrays and texts of a figure stay the caller's and are only read.
+ */
+#ifndef ARCHARD_PLOT_H
+#define ARCHARD_PLOT_H
+
+#include "archard/base.h"
+
+/* --- the child process ------------------------------------------------------------------------ */
+
+/* The oldest gnuplot that can draw what is asked of it here. */
+#define ARC_GNUPLOT_OLDEST 5.2
+
+typedef struct arc_gnuplot arc_gnuplot;
+
+typedef struct arc_gnuplot_def {
+  const char *program;     /* name to look for in PATH, or a path; "gnuplot" */
+  double start_timeout;    /* [s] from the start to the first answer; 15 */
+  double silence_timeout;  /* [s] without a sign of life during a plot; 60 */
+  arc_stop_fn should_stop; /* asked ten times a second while waiting; NULL: never stops */
+  void *stop_context;
+} arc_gnuplot_def;
+
+arc_gnuplot_def arc_gnuplot_default(void);
+
+/* Makes a session; gnuplot itself starts at the first use, and starts again by itself when it has
+ * ended in between. The program's name is copied. Error: ARC_MEMORY. */
+arc_status arc_gnuplot_open(const arc_gnuplot_def *def, arc_gnuplot **session, arc_error *error);
+
+/* Ends gnuplot and frees the session; NULL inside is fine. Windows that gnuplot opened stay. */
+void arc_gnuplot_close(arc_gnuplot **session);
+
+/* Starts gnuplot unless it is running. Errors, after which the session is as before:
+ * ARC_MISSING: not installed, or older than ARC_GNUPLOT_OLDEST; ARC_IO: no answer in time, or it
+ * ended at once; ARC_STOPPED. */
+arc_status arc_gnuplot_start(arc_gnuplot *session, arc_error *error);
+
+/* What the running gnuplot is and can; 0 and "" before the first start. The text lists the
+ * terminals with a blank before and after each; it lives until the next start or close. */
+double arc_gnuplot_version(const arc_gnuplot *session);
+const char *arc_gnuplot_terminals(const arc_gnuplot *session);
+int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name);
+
+/* The process number of the running gnuplot, 0 when there is none. */
+long arc_gnuplot_process(const arc_gnuplot *session);
+
+/* Sends commands and waits for their end. `reply` (may be NULL) receives what gnuplot wrote to its
+ * standard output, to be freed by the caller with free(), ended by a zero that `length` (may be
+ * NULL) does not count. The commands are gnuplot's own language: texts of a user must have passed
+ * arc_plot_quote. Errors: those of the start; ARC_ARGUMENT with gnuplot's words when it refuses a
+ * command; ARC_IO when it dies or falls silent, and ARC_STOPPED: both end this gnuplot, the next
+ * call starts another. */
+arc_status arc_gnuplot_run(arc_gnuplot *session, const char *commands, size_t count, char **reply,
+                           size_t *length, arc_error *error);
+
+/* A text as a gnuplot string that runs nothing: in single quotes, these doubled, control characters
+ * as blanks, bytes that are no UTF-8 as '?'. With `ascii` non-zero other characters are written in
+ * ASCII (the Greek of this field by name). To be freed with free(); NULL when memory is out. */
+char *arc_plot_quote(const char *text, int ascii);
+
+/* --- a figure --------------------------------------------------------------------------------- */
+
+#define ARC_PLOT_STYLE_LIST(X)                                                                     \
+  X(LINES, "lines")                                                                                \
+  X(POINTS, "points")                                                                              \
+  X(LINESPOINTS, "linespoints")                                                                    \
+  X(STEPS, "steps")                                                                                \
+  X(FILLED, "filled")                                                                              \
+  X(IMPULSES, "impulses")
+
+typedef enum arc_plot_style {
+#define ARC_PLOT_STYLE_ENUM(name, text) ARC_PLOT_##name,
+  ARC_PLOT_STYLE_LIST(ARC_PLOT_STYLE_ENUM)
+#undef ARC_PLOT_STYLE_ENUM
+      ARC_PLOT_STYLE_COUNT
+} arc_plot_style;
+
+/* The names a user types for the styles, in their order. */
+extern const char *const arc_plot_style_names[ARC_PLOT_STYLE_COUNT];
+
+/* The names of colours, separated by blanks. */
+#define ARC_PLOT_COLOURS                                                                           \
+  "black red green blue magenta cyan yellow white grey orange brown purple violet pink navy gold"
+
+/* One curve. A row with NaN or infinity (or not positive on a logarithmic axis) breaks the line. */
+typedef struct arc_plot_curve {
+  const double *x, *y; /* [count] */
+  size_t count;
+  const char *title; /* NULL: not in the key */
+  arc_plot_style style;
+  const char *colour; /* "#rrggbb" or one of ARC_PLOT_COLOURS; NULL: by `series` */
+  int series;         /* which of the eight colours and marks, from 1; 0: the next one */
+  int dash;           /* 1 full line, 2 to 5 dashed; 0: full */
+  double width;       /* relative; 0: the usual one */
+} arc_plot_curve;
+
+/* Coloured polygons of four corners in order around; a triangle repeats its last corner. The value
+ * is given at the corners and is linear between them. */
+typedef struct arc_plot_field {
+  const double *x, *y, *value; /* [4 * count], corners of polygon i at 4i .. 4i+3 */
+  size_t count;
+} arc_plot_field;
+
+typedef struct arc_plot_axis {
+  const char *label; /* NULL: none */
+  double min, max;   /* NaN: from the data; min > max turns the axis round */
+  int log;           /* base 10 */
+  int reverse;       /* grows downwards or leftwards; only where the range is from the data */
+} arc_plot_axis;
+
+typedef enum arc_plot_key {
+  ARC_PLOT_KEY_BELOW,
+  ARC_PLOT_KEY_RIGHT,
+  ARC_PLOT_KEY_TOP_LEFT, /* the last four stand inside, over the curves */
+  ARC_PLOT_KEY_TOP_RIGHT,
+  ARC_PLOT_KEY_BOTTOM_LEFT,
+  ARC_PLOT_KEY_BOTTOM_RIGHT,
+  ARC_PLOT_KEY_NONE
+} arc_plot_key;
+
+typedef struct arc_plot_panel {
+  const char *title; /* NULL: none */
+  arc_plot_axis x, y;
+  arc_plot_axis value; /* the field's values: label and range only */
+  arc_plot_key key;
+  int equal;  /* non-zero: the same scale on both axes */
+  int levels; /* contour lines of the field; 0: none */
+  const arc_plot_curve *curves;
+  size_t curve_count;
+  const arc_plot_field *field; /* NULL: none */
+} arc_plot_panel;
+
+typedef struct arc_plot_figure {
+  const char *title; /* NULL: none */
+  const arc_plot_panel *panels;
+  size_t panel_count;
+  int rows, columns; /* of the grid of panels, filled row by row; 0: chosen */
+  int one_key; /* several panels: one key for all, below; the same title has the same colour */
+} arc_plot_figure;
+
+/* An axis from the data without a label; a panel and a figure with nothing in them. */
+arc_plot_axis arc_plot_axis_default(void);
+arc_plot_panel arc_plot_panel_default(void);
+
+/* Checks what can be checked without gnuplot: something to draw, ranges, a finite point in every
+ * curve, the grid's size. Error: ARC_ARGUMENT naming the panel and the curve. */
+arc_status arc_plot_check(const arc_plot_figure *figure, arc_error *error);
+
+/* --- where it is drawn ------------------------------------------------------------------------ */
+
+typedef enum arc_plot_medium {
+  ARC_PLOT_TEXT,   /* characters, returned */
+  ARC_PLOT_SIXEL,  /* a picture in a terminal's escape codes, returned */
+  ARC_PLOT_WINDOW, /* a window on the screen */
+  ARC_PLOT_FILE    /* by the ending: png svg pdf eps gif txt gp */
+} arc_plot_medium;
+
+typedef struct arc_plot_output {
+  arc_plot_medium medium;
+  const char *file;     /* for a file: its path */
+  const char *terminal; /* a window: gnuplot's name of its kind; NULL: the first there is */
+  int width, height;    /* characters for text, else pixels; 0: chosen by the figure */
+  int colour;           /* text: non-zero writes ANSI colours */
+  int ascii;            /* text: non-zero writes no character beyond ASCII */
+} arc_plot_output;
+
+/* The file endings arc_plot_draw knows, separated by blanks. */
+#define ARC_PLOT_FILE_ENDINGS "png svg pdf eps gif txt gp"
+
+/* The gnuplot commands that draw the figure (the file ending gp writes just these). To be freed
+ * with free(). Errors: ARC_ARGUMENT, ARC_MEMORY. */
+arc_status arc_plot_script(const arc_plot_figure *figure, const arc_plot_output *output,
+                           char **commands, size_t *length, arc_error *error);
+
+/* Draws. `picture` and `length` receive the characters of a text or sixel picture, to be freed with
+ * free(), and NULL and 0 for the others. A file appears whole or not at all. Errors: those of
+ * arc_plot_check and arc_gnuplot_run; ARC_IO: the file cannot be written; ARC_MISSING: this gnuplot
+ * has no terminal of the kind. */
+arc_status arc_plot_draw(arc_gnuplot *session, const arc_plot_figure *figure,
+                         const arc_plot_output *output, char **picture, size_t *length,
+                         arc_error *error);
+
+/* Writes the figures as one animated gif, `delay` [s] apart, going round for ever. Errors as for
+ * arc_plot_draw; ARC_ARGUMENT for a file that does not end in gif or for no frames. */
+arc_status arc_plot_animate(arc_gnuplot *session, const arc_plot_figure *frames, size_t count,
+                            double delay, const arc_plot_output *output, arc_error *error);
+
+#endif

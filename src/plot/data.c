@@ -1,0 +1,22 @@
+/* Curves as rows of numbers. Leans on text.c. */
+#include <math.h>
+
+#include "plot/figure.h"
+
+static int drawable(const arc_plot_panel *panel, double x, double y) {
+  return isfinite(x) && isfinite(y) && !(panel->x.log && x <= 0) && !(panel->y.log && y <= 0);
+}
+
+/* A blank line breaks the line; two would begin another set, and leading ones mean nothing. */
+void arc_data_curve(const arc_plot_panel *panel, const arc_plot_curve *curve, arc_text *script) {
+  int in_line = 0;
+  for (size_t i = 0; i < curve->count; i++) {
+    if (drawable(panel, curve->x[i], curve->y[i])) {
+      arc_text_format(script, "%.17g %.17g\n", curve->x[i], curve->y[i]);
+      in_line = 1;
+    } else if (in_line) {
+      arc_text_word(script, "\n");
+      in_line = 0;
+    }
+  }
+}

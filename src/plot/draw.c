@@ -1,0 +1,226 @@
+/* Draws figures: into characters for the caller, into windows, into files. Leans on script.c for
+ * the commands, on gnuplot.c to run them, on tidy.c for pictures in characters.
+ *
+ * A file is drawn beside its place under a name of ours and then moved there: it appears whole or
+ * not at all, and gnuplot never sees a name that could mean something else to it.
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "archard/plot.h"
+#include "plot/figure.h"
+#include "plot/tidy.h"
+
+static const char at_rest[] = "unset multiplot\nset output\nreset\nundefine $*\n";
+
+static arc_status no_memory(arc_error *error) {
+  return arc_fail(error, ARC_MEMORY, "no memory for the plot");
+}
+
+static arc_status hand_over(arc_text *text, char **data, size_t *length, arc_error *error) {
+  if (text->failed) {
+    arc_text_free(text);
+    return no_memory(error);
+  }
+  if (length) *length = text->length;
+  *data = text->data;
+  return ARC_OK;
+}
+
+/* --- commands --------------------------------------------------------------------------------- */
+
+static void write_script(const arc_plot_figure *frames, size_t count, const arc_canvas *canvas,
+                         const char *animation, const char *place, arc_text *script) {
+  arc_text_word(script, at_rest);
+  arc_canvas_command(canvas, animation, script);
+  if (place) {
+    arc_text_word(script, "set output ");
+    arc_text_quoted(script, place, 0);
+    arc_text_word(script, "\n");
+  }
+  for (size_t i = 0; i < count; i++) {
+    if (i > 0) arc_text_word(script, "reset\nundefine $*\n");
+    arc_plot_commands(&frames[i], canvas, script);
+  }
+  arc_text_word(script, at_rest + strlen("unset multiplot\n"));
+}
+
+/* The commands for a user leave the terminal to that user. */
+static arc_status user_script(const arc_plot_figure *figure, const arc_canvas *canvas,
+                              arc_text *script) {
+  arc_text_word(script, "# Draw with: gnuplot -p this-file\n");
+  arc_plot_commands(figure, canvas, script);
+  return ARC_OK;
+}
+
+arc_status arc_plot_script(const arc_plot_figure *figure, const arc_plot_output *output,
+                           char **commands, size_t *length, arc_error *error) {
+  arc_canvas canvas;
+  arc_text script = {0};
+  arc_status status = arc_plot_check(figure, error);
+  if (status == ARC_OK) status = arc_canvas_choose(figure, output, NULL, &canvas, error);
+  if (status != ARC_OK) return status;
+  if (canvas.terminal)
+    write_script(figure, 1, &canvas, "", NULL, &script);
+  else
+    user_script(figure, &canvas, &script);
+  return hand_over(&script, commands, length, error);
+}
+
+/* --- files ------------------------------------------------------------------------------------ */
+
+/* The n-th name beside `file`, absolute, since gnuplot may stand in another folder than we do. */
+static arc_status name_beside(const char *file, int n, char place[PATH_MAX], arc_error *error) {
+  char here[PATH_MAX] = "";
+  const char *slash = strrchr(file, '/');
+  int folder = slash ? (int)(slash - file) + 1 : 0;
+  for (int i = 0; file[i]; i++)
+    if ((unsigned char)file[i] < 0x20 || file[i] == 0x7f)
+      return arc_fail(error, ARC_ARGUMENT, "a file name with a control character in it");
+  if (file[0] != '/' && !getcwd(here, sizeof here - 1))
+    return arc_fail(error, ARC_IO, "'%.200s': %s", file, strerror(errno));
+  if (here[0]) strcat(here, "/");
+  int length = snprintf(place, PATH_MAX, "%s%.*s.archard-%ld-%d.part", here, folder, file,
+                        (long)getpid(), n);
+  if (length < 0 || length >= PATH_MAX)
+    return arc_fail(error, ARC_ARGUMENT, "'%.200s': the path is too long", file);
+  return ARC_OK;
+}
+
+static arc_status file_failed(const char *file, arc_error *error) {
+  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", file, strerror(errno));
+}
+
+/* Takes a place that nobody has. gnuplot would only say "cannot open file": here the reason is
+ * known. */
+static arc_status take_place(const char *file, char place[PATH_MAX], arc_error *error) {
+  for (int n = 0; n < 1000; n++) {
+    arc_status status = name_beside(file, n, place, error);
+    if (status != ARC_OK) return status;
+    int descriptor = open(place, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0) {
+      close(descriptor);
+      return ARC_OK;
+    }
+    if (errno != EEXIST) break;
+  }
+  return file_failed(file, error);
+}
+
+static arc_status write_text(const char *place, const char *file, const arc_text *text,
+                             arc_error *error) {
+  FILE *stream = fopen(place, "w");
+  if (!stream) return file_failed(file, error);
+  size_t written = fwrite(text->data, 1, text->length, stream);
+  if (fclose(stream) != 0 || written != text->length) return file_failed(file, error);
+  return ARC_OK;
+}
+
+/* --- drawing ---------------------------------------------------------------------------------- */
+
+/* One drawing from beginning to end. */
+typedef struct drawing {
+  arc_gnuplot *session;
+  const arc_plot_figure *frames;
+  size_t count;
+  const char *animation;
+  const arc_plot_output *output;
+  arc_canvas canvas;
+} drawing;
+
+/* Runs the commands; `picture` receives what came back, tidied where it is characters. */
+static arc_status run(drawing *d, const char *place, arc_text *picture, arc_error *error) {
+  arc_text script = {0};
+  char *reply = NULL;
+  size_t length = 0;
+  write_script(d->frames, d->count, &d->canvas, d->animation, place, &script);
+  arc_status status = script.failed ? no_memory(error)
+                                    : arc_gnuplot_run(d->session, script.data, script.length,
+                                                      &reply, &length, error);
+  arc_text_free(&script);
+  if (status == ARC_ARGUMENT)
+    arc_gnuplot_run(d->session, at_rest, sizeof at_rest - 1, NULL, NULL, NULL);
+  if (status == ARC_OK && d->canvas.text)
+    arc_tidy(reply, length, picture);
+  else if (status == ARC_OK && length > 0)
+    arc_text_add(picture, reply, length);
+  free(reply);
+  return status == ARC_OK && picture->failed ? no_memory(error) : status;
+}
+
+/* Characters and commands are written here, everything else by gnuplot. */
+static arc_status fill_place(drawing *d, const char *place, arc_error *error) {
+  arc_text text = {0};
+  arc_status status;
+  if (!d->canvas.terminal)
+    status = user_script(d->frames, &d->canvas, &text);
+  else
+    status = run(d, d->canvas.text ? NULL : place, &text, error);
+  if (status == ARC_OK && text.failed) status = no_memory(error);
+  if (status == ARC_OK && (d->canvas.text || !d->canvas.terminal))
+    status = write_text(place, d->output->file, &text, error);
+  arc_text_free(&text);
+  return status;
+}
+
+static arc_status draw_file(drawing *d, arc_error *error) {
+  char place[PATH_MAX];
+  const char *file = d->output->file;
+  arc_status status = take_place(file, place, error);
+  if (status != ARC_OK) return status;
+  status = fill_place(d, place, error);
+  if (status == ARC_OK && rename(place, file) != 0) status = file_failed(file, error);
+  if (status != ARC_OK) unlink(place);
+  return status;
+}
+
+/* Checks, and finds the canvas. Only commands need no gnuplot. */
+static arc_status prepare(drawing *d, arc_error *error) {
+  arc_status status = ARC_OK;
+  for (size_t i = 0; i < d->count && status == ARC_OK; i++)
+    status = arc_plot_check(&d->frames[i], error);
+  if (status == ARC_OK) status = arc_canvas_choose(d->frames, d->output, NULL, &d->canvas, error);
+  if (status != ARC_OK || !d->canvas.terminal) return status;
+  status = arc_gnuplot_start(d->session, error);
+  return status == ARC_OK ? arc_canvas_choose(d->frames, d->output, d->session, &d->canvas, error)
+                          : status;
+}
+
+arc_status arc_plot_draw(arc_gnuplot *session, const arc_plot_figure *figure,
+                         const arc_plot_output *output, char **picture, size_t *length,
+                         arc_error *error) {
+  drawing d = {session, figure, 1, "", output, {0}};
+  arc_text text = {0};
+  *picture = NULL;
+  if (length) *length = 0;
+  arc_status status = prepare(&d, error);
+  if (status != ARC_OK) return status;
+  if (output->medium == ARC_PLOT_FILE) return draw_file(&d, error);
+  status = run(&d, NULL, &text, error);
+  if (status != ARC_OK || output->medium == ARC_PLOT_WINDOW) {
+    arc_text_free(&text);
+    return status;
+  }
+  return hand_over(&text, picture, length, error);
+}
+
+arc_status arc_plot_animate(arc_gnuplot *session, const arc_plot_figure *frames, size_t count,
+                            double delay, const arc_plot_output *output, arc_error *error) {
+  char animation[48];
+  drawing d = {session, frames, count, animation, output, {0}};
+  if (count == 0) return arc_fail(error, ARC_ARGUMENT, "an animation needs at least one frame");
+  if (!(delay > 0) || delay > 60)
+    return arc_fail(error, ARC_ARGUMENT, "delay must be above 0 and at most 60 s, got %g", delay);
+  snprintf(animation, sizeof animation, "animate delay %d loop 0", (int)(100 * delay + 0.5));
+  arc_status status = prepare(&d, error);
+  if (status != ARC_OK) return status;
+  if (output->medium != ARC_PLOT_FILE ||
+      strcmp(d.canvas.terminal ? d.canvas.terminal : "", "gif") != 0)
+    return arc_fail(error, ARC_ARGUMENT, "an animation is written to a file that ends in gif");
+  return draw_file(&d, error);
+}

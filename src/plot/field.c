@@ -1,0 +1,135 @@
+/* Fields: polygons with values at their corners, as samples on a grid and as contour lines. Leans
+ * on text.c.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "plot/figure.h"
+
+typedef struct corner {
+  double x, y, value;
+} corner;
+
+static corner corner_of(const arc_plot_field *field, size_t polygon, int which) {
+  size_t i = 4 * polygon + (size_t)which;
+  return (corner){field->x[i], field->y[i], field->value[i]};
+}
+
+/* Whether the polygon's own box overlaps the box; the box may be turned round. */
+static int touches(const arc_plot_field *field, size_t polygon, const arc_plot_box *box) {
+  double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+  for (int k = 0; k < 4; k++) {
+    corner c = corner_of(field, polygon, k);
+    x0 = fmin(x0, c.x), x1 = fmax(x1, c.x), y0 = fmin(y0, c.y), y1 = fmax(y1, c.y);
+  }
+  return x1 >= fmin(box->x0, box->x1) && x0 <= fmax(box->x0, box->x1) &&
+         y1 >= fmin(box->y0, box->y1) && y0 <= fmax(box->y0, box->y1);
+}
+
+void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]) {
+  const arc_plot_field *field = panel->field;
+  double low = INFINITY, high = -INFINITY;
+  for (size_t i = 0; i < field->count; i++)
+    for (int k = 0; k < 4 && touches(field, i, box); k++) {
+      double value = corner_of(field, i, k).value;
+      low = fmin(low, value), high = fmax(high, value);
+    }
+  if (low > high) low = high = 0; /* nothing of it is in the box */
+  range[0] = isnan(panel->value.min) ? low : panel->value.min;
+  range[1] = isnan(panel->value.max) ? high : panel->value.max;
+  if (range[0] == range[1]) range[1] = range[0] + fmax(1e-12, fabs(range[0]) * 1e-3);
+}
+
+/* --- triangles -------------------------------------------------------------------------------- */
+
+/* The two triangles of a polygon; the second is flat where the polygon is a triangle. */
+static void triangle_of(const arc_plot_field *field, size_t polygon, int half, corner t[3]) {
+  t[0] = corner_of(field, polygon, 0);
+  t[1] = corner_of(field, polygon, half ? 2 : 1);
+  t[2] = corner_of(field, polygon, half ? 3 : 2);
+}
+
+static double twice_area(const corner t[3]) {
+  return (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y);
+}
+
+/* Where the level cuts an edge, if it does; an end exactly on the level belongs above. */
+static int cut(corner a, corner b, double level, corner *point) {
+  if ((a.value < level) == (b.value < level)) return 0;
+  double share = (level - a.value) / (b.value - a.value);
+  *point = (corner){a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), level};
+  return 1;
+}
+
+static size_t contour_triangle(const corner t[3], double level, arc_text *script) {
+  corner points[3];
+  int count = 0;
+  if (twice_area(t) == 0) return 0;
+  for (int k = 0; k < 3; k++) count += cut(t[k], t[(k + 1) % 3], level, &points[count]);
+  if (count != 2) return 0;
+  arc_text_format(script, "%.17g %.17g\n", points[0].x, points[0].y);
+  arc_text_format(script, "%.17g %.17g\n\n", points[1].x, points[1].y);
+  return 1;
+}
+
+size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
+                          const double range[2], int levels, arc_text *script) {
+  size_t segments = 0;
+  for (size_t i = 0; i < field->count; i++)
+    for (int half = 0; half < 2 && touches(field, i, box); half++)
+      for (int k = 1; k <= levels; k++) {
+        corner t[3];
+        triangle_of(field, i, half, t);
+        segments +=
+            contour_triangle(t, range[0] + (range[1] - range[0]) * k / (levels + 1), script);
+      }
+  return segments;
+}
+
+/* --- samples ---------------------------------------------------------------------------------- */
+
+typedef struct raster {
+  double x0, dx, y0, dy; /* sample i stands at x0 + i dx */
+  int columns, rows;
+  double *values;
+} raster;
+
+/* The samples first..last that can lie between two coordinates. */
+static void samples_between(double a, double b, double start, double step, int count, int *first,
+                            int *last) {
+  double u = (a - start) / step, v = (b - start) / step;
+  *first = (int)fmin(count, fmax(0, ceil(fmin(u, v) - 1e-9)));
+  *last = (int)fmax(-1, fmin(count - 1, floor(fmax(u, v) + 1e-9)));
+}
+
+static void raster_triangle(const corner t[3], raster *r) {
+  double area = twice_area(t);
+  int i0, i1, j0, j1;
+  if (area == 0) return;
+  samples_between(fmin(t[0].x, fmin(t[1].x, t[2].x)), fmax(t[0].x, fmax(t[1].x, t[2].x)), r->x0,
+                  r->dx, r->columns, &i0, &i1);
+  samples_between(fmin(t[0].y, fmin(t[1].y, t[2].y)), fmax(t[0].y, fmax(t[1].y, t[2].y)), r->y0,
+                  r->dy, r->rows, &j0, &j1);
+  for (int j = j0; j <= j1; j++)
+    for (int i = i0; i <= i1; i++) {
+      corner p = {r->x0 + i * r->dx, r->y0 + j * r->dy, 0};
+      double b = twice_area((corner[]){t[0], p, t[2]}) / area;
+      double c = twice_area((corner[]){t[0], t[1], p}) / area;
+      if (b >= -1e-9 && c >= -1e-9 && b + c <= 1 + 1e-9)
+        r->values[j * r->columns + i] =
+            t[0].value + b * (t[1].value - t[0].value) + c * (t[2].value - t[0].value);
+    }
+}
+
+void arc_field_raster(const arc_plot_field *field, const arc_plot_box *box, int columns, int rows,
+                      double *values) {
+  double dx = (box->x1 - box->x0) / columns, dy = (box->y1 - box->y0) / rows;
+  raster r = {box->x0 + dx / 2, dx, box->y0 + dy / 2, dy, columns, rows, values};
+  for (int i = 0; i < columns * rows; i++) values[i] = NAN;
+  for (size_t i = 0; i < field->count; i++)
+    for (int half = 0; half < 2 && touches(field, i, box); half++) {
+      corner t[3];
+      triangle_of(field, i, half, t);
+      raster_triangle(t, &r);
+    }
+}

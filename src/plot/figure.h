@@ -1,0 +1,95 @@
+/* What the files that turn a figure into gnuplot commands share. */
+#ifndef PLOT_FIGURE_H
+#define PLOT_FIGURE_H
+
+#include "archard/plot.h"
+#include "plot/text.h"
+
+/* The surface a figure is drawn on, as far as its commands depend on it. */
+typedef struct arc_canvas {
+  const char *terminal; /* gnuplot's name; NULL: none is set (a script for the user) */
+  int text;             /* non-zero: characters, else pixels */
+  int ascii, colour;    /* of a text */
+  int vector;           /* every polygon costs bytes in the file */
+  int width, height;    /* characters or pixels */
+  double columns, rows; /* the same in characters of the font */
+} arc_canvas;
+
+/* What a panel shows of the plane; may be turned round. */
+typedef struct arc_plot_box {
+  double x0, x1, y0, y1;
+} arc_plot_box;
+
+/* Where a panel's frame stands: fractions of the canvas from its lower left corner, and its inner
+ * size in characters. */
+typedef struct arc_plot_frame {
+  double left, right, bottom, top;
+  double columns, rows;
+} arc_plot_frame;
+
+/* What is carried along while one figure is written. */
+typedef struct arc_writer {
+  const arc_plot_figure *figure;
+  const arc_canvas *canvas;
+  arc_text *out;
+  const char **titles; /* the distinct titles, for one key of all panels */
+  size_t title_count;
+} arc_writer;
+
+/* The grid of panels: as given, or about as wide as high. */
+void arc_plot_grid(const arc_plot_figure *figure, int *rows, int *columns);
+
+/* The canvas of an output. `session` tells which terminals there are; NULL: all.
+ * Errors: ARC_ARGUMENT, ARC_MISSING. */
+arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_output *output,
+                             const arc_gnuplot *session, arc_canvas *canvas, arc_error *error);
+
+/* The command that sets the terminal. `animation`: more words for it, or "". */
+void arc_canvas_command(const arc_canvas *canvas, const char *animation, arc_text *script);
+
+/* The commands that draw a figure that has been checked. */
+void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script);
+
+/* A command with a user's words quoted in its middle. */
+void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after);
+
+/* The settings, data and plot command of one panel. `framed`: the frame is imposed, else gnuplot
+ * finds its own margins. */
+void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed);
+
+/* Whether one key stands for all panels; the number of a title in it; the rows it takes. */
+int arc_look_one_key(const arc_writer *w);
+size_t arc_look_title(const arc_writer *w, const char *title);
+double arc_look_key_rows(const arc_writer *w);
+
+/* Fills the writer's titles; sets the failed flag of its text when memory is out. */
+void arc_look_collect(arc_writer *w);
+
+/* The colours and marks that curves are numbered by. */
+void arc_look_series(arc_writer *w);
+
+/* The words of a plot command that say how a curve, the position-th of its panel, is drawn. */
+void arc_look_curve(arc_writer *w, const arc_plot_panel *panel, size_t position);
+
+/* The command that draws the one key; everything else of the canvas is left alone. */
+void arc_look_draw_key(arc_writer *w);
+
+/* The rows of a curve for a datablock: finite ones, breaks elsewhere. */
+void arc_data_curve(const arc_plot_panel *panel, const arc_plot_curve *curve, arc_text *script);
+
+/* Smallest and largest of what a panel holds, its own ranges taking precedence. */
+arc_plot_box arc_plot_extent(const arc_plot_panel *panel);
+
+/* Smallest and largest value of the field inside the box, or as the panel's value axis says. */
+void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]);
+
+/* Contour lines at `levels` values inside the range, as rows of segments. Returns how many. */
+size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
+                          const double range[2], int levels, arc_text *script);
+
+/* The field in the middles of columns x rows equal cells of the box, NaN where no polygon is; the
+ * first row is the one at y0. */
+void arc_field_raster(const arc_plot_field *field, const arc_plot_box *box, int columns, int rows,
+                      double *values);
+
+#endif

@@ -1,0 +1,307 @@
+/* One panel as gnuplot commands: settings, data, plot. Leans on look.c for curves, on data.c and
+ * field.c for numbers.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "plot/figure.h"
+
+enum { LEVELS = 9 };
+
+/* Denser characters for higher values; none that the frame is made of. */
+static const char level_marks[LEVELS + 1] = ".,:;oxO#@";
+static const char *const level_colours[LEVELS] = {"blue",  "blue",   "cyan",   "cyan", "green",
+                                                  "green", "yellow", "yellow", "red"};
+
+void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after) {
+  arc_text_word(w->out, before);
+  arc_text_quoted(w->out, words, w->canvas->ascii);
+  arc_text_word(w->out, after);
+}
+
+/* --- axes, heading, key ----------------------------------------------------------------------- */
+
+static void end_of_range(arc_writer *w, double value, const char *after) {
+  if (isnan(value))
+    arc_text_word(w->out, "*");
+  else
+    arc_text_format(w->out, "%.17g", value);
+  arc_text_word(w->out, after);
+}
+
+static void axis_words(arc_writer *w, const char *axis, const arc_plot_axis *a) {
+  arc_text_format(w->out, "set %srange [", axis);
+  end_of_range(w, a->min, ":");
+  end_of_range(w, a->max, "]");
+  arc_text_word(w->out,
+                a->reverse && isnan(a->min) && isnan(a->max) ? " reverse\n" : " noreverse\n");
+  arc_text_format(w->out, a->log ? "set logscale %s\n" : "unset logscale %s\n", axis);
+  arc_text_format(w->out, "set %slabel ", axis);
+  arc_writer_words(w, "", a->label ? a->label : "", " noenhanced\n");
+}
+
+/* Characters cannot be turned: the label of y stands above its axis, the title one line higher. */
+static void heading(arc_writer *w, const arc_plot_panel *panel) {
+  int above = w->canvas->text && panel->y.label;
+  arc_writer_words(w, "set title ", panel->title ? panel->title : "", " noenhanced");
+  arc_text_word(w->out, above ? " offset character 0,1\n" : " offset 0,0\n");
+  arc_text_word(w->out, "unset label\n");
+  if (!above) return;
+  arc_writer_words(w, "set ylabel '' noenhanced\nset label 99 ", panel->y.label,
+                   " at graph 0, graph 1 left offset character -5,1 noenhanced\n");
+}
+
+static arc_plot_key place_of_key(const arc_writer *w, const arc_plot_panel *panel) {
+  int levels = panel->field && w->canvas->text, titled = levels;
+  for (size_t i = 0; i < panel->curve_count; i++) titled |= panel->curves[i].title != NULL;
+  if (levels) return ARC_PLOT_KEY_RIGHT;
+  return titled && !arc_look_one_key(w) ? panel->key : ARC_PLOT_KEY_NONE;
+}
+
+static void key_words(arc_writer *w, const arc_plot_panel *panel) {
+  static const char *const places[] = {
+      [ARC_PLOT_KEY_BELOW] = "below center horizontal Left reverse height 1",
+      [ARC_PLOT_KEY_RIGHT] = "outside right top vertical Left reverse",
+      [ARC_PLOT_KEY_TOP_LEFT] = "inside left top vertical Left reverse",
+      [ARC_PLOT_KEY_TOP_RIGHT] = "inside right top vertical",
+      [ARC_PLOT_KEY_BOTTOM_LEFT] = "inside left bottom vertical Left reverse",
+      [ARC_PLOT_KEY_BOTTOM_RIGHT] = "inside right bottom vertical"};
+  arc_plot_key place = place_of_key(w, panel);
+  if (place == ARC_PLOT_KEY_NONE) {
+    arc_text_word(w->out, "unset key\n");
+    return;
+  }
+  arc_text_format(w->out, "set key default\nset key on %s noenhanced nobox%s\n", places[place],
+                  w->canvas->text ? " width 1" : " samplen 2.5");
+}
+
+/* --- what is shown ---------------------------------------------------------------------------- */
+
+static void grow(double *low, double *high, double share) {
+  double more = share * (*high - *low) / 2;
+  *low -= more;
+  *high += more;
+}
+
+/* For characters with equal scales the box is widened to the shape of the frame, a character being
+ * twice as high as wide. */
+static arc_plot_box shown_box(const arc_writer *w, const arc_plot_panel *panel,
+                              const arc_plot_frame *frame) {
+  arc_plot_box box = arc_plot_extent(panel);
+  if (isnan(panel->x.min) && isnan(panel->x.max)) grow(&box.x0, &box.x1, 0.06);
+  if (isnan(panel->y.min) && isnan(panel->y.max)) grow(&box.y0, &box.y1, 0.06);
+  if (!panel->equal || !w->canvas->text) return box;
+  double per_column = fabs(box.x1 - box.x0) / frame->columns;
+  double per_row = fabs(box.y1 - box.y0) / frame->rows;
+  if (2 * per_column > per_row && per_row > 0)
+    grow(&box.y0, &box.y1, 2 * per_column / per_row - 1);
+  else if (per_column > 0)
+    grow(&box.x0, &box.x1, per_row / (2 * per_column) - 1);
+  return box;
+}
+
+static void box_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box) {
+  arc_text_word(w->out,
+                panel->equal && !w->canvas->text ? "set size ratio -1\n" : "set size noratio\n");
+  if (!panel->equal && !panel->field) return;
+  if (box->x0 != box->x1) arc_text_format(w->out, "set xrange [%.17g:%.17g]\n", box->x0, box->x1);
+  if (box->y0 != box->y1) arc_text_format(w->out, "set yrange [%.17g:%.17g]\n", box->y0, box->y1);
+}
+
+static void frame_words(arc_writer *w, const arc_plot_frame *frame) {
+  arc_text_format(w->out, "set lmargin at screen %.6g\nset rmargin at screen %.6g\n", frame->left,
+                  frame->right);
+  arc_text_format(w->out, "set bmargin at screen %.6g\nset tmargin at screen %.6g\n", frame->bottom,
+                  frame->top);
+}
+
+/* 1, 2 or 5 times a power of ten, at most so many to the span. */
+static double round_step(double span, double steps) {
+  double rough = span / fmax(2, steps), power = pow(10, floor(log10(rough)));
+  double share = rough / power;
+  return power * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10);
+}
+
+/* Numbers need room: in characters gnuplot writes them over each other. */
+static void tic_words(arc_writer *w, const char *axis, const arc_plot_axis *a, double span,
+                      double steps) {
+  if (!w->canvas->text) return;
+  if (a->log || !isfinite(span) || span == 0)
+    arc_text_format(w->out, "set %stics autofreq\n", axis);
+  else
+    arc_text_format(w->out, "set %stics %.17g\n", axis, round_step(fabs(span), steps));
+}
+
+/* --- field ------------------------------------------------------------------------------------ */
+
+/* Colours for values of one sign, and others, with white at zero, for values of both. */
+static void colour_words(arc_writer *w, const arc_plot_panel *panel, const double range[2]) {
+  arc_text_word(w->out, "unset grid\nset border 15\n");
+  arc_text_word(w->out, range[0] < 0 && range[1] > 0
+                            ? "set palette defined (0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', "
+                              "3 '#f4a582', 4 '#b2182b')\n"
+                            : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', "
+                              "3 '#5ec962', 4 '#fde725')\n");
+  arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
+  arc_writer_words(w, "set cblabel ", panel->value.label ? panel->value.label : "",
+                   " noenhanced offset 1,0\n");
+}
+
+/* The field on a grid, as many cells as the eye can tell apart. */
+typedef struct grid {
+  int columns, rows;
+  double *values;
+} grid;
+
+static grid sample(arc_writer *w, const arc_plot_field *field, const arc_plot_box *box,
+                   const arc_plot_frame *frame) {
+  double wide = w->canvas->text ? 2 * frame->columns : fmin(8 * frame->columns, 640);
+  double high = w->canvas->text ? 2 * frame->rows : fmin(18 * frame->rows, 640);
+  grid g = {(int)wide, (int)high, NULL};
+  g.values = malloc((size_t)g.columns * (size_t)g.rows * sizeof *g.values);
+  if (g.values)
+    arc_field_raster(field, box, g.columns, g.rows, g.values);
+  else
+    w->out->failed = 1;
+  return g;
+}
+
+static int level_of(double value, const double range[2]) {
+  double share = (value - range[0]) / (range[1] - range[0]);
+  return isnan(share) ? -1 : (int)fmin(LEVELS - 1, fmax(0, floor(share * LEVELS)));
+}
+
+/* One datablock of points for each level. */
+static void level_blocks(arc_writer *w, size_t number, const grid *g, const arc_plot_box *box,
+                         const double range[2]) {
+  double dx = (box->x1 - box->x0) / g->columns, dy = (box->y1 - box->y0) / g->rows;
+  for (int k = 0; k < LEVELS; k++) {
+    arc_text_format(w->out, "$l%zu_%d << END\nNaN NaN\n", number, k);
+    for (int n = 0; n < g->columns * g->rows; n++)
+      if (level_of(g->values[n], range) == k)
+        arc_text_format(w->out, "%.17g %.17g\n", box->x0 + dx * (n % g->columns + 0.5),
+                        box->y0 + dy * (n / g->columns + 0.5));
+    arc_text_word(w->out, "END\n");
+  }
+}
+
+/* Six digits are more than colours can show. */
+static void image_block(arc_writer *w, size_t number, const grid *g) {
+  arc_text_format(w->out, "$f%zu << END\n", number);
+  for (int n = 0; n < g->columns * g->rows; n++) {
+    if (isnan(g->values[n]))
+      arc_text_word(w->out, "NaN");
+    else
+      arc_text_format(w->out, "%.6g", g->values[n]);
+    arc_text_word(w->out, (n + 1) % g->columns ? " " : "\n");
+  }
+  arc_text_word(w->out, "END\n");
+}
+
+static void image_words(arc_writer *w, size_t number, const grid *g, const arc_plot_box *box) {
+  double dx = (box->x1 - box->x0) / g->columns, dy = (box->y1 - box->y0) / g->rows;
+  arc_text_format(w->out, " $f%zu matrix using (%.17g+%.17g*$1):(%.17g+%.17g*$2):3", number,
+                  box->x0 + dx / 2, dx, box->y0 + dy / 2, dy);
+  arc_text_word(w->out, " with image notitle");
+}
+
+/* The highest level first in the key. */
+static void text_levels(arc_writer *w, size_t number, const double range[2]) {
+  double step = (range[1] - range[0]) / LEVELS;
+  for (int k = LEVELS - 1; k >= 0; k--) {
+    arc_text_format(w->out, "%s $l%zu_%d using 1:2 with points pointtype '%c'",
+                    k == LEVELS - 1 ? "" : ",", number, k, level_marks[k]);
+    if (w->canvas->colour) arc_text_format(w->out, " linecolor rgb '%s'", level_colours[k]);
+    arc_text_format(w->out, " title '%.3g to %.3g'", range[0] + k * step,
+                    range[0] + (k + 1) * step);
+  }
+}
+
+/* --- data and plot ---------------------------------------------------------------------------- */
+
+static void curve_blocks(arc_writer *w, size_t number) {
+  const arc_plot_panel *panel = &w->figure->panels[number];
+  for (size_t i = 0; i < panel->curve_count; i++) {
+    arc_text_format(w->out, "$d%zu_%zu << END\n", number, i);
+    arc_data_curve(panel, &panel->curves[i], w->out);
+    arc_text_word(w->out, "END\n");
+  }
+}
+
+/* Returns how many contour segments there are, and so whether there is a line to plot. */
+static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *box,
+                            const double range[2]) {
+  const arc_plot_panel *panel = &w->figure->panels[number];
+  if (!panel->field || w->canvas->text) return 0;
+  arc_text_format(w->out, "$k%zu << END\n", number);
+  size_t count = arc_field_contours(panel->field, box, range, panel->levels, w->out);
+  arc_text_word(w->out, "END\n");
+  return count;
+}
+
+static void plot_command(arc_writer *w, size_t number, const grid *g, const arc_plot_box *box,
+                         const double range[2], size_t contours) {
+  const arc_plot_panel *panel = &w->figure->panels[number];
+  arc_text_word(w->out, "plot");
+  if (panel->field && w->canvas->text) text_levels(w, number, range);
+  if (panel->field && !w->canvas->text) image_words(w, number, g, box);
+  if (contours)
+    arc_text_format(w->out, ", $k%zu using 1:2 with lines linecolor rgb '#a0000000' linewidth 0.6",
+                    number);
+  if (contours) arc_text_word(w->out, " notitle");
+  for (size_t i = 0; i < panel->curve_count; i++) {
+    arc_text_format(w->out, "%s $d%zu_%zu using 1:2", i || panel->field ? "," : "", number, i);
+    arc_look_curve(w, panel, i);
+  }
+  arc_text_word(w->out, "\n");
+}
+
+/* Values of both signs are shown in a range that has zero in its middle. */
+static void values_shown(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]) {
+  range[0] = range[1] = 0;
+  if (!panel->field) return;
+  arc_field_range(panel, box, range);
+  int open = isnan(panel->value.min) && isnan(panel->value.max);
+  if (open && range[0] < 0 && range[1] > 0) {
+    range[1] = fmax(-range[0], range[1]);
+    range[0] = -range[1];
+  }
+}
+
+static void settings(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
+                     const arc_plot_frame *frame, const double range[2]) {
+  axis_words(w, "x", &panel->x);
+  axis_words(w, "y", &panel->y);
+  tic_words(w, "x", &panel->x, box->x1 - box->x0, frame->columns / 9);
+  tic_words(w, "y", &panel->y, box->y1 - box->y0, frame->rows / 2.2);
+  box_words(w, panel, box);
+  heading(w, panel);
+  key_words(w, panel);
+  if (panel->field && !w->canvas->text) colour_words(w, panel, range);
+}
+
+static void margins(arc_writer *w, const arc_plot_panel *panel, const arc_plot_frame *frame,
+                    int framed) {
+  if (framed || (w->canvas->text && (panel->field || panel->equal)))
+    frame_words(w, frame);
+  else if (w->canvas->text)
+    arc_text_format(w->out, "set tmargin %d\n",
+                    1 + (panel->title != NULL) + (panel->y.label != NULL));
+}
+
+void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed) {
+  const arc_plot_panel *panel = &w->figure->panels[number];
+  arc_plot_box box = shown_box(w, panel, frame);
+  double range[2];
+  grid g = {0, 0, NULL};
+  values_shown(panel, &box, range);
+  if (panel->field) g = sample(w, panel->field, &box, frame);
+  if (g.values && w->canvas->text) level_blocks(w, number, &g, &box, range);
+  if (g.values && !w->canvas->text) image_block(w, number, &g);
+  curve_blocks(w, number);
+  size_t contours = contour_block(w, number, &box, range);
+  margins(w, panel, frame, framed);
+  settings(w, panel, &box, frame, range);
+  plot_command(w, number, &g, &box, range, contours);
+  free(g.values);
+}

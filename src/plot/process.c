@@ -1,0 +1,227 @@
+/* A child process and the talk with it: the one file that starts a program for plotting. Leans on
+ * POSIX only.
+ *
+ * Its own process group keeps a Ctrl-C at the terminal away from it. Input and output are one
+ * socket, because a socket can be written without SIGPIPE: the caller's signals stay untouched.
+ */
+#include "plot/process.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+extern char **environ;
+
+static double seconds(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void close_descriptor(int *descriptor) {
+  if (*descriptor >= 0) close(*descriptor);
+  *descriptor = -1;
+}
+
+/* --- start ------------------------------------------------------------------------------------ */
+
+static int private_descriptor(int descriptor) {
+  return fcntl(descriptor, F_SETFD, FD_CLOEXEC) == 0;
+}
+
+/* talk[0], errors[0] are ours; talk[1], errors[1] the child's. */
+static int open_channels(int talk[2], int errors[2]) {
+  if (socketpair(AF_UNIX, SOCK_STREAM, 0, talk) != 0) return 0;
+  if (pipe(errors) != 0) return 0;
+  return private_descriptor(talk[0]) && private_descriptor(talk[1]) &&
+         private_descriptor(errors[0]) && private_descriptor(errors[1]) &&
+         fcntl(errors[0], F_SETFL, O_NONBLOCK) == 0;
+}
+
+static int set_attributes(posix_spawnattr_t *attributes) {
+  sigset_t all, none;
+  sigfillset(&all);
+  sigdelset(&all, SIGKILL);
+  sigdelset(&all, SIGSTOP);
+  sigemptyset(&none);
+  short flags = POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK;
+  int failed = posix_spawnattr_setpgroup(attributes, 0);
+  if (!failed) failed = posix_spawnattr_setsigdefault(attributes, &all);
+  if (!failed) failed = posix_spawnattr_setsigmask(attributes, &none);
+  if (!failed) failed = posix_spawnattr_setflags(attributes, flags);
+  return failed;
+}
+
+static int set_actions(posix_spawn_file_actions_t *actions, int talk, int errors) {
+  int failed = posix_spawn_file_actions_adddup2(actions, talk, STDIN_FILENO);
+  if (!failed) failed = posix_spawn_file_actions_adddup2(actions, talk, STDOUT_FILENO);
+  if (!failed) failed = posix_spawn_file_actions_adddup2(actions, errors, STDERR_FILENO);
+  return failed;
+}
+
+/* Returns an errno value. */
+static int spawn(pid_t *pid, char *const argv[], int talk, int errors) {
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_t actions;
+  int failed = posix_spawnattr_init(&attributes);
+  if (failed) return failed;
+  failed = posix_spawn_file_actions_init(&actions);
+  if (!failed) {
+    failed = set_attributes(&attributes);
+    if (!failed) failed = set_actions(&actions, talk, errors);
+    if (!failed) failed = posix_spawnp(pid, argv[0], &actions, &attributes, argv, environ);
+    posix_spawn_file_actions_destroy(&actions);
+  }
+  posix_spawnattr_destroy(&attributes);
+  return failed;
+}
+
+arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error) {
+  int talk[2] = {-1, -1}, errors[2] = {-1, -1};
+  arc_status status = ARC_OK;
+  pid_t pid = 0;
+  if (!open_channels(talk, errors)) {
+    status = arc_fail(error, ARC_IO, "no channel to '%s': %s", argv[0], strerror(errno));
+  } else {
+    int failed = spawn(&pid, argv, talk[1], errors[1]);
+    if (failed)
+      status = arc_fail(error, failed == ENOENT ? ARC_MISSING : ARC_IO, "cannot start '%s': %s",
+                        argv[0], strerror(failed));
+  }
+  close_descriptor(&talk[1]);
+  close_descriptor(&errors[1]);
+  if (status != ARC_OK) {
+    close_descriptor(&talk[0]);
+    close_descriptor(&errors[0]);
+    return status;
+  }
+  *process = (arc_process){pid, talk[0], errors[0]};
+  return ARC_OK;
+}
+
+/* --- talk ------------------------------------------------------------------------------------- */
+
+enum { BLOCK = 1 << 16 };
+
+/* Reads what there is. Returns the bytes read; 0: nothing now; -1: the other end is closed. */
+static ssize_t take(int descriptor, arc_text *text) {
+  char block[BLOCK];
+  ssize_t got = read(descriptor, block, sizeof block);
+  if (got > 0) arc_text_add(text, block, (size_t)got);
+  if (got == 0) return -1;
+  if (got < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR ? 0 : -1;
+  return got;
+}
+
+/* Sends a part of the rest. Same returns as take(). */
+static ssize_t give(int descriptor, const char *bytes, size_t count) {
+  ssize_t sent = send(descriptor, bytes, count, MSG_NOSIGNAL | MSG_DONTWAIT);
+  if (sent < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR ? 0 : -1;
+  return sent;
+}
+
+/* Whether the answer's last line, which must be complete, begins with the mark. */
+static int finished(const arc_text *answer, const char *mark) {
+  if (answer->length == 0 || answer->data[answer->length - 1] != '\n') return 0;
+  size_t start = answer->length - 1;
+  while (start > 0 && answer->data[start - 1] != '\n') start--;
+  return strncmp(answer->data + start, mark, strlen(mark)) == 0;
+}
+
+/* One round of waiting, at most 0.1 s. Returns the bytes moved, or -1 when the child is gone. */
+static long one_round(arc_process *process, arc_exchange *exchange, size_t *sent) {
+  struct pollfd watched[2] = {{process->talk, POLLIN, 0}, {process->errors, POLLIN, 0}};
+  if (*sent < exchange->length) watched[0].events |= POLLOUT;
+  long moved = 0;
+  if (poll(watched, 2, 100) <= 0) return arc_process_alive(process) ? 0 : -1;
+  if (watched[1].revents) {
+    ssize_t got = take(process->errors, &exchange->errors);
+    if (got < 0) close_descriptor(&process->errors);
+    moved += got > 0 ? (long)got : 0;
+  }
+  if (watched[0].revents & (POLLIN | POLLHUP | POLLERR)) {
+    ssize_t got = take(process->talk, &exchange->answer);
+    if (got < 0) return -1;
+    moved += (long)got;
+  }
+  if (watched[0].revents & POLLOUT) {
+    ssize_t gone = give(process->talk, exchange->question + *sent, exchange->length - *sent);
+    if (gone < 0) return -1;
+    *sent += (size_t)gone;
+    moved += (long)gone;
+  }
+  return moved;
+}
+
+static void drain_errors(arc_process *process, arc_exchange *exchange) {
+  while (process->errors >= 0 && take(process->errors, &exchange->errors) > 0) {
+  }
+}
+
+arc_exchange_end arc_process_exchange(arc_process *process, arc_exchange *exchange) {
+  size_t sent = 0;
+  double last_sign = seconds();
+  arc_exchange_end end = ARC_EXCHANGE_DONE;
+  while (sent < exchange->length || !finished(&exchange->answer, exchange->last_line)) {
+    long moved = one_round(process, exchange, &sent);
+    if (moved > 0) last_sign = seconds();
+    if (moved < 0)
+      end = ARC_EXCHANGE_DIED;
+    else if (exchange->answer.failed || exchange->errors.failed)
+      end = ARC_EXCHANGE_MEMORY;
+    else if (exchange->should_stop && exchange->should_stop(exchange->stop_context))
+      end = ARC_EXCHANGE_STOPPED;
+    else if (seconds() - last_sign > exchange->patience)
+      end = ARC_EXCHANGE_SILENT;
+    if (end != ARC_EXCHANGE_DONE) break;
+  }
+  drain_errors(process, exchange);
+  return end;
+}
+
+/* --- end -------------------------------------------------------------------------------------- */
+
+/* Asks without waiting for it, so that its exit status stays for arc_process_end. A closed socket
+ * alone would not tell: a program that it started could still hold it. */
+int arc_process_alive(const arc_process *process) {
+  if (process->pid <= 0) return 0;
+  siginfo_t info = {.si_pid = 0};
+  if (waitid(P_PID, (id_t)process->pid, &info, WEXITED | WNOHANG | WNOWAIT) != 0) return 0;
+  struct pollfd watched = {process->talk, 0, 0};
+  return info.si_pid == 0 && poll(&watched, 1, 0) >= 0 &&
+         !(watched.revents & (POLLHUP | POLLERR | POLLNVAL));
+}
+
+/* Waits for the end of the process, at most so long. Returns non-zero when it has ended. */
+static int wait_for(pid_t pid, double patience, int *how) {
+  double until = seconds() + patience;
+  for (;;) {
+    pid_t got = waitpid(pid, how, WNOHANG);
+    if (got == pid) return 1;
+    if (got < 0 && errno != EINTR) { /* somebody else has waited for it */
+      *how = -1;
+      return 1;
+    }
+    if (seconds() >= until) return 0;
+    nanosleep(&(struct timespec){0, 2000000}, NULL);
+  }
+}
+
+int arc_process_end(arc_process *process, double patience) {
+  int how = -1;
+  close_descriptor(&process->talk);
+  if (process->pid > 0 && !wait_for(process->pid, patience, &how)) {
+    kill(-process->pid, SIGKILL);
+    wait_for(process->pid, 5.0, &how);
+  }
+  close_descriptor(&process->errors);
+  *process = ARC_PROCESS_NONE;
+  return how;
+}

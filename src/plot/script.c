@@ -1,0 +1,123 @@
+/* A figure as gnuplot commands. Leans on panel.c for each panel and look.c for the key of all.
+ *
+ * One panel leaves its margins to gnuplot. Several panels get theirs in fractions of the canvas,
+ * computed in characters, so that their frames stand in line however long their numbers are.
+ */
+#include <locale.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "plot/figure.h"
+
+/* Room around the frame of a panel, in characters. */
+typedef struct room {
+  double left, right, top, bottom;
+} room;
+
+static room room_around(const arc_writer *w) {
+  const arc_plot_figure *figure = w->figure;
+  int text = w->canvas->text;
+  room r = {text ? 8 : 7.5, text ? 2 : 2.5, 0.7, 2};
+  for (size_t i = 0; i < figure->panel_count; i++) {
+    const arc_plot_panel *panel = &figure->panels[i];
+    int labelled = panel->y.label != NULL, titled = panel->title != NULL;
+    if (panel->field) r.right = text ? 25 : 13;
+    if (panel->x.label) r.bottom = text ? 3 : 3.2;
+    r.top = fmax(r.top, text ? titled + labelled + 1 : titled ? 1.6 : 0.7);
+    if (!text && labelled) r.left = 9.5;
+  }
+  return r;
+}
+
+/* Keys of their own below every panel need their lines there. */
+static double own_keys(const arc_writer *w) {
+  double lines = 0;
+  for (size_t i = 0; i < w->figure->panel_count && !arc_look_one_key(w); i++)
+    for (size_t c = 0; c < w->figure->panels[i].curve_count; c++)
+      if (w->figure->panels[i].curves[c].title && w->figure->panels[i].key == ARC_PLOT_KEY_BELOW)
+        lines = fmax(lines, 1.2 + (double)(w->figure->panels[i].curve_count / 3));
+  return lines;
+}
+
+static arc_plot_frame frame_of(const arc_writer *w, size_t number) {
+  int rows, columns;
+  arc_plot_grid(w->figure, &rows, &columns);
+  room r = room_around(w);
+  double above = w->figure->title ? (w->canvas->text ? 1 : 1.6) : 0;
+  double below = arc_look_key_rows(w) + (arc_look_one_key(w) && !w->canvas->text ? 0.6 : 0);
+  double wide = w->canvas->columns / columns;
+  double high = (w->canvas->rows - above - below) / rows;
+  double left = wide * (double)(number % (size_t)columns);
+  double top = w->canvas->rows - above - high * (double)(number / (size_t)columns);
+  arc_plot_frame frame = {.left = left + r.left,
+                          .right = fmax(left + wide - r.right, left + r.left + 2),
+                          .top = top - r.top,
+                          .bottom = fmin(top - high + r.bottom + own_keys(w), top - r.top - 1)};
+  if (w->canvas->text) {
+    frame.left = floor(frame.left), frame.right = floor(frame.right);
+    frame.top = floor(frame.top), frame.bottom = floor(frame.bottom);
+  }
+  frame.columns = fmax(3, frame.right - frame.left);
+  frame.rows = fmax(3, frame.top - frame.bottom);
+  frame.left /= w->canvas->columns, frame.right /= w->canvas->columns;
+  frame.top /= w->canvas->rows, frame.bottom /= w->canvas->rows;
+  return frame;
+}
+
+static void common_settings(arc_writer *w) {
+  arc_text_word(w->out, "set encoding utf8\n");
+  if (!w->canvas->text)
+    arc_text_word(w->out, "set border 3\nset xtics nomirror\nset ytics nomirror\n"
+                          "set grid linecolor rgb '#e4e4e4' linewidth 0.7 linetype 1\n");
+  arc_look_series(w);
+}
+
+static void several_panels(arc_writer *w) {
+  arc_writer_words(w, "set multiplot title ", w->figure->title ? w->figure->title : "",
+                   " noenhanced\n");
+  for (size_t i = 0; i < w->figure->panel_count; i++) {
+    arc_plot_frame frame = frame_of(w, i);
+    arc_panel_write(w, i, &frame, 1);
+  }
+  if (arc_look_one_key(w)) arc_look_draw_key(w);
+  arc_text_word(w->out, "unset multiplot\n");
+}
+
+/* The figure's title is the panel's where there is one panel without a title. */
+static void one_panel(arc_writer *w) {
+  arc_plot_panel panel = w->figure->panels[0];
+  arc_plot_figure figure = *w->figure;
+  if (!panel.title) panel.title = figure.title;
+  figure.panels = &panel;
+  arc_writer inner = *w;
+  inner.figure = &figure;
+  arc_plot_frame frame = frame_of(&inner, 0);
+  arc_panel_write(&inner, 0, &frame, 0);
+}
+
+static void write_figure(const arc_plot_figure *figure, const arc_canvas *canvas,
+                         arc_text *script) {
+  arc_writer w = {figure, canvas, script, NULL, 0};
+  arc_look_collect(&w);
+  if (!script->failed) {
+    common_settings(&w);
+    if (figure->panel_count == 1)
+      one_panel(&w);
+    else
+      several_panels(&w);
+  }
+  free(w.titles);
+}
+
+/* gnuplot reads numbers with a point, whatever the user's country writes. */
+void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script) {
+  locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
+  if (!c) {
+    script->failed = 1;
+    return;
+  }
+  locale_t before = uselocale(c);
+  write_figure(figure, canvas, script);
+  uselocale(before);
+  freelocale(c);
+}

@@ -1,0 +1,137 @@
+/* Growing texts and the quoting of a user's words. Leans on nothing.
+ *
+ * In gnuplot a text in double quotes runs shell commands between backquotes, and a line break ends
+ * the command; a text in single quotes does neither, and its only special character is the quote.
+ */
+#include "plot/text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "archard/plot.h"
+
+static int make_room(arc_text *text, size_t more) {
+  if (text->failed) return 0;
+  if (text->capacity - text->length > more) return 1;
+  size_t capacity = 2 * text->capacity + more + 64;
+  char *data = realloc(text->data, capacity);
+  if (!data) {
+    text->failed = 1;
+    return 0;
+  }
+  text->data = data;
+  text->capacity = capacity;
+  return 1;
+}
+
+void arc_text_add(arc_text *text, const char *bytes, size_t count) {
+  if (!make_room(text, count)) return;
+  memcpy(text->data + text->length, bytes, count);
+  text->length += count;
+  text->data[text->length] = '\0';
+}
+
+void arc_text_word(arc_text *text, const char *word) {
+  arc_text_add(text, word, strlen(word));
+}
+
+void arc_text_format(arc_text *text, const char *format, ...) {
+  char line[256];
+  va_list arguments;
+  va_start(arguments, format);
+  int length = vsnprintf(line, sizeof line, format, arguments);
+  va_end(arguments);
+  if (length >= 0 && (size_t)length < sizeof line)
+    arc_text_add(text, line, (size_t)length);
+  else
+    text->failed = 1; /* only numbers and our own short words come this way */
+}
+
+void arc_text_free(arc_text *text) {
+  free(text->data);
+  memset(text, 0, sizeof *text);
+}
+
+/* The code point at `bytes` and its length; length 1 and code point -1 where it is no UTF-8. */
+static long code_point(const unsigned char *bytes, size_t *length) {
+  static const long smallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  size_t count = bytes[0] < 0x80           ? 1
+                 : (bytes[0] >> 5) == 0x06 ? 2
+                 : (bytes[0] >> 4) == 0x0e ? 3
+                 : (bytes[0] >> 3) == 0x1e ? 4
+                                           : 0;
+  *length = 1;
+  if (count == 0) return -1;
+  if (count == 1) return bytes[0];
+  long code = bytes[0] & (0x7f >> count);
+  for (size_t i = 1; i < count; i++) {
+    if ((bytes[i] & 0xc0) != 0x80) return -1;
+    code = code << 6 | (bytes[i] & 0x3f);
+  }
+  if (code < smallest[count] || code > 0x10ffff || (code >= 0xd800 && code <= 0xdfff)) return -1;
+  *length = count;
+  return code;
+}
+
+/* How to write a character where only ASCII can be shown. */
+static const char *spelled(long code) {
+  static const struct {
+    long code;
+    const char *ascii;
+  } table[] = {
+      {0xb0, "deg"},   {0xb1, "+-"},   {0xb2, "^2"},     {0xb3, "^3"},      {0xb5, "u"},
+      {0xb7, "."},     {0xd7, "x"},    {0x3b1, "alpha"}, {0x3b2, "beta"},   {0x3b4, "delta"},
+      {0x3b5, "eps"},  {0x3b7, "eta"}, {0x3ba, "kappa"}, {0x3bb, "lambda"}, {0x3bc, "u"},
+      {0x3bd, "nu"},   {0x3c0, "pi"},  {0x3c3, "sigma"}, {0x3c4, "tau"},    {0x2013, "-"},
+      {0x2014, "-"},   {0x2018, "'"},  {0x2019, "'"},    {0x201c, "\""},    {0x201d, "\""},
+      {0x2026, "..."}, {0x2212, "-"},  {0x221e, "inf"},
+  };
+  for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+    if (table[i].code == code) return table[i].ascii;
+  return "?";
+}
+
+/* C0, DEL and C1: a terminal could obey them. */
+static int is_control(long code) {
+  return code < 0x20 || (code >= 0x7f && code < 0xa0);
+}
+
+static void add_character(arc_text *text, const char *bytes, size_t length, long code, int ascii) {
+  if (code == -1)
+    arc_text_word(text, "?");
+  else if (is_control(code))
+    arc_text_word(text, " ");
+  else if (code == '\'')
+    arc_text_word(text, "''");
+  else if (code < 0x80 || !ascii)
+    arc_text_add(text, bytes, length);
+  else
+    for (const char *c = spelled(code); *c; c++)
+      arc_text_word(text, *c == '\'' ? "''" : (char[]){*c, 0});
+}
+
+void arc_text_quoted(arc_text *text, const char *words, int ascii) {
+  arc_text_word(text, "'");
+  while (*words) {
+    size_t length;
+    long code = code_point((const unsigned char *)words, &length);
+    add_character(text, words, length, code, ascii);
+    words += length;
+  }
+  arc_text_word(text, "'");
+}
+
+size_t arc_text_characters(const char *words) {
+  size_t count = 0;
+  for (; words && *words; words++) count += ((unsigned char)*words & 0xc0) != 0x80;
+  return count;
+}
+
+char *arc_plot_quote(const char *words, int ascii) {
+  arc_text text = {0};
+  arc_text_quoted(&text, words, ascii);
+  if (text.failed) arc_text_free(&text);
+  return text.data;
+}

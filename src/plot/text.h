@@ -1,0 +1,26 @@
+/* A growing text, and the one way by which a user's words get into gnuplot commands. */
+#ifndef PLOT_TEXT_H
+#define PLOT_TEXT_H
+
+#include <stddef.h>
+
+/* Starts as all zero. Once memory is out `failed` stays set and additions do nothing. */
+typedef struct arc_text {
+  char *data; /* ends with a zero that `length` does not count; NULL while empty */
+  size_t length, capacity;
+  int failed;
+} arc_text;
+
+void arc_text_add(arc_text *text, const char *bytes, size_t count);
+void arc_text_word(arc_text *text, const char *word);
+void arc_text_format(arc_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Quoted as arc_plot_quote (archard/plot.h) says. */
+void arc_text_quoted(arc_text *text, const char *words, int ascii);
+
+/* Characters (not bytes) of a UTF-8 text; 0 for NULL. */
+size_t arc_text_characters(const char *words);
+
+void arc_text_free(arc_text *text);
+
+#endif
