@@ -1,0 +1,58 @@
+/* lua/box.h - userdata that hold one thing of the engine.
+ *
+ * The order in every constructor: check all arguments, push the box empty, call the engine, fill
+ * the box; so that whatever fails, nothing is lost. A box is emptied by close(), by a
+ * to-be-closed variable or by the collector, whichever comes first.
+ *
+ * The metatable of a class holds, for completion and help: __name, __methods (table of functions)
+ * and __fields (list of the names of the computed fields).
+ */
+#ifndef LUA_BOX_H
+#define LUA_BOX_H
+
+#include <lauxlib.h>
+#include <lua.h>
+#include <stddef.h>
+
+/* A class. Things with a `destroy` get :close() and may be emptied; the others are values that live
+ * inside the box. */
+typedef struct box_class {
+  const char *name;             /* as the user writes it, "wear" */
+  const luaL_Reg *methods;      /* called as object:method(...); may be NULL */
+  const luaL_Reg *fields;       /* called with the object alone, each pushes the field's value */
+  lua_CFunction tostring;       /* a few readable lines */
+  void (*destroy)(void *thing); /* NULL: the box holds a value */
+  size_t value;                 /* [bytes] of that value */
+} box_class;
+
+typedef struct box {
+  void *thing; /* NULL: empty */
+  int tag;     /* the class' own use */
+  int busy;    /* in use by the engine: may be neither closed nor entered again */
+} box;
+
+/* Pushes an empty box with one user value (a parent to keep alive). A value's box comes with
+ * `thing` set to zeroed memory. */
+box *box_push(lua_State *L, const box_class *class);
+
+/* The box at `index`, or NULL if it is anything else. */
+box *box_test(lua_State *L, int index, const box_class *class);
+
+/* The box at `index` of the stack, full. Raises an error that names `where` for anything else. */
+box *box_check(lua_State *L, int index, const box_class *class, const char *where);
+
+/* box_check for the object of a method or field, at index 1, with a word on how to call those; and
+ * for methods that change it, which a busy box refuses. */
+box *box_self(lua_State *L, const box_class *class, const char *where);
+box *box_self_idle(lua_State *L, const box_class *class, const char *where);
+
+/* Empties a box, e.g. a temporary one; busy or not. */
+void box_empty(box *emptied, const box_class *class);
+
+/* Makes the value at index `parent` the user value of the box on top of the stack. */
+void box_keep(lua_State *L, int parent);
+
+/* Tells the collector that something of `bytes` has come into being outside its sight. */
+void box_weigh(lua_State *L, size_t bytes);
+
+#endif

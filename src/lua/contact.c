@@ -1,0 +1,284 @@
+/* Class contact: one contact solution, its pressures and its stresses. */
+#include "archard/contact.h"
+#include "lua/array.h"
+#include "lua/classes.h"
+#include "lua/error.h"
+
+#include <stdio.h>
+
+static const char field_kind[] = "archard.field";
+
+/* --- the object ------------------------------------------------------------------------------ */
+
+static void destroy_contact(void *thing) {
+  arc_contact *contact = thing;
+  arc_contact_destroy(&contact);
+}
+
+static arc_contact *self(lua_State *L) {
+  return box_self(L, &contact_class, "contact")->thing;
+}
+
+static arc_contact_result result(lua_State *L) {
+  return arc_contact_get(self(L));
+}
+
+NUMBER_FIELD(contact, load, result(L).load)
+NUMBER_FIELD(contact, x, result(L).x)
+NUMBER_FIELD(contact, p_center, result(L).p_center)
+NUMBER_FIELD(contact, p_max, result(L).p_max)
+NUMBER_FIELD(contact, half_width, result(L).half_width)
+NUMBER_FIELD(contact, approach, result(L).approach)
+
+static int contact_iterations(lua_State *L) {
+  lua_pushinteger(L, result(L).iterations);
+  return 1;
+}
+
+static int contact_edges(lua_State *L) {
+  arc_contact_result solved = result(L);
+  lua_createtable(L, 0, 2);
+  lua_pushnumber(L, solved.left);
+  lua_setfield(L, -2, "left");
+  lua_pushnumber(L, solved.right);
+  lua_setfield(L, -2, "right");
+  return 1;
+}
+
+static int contact_model(lua_State *L) {
+  self(L);
+  lua_getiuservalue(L, 1, 1);
+  return 1;
+}
+
+static int contact_tostring(lua_State *L) {
+  arc_contact_result solved = result(L);
+  char text[360];
+  snprintf(text, sizeof text,
+           "contact: load %.6g N, plate at x = %.6g mm\n"
+           "  pressure  centre %.6g MPa, largest %.6g MPa\n"
+           "  width     half %.6g mm, from %.6g to %.6g mm\n"
+           "  approach  %.6g mm (%d iterations)",
+           solved.load, solved.x, solved.p_center, solved.p_max, solved.half_width, solved.left,
+           solved.right, solved.approach, solved.iterations);
+  lua_pushstring(L, text);
+  return 1;
+}
+
+void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body) {
+  arc_pressure pressure = arc_contact_pressure(contact, body);
+  lua_createtable(L, 0, 2);
+  array_set(L, "x", pressure.x, (size_t)pressure.count);
+  array_set(L, "p", pressure.p, (size_t)pressure.count);
+}
+
+/* contact:pressure(body) -> { x=, p= }; both bodies in the frame of the cylinder */
+static int contact_pressure(lua_State *L) {
+  const arc_contact *contact = self(L);
+  contact_push_pressure(L, contact, body_argument(L, 2, "contact:pressure", ARC_CYLINDER));
+  return 1;
+}
+
+/* --- stresses -------------------------------------------------------------------------------- */
+
+static void destroy_field(void *thing) {
+  arc_field *field = thing;
+  arc_field_destroy(&field);
+}
+
+static int holder_tostring(lua_State *L) {
+  lua_pushliteral(L, "field");
+  return 1;
+}
+
+/* Holds a field of the engine while tables or files are made of it. */
+static const box_class field_class = {
+    .name = "field", .tostring = holder_tostring, .destroy = destroy_field};
+
+const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
+                                   const char *where) {
+  arc_error error = {0};
+  arc_field *field = NULL;
+  box *holder = box_push(L, &field_class);
+  arc_status status = arc_contact_field(contact, body, &field, &error);
+  holder->thing = field;
+  error_check(L, status, &error, where, -1);
+  return field;
+}
+
+/* Pushes the four node numbers of each element, from 1. */
+static void push_elements(lua_State *L, const arc_mesh *mesh) {
+  lua_createtable(L, 4 * mesh->elements, 0);
+  for (int i = 0; i < 4 * mesh->elements; i++) {
+    lua_pushinteger(L, (lua_Integer)mesh->element[i] + 1);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+  }
+}
+
+/* Pushes the field of one body as a table of arrays. */
+static void push_field(lua_State *L, const arc_contact *contact, arc_body body) {
+  const arc_field *field = field_push_holder(L, contact, body, "contact:stress");
+  const double *const columns[] = {field->x,   field->y,   field->ux,  field->uy,    field->sxx,
+                                   field->syy, field->szz, field->sxy, field->mises, field->shear};
+  static const char *const names[] = {"x",   "y",   "ux",  "uy",    "sxx",
+                                      "syy", "szz", "sxy", "mises", "shear"};
+  lua_createtable(L, 0, 11);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    array_set(L, names[i], columns[i], (size_t)field->nodes);
+  push_elements(L, arc_model_mesh(arc_contact_model(contact), body));
+  lua_setfield(L, -2, "elements");
+  box_empty(lua_touserdata(L, -2), &field_class);
+  lua_replace(L, -2);
+}
+
+/* The number at `position` of array `name` of the table on top. */
+static double element_of(lua_State *L, const char *name, lua_Integer position) {
+  lua_getfield(L, -1, name);
+  lua_geti(L, -1, position);
+  double value = lua_tonumber(L, -1);
+  lua_pop(L, 2);
+  return value;
+}
+
+/* The position of the largest number in array `name` of the table on top. */
+static lua_Integer largest_of(lua_State *L, const char *name) {
+  lua_Integer best = 1;
+  double largest = -HUGE_VAL;
+  lua_getfield(L, -1, name);
+  lua_Integer count = lua_istable(L, -1) ? luaL_len(L, -1) : 0;
+  for (lua_Integer i = 1; i <= count; i++) {
+    if (lua_geti(L, -1, i) == LUA_TNUMBER && lua_tonumber(L, -1) > largest) {
+      largest = lua_tonumber(L, -1);
+      best = i;
+    }
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  return best;
+}
+
+/* Pushes a line on the body's table on top: the largest stresses and where they are. */
+static const char *push_extremes(lua_State *L, const char *body) {
+  char line[240];
+  lua_Integer mises = largest_of(L, "mises"), shear = largest_of(L, "shear");
+  snprintf(
+      line, sizeof line,
+      "\n  %-8s  mises up to %.6g MPa at (%.4g, %.4g) mm, shear up to %.6g MPa at (%.4g, %.4g)",
+      body, element_of(L, "mises", mises), element_of(L, "x", mises), element_of(L, "y", mises),
+      element_of(L, "shear", shear), element_of(L, "x", shear), element_of(L, "y", shear));
+  return lua_pushstring(L, line);
+}
+
+static int field_tostring(lua_State *L) {
+  lua_settop(L, 1);
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_pushliteral(L, "stress field: .cylinder and .plate, each { x=, y=, ux=, uy=, sxx=, syy=, "
+                     "szz=, sxy=, mises=, shear=, elements= }");
+  for (int body = 0; body < ARC_BODIES; body++) {
+    if (lua_getfield(L, 1, body_names[body]) == LUA_TTABLE) {
+      push_extremes(L, body_names[body]);
+      lua_replace(L, -2);
+      lua_concat(L, 2);
+    } else {
+      lua_pop(L, 1);
+    }
+  }
+  return 1;
+}
+
+/* contact:stress() -> { cylinder=, plate= } of nodal arrays */
+static int contact_stress(lua_State *L) {
+  const arc_contact *contact = self(L);
+  luaL_checkstack(L, 12, "contact:stress");
+  lua_createtable(L, 0, 2);
+  for (int body = 0; body < ARC_BODIES; body++) {
+    push_field(L, contact, (arc_body)body);
+    lua_setfield(L, -2, body_names[body]);
+  }
+  if (luaL_newmetatable(L, field_kind)) {
+    lua_pushcfunction(L, field_tostring);
+    lua_setfield(L, -2, "__tostring");
+  }
+  lua_setmetatable(L, -2);
+  return 1;
+}
+
+/* --- construction ---------------------------------------------------------------------------- */
+
+typedef struct contact_def {
+  double load, x;
+} contact_def;
+
+static const args_field definition[] = {
+    ARGS_ABOVE(contact_def, load, 0),
+    {.name = "x",
+     .kind = ARGS_NUMBER,
+     .offset = offsetof(contact_def, x),
+     .low = -HUGE_VAL,
+     .high = HUGE_VAL},
+    {.name = "model", .kind = ARGS_ANY},
+    {.name = "worn", .kind = ARGS_ANY},
+    {.name = NULL},
+};
+
+/* Zones wide enough for a worn contact of twice the Hertz width. */
+static void needed_zones(const void *asker, const arc_model_def *model, double zone[ARC_BODIES]) {
+  const contact_def *def = asker;
+  arc_hertz hertz = {0}; /* stays so where arc_model_build will refuse the model */
+  arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, NULL);
+  arc_zone_for(fabs(def->x), 2 * hertz.half_width, zone);
+}
+
+/* Pushes what holds the shape; a worn object on the same model lends its own. */
+static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model) {
+  arc_wear_def defaults = arc_wear_default();
+  box *other = box_test(L, worn, &wear_class);
+  if (!other || arc_wear_model(other->thing) != model)
+    return worn_push_shape(L, worn, model, defaults.geometry, defaults.refresh, "contact");
+  lua_pushvalue(L, worn);
+  return arc_wear_shape(other->thing);
+}
+
+/* contact{ model=, load=, x=, worn= } */
+static int contact_new(lua_State *L) {
+  contact_def def = {.load = arc_wear_default().load, .x = 0};
+  arc_error error = {0};
+  lua_settop(L, 1);
+  args_read(L, 1, (args_place){"contact", ""}, definition, &def);
+  worn_check(L, 1, "contact");
+  int worn = lua_gettop(L);
+  arc_model *model = model_argument(L, worn, "contact", needed_zones, &def);
+  int holder = lua_gettop(L);
+  const arc_shape *shape = push_shape(L, worn, model);
+  box *made = box_push(L, &contact_class);
+  box_keep(L, holder);
+  arc_contact *contact = NULL;
+  arc_status status = arc_contact_solve(shape, def.load, def.x, &contact, &error);
+  made->thing = contact;
+  error_check(L, status, &error, "contact", -1);
+  return 1;
+}
+
+static const luaL_Reg fields[] = {
+    {"load", contact_load},         {"x", contact_x},
+    {"p_center", contact_p_center}, {"p_max", contact_p_max},
+    {"edges", contact_edges},       {"half_width", contact_half_width},
+    {"approach", contact_approach}, {"iterations", contact_iterations},
+    {"model", contact_model},       {NULL, NULL},
+};
+
+static const luaL_Reg methods[] = {
+    {"pressure", contact_pressure}, {"stress", contact_stress}, {NULL, NULL}};
+
+const box_class contact_class = {
+    .name = "contact",
+    .methods = methods,
+    .fields = fields,
+    .tostring = contact_tostring,
+    .destroy = destroy_contact,
+};
+
+int luaopen_archard_contact(lua_State *L) {
+  lua_pushcfunction(L, contact_new);
+  return 1;
+}

@@ -1,0 +1,228 @@
+/* Class wear: construction, cloning, and the list of what the other wear_*.c files do. */
+#include "lua/wear.h"
+#include "lua/error.h"
+
+#include <string.h>
+
+const char *const procedure_names[] = {"auto", "SP", "NSP", NULL};
+const char *const scheme_names[] = {"explicit", "implicit", NULL};
+const char *const slip_names[] = {"rigid", "total", NULL};
+const char *const rule_names[] = {"trapezoid", "simple", NULL};
+const char *const geometry_names[] = {"moving", "frozen", NULL};
+
+/* --- the definition -------------------------------------------------------------------------- */
+
+typedef struct wear_request {
+  arc_wear_def def;
+  double cycles; /* 0: not given */
+} wear_request;
+
+#define AT(member) .offset = offsetof(wear_request, member)
+
+static const args_field definition[] = {
+    {.name = "k", .kind = ARGS_NUMBER, AT(def.k), .low = 0, .high = HUGE_VAL},
+    {.name = "alpha", .kind = ARGS_NUMBER, AT(def.alpha), .low = 0, .high = 1},
+    {.name = "load",
+     .kind = ARGS_NUMBER,
+     AT(def.load),
+     .low = 0,
+     .high = HUGE_VAL,
+     .open = ARGS_LOW_OPEN},
+    {.name = "stroke",
+     .kind = ARGS_NUMBER,
+     AT(def.stroke),
+     .low = 0,
+     .high = HUGE_VAL,
+     .open = ARGS_LOW_OPEN},
+    {.name = "distance",
+     .kind = ARGS_NUMBER,
+     AT(def.distance),
+     .low = 0,
+     .high = HUGE_VAL,
+     .open = ARGS_LOW_OPEN},
+    {.name = "cycles",
+     .kind = ARGS_NUMBER,
+     AT(cycles),
+     .low = 0,
+     .high = HUGE_VAL,
+     .open = ARGS_LOW_OPEN},
+    {.name = "jump",
+     .kind = ARGS_NUMBER,
+     AT(def.jump),
+     .low = 0,
+     .high = HUGE_VAL,
+     .open = ARGS_LOW_OPEN},
+    {.name = "increments", .kind = ARGS_WHOLE, AT(def.increments), .low = 2, .high = 1e6},
+    {.name = "refresh", .kind = ARGS_NUMBER, AT(def.refresh), .low = 0, .high = HUGE_VAL},
+    {.name = "procedure", .kind = ARGS_CHOICE, AT(def.procedure), .choices = procedure_names},
+    {.name = "scheme", .kind = ARGS_CHOICE, AT(def.scheme), .choices = scheme_names},
+    {.name = "slip", .kind = ARGS_CHOICE, AT(def.slip), .choices = slip_names},
+    {.name = "rule", .kind = ARGS_CHOICE, AT(def.rule), .choices = rule_names},
+    {.name = "geometry", .kind = ARGS_CHOICE, AT(def.geometry), .choices = geometry_names},
+    {.name = "model", .kind = ARGS_ANY},
+    {.name = "worn", .kind = ARGS_ANY},
+    {.name = "tolerance", .kind = ARGS_ANY},
+    {.name = "loading", .kind = ARGS_ANY},
+    {.name = "local_factor", .kind = ARGS_ANY},
+    {.name = NULL},
+};
+
+/* What the contract names and the engine cannot do yet: a field with a value of a type, or with
+ * this very text. */
+static const struct {
+  const char *field;
+  int type; /* LUA_TNONE: any */
+  const char *text;
+  const char *instead;
+} later[] = {
+    {"k", LUA_TFUNCTION, NULL, "give a number"},
+    {"alpha", LUA_TFUNCTION, NULL, "give a number"},
+    {"jump", LUA_TFUNCTION, NULL, "give a number"},
+    {"jump", LUA_TSTRING, "auto", "give a number"},
+    {"scheme", LUA_TSTRING, "implicit", "use \"explicit\""},
+    {"tolerance", LUA_TNONE, NULL, "leave it out"},
+    {"loading", LUA_TNONE, NULL, "give stroke and load"},
+    {"local_factor", LUA_TNONE, NULL, "leave it out"},
+};
+
+static void refuse_later(lua_State *L, int index) {
+  for (size_t i = 0; i < sizeof later / sizeof *later; i++) {
+    int type = args_get(L, index, later[i].field);
+    int meant = type != LUA_TNIL && (later[i].type == LUA_TNONE || later[i].type == type);
+    if (meant && later[i].text) meant = strcmp(later[i].text, lua_tostring(L, -1)) == 0;
+    if (meant)
+      error_raise(L, ARC_ARGUMENT, "wear", "field '%s': %s%s%s not available yet; %s",
+                  later[i].field, later[i].text ? "\"" : "",
+                  later[i].text                ? later[i].text
+                  : later[i].type == LUA_TNONE ? "it is"
+                                               : "functions of the state are",
+                  later[i].text ? "\" is" : "", later[i].instead);
+    lua_pop(L, 1);
+  }
+}
+
+static wear_request read_request(lua_State *L, int index) {
+  wear_request request = {.def = arc_wear_default(), .cycles = 0};
+  args_read(L, index, (args_place){"wear", ""}, definition, &request);
+  if (request.cycles > 0 && args_get(L, index, "distance") != LUA_TNIL)
+    error_raise(L, ARC_ARGUMENT, "wear",
+                "fields 'distance' and 'cycles': expected one of them, got both");
+  return request;
+}
+
+/* --- construction ---------------------------------------------------------------------------- */
+
+static void needed_zones(const void *asker, const arc_model_def *model, double zone[ARC_BODIES]) {
+  arc_wear_zones(asker, model, zone);
+}
+
+/* Pushes what holds the shape to start from; NULL: unworn. */
+static const arc_shape *push_start(lua_State *L, int worn, arc_model *model,
+                                   const arc_wear_def *def) {
+  box *other = box_test(L, worn, &wear_class);
+  lua_pushvalue(L, worn);
+  if (lua_isnil(L, worn)) return NULL;
+  if (other && arc_wear_model(other->thing) == model &&
+      arc_wear_definition(other->thing)->geometry == def->geometry)
+    return arc_wear_shape(other->thing);
+  return worn_push_shape(L, worn, model, def->geometry, def->refresh, "wear");
+}
+
+/* Fills the box with a new run. */
+static arc_wear *create(lua_State *L, box *made, arc_model *model, const arc_wear_def *def,
+                        const arc_shape *start) {
+  arc_error error = {0};
+  arc_wear *wear = NULL;
+  arc_status status = arc_wear_create(model, def, start, &wear, &error);
+  made->thing = wear;
+  error_check(L, status, &error, "wear", -1);
+  return wear;
+}
+
+/* Only a run knows how many strokes its cycles have, so the distance of `cycles` needs a first one
+ * to ask. */
+static void create_run(lua_State *L, box *made, arc_model *model, wear_request *request,
+                       const arc_shape *start) {
+  arc_wear *wear = create(L, made, model, &request->def, start);
+  if (request->cycles > 0) {
+    request->def.distance = request->cycles * arc_wear_strokes(wear) * request->def.stroke;
+    box_empty(made, &wear_class);
+    wear = create(L, made, model, &request->def, start);
+  }
+  box_weigh(L, arc_wear_bytes(wear));
+}
+
+/* wear{ model=, k=, alpha=, load=, stroke=, ... }; called as a method of the table `wear`. */
+static int wear_new(lua_State *L) {
+  lua_remove(L, 1);
+  lua_settop(L, 1);
+  refuse_later(L, 1);
+  wear_request request = read_request(L, 1);
+  worn_check(L, 1, "wear");
+  int worn = lua_gettop(L);
+  arc_model *model = model_argument(L, worn, "wear", needed_zones, &request.def);
+  int holder = lua_gettop(L);
+  const arc_shape *start = push_start(L, worn, model, &request.def);
+  box *made = box_push(L, &wear_class);
+  box_keep(L, holder);
+  create_run(L, made, model, &request, start);
+  return 1;
+}
+
+/* wear:clone() -> an independent copy on the same model */
+static int wear_clone(lua_State *L) {
+  const arc_wear *wear = wear_self(L, "wear:clone");
+  arc_error error = {0};
+  arc_wear *copy = NULL;
+  lua_getiuservalue(L, 1, 1);
+  box *made = box_push(L, &wear_class);
+  box_keep(L, -2);
+  arc_status status = arc_wear_clone(wear, &copy, &error);
+  made->thing = copy;
+  error_check(L, status, &error, "wear:clone", -1);
+  box_weigh(L, arc_wear_bytes(copy));
+  return 1;
+}
+
+/* --- the class ------------------------------------------------------------------------------- */
+
+static void destroy_wear(void *thing) {
+  arc_wear *wear = thing;
+  arc_wear_destroy(&wear);
+}
+
+arc_wear *wear_self(lua_State *L, const char *where) {
+  return box_self(L, &wear_class, where)->thing;
+}
+
+static const luaL_Reg methods[] = {
+    {"step", wear_step},
+    {"run", wear_run},
+    {"clone", wear_clone},
+    {"contact", wear_contact},
+    {"profile", wear_profile},
+    {"pressure", wear_pressure},
+    {"combined", wear_combined},
+    {"local_partition", wear_local_partition},
+    {"roughness", wear_roughness},
+    {"stability", wear_stability},
+    {NULL, NULL},
+};
+
+const box_class wear_class = {
+    .name = "wear",
+    .methods = methods,
+    .fields = wear_fields,
+    .tostring = wear_tostring,
+    .destroy = destroy_wear,
+};
+
+/* A table that can be called, with room for functions beside the constructor. */
+int luaopen_archard_wear(lua_State *L) {
+  lua_newtable(L);
+  lua_createtable(L, 0, 1);
+  lua_pushcfunction(L, wear_new);
+  lua_setfield(L, -2, "__call");
+  lua_setmetatable(L, -2);
+  return 1;
+}

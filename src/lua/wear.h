@@ -1,0 +1,51 @@
+/* lua/wear.h - the parts of the class wear among themselves. */
+#ifndef LUA_WEAR_H
+#define LUA_WEAR_H
+
+#include "lua/classes.h"
+
+/* The run at index 1. */
+arc_wear *wear_self(lua_State *L, const char *where);
+
+/* Names of the enumerations, in their order; NULL ends a list. */
+extern const char *const procedure_names[];
+extern const char *const scheme_names[];
+extern const char *const slip_names[];
+extern const char *const rule_names[];
+extern const char *const geometry_names[];
+
+/* --- wear_state.c: what a run knows, as fields and in words --- */
+extern const luaL_Reg wear_fields[];
+int wear_tostring(lua_State *L);
+
+/* --- wear_run.c: methods that go on with a run --- */
+int wear_step(lua_State *L);
+int wear_run(lua_State *L);
+
+/* --- wear_profile.c: methods that look at it --- */
+int wear_profile(lua_State *L);
+int wear_pressure(lua_State *L);
+int wear_contact(lua_State *L);
+int wear_combined(lua_State *L);
+int wear_local_partition(lua_State *L);
+int wear_roughness(lua_State *L);
+int wear_stability(lua_State *L);
+
+/* --- wear_record.c: rows of history --- */
+
+/* Pushes a table of the record's columns by name; its text is what the string on top of the stack
+ * says, which it replaces. */
+void record_push(lua_State *L, const arc_wear_record *record);
+
+/* Pushes one aligned line on a record, and a table of lines on `count` of them. */
+void record_push_line(lua_State *L, const arc_wear_record *record);
+void record_push_lines(lua_State *L, const arc_wear_record *records, size_t count);
+
+/* Pushes the history as a table of arrays by column name. */
+void history_push(lua_State *L, const arc_wear *wear);
+
+/* Names of the columns of the history, in the order of arc_wear_record's members. */
+extern const char *const history_columns[];
+enum { HISTORY_COLUMNS = sizeof(arc_wear_record) / sizeof(double) };
+
+#endif

@@ -1,0 +1,188 @@
+/* Class wear: its fields (state, measures, definition) and its summary in words. */
+#include "lua/error.h"
+#include "lua/wear.h"
+
+#include <stdio.h>
+
+static arc_wear *self(lua_State *L) {
+  return wear_self(L, "wear");
+}
+
+static const arc_wear_record *last(lua_State *L) {
+  return arc_wear_last(self(L));
+}
+
+static const arc_wear_def *def(lua_State *L) {
+  return arc_wear_definition(self(L));
+}
+
+/* --- the state ------------------------------------------------------------------------------- */
+
+NUMBER_FIELD(wear, distance, last(L)->distance)
+NUMBER_FIELD(wear, cycle, last(L)->cycle)
+NUMBER_FIELD(wear, p_center, last(L)->p_center)
+NUMBER_FIELD(wear, p_max, last(L)->p_max)
+NUMBER_FIELD(wear, half_width, last(L)->half_width)
+NUMBER_FIELD(wear, depth_partition, last(L)->depth_partition)
+
+static int wear_update(lua_State *L) {
+  lua_pushinteger(L, (lua_Integer)last(L)->update);
+  return 1;
+}
+
+static int wear_solutions(lua_State *L) {
+  lua_pushinteger(L, (lua_Integer)last(L)->solutions);
+  return 1;
+}
+
+static int wear_depth(lua_State *L) {
+  push_by_body(L, last(L)->depth_cylinder, last(L)->depth_plate);
+  return 1;
+}
+
+static int wear_vector_depth(lua_State *L) {
+  const arc_shape *shape = arc_wear_shape(self(L));
+  push_by_body(L, arc_shape_vector_depth(shape, ARC_CYLINDER),
+               arc_shape_vector_depth(shape, ARC_PLATE));
+  return 1;
+}
+
+static int wear_volume(lua_State *L) {
+  const arc_wear_record *record = last(L);
+  push_by_body(L, record->volume_cylinder, record->volume_plate);
+  lua_pushnumber(L, record->volume_cylinder + record->volume_plate);
+  lua_setfield(L, -2, "total");
+  return 1;
+}
+
+static int wear_history(lua_State *L) {
+  history_push(L, self(L));
+  return 1;
+}
+
+static int wear_done(lua_State *L) {
+  lua_pushboolean(L, last(L)->distance >= def(L)->distance);
+  return 1;
+}
+
+/* --- the definition -------------------------------------------------------------------------- */
+
+NUMBER_FIELD(wear, k, def(L)->k)
+NUMBER_FIELD(wear, alpha, def(L)->alpha)
+NUMBER_FIELD(wear, load, def(L)->load)
+NUMBER_FIELD(wear, stroke, def(L)->stroke)
+NUMBER_FIELD(wear, total_distance, def(L)->distance)
+NUMBER_FIELD(wear, jump, def(L)->jump)
+NUMBER_FIELD(wear, refresh, def(L)->refresh)
+NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
+NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
+
+static int wear_increments(lua_State *L) {
+  lua_pushinteger(L, def(L)->increments);
+  return 1;
+}
+
+static int push_name(lua_State *L, const char *name) {
+  lua_pushstring(L, name);
+  return 1;
+}
+
+static int wear_procedure(lua_State *L) {
+  return push_name(L, procedure_names[arc_wear_procedure(self(L))]);
+}
+
+static int wear_scheme(lua_State *L) {
+  return push_name(L, scheme_names[def(L)->scheme]);
+}
+
+static int wear_slip(lua_State *L) {
+  return push_name(L, slip_names[def(L)->slip]);
+}
+
+static int wear_rule(lua_State *L) {
+  return push_name(L, rule_names[def(L)->rule]);
+}
+
+static int wear_geometry(lua_State *L) {
+  return push_name(L, geometry_names[def(L)->geometry]);
+}
+
+static int wear_model(lua_State *L) {
+  self(L);
+  lua_getiuservalue(L, 1, 1);
+  return 1;
+}
+
+const luaL_Reg wear_fields[] = {
+    {"distance", wear_distance},
+    {"cycle", wear_cycle},
+    {"update", wear_update},
+    {"solutions", wear_solutions},
+    {"p_center", wear_p_center},
+    {"p_max", wear_p_max},
+    {"half_width", wear_half_width},
+    {"depth", wear_depth},
+    {"vector_depth", wear_vector_depth},
+    {"volume", wear_volume},
+    {"depth_partition", wear_depth_partition},
+    {"history", wear_history},
+    {"done", wear_done},
+    {"k", wear_k},
+    {"alpha", wear_alpha},
+    {"load", wear_load},
+    {"stroke", wear_stroke},
+    {"total_distance", wear_total_distance},
+    {"jump", wear_jump},
+    {"refresh", wear_refresh},
+    {"strokes", wear_strokes},
+    {"cycles", wear_cycles},
+    {"increments", wear_increments},
+    {"procedure", wear_procedure},
+    {"scheme", wear_scheme},
+    {"slip", wear_slip},
+    {"rule", wear_rule},
+    {"geometry", wear_geometry},
+    {"model", wear_model},
+    {NULL, NULL},
+};
+
+/* --- in words -------------------------------------------------------------------------------- */
+
+static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
+  const arc_wear_def *settings = arc_wear_definition(wear);
+  char line[400];
+  snprintf(line, sizeof line,
+           "wear: stroke %.6g mm, load %.6g N, k %.6g mm2/N, alpha %.6g\n"
+           "  settings  %s, jump %.6g, %d increments, %s geometry, %s slip, %s, %s\n",
+           settings->stroke, settings->load, settings->k, settings->alpha,
+           procedure_names[arc_wear_procedure(wear)], settings->jump, settings->increments,
+           geometry_names[settings->geometry], slip_names[settings->slip],
+           scheme_names[settings->scheme], rule_names[settings->rule]);
+  luaL_addstring(text, line);
+}
+
+static void add_state(luaL_Buffer *text, const arc_wear *wear) {
+  const arc_wear_record *record = arc_wear_last(wear);
+  char line[600];
+  snprintf(line, sizeof line,
+           "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f updates\n"
+           "  pressure  centre %.2f MPa, largest %.2f MPa, half width %.6g mm\n"
+           "  depth     cylinder %.4e mm, plate %.4e mm; alpha-tilde %.4f\n"
+           "  volume    cylinder %.4e mm3, plate %.4e mm3, total %.4e mm3",
+           record->cycle, arc_wear_cycles(wear), record->distance,
+           arc_wear_definition(wear)->distance, record->update, record->p_center, record->p_max,
+           record->half_width, record->depth_cylinder, record->depth_plate, record->depth_partition,
+           record->volume_cylinder, record->volume_plate,
+           record->volume_cylinder + record->volume_plate);
+  luaL_addstring(text, line);
+}
+
+int wear_tostring(lua_State *L) {
+  const arc_wear *wear = self(L);
+  luaL_Buffer text;
+  luaL_buffinit(L, &text);
+  add_settings(&text, wear);
+  add_state(&text, wear);
+  luaL_pushresult(&text);
+  return 1;
+}
