@@ -65,6 +65,14 @@ static int class_tostring(lua_State *L) {
   return 1;
 }
 
+/* Two boxes of one thing, as the models that are shared, are equal. */
+static int class_eq(lua_State *L) {
+  const box_class *class = class_upvalue(L);
+  const box *a = box_test(L, 1, class), *b = box_test(L, 2, class);
+  lua_pushboolean(L, a && b && a->thing && a->thing == b->thing && a->tag == b->tag);
+  return 1;
+}
+
 /* Sets field `name` of the table on top to a function that knows its class. */
 static void set_function(lua_State *L, const char *name, const box_class *class,
                          lua_CFunction function) {
@@ -106,6 +114,7 @@ static void fill_metatable(lua_State *L, const box_class *class) {
   lua_setfield(L, -2, "__index");
   set_function(L, "__newindex", class, class_newindex);
   set_function(L, "__tostring", class, class_tostring);
+  set_function(L, "__eq", class, class_eq);
   if (class->destroy) {
     set_function(L, "__gc", class, class_gc);
     set_function(L, "__close", class, class_gc);

@@ -49,8 +49,9 @@ typedef struct model_request {
   int zone[ARC_BODIES]; /* whether the zone was given: then it is not touched */
 } model_request;
 
-/* Writes the zones that a contact or run needs on a model of `def`. */
-typedef void (*zones_fn)(const void *asker, const arc_model_def *def, double zone[ARC_BODIES]);
+/* Writes the zones that a contact or run needs on a model of `def`, or says why it cannot be. */
+typedef arc_status (*zones_fn)(const void *asker, const arc_model_def *def, double zone[ARC_BODIES],
+                               arc_error *error);
 
 /* Pushes the box of the model that the field `model` of the definition table at index 1 means: an
  * object, or one of the table's fields; if there is none, one like that of the worn object at index

@@ -222,11 +222,14 @@ static const args_field definition[] = {
 };
 
 /* Zones wide enough for a worn contact of twice the Hertz width. */
-static void needed_zones(const void *asker, const arc_model_def *model, double zone[ARC_BODIES]) {
+static arc_status needed_zones(const void *asker, const arc_model_def *model,
+                               double zone[ARC_BODIES], arc_error *error) {
   const contact_def *def = asker;
-  arc_hertz hertz = {0}; /* stays so where arc_model_build will refuse the model */
-  arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, NULL);
-  arc_zone_for(fabs(def->x), 2 * hertz.half_width, zone);
+  arc_hertz hertz = {0};
+  arc_status status =
+      arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, error);
+  if (status == ARC_OK) arc_zone_for(fabs(def->x), 2 * hertz.half_width, zone);
+  return status;
 }
 
 /* Pushes what holds the shape; a worn object on the same model lends its own. */

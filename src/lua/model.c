@@ -182,12 +182,21 @@ static int model_new(lua_State *L) {
 
 /* --- as an argument -------------------------------------------------------------------------- */
 
-static void widen_zones(model_request *request, zones_fn zones, const void *asker) {
-  double needed[ARC_BODIES];
-  zones(asker, &request->def, needed);
-  double *zone = request->def.mesh.zone;
+/* Rounded up, so that runs that differ a little share a model. */
+static double rounded_zone(double needed, double radius) {
+  const double unit = 0.2;
+  double rounded = ceil(needed / unit - 1e-9) * unit;
+  return rounded < radius ? rounded : needed;
+}
+
+static void widen_zones(lua_State *L, model_request *request, const char *where, zones_fn zones,
+                        const void *asker) {
+  double needed[ARC_BODIES], *zone = request->def.mesh.zone;
+  arc_error error = {0};
+  error_check(L, zones(asker, &request->def, needed, &error), &error, where, -1);
   for (int body = 0; body < ARC_BODIES; body++)
-    if (!request->zone[body] && needed[body] > zone[body]) zone[body] = needed[body];
+    if (!request->zone[body] && needed[body] > zone[body])
+      zone[body] = rounded_zone(needed[body], request->def.radius);
 }
 
 arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zones,
@@ -201,7 +210,7 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zo
   if (other) request.def = *other;
   args_read(L, -1, (args_place){where, "model."}, definition, &request);
   lua_pop(L, 1);
-  widen_zones(&request, zones, asker);
+  widen_zones(L, &request, where, zones, asker);
   return model_push(L, &request.def, where);
 }
 

@@ -112,8 +112,21 @@ static wear_request read_request(lua_State *L, int index) {
 
 /* --- construction ---------------------------------------------------------------------------- */
 
-static void needed_zones(const void *asker, const arc_model_def *model, double zone[ARC_BODIES]) {
-  arc_wear_zones(asker, model, zone);
+/* The definition on a model: `cycles` become a distance once the radius tells how many strokes a
+ * cycle has. */
+static arc_wear_def settle(const wear_request *request, const arc_model_def *model) {
+  arc_wear_def def = request->def;
+  if (request->cycles > 0)
+    def.distance = request->cycles * arc_wear_def_strokes(&def, model) * def.stroke;
+  return def;
+}
+
+static arc_status needed_zones(const void *asker, const arc_model_def *model,
+                               double zone[ARC_BODIES], arc_error *error) {
+  arc_wear_def def = settle(asker, model);
+  arc_status status = arc_wear_check(&def, model, error);
+  if (status == ARC_OK) arc_wear_zones(&def, model, zone);
+  return status;
 }
 
 /* Pushes what holds the shape to start from; NULL: unworn. */
@@ -129,26 +142,14 @@ static const arc_shape *push_start(lua_State *L, int worn, arc_model *model,
 }
 
 /* Fills the box with a new run. */
-static arc_wear *create(lua_State *L, box *made, arc_model *model, const arc_wear_def *def,
-                        const arc_shape *start) {
+static void create_run(lua_State *L, box *made, arc_model *model, const wear_request *request,
+                       const arc_shape *start) {
   arc_error error = {0};
   arc_wear *wear = NULL;
-  arc_status status = arc_wear_create(model, def, start, &wear, &error);
+  arc_wear_def def = settle(request, arc_model_definition(model));
+  arc_status status = arc_wear_create(model, &def, start, &wear, &error);
   made->thing = wear;
   error_check(L, status, &error, "wear", -1);
-  return wear;
-}
-
-/* Only a run knows how many strokes its cycles have, so the distance of `cycles` needs a first one
- * to ask. */
-static void create_run(lua_State *L, box *made, arc_model *model, wear_request *request,
-                       const arc_shape *start) {
-  arc_wear *wear = create(L, made, model, &request->def, start);
-  if (request->cycles > 0) {
-    request->def.distance = request->cycles * arc_wear_strokes(wear) * request->def.stroke;
-    box_empty(made, &wear_class);
-    wear = create(L, made, model, &request->def, start);
-  }
   box_weigh(L, arc_wear_bytes(wear));
 }
 
@@ -160,7 +161,7 @@ static int wear_new(lua_State *L) {
   wear_request request = read_request(L, 1);
   worn_check(L, 1, "wear");
   int worn = lua_gettop(L);
-  arc_model *model = model_argument(L, worn, "wear", needed_zones, &request.def);
+  arc_model *model = model_argument(L, worn, "wear", needed_zones, &request);
   int holder = lua_gettop(L);
   const arc_shape *start = push_start(L, worn, model, &request.def);
   box *made = box_push(L, &wear_class);

@@ -36,22 +36,31 @@ void record_push(lua_State *L, const arc_wear_record *record) {
   lua_setmetatable(L, -2);
 }
 
+/* Writes alpha-tilde, or "-" before there is any wear. */
+static const char *show_partition(const arc_wear_record *record, char *text, size_t size) {
+  if (isfinite(record->depth_partition))
+    snprintf(text, size, "%5.3f", record->depth_partition);
+  else
+    snprintf(text, size, "-");
+  return text;
+}
+
 void record_push_line(lua_State *L, const arc_wear_record *record) {
-  char line[200];
+  char line[200], partition[20];
   snprintf(line, sizeof line,
-           "cycle %5.6g %7.1f mm  p %5.1f MPa  h %5.3f %5.3f um  V %9.3e mm3  a~ %5.3f",
-           record->cycle, record->distance, record->p_center, 1e3 * record->depth_cylinder,
+           "cycle %5.6g %7.1f mm  p %5.1f MPa  h %5.3f %5.3f um  V %9.3e mm3  a~ %s", record->cycle,
+           record->distance, record->p_center, 1e3 * record->depth_cylinder,
            1e3 * record->depth_plate, record->volume_cylinder + record->volume_plate,
-           record->depth_partition);
+           show_partition(record, partition, sizeof partition));
   lua_pushstring(L, line);
 }
 
 static void add_row(luaL_Buffer *text, const arc_wear_record *record) {
-  char line[200];
-  snprintf(line, sizeof line, "\n%7.6g %9.1f %9.2f %9.4f %8.4f %11.3e %10.3e %7.3f", record->cycle,
+  char line[200], partition[20];
+  snprintf(line, sizeof line, "\n%7.6g %9.1f %9.2f %9.4f %8.4f %11.3e %10.3e %7s", record->cycle,
            record->distance, record->p_center, 1e3 * record->depth_cylinder,
            1e3 * record->depth_plate, record->volume_cylinder, record->volume_plate,
-           record->depth_partition);
+           show_partition(record, partition, sizeof partition));
   luaL_addstring(text, line);
 }
 
@@ -60,7 +69,7 @@ void record_push_lines(lua_State *L, const arc_wear_record *records, size_t coun
   luaL_Buffer text;
   luaL_buffinit(L, &text);
   luaL_addstring(&text,
-                 "  cycle  distance  p_center      depth [um]           volume [mm3]    alpha-\n"
+                 "  cycle  distance  p_center        depth [um]         volume [mm3]    alpha-\n"
                  "             [mm]     [MPa]  cylinder    plate    cylinder      plate   tilde");
   size_t every = (count + 19) / 20;
   for (size_t i = 0; i < count; i++)

@@ -105,13 +105,49 @@ static double read_goal(lua_State *L, const arc_wear *wear) {
   return run.distance;
 }
 
-/* Pushes the progress function and returns its index; 0 where there is none. */
-static int push_progress_function(lua_State *L) {
+/* Pushes what draws the progress of a run to `goal`, or nil: archard.run_progress decides. */
+static void push_display(lua_State *L, double goal) {
+  lua_getglobal(L, "require");
+  lua_pushliteral(L, "archard.run_progress");
+  if (lua_pcall(L, 1, 1, 0) == LUA_OK) {
+    lua_pushvalue(L, 1);
+    lua_pushnumber(L, goal);
+    if (lua_pcall(L, 2, 1, 0) == LUA_OK) return;
+  }
+  lua_pop(L, 1);
+  lua_pushnil(L); /* a run does not fail for want of a display */
+}
+
+/* Pushes the progress function; returns its index, or 0 where there is none. */
+static int push_progress_function(lua_State *L, double goal) {
   args_get(L, 2, "progress");
-  if (lua_isnil(L, -1)) return 0;
+  if (lua_isnil(L, -1)) {
+    push_display(L, goal);
+    return lua_isfunction(L, -1) ? lua_gettop(L) : 0;
+  }
   if (!lua_isfunction(L, -1))
     args_refuse(L, (args_place){"wear:run", ""}, "progress", "a function of the wear object");
   return lua_gettop(L);
+}
+
+/* Calls the function on top of the stack, even where an interrupt is about to end everything: its
+ * hook rests meanwhile. */
+static void call_undisturbed(lua_State *L) {
+  lua_Hook hook = lua_gethook(L);
+  int mask = lua_gethookmask(L), count = lua_gethookcount(L);
+  if (hook) lua_sethook(L, NULL, 0, 0);
+  lua_pcall(L, 0, 0, 0);
+  if (hook) lua_sethook(L, hook, mask, count);
+}
+
+/* A display of our own is told that the run is over, however it ended. */
+static void end_display(lua_State *L, const run_call *call) {
+  int top = lua_gettop(L);
+  if (call->function && args_get(L, 2, "progress") == LUA_TNIL) {
+    lua_pushvalue(L, call->function);
+    call_undisturbed(L);
+  }
+  lua_settop(L, top);
 }
 
 /* wear:run{ distance=, cycles=, progress= } -> the object itself */
@@ -122,11 +158,12 @@ int wear_run(lua_State *L) {
   box *made = box_self_idle(L, &wear_class, where);
   arc_wear *wear = made->thing;
   double goal = read_goal(L, wear);
-  run_call call = {.L = L, .function = push_progress_function(L)};
+  run_call call = {.L = L, .function = push_progress_function(L, goal)};
   luaL_checkstack(L, 12, where);
   made->busy = 1;
   arc_status status = arc_wear_run(wear, goal, interrupt_pending, on_progress, &call, &error);
   made->busy = 0;
+  end_display(L, &call);
   if (call.failed) error_callback(L, where, "progress");
   if (!(status == ARC_STOPPED && call.asked))
     error_check(L, status, &error, where, next_update(wear));

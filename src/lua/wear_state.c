@@ -163,15 +163,17 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
 
 static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_record *record = arc_wear_last(wear);
-  char line[600];
+  char line[600], partition[40] = "none yet";
+  if (isfinite(record->depth_partition))
+    snprintf(partition, sizeof partition, "%.4f", record->depth_partition);
   snprintf(line, sizeof line,
            "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f updates\n"
            "  pressure  centre %.2f MPa, largest %.2f MPa, half width %.6g mm\n"
-           "  depth     cylinder %.4e mm, plate %.4e mm; alpha-tilde %.4f\n"
+           "  depth     cylinder %.4e mm, plate %.4e mm; alpha-tilde %s\n"
            "  volume    cylinder %.4e mm3, plate %.4e mm3, total %.4e mm3",
            record->cycle, arc_wear_cycles(wear), record->distance,
            arc_wear_definition(wear)->distance, record->update, record->p_center, record->p_max,
-           record->half_width, record->depth_cylinder, record->depth_plate, record->depth_partition,
+           record->half_width, record->depth_cylinder, record->depth_plate, partition,
            record->volume_cylinder, record->volume_plate,
            record->volume_cylinder + record->volume_plate);
   luaL_addstring(text, line);

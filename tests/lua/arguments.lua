@@ -1,0 +1,80 @@
+-- Definition tables: what is refused, with which words, and error objects as values.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, fails = tap.ok, tap.is, tap.fails
+
+-- unknown names
+fails(function() wear{ aplha = 0.3 } end, "unknown field 'aplha' (did you mean 'alpha'?)",
+  "swapped letters")
+fails(function() wear{ storke = 0.3 } end, "(did you mean 'stroke'?)", "swapped letters, longer name")
+fails(function() wear{ increment = 10 } end, "(did you mean 'increments'?)", "missing letter")
+fails(function() wear{ Alpha = 0.3 } end, "(did you mean 'alpha'?)", "wrong case")
+fails(function() model{ mesh = { sise = 1 } } end,
+  "model: unknown field 'mesh.sise' (did you mean 'size'?)", "nested table")
+fails(function() model{ mesh = { zone = { pin = 1 } } } end,
+  { "unknown field 'mesh.zone.pin'", "known: cylinder, plate" }, "nothing near: the known names")
+fails(function() material{ 200e3 } end, "fields are given by name; found [1]", "positional value")
+fails(function() hertz{ cylinder = { e = 1 } } end, "unknown field 'cylinder.e' (did you mean 'E'?)",
+  "material written as a table")
+fails(function() wear{ model = { raduis = 9 } } end, "'model.raduis' (did you mean 'radius'?)",
+  "model written as a table")
+
+-- types and ranges
+fails(function() wear(3) end, "wear: expected a table of named fields, got 3", "no table")
+fails(function() wear{ alpha = 1.5 } end, "field 'alpha': expected a number in [0, 1], got 1.5",
+  "above the range")
+fails(function() wear{ alpha = -0.1 } end, "got -0.1", "below the range")
+fails(function() wear{ alpha = 0 / 0 } end, { "field 'alpha'", "nan" }, "not a number")
+fails(function() wear{ k = math.huge } end, "field 'k': expected a number >= 0, got inf", "infinite")
+fails(function() wear{ load = 0 } end, "field 'load': expected a number > 0, got 0", "open end")
+fails(function() wear{ load = "100" } end, [[field 'load': expected a number > 0, got "100"]],
+  "text is no number")
+fails(function() wear{ stroke = true } end, "got true", "boolean")
+fails(function() wear{ stroke = {} } end, "got a table", "table")
+fails(function() wear{ load = material{} } end, "got a material object", "object")
+fails(function() wear{ increments = 10.5 } end, "field 'increments': expected a whole number",
+  "fraction")
+fails(function() wear{ increments = 7 } end, { "increments", "even", "7" }, "odd increments")
+fails(function() material{ nu = 0.5 } end, "field 'nu': expected a number in (-1, 0.5), got 0.5",
+  "both ends open")
+fails(function() model{ mesh = { rows = 0 } } end, "field 'mesh.rows': expected a whole number in",
+  "whole number in a range")
+fails(function() model{ mesh = 3 } end, "field 'mesh': expected a table", "number for a table")
+fails(function() model{ cylinder = 3 } end, "field 'cylinder': expected a material object", "material")
+fails(function() wear{ model = 3 } end, "field 'model': expected a model object", "model")
+fails(function() wear{ worn = 3 } end, "field 'worn': expected a wear object or a table", "worn")
+fails(function() contact{ x = "left" } end, [[field 'x': expected a number, got "left"]],
+  "number without a range")
+
+-- enumerations
+fails(function() wear{ procedure = "sp" } end,
+  [[field 'procedure': expected "auto", "SP" or "NSP", got "sp"]], "enumeration lists its values")
+fails(function() wear{ slip = 1 } end, [[expected "rigid" or "total", got 1]], "enumeration of two")
+fails(function() model{ mesh = { element = "CPE8" } } end, [[expected "CPE4" or "CPE4I"]], "element")
+fails(function() wear{}:profile("pin") end,
+  [[wear:profile: field 'body': expected "cylinder" or "plate", got "pin"]], "body of a method")
+
+-- what excludes each other, what is still to come
+fails(function() wear{ distance = 10, cycles = 10 } end, "expected one of them, got both",
+  "distance and cycles")
+for field, value in pairs{ loading = {}, local_factor = print, tolerance = 1e-3, scheme = "implicit",
+  k = print, alpha = print, jump = "auto" } do
+  fails(function() wear{ [field] = value } end, { "field '" .. field .. "'", "not available yet" },
+    field .. " is refused until it exists")
+end
+fails(function() wear{ jump = "often" } end, [[field 'jump': expected a number > 0, got "often"]],
+  "other text for jump")
+
+-- error objects
+local err = fails(function() wear{ alpha = 2 } end, "arguments.lua:", "position of the caller")
+is(err.code, "ARGUMENT", "error.code")
+is(err.where, "wear", "error.where")
+is(err.step, nil, "error.step outside a run")
+is(err.message, "field 'alpha': expected a number in [0, 1], got 2", "error.message")
+is("failed: " .. err, "failed: " .. tostring(err), "errors can be joined with text")
+
+-- the physics' own checks
+fails(function() wear{ stroke = 30 } end, { "stroke", "30" }, "stroke over the plate")
+fails(function() wear{ procedure = "NSP" } end, { "NSP", "alpha" }, "NSP where the plate does not stay flat")
+fails(function() model{ mesh = { size = 100 } } end, { "size" }, "element larger than the body")
+ok(pcall(wear), "no table at all: the defaults")

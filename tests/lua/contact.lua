@@ -1,0 +1,105 @@
+-- contact: solutions, pressures, stresses, worn shapes of the three kinds.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+
+-- sum of p dx over the nodes, the load per thickness
+local function load_of(pressure)
+  local sum = 0
+  for i = 2, #pressure.x do
+    sum = sum + (pressure.p[i] + pressure.p[i - 1]) / 2 * (pressure.x[i] - pressure.x[i - 1])
+  end
+  return sum
+end
+
+local c = contact{}
+local h = hertz{}
+is(c.load, 100, "default load")
+is(c.x, 0, "default position")
+near(c.p_center, h.p_max, 5e-3, "Hertz pressure")
+near(c.half_width, h.half_width, 3e-2, "Hertz half width")
+ok(c.approach > 0, "approach")
+ok(c.iterations >= 1 and math.type(c.iterations) == "integer", "iterations")
+near(c.edges.right - c.edges.left, 2 * c.half_width, 1e-12, "edges and half width agree")
+near(c.edges.left, -c.edges.right, 1e-9, "edges are symmetric")
+for _, body in ipairs{ "cylinder", "plate" } do
+  local pressure = c:pressure(body)
+  is(#pressure.x, #pressure.p, body .. ": as many pressures as nodes")
+  near(load_of(pressure), 100, 5e-3, body .. ": the pressure carries the load")
+end
+holds(tostring(c), { "load 100 N", "MPa", "half" }, "print(contact)")
+
+-- stress
+local s = c:stress()
+for body, field in pairs(s) do
+  local nodes = c.model.mesh[body].nodes
+  for _, name in ipairs{ "x", "y", "ux", "uy", "sxx", "syy", "szz", "sxy", "mises", "shear" } do
+    is(#field[name], nodes, body .. ": " .. name .. " at every node")
+  end
+  is(#field.elements, 4 * c.model.mesh[body].elements_count, body .. ": elements")
+  local largest, at = 0, 0
+  for i, value in ipairs(field.mises) do
+    if value > largest then largest, at = value, i end
+  end
+  near(largest, 0.5575 * h.p_max, 3e-2, body .. ": largest von Mises stress")
+  near(math.abs(field.y[at]), 0.704 * h.half_width, 0.25, body .. ": and its depth")
+end
+holds(tostring(s), { "cylinder", "plate", "mises up to" }, "print(stress)")
+
+-- definitions
+near(contact{ load = 25 }.half_width, h.half_width / 2, 6e-2, "load")
+ok(contact{ load = 25 }.model.mesh.plate.nodes == c.model.mesh.plate.nodes, "default models alike")
+is(contact{ x = 0.1 }.x, 0.1, "position")
+near(contact{ model = { radius = 5 } }.half_width, hertz{ radius = 5 }.half_width, 8e-2,
+  "model as a table")
+ok(contact{ load = 3000 }.model.mesh.zone.plate > 1.2, "a heavy load gets a wider zone")
+fails(function() contact{ model = model{}, load = 5000 } end, "zone", "a given model that is too small")
+is(fails(function() contact{ model = model{}, load = 5000 } end, "zone", "once more").code, "ZONE",
+  "its code")
+
+-- worn shapes
+local function scar(x) return math.max(0, 1e-3 * (1 - (x / 0.3) ^ 2)) end
+local worn = contact{ worn = { cylinder = scar } }
+ok(worn.p_center < 0.9 * c.p_center, "a worn cylinder lowers the pressure")
+local x, depth = {}, {}
+for i = -400, 400 do
+  x[#x + 1] = i / 1000
+  depth[#depth + 1] = scar(i / 1000)
+end
+local sampled = contact{ worn = { cylinder = { x = x, h = depth } } }
+near(sampled.p_center, worn.p_center, 1e-3, "a sampled profile is the same shape")
+local short = contact{ worn = { cylinder = { x = { -0.02, 0.02 }, h = { 1e-3, 1e-3 } } } }
+ok(short.p_center < 100, "beyond its ends a profile is unworn")
+local even = contact{ worn = { plate = function() return 0.01 end } }
+near(even.p_center, c.p_center, 1e-9, "even wear of the plate changes no pressure")
+
+local w = wear{}
+w:step(3)
+is(contact{ worn = w }.p_center, w.p_center, "a wear object's shape, to the same bits")
+ok(contact{ worn = w }.model == w.model, "its model")
+local other = contact{ model = { mesh = { height = 0.02 } }, worn = w }
+near(other.p_center, w.p_center, 2e-2, "a wear object on another mesh: its profile")
+local copy = contact{ worn = { cylinder = w:profile("cylinder"), plate = w:profile("plate") } }
+near(copy.p_center, w.p_center, 2e-3, "profiles of a run are profiles")
+
+-- worn shapes that are refused
+fails(function() contact{ worn = { pin = scar } } end, "unknown field 'worn.pin'", "unknown body")
+fails(function() contact{ worn = { plate = 1 } } end, "field 'worn.plate': expected a function",
+  "number for a profile")
+fails(function() contact{ worn = { plate = { x = { 1, 2 } } } } end,
+  "field 'worn.plate.h': expected an array of numbers, got nil", "no depths")
+fails(function() contact{ worn = { plate = { x = { 0, 1, 2 }, h = { 0, 0 } } } } end,
+  "one length", "lengths differ")
+fails(function() contact{ worn = { plate = { x = { 0, 0 }, h = { 0, 0 } } } } end,
+  "field 'worn.plate.x[2]': expected increasing x", "x does not increase")
+fails(function() contact{ worn = { plate = { x = { 0, 1 }, h = { 0, 0 / 0 } } } } end,
+  "field 'worn.plate.h[2]': expected a finite number", "NaN")
+fails(function() contact{ worn = { plate = { x = { 0, 1 }, h = { 0, -1 } } } } end,
+  "field 'worn.plate.h[2]': expected a depth >= 0", "height for a depth")
+local err = fails(function() contact{ worn = { plate = function(at) return at.y end } } end,
+  { "worn.plate(", "attempt to index" }, "an error in the function")
+is(err.code, "CALLBACK", "its code")
+holds(err.cause, { "attempt to index", "stack traceback" }, "its cause, with a traceback")
+fails(function() contact{ worn = { plate = function() return "deep" end } } end,
+  "expected a depth >= 0 in mm, got deep", "the function returns text")
+fails(function() contact{ worn = { plate = function() return -1 end } } end, "got -1", "and less than 0")

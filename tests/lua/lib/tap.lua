@@ -1,0 +1,55 @@
+-- Checks that print TAP lines. A check returns whether it held, so that a test can go on or not.
+
+local tap = {}
+local number = 0
+
+function tap.ok(held, what)
+  number = number + 1
+  print((held and "ok " or "not ok ") .. number .. " - " .. what)
+  return held
+end
+
+function tap.note(text)
+  print("# " .. tostring(text):gsub("\n", "\n# "))
+end
+
+function tap.is(got, expected, what)
+  if tap.ok(got == expected, what) then return true end
+  tap.note("expected " .. tostring(expected) .. ", got " .. tostring(got))
+  return false
+end
+
+-- |got - expected| within a share of |expected|, or of 1 where that is zero.
+function tap.near(got, expected, share, what)
+  local room = share * (expected == 0 and 1 or math.abs(expected))
+  if tap.ok(type(got) == "number" and math.abs(got - expected) <= room, what) then return true end
+  tap.note(("expected %.17g, got %s"):format(expected, tostring(got)))
+  return false
+end
+
+-- Every one of the texts stands in the text (plainly, no patterns).
+function tap.holds(text, parts, what)
+  text = tostring(text)
+  for _, part in ipairs(type(parts) == "table" and parts or { parts }) do
+    if not text:find(part, 1, true) then
+      tap.ok(false, what)
+      tap.note("no '" .. part .. "' in: " .. text)
+      return false
+    end
+  end
+  return tap.ok(true, what)
+end
+
+-- The function fails with an error whose text holds all of `parts`; returns the error.
+function tap.fails(f, parts, what)
+  local done, err = pcall(f)
+  if done then
+    tap.ok(false, what)
+    tap.note("no error")
+    return nil
+  end
+  tap.holds(err, parts, what)
+  return err
+end
+
+return tap

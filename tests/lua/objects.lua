@@ -1,0 +1,87 @@
+-- material, hertz, model and mesh: values, fields, methods, text.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+
+-- material
+local steel = material{}
+is(steel.E, 200e3, "default E")
+is(steel.nu, 0.3, "default nu")
+near(steel.E_star, 200e3 / (1 - 0.09), 1e-15, "E_star")
+is(steel.colour, nil, "unknown field reads nil")
+fails(function() steel.E = 1 end, "field 'E' cannot be set", "materials are read-only")
+holds(tostring(material{ E = 1000, nu = 0.4 }), { "E 1000 MPa", "nu 0.4" }, "print(material)")
+
+-- hertz
+local h = hertz{}
+near(h.half_width, 0.107641, 1e-5, "Hertz half width of the reference case")
+near(h.p_max, 591.431, 1e-5, "Hertz pressure of the reference case")
+near(h.E_star, 109890.1, 1e-6, "contact modulus")
+is(h.load, 100, "hertz.load")
+near(hertz{ load = 400 }.half_width, 2 * h.half_width, 1e-12, "half width goes with the root of load")
+near(hertz{ thickness = 4, load = 400 }.p_max, h.p_max, 1e-12, "load counts per thickness")
+local soft = hertz{ cylinder = { E = 1000, nu = 0.4 }, plate = steel }
+is(soft.cylinder.E, 1000, "material as a table")
+is(soft.plate.nu, 0.3, "material as an object")
+ok(soft.half_width > h.half_width, "a soft cylinder makes a wider contact")
+holds(tostring(h), { "0.107641 mm", "591.431 MPa" }, "print(hertz)")
+
+-- model
+local m = model{ radius = 8, mesh = { size = 0.04, height = 0.05, zone = { plate = 1.6 } },
+  cylinder = { E = 100e3, nu = 0.25 } }
+is(m.radius, 8, "model.radius")
+is(m.thickness, 1, "model.thickness")
+is(m.cylinder.E, 100e3, "model.cylinder")
+is(m.plate.E, 200e3, "model.plate")
+is(m.mesh.size, 0.04, "model.mesh.size")
+is(m.mesh.zone.plate, 1.6, "model.mesh.zone.plate as given")
+is(m.mesh.zone.cylinder, 1.0, "model.mesh.zone.cylinder by default")
+is(m.mesh.element, "CPE4", "model.mesh.element")
+ok(m.seconds > 0, "model.seconds")
+ok(m.bytes > 1000, "model.bytes")
+holds(tostring(m), { "radius 8 mm", "cylinder", "plate", "nodes" }, "print(model)")
+is(model{ mesh = { element = "CPE4I", size = 0.04, height = 0.05 } }.mesh.element, "CPE4I",
+  "the other element")
+
+-- mesh
+for body, mesh in pairs{ cylinder = m.mesh.cylinder, plate = m.mesh.plate } do
+  is(mesh.body, body, body .. ": body")
+  is(mesh.elements_count, mesh.quads + mesh.triangles, body .. ": elements add up")
+  local elements = mesh:elements()
+  is(#elements, 4 * mesh.elements_count, body .. ": four numbers an element")
+  local triangles, lowest, highest = 0, math.huge, 0
+  for i, node in ipairs(elements) do
+    if node == 0 then
+      triangles = triangles + (i % 4 == 0 and 1 or math.huge)
+    else
+      lowest, highest = math.min(lowest, node), math.max(highest, node)
+    end
+  end
+  is(triangles, mesh.triangles, body .. ": triangles have 0 as their fourth node")
+  is(lowest, 1, body .. ": nodes count from 1")
+  is(highest, mesh.nodes, body .. ": to the last")
+  local surface = mesh:surface()
+  local x, y = mesh:node(surface[(#surface + 1) // 2])
+  ok(x == 0 and math.abs(y) < 1e-12, body .. ": the middle of the surface is the origin")
+  ok(mesh:node(surface[1]) < mesh:node(surface[2]), body .. ": surface by increasing x")
+  is(#mesh:box(), #surface * (mesh.rows + 1), body .. ": wear box column by column")
+  is(mesh:box()[1], surface[1], body .. ": from the surface inwards")
+  local at = mesh:coordinates()
+  is(#at.x, mesh.nodes, body .. ": coordinates of all nodes")
+  ok(at.x[surface[1]] == mesh:node(surface[1]), body .. ": the same as node by node")
+  local outline, area = mesh:outline(), 0
+  for i, node in ipairs(outline) do
+    local x1, y1 = mesh:node(node)
+    local x2, y2 = mesh:node(outline[i % #outline + 1])
+    area = area + (x1 * y2 - x2 * y1) / 2
+  end
+  near(area, body == "plate" and 2 * 8 * 8 or math.pi * 8 * 8 / 2, 1e-2, body .. ": outline's area")
+  ok(#mesh:fixed() > 2, body .. ": fixed nodes")
+  local quality = mesh:quality()
+  ok(quality.smallest_angle > 5 and quality.largest_angle < 175, body .. ": angles")
+  ok(quality.smallest_jacobian > 0, body .. ": Jacobians")
+  holds(tostring(mesh), { body, "nodes", "degrees" }, body .. ": print(mesh)")
+end
+fails(function() m.mesh.plate:node(0) end, "expected a node number from 1 to", "node 0")
+fails(function() m.mesh.plate:node("a") end, "expected a node number", "node by name")
+fails(function() m.mesh.plate.node(1) end, "called with a colon", "a dot for a colon")
