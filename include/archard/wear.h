@@ -39,6 +39,13 @@ typedef struct arc_wear_def {
 
 arc_wear_def arc_wear_default(void);
 
+/* Checks a definition against the model it is to run on: ranges, and what goes together.
+ * ARC_ARGUMENT names field, expectation and value. */
+arc_status arc_wear_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
+
+/* Strokes of a cycle, r of Eq. (21): 2, or 1 where the stroke is the whole plate's width. */
+double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
+
 /* One row of history: the state after an update (row 0: before the first), all in the reference
  * configuration (plate at x = 0, nominal load). X(name, unit, text). */
 #define ARC_WEAR_COLUMNS(X)                                                                        \

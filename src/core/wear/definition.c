@@ -18,6 +18,10 @@ int wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
   return fabs(def->stroke - 2 * model->radius) <= 1e-9 * model->radius;
 }
 
+double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model) {
+  return wear_over_plate(def, model) ? 1 : 2;
+}
+
 arc_procedure wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model) {
   if (def->procedure != ARC_AUTO) return def->procedure;
   return def->alpha == 1 || wear_over_plate(def, model) ? ARC_NSP : ARC_SP;
@@ -29,7 +33,7 @@ static arc_status positive(const char *field, const char *unit, double value, ar
                   unit);
 }
 
-arc_status wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
+arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   arc_status status;
   if (!(d->k >= 0) || !isfinite(d->k))
     return arc_fail(error, ARC_ARGUMENT, "k: expected 0 mm2/N or above, got %g mm2/N", d->k);

@@ -31,8 +31,6 @@ struct arc_wear {
   arc_wear_record *history;
 };
 
-/* Checks ranges and what goes together; names the field. */
-arc_status wear_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
 /* SP or NSP as in the flow chart of Fig. 7. */
 arc_procedure wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model);
 int wear_over_plate(const arc_wear_def *def, const arc_model_def *model);

@@ -40,7 +40,7 @@ static arc_status create(arc_model *model, const arc_wear_def *def, arc_shape *s
   w->shape = shape;
   w->procedure = wear_choose_procedure(def, md);
   w->over_plate = wear_over_plate(def, md);
-  w->strokes = w->over_plate ? 1 : 2;
+  w->strokes = arc_wear_def_strokes(def, md);
   if (allocate(w) != ARC_OK) {
     arc_wear_destroy(&w);
     return out_of_memory(error);
@@ -94,7 +94,7 @@ static arc_status start_shape(arc_model *model, const arc_wear_def *def, const a
 arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                            arc_wear **result, arc_error *error) {
   *result = NULL;
-  arc_status status = wear_check(def, arc_model_definition(model), error);
+  arc_status status = arc_wear_check(def, arc_model_definition(model), error);
   if (status != ARC_OK) return status;
   arc_shape *shape;
   if ((status = start_shape(model, def, start, &shape, error)) != ARC_OK) return status;
@@ -113,7 +113,7 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
                             const arc_wear_record *history, size_t count, arc_wear **result,
                             arc_error *error) {
   *result = NULL;
-  arc_status status = wear_check(def, arc_model_definition(model), error);
+  arc_status status = arc_wear_check(def, arc_model_definition(model), error);
   if (status == ARC_OK && (count < 1 || !history))
     status = arc_fail(error, ARC_ARGUMENT, "history: expected at least one record, got %zu", count);
   if (status != ARC_OK) return status;
