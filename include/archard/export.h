@@ -19,4 +19,7 @@ arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_fiel
  */
 arc_status arc_export_inp(const char *path, const arc_model *model, arc_error *error);
 
+/* The same of one body alone: nodes, elements, surface, boundary sets. */
+arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error *error);
+
 #endif

@@ -52,23 +52,36 @@ static void write_section(FILE *out, const arc_model_def *def, arc_body body, co
   fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n%.17g\n", name, name, def->thickness);
 }
 
+/* Everything of one body but its material. */
+static void write_body(FILE *out, const arc_mesh *m, numbering at) {
+  const char *name = arc_body_name(m->body);
+  write_mesh(out, m, at, name);
+  write_set(out, "NSET, NSET", name, "surface", m->surface_node, m->surface, at.node);
+  write_set(out, "NSET, NSET", name, "fixed", m->fixed_node, m->fixed, at.node);
+  fprintf(out, "*ELSET, ELSET=%s-wear-box, GENERATE\n%d, %d, 1\n", name, at.element,
+          at.element + m->box_elements - 1);
+  write_surface(out, m, at, name);
+}
+
+arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error *error) {
+  output_file file;
+  const arc_status status = output_open(&file, path, error);
+  if (status != ARC_OK) return status;
+  fprintf(file.stream, "*HEADING\narchard: %s, units mm\n", arc_body_name(mesh->body));
+  write_body(file.stream, mesh, (numbering){1, 1});
+  return output_close(&file, error);
+}
+
 arc_status arc_export_inp(const char *path, const arc_model *model, arc_error *error) {
   output_file file;
   const arc_status status = output_open(&file, path, error);
   if (status != ARC_OK) return status;
-  FILE *out = file.stream;
-  fprintf(out, "*HEADING\narchard: half cylinder on a plate, units mm, N, MPa\n");
+  fprintf(file.stream, "*HEADING\narchard: half cylinder on a plate, units mm, N, MPa\n");
   numbering at = {1, 1};
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_mesh *m = arc_model_mesh(model, (arc_body)b);
-    const char *name = arc_body_name((arc_body)b);
-    write_mesh(out, m, at, name);
-    write_set(out, "NSET, NSET", name, "surface", m->surface_node, m->surface, at.node);
-    write_set(out, "NSET, NSET", name, "fixed", m->fixed_node, m->fixed, at.node);
-    fprintf(out, "*ELSET, ELSET=%s-wear-box, GENERATE\n%d, %d, 1\n", name, at.element,
-            at.element + m->box_elements - 1);
-    write_surface(out, m, at, name);
-    write_section(out, arc_model_definition(model), (arc_body)b, name);
+    write_body(file.stream, m, at);
+    write_section(file.stream, arc_model_definition(model), (arc_body)b, arc_body_name(m->body));
     at = (numbering){at.node + m->nodes, at.element + m->elements};
   }
   return output_close(&file, error);
