@@ -3,12 +3,19 @@
 #include "lua/archard.h"
 
 #include "archard/base.h"
+#include "lua/classes.h"
 #include "lua/scripts.h"
 
 #include <lauxlib.h>
 
 /* Classes in C: name of the global, and the function that leaves its value on the stack. */
 static const luaL_Reg classes[] = {
+    {"material", luaopen_archard_material},
+    {"hertz", luaopen_archard_hertz},
+    {"model", luaopen_archard_model},
+    {"contact", luaopen_archard_contact},
+    {"wear", luaopen_archard_wear},
+    {"export", luaopen_archard_export},
     {NULL, NULL},
 };
 

@@ -167,10 +167,12 @@ static int mesh_write(lua_State *L) {
   arc_status status = ARC_OK;
   if (ending && strcmp(ending, ".vtk") == 0)
     status = arc_export_vtk(path, mesh, NULL, &error);
+  else if (ending && strcmp(ending, ".inp") == 0)
+    status = arc_export_mesh_inp(path, mesh, &error);
   else if (ending && strcmp(ending, ".csv") == 0)
     status = write_csv(L, path, mesh, &error);
   else
-    args_refuse(L, (args_place){where, ""}, "path", "a file name that ends in .vtk or .csv");
+    args_refuse(L, (args_place){where, ""}, "path", "a file name that ends in .vtk, .inp or .csv");
   error_check(L, status, &error, where, -1);
   return 0;
 }
