@@ -9,6 +9,12 @@
 
 /* --- what was expected, what came ------------------------------------------------------------ */
 
+const char *args_show_number(lua_State *L, double value) {
+  char text[40];
+  snprintf(text, sizeof text, "%.14g", value);
+  return lua_pushstring(L, text);
+}
+
 /* Pushes a short description of the value at `index`: numbers and text as they are. */
 static const char *push_shown(lua_State *L, int index) {
   switch (lua_type(L, index)) {

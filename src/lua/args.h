@@ -75,4 +75,7 @@ _Noreturn void args_refuse(lua_State *L, args_place place, const char *name, con
 /* Pushes the fields' value of the table at `index` (nil where there is no table). */
 int args_get(lua_State *L, int index, const char *name);
 
+/* Pushes a number as text, whole ones without a point. */
+const char *args_show_number(lua_State *L, double value);
+
 #endif

@@ -100,8 +100,8 @@ static double read_goal(lua_State *L, const arc_wear *wear) {
   double covered = arc_wear_last(wear)->distance;
   if (run.distance < covered)
     error_raise(L, ARC_ARGUMENT, where,
-                "the run is at %f mm already, beyond %f mm (both counted from its start)", covered,
-                run.distance);
+                "the run is at %s mm already, beyond %s mm (both counted from its start)",
+                args_show_number(L, covered), args_show_number(L, run.distance));
   return run.distance;
 }
 

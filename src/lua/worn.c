@@ -45,12 +45,13 @@ static void check_profile(lua_State *L, args_place place, given_profile profile)
   for (size_t i = 0; i < profile.count; i++) {
     if (profile.h[i] < 0)
       error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%sh[%d]': expected a depth >= 0 in mm, got %f", place.prefix, (int)i + 1,
-                  profile.h[i]);
+                  "field '%sh[%d]': expected a depth >= 0 in mm, got %s", place.prefix, (int)i + 1,
+                  args_show_number(L, profile.h[i]));
     if (i > 0 && profile.x[i] <= profile.x[i - 1])
       error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%sx[%d]': expected increasing x, got %f after %f", place.prefix,
-                  (int)i + 1, profile.x[i], profile.x[i - 1]);
+                  "field '%sx[%d]': expected increasing x, got %s after %s", place.prefix,
+                  (int)i + 1, args_show_number(L, profile.x[i]),
+                  args_show_number(L, profile.x[i - 1]));
   }
 }
 

@@ -1,0 +1,80 @@
+-- Objects come and go: sharing, closing, the collector.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
+
+-- models of one definition are one
+local a, b = wear{}, wear{ alpha = 0.25 }
+is(a.model, b.model, "two runs share a model")
+is(model{ radius = 7 }, model{ radius = 7 }, "two equal definitions are one model")
+ok(model{ radius = 7 } ~= model{ radius = 7.5 }, "two others are not")
+is(wear{ model = { radius = 10 } }.model, a.model, "a table of defaults is the default")
+
+-- children keep their parents
+local mesh = model{ radius = 6 }.mesh.plate
+local contact_alone = wear{ model = model{ radius = 6 } }:contact()
+collectgarbage() collectgarbage()
+ok(mesh:node(1) ~= nil, "a mesh outlives its model's name")
+ok(contact_alone:stress().plate.x[1] ~= nil, "a contact outlives run and model")
+is(contact_alone.model.radius, 6, "and still knows its model")
+
+-- close
+local w = wear{}
+local m = w.model
+w:close()
+w:close()
+fails(function() w:step() end, "this wear object has been closed", "closed: methods")
+fails(function() return w.distance end, "has been closed", "closed: fields")
+fails(function() contact{ worn = w } end, "has been closed", "closed: as an argument")
+holds(tostring(w), "wear (closed)", "closed: print")
+is(m.radius, 10, "its model stays")
+local run = wear{ model = m }
+m:close()
+fails(function() wear{ model = m } end, "this model object has been closed", "closed model as an argument")
+run:step()
+is(run.update, 1, "a run goes on without its model's object")
+local reused = wear{}
+do
+  local scoped <close> = reused
+end
+fails(function() return reused.cycle end, "closed", "to-be-closed variables close")
+fails(function() w.close(3) end, "close is called as object:close()", "close of a number")
+is(material{}.close, nil, "values need no closing")
+
+-- a user function that closes what is being used
+local doomed = model{ radius = 6.5 }
+local survived = pcall(contact, { model = doomed, worn = { plate = function(x)
+  doomed:close()
+  collectgarbage()
+  return 0
+end } })
+ok(survived, "a model closed while a contact is being made on it")
+
+-- metatables as completion and help expect them
+for _, object in ipairs{ wear{}, contact{}, model{}, model{}.mesh.plate, hertz{}, material{} } do
+  local meta = debug.getmetatable(object)
+  local known = true
+  for _, name in ipairs(meta.__fields) do known = known and object[name] ~= nil end
+  ok(#meta.__fields > 0 and known, meta.__name .. ": every name in __fields has a value")
+  for name, f in pairs(meta.__methods) do known = known and object[name] == f end
+  ok(known, meta.__name .. ": every function in __methods is a method")
+  ok(pcall(meta.__gc or print), meta.__name .. ": __gc of nothing is harmless")
+end
+
+-- the collector hears of what objects weigh
+local function memory() -- resident [MB]
+  for line in io.lines("/proc/self/status") do
+    local kilobytes = line:match("^VmRSS:%s*(%d+)")
+    if kilobytes then return tonumber(kilobytes) / 1024 end
+  end
+end
+local function churn(count)
+  for i = 1, count do wear{ increments = 200 } end
+end
+churn(20)
+local before = memory()
+churn(300)
+ok(memory() - before < 100, ("300 dropped runs leave no heap of memory (%+.0f MB)"):format(memory() - before))
+local models = memory()
+for i = 1, 12 do model{ radius = 8 + i / 100, mesh = { far = 0.4 } } end
+ok(memory() - models < 60, ("12 dropped models neither (%+.0f MB)"):format(memory() - models))

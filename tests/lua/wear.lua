@@ -1,0 +1,165 @@
+-- wear: definition, stepping, running, records, measures, clones, failures in mid-run.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+
+-- the definition can be read back
+local w = wear{}
+for name, value in pairs{ k = 1e-8, alpha = 0.5, load = 100, stroke = 0.11, total_distance = 1320,
+  jump = 100, increments = 100, strokes = 2, procedure = "SP", scheme = "explicit", slip = "rigid",
+  rule = "trapezoid", geometry = "moving", distance = 0, cycle = 0, update = 0, done = false } do
+  is(w[name], value, "wear{}." .. name)
+end
+near(w.cycles, 6000, 1e-12, "cycles of the whole distance")
+near(w.p_center, hertz{}.p_max, 5e-3, "unworn: Hertz' pressure")
+is(w.volume.total, 0, "unworn: no volume")
+ok(w.depth_partition ~= w.depth_partition, "unworn: no alpha-tilde")
+fails(function() w.alpha = 0.3 end, "read-only", "fields are not set")
+holds(tostring(w), { "stroke 0.11 mm", "cycle 0 of 6000", "none yet" }, "print(wear) at the start")
+
+local other = wear{ alpha = 1, slip = "total", rule = "simple", geometry = "frozen", increments = 20,
+  jump = 40, k = 2e-8, load = 50, stroke = 0.2, distance = 100, refresh = 0.1 }
+for name, value in pairs{ k = 2e-8, alpha = 1, load = 50, stroke = 0.2, total_distance = 100, jump = 40,
+  increments = 20, procedure = "NSP", slip = "total", rule = "simple", geometry = "frozen",
+  refresh = 0.1 } do
+  is(other[name], value, "as defined: " .. name)
+end
+near(wear{ cycles = 500 }.total_distance, 110, 1e-12, "cycles in place of distance")
+near(wear{ cycles = 10, stroke = 20 }.total_distance, 200, 1e-12, "one stroke a cycle at 2R")
+is(wear{ stroke = 20 }.procedure, "NSP", "2R: the plate stays flat")
+
+-- one step
+local record = w:step()
+is(w.update, 1, "a step is one update")
+is(w.cycle, 100, "of jump cycles")
+near(w.distance, 22, 1e-12, "and their distance")
+near(w.volume.total, 1e-8 * 100 * 22, 1e-9, "volume = k L d")
+near(w.volume.cylinder, w.volume.plate, 1e-9, "alpha = 0.5 shares it evenly")
+is(record.p_center, w.p_center, "the record is the state")
+is(record.depth_cylinder, w.depth.cylinder, "depths too")
+local line = tostring(record)
+holds(line, { "cycle", "22.0 mm", "MPa", "um", "mm3" }, "a record prints")
+ok(not line:find("\n") and #line <= 80, "as one line within 80 columns")
+is(#line, #tostring(w:step()), "lines align")
+local _, lines = tostring(w:step(10)):gsub("\n", "\n")
+is(lines, 11, "ten steps print a table")
+_, lines = tostring(wear{ jump = 10, increments = 4, geometry = "frozen" }:step(100)):gsub("\n", "\n")
+is(lines, 21, "a hundred print twenty lines of it")
+is(w.update, 12, "twelve updates in all")
+fails(function() w:step(0) end, "wear:step: field 'n': expected a whole number in", "no step at all")
+fails(function() w:step(1.5) end, "whole number", "half a step")
+fails(function() w:step("x") end, [[got "x"]], "steps by name")
+fails(function() w.step() end, { "wear:step", "called with a colon" }, "w.step()")
+fails(function() w.step(material{}) end, { "expected a wear object", "material" }, "another object")
+
+-- history
+local history = w.history
+is(#history.distance, 13, "a row a step, and one before")
+for _, name in ipairs{ "update", "cycle", "distance", "jump", "k", "alpha", "p_center", "p_max",
+  "half_width", "depth_cylinder", "depth_plate", "volume_cylinder", "volume_plate", "depth_partition",
+  "solutions" } do
+  is(#history[name], 13, "history." .. name)
+end
+is(history.p_center[13], w.p_center, "its end is the state")
+is(history.distance[1], 0, "its beginning the start")
+
+-- profiles, pressures
+local profile = w:profile("plate")
+is(#profile.x, #profile.h, "profile: depths")
+is(#profile.x, #profile.y, "profile: heights")
+near(math.max(table.unpack(profile.h)), w.depth.plate, 1e-15, "the largest is the depth")
+near(w.vector_depth.plate, w.depth.plate, 1e-3, "vector and scalar sum agree")
+local pressure = w:pressure("cylinder")
+near(pressure.p[(#pressure.p + 1) // 2], w.p_center, 1e-12, "pressure at the centre")
+is(w:contact().p_max, w.p_max, "the contact behind it")
+is(w:contact().half_width, w.half_width, "its width")
+local combined = w:combined()
+near(combined.h[(#combined.h + 1) // 2], w.depth.cylinder + w.depth.plate, 1e-9, "Eq. (31) at the centre")
+local partition = w:local_partition()
+near(partition.value[(#partition.x + 1) // 2], w.depth_partition, 1e-6, "Eq. (30) at the centre")
+is(#partition.x, #partition.value, "Eq. (30): as many values as x")
+ok(#partition.x < #combined.x, "and only where something has worn")
+ok(w:roughness("cylinder") < 1e-2, "smooth at jump = 100")
+local stability = w:stability()
+near(stability.jump_limit, 2 / stability.eigenvalue, 1e-12, "stability limit")
+ok(stability.jump_limit > 100, "which jump = 100 respects")
+
+-- running
+local bits = w:clone()
+is(bits.p_center, w.p_center, "a clone is the same state")
+bits:step()
+is(w.update, 12, "and independent")
+is(w:run(), w, "run returns the object")
+bits:run()
+is(bits.p_center, w.p_center, "both go on to the same bits")
+near(w.distance, 1320, 1e-12, "run ends at the distance")
+is(w.done, true, "done")
+near(w.volume.total, 1.32e-3, 1e-9, "reference case: volume")
+near(w.depth.cylinder, 1.8269e-3, 3e-3, "reference case: cylinder depth")
+near(w.depth.plate, 1.6945e-3, 3e-3, "reference case: plate depth")
+near(w.p_center, 188.0, 1e-2, "reference case: centre pressure")
+is(w:step().update, w.update, "a step at the end does nothing")
+is(w.update, 60, "nothing at all")
+near(w:run{ distance = 1340 }.distance, 1340, 1e-12, "further than defined")
+near(w.total_distance, 1340, 1e-12, "which is the new definition")
+fails(function() w:run{ distance = 10 } end, { "wear:run", "1340 mm already" }, "backwards")
+near(wear{}:run{ cycles = 250 }.cycle, 250, 1e-12, "run by cycles, a shorter last step")
+fails(function() w:run{ cycles = 1, distance = 1 } end, "got both", "run by both")
+fails(function() w:run{ progres = print } end, "did you mean 'progress'?", "misspelt option")
+fails(function() w:run{ progress = 3 } end, "expected a function", "progress is a function")
+
+-- progress
+local seen = {}
+local p = wear{ increments = 10 }
+p:run{ progress = function(run) seen[#seen + 1] = run.update return run.update == 3 end }
+is(#seen, 3, "progress is called after each step until it returns true")
+is(p.update, 3, "and the run stands there")
+local err = fails(function() p:run{ progress = function(run) error("no " .. run.update) end } end,
+  { "wear:run: progress failed", "no 4" }, "an error in progress")
+is(err.code, "CALLBACK", "its code")
+is(p.update, 4, "the step before it stays")
+err = fails(function() p:run{ progress = function() error{ answer = 42 } end } end, "progress failed",
+  "an error that is a table")
+is(err.cause.answer, 42, "is handed on as the cause")
+fails(function() p:run{ progress = function(run) run:close() end } end, "a running wear cannot be closed",
+  "closed from within")
+fails(function() p:run{ progress = function(run) run:step() end } end, "running already",
+  "stepped from within")
+ok(pcall(p.step, p), "afterwards it runs on")
+is(coroutine.wrap(function() return wear{ increments = 4 }:run{ distance = 100 }.distance end)(), 100,
+  "a run within a coroutine")
+
+-- a failure leaves the run as it was
+local deep = wear{ k = 1e-6, jump = 1000, increments = 4, distance = 1e6,
+  model = model{ mesh = { zone = { cylinder = 1, plate = 1.2 } } } }
+local before, state
+err = nil
+for _ = 1, 50 do
+  before, state = deep:profile("cylinder"), tostring(deep)
+  local done, problem = pcall(deep.step, deep)
+  if not done then err = problem break end
+end
+if ok(err ~= nil, "a run that must fail fails") then
+  is(err.where, "wear:step", "error.where")
+  is(err.step, deep.update + 1, "error.step: the update it failed in")
+  is(tostring(deep), state, "the state is that of before the step")
+  local after, same = deep:profile("cylinder"), true
+  for i, h in ipairs(before.h) do same = same and h == after.h[i] end
+  ok(same, "to the same bits")
+end
+
+-- worn to start from
+local start = wear{}:run{ distance = 220 }
+local onward = wear{ worn = start }
+is(onward.model, start.model, "worn: the same model")
+is(onward.distance, 0, "worn: a new run")
+is(onward.p_center, start.p_center, "worn: the same shape")
+near(wear{ worn = start, alpha = 1, k = 0 }:step().p_center, start.p_center, 1e-9, "k = 0 wears nothing")
+local resampled = wear{ worn = { cylinder = start:profile("cylinder"), plate = start:profile("plate") } }
+near(resampled.p_center, start.p_center, 2e-3, "worn: from profiles")
+ok(wear{ worn = { plate = function(x) return math.max(0, 1e-3 - x * x / 20) end } }.p_center
+  < start.p_center * 1.5, "worn: from a function")
+local wider = wear{ worn = start, stroke = 0.9 }
+ok(wider.model.mesh.zone.plate > start.model.mesh.zone.plate, "worn: a wider zone where it is needed")
+near(wider.p_center, start.p_center, 5e-3, "worn: and the shape goes along")
+fails(function() wear{ model = model{}, stroke = 3 } end, { "mesh.zone" }, "a given model too small")
