@@ -35,6 +35,11 @@ return {
     text = "Pressure at the centre, p_H = 2 L_N / (pi a t)." },
   { "hertz.E_star", kind = "field", unit = "MPa",
     text = "Contact modulus 1 / (1/E*_c + 1/E*_p) of the pair." },
+  { "hertz.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },
+  { "hertz.load", kind = "field", unit = "N", text = "Normal load." },
+  { "hertz.thickness", kind = "field", unit = "mm", text = "Thickness of both bodies." },
+  { "hertz.cylinder", kind = "field", class = "material", text = "Material of the cylinder." },
+  { "hertz.plate", kind = "field", class = "material", text = "Material of the plate." },
 
   -- --- model ----------------------------------------------------------------------------------
   { "model", kind = "constructor", use = "model{ radius=10, mesh={ size=0.020 } }",
@@ -73,7 +78,13 @@ return {
   { "model.thickness", kind = "field", unit = "mm", text = "Thickness of both bodies." },
   { "model.cylinder", kind = "field", class = "material", text = "Material of the cylinder." },
   { "model.plate", kind = "field", class = "material", text = "Material of the plate." },
-  { "model.mesh", kind = "field", text = "The two meshes, m.mesh.cylinder and m.mesh.plate." },
+  { "model.seconds", kind = "field", unit = "s", text = "Time it took to build." },
+  { "model.bytes", kind = "field", unit = "bytes", text = "Memory it takes." },
+  { "model.close", kind = "method", use = "m:close()",
+    text = "Lets go of it now instead of when it is collected; runs and contacts on it stay." },
+  { "model.mesh", kind = "field",
+    text = "The two meshes, m.mesh.cylinder and m.mesh.plate, and their definition: size, height, far, "
+      .. "zone, rows, element." },
   { "model.mesh.cylinder", kind = "field", class = "mesh", text = "Mesh of the half cylinder." },
   { "model.mesh.plate", kind = "field", class = "mesh", text = "Mesh of the plate." },
 
@@ -84,23 +95,38 @@ return {
   { "mesh.nodes", kind = "field", text = "Number of nodes." },
   { "mesh.quads", kind = "field", text = "Number of quadrilaterals." },
   { "mesh.triangles", kind = "field", text = "Number of triangles." },
+  { "mesh.elements_count", kind = "field", text = "Number of elements: quads and triangles." },
+  { "mesh.rows", kind = "field", text = "Element rows of the wear box." },
+  { "mesh.body", kind = "field", text = '"cylinder" or "plate".' },
+  { "mesh.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },
   { "mesh.quality", kind = "method", use = "m.mesh.plate:quality()",
     text = "Smallest and largest angle (degrees), aspect ratio, and Jacobian ratio of the worst "
       .. "elements, as a table." },
   { "mesh.write", kind = "method", use = "m.mesh.plate:write(path)",
-    text = "Writes the mesh to a VTK file." },
+    text = "Writes the mesh to a file, by its ending: .vtk, .inp (Abaqus, CalculiX) or .csv (nodes)." },
   { "mesh.node", kind = "method", use = "x, y = m.mesh.plate:node(i)",
     text = "Position of node i = 1 ... nodes, in mm." },
   { "mesh.elements", kind = "method", use = "m.mesh.plate:elements()",
     text = "Corners of all elements in one list, four an element, as node numbers from 1; a triangle "
       .. "has 0 as its fourth." },
+  { "mesh.coordinates", kind = "method", use = "m.mesh.plate:coordinates()",
+    text = "Positions of all nodes, { x=, y= } in mm." },
+  { "mesh.surface", kind = "method", use = "m.mesh.plate:surface()",
+    text = "Numbers of the candidate contact nodes, by increasing x." },
+  { "mesh.box", kind = "method", use = "m.mesh.plate:box()",
+    text = "Numbers of the wear box' nodes: rows + 1 for each surface node, from the surface inwards." },
+  { "mesh.outline", kind = "method", use = "m.mesh.plate:outline()",
+    text = "Numbers of the boundary's nodes, counter-clockwise." },
+  { "mesh.fixed", kind = "method", use = "m.mesh.plate:fixed()",
+    text = "Numbers of the nodes that are built in or tied to the rigid base." },
+  { "mesh.close", kind = "method", use = "mesh:close()", text = "Lets go of it now." },
 
   -- --- contact --------------------------------------------------------------------------------
   { "contact", kind = "constructor", use = "c = contact{ load=100, x=0 }",
     text = "One frictionless contact solution: the plate at x, pressed by the load. Without a model "
       .. "it uses one whose zones suit." },
-  { "contact{model}", type = "model", class = "model", text = "The bodies. One is built where none "
-      .. "is given." },
+  { "contact{model}", type = "model, or table of its fields", class = "model",
+    text = "The bodies. One is built where none is given." },
   { "contact{load}", type = "number > 0", unit = "N", default = 100, text = "Normal load L_N." },
   { "contact{x}", type = "number", unit = "mm", default = 0, text = "Position of the plate." },
   { "contact{worn}", type = "wear, or table { cylinder=, plate= }", class = "wear",
@@ -120,6 +146,8 @@ return {
   { "contact.approach", kind = "field", unit = "mm",
     text = "Rigid approach of the cylinder's built-in top and the plate's base." },
   { "contact.iterations", kind = "field", text = "Active sets the solution went through." },
+  { "contact.edges", kind = "field", unit = "mm",
+    text = "Where the contact begins and ends, { left=, right= }, counted from the cylinder's axis." },
   { "contact.model", kind = "field", class = "model", text = "The model it was solved on." },
   { "contact.pressure", kind = "method", values = { "cylinder", "plate" },
     use = 'c:pressure("cylinder" | "plate")', default = '"cylinder"',
@@ -127,9 +155,12 @@ return {
       .. "the cylinder's axis." },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
     text = "Displacements and stresses inside both bodies: a field for plot.stress and export.vtk." },
+  { "contact.close", kind = "method", use = "c:close()",
+    text = "Lets go of it now instead of when it is collected." },
   { "stress", kind = "object", use = "f = c:stress()",
-    text = "Fields on both bodies, f.cylinder and f.plate: lists x, y (mm, nodes), elements (four "
-      .. "corners each), mises, shear, sxx, syy, sxy (MPa, averages at nodes)." },
+    text = "Fields on both bodies, f.cylinder and f.plate: lists x, y (mm, nodes), ux, uy (mm, "
+      .. "displacements), mises, shear, sxx, syy, szz, sxy (MPa, averages at nodes), elements (four "
+      .. "corners each)." },
   { "stress.cylinder", kind = "field", text = "Lists of the cylinder." },
   { "stress.plate", kind = "field", text = "Lists of the plate." },
 
@@ -140,7 +171,7 @@ return {
       .. "for the cylinder, k_p = (1 - alpha) k for the plate (Eq. 20).\n\nwear{} is the reference "
       .. "case: a steel cylinder of 10 mm under 100 N, stroke 0.11 mm, alpha 0.5. Nothing runs until "
       .. "w:step() or w:run()." },
-  { "wear{model}", type = "model", class = "model",
+  { "wear{model}", type = "model, or table of its fields", class = "model",
     text = "The bodies. Without it one is built on first use whose contact zones suit the stroke." },
   { "wear{k}", type = "number >= 0, function(state), or table { distance=, value= }",
     unit = "mm2/N", default = "1e-8",
@@ -220,9 +251,14 @@ return {
   { "wear.run{cycles}", type = "number > 0", unit = "cycles",
     text = "Total number of cycles to stop at." },
   { "wear.run{progress}", type = "boolean or function(w)",
-    text = "Shows a bar on a terminal (the default there), or calls the function after every step." },
+    text = "Shows a bar on a terminal (the default there), or calls the function after every step; "
+      .. "the run ends early where it returns true. false shows nothing." },
   { "wear.clone", kind = "method", class = "wear", use = "w:clone()",
     text = "A copy that goes its own way: for a before and after, or for two futures of one past." },
+  { "wear.close", kind = "method", use = "w:close()",
+    text = "Lets go of it now instead of when it is collected." },
+  { "wear.contact", kind = "method", class = "contact", use = "w:contact()",
+    text = "The contact on the present shape: plate at x = 0, nominal load." },
   { "wear.save", kind = "method", use = "w:save(path)",
     text = "Writes the run, with all it needs to go on, to a file; wear.open reads it." },
   { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path)",
@@ -238,10 +274,19 @@ return {
     text = "Sum profile h_c + h_p (Eq. 31), { x=, h= } in mm." },
   { "wear.local_partition", kind = "method", use = "w:local_partition()",
     text = "Local wear depth partition h_c / (h_c + h_p) along x (Eq. 30)." },
+  { "wear.roughness", kind = "method", values = { "cylinder", "plate" },
+    use = 'w:roughness("cylinder" | "plate")', default = '"cylinder"',
+    text = "Roughness of a profile: the largest second difference that changes sign from node to "
+      .. "node, as a share of the largest depth. A smooth profile stays under a few per mille." },
+  { "wear.stability", kind = "method", use = "w:stability()",
+    text = "{ eigenvalue=, jump_limit= }: the growth rate of ripples in 1/cycle, linearised about the "
+      .. "present state, and 2 / eigenvalue. Explicit updates with a larger jump get rough." },
   { "wear.model", kind = "field", class = "model", text = "The model it runs on." },
   { "wear.distance", kind = "field", unit = "mm", text = "Travelled distance so far." },
   { "wear.cycle", kind = "field", unit = "cycles", text = "Loading cycles so far." },
   { "wear.update", kind = "field", text = "Geometry updates so far." },
+  { "wear.solutions", kind = "field", text = "Contacts solved so far." },
+  { "wear.done", kind = "field", text = "Whether the whole distance has been travelled." },
   { "wear.p_center", kind = "field", unit = "MPa",
     text = "Pressure at the centre, plate at x = 0, nominal load." },
   { "wear.p_max", kind = "field", unit = "MPa",
@@ -252,6 +297,9 @@ return {
   { "wear.depth.cylinder", kind = "field", unit = "mm",
     text = "Largest wear depth of the cylinder." },
   { "wear.depth.plate", kind = "field", unit = "mm", text = "Largest wear depth of the plate." },
+  { "wear.vector_depth", kind = "field", unit = "mm",
+    text = "Largest length of the vector sum of the wear steps (Eq. 8) of each body; depth is the "
+      .. "scalar sum (Eq. 6)." },
   { "wear.volume", kind = "field", unit = "mm3", text = "Wear volumes." },
   { "wear.volume.cylinder", kind = "field", unit = "mm3", text = "Wear volume of the cylinder." },
   { "wear.volume.plate", kind = "field", unit = "mm3", text = "Wear volume of the plate." },
@@ -265,4 +313,21 @@ return {
   update, cycle, distance (mm), jump     p_center, p_max (MPa), half_width (mm)
   depth_cylinder, depth_plate (mm)       volume_cylinder, volume_plate (mm3)
   depth_partition, k, alpha              solutions (contacts solved so far)]] },
+
+  -- --- the definition, read back --------------------------------------------------------------
+  { "wear.k", kind = "field", unit = "mm2/N", text = "Wear coefficient of the couple." },
+  { "wear.alpha", kind = "field", text = "Wear partition factor." },
+  { "wear.load", kind = "field", unit = "N", text = "Normal load." },
+  { "wear.stroke", kind = "field", unit = "mm", text = "Stroke." },
+  { "wear.strokes", kind = "field", text = "Strokes of a cycle, r of Eq. (21): 2, or 1 at 2 radius." },
+  { "wear.cycles", kind = "field", unit = "cycles", text = "Cycles of the whole distance (Eq. 21)." },
+  { "wear.total_distance", kind = "field", unit = "mm", text = "Travelled distance to simulate." },
+  { "wear.jump", kind = "field", unit = "cycles", text = "Cycles from one update to the next." },
+  { "wear.increments", kind = "field", text = "Increments of a full cycle." },
+  { "wear.procedure", kind = "field", text = 'The one chosen, "SP" or "NSP".' },
+  { "wear.scheme", kind = "field", text = '"explicit" or "implicit".' },
+  { "wear.slip", kind = "field", text = '"rigid" or "total".' },
+  { "wear.rule", kind = "field", text = '"trapezoid" or "simple".' },
+  { "wear.geometry", kind = "field", text = '"moving" or "frozen".' },
+  { "wear.refresh", kind = "field", text = "When the stiffness is renewed, see wear{refresh}." },
 }

@@ -128,6 +128,9 @@ static void push_metatable(lua_State *L, const box_class *class) {
   fill_metatable(L, class);
   lua_pushvalue(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, class);
+  lua_pushfstring(L, "archard.%s", class->name); /* where help looks for a method's owner */
+  lua_pushvalue(L, -2);
+  lua_rawset(L, LUA_REGISTRYINDEX);
 }
 
 box *box_push(lua_State *L, const box_class *class) {

@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-static const char field_kind[] = "archard.field";
+static const char field_kind[] = "archard.stress";
 
 /* --- the object ------------------------------------------------------------------------------ */
 
@@ -93,7 +93,7 @@ static int holder_tostring(lua_State *L) {
 
 /* Holds a field of the engine while tables or files are made of it. */
 static const box_class field_class = {
-    .name = "field", .tostring = holder_tostring, .destroy = destroy_field};
+    .name = "stress of a body", .tostring = holder_tostring, .destroy = destroy_field};
 
 const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
                                    const char *where) {

@@ -120,14 +120,14 @@ static void push_display(lua_State *L, double goal) {
 
 /* Pushes the progress function; returns its index, or 0 where there is none. */
 static int push_progress_function(lua_State *L, double goal) {
-  args_get(L, 2, "progress");
-  if (lua_isnil(L, -1)) {
-    push_display(L, goal);
-    return lua_isfunction(L, -1) ? lua_gettop(L) : 0;
-  }
-  if (!lua_isfunction(L, -1))
-    args_refuse(L, (args_place){"wear:run", ""}, "progress", "a function of the wear object");
-  return lua_gettop(L);
+  int type = args_get(L, 2, "progress");
+  if (type == LUA_TFUNCTION) return lua_gettop(L);
+  if (type != LUA_TNIL && type != LUA_TBOOLEAN)
+    args_refuse(L, (args_place){"wear:run", ""}, "progress",
+                "a function of the wear object, true or false");
+  if (type == LUA_TBOOLEAN && !lua_toboolean(L, -1)) return 0;
+  push_display(L, goal);
+  return lua_isfunction(L, -1) ? lua_gettop(L) : 0;
 }
 
 /* Calls the function on top of the stack, even where an interrupt is about to end everything: its
@@ -143,7 +143,7 @@ static void call_undisturbed(lua_State *L) {
 /* A display of our own is told that the run is over, however it ended. */
 static void end_display(lua_State *L, const run_call *call) {
   int top = lua_gettop(L);
-  if (call->function && args_get(L, 2, "progress") == LUA_TNIL) {
+  if (call->function && args_get(L, 2, "progress") != LUA_TFUNCTION) {
     lua_pushvalue(L, call->function);
     call_undisturbed(L);
   }
