@@ -114,8 +114,8 @@ static const char *push_known(lua_State *L, const args_field *fields) {
   return lua_tostring(L, -1);
 }
 
-_Noreturn static void refuse_name(lua_State *L, args_place place, const args_field *fields,
-                                  const char *name) {
+__attribute__((noreturn)) static void refuse_name(lua_State *L, args_place place,
+                                                  const args_field *fields, const char *name) {
   const char *meant = nearest(name, fields);
   if (meant)
     error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (did you mean '%s'?)",

@@ -70,7 +70,8 @@ int args_choice(lua_State *L, int index, args_place place, const char *name,
                 const char *const *choices, int otherwise);
 
 /* Raises "field 'NAME': expected EXPECTED, got ..." for the value on top of the stack. */
-_Noreturn void args_refuse(lua_State *L, args_place place, const char *name, const char *expected);
+void args_refuse(lua_State *L, args_place place, const char *name, const char *expected)
+    __attribute__((noreturn));
 
 /* Pushes the fields' value of the table at `index` (nil where there is no table). */
 int args_get(lua_State *L, int index, const char *name);

@@ -161,8 +161,8 @@ static const char *kind_of(lua_State *L, int index) {
   return luaL_typename(L, index);
 }
 
-_Noreturn static void refuse(lua_State *L, int index, const box_class *class, const char *where,
-                             const char *hint) {
+__attribute__((noreturn)) static void refuse(lua_State *L, int index, const box_class *class,
+                                             const char *where, const char *hint) {
   error_raise(L, ARC_ARGUMENT, where, "expected a %s object, got %s%s", class->name,
               kind_of(L, index), hint);
 }

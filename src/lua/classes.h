@@ -65,6 +65,12 @@ arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where)
 /* Pushes a mesh object of one body of the model whose box is at `index`. */
 void mesh_push(lua_State *L, int index, arc_body body);
 
+/* Pushes the corners of all elements, four numbers from 1 each; a triangle has 0 as its fourth. */
+void mesh_push_elements(lua_State *L, const arc_mesh *mesh);
+
+/* Gives up one reference: `destroy` of the classes that hold a model. */
+void model_release(void *thing);
+
 /* --- worn shapes (worn.c) --- */
 
 extern const box_class shape_class; /* thing: arc_shape; internal */
@@ -84,6 +90,9 @@ const arc_model_def *worn_model_def(lua_State *L, int worn);
 
 /* Pushes { x=, p= } of a body. */
 void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body);
+
+/* contact:stress() (stress.c). */
+int stress_new(lua_State *L);
 
 /* Pushes what holds the stresses of one body until it is collected. */
 const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,

@@ -1,12 +1,10 @@
-/* Class contact: one contact solution, its pressures and its stresses. */
+/* Class contact: one contact solution and its pressures; the stresses are in stress.c. */
 #include "archard/contact.h"
 #include "lua/array.h"
 #include "lua/classes.h"
 #include "lua/error.h"
 
 #include <stdio.h>
-
-static const char field_kind[] = "archard.stress";
 
 /* --- the object ------------------------------------------------------------------------------ */
 
@@ -79,130 +77,6 @@ static int contact_pressure(lua_State *L) {
   return 1;
 }
 
-/* --- stresses -------------------------------------------------------------------------------- */
-
-static void destroy_field(void *thing) {
-  arc_field *field = thing;
-  arc_field_destroy(&field);
-}
-
-static int holder_tostring(lua_State *L) {
-  lua_pushliteral(L, "field");
-  return 1;
-}
-
-/* Holds a field of the engine while tables or files are made of it. */
-static const box_class field_class = {
-    .name = "stress of a body", .tostring = holder_tostring, .destroy = destroy_field};
-
-const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
-                                   const char *where) {
-  arc_error error = {0};
-  arc_field *field = NULL;
-  box *holder = box_push(L, &field_class);
-  arc_status status = arc_contact_field(contact, body, &field, &error);
-  holder->thing = field;
-  error_check(L, status, &error, where, -1);
-  return field;
-}
-
-/* Pushes the four node numbers of each element, from 1. */
-static void push_elements(lua_State *L, const arc_mesh *mesh) {
-  lua_createtable(L, 4 * mesh->elements, 0);
-  for (int i = 0; i < 4 * mesh->elements; i++) {
-    lua_pushinteger(L, (lua_Integer)mesh->element[i] + 1);
-    lua_rawseti(L, -2, (lua_Integer)i + 1);
-  }
-}
-
-/* Pushes the field of one body as a table of arrays. */
-static void push_field(lua_State *L, const arc_contact *contact, arc_body body) {
-  const arc_field *field = field_push_holder(L, contact, body, "contact:stress");
-  const double *const columns[] = {field->x,   field->y,   field->ux,  field->uy,    field->sxx,
-                                   field->syy, field->szz, field->sxy, field->mises, field->shear};
-  static const char *const names[] = {"x",   "y",   "ux",  "uy",    "sxx",
-                                      "syy", "szz", "sxy", "mises", "shear"};
-  lua_createtable(L, 0, 11);
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    array_set(L, names[i], columns[i], (size_t)field->nodes);
-  push_elements(L, arc_model_mesh(arc_contact_model(contact), body));
-  lua_setfield(L, -2, "elements");
-  box_empty(lua_touserdata(L, -2), &field_class);
-  lua_replace(L, -2);
-}
-
-/* The number at `position` of array `name` of the table on top. */
-static double element_of(lua_State *L, const char *name, lua_Integer position) {
-  lua_getfield(L, -1, name);
-  lua_geti(L, -1, position);
-  double value = lua_tonumber(L, -1);
-  lua_pop(L, 2);
-  return value;
-}
-
-/* The position of the largest number in array `name` of the table on top. */
-static lua_Integer largest_of(lua_State *L, const char *name) {
-  lua_Integer best = 1;
-  double largest = -HUGE_VAL;
-  lua_getfield(L, -1, name);
-  lua_Integer count = lua_istable(L, -1) ? luaL_len(L, -1) : 0;
-  for (lua_Integer i = 1; i <= count; i++) {
-    if (lua_geti(L, -1, i) == LUA_TNUMBER && lua_tonumber(L, -1) > largest) {
-      largest = lua_tonumber(L, -1);
-      best = i;
-    }
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
-  return best;
-}
-
-/* Pushes a line on the body's table on top: the largest stresses and where they are. */
-static const char *push_extremes(lua_State *L, const char *body) {
-  char line[240];
-  lua_Integer mises = largest_of(L, "mises"), shear = largest_of(L, "shear");
-  snprintf(
-      line, sizeof line,
-      "\n  %-8s  mises up to %.6g MPa at (%.4g, %.4g) mm, shear up to %.6g MPa at (%.4g, %.4g)",
-      body, element_of(L, "mises", mises), element_of(L, "x", mises), element_of(L, "y", mises),
-      element_of(L, "shear", shear), element_of(L, "x", shear), element_of(L, "y", shear));
-  return lua_pushstring(L, line);
-}
-
-static int field_tostring(lua_State *L) {
-  lua_settop(L, 1);
-  luaL_checktype(L, 1, LUA_TTABLE);
-  lua_pushliteral(L, "stress field: .cylinder and .plate, each { x=, y=, ux=, uy=, sxx=, syy=, "
-                     "szz=, sxy=, mises=, shear=, elements= }");
-  for (int body = 0; body < ARC_BODIES; body++) {
-    if (lua_getfield(L, 1, body_names[body]) == LUA_TTABLE) {
-      push_extremes(L, body_names[body]);
-      lua_replace(L, -2);
-      lua_concat(L, 2);
-    } else {
-      lua_pop(L, 1);
-    }
-  }
-  return 1;
-}
-
-/* contact:stress() -> { cylinder=, plate= } of nodal arrays */
-static int contact_stress(lua_State *L) {
-  const arc_contact *contact = self(L);
-  luaL_checkstack(L, 12, "contact:stress");
-  lua_createtable(L, 0, 2);
-  for (int body = 0; body < ARC_BODIES; body++) {
-    push_field(L, contact, (arc_body)body);
-    lua_setfield(L, -2, body_names[body]);
-  }
-  if (luaL_newmetatable(L, field_kind)) {
-    lua_pushcfunction(L, field_tostring);
-    lua_setfield(L, -2, "__tostring");
-  }
-  lua_setmetatable(L, -2);
-  return 1;
-}
-
 /* --- construction ---------------------------------------------------------------------------- */
 
 typedef struct contact_def {
@@ -271,7 +145,7 @@ static const luaL_Reg fields[] = {
 };
 
 static const luaL_Reg methods[] = {
-    {"pressure", contact_pressure}, {"stress", contact_stress}, {NULL, NULL}};
+    {"pressure", contact_pressure}, {"stress", stress_new}, {NULL, NULL}};
 
 const box_class contact_class = {
     .name = "contact",

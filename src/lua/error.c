@@ -64,7 +64,7 @@ static void push_object(lua_State *L, arc_status code, const char *where) {
 }
 
 /* lua_error does not return; its header just does not say so. */
-_Noreturn static void throw(lua_State * L) {
+__attribute__((noreturn)) static void throw(lua_State * L) {
   lua_error(L);
   abort();
 }

@@ -13,8 +13,8 @@
 #include <lua.h>
 
 /* Raises an error object; the format is that of lua_pushfstring. */
-_Noreturn void error_raise(lua_State *L, arc_status code, const char *where, const char *format,
-                           ...);
+void error_raise(lua_State *L, arc_status code, const char *where, const char *format, ...)
+    __attribute__((noreturn));
 
 /* Does nothing for ARC_OK; else raises what the engine reported. A stop that the user asked for
  * raises "interrupted". `step` < 0: no step. */
@@ -23,7 +23,7 @@ void error_check(lua_State *L, arc_status status, const arc_error *error, const 
 
 /* Raises ARC_CALLBACK for the error value on top of the stack, left there by a user's function that
  * `name` describes. An interrupt goes on unchanged. */
-_Noreturn void error_callback(lua_State *L, const char *where, const char *name);
+void error_callback(lua_State *L, const char *where, const char *name) __attribute__((noreturn));
 
 /* Calls the function below `arguments` values on the stack with a traceback for its errors; returns
  * LUA_OK or leaves the error value on top. */

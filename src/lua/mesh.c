@@ -8,11 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static void release_model(void *thing) {
-  arc_model *model = thing;
-  arc_model_release(&model);
-}
-
 static const arc_mesh *self(lua_State *L) {
   box *opened = box_self(L, &mesh_class, "mesh");
   return arc_model_mesh(opened->thing, (arc_body)opened->tag);
@@ -60,10 +55,14 @@ static int push_numbers(lua_State *L, const int *numbers, int count) {
   return 1;
 }
 
+void mesh_push_elements(lua_State *L, const arc_mesh *mesh) {
+  push_numbers(L, mesh->element, 4 * mesh->elements);
+}
+
 /* mesh:elements() -> four node numbers an element, the fourth of a triangle 0 */
 static int mesh_elements(lua_State *L) {
-  const arc_mesh *mesh = self(L);
-  return push_numbers(L, mesh->element, 4 * mesh->elements);
+  mesh_push_elements(L, self(L));
+  return 1;
 }
 
 /* mesh:surface() -> the candidate contact nodes by increasing x */
@@ -182,9 +181,9 @@ static int mesh_tostring(lua_State *L) {
   arc_quality quality = arc_mesh_quality(mesh, NULL);
   char text[320];
   snprintf(text, sizeof text,
-           "mesh of the %s: %d nodes, %d quads, %d triangles, %d candidate contact nodes\n"
-           "  finest %.6g x %.6g mm, coarsest %.6g mm; angles %.3g to %.4g degrees, aspect up to "
-           "%.3g, Jacobian ratio from %.3g",
+           "mesh of the %s: %d nodes, %d quads, %d triangles, %d at the contact\n"
+           "  size     %.6g x %.6g mm at the contact, up to %.6g mm elsewhere\n"
+           "  quality  angles %.3g to %.4g degrees, aspect to %.3g, Jacobian ratio from %.3g",
            body_names[mesh->body], mesh->nodes, mesh->quads, mesh->triangles, mesh->surface,
            mesh->def.size, mesh->def.height, mesh->def.far, quality.smallest_angle,
            quality.largest_angle, quality.aspect, quality.jacobian_ratio);
@@ -217,7 +216,7 @@ const box_class mesh_class = {
     .methods = methods,
     .fields = fields,
     .tostring = mesh_tostring,
-    .destroy = release_model,
+    .destroy = model_release,
 };
 
 void mesh_push(lua_State *L, int index, arc_body body) {

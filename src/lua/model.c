@@ -216,7 +216,7 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zo
 
 /* --- the object ------------------------------------------------------------------------------ */
 
-static void release_model(void *thing) {
+void model_release(void *thing) {
   arc_model *model = thing;
   arc_model_release(&model);
 }
@@ -267,10 +267,9 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   const arc_model_def *def = arc_model_definition(model);
   const arc_mesh *mesh = arc_model_mesh(model, body);
   char line[160];
-  snprintf(line, sizeof line,
-           "\n  %-8s  E %.6g MPa, nu %.6g; %d nodes, %d quads, %d triangles, zone %.6g mm",
-           body_names[body], def->material[body].E, def->material[body].nu, mesh->nodes,
-           mesh->quads, mesh->triangles, def->mesh.zone[body]);
+  snprintf(line, sizeof line, "\n  %-8s  E %.6g MPa, nu %.6g, zone %.6g mm; %d nodes, %d elements",
+           body_names[body], def->material[body].E, def->material[body].nu, def->mesh.zone[body],
+           mesh->nodes, mesh->elements);
   luaL_addstring(text, line);
 }
 
@@ -302,7 +301,7 @@ const box_class model_class = {
     .name = "model",
     .fields = fields,
     .tostring = model_tostring,
-    .destroy = release_model,
+    .destroy = model_release,
 };
 
 int luaopen_archard_model(lua_State *L) {

@@ -218,12 +218,19 @@ const box_class wear_class = {
     .destroy = destroy_wear,
 };
 
+static int class_tostring(lua_State *L) {
+  lua_pushliteral(L, "wear: wear{ alpha=0.5, stroke=0.11 } makes a run; help(wear) says more");
+  return 1;
+}
+
 /* A table that can be called, with room for functions beside the constructor. */
 int luaopen_archard_wear(lua_State *L) {
   lua_newtable(L);
   lua_createtable(L, 0, 1);
   lua_pushcfunction(L, wear_new);
   lua_setfield(L, -2, "__call");
+  lua_pushcfunction(L, class_tostring);
+  lua_setfield(L, -2, "__tostring");
   lua_setmetatable(L, -2);
   return 1;
 }

@@ -153,11 +153,11 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   char line[400];
   snprintf(line, sizeof line,
            "wear: stroke %.6g mm, load %.6g N, k %.6g mm2/N, alpha %.6g\n"
-           "  settings  %s, jump %.6g, %d increments, %s geometry, %s slip, %s, %s\n",
+           "  settings  %s %s, jump %.6g, increments %d, %s, %s slip, %s\n",
            settings->stroke, settings->load, settings->k, settings->alpha,
-           procedure_names[arc_wear_procedure(wear)], settings->jump, settings->increments,
-           geometry_names[settings->geometry], slip_names[settings->slip],
-           scheme_names[settings->scheme], rule_names[settings->rule]);
+           procedure_names[arc_wear_procedure(wear)], scheme_names[settings->scheme],
+           settings->jump, settings->increments, geometry_names[settings->geometry],
+           slip_names[settings->slip], rule_names[settings->rule]);
   luaL_addstring(text, line);
 }
 
@@ -167,14 +167,14 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   if (isfinite(record->depth_partition))
     snprintf(partition, sizeof partition, "%.4f", record->depth_partition);
   snprintf(line, sizeof line,
-           "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f updates\n"
+           "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f update%s\n"
            "  pressure  centre %.2f MPa, largest %.2f MPa, half width %.6g mm\n"
            "  depth     cylinder %.4e mm, plate %.4e mm; alpha-tilde %s\n"
            "  volume    cylinder %.4e mm3, plate %.4e mm3, total %.4e mm3",
            record->cycle, arc_wear_cycles(wear), record->distance,
-           arc_wear_definition(wear)->distance, record->update, record->p_center, record->p_max,
-           record->half_width, record->depth_cylinder, record->depth_plate, partition,
-           record->volume_cylinder, record->volume_plate,
+           arc_wear_definition(wear)->distance, record->update, record->update == 1 ? "" : "s",
+           record->p_center, record->p_max, record->half_width, record->depth_cylinder,
+           record->depth_plate, partition, record->volume_cylinder, record->volume_plate,
            record->volume_cylinder + record->volume_plate);
   luaL_addstring(text, line);
 }

@@ -62,6 +62,15 @@ for _, object in ipairs{ wear{}, contact{}, model{}, model{}.mesh.plate, hertz{}
   ok(pcall(meta.__gc or print), meta.__name .. ": __gc of nothing is harmless")
 end
 
+-- what print shows fits a terminal
+local run = wear{}:run{ progress = false }
+for _, object in ipairs{ run, wear{}, run:contact(), run:contact():stress(), run.model,
+  run.model.mesh.plate, hertz{}, material{}, run:step(), wear{}:step(70) } do
+  local longest = 0
+  for line in tostring(object):gmatch("[^\n]+") do longest = math.max(longest, #line) end
+  ok(longest <= 80, tostring(object):match("^%s*%a+") .. ": print fits 80 columns")
+end
+
 -- the collector hears of what objects weigh; a sanitizer holds freed memory back, so not there
 local function memory() -- resident [MB]
   for line in io.lines("/proc/self/status") do
