@@ -22,11 +22,12 @@ static const luaL_Reg classes[] = {
 /* Modules in C that are no globals: reached by require only. */
 static const luaL_Reg modules[] = {
     {"archard.term", luaopen_archard_term},
+    {"archard.gnuplot", luaopen_archard_gnuplot},
     {NULL, NULL},
 };
 
 /* Classes in Lua: scripts/NAME.lua returns the value of the global NAME. */
-static const char *const scripted[] = {"help", NULL};
+static const char *const scripted[] = {"help", "plot", NULL};
 
 static void preload_modules(lua_State *L) {
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_PRELOAD_TABLE);

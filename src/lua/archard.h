@@ -23,4 +23,7 @@ int luaopen_archard(lua_State *L);
 /* The module `archard.term`: what the terminal is and can do. */
 int luaopen_archard_term(lua_State *L);
 
+/* The module `archard.gnuplot`: figures as tables, drawn by gnuplot; scripts/plot.lua uses it. */
+int luaopen_archard_gnuplot(lua_State *L);
+
 #endif
