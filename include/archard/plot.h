@@ -109,9 +109,9 @@ typedef struct arc_plot_field {
 
 typedef struct arc_plot_axis {
   const char *label; /* NULL: none */
-  double min, max;   /* NaN: from the data; min > max turns the axis round */
+  double min, max;   /* NaN: from the data; both given and min > max turns the axis round */
   int log;           /* base 10 */
-  int reverse;       /* grows downwards or leftwards; only where the range is from the data */
+  int reverse;       /* grows downwards or leftwards; not where both ends are given */
 } arc_plot_axis;
 
 typedef enum arc_plot_key {

@@ -133,15 +133,39 @@ typedef struct drawing {
   arc_canvas canvas;
 } drawing;
 
+/* gnuplot reads its standard input byte by byte: many commands are read sooner from a file. Leaves
+ * the script as it is where no file can be written. */
+static void through_file(arc_text *script, char place[PATH_MAX]) {
+  const char *folder = getenv("TMPDIR");
+  place[0] = '\0';
+  if (script->failed || script->length < 20000) return;
+  if (!folder || folder[0] != '/' || strpbrk(folder, "\n\r")) folder = "/tmp";
+  if (snprintf(place, PATH_MAX, "%s/archard-plot-XXXXXX", folder) >= PATH_MAX) return;
+  int descriptor = mkstemp(place);
+  if (descriptor < 0) {
+    place[0] = '\0';
+    return;
+  }
+  close(descriptor);
+  arc_error ignored;
+  if (write_text(place, place, script, &ignored) != ARC_OK) return;
+  script->length = 0;
+  arc_text_word(script, "load ");
+  arc_text_quoted(script, place, 0);
+}
+
 /* Runs the commands; `picture` receives what came back, tidied where it is characters. */
 static arc_status run(drawing *d, const char *place, arc_text *picture, arc_error *error) {
   arc_text script = {0};
   char *reply = NULL;
   size_t length = 0;
   write_script(d->frames, d->count, &d->canvas, d->animation, place, &script);
+  char file[PATH_MAX];
+  through_file(&script, file);
   arc_status status = script.failed ? no_memory(error)
                                     : arc_gnuplot_run(d->session, script.data, script.length,
                                                       &reply, &length, error);
+  if (file[0]) unlink(file);
   arc_text_free(&script);
   if (status == ARC_ARGUMENT)
     arc_gnuplot_run(d->session, at_rest, sizeof at_rest - 1, NULL, NULL, NULL);

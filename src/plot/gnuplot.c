@@ -73,18 +73,19 @@ int arc_gnuplot_has_terminal(const arc_gnuplot *session, const char *name) {
 
 /* --- one question ----------------------------------------------------------------------------- */
 
-/* gnuplot shows the command, a caret, then "line 0: what is wrong": the last words are for people.
- */
+/* gnuplot shows the command, a caret, then "line 0: what is wrong" or "\"file\" line 7: ...": the
+ * last words are for people. */
 static const char *last_words(arc_text *errors) {
   if (!errors->data) return "no reason given";
   size_t end = errors->length;
   while (end > 0 && strchr(" \n\r\t", errors->data[end - 1])) end--;
   errors->data[end] = '\0';
-  char *line = strrchr(errors->data, '\n');
-  line = line ? line + 1 : errors->data;
-  while (*line == ' ') line++;
-  char *after = strncmp(line, "line ", 5) == 0 ? strstr(line, ": ") : NULL;
-  return after ? after + 2 : line;
+  char *last = strrchr(errors->data, '\n');
+  last = last ? last + 1 : errors->data;
+  while (*last == ' ') last++;
+  char *line = strstr(last, "line ");
+  size_t digits = line ? strspn(line + 5, "0123456789") : 0;
+  return digits && strncmp(line + 5 + digits, ": ", 2) == 0 ? line + 7 + digits : last;
 }
 
 static void how_it_ended(int how, char text[64]) {

@@ -34,7 +34,7 @@ static void axis_words(arc_writer *w, const char *axis, const arc_plot_axis *a) 
   end_of_range(w, a->min, ":");
   end_of_range(w, a->max, "]");
   arc_text_word(w->out,
-                a->reverse && isnan(a->min) && isnan(a->max) ? " reverse\n" : " noreverse\n");
+                a->reverse && (isnan(a->min) || isnan(a->max)) ? " reverse\n" : " noreverse\n");
   arc_text_format(w->out, a->log ? "set logscale %s\n" : "unset logscale %s\n", axis);
   arc_text_format(w->out, "set %slabel ", axis);
   arc_writer_words(w, "", a->label ? a->label : "", " noenhanced\n");
@@ -58,7 +58,8 @@ static arc_plot_key place_of_key(const arc_writer *w, const arc_plot_panel *pane
   return titled && !arc_look_one_key(w) ? panel->key : ARC_PLOT_KEY_NONE;
 }
 
-static void key_words(arc_writer *w, const arc_plot_panel *panel) {
+static void key_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot_frame *frame,
+                      int framed) {
   static const char *const places[] = {
       [ARC_PLOT_KEY_BELOW] = "below center horizontal Left reverse height 1",
       [ARC_PLOT_KEY_RIGHT] = "outside right top vertical Left reverse",
@@ -67,12 +68,17 @@ static void key_words(arc_writer *w, const arc_plot_panel *panel) {
       [ARC_PLOT_KEY_BOTTOM_LEFT] = "inside left bottom vertical Left reverse",
       [ARC_PLOT_KEY_BOTTOM_RIGHT] = "inside right bottom vertical"};
   arc_plot_key place = place_of_key(w, panel);
+  arc_text_word(w->out, "set key default\n");
   if (place == ARC_PLOT_KEY_NONE) {
     arc_text_word(w->out, "unset key\n");
     return;
   }
-  arc_text_format(w->out, "set key default\nset key on %s noenhanced nobox%s\n", places[place],
+  arc_text_format(w->out, "set key on %s noenhanced nobox%s\n", places[place],
                   w->canvas->text ? " width 1" : " samplen 2.5");
+  if (place == ARC_PLOT_KEY_BELOW && framed) /* gnuplot would put it at the canvas' edge */
+    arc_text_format(w->out, "set key at screen %.6g, screen %.6g center top horizontal height 0\n",
+                    (frame->left + frame->right) / 2,
+                    frame->bottom - (panel->x.label ? 3.2 : 2) / w->canvas->rows);
 }
 
 /* --- what is shown ---------------------------------------------------------------------------- */
@@ -171,12 +177,14 @@ static int level_of(double value, const double range[2]) {
   return isnan(share) ? -1 : (int)fmin(LEVELS - 1, fmax(0, floor(share * LEVELS)));
 }
 
-/* One datablock of points for each level. */
+/* One datablock of points for each level. The first point lies out of sight: gnuplot 5.4 crashes
+ * on points drawn as characters where there are none. */
 static void level_blocks(arc_writer *w, size_t number, const grid *g, const arc_plot_box *box,
                          const double range[2]) {
   double dx = (box->x1 - box->x0) / g->columns, dy = (box->y1 - box->y0) / g->rows;
   for (int k = 0; k < LEVELS; k++) {
-    arc_text_format(w->out, "$l%zu_%d << END\nNaN NaN\n", number, k);
+    arc_text_format(w->out, "$l%zu_%d << END\n%.17g %.17g\n", number, k, 2 * box->x1 - box->x0,
+                    2 * box->y1 - box->y0);
     for (int n = 0; n < g->columns * g->rows; n++)
       if (level_of(g->values[n], range) == k)
         arc_text_format(w->out, "%.17g %.17g\n", box->x0 + dx * (n % g->columns + 0.5),
@@ -269,20 +277,20 @@ static void values_shown(const arc_plot_panel *panel, const arc_plot_box *box, d
 }
 
 static void settings(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
-                     const arc_plot_frame *frame, const double range[2]) {
+                     const arc_plot_frame *frame, int framed, const double range[2]) {
   axis_words(w, "x", &panel->x);
   axis_words(w, "y", &panel->y);
-  tic_words(w, "x", &panel->x, box->x1 - box->x0, frame->columns / 9);
+  tic_words(w, "x", &panel->x, box->x1 - box->x0, frame->columns / 7);
   tic_words(w, "y", &panel->y, box->y1 - box->y0, frame->rows / 2.2);
   box_words(w, panel, box);
   heading(w, panel);
-  key_words(w, panel);
+  key_words(w, panel, frame, framed);
   if (panel->field && !w->canvas->text) colour_words(w, panel, range);
 }
 
 static void margins(arc_writer *w, const arc_plot_panel *panel, const arc_plot_frame *frame,
                     int framed) {
-  if (framed || (w->canvas->text && (panel->field || panel->equal)))
+  if (framed)
     frame_words(w, frame);
   else if (w->canvas->text)
     arc_text_format(w->out, "set tmargin %d\n",
@@ -294,6 +302,7 @@ void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, 
   arc_plot_box box = shown_box(w, panel, frame);
   double range[2];
   grid g = {0, 0, NULL};
+  framed = framed || (w->canvas->text && (panel->field || panel->equal));
   values_shown(panel, &box, range);
   if (panel->field) g = sample(w, panel->field, &box, frame);
   if (g.values && w->canvas->text) level_blocks(w, number, &g, &box, range);
@@ -301,7 +310,7 @@ void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, 
   curve_blocks(w, number);
   size_t contours = contour_block(w, number, &box, range);
   margins(w, panel, frame, framed);
-  settings(w, panel, &box, frame, range);
+  settings(w, panel, &box, frame, framed, range);
   plot_command(w, number, &g, &box, range, contours);
   free(g.values);
 }

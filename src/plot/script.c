@@ -23,7 +23,7 @@ static room room_around(const arc_writer *w) {
     int labelled = panel->y.label != NULL, titled = panel->title != NULL;
     if (panel->field) r.right = text ? 25 : 13;
     if (panel->x.label) r.bottom = text ? 3 : 3.2;
-    r.top = fmax(r.top, text ? titled + labelled + 1 : titled ? 1.6 : 0.7);
+    r.top = fmax(r.top, text ? titled + labelled + 1 : titled ? 2 : 0.7);
     if (!text && labelled) r.left = 9.5;
   }
   return r;

@@ -1,0 +1,362 @@
+-- plot{...} and plot.*: with tables that stand in for the objects of the engine, and with a gnuplot
+-- that is missing, old or slow. Pictures go to files that end in .txt, and are read back.
+
+local gnuplot = require "archard.gnuplot"
+
+local number, failed = 0, 0
+
+local function ok(condition, what)
+  number = number + 1
+  if not condition then failed = failed + 1 end
+  print((condition and "ok %d - %s" or "not ok %d - %s"):format(number, what))
+end
+
+local folder = os.tmpname()
+os.remove(folder)
+os.execute("mkdir " .. folder)
+
+local function read(name)
+  local file = io.open(folder .. "/" .. name, "rb")
+  if not file then return nil end
+  local text = file:read("a")
+  file:close()
+  return text
+end
+
+-- The picture in characters of what the function draws; it must hand `file` on.
+local function picture_of(draw)
+  os.remove(folder .. "/p.txt")
+  draw(folder .. "/p.txt")
+  return read("p.txt") or ""
+end
+
+local function has(text, words, what)
+  local found = text:find(words, 1, true)
+  if not found then print("# no '" .. words .. "' in:\n# " .. text:gsub("\n", "\n# ")) end
+  ok(found, what)
+end
+
+local function refused(f, words, what)
+  local fine, message = pcall(f)
+  message = tostring(message)
+  local right = not fine and message:find(words, 1, true)
+  if not right then print("# got: " .. message) end
+  ok(right, what)
+end
+
+-- --- curves -------------------------------------------------------------------------------------
+
+local line = { x = { 0, 1, 2, 3 }, y = { 0, 1, 4, 9 }, title = "squares" }
+
+do
+  local text = picture_of(function(file)
+    plot { line, title = "a title", xlabel = "x / mm", ylabel = "y / µm", file = file }
+  end)
+  has(text, "a title", "the title is there")
+  has(text, "x / mm", "the label of x is there")
+  has(text, "y / µm", "the label of y is there, in UTF-8")
+  has(text, "* squares", "the key names the curve")
+  ok(not text:find("\27"), "a file of characters has no colours")
+
+  text = picture_of(function(file) plot { y = { 3, 1, 2 }, file = file } end)
+  ok(#text > 100, "a curve without x is drawn against 1, 2, 3")
+
+  text = picture_of(function(file)
+    plot { line, { x = { 0, 3 }, y = { 0, 9 } }, key = false, file = file }
+  end)
+  ok(not text:find("squares"), "key=false draws no key")
+
+  text = picture_of(function(file)
+    plot { { x = { 1, 10, 100 }, y = { 1, 100, 10000 } }, logx = true, logy = true, file = file }
+  end)
+  has(text, "10000", "logarithmic axes")
+
+  text = picture_of(function(file) plot { line, xrange = { 3, 0 }, file = file } end)
+  ok(text:match("\n +3 .* 0\n"), "a range can be turned round")
+end
+
+for _, style in ipairs { "lines", "points", "linespoints", "steps", "filled", "impulses" } do
+  local text = picture_of(function(file) plot { line, style = style, file = file } end)
+  has(text, "squares", "style " .. style)
+end
+
+-- --- panels -------------------------------------------------------------------------------------
+
+do
+  local panels = {}
+  for i = 1, 12 do panels[i] = { line, title = "panel " .. i } end
+  local text = picture_of(function(file)
+    plot { panels = panels, layout = { 4, 3 }, size = { 100, 60 }, title = "all", file = file }
+  end)
+  has(text, "panel 12", "twelve panels")
+  local keys = select(2, text:gsub("squares", ""))
+  ok(keys == 1, "one key for all of them")
+  refused(function() plot { panels = panels, layout = { 2, 2 } } end, "do not fit",
+    "a layout that is too small")
+end
+
+-- --- what is refused ----------------------------------------------------------------------------
+
+local function refusals(list)
+  for _, case in ipairs(list) do
+    refused(function() plot(case[1]) end, case[2], "refused: " .. case[2])
+  end
+end
+
+refusals {
+  { { line, tilte = "x" }, "unknown field 'tilte' (did you mean 'title'?)" },
+  { { { x = { 1 }, y = { 1 }, tytle = "" } }, "unknown field 'curve 1: tytle' (did you mean 'title'?)" },
+  { { line, style = "line" }, "field 'style': expected \"lines\"" },
+  { { line, xrange = { 1, 1 } }, "field 'xrange': expected { low, high }" },
+  { { line, size = { 0, 1 } }, "field 'size'" },
+  { { line, term = "ps" }, "field 'term'" },
+  { { line, term = "png" }, "needs the name of a file" },
+  { { line, file = "a.bmp" }, "ends in .png" },
+  { { line, file = "a" }, "ends in .png" },
+  { { line, term = "svg", file = "a.png" }, "ends in .svg" },
+  { { line, term = "sixel", file = "a.png" }, "draws on the screen" },
+  { { { x = { 1, 2 }, y = { 1 } } }, "x holds 2 numbers and y 1" },
+  { { { x = { 1, "2" }, y = { 1, 2 } } }, "x[2] must be a number, got string" },
+  { { { x = { 0 / 0 }, y = { 1 } } }, "no point whose x and y are both finite" },
+  { { { x = { 1 }, y = { 1 }, colour = "reddish" } }, "colour must be" },
+  { {}, "nothing to draw" },
+  { { { x = {}, y = {} } }, "has no points" },
+  { { { x = { 1 }, y = { -1 } }, logy = true }, "no positive point" },
+  { { line, xrange = { 5, 6 } }, "no point lies in the x range 5 to 6" },
+  { { "words" }, "curve 1: expected a table" },
+}
+
+do
+  local _, problem = pcall(plot, { line, tilte = "x" })
+  ok(problem.code == "ARGUMENT" and problem.where == "plot", "an error has a code and a place")
+  local chunk = load("\nplot{ tilte = 1 }", "=mine")
+  _, problem = pcall(chunk)
+  has(tostring(problem), "mine:2: plot: unknown field", "an error names the user's line")
+  refused(function() plot(nil) end, "got nil", "plot without a table")
+  plot.default.term = "dump"
+  refused(function() plot { line } end, "plot.default: field 'term'", "a wrong default")
+  plot.default.term = nil
+end
+
+-- --- nothing is run -----------------------------------------------------------------------------
+
+do
+  local ran = folder .. "/ran"
+  local evil = ("`touch %s` ' \n!touch %s\n\"; system('touch %s') \\ |<\0\27[31m"):format(ran, ran,
+    ran)
+  local text = picture_of(function(file)
+    plot { { x = { 1, 2 }, y = { 1, 2 }, title = evil }, title = evil, xlabel = evil,
+      ylabel = evil, size = { 300, 24 }, file = file }
+  end)
+  has(text, "`touch " .. ran .. "`", "a title is shown as it stands")
+  ok(not text:find("\27"), "no escape code gets through")
+  pcall(plot, { line, file = folder .. "/`touch ran`.png" })
+  pcall(plot, { line, file = "|touch " .. ran .. ".png" })
+  os.remove("|touch " .. ran .. ".png")
+  ok(not read("ran") and not read("ran.png"), "nothing of it runs")
+end
+
+-- --- files --------------------------------------------------------------------------------------
+
+local first_bytes = { png = "\137PNG", svg = "<?xml", pdf = "%PDF", gif = "GIF8", gp = "# Draw" }
+for ending, first in pairs(first_bytes) do
+  plot { line, file = folder .. "/f." .. ending }
+  ok((read("f." .. ending) or ""):sub(1, #first) == first, "a file of kind " .. ending)
+end
+refused(function() plot { line, file = folder .. "/no/f.png" } end, "No such file",
+  "a folder that is not there")
+
+do
+  plot.save { line, { x = { 1, 2 }, y = { 0.1, 0 / 0 }, title = 'a "b", c' }, xlabel = "x / mm",
+    file = folder .. "/s.png" }
+  local lines = {}
+  for row in (read("s.csv") or ""):gmatch("[^\n]+") do lines[#lines + 1] = row end
+  ok(read("s.png"), "plot.save draws")
+  ok(lines[1] == 'squares: x / mm,squares: y,"a ""b"", c: x / mm","a ""b"", c: y"',
+    "and names the columns")
+  ok(lines[2] == "0,0,1,0.10000000000000001", "numbers to the last bit")
+  ok(lines[3] == "1,1,2,nan" and lines[5] == "3,9,,", "nan, and shorter columns end early")
+  plot { { x = { 7, 8 }, y = { 1, 2 } }, file = folder .. "/shown.txt" }
+  plot.save(folder .. "/again.svg")
+  has(read("again.csv") or "", "\n8,2\n", "plot.save(path) saves the last picture")
+  refused(function() plot.save {} end, "without file", "plot.save without a file")
+  refused(function() plot.save(folder .. "/x.svg", { siez = 1 }) end, "did you mean 'size'",
+    "plot.save checks its options")
+end
+
+-- --- objects ------------------------------------------------------------------------------------
+
+-- A stand-in for a wear object; refuses names it does not know, as objects do.
+local function stand_in(fields)
+  fields.pressure = function(_, body)
+    return { x = { -0.2, -0.1, 0, 0.1, 0.2 }, p = { 0, 300, body == "plate" and 500 or 400, 300, 0 } }
+  end
+  fields.profile = function(_, body)
+    return { x = { -0.2, -0.1, 0, 0.1, 0.2 }, h = { 0, 1e-3, body == "plate" and 2e-3 or 1.5e-3,
+      1e-3, 0 }, y = { 0, 0, 0, 0, 0 } }
+  end
+  fields.history = { distance = { 0, 10, 20 }, cycle = { 0, 100, 200 }, p_center = { 570, 300, 250 },
+    depth_plate = { 0, 1e-3, 2e-3 }, depth_cylinder = { 0, 1e-3, 1.5e-3 },
+    depth_partition = { 0 / 0, 0.5, 0.51 } }
+  fields.hertz = { half_width = 0.1, p_max = 500 }
+  return setmetatable({}, { __index = function(_, name)
+    local value = fields[name]
+    if value == nil then error("no field " .. name) end
+    return value
+  end })
+end
+local one = stand_in { alpha = 0.25, stroke = 0.11, load = 100 }
+local two = stand_in { alpha = 0.75, stroke = 0.11, load = 100 }
+
+do
+  local text = picture_of(function(file) plot.pressure(one, { file = file }) end)
+  has(text, "p / MPa", "plot.pressure has units")
+  has(text, "contact pressure: s = 0.11 mm, α = 0.25", "and says of what")
+  text = picture_of(function(file) plot.pressure(one, two, { file = file }) end)
+  has(text, "α = 0.25", "several objects are told apart by what differs")
+  ok(text:find("α = 0.75") and not text:find("0.11"), "and by nothing else")
+  text = picture_of(function(file) plot.pressure(one, "plate", { scaled = true, file = file }) end)
+  has(text, "p / p_H", "scaled as the paper does")
+  has(text, "x / a", "and x too")
+  ok(text:match("\n +1 [+|]"), "the plate's largest pressure is that of Hertz here")
+  text = picture_of(function(file)
+    plot.pressure(one, two, { titles = { "before", "after" }, file = file })
+  end)
+  ok(text:find("before") and text:find("after"), "titles of the user's")
+  refused(function() plot.pressure(one, { titles = { "a", "b" } }) end, "expected one for each of 1",
+    "too many titles")
+  refused(function() plot.pressure() end, "at least one object", "no object")
+  refused(function() plot.pressure(7) end, "argument 1", "a number is no object")
+  refused(function() plot.pressure(one, "plat") end, '"cylinder" or "plate"', "no such body")
+  refused(function() plot.pressure(one, { scale = true }) end, "did you mean 'scaled'",
+    "an unknown option")
+end
+
+do
+  local text = picture_of(function(file) plot.profile(one, { file = file }) end)
+  ok(text:find("* cylinder", 1, true) and text:find("# plate", 1, true), "plot.profile: both bodies")
+  has(text, "wear depth / µm", "in micrometres")
+  local zero, two_um = text:find("\n +0 [+]"), text:find("\n +2 [+]")
+  ok(zero and two_um and zero < two_um, "depth grows downwards")
+  text = picture_of(function(file) plot.profile(one, "plate", { file = file }) end)
+  has(text, "wear of the plate", "one body")
+  text = picture_of(function(file) plot.profile(one, two, { file = file, size = { 100, 30 } }) end)
+  ok(text:match("cylinder +plate\n"), "several objects: a panel for each body")
+end
+
+do
+  local text = picture_of(function(file) plot.history(one, { file = file }) end)
+  has(text, "pressure / MPa", "plot.history draws the centre pressure unless told otherwise")
+  has(text, "distance / mm", "against the distance")
+  text = picture_of(function(file)
+    plot.history(one, two, "p_center", "depth_plate", "depth_cylinder", "depth_partition",
+      { file = file, against = "cycle", size = { 100, 70 } })
+  end)
+  has(text, "pressure / MPa", "a panel for each quantity: pressure")
+  has(text, "wear depth / µm", "depth")
+  has(text, "wear depth partition", "partition")
+  has(text, "plate, α = 0.75", "columns and objects are told apart")
+  has(text, "cycles", "against cycles")
+  refused(function() plot.history(one, "p_centre") end, "did you mean 'p_center'",
+    "an unknown column")
+end
+
+-- --- meshes and fields --------------------------------------------------------------------------
+
+-- Two squares, the second cut into triangles; `side` 1 above, -1 below.
+local function stand_in_mesh(side)
+  local x, y = { 0, 1, 1, 0, 2, 2 }, { 0, 0, side, side, 0, side }
+  return { nodes = 6, rows = 1, node = function(_, i) return x[i], y[i] end,
+    elements = function() return { 1, 2, 3, 4, 2, 5, 6, 0, 2, 6, 3, 0 } end,
+    box = function() return { 1, 4, 2, 3, 5, 6 } end }
+end
+local model_ = { mesh = { cylinder = stand_in_mesh(1), plate = stand_in_mesh(-1) } }
+
+local function stand_in_field(side)
+  return { x = { 0, 1, 1, 0, 2, 2 }, y = { 0, 0, side, side, 0, side },
+    ux = { 0, 0, 0, 0, 0, 0 }, uy = { 0, 0, 0, 0, 0, 0 },
+    elements = { 1, 2, 3, 4, 2, 5, 6, 0, 2, 6, 3, 0 }, mises = { 0, 1, 2, 1, 2, 3 },
+    sxy = { -1, 0, 1, 0, 1, 2 } }
+end
+local contact_ = { stress = function()
+  return { cylinder = stand_in_field(1), plate = stand_in_field(-1) }
+end }
+
+do
+  local text = picture_of(function(file) plot.mesh(model_, { file = file }) end)
+  has(text, "mesh: 12 nodes, 6 elements", "plot.mesh counts")
+  ok(text:find("cylinder") and text:find("plate"), "and draws both bodies")
+  text = picture_of(function(file) plot.mesh(model_, { body = "plate", file = file }) end)
+  ok(not text:find("cylinder") and text:find("plate"), "or one")
+  text = picture_of(function(file) plot.mesh(model_, { zoom = "wear box", file = file }) end)
+  has(text, "cylinder", "the wear box")
+  plot.mesh(model_, { file = folder .. "/m.gp" })
+  local edges = select(2, (read("m.gp") or ""):gsub("[%d%-. ]+\n[%d%-. ]+\n\n", ""))
+  ok(edges == 2 * 8, "every edge once (" .. edges .. ")")
+  refused(function() plot.mesh(7) end, "expected a model", "no model")
+  refused(function() plot.mesh(model_, { zoom = { 5, 6, 5, 6 } }) end, "no element lies in",
+    "a part where nothing is")
+  refused(function() plot.mesh(model_, { zom = 1 }) end, "did you mean 'zoom'", "a wrong option")
+end
+
+do
+  local text = picture_of(function(file) plot.stress(contact_, { file = file }) end)
+  has(text, "von Mises stress / MPa", "plot.stress draws von Mises' stress unless told otherwise")
+  has(text, "2.67 to 3", "its levels")
+  text = picture_of(function(file) plot.stress(contact_, { component = "sxy", file = file }) end)
+  has(text, "1.56 to 2", "values of both signs: zero in the middle")
+  has(text, "-2 to -1.56", "of the levels")
+  plot.stress(contact_, { file = folder .. "/stress.png" })
+  ok(read("stress.png"), "and in colour")
+  refused(function() plot.stress(contact_, { component = "misses" }) end, "field 'component'",
+    "no such component")
+end
+
+-- --- animation ----------------------------------------------------------------------------------
+
+do
+  local steps = 0
+  local w = stand_in { alpha = 0.5, distance = 0 }
+  local running = setmetatable({}, { __index = function(_, name)
+    if name == "distance" then return 10 * math.min(steps, 5) end
+    if name == "step" then return function() steps = steps + 1 end end
+    return w[name]
+  end })
+  plot.animate(running, { what = "both", file = folder .. "/run.gif" })
+  local gif = read("run.gif") or ""
+  ok(gif:sub(1, 6) == "GIF89a", "plot.animate writes a gif")
+  ok(steps == 6, "and ends where the run does")
+  ok(select(2, gif:gsub("\33\249\4", "")) >= 6, "a picture before and after every step")
+  refused(function() plot.animate(running, { file = folder .. "/run.png" }) end, "ends in .gif",
+    "only as a gif")
+end
+
+-- --- a gnuplot that is not well -----------------------------------------------------------------
+
+local function fake(name, body)
+  local path = folder .. "/" .. name
+  local file = io.open(path, "w")
+  file:write("#!/bin/sh\n", body, "\n")
+  file:close()
+  os.execute("chmod 755 " .. path)
+  gnuplot.use(path)
+end
+
+do
+  gnuplot.use("no-such-gnuplot")
+  refused(function() plot { line } end, "apt-get install gnuplot-nox", "gnuplot is missing")
+  local _, problem = pcall(plot, { line })
+  ok(problem.code == "MISSING", "with a code of its own")
+  fake("dying", "exit 3")
+  refused(function() plot { line } end, "exit status 3", "gnuplot dies at its start")
+  fake("slow", "sleep 0.5; exec gnuplot \"$@\"")
+  has(picture_of(function(file) plot { line, file = file } end), "squares", "a slow start is awaited")
+  gnuplot.use("gnuplot")
+  has(picture_of(function(file) plot { line, file = file } end), "squares", "and all is well again")
+  local version, terminals = gnuplot.about()
+  ok(version >= 5.2 and terminals:find(" dumb "), "about() tells version and terminals")
+end
+
+os.execute("rm -rf " .. folder)
+print("1.." .. number)
+os.exit(failed == 0)
