@@ -1,0 +1,264 @@
+/* Condensed bodies against a direct solution on the whole mesh: unworn, worn, and inside. Leans on
+ * the inside of elastic and contact, to see the matrices. */
+#include "check.h"
+
+#include "core/base/dense.h"
+#include "core/contact/shape.h"
+
+/* The whole body as one matrix, with nodes at `xy`: unknown[node] of its x, or -1 where fixed. */
+typedef struct whole {
+  const elastic_body *body;
+  int n, *unknown;
+  factor *k;
+} whole;
+
+static int *number_free(const arc_mesh *m, int *count) {
+  int *unknown = calloc((size_t)m->nodes, sizeof *unknown);
+  for (int k = 0; k < m->fixed; k++) unknown[m->fixed_node[k]] = -1;
+  *count = 0;
+  for (int n = 0; n < m->nodes; n++)
+    if (unknown[n] == 0) unknown[n] = *count, *count += 2;
+  return unknown;
+}
+
+static whole assemble(const elastic_body *b, const double *xy) {
+  const arc_mesh *m = b->mesh;
+  whole w = {.body = b};
+  w.unknown = number_free(m, &w.n);
+  sparse_entries entries = {0};
+  for (int e = 0; e < m->elements; e++) {
+    const int *corner = &m->element[4 * e];
+    const element el = element_at(xy, corner, m->def.element);
+    const int n = 2 * el.corners;
+    double k[64];
+    element_stiffness(&el, b->d, k);
+    for (int r = 0; r < n; r++)
+      for (int c = 0; c < n; c++) {
+        const int i = w.unknown[corner[r / 2]], j = w.unknown[corner[c / 2]];
+        if (i >= 0 && j >= 0 && i + r % 2 >= j + c % 2)
+          assert_int_equal(sparse_add(&entries, i + r % 2, j + c % 2, k[r * n + c]), ARC_OK);
+      }
+  }
+  check_ok(factor_create(w.n, &entries, &w.k, why));
+  sparse_free(&entries);
+  return w;
+}
+
+static void whole_free(whole *w) {
+  factor_destroy(&w->k);
+  free(w->unknown);
+}
+
+/* Response to a unit vertical force at surface node s, written to u [n]. */
+static void push(const whole *w, int s, double *u) {
+  memset(u, 0, (size_t)w->n * sizeof *u);
+  u[w->unknown[w->body->mesh->surface_node[s]] + 1] = 1;
+  check_ok(factor_solve(w->k, 1, u, why));
+}
+
+/* The compliance against the direct solution, to 1e-10 of its largest entry; F symmetric. */
+static void check_compliance(const whole *w, const compliance *c) {
+  const arc_mesh *m = w->body->mesh;
+  assert_int_equal(c->n, m->surface);
+  double *u = malloc((size_t)w->n * sizeof *u), most = 0;
+  for (int s = 0; s < c->n; s++) most = fmax(most, c->normal[dense_at(s, s, c->n)]);
+  for (int s = 0; s < c->n; s++) {
+    push(w, s, u);
+    for (int r = 0; r < c->n; r++) {
+      const double *direct = &u[w->unknown[m->surface_node[r]]];
+      check_near(c->normal[dense_at(r, s, c->n)], direct[1], 1e-10 * most);
+      check_near(c->tangential[dense_at(r, s, c->n)], direct[0], 1e-10 * most);
+      check_near(c->normal[dense_at(r, s, c->n)], c->normal[dense_at(s, r, c->n)], 1e-12 * most);
+    }
+  }
+  free(u);
+}
+
+static arc_model_def definition(arc_element kind, int rows) {
+  arc_model_def def = coarse_definition();
+  def.mesh.element = kind;
+  def.mesh.rows = rows;
+  def.material[ARC_PLATE] = (arc_material){70e3, 0.33};
+  return def;
+}
+
+static void test_unworn(void **state) {
+  (void)state;
+  for (int kind = ARC_CPE4; kind <= ARC_CPE4I; kind++)
+    for (int rows = 1; rows <= 5; rows += 2) {
+      const arc_model_def def = definition((arc_element)kind, rows);
+      arc_model *model = build_model(&def);
+      for (int b = 0; b < ARC_BODIES; b++) {
+        const elastic_body *body = model_body(model, (arc_body)b);
+        whole w = assemble(body, body->mesh->xy);
+        check_compliance(&w, &body->unworn);
+        whole_free(&w);
+      }
+      arc_model_release(&model);
+    }
+}
+
+/* F is positive definite: every contact problem has one solution. */
+static void test_definite(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const compliance *c = &model_body(model, (arc_body)b)->unworn;
+    const size_t bytes = (size_t)c->n * (size_t)c->n * sizeof(double);
+    double *copy = malloc(bytes);
+    memcpy(copy, c->normal, bytes);
+    assert_int_equal(dense_cholesky(c->n, copy, c->n), 0);
+    free(copy);
+  }
+  arc_model_release(&model);
+}
+
+/* A mirrored force has the mirrored response. */
+static void test_mirror(void **state) {
+  (void)state;
+  arc_model *model = default_model();
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const compliance *c = &model_body(model, (arc_body)b)->unworn;
+    const int last = c->n - 1;
+    const double most = c->normal[dense_at(last / 2, last / 2, c->n)];
+    for (int r = 0; r < c->n; r++)
+      for (int s = 0; s < c->n; s++) {
+        check_near(c->normal[dense_at(r, s, c->n)], c->normal[dense_at(last - r, last - s, c->n)],
+                   1e-11 * most);
+        check_near(c->tangential[dense_at(r, s, c->n)],
+                   -c->tangential[dense_at(last - r, last - s, c->n)], 1e-11 * most);
+      }
+  }
+  arc_model_release(&model);
+}
+
+/* A rough, lopsided scar of up to half the wear box, but none at the box's sides, where elements
+ * outside it lean on it. */
+static void wear_at_random(arc_shape *shape, arc_body body) {
+  const arc_mesh *m = arc_model_mesh(arc_shape_model(shape), body);
+  const double most = 0.1 * m->rows * m->def.height;
+  double *depth = malloc((size_t)m->surface * sizeof *depth);
+  for (int pass = 0; pass < 4; pass++) {
+    for (int i = 0; i < m->surface; i++)
+      depth[i] = i == 0 || i == m->surface - 1 ? 0 : most * random_in(0.2, 1);
+    check_ok(arc_shape_wear(shape, body, depth, why));
+  }
+  free(depth);
+}
+
+static void test_worn(void **state) {
+  (void)state;
+  random_start(11);
+  for (int kind = ARC_CPE4; kind <= ARC_CPE4I; kind++) {
+    const arc_model_def def = definition((arc_element)kind, 3);
+    arc_model *model = build_model(&def);
+    arc_shape *shape = NULL;
+    check_ok(arc_shape_create(model, ARC_MOVING, 0, &shape, why));
+    for (int b = 0; b < ARC_BODIES; b++) {
+      const elastic_body *body = model_body(model, (arc_body)b);
+      double *xy = malloc(2 * (size_t)body->mesh->nodes * sizeof *xy);
+      wear_at_random(shape, (arc_body)b);
+      arc_shape_nodes(shape, (arc_body)b, xy);
+      assert_true(arc_mesh_quality(body->mesh, xy).smallest_jacobian > 0);
+      whole w = assemble(body, xy);
+      assert_true(shape->side[b].own.n > 0);
+      check_compliance(&w, shape_compliance(&shape->side[b]));
+      whole_free(&w);
+      free(xy);
+    }
+    arc_shape_destroy(&shape);
+    arc_model_release(&model);
+  }
+}
+
+/* Frozen geometry keeps the unworn compliance; moving geometry renews it only beyond `refresh`. */
+static void test_refresh(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  const arc_mesh *m = arc_model_mesh(model, ARC_PLATE);
+  double *depth = malloc((size_t)m->surface * sizeof *depth);
+  for (int i = 0; i < m->surface; i++) depth[i] = 0.04 * m->def.height;
+  static const double refresh[] = {0, 0.05, 0.1, 0.5};
+  static const int after_one[] = {1, 0, 0, 0}, after_two[] = {1, 1, 0, 0};
+  for (int k = 0; k < 4; k++)
+    for (int geometry = ARC_MOVING; geometry <= ARC_FROZEN; geometry++) {
+      arc_shape *shape = NULL;
+      check_ok(arc_shape_create(model, (arc_geometry)geometry, refresh[k], &shape, why));
+      check_ok(arc_shape_wear(shape, ARC_PLATE, depth, why));
+      const int moving = geometry == ARC_MOVING;
+      assert_int_equal(shape->side[ARC_PLATE].own.n > 0, moving && after_one[k]);
+      check_ok(arc_shape_wear(shape, ARC_PLATE, depth, why));
+      assert_int_equal(shape->side[ARC_PLATE].own.n > 0, moving && after_two[k]);
+      assert_int_equal(shape->side[ARC_CYLINDER].own.n, 0);
+      arc_shape_destroy(&shape);
+    }
+  free(depth);
+  arc_model_release(&model);
+}
+
+/* Displacements inside, by back-substitution, against the whole mesh under the same forces. */
+static void check_field(const arc_contact *contact, const arc_shape *shape, arc_body b) {
+  const elastic_body *body = model_body(arc_shape_model(shape), b);
+  const arc_mesh *m = body->mesh;
+  const arc_pressure pressure = arc_contact_pressure(contact, b);
+  double *xy = malloc(2 * (size_t)m->nodes * sizeof *xy), most = 0;
+  arc_shape_nodes(shape, b, xy);
+  whole w = assemble(body, xy);
+  double *u = calloc((size_t)w.n, sizeof *u);
+  for (int s = 0; s < m->surface; s++)
+    u[w.unknown[m->surface_node[s]] + 1] = (b == ARC_CYLINDER ? 1 : -1) * pressure.f[s];
+  check_ok(factor_solve(w.k, 1, u, why));
+  for (int k = 0; k < w.n; k++) most = fmax(most, fabs(u[k]));
+  arc_field *field = NULL;
+  check_ok(arc_contact_field(contact, b, &field, why));
+  for (int n = 0; n < m->nodes; n++) {
+    const int at = w.unknown[n];
+    check_near(field->ux[n], at < 0 ? 0 : u[at], 1e-10 * most);
+    check_near(field->uy[n], at < 0 ? 0 : u[at + 1], 1e-10 * most);
+  }
+  arc_field_destroy(&field);
+  whole_free(&w);
+  free(u);
+  free(xy);
+}
+
+static void test_inside(void **state) {
+  (void)state;
+  random_start(12);
+  arc_model *model = coarse_model();
+  arc_shape *shape = NULL;
+  arc_contact *contact = NULL;
+  check_ok(arc_shape_create(model, ARC_MOVING, 0, &shape, why));
+  for (int worn = 0; worn < 2; worn++) {
+    if (worn) wear_at_random(shape, ARC_PLATE);
+    check_ok(arc_contact_solve(shape, 100, 0.05, &contact, why));
+    check_field(contact, shape, ARC_CYLINDER);
+    check_field(contact, shape, ARC_PLATE);
+    arc_contact_destroy(&contact);
+  }
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
+/* A matrix without supports is refused, not solved. */
+static void test_not_definite(void **state) {
+  (void)state;
+  sparse_entries entries = {0};
+  for (int i = 0; i < 3; i++) {
+    assert_int_equal(sparse_add(&entries, i, i, i == 2 ? -1 : 1), ARC_OK);
+  }
+  factor *f = NULL;
+  check_refused(factor_create(3, &entries, &f, why), ARC_NUMERIC, "not positive definite");
+  assert_null(f);
+  sparse_free(&entries);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_unworn),       cmocka_unit_test(test_definite),
+      cmocka_unit_test(test_mirror),       cmocka_unit_test(test_worn),
+      cmocka_unit_test(test_refresh),      cmocka_unit_test(test_inside),
+      cmocka_unit_test(test_not_definite),
+  };
+  return cmocka_run_group_tests_name("condense", tests, NULL, NULL);
+}

@@ -1,0 +1,196 @@
+/* The mortar coupling: rows of B sum to one and carry linear functions, forces and moments balance,
+ * at any position of the plate and on worn surfaces. Leans on the inside of contact. */
+#include "check.h"
+
+#include "core/base/dense.h"
+#include "core/contact/pose.h"
+
+static arc_shape *make_shape(arc_model *model) {
+  arc_shape *shape = NULL;
+  check_ok(arc_shape_create(model, ARC_MOVING, 0, &shape, why));
+  return shape;
+}
+
+/* A plate zone so wide that the cylinder slides far over it. */
+static arc_model *make_model(void) {
+  arc_model_def def = coarse_definition();
+  def.mesh.zone[ARC_PLATE] = 1.9;
+  return build_model(&def);
+}
+
+static pose place(const arc_shape *shape, double x) {
+  pose p;
+  assert_int_equal(pose_create(&p, arc_shape_model(shape)), ARC_OK);
+  check_ok(pose_place(&p, shape, x, why));
+  return p;
+}
+
+static double cylinder_x(const arc_shape *shape, const pose *p, int k) {
+  return shape->side[ARC_CYLINDER].settled[2 * (p->lo + k)];
+}
+
+static double plate_x(const arc_shape *shape, const pose *p, int l) {
+  return shape->side[ARC_PLATE].settled[2 * l] + p->x;
+}
+
+/* B 1 = 1 and B x = x. */
+static void check_rows(const arc_shape *shape, const pose *p) {
+  double *v = calloc((size_t)(p->np + p->nc), sizeof *v), *at_cylinder = v + p->np;
+  for (int l = 0; l < p->np; l++) v[l] = 1;
+  pose_to_cylinder(p, v, at_cylinder);
+  for (int k = 0; k < p->count; k++) check_near(at_cylinder[p->lo + k], 1, 1e-13);
+  for (int l = 0; l < p->np; l++) v[l] = plate_x(shape, p, l);
+  pose_to_cylinder(p, v, at_cylinder);
+  for (int k = 0; k < p->count; k++)
+    check_near(at_cylinder[p->lo + k], cylinder_x(shape, p, k), 1e-13);
+  free(v);
+}
+
+/* Any forces of the cylinder have the same sum and the same moment on the plate. */
+static void check_balance(const arc_shape *shape, const pose *p) {
+  double *f = calloc((size_t)(p->np + p->nc), sizeof *f), *on_plate = f + p->nc;
+  double sum[2] = {0}, moment[2] = {0}, size = 0;
+  for (int k = 0; k < p->count; k++) {
+    const double force = random_in(0, 10);
+    f[p->lo + k] = force;
+    sum[0] += force;
+    moment[0] += force * cylinder_x(shape, p, k);
+    size += fabs(force);
+  }
+  pose_to_plate(p, f, on_plate);
+  for (int l = 0; l < p->np; l++) {
+    sum[1] += on_plate[l];
+    moment[1] += on_plate[l] * plate_x(shape, p, l);
+  }
+  check_near(sum[1], sum[0], 1e-13 * size);
+  check_near(moment[1], moment[0], 1e-13 * size);
+  free(f);
+}
+
+/* (B v)'f = v'(B'f): one matrix both ways. */
+static void check_adjoint(const pose *p) {
+  double *v = calloc((size_t)(2 * p->np + 2 * p->nc), sizeof *v);
+  double *bv = v + p->np, *f = bv + p->nc, *bf = f + p->nc, one = 0, other = 0;
+  for (int l = 0; l < p->np; l++) v[l] = random_in(-1, 1);
+  for (int k = 0; k < p->count; k++) f[p->lo + k] = random_in(-1, 1);
+  pose_to_cylinder(p, v, bv);
+  pose_to_plate(p, f, bf);
+  for (int i = 0; i < p->nc; i++) one += bv[i] * f[i];
+  for (int l = 0; l < p->np; l++) other += bf[l] * v[l];
+  check_near(one, other, 1e-12);
+  free(v);
+}
+
+static void check_at(const arc_shape *shape, double x) {
+  pose p = place(shape, x);
+  assert_true(p.count >= 3 && p.lo >= 1 && p.lo + p.count <= p.nc - 1);
+  check_rows(shape, &p);
+  check_balance(shape, &p);
+  check_adjoint(&p);
+  pose_free(&p);
+}
+
+static void test_random_positions(void **state) {
+  (void)state;
+  random_start(21);
+  arc_model *model = make_model();
+  arc_shape *shape = make_shape(model);
+  for (int trial = 0; trial < 200; trial++) check_at(shape, random_in(-1.3, 1.3));
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
+/* Where nodes meet nodes, and half way between. */
+static void test_special_positions(void **state) {
+  (void)state;
+  random_start(22);
+  arc_model *model = make_model();
+  arc_shape *shape = make_shape(model);
+  for (int i = -20; i <= 20; i++) check_at(shape, i * 0.02);
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
+static void test_worn(void **state) {
+  (void)state;
+  random_start(23);
+  arc_model *model = make_model();
+  arc_shape *shape = make_shape(model);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const int n = arc_model_mesh(model, (arc_body)b)->surface;
+    double *depth = malloc((size_t)n * sizeof *depth);
+    for (int pass = 0; pass < 4; pass++) {
+      for (int i = 0; i < n; i++) depth[i] = random_in(0, 0.006);
+      check_ok(arc_shape_wear(shape, (arc_body)b, depth, why));
+    }
+    free(depth);
+  }
+  for (int trial = 0; trial < 100; trial++) check_at(shape, random_in(-1.2, 1.2));
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
+/* The plate's nodes under the cylinder's: B is the mean of neighbours that meet, and at x = 0 on
+ * equal nodes of flat surfaces the identity. */
+static void test_matching_nodes(void **state) {
+  (void)state;
+  arc_model_def def = coarse_definition();
+  def.radius = 2000; /* x of the cylinder's nodes is then that of the plate's to 1e-7 */
+  def.mesh.far = 200;
+  arc_model *model = build_model(&def);
+  arc_shape *shape = make_shape(model);
+  pose p = place(shape, 0);
+  for (int k = 0; k < p.count; k++)
+    for (int q = 0; q < p.width; q++) {
+      if (p.first[k] + q >= p.np) continue;
+      const double apart = plate_x(shape, &p, p.first[k] + q) - cylinder_x(shape, &p, k);
+      check_near(p.b[k * p.width + q], fabs(apart) < 1e-3 ? 1 : 0, 1e-4);
+    }
+  pose_free(&p);
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
+/* The contact matrix is symmetric to the bit. */
+static void test_matrix(void **state) {
+  (void)state;
+  arc_model *model = make_model();
+  arc_shape *shape = make_shape(model);
+  pose p = place(shape, 0.0123);
+  pose_stiffen(&p, shape);
+  for (int r = 0; r < p.count; r++)
+    for (int c = 0; c < r; c++)
+      assert_true(p.a[dense_at(r, c, p.count)] == p.a[dense_at(c, r, p.count)]);
+  pose_free(&p);
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
+static void test_apart(void **state) {
+  (void)state;
+  arc_model *model = make_model();
+  arc_shape *shape = make_shape(model);
+  pose p;
+  assert_int_equal(pose_create(&p, model), ARC_OK);
+  for (int side = -1; side <= 1; side += 2) {
+    check_refused(pose_place(&p, shape, side * 1.5, why), ARC_ZONE, "do not overlap");
+    check_refused(pose_place(&p, shape, side * 100, why), ARC_ZONE, "do not overlap");
+  }
+  check_ok(pose_place(&p, shape, 0, why));
+  check_rows(shape, &p);
+  pose_free(&p);
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_random_positions),
+      cmocka_unit_test(test_special_positions),
+      cmocka_unit_test(test_worn),
+      cmocka_unit_test(test_matching_nodes),
+      cmocka_unit_test(test_matrix),
+      cmocka_unit_test(test_apart),
+  };
+  return cmocka_run_group_tests_name("mortar", tests, NULL, NULL);
+}
