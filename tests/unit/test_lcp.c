@@ -1,0 +1,262 @@
+/* The contact problem on random matrices: against all active sets tried in turn, cold and warm, by
+ * Newton and by the fallback alone; degenerate problems end too. Includes lcp.c itself, whose
+ * fallback is not visible from outside. */
+#include "check.h"
+
+#include "core/contact/lcp.c"
+
+enum { most = 80 };
+
+/* A pose of n candidates with nothing but what lcp.c uses. */
+static pose room(int n) {
+  pose p = {.nc = n, .np = n, .count = n};
+  p.set = calloc((size_t)n, sizeof(int));
+  p.a = calloc((size_t)(n * n), sizeof(double));
+  p.factor = calloc((size_t)(n * n), sizeof(double));
+  p.gap = calloc((size_t)n, sizeof(double));
+  p.f = calloc((size_t)n, sizeof(double));
+  p.open = calloc((size_t)n, sizeof(double));
+  p.ones = calloc((size_t)n, sizeof(double));
+  p.work = calloc(4 * (size_t)(2 * n), sizeof(double));
+  return p;
+}
+
+static void room_free(pose *p) {
+  free(p->set);
+  free(p->a);
+  free(p->factor);
+  free(p->gap);
+  free(p->f);
+  free(p->open);
+  free(p->ones);
+  free(p->work);
+}
+
+/* A = G G' + ridge, G [n x rank]: positive definite, of no special kind; a low rank and a small
+ * ridge make it nasty. */
+static void random_matrix(pose *p, int rank, double ridge) {
+  const int n = p->count;
+  double *g = malloc((size_t)(n * rank) * sizeof *g);
+  for (int k = 0; k < n * rank; k++) g[k] = random_in(-1, 1);
+  for (int r = 0; r < n; r++)
+    for (int c = 0; c <= r; c++) {
+      double sum = r == c ? ridge : 0;
+      for (int k = 0; k < rank; k++) sum += g[r * rank + k] * g[c * rank + k];
+      p->a[dense_at(r, c, n)] = p->a[dense_at(c, r, n)] = sum;
+    }
+  free(g);
+  p->factored = 0;
+}
+
+/* Whole numbers: ties everywhere. */
+static void whole_numbers(pose *p) {
+  const int n = p->count;
+  memset(p->a, 0, (size_t)(n * n) * sizeof(double));
+  for (int r = 0; r < n; r++) {
+    for (int c = 0; c < r; c++)
+      p->a[dense_at(r, c, n)] = p->a[dense_at(c, r, n)] = random_int(-1, 1);
+    p->a[dense_at(r, r, n)] = n;
+    p->gap[r] = random_int(0, 2);
+  }
+  p->factored = 0;
+}
+
+static void random_gaps(pose *p, double high) {
+  for (int k = 0; k < p->count; k++) p->gap[k] = random_in(0, high);
+}
+
+/* How far a solution is from f >= 0, g >= 0, f g = 0, sum f = load, all in units of force. */
+static double defect(const pose *p, double load, const double *f, double approach) {
+  double worst = 0, sum = 0, size = fabs(load);
+  for (int k = 0; k < p->count; k++) size = fmax(size, fabs(f[k]));
+  for (int r = 0; r < p->count; r++) {
+    double gap = p->gap[r] - approach, scale = fabs(p->gap[r]) + fabs(approach);
+    for (int c = 0; c < p->count; c++) {
+      gap += p->a[dense_at(r, c, p->count)] * f[c];
+      scale += fabs(p->a[dense_at(r, c, p->count)] * f[c]);
+    }
+    sum += f[r];
+    worst = fmax(worst, -f[r] / size);
+    worst = fmax(worst, f[r] > 0 ? fabs(gap) / scale : -gap / scale);
+  }
+  return fmax(worst, fabs(sum - load) / size);
+}
+
+static void check_solution(const pose *p, double load) {
+  check_below(defect(p, load, p->f, p->approach), 1e-9);
+  for (int s = 1; s < p->active; s++) assert_true(p->set[s] > p->set[s - 1]);
+}
+
+/* All 2^n - 1 sets in turn: the forces of the one that solves the problem. Gauss elimination on
+ * [A -1; 1' 0]. */
+static int solve_set(const pose *p, unsigned set, double load, double *f, double *approach) {
+  double m[9 * 9], x[9];
+  int list[8], pivots[9], n = 0;
+  for (int k = 0; k < p->count; k++)
+    if (set & (1u << k)) list[n++] = k;
+  for (int r = 0; r < n; r++) {
+    for (int c = 0; c < n; c++)
+      m[dense_at(r, c, n + 1)] = p->a[dense_at(list[r], list[c], p->count)];
+    m[dense_at(r, n, n + 1)] = -1;
+    m[dense_at(n, r, n + 1)] = 1;
+    x[r] = -p->gap[list[r]];
+  }
+  m[dense_at(n, n, n + 1)] = 0;
+  x[n] = load;
+  if (dense_solve(n + 1, m, pivots, x)) return 0;
+  memset(f, 0, 8 * sizeof *f);
+  for (int r = 0; r < n; r++) f[list[r]] = x[r];
+  *approach = x[n];
+  return 1;
+}
+
+static void try_all_sets(const pose *p, double load, double *best, double *approach) {
+  double least = INFINITY;
+  for (unsigned set = 1; set < 1u << p->count; set++) {
+    double f[8], at;
+    if (!solve_set(p, set, load, f, &at)) continue;
+    const double miss = defect(p, load, f, at);
+    if (miss >= least) continue;
+    least = miss;
+    memcpy(best, f, sizeof f);
+    *approach = at;
+  }
+  check_below(least, 1e-9);
+}
+
+/* --- tests ------------------------------------------------------------------------------------ */
+
+static void test_against_all_sets(void **state) {
+  (void)state;
+  random_start(31);
+  for (int trial = 0; trial < 400; trial++) {
+    pose p = room(random_int(1, 8));
+    const double load = exp(random_in(-5, 3));
+    random_matrix(&p, p.count, 0.1);
+    random_gaps(&p, 3);
+    double f[8], approach = 0;
+    try_all_sets(&p, load, f, &approach);
+    assert_int_equal(lcp_solve(&p, load), ARC_OK);
+    check_near(p.approach, approach, 1e-9 * (1 + fabs(approach)));
+    for (int k = 0; k < p.count; k++) check_near(p.f[k], f[k], 1e-8 * load);
+    room_free(&p);
+  }
+}
+
+/* From nothing, from the last solution, and from any wrong set: one and the same solution. */
+static void test_warm_start(void **state) {
+  (void)state;
+  random_start(32);
+  for (int trial = 0; trial < 200; trial++) {
+    pose p = room(random_int(2, most));
+    double first[most];
+    random_matrix(&p, p.count, 1e-2);
+    random_gaps(&p, 5);
+    assert_int_equal(lcp_solve(&p, 2), ARC_OK);
+    check_solution(&p, 2);
+    memcpy(first, p.f, (size_t)p.count * sizeof *first);
+    assert_int_equal(lcp_solve(&p, 2), ARC_OK);
+    assert_int_equal(p.iterations, 1);
+    for (int k = 0; k < p.count; k++) check_near(p.f[k], first[k], 1e-12);
+    p.active = 0;
+    p.factored = 0;
+    for (int k = 0; k < p.count; k++)
+      if (random_in(0, 1) < 0.5) p.set[p.active++] = k;
+    assert_int_equal(lcp_solve(&p, 2), ARC_OK);
+    check_solution(&p, 2);
+    for (int k = 0; k < p.count; k++) check_near(p.f[k], first[k], 1e-9);
+    room_free(&p);
+  }
+}
+
+/* Ill-conditioned matrices of no structure make Newton cycle now and then: the fallback must take
+ * over, and this test must see it do so. */
+static void test_newton_gives_up(void **state) {
+  (void)state;
+  random_start(33);
+  int gave_up = 0;
+  for (int trial = 0; trial < 300; trial++) {
+    pose p = room(most);
+    random_matrix(&p, most / 5, 1e-4);
+    random_gaps(&p, 1);
+    double *fs = p.work + 2 * (p.nc + p.np);
+    gave_up += newton(&p, 1, fs) == 0;
+    p.active = 0;
+    p.factored = 0;
+    assert_int_equal(lcp_solve(&p, 1), ARC_OK);
+    check_solution(&p, 1);
+    room_free(&p);
+  }
+  print_message("# Newton gave up in %d of 300\n", gave_up);
+  assert_true(gave_up > 0);
+}
+
+static void test_fallback_alone(void **state) {
+  (void)state;
+  random_start(34);
+  for (int trial = 0; trial < 300; trial++) {
+    pose p = room(random_int(1, most));
+    random_matrix(&p, 1 + p.count / random_int(1, 5), exp(random_in(-9, 2)));
+    random_gaps(&p, exp(random_in(-3, 3)));
+    const double load = exp(random_in(-5, 5));
+    double *fs = p.work + 2 * (p.nc + p.np);
+    assert_int_equal(descend(&p, load, fs), 1);
+    check_solution(&p, load);
+    check_below(p.iterations, 20.0 * p.count + 20);
+    room_free(&p);
+  }
+}
+
+/* Ties: gaps that close just so, forces that vanish just so. */
+static void test_degenerate(void **state) {
+  (void)state;
+  random_start(35);
+  for (int trial = 0; trial < 2000; trial++) {
+    pose p = room(random_int(1, 12));
+    whole_numbers(&p);
+    const double load = random_int(1, 4);
+    double *fs = p.work + 2 * (p.nc + p.np);
+    assert_int_equal(descend(&p, load, fs), 1);
+    check_solution(&p, load);
+    p.active = 0;
+    p.factored = 0;
+    p.iterations = 0;
+    assert_int_equal(lcp_solve(&p, load), ARC_OK);
+    check_solution(&p, load);
+    room_free(&p);
+  }
+}
+
+/* A step at a time through changing gaps, as wear does: each solution starts from the last set. */
+static void test_path(void **state) {
+  (void)state;
+  random_start(36);
+  pose p = room(most);
+  random_matrix(&p, p.count, 1);
+  random_gaps(&p, 5);
+  for (int step = 0; step < 300; step++) {
+    for (int k = 0; k < p.count; k++) p.gap[k] = fmax(0, p.gap[k] + random_in(-0.1, 0.1));
+    assert_int_equal(lcp_solve(&p, 3), ARC_OK);
+    check_solution(&p, 3);
+  }
+  room_free(&p);
+}
+
+static void test_not_definite(void **state) {
+  (void)state;
+  pose p = room(2);
+  p.a[0] = p.a[3] = 1;
+  p.a[1] = p.a[2] = 2;
+  assert_int_equal(lcp_solve(&p, 1), ARC_NUMERIC);
+  room_free(&p);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_against_all_sets), cmocka_unit_test(test_warm_start),
+      cmocka_unit_test(test_newton_gives_up),  cmocka_unit_test(test_fallback_alone),
+      cmocka_unit_test(test_degenerate),       cmocka_unit_test(test_path),
+      cmocka_unit_test(test_not_definite),
+  };
+  return cmocka_run_group_tests_name("lcp", tests, NULL, NULL);
+}
