@@ -19,13 +19,48 @@ typedef enum arc_slip { ARC_SLIP_RIGID = 0, ARC_SLIP_TOTAL = 1 } arc_slip;
 /* Integration over increments: Eq. (4) or Eq. (5). */
 typedef enum arc_rule { ARC_TRAPEZOID = 0, ARC_SIMPLE = 1 } arc_rule;
 typedef enum arc_scheme { ARC_EXPLICIT = 0, ARC_IMPLICIT = 1 } arc_scheme;
+/* When the geometry is updated: after `jump` cycles together, or at every increment
+ * (quasi-continuous). */
+typedef enum arc_update { ARC_UPDATE_CYCLE = 0, ARC_UPDATE_INCREMENT = 1 } arc_update;
+/* Wear law, as a factor on k: Archard 1; power (p / p0)^m; threshold: 1 where p > p0, else 0. */
+typedef enum arc_law { ARC_LAW_ARCHARD = 0, ARC_LAW_POWER = 1, ARC_LAW_THRESHOLD = 2 } arc_law;
+
+typedef struct arc_wear_record arc_wear_record;
+
+/* A quantity that depends on the state of the run (k, alpha, jump). Anything but ARC_OK refuses the
+ * step. */
+typedef arc_status (*arc_state_fn)(void *context, const arc_wear_record *state, double *value);
+
+/* A factor on k at each of the n nodes of one body: x [mm] own (unworn) position, p [MPa] at one
+ * increment, to factor [n]. Anything but ARC_OK refuses the step. */
+typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const double *x,
+                                   const double *p, const arc_wear_record *state, double *factor);
+
+/* A quantity by travelled distance: linear between points, constant outside; distance [mm]
+ * increases. */
+typedef struct arc_series {
+  int count; /* 0: none */
+  const double *distance, *value;
+} arc_series;
+
+/* One block of loading: plate position and load at count >= 2 points of a cycle; both strokes are
+ * simulated as they are. A load of 0 is a lift-off: no contact and no wear there. */
+typedef struct arc_loading {
+  int count;
+  const double *x;    /* [count] [mm] */
+  const double *load; /* [count] [N], >= 0 */
+  double cycles;      /* how often, > 0 (INFINITY: to the end of the distance, last block only) */
+  int periodic; /* 0: a generic history (Eq. 4): run once, updated at every increment, one increment
+                   a step */
+} arc_loading;
 
 typedef struct arc_wear_def {
-  double k;        /* [mm2/N] wear coefficient of the couple, 1e-8, >= 0 */
-  double alpha;    /* [-] wear partition factor, 0.5, in [0, 1] */
-  double load;     /* [N] 100, > 0, whole thickness */
-  double stroke;   /* [mm] 0.11, > 0; 2 radius: half-reciprocating over the whole plate (r = 1) */
-  double distance; /* [mm] travelled distance to simulate, 1320, > 0 */
+  double k;      /* [mm2/N] wear coefficient of the couple, 1e-8, >= 0 */
+  double alpha;  /* [-] wear partition factor, 0.5, in [0, 1] */
+  double load;   /* [N] 100, > 0, whole thickness; with `loading`: of the reference configuration */
+  double stroke; /* [mm] 0.11, > 0; 2 radius: half-reciprocating over the whole plate (r = 1) */
+  double distance; /* [mm] travelled distance to simulate, 1320, > 0; with `loading`: 0 means all
+                      its blocks */
   double jump;     /* [cycles] cycles per geometry update (N-bar), 100, > 0 */
   int increments;  /* increments of a full cycle (n_c), 100, even, >= 2; half of them are simulated
                     */
@@ -35,6 +70,25 @@ typedef struct arc_wear_def {
   arc_rule rule;
   arc_geometry geometry;
   double refresh; /* [-] see arc_shape_create */
+  arc_update update;
+
+  arc_state_fn k_function, alpha_function,
+      jump_function;                 /* instead of the numbers, where not NULL */
+  arc_series k_series, alpha_series; /* instead of the numbers, where count > 0 */
+  int jump_auto; /* non-zero: the largest stable and accurate jump, found anew at every update */
+  arc_law law;
+  double law_pressure;       /* [MPa] p0, > 0 for a law that needs it */
+  double law_exponent;       /* [-] m of the power law, > -1 */
+  arc_local_fn local_factor; /* NULL: 1 */
+  void *context;             /* handed to every function above */
+
+  int order;        /* of the implicit scheme: 1 (backward Euler) or 2 (default) */
+  double tolerance; /* [-] of the implicit scheme: error of depth per step, relative; 0: steps of
+                       `jump` */
+
+  int blocks;                         /* 0: reciprocating by `stroke` under `load` */
+  const arc_loading *loading;         /* [blocks], in this order; copied by the run */
+  double start_distance, start_cycle; /* where the loading begins; set by arc_wear_set */
 } arc_wear_def;
 
 arc_wear_def arc_wear_default(void);
@@ -63,13 +117,14 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(volume_cylinder, "mm3", "wear volume of the cylinder")                                         \
   X(volume_plate, "mm3", "wear volume of the plate")                                               \
   X(depth_partition, "", "wear depth partition factor alpha-tilde; NaN before any wear")           \
+  X(error, "", "estimated error of an adaptive step, as a share of the tolerance")                 \
   X(solutions, "", "contact solutions so far")
 
-typedef struct arc_wear_record {
+struct arc_wear_record {
 #define ARC_WEAR_MEMBER(name, unit, text) double name;
   ARC_WEAR_COLUMNS(ARC_WEAR_MEMBER)
 #undef ARC_WEAR_MEMBER
-} arc_wear_record;
+};
 
 /* A running simulation. Opaque; keeps its model alive. */
 typedef struct arc_wear arc_wear;
@@ -103,6 +158,22 @@ typedef int (*arc_wear_progress_fn)(void *context, const arc_wear *wear);
  * definition's, and then becomes it). */
 arc_status arc_wear_run(arc_wear *wear, double distance, arc_stop_fn stop,
                         arc_wear_progress_fn progress, void *context, arc_error *error);
+
+/* A quantity of the record that ends a run where it is reached, exactly, by a shorter last step. */
+typedef struct arc_wear_target {
+  size_t column; /* offsetof(arc_wear_record, ...) */
+  double value;
+} arc_wear_target;
+
+/* As arc_wear_run, and ends earlier where one of `count` targets is reached (to 1e-9 relative);
+ * *reached is its index, or -1. A target that cannot be met within a step is passed. */
+arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_target *targets,
+                              size_t count, arc_stop_fn stop, arc_wear_progress_fn progress,
+                              void *context, int *reached, arc_error *error);
+
+/* Changes the definition between steps (load, k, alpha, stroke, jump, loading, ...); the worn shape
+ * and the history stay. On failure everything stays. */
+arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, arc_error *error);
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);
 arc_procedure arc_wear_procedure(const arc_wear *wear); /* never ARC_AUTO */

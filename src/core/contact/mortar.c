@@ -8,11 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static double tributary(const double *xy, int n, int i) {
-  const int a = i > 0 ? i - 1 : 0, b = i + 1 < n ? i + 1 : i;
-  return (xy[2 * b] - xy[2 * a]) / 2;
-}
-
 /* Cylinder nodes whose two segments lie wholly over the plate's candidate zone. */
 static void find_candidates(pose *p, const double *cyl, double plate_left, double plate_right) {
   int lo = 1, hi = p->nc - 2;
@@ -109,8 +104,8 @@ arc_status pose_place(pose *p, const arc_shape *shape, double x, arc_error *erro
         x, cyl[2 * p->nc - 2] - cyl[0], plate[2 * p->np - 2] - plate[0]);
   if (make_room(p, row_width(p, cyl, plate)) != ARC_OK)
     return arc_fail(error, ARC_MEMORY, "out of memory for the contact");
-  for (int i = 0; i < p->nc; i++) p->wc[i] = tributary(cyl, p->nc, i);
-  for (int l = 0; l < p->np; l++) p->wp[l] = tributary(plate, p->np, l);
+  for (int i = 0; i < p->nc; i++) p->wc[i] = shape_width(&shape->side[ARC_CYLINDER], i);
+  for (int l = 0; l < p->np; l++) p->wp[l] = shape_width(&shape->side[ARC_PLATE], l);
   for (int k = 0; k < p->count; k++) fill_row(p, k, cyl, plate);
   return ARC_OK;
 }

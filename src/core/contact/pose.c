@@ -99,18 +99,6 @@ void pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *
   dense_multiply(p->np, 1, p->np, -1, gp, p->np, fp, p->np, 0, up, p->np);
 }
 
-void pose_linear(const pose *p, const double *dg, double *df) {
-  double *x = p->work, sum = 0, total = 0;
-  for (int s = 0; s < p->active; s++) x[s] = dg[p->lo + p->set[s]];
-  dense_cholesky_solve(p->active, 1, p->factor, p->active, x, p->active);
-  for (int s = 0; s < p->active; s++) {
-    sum += x[s];
-    total += p->ones[s];
-  }
-  memset(df, 0, (size_t)p->nc * sizeof *df);
-  for (int s = 0; s < p->active; s++) df[p->lo + p->set[s]] = sum / total * p->ones[s] - x[s];
-}
-
 /* Between the last node in contact (pressure q at distance 0) and the next one (gap g at distance
  * h) lies the edge, at e from the first: near the edge of a smooth contact q = c sqrt(e) and g = 4
  * c (h - e)^(3/2) / (3 E*). Solves for e. */

@@ -59,9 +59,6 @@ void pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *
 void pose_to_cylinder(const pose *p, const double *v, double *result);
 /* result [np] := B' v; v by cylinder node [nc]. */
 void pose_to_plate(const pose *p, const double *v, double *result);
-/* Change of nodal forces df [nc] for a change of gap dg [nc] with the active set as it is and the
- * load kept. */
-void pose_linear(const pose *p, const double *dg, double *df);
 /* Contact edges [mm], interpolated between nodes with the square-root law of smooth contacts.
  * E_star: the couple's. */
 void pose_edges(const pose *p, const arc_shape *shape, double E_star, double edges[2]);

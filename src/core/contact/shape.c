@@ -123,22 +123,42 @@ void shape_box(const shape_side *side, const double *surface_xy, double *box_xy)
   for (int k = 0; k < side->body->box_count; k++) box_node_at(side, surface_xy, k, &box_xy[2 * k]);
 }
 
-/* Moves the surface by `depth` along its present normals (frozen geometry: straight up or down). */
+double shape_width(const shape_side *side, int i) {
+  const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
+  return (side->settled[2 * b] - side->settled[2 * a]) / 2;
+}
+
+/* Inward normal at a node (frozen geometry: straight up or down). */
+static void normal_at(const shape_side *side, arc_geometry geometry, int i, double normal[2]) {
+  const double in = inward(side);
+  normal[0] = 0;
+  normal[1] = in;
+  if (geometry == ARC_FROZEN) return;
+  const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
+  const double tx = side->xy[2 * b] - side->xy[2 * a],
+               ty = side->xy[2 * b + 1] - side->xy[2 * a + 1];
+  const double length = hypot(tx, ty);
+  normal[0] = -in * ty / length;
+  normal[1] = in * tx / length;
+}
+
+void shape_downward(const arc_shape *shape, arc_body body, double *down) {
+  const shape_side *side = &shape->side[body];
+  for (int i = 0; i < side->n; i++) {
+    double normal[2];
+    normal_at(side, shape->geometry, i, normal);
+    down[i] = fabs(normal[1]);
+  }
+}
+
+/* Moves the surface by `depth` along its present normals. */
 static void move_surface(const shape_side *side, arc_geometry geometry, const double *depth,
                          double *xy) {
-  const double in = inward(side);
   for (int i = 0; i < side->n; i++) {
-    const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
-    double nx = 0, ny = in;
-    if (geometry == ARC_MOVING) {
-      const double tx = side->xy[2 * b] - side->xy[2 * a],
-                   ty = side->xy[2 * b + 1] - side->xy[2 * a + 1];
-      const double length = hypot(tx, ty);
-      nx = -in * ty / length;
-      ny = in * tx / length;
-    }
-    xy[2 * i] = side->xy[2 * i] + depth[i] * nx;
-    xy[2 * i + 1] = side->xy[2 * i + 1] + depth[i] * ny;
+    double normal[2];
+    normal_at(side, geometry, i, normal);
+    xy[2 * i] = side->xy[2 * i] + depth[i] * normal[0];
+    xy[2 * i + 1] = side->xy[2 * i + 1] + depth[i] * normal[1];
   }
 }
 

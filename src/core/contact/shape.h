@@ -28,6 +28,13 @@ static inline const compliance *shape_compliance(const shape_side *side) {
   return side->own.n > 0 ? &side->own : &side->body->unworn;
 }
 
+/* Tributary width of surface node i [mm], where the nodes stood along x at the last condensation.
+ */
+double shape_width(const shape_side *side, int i);
+
+/* Vertical share of the inward normals that wear would follow, into down [n]. */
+void shape_downward(const arc_shape *shape, arc_body body, double *down);
+
 /* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n]. */
 void shape_box(const shape_side *side, const double *surface_xy, double *box_xy);
 

@@ -8,27 +8,44 @@ static double E_star(const arc_model_def *def) {
               1 / arc_material_E_star(def->material[ARC_PLATE]));
 }
 
-/* alpha = 0 over the whole plate from unworn surfaces: the contact stays Hertz', in closed form. */
+int wear_closed_form(const arc_wear *w) {
+  const arc_wear_def *d = &w->def;
+  return d->alpha == 0 && !d->alpha_function && d->alpha_series.count == 0 &&
+         d->law == ARC_LAW_ARCHARD && !d->local_factor && w->over_plate && w->procedure == ARC_NSP;
+}
+
+/* From unworn surfaces it stays Hertz'. */
 static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
-  return w->def.alpha == 0 && w->over_plate && w->procedure == ARC_NSP &&
-         arc_shape_depth(shape, ARC_CYLINDER) == 0;
+  return wear_closed_form(w) && arc_shape_depth(shape, ARC_CYLINDER) == 0;
+}
+
+/* The reference pose on a shape, solved under the nominal load. */
+static arc_status solve_reference(arc_wear *w, const arc_shape *shape, arc_error *error) {
+  pose *p = &w->reference;
+  arc_status status = ARC_OK;
+  if (w->reference_condensed != shape->condensed) {
+    if ((status = pose_place(p, shape, 0, error)) != ARC_OK) return status;
+    pose_stiffen(p, shape);
+    w->reference_condensed = shape->condensed;
+  }
+  pose_measure(p, shape);
+  return pose_solve(p, w->def.load / arc_model_definition(w->model)->thickness, error);
 }
 
 static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                                   arc_error *error) {
   const arc_model_def *def = arc_model_definition(w->model);
   if (stays_hertzian(w, shape)) {
-    arc_hertz hertz;
+    arc_hertz hertz = {0};
     const arc_status status =
         arc_hertz_solve(def->radius, def->thickness, w->def.load, def->material, &hertz, error);
     record->p_center = record->p_max = hertz.p_max;
     record->half_width = hertz.half_width;
     return status;
   }
-  arc_status status = wear_prepare_pose(w, w->poses, shape, error);
-  if (status == ARC_OK) status = pose_solve(&w->reference, w->def.load / def->thickness, error);
+  const arc_status status = solve_reference(w, shape, error);
   if (status != ARC_OK) return status;
-  pose *p = &w->reference;
+  const pose *p = &w->reference;
   double edges[2];
   pose_edges(p, shape, E_star(def), edges);
   record->half_width = (edges[1] - edges[0]) / 2;
@@ -41,13 +58,10 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
   return ARC_OK;
 }
 
-arc_status wear_measure(arc_wear *w, const arc_shape *shape, const arc_wear_record *before,
-                        arc_wear_record *record, arc_error *error) {
-  *record = before ? *before : (arc_wear_record){0};
+arc_status wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
+                        arc_error *error) {
   const arc_status status = measure_contact(w, shape, record, error);
   if (status != ARC_OK) return status;
-  record->k = w->def.k;
-  record->alpha = w->def.alpha;
   record->depth_cylinder = arc_shape_depth(shape, ARC_CYLINDER);
   record->depth_plate = arc_shape_depth(shape, ARC_PLATE);
   record->depth_partition = record->depth_cylinder / (record->depth_cylinder + record->depth_plate);

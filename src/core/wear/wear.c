@@ -1,4 +1,4 @@
-/* A wear run: creation, one step, many steps. */
+/* A wear run as an object: creation, restoring, change of definition, what it tells. */
 #include "core/wear/run.h"
 
 #include <math.h>
@@ -9,39 +9,56 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a wear run");
 }
 
+/* One block of doubles for two points, the rate and the update's depths. */
 static arc_status allocate(arc_wear *w) {
-  const int nc = arc_model_mesh(w->model, ARC_CYLINDER)->surface;
-  const int np = arc_model_mesh(w->model, ARC_PLATE)->surface;
-  w->poses = w->procedure == ARC_SP ? w->def.increments / 2 + 1 : 1;
-  w->pose = calloc((size_t)w->poses, sizeof *w->pose);
-  w->condensed = malloc((size_t)(w->poses + 1) * sizeof *w->condensed);
-  w->work = malloc((size_t)(5 * (nc + np)) * sizeof *w->work);
-  if (!w->pose || !w->condensed || !w->work) return ARC_MEMORY;
-  w->rate.node[ARC_CYLINDER] = w->work + 4 * (nc + np);
-  w->rate.node[ARC_PLATE] = w->rate.node[ARC_CYLINDER] + nc;
-  for (int i = 0; i <= w->poses; i++) w->condensed[i] = -1;
-  for (int i = 0; i < w->poses; i++)
-    if (pose_create(&w->pose[i], w->model) != ARC_OK) return ARC_MEMORY;
+  w->nc = arc_model_mesh(w->model, ARC_CYLINDER)->surface;
+  w->np = arc_model_mesh(w->model, ARC_PLATE)->surface;
+  const int n = w->nc + w->np;
+  w->memory = calloc((size_t)(8 * n), sizeof *w->memory);
+  if (!w->memory) return ARC_MEMORY;
+  double *at = w->memory;
+  for (int k = 0; k < 2; k++) {
+    double **part[] = {w->point[k].p, w->point[k].q, w->point[k].u};
+    for (int m = 0; m < 3; m++, at += n) {
+      part[m][ARC_CYLINDER] = at;
+      part[m][ARC_PLATE] = at + w->nc;
+    }
+  }
+  w->rate.node[ARC_CYLINDER] = at;
+  w->rate.node[ARC_PLATE] = at + w->nc;
+  w->delta[ARC_CYLINDER] = at + n;
+  w->delta[ARC_PLATE] = at + n + w->nc;
   return pose_create(&w->reference, w->model);
+}
+
+/* Takes a copy of a checked definition and what follows from it. */
+static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
+  const arc_model_def *md = arc_model_definition(w->model);
+  arc_status status = wear_def_copy(def, &w->def);
+  if (status != ARC_OK) return status;
+  w->procedure = wear_choose_procedure(&w->def, md);
+  w->over_plate = wear_over_plate(&w->def, md);
+  status = wear_blocks_create(&w->def, md, &w->block, &w->blocks);
+  w->current = -1;
+  w->reference_condensed = -1;
+  /* without a distance: all the blocks of loading */
+  if (status == ARC_OK && w->def.distance == 0)
+    w->def.distance = wear_block_end(&w->block[w->blocks - 1]);
+  return status;
 }
 
 /* A run with everything but history; `shape` is taken over, whatever happens. */
 static arc_status create(arc_model *model, const arc_wear_def *def, arc_shape *shape,
                          arc_wear **result, arc_error *error) {
   *result = NULL;
-  const arc_model_def *md = arc_model_definition(model);
   arc_wear *w = calloc(1, sizeof *w);
   if (!w) {
     arc_shape_destroy(&shape);
     return out_of_memory(error);
   }
   w->model = arc_model_retain(model);
-  w->def = *def;
   w->shape = shape;
-  w->procedure = wear_choose_procedure(def, md);
-  w->over_plate = wear_over_plate(def, md);
-  w->strokes = arc_wear_def_strokes(def, md);
-  if (allocate(w) != ARC_OK) {
+  if (take_definition(w, def) != ARC_OK || allocate(w) != ARC_OK) {
     arc_wear_destroy(&w);
     return out_of_memory(error);
   }
@@ -49,7 +66,7 @@ static arc_status create(arc_model *model, const arc_wear_def *def, arc_shape *s
   return ARC_OK;
 }
 
-static arc_status append(arc_wear *w, const arc_wear_record *record, arc_error *error) {
+arc_status wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error) {
   if (w->records == w->capacity) {
     const size_t capacity = 2 * w->capacity + 16;
     arc_wear_record *grown = realloc(w->history, capacity * sizeof *grown);
@@ -61,20 +78,34 @@ static arc_status append(arc_wear *w, const arc_wear_record *record, arc_error *
   return ARC_OK;
 }
 
-/* The widest positions must find candidates: said at creation rather than at the first step. */
+/* The outermost positions must find the contact: said at creation rather than in the middle of a
+ * run. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
   if (w->procedure != ARC_SP) return ARC_OK;
-  arc_error why;
-  if (wear_prepare_pose(w, 0, w->shape, &why) == ARC_OK &&
-      pose_solve(&w->pose[0], w->def.load / arc_model_definition(w->model)->thickness, &why) ==
-          ARC_OK)
-    return ARC_OK;
-  double zone[ARC_BODIES];
-  arc_wear_zones(&w->def, arc_model_definition(w->model), zone);
-  return arc_fail(
-      error, why.status,
-      "stroke = %g mm: %s (this run needs mesh.zone = {cylinder = %.2f, plate = %.2f} mm)",
-      w->def.stroke, why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
+  int solutions = 0;
+  for (int b = 0; b < w->blocks; b++) {
+    const wear_block *block = &w->block[b];
+    int least = 0, most = 0;
+    for (int i = 1; i < block->count; i++) {
+      if (block->x[i] < block->x[least]) least = i;
+      if (block->x[i] > block->x[most]) most = i;
+    }
+    arc_status status = wear_enter_block(w, b, error);
+    if (status != ARC_OK) return status;
+    arc_error why;
+    const arc_wear_record unworn = {0};
+    const wear_window ends[2] = {{.first = least, .last = least, .state = &unworn},
+                                 {.first = most, .last = most, .state = &unworn}};
+    for (int e = 0; e < 2 && status == ARC_OK; e++)
+      status = wear_probe(w, &ends[e], &solutions, &why);
+    if (status == ARC_OK) continue;
+    double zone[ARC_BODIES];
+    arc_wear_zones(&w->def, arc_model_definition(w->model), zone);
+    return arc_fail(error, status,
+                    "%s (this run needs mesh.zone = {cylinder = %.2f, plate = %.2f} mm)",
+                    why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
+  }
+  return ARC_OK;
 }
 
 static arc_status start_shape(arc_model *model, const arc_wear_def *def, const arc_shape *start,
@@ -91,6 +122,19 @@ static arc_status start_shape(arc_model *model, const arc_wear_def *def, const a
   return status;
 }
 
+/* Row 0 of the history; the shape may be worn already. */
+static arc_status first_record(arc_wear *w, arc_error *error) {
+  const wear_block *block = &w->block[0];
+  arc_wear_record first = {.distance = block->start_distance, .cycle = block->start_cycle};
+  double k[ARC_BODIES];
+  arc_status status = wear_measure(w, w->shape, &first, error);
+  if (status == ARC_OK)
+    status = wear_coefficients(w, first.distance, first.distance, &first, k, error);
+  if (status != ARC_OK) return status;
+  wear_note_coefficients(k, &first);
+  return wear_append(w, &first, error);
+}
+
 arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                            arc_wear **result, arc_error *error) {
   *result = NULL;
@@ -100,10 +144,8 @@ arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_
   if ((status = start_shape(model, def, start, &shape, error)) != ARC_OK) return status;
   arc_wear *w;
   if ((status = create(model, def, shape, &w, error)) != ARC_OK) return status;
-  arc_wear_record first;
   status = check_reach(w, error);
-  if (status == ARC_OK) status = wear_measure(w, w->shape, NULL, &first, error);
-  if (status == ARC_OK) status = append(w, &first, error);
+  if (status == ARC_OK) status = first_record(w, error);
   if (status != ARC_OK) arc_wear_destroy(&w);
   *result = w;
   return status;
@@ -121,7 +163,8 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
   if ((status = start_shape(model, def, stored, &shape, error)) != ARC_OK) return status;
   arc_wear *w;
   status = create(model, def, shape, &w, error);
-  for (size_t r = 0; r < count && status == ARC_OK; r++) status = append(w, &history[r], error);
+  for (size_t r = 0; r < count && status == ARC_OK; r++)
+    status = wear_append(w, &history[r], error);
   if (status != ARC_OK) arc_wear_destroy(&w);
   *result = w;
   return status;
@@ -135,11 +178,11 @@ arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *erro
 void arc_wear_destroy(arc_wear **wear) {
   if (!wear || !*wear) return;
   arc_wear *w = *wear;
-  for (int i = 0; w->pose && i < w->poses; i++) pose_free(&w->pose[i]);
+  wear_leave_block(w);
   pose_free(&w->reference);
-  free(w->pose);
-  free(w->condensed);
-  free(w->work);
+  wear_blocks_free(&w->block, w->blocks);
+  wear_def_free(&w->def);
+  free(w->memory);
   free(w->history);
   arc_shape_destroy(&w->shape);
   arc_shape_destroy(&w->next);
@@ -148,90 +191,23 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
-/* --- steps
- * -------------------------------------------------------------------------------------------------------
- */
-
-/* Wears `next` by so many cycles of w->rate and adds volumes [mm3] to the record. */
-static arc_status apply(arc_wear *w, arc_shape *next, double cycles, arc_wear_record *record,
-                        arc_error *error) {
-  const arc_model_def *md = arc_model_definition(w->model);
-  double *volume[ARC_BODIES] = {&record->volume_cylinder, &record->volume_plate};
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const double scale = cycles * wear_coefficient(&w->def, (arc_body)b);
-    if (scale == 0) continue;
-    double *depth = w->rate.node[b], sum = 0;
-    const double *width = b == ARC_CYLINDER ? w->pose[0].wc : w->pose[0].wp;
-    if (b == ARC_PLATE && w->over_plate && w->procedure == ARC_NSP) {
-      arc_shape_wear_evenly(next, ARC_PLATE, scale * w->rate.even);
-      *volume[b] += scale * w->rate.even * 2 * md->radius * md->thickness;
-      continue;
-    }
-    for (int i = 0; i < next->side[b].n; i++) {
-      depth[i] *= scale;
-      sum += depth[i] * width[i];
-    }
-    const arc_status status = arc_shape_wear(next, (arc_body)b, depth, error);
-    if (status != ARC_OK) return status;
-    *volume[b] += sum * md->thickness;
-  }
-  return ARC_OK;
-}
-
-/* One update of `cycles` cycles, ending at `distance`; commits only when all of it has worked. */
-static arc_status update(arc_wear *w, double cycles, double distance, arc_stop_fn stop,
-                         void *context, arc_error *error) {
-  arc_wear_record record, before = *arc_wear_last(w);
-  arc_status status = wear_cycle(w, stop, context, error);
+arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, arc_error *error) {
+  const arc_wear_record *now = arc_wear_last(w);
+  arc_wear_def def = *wanted;
+  def.start_distance = now->distance;
+  def.start_cycle = now->cycle;
+  arc_status status = arc_wear_check(&def, arc_model_definition(w->model), error);
   if (status != ARC_OK) return status;
-  const int solved = w->def.alpha == 0 && w->over_plate && w->procedure == ARC_NSP ? 0 : w->poses;
-  before.solutions += solved;
-  before.update += 1;
-  before.cycle += cycles;
-  before.jump = cycles;
-  before.distance = distance;
-  if ((status = arc_shape_clone(w->shape, &w->next, error)) != ARC_OK) return status;
-  status = apply(w, w->next, cycles, &before, error);
-  if (status == ARC_OK) status = wear_measure(w, w->next, &before, &record, error);
-  if (status == ARC_OK) status = append(w, &record, error);
+  arc_wear *changed;
+  status = arc_wear_restore(w->model, &def, w->shape, w->history, w->records, &changed, error);
+  if (status == ARC_OK) status = check_reach(changed, error);
   if (status == ARC_OK) {
-    arc_shape *old = w->shape;
-    w->shape = w->next;
-    w->next = old;
+    const arc_wear old = *w;
+    *w = *changed;
+    *changed = old;
   }
-  arc_shape_destroy(&w->next);
+  arc_wear_destroy(&changed);
   return status;
-}
-
-/* Cycles until `target` [mm] less than this are the end: what is left is rounding. */
-static const double no_distance = 1e-12;
-
-static arc_status step_towards(arc_wear *w, double target, arc_stop_fn stop, void *context,
-                               arc_error *error) {
-  const double done = arc_wear_last(w)->distance, per_cycle = w->strokes * w->def.stroke;
-  const double left = (target - done) / per_cycle;
-  if (left <= no_distance * (1 + target / per_cycle)) return ARC_OK;
-  /* a last step that is whole but for rounding stays whole */
-  const int last = left <= w->def.jump * (1 + 1e-9);
-  const double cycles = last ? left : w->def.jump;
-  return update(w, cycles, last ? target : done + cycles * per_cycle, stop, context, error);
-}
-
-arc_status arc_wear_step(arc_wear *w, arc_stop_fn stop, void *context, arc_error *error) {
-  return step_towards(w, w->def.distance, stop, context, error);
-}
-
-arc_status arc_wear_run(arc_wear *w, double distance, arc_stop_fn stop,
-                        arc_wear_progress_fn progress, void *context, arc_error *error) {
-  if (!(distance > 0) || !isfinite(distance))
-    return arc_fail(error, ARC_ARGUMENT, "distance: expected above 0 mm, got %g mm", distance);
-  if (distance > w->def.distance) w->def.distance = distance;
-  for (;;) {
-    const size_t before = w->records;
-    const arc_status status = step_towards(w, distance, stop, context, error);
-    if (status != ARC_OK || w->records == before) return status;
-    if (progress && progress(context, w)) return arc_fail(error, ARC_STOPPED, "stopped on request");
-  }
 }
 
 /* --- what a run tells
@@ -246,11 +222,18 @@ arc_procedure arc_wear_procedure(const arc_wear *w) {
 }
 
 double arc_wear_strokes(const arc_wear *w) {
-  return w->strokes;
+  return w->over_plate ? 1 : 2;
 }
 
+/* Cycles of the whole distance; the last block goes on where the distance does. */
 double arc_wear_cycles(const arc_wear *w) {
-  return w->def.distance / (w->strokes * w->def.stroke);
+  double cycles = 0, left = w->def.distance - w->block[0].start_distance;
+  for (int b = 0; b < w->blocks && left > 0; b++) {
+    const double here = left / w->block[b].sliding;
+    cycles += b + 1 < w->blocks ? fmin(here, w->block[b].cycles) : here;
+    left -= w->block[b].cycles * w->block[b].sliding;
+  }
+  return w->block[0].start_cycle + cycles;
 }
 
 const arc_shape *arc_wear_shape(const arc_wear *w) {
@@ -271,9 +254,9 @@ const arc_wear_record *arc_wear_last(const arc_wear *w) {
 }
 
 size_t arc_wear_bytes(const arc_wear *w) {
-  const size_t n = (size_t)(w->reference.nc + w->reference.np);
-  const size_t one_pose = 2 * (size_t)w->reference.nc * (size_t)w->reference.nc + 20 * n;
-  return ((size_t)(w->poses + 1) * one_pose + 5 * n) * sizeof(double) + 2 * shape_bytes(w->shape) +
+  const size_t n = (size_t)(w->nc + w->np);
+  const size_t one_pose = 2 * (size_t)w->nc * (size_t)w->nc + 20 * n;
+  return ((size_t)(w->poses + 1) * one_pose + 8 * n) * sizeof(double) + 2 * shape_bytes(w->shape) +
          w->capacity * sizeof(arc_wear_record);
 }
 

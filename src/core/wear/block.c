@@ -1,0 +1,138 @@
+/* Blocks of loading as they are simulated: the reciprocating stroke, or the user's. */
+#include "core/wear/run.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* More distinct positions than this share one pose, which is built anew at every point. */
+enum { most_poses = 2048 };
+
+static arc_status block_create(wear_block *b, int count) {
+  const size_t n = (size_t)count;
+  *b = (wear_block){.count = count, .repeat = 1};
+  b->x = malloc(3 * n * sizeof(double));
+  b->place = malloc(n * sizeof(int));
+  if (!b->x || !b->place) return ARC_MEMORY;
+  b->line = b->x + n;
+  b->position = b->line + n;
+  return ARC_OK;
+}
+
+static int compare(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* Equal positions share a pose. NSP looks at the flat plate at x = 0 only. */
+static void find_positions(wear_block *b, arc_procedure procedure) {
+  int n = 0;
+  if (procedure == ARC_NSP) {
+    b->poses = 1;
+    b->position[0] = 0;
+    memset(b->place, 0, (size_t)b->count * sizeof *b->place);
+    return;
+  }
+  memcpy(b->position, b->x, (size_t)b->count * sizeof *b->x);
+  qsort(b->position, (size_t)b->count, sizeof *b->position, compare);
+  for (int i = 0; i < b->count; i++)
+    if (n == 0 || b->position[i] != b->position[n - 1]) b->position[n++] = b->position[i];
+  for (int i = 0; i < b->count; i++) {
+    const double *at = bsearch(&b->x[i], b->position, (size_t)n, sizeof *b->position, compare);
+    b->place[i] = n > most_poses ? 0 : (int)(at - b->position);
+  }
+  b->poses = n > most_poses ? 1 : n;
+}
+
+static void finish(wear_block *b, arc_procedure procedure) {
+  double once = 0;
+  for (int i = 1; i < b->count; i++) once += fabs(b->x[i] - b->x[i - 1]);
+  b->sliding = b->repeat * once;
+  find_positions(b, procedure);
+}
+
+/* The plate's position at point i of `last` along a stroke from -s/2 to s/2: symmetric to the bit.
+ */
+static double along(double stroke, int i, int last) {
+  return stroke * (2 * i - last) / (2.0 * last);
+}
+
+/* The paper's cycle: half of it, counted twice (r = 2), or the single pass over the plate (r = 1).
+ * Where the geometry is updated within the cycle, both strokes are simulated. NSP needs no more
+ * than the ends. */
+static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
+                                wear_block *b) {
+  const arc_procedure procedure = wear_choose_procedure(def, model);
+  const int over = wear_over_plate(def, model), back = def->update == ARC_UPDATE_INCREMENT && !over;
+  const int half =
+      procedure == ARC_NSP && def->update == ARC_UPDATE_CYCLE ? 1 : def->increments / 2;
+  const arc_status status = block_create(b, back ? 2 * half + 1 : half + 1);
+  if (status != ARC_OK) return status;
+  for (int i = 0; i < b->count; i++) {
+    b->x[i] = along(def->stroke, i <= half ? i : 2 * half - i, half);
+    b->line[i] = def->load / model->thickness;
+  }
+  b->periodic = 1;
+  b->cycles = INFINITY;
+  b->repeat = over || back ? 1 : 2;
+  finish(b, procedure);
+  /* r s to the bit, whatever the increments add up to */
+  b->sliding = (over ? 1 : 2) * def->stroke;
+  return ARC_OK;
+}
+
+static arc_status given(const arc_wear_def *def, const arc_model_def *model,
+                        const arc_loading *from, wear_block *b) {
+  const arc_status status = block_create(b, from->count);
+  if (status != ARC_OK) return status;
+  for (int i = 0; i < b->count; i++) {
+    b->x[i] = from->x[i];
+    b->line[i] = from->load[i] / model->thickness;
+  }
+  b->periodic = from->periodic;
+  b->cycles = from->cycles;
+  finish(b, wear_choose_procedure(def, model));
+  return ARC_OK;
+}
+
+arc_status wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
+                              wear_block **block, int *count) {
+  *count = def->blocks > 0 ? def->blocks : 1;
+  *block = calloc((size_t)*count, sizeof **block);
+  if (!*block) return ARC_MEMORY;
+  double distance = def->start_distance, cycle = def->start_cycle;
+  for (int b = 0; b < *count; b++) {
+    wear_block *at = &(*block)[b];
+    const arc_status status =
+        def->blocks > 0 ? given(def, model, &def->loading[b], at) : reciprocating(def, model, at);
+    if (status != ARC_OK) {
+      wear_blocks_free(block, *count);
+      return status;
+    }
+    at->start_distance = distance;
+    at->start_cycle = cycle;
+    distance += at->cycles * at->sliding;
+    cycle += at->cycles;
+  }
+  return ARC_OK;
+}
+
+void wear_blocks_free(wear_block **block, int count) {
+  for (int b = 0; *block && b < count; b++) {
+    free((*block)[b].x);
+    free((*block)[b].place);
+  }
+  free(*block);
+  *block = NULL;
+}
+
+double wear_block_end(const wear_block *block) {
+  return block->start_distance + block->cycles * block->sliding;
+}
+
+/* Cycles tell blocks apart where distances do not (a generic history may stand still). */
+int wear_block_at(const arc_wear *w, const arc_wear_record *at) {
+  int b = 0;
+  while (b + 1 < w->blocks && at->cycle >= w->block[b + 1].start_cycle * (1 - 1e-13)) b++;
+  return b;
+}

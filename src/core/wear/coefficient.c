@@ -1,0 +1,134 @@
+/* Wear coefficients in time (numbers, tables, functions of the state) and in space (laws, local
+ * factors). */
+#include "core/wear/run.h"
+
+#include <math.h>
+
+static double series_at(const arc_series *s, double distance) {
+  if (distance <= s->distance[0]) return s->value[0];
+  int i = 1;
+  while (i < s->count && s->distance[i] < distance) i++;
+  if (i == s->count) return s->value[s->count - 1];
+  const double share = (distance - s->distance[i - 1]) / (s->distance[i] - s->distance[i - 1]);
+  return s->value[i - 1] + share * (s->value[i] - s->value[i - 1]);
+}
+
+/* First point of a series after `from`, if before `to`. */
+static double next_point(const arc_series *s, double from, double to) {
+  for (int i = 0; i < s->count; i++)
+    if (s->distance[i] > from) return fmin(to, s->distance[i]);
+  return to;
+}
+
+typedef struct source {
+  const arc_series *series;
+  double constant;
+} source;
+
+static double value_at(const source *s, double distance) {
+  return s->series->count > 0 ? series_at(s->series, distance) : s->constant;
+}
+
+/* Mean of k alpha and k (1 - alpha) over [from, to]: both linear between points, so that Simpson's
+ * rule is exact. */
+static void average(const source *k, const source *alpha, double from, double to,
+                    double mean[ARC_BODIES]) {
+  mean[ARC_CYLINDER] = mean[ARC_PLATE] = 0;
+  if (!(to > from) || (k->series->count == 0 && alpha->series->count == 0)) {
+    const double at = (from + to) / 2, kv = value_at(k, at), av = value_at(alpha, at);
+    mean[ARC_CYLINDER] = kv * av;
+    mean[ARC_PLATE] = kv * (1 - av);
+    return;
+  }
+  for (double a = from; a < to;) {
+    const double b = fmin(next_point(k->series, a, to), next_point(alpha->series, a, to));
+    const double at[3] = {a, (a + b) / 2, b}, weight[3] = {1 / 6.0, 4 / 6.0, 1 / 6.0};
+    for (int i = 0; i < 3; i++) {
+      const double share = weight[i] * (b - a) / (to - from), kv = value_at(k, at[i]),
+                   av = value_at(alpha, at[i]);
+      mean[ARC_CYLINDER] += share * kv * av;
+      mean[ARC_PLATE] += share * kv * (1 - av);
+    }
+    a = b;
+  }
+}
+
+/* Asks a function; its own error message stays. */
+static arc_status ask(const arc_wear *w, const char *name, arc_state_fn function,
+                      const arc_wear_record *state, double most, double *value, arc_error *error) {
+  const arc_status status = function(w->def.context, state, value);
+  if (status != ARC_OK)
+    return arc_fail(error, status, "the function for %s failed at distance %g mm", name,
+                    state->distance);
+  if (*value >= 0 && *value <= most && isfinite(*value)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "%s: expected from 0 to %g, its function gave %g at distance %g mm", name, most,
+                  *value, state->distance);
+}
+
+int wear_has_state_functions(const arc_wear *w) {
+  return w->def.k_function || w->def.alpha_function;
+}
+
+arc_status wear_coefficients(const arc_wear *w, double from, double to,
+                             const arc_wear_record *state, double mean[ARC_BODIES],
+                             arc_error *error) {
+  static const arc_series none = {0};
+  const arc_wear_def *d = &w->def;
+  source k = {d->k_function ? &none : &d->k_series, d->k};
+  source alpha = {d->alpha_function ? &none : &d->alpha_series, d->alpha};
+  arc_status status = ARC_OK;
+  if (d->k_function) status = ask(w, "k", d->k_function, state, HUGE_VAL, &k.constant, error);
+  if (status == ARC_OK && d->alpha_function)
+    status = ask(w, "alpha", d->alpha_function, state, 1, &alpha.constant, error);
+  if (status == ARC_OK) average(&k, &alpha, from, to, mean);
+  return status;
+}
+
+void wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record) {
+  record->k = k[ARC_CYLINDER] + k[ARC_PLATE];
+  record->alpha = record->k > 0 ? k[ARC_CYLINDER] / record->k : record->alpha;
+}
+
+static double law_factor(const arc_wear_def *d, double p) {
+  switch (d->law) {
+  case ARC_LAW_POWER:
+    return p > 0 ? pow(p / d->law_pressure, d->law_exponent) : 0;
+  case ARC_LAW_THRESHOLD:
+    return p > d->law_pressure;
+  default:
+    return 1;
+  }
+}
+
+double wear_law_slope(const arc_wear *w, double p, double q) {
+  if (!(p > 0)) return law_factor(&w->def, 0);
+  return q / p * (w->def.law == ARC_LAW_POWER ? 1 + w->def.law_exponent : 1);
+}
+
+arc_status wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
+                      arc_error *error) {
+  const arc_wear_def *d = &w->def;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const shape_side *side = &w->shape->side[b];
+    const double *p = point->p[b];
+    double *q = point->q[b];
+    for (int i = 0; i < side->n; i++) q[i] = 1;
+    if (d->local_factor) {
+      const arc_status status =
+          d->local_factor(d->context, (arc_body)b, side->n, side->x0, p, state, q);
+      if (status != ARC_OK)
+        return arc_fail(error, status, "local_factor failed for the %s at distance %g mm",
+                        arc_body_name((arc_body)b), state->distance);
+    }
+    for (int i = 0; i < side->n; i++) {
+      if (!(q[i] >= 0) || !isfinite(q[i]))
+        return arc_fail(
+            error, ARC_ARGUMENT,
+            "local_factor: expected 0 or above, got %g for the %s at x = %g mm, p = %g MPa", q[i],
+            arc_body_name((arc_body)b), side->x0[i], p[i]);
+      q[i] *= p[i] * law_factor(d, p[i]);
+    }
+  }
+  return ARC_OK;
+}
