@@ -1,0 +1,170 @@
+/* archard/store.h - the run file: an SQLite database of cases, each with its settings and, once it
+ * has run, its definition, history, profiles and the state to go on from.
+ *
+ * A file is either whole or refused: it carries an application id and the number of its format, and
+ * a newer, foreign or damaged file is left as it is. Everything that belongs together is written in
+ * one transaction, synchronously: a killed program loses what it was computing, never what it
+ * stored. Several processes may have one file open; they take turns.
+ *
+ * The tables are described in archard(1). All doubles come back to the same bits (a NaN as a NaN).
+ */
+#ifndef ARCHARD_STORE_H
+#define ARCHARD_STORE_H
+
+#include "archard/wear.h"
+
+#define ARC_STORE_FORMAT 1 /* the file's user_version */
+
+typedef struct arc_store arc_store;
+
+typedef enum arc_store_mode {
+  ARC_STORE_READ,  /* the file must be there */
+  ARC_STORE_WRITE, /* it must be there, and be writable */
+  ARC_STORE_CREATE /* made, with no cases, where there is none */
+} arc_store_mode;
+
+/* Opens a run file. Errors: ARC_IO (cannot be opened, made or written), ARC_FORMAT (foreign, newer,
+ * damaged; the message says which). On failure *store is NULL and the file is as it was. */
+arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **store,
+                          arc_error *error);
+
+/* A new file in place of `path`, which may be absent or a run file of the same kind (info "kind");
+ * anything else there is refused and stays. The file appears under its name, whole, with
+ * arc_store_publish; until then, closing the store forgets it. */
+arc_status arc_store_replace(const char *path, const char *kind, arc_store **store,
+                             arc_error *error);
+arc_status arc_store_publish(arc_store **store, arc_error *error);
+
+/* Closes and nulls; NULL inside is fine. */
+void arc_store_close(arc_store **store);
+
+const char *arc_store_path(const arc_store *store);
+
+/* Reads every page and compares it with what the file's structure promises. ARC_FORMAT: damaged. */
+arc_status arc_store_check(arc_store *store, arc_error *error);
+
+/* Groups what follows into one transaction, until commit; rollback (after any failure) takes it all
+ * back. Without them every call is a transaction of its own. */
+arc_status arc_store_begin(arc_store *store, arc_error *error);
+arc_status arc_store_commit(arc_store *store, arc_error *error);
+void arc_store_rollback(arc_store *store);
+
+/* --- notes on the file as a whole ------------------------------------------------------------- */
+
+/* text NULL: forgets the note. */
+arc_status arc_store_set_info(arc_store *store, const char *name, const char *text,
+                              arc_error *error);
+/* *text is to be freed with free(); NULL where there is no such note. */
+arc_status arc_store_info(arc_store *store, const char *name, char **text, arc_error *error);
+
+/* --- cases ------------------------------------------------------------------------------------ */
+
+/* One named value. */
+typedef struct arc_value {
+  enum { ARC_VALUE_NUMBER, ARC_VALUE_TEXT, ARC_VALUE_FLAG, ARC_VALUE_ARRAY } kind;
+  const char *name;
+  double number;       /* number, or flag: 0 or 1 */
+  const char *text;    /* text */
+  const double *array; /* [count] numbers */
+  size_t count;
+} arc_value;
+
+/* What a case's values are for. */
+typedef enum arc_value_use {
+  ARC_SETTINGS,   /* as the user gave them */
+  ARC_DEFINITION, /* all of a run's, as the engine had them; written by arc_store_save */
+  ARC_RESULTS     /* what a task found */
+} arc_value_use;
+
+#define ARC_CASE_STATUS_LIST(X)                                                                    \
+  X(WAITING, "waiting")                                                                            \
+  X(RUNNING, "running")                                                                            \
+  X(DONE, "done")                                                                                  \
+  X(FAILED, "failed")
+
+typedef enum arc_case_status {
+#define ARC_CASE_STATUS_ENUM(name, text) ARC_CASE_##name,
+  ARC_CASE_STATUS_LIST(ARC_CASE_STATUS_ENUM)
+#undef ARC_CASE_STATUS_ENUM
+} arc_case_status;
+
+extern const char *const arc_case_status_names[];
+
+typedef struct arc_case {
+  int id; /* from 1 */
+  arc_case_status status;
+  char label[200];
+  char message[512]; /* of a failed case */
+  double seconds;    /* [s] a finished one took; NaN before */
+} arc_case;
+
+/* Adds a waiting case. ARC_ARGUMENT: there is one of this id already. */
+arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error *error);
+
+/* All cases by id; *cases [*count] is to be freed with free(). */
+arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, arc_error *error);
+
+/* `message` and `seconds` as in arc_case; message NULL: none. Of a case that is not there:
+ * ARC_ARGUMENT. */
+arc_status arc_store_mark(arc_store *store, int id, arc_case_status status, const char *message,
+                          double seconds, arc_error *error);
+
+/* Cases that a killed program left as running wait again. */
+arc_status arc_store_release(arc_store *store, arc_error *error);
+
+/* Replaces the values of a case. */
+arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
+                                const arc_value *values, size_t count, arc_error *error);
+
+/* Sees the values of a case, by name; they live during the call. Non-zero from `see` ends it. */
+typedef int (*arc_value_fn)(void *context, const arc_value *value);
+arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_value_fn see,
+                            void *context, arc_error *error);
+
+/* --- runs ------------------------------------------------------------------------------------- */
+
+/* The surface of one body after an update: wear and pressure in the reference configuration. */
+typedef struct arc_surface {
+  arc_body body;
+  double update;
+  double distance; /* [mm] */
+  size_t count;    /* nodes */
+  const double *x; /* [count] unworn position [mm] */
+  const double *h; /* [count] wear depth [mm] */
+  const double *y; /* [count] present height [mm] */
+  const double *p; /* [count] pressure [MPa] */
+} arc_surface;
+
+/* Stores a run under a case that is there, in place of what was stored of it: definition, history,
+ * state, its present surfaces, and `count` earlier surfaces. One transaction (its own, or the one
+ * begun). A definition that holds a function cannot be stored: ARC_ARGUMENT, naming the field. */
+arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
+                          const arc_surface *surfaces, size_t count, arc_error *error);
+
+/* The definition of a stored run. The arrays it points to belong to *keep, to be freed with free().
+ * ARC_ARGUMENT: nothing of this case is stored. ARC_FORMAT: a field or value this program does not
+ * know. On failure *keep is NULL. */
+arc_status arc_store_definition(arc_store *store, int id, arc_model_def *model, arc_wear_def *def,
+                                void **keep, arc_error *error);
+
+/* The run itself, on a model of the stored definition: goes on to the same bits as the run that was
+ * stored. Errors: those of arc_store_definition and arc_wear_restore. */
+arc_status arc_store_restore(arc_store *store, int id, arc_model *model, arc_wear **wear,
+                             arc_error *error);
+
+/* The stored history; *history [*count] is to be freed with free(). Count 0: nothing stored. */
+arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
+                             arc_error *error);
+
+/* The stored surfaces in the order of updates, cylinder before plate; *surfaces [*count], one block
+ * with all its arrays, is to be freed with free(). */
+arc_status arc_store_surfaces(arc_store *store, int id, arc_surface **surfaces, size_t *count,
+                              arc_error *error);
+
+/* --- shards ----------------------------------------------------------------------------------- */
+
+/* Copies into `store` the finished cases of the file `from`. Both must hold the same cases with the
+ * same settings. ARC_ARGUMENT: another study, or a case that is finished in both. */
+arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error);
+
+#endif

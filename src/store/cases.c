@@ -1,0 +1,214 @@
+/* The cases of a run file: their list, status, and named values. */
+#include "store/store.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STATUS_TEXT(name, text) text,
+const char *const arc_case_status_names[] = {ARC_CASE_STATUS_LIST(STATUS_TEXT) NULL};
+
+/* --- list ------------------------------------------------------------------------------------- */
+
+/* Whether there is a case of this id. */
+static arc_status find(arc_store *store, int id, int *found, arc_error *error) {
+  query *q;
+  arc_status status = store_query(store, "SELECT 1 FROM cases WHERE id = ?1", id, &q, error);
+  if (status == ARC_OK) status = query_step(q, found, error);
+  query_close(&q);
+  return status;
+}
+
+arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error *error) {
+  int found = 0;
+  query *q = NULL;
+  arc_status status = find(store, id, &found, error);
+  if (status == ARC_OK && found)
+    status = arc_fail(error, ARC_ARGUMENT, "%s: there is a case %d already", store->path, id);
+  if (status == ARC_OK)
+    status = store_query(store, "INSERT INTO cases (id, label) VALUES (?1, ?2)", id, &q, error);
+  if (status == ARC_OK) {
+    query_set_text(q, 2, label);
+    status = query_run(q, error);
+  }
+  query_close(&q);
+  return status;
+}
+
+static int status_named(const char *text) {
+  for (int i = 0; arc_case_status_names[i]; i++)
+    if (strcmp(arc_case_status_names[i], text) == 0) return i;
+  return -1;
+}
+
+/* Reads one row: id, label, status, message, seconds. */
+static arc_status read_case(arc_store *store, query *q, arc_case *one, arc_error *error) {
+  int status = status_named(query_text(q, 2));
+  one->id = (int)query_whole(q, 0);
+  if (status < 0)
+    return arc_fail(error, ARC_FORMAT, "%s: case %d has the unknown status '%s'", store->path,
+                    one->id, query_text(q, 2));
+  one->status = (arc_case_status)status;
+  snprintf(one->label, sizeof one->label, "%s", query_text(q, 1));
+  snprintf(one->message, sizeof one->message, "%s", query_text(q, 3));
+  one->seconds = query_number(q, 4);
+  return ARC_OK;
+}
+
+static arc_status count_cases(arc_store *store, size_t *count, arc_error *error) {
+  query *q;
+  int row;
+  arc_status status = query_open(store->db, "SELECT count(*) FROM cases", &q, error);
+  if (status == ARC_OK) status = query_step(q, &row, error);
+  if (status == ARC_OK) *count = (size_t)query_whole(q, 0);
+  query_close(&q);
+  return status;
+}
+
+arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, arc_error *error) {
+  query *q = NULL;
+  size_t room = 0;
+  int row = 0;
+  *cases = NULL;
+  *count = 0;
+  arc_status status = count_cases(store, &room, error);
+  if (status != ARC_OK) return status;
+  *cases = calloc(room + 1, sizeof **cases);
+  if (!*cases) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+  status = query_open(
+      store->db, "SELECT id, label, status, message, seconds FROM cases ORDER BY id", &q, error);
+  /* a writer may have added cases since they were counted */
+  while (status == ARC_OK && *count < room && (status = query_step(q, &row, error)) == ARC_OK &&
+         row)
+    status = read_case(store, q, &(*cases)[(*count)++], error);
+  query_close(&q);
+  if (status == ARC_OK) return ARC_OK;
+  free(*cases);
+  *cases = NULL;
+  *count = 0;
+  return status;
+}
+
+/* --- status ----------------------------------------------------------------------------------- */
+
+arc_status arc_store_mark(arc_store *store, int id, arc_case_status mark, const char *message,
+                          double seconds, arc_error *error) {
+  query *q;
+  arc_status status =
+      store_query(store, "UPDATE cases SET status = ?2, message = ?3, seconds = ?4 WHERE id = ?1",
+                  id, &q, error);
+  if (status != ARC_OK) return status;
+  query_set_text(q, 2, arc_case_status_names[mark]);
+  query_set_text(q, 3, message);
+  if (isfinite(seconds)) query_set_number(q, 4, seconds);
+  status = query_run(q, error);
+  query_close(&q);
+  if (status == ARC_OK && database_changes(store->db) == 0)
+    return arc_fail(error, ARC_ARGUMENT, "%s: there is no case %d", store->path, id);
+  return status;
+}
+
+arc_status arc_store_release(arc_store *store, arc_error *error) {
+  return database_run(
+      store->db, "UPDATE cases SET status = 'waiting', message = NULL WHERE status = 'running'",
+      error);
+}
+
+/* --- named values ----------------------------------------------------------------------------- */
+
+/* SQL by arc_value_use. */
+static const char *const forget[] = {"DELETE FROM settings WHERE case_id = ?1",
+                                     "DELETE FROM definition WHERE case_id = ?1",
+                                     "DELETE FROM results WHERE case_id = ?1"};
+static const char *const insert[] = {
+    "INSERT INTO settings (case_id, name, value) VALUES (?1, ?2, ?3)",
+    "INSERT INTO definition (case_id, name, value) VALUES (?1, ?2, ?3)",
+    "INSERT INTO results (case_id, name, value) VALUES (?1, ?2, ?3)"};
+static const char *const look_up[] = {
+    "SELECT name, value FROM settings WHERE case_id = ?1 ORDER BY name",
+    "SELECT name, value FROM definition WHERE case_id = ?1 ORDER BY name",
+    "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name"};
+
+static void set_value(query *q, const arc_value *value) {
+  query_set_text(q, 2, value->name);
+  switch (value->kind) {
+  case ARC_VALUE_NUMBER:
+    query_set_number(q, 3, value->number);
+    break;
+  case ARC_VALUE_FLAG: /* numbers are never stored as whole ones, so these stand out */
+    query_set_whole(q, 3, value->number != 0);
+    break;
+  case ARC_VALUE_TEXT:
+    query_set_text(q, 3, value->text);
+    break;
+  case ARC_VALUE_ARRAY:
+    query_set_array(q, 3, value->array, value->count);
+    break;
+  }
+}
+
+static arc_status insert_values(arc_store *store, int id, arc_value_use use,
+                                const arc_value *values, size_t count, arc_error *error) {
+  query *q;
+  arc_status status = store_query(store, insert[use], id, &q, error);
+  for (size_t i = 0; i < count && status == ARC_OK; i++) {
+    set_value(q, &values[i]);
+    status = query_run(q, error);
+  }
+  query_close(&q);
+  return status;
+}
+
+arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
+                                const arc_value *values, size_t count, arc_error *error) {
+  int own = 0;
+  arc_status status = store_enter(store, &own, error);
+  if (status == ARC_OK) status = store_run(store, forget[use], id, error);
+  if (status == ARC_OK) status = insert_values(store, id, use, values, count, error);
+  return store_leave(store, own, status, error);
+}
+
+/* The value of the row; an array is put into *buffer, which grows. */
+static arc_status read_value(arc_store *store, query *q, arc_value *value, double **buffer,
+                             arc_error *error) {
+  *value = (arc_value){.kind = ARC_VALUE_NUMBER, .name = query_text(q, 0)};
+  switch (query_kind(q, 1)) {
+  case COLUMN_WHOLE:
+    value->kind = ARC_VALUE_FLAG;
+    value->number = (double)query_whole(q, 1);
+    break;
+  case COLUMN_TEXT:
+    value->kind = ARC_VALUE_TEXT;
+    value->text = query_text(q, 1);
+    break;
+  case COLUMN_ARRAY:
+    value->kind = ARC_VALUE_ARRAY;
+    value->count = query_array_count(q, 1);
+    free(*buffer);
+    *buffer = malloc((value->count + 1) * sizeof **buffer);
+    if (!*buffer) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+    query_array(q, 1, *buffer, value->count);
+    value->array = *buffer;
+    break;
+  default:
+    value->number = query_number(q, 1);
+  }
+  return ARC_OK;
+}
+
+arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_value_fn see,
+                            void *context, arc_error *error) {
+  query *q;
+  double *buffer = NULL;
+  arc_value value;
+  int row = 0, ended = 0;
+  arc_status status = store_query(store, look_up[use], id, &q, error);
+  while (!ended && status == ARC_OK && (status = query_step(q, &row, error)) == ARC_OK && row) {
+    status = read_value(store, q, &value, &buffer, error);
+    if (status == ARC_OK) ended = see(context, &value);
+  }
+  query_close(&q);
+  free(buffer);
+  return status;
+}

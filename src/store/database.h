@@ -1,0 +1,57 @@
+/* SQLite as the other files of this layer see it: a database, and queries with numbered parameters
+ * (from 1) and columns (from 0). */
+#ifndef STORE_DATABASE_H
+#define STORE_DATABASE_H
+
+#include "archard/base.h"
+
+typedef struct database database;
+typedef struct query query;
+
+/* `create`: makes the file, which must not be there. */
+arc_status database_open(const char *path, int writable, int create, database **db,
+                         arc_error *error);
+void database_close(database **db);
+const char *database_path(const database *db);
+
+/* Runs statements without results. */
+arc_status database_run(database *db, const char *sql, arc_error *error);
+
+/* Rows changed by the last statement. */
+int database_changes(const database *db);
+/* Whether a transaction is open. */
+int database_in_transaction(const database *db);
+
+arc_status query_open(database *db, const char *sql, query **result, arc_error *error);
+void query_close(query **q);
+
+/* What fails here is told by the next query_step. Texts and arrays must live until then. */
+void query_set_number(query *q, int index, double value);
+void query_set_whole(query *q, int index, long long value);
+void query_set_text(query *q, int index, const char *text); /* NULL: no value */
+void query_set_array(query *q, int index, const double *values, size_t count);
+
+/* *row: whether there is another row. */
+arc_status query_step(query *q, int *row, arc_error *error);
+
+/* Runs a query that has no rows and makes it ready for new parameters. */
+arc_status query_run(query *q, arc_error *error);
+
+typedef enum column_kind {
+  COLUMN_NONE,
+  COLUMN_WHOLE,
+  COLUMN_NUMBER,
+  COLUMN_TEXT,
+  COLUMN_ARRAY
+} column_kind;
+
+column_kind query_kind(query *q, int column);
+double query_number(query *q, int column); /* NaN where there is no value */
+long long query_whole(query *q, int column);
+const char *query_text(query *q,
+                       int column); /* "" where there is none; lives until the next step */
+size_t query_array_count(query *q, int column);
+/* Copies as many numbers as there are, `count` at most. */
+void query_array(query *q, int column, double *values, size_t count);
+
+#endif

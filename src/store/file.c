@@ -1,0 +1,288 @@
+/* Run files as files: which are ours, making them, replacing them, transactions, notes. Leans on
+ * the database. */
+#include "store/store.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* "arch", at byte 68 of the file. */
+enum { APPLICATION = 0x61726368 };
+
+/* Numbers that must come back to the same bits stand in columns without a type: those of type REAL
+ * would lose the sign of zero. */
+static const char schema[] =
+    "PRAGMA page_size = 4096;"
+    "PRAGMA application_id = 1634886504;"
+    "BEGIN IMMEDIATE;"
+    "CREATE TABLE info (name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;"
+    "CREATE TABLE cases (id INTEGER PRIMARY KEY, label TEXT NOT NULL,"
+    "  status TEXT NOT NULL DEFAULT 'waiting', message TEXT, seconds REAL);"
+    "CREATE TABLE settings (case_id INTEGER NOT NULL REFERENCES cases, name TEXT NOT NULL, value,"
+    "  PRIMARY KEY (case_id, name)) WITHOUT ROWID;"
+    "CREATE TABLE definition (case_id INTEGER NOT NULL REFERENCES cases, name TEXT NOT NULL, value,"
+    "  PRIMARY KEY (case_id, name)) WITHOUT ROWID;"
+    "CREATE TABLE results (case_id INTEGER NOT NULL REFERENCES cases, name TEXT NOT NULL, value,"
+    "  PRIMARY KEY (case_id, name)) WITHOUT ROWID;"
+#define COLUMN(name, unit, text) ", \"" #name "\""
+    "CREATE TABLE history (case_id INTEGER NOT NULL REFERENCES cases, step INTEGER NOT "
+    "NULL" ARC_WEAR_COLUMNS(
+        COLUMN) ", PRIMARY KEY (case_id, step)) WITHOUT ROWID;"
+#undef COLUMN
+                "CREATE TABLE surfaces (case_id INTEGER NOT NULL REFERENCES cases, \"update\", "
+                "distance,"
+                "  body TEXT NOT NULL, node INTEGER NOT NULL, x, h, y, p,"
+                "  PRIMARY KEY (case_id, \"update\", body, node)) WITHOUT ROWID;"
+                "CREATE TABLE state (case_id INTEGER NOT NULL REFERENCES cases, body TEXT NOT NULL,"
+                "  condensed INTEGER NOT NULL, even, h BLOB NOT NULL, xy BLOB NOT NULL, settled "
+                "BLOB NOT NULL,"
+                "  PRIMARY KEY (case_id, body)) WITHOUT ROWID;"
+                "PRAGMA user_version = 1;"
+                "COMMIT;";
+
+_Static_assert(APPLICATION == 1634886504 && ARC_STORE_FORMAT == 1, "the schema says both again");
+
+/* --- which files are ours --------------------------------------------------------------------- */
+
+static long long big_endian(const unsigned char *bytes) {
+  return (long long)bytes[0] << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
+}
+
+/* A file that is shorter than it says, unless a journal is there to put it right. */
+static int is_cut_off(const char *path, const unsigned char *header) {
+  struct stat file, journal;
+  char *name = malloc(strlen(path) + sizeof "-journal");
+  if (!name) return 0;
+  sprintf(name, "%s-journal", path);
+  int journalled = stat(name, &journal) == 0;
+  free(name);
+  long long page = header[16] << 8 | header[17];
+  if (page == 1) page = 65536;
+  return !journalled && stat(path, &file) == 0 && file.st_size < page * big_endian(header + 28);
+}
+
+static arc_status check_header(const char *path, const unsigned char *header, size_t size,
+                               arc_error *error) {
+  static const char magic[] = "SQLite format 3";
+  if (size < 100 || memcmp(header, magic, sizeof magic) != 0)
+    return arc_fail(error, ARC_FORMAT, "%s: not a run file of archard (its first bytes are %s)",
+                    path, size == 0 ? "missing: it is empty" : "those of something else");
+  long long application = big_endian(header + 68), format = big_endian(header + 60);
+  if (application != APPLICATION)
+    return arc_fail(error, ARC_FORMAT,
+                    "%s: not a run file of archard but another program's database (its application "
+                    "id is %lld, expected %d)",
+                    path, application, APPLICATION);
+  if (format < 1 || format > ARC_STORE_FORMAT)
+    return arc_fail(error, ARC_FORMAT,
+                    "%s: format %lld is newer than this program, which knows up to %d", path,
+                    format, ARC_STORE_FORMAT);
+  if (is_cut_off(path, header))
+    return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: it has been cut off", path);
+  return ARC_OK;
+}
+
+/* Looks at the first bytes before SQLite does, which may write to a file it takes for its own. */
+static arc_status check_file(const char *path, arc_error *error) {
+  unsigned char header[100];
+  FILE *file = fopen(path, "rb");
+  if (!file) return arc_fail(error, ARC_IO, "%s: %s", path, strerror(errno));
+  size_t size = fread(header, 1, sizeof header, file);
+  int failed = ferror(file) ? errno : 0;
+  fclose(file);
+  if (failed) return arc_fail(error, ARC_IO, "%s: %s", path, strerror(failed));
+  return check_header(path, header, size, error);
+}
+
+/* --- opening and making ----------------------------------------------------------------------- */
+
+static arc_store *new_store(const char *path) {
+  arc_store *store = calloc(1, sizeof *store);
+  if (!store) return NULL;
+  store->path = strdup(path);
+  if (!store->path) arc_store_close(&store);
+  return store;
+}
+
+void arc_store_close(arc_store **store) {
+  if (!store || !*store) return;
+  database_close(&(*store)->db);
+  if ((*store)->beside) unlink((*store)->beside);
+  free((*store)->beside);
+  free((*store)->path);
+  free(*store);
+  *store = NULL;
+}
+
+const char *arc_store_path(const arc_store *store) {
+  return store->path;
+}
+
+/* Makes a whole file beside its place. */
+static arc_status make_beside(arc_store *store, arc_error *error) {
+  store->beside = malloc(strlen(store->path) + 40);
+  if (!store->beside) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+  sprintf(store->beside, "%s.new-%ld", store->path, (long)getpid());
+  unlink(store->beside);
+  arc_status status = database_open(store->beside, 1, 1, &store->db, error);
+  return status == ARC_OK ? database_run(store->db, schema, error) : status;
+}
+
+static arc_status move_into_place(arc_store *store, arc_error *error) {
+  database_close(&store->db);
+  int moved = rename(store->beside, store->path) == 0, why = errno;
+  if (!moved) unlink(store->beside);
+  free(store->beside);
+  store->beside = NULL;
+  return moved ? ARC_OK : arc_fail(error, ARC_IO, "%s: %s", store->path, strerror(why));
+}
+
+static arc_status create(arc_store *store, arc_error *error) {
+  arc_status status = make_beside(store, error);
+  if (status == ARC_OK) status = move_into_place(store, error);
+  return status == ARC_OK ? database_open(store->path, 1, 0, &store->db, error) : status;
+}
+
+arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **result,
+                          arc_error *error) {
+  *result = NULL;
+  arc_store *store = new_store(path);
+  if (!store) return arc_fail(error, ARC_MEMORY, "%s: out of memory", path);
+  arc_status status;
+  if (mode == ARC_STORE_CREATE && access(path, F_OK) != 0) {
+    status = create(store, error);
+  } else {
+    status = check_file(path, error);
+    if (status == ARC_OK)
+      status = database_open(path, mode != ARC_STORE_READ, 0, &store->db, error);
+  }
+  if (status != ARC_OK) arc_store_close(&store);
+  *result = store;
+  return status;
+}
+
+/* What stands where a new file is to go: nothing, or a file of the same kind. */
+static arc_status check_replaced(const char *path, const char *kind, arc_error *error) {
+  if (access(path, F_OK) != 0) return ARC_OK;
+  arc_store *old = NULL;
+  char *found = NULL;
+  arc_status status = arc_store_open(path, ARC_STORE_READ, &old, error);
+  if (status == ARC_OK) status = arc_store_info(old, "kind", &found, error);
+  if (status == ARC_OK && (!found || strcmp(found, kind) != 0))
+    status = arc_fail(error, ARC_ARGUMENT, "%s: not replaced: it holds a %s, expected a %s", path,
+                      found ? found : "file without a kind", kind);
+  free(found);
+  arc_store_close(&old);
+  return status;
+}
+
+arc_status arc_store_replace(const char *path, const char *kind, arc_store **result,
+                             arc_error *error) {
+  *result = NULL;
+  arc_status status = check_replaced(path, kind, error);
+  if (status != ARC_OK) return status;
+  arc_store *store = new_store(path);
+  if (!store) return arc_fail(error, ARC_MEMORY, "%s: out of memory", path);
+  status = make_beside(store, error);
+  if (status == ARC_OK) status = arc_store_set_info(store, "kind", kind, error);
+  if (status != ARC_OK) arc_store_close(&store);
+  *result = store;
+  return status;
+}
+
+arc_status arc_store_publish(arc_store **store, arc_error *error) {
+  arc_status status = move_into_place(*store, error);
+  arc_store_close(store);
+  return status;
+}
+
+arc_status arc_store_check(arc_store *store, arc_error *error) {
+  query *q;
+  int row;
+  arc_status status = query_open(store->db, "PRAGMA quick_check(1)", &q, error);
+  if (status == ARC_OK) status = query_step(q, &row, error);
+  if (status == ARC_OK && strcmp(query_text(q, 0), "ok") != 0)
+    status =
+        arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", store->path, query_text(q, 0));
+  query_close(&q);
+  return status;
+}
+
+/* --- transactions ----------------------------------------------------------------------------- */
+
+arc_status arc_store_begin(arc_store *store, arc_error *error) {
+  return database_run(store->db, "BEGIN IMMEDIATE", error);
+}
+
+arc_status arc_store_commit(arc_store *store, arc_error *error) {
+  arc_status status = database_run(store->db, "COMMIT", error);
+  if (status != ARC_OK) arc_store_rollback(store);
+  return status;
+}
+
+/* SQLite has rolled back by itself after some failures. */
+void arc_store_rollback(arc_store *store) {
+  if (database_in_transaction(store->db)) database_run(store->db, "ROLLBACK", NULL);
+}
+
+arc_status store_enter(arc_store *store, int *own, arc_error *error) {
+  *own = !database_in_transaction(store->db);
+  return *own ? arc_store_begin(store, error) : ARC_OK;
+}
+
+arc_status store_leave(arc_store *store, int own, arc_status status, arc_error *error) {
+  if (!own) return status;
+  if (status == ARC_OK) return arc_store_commit(store, error);
+  arc_store_rollback(store);
+  return status;
+}
+
+arc_status store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error) {
+  arc_status status = query_open(store->db, sql, q, error);
+  if (status == ARC_OK) query_set_whole(*q, 1, id);
+  return status;
+}
+
+arc_status store_run(arc_store *store, const char *sql, int id, arc_error *error) {
+  query *q;
+  arc_status status = store_query(store, sql, id, &q, error);
+  if (status == ARC_OK) status = query_run(q, error);
+  query_close(&q);
+  return status;
+}
+
+/* --- notes ------------------------------------------------------------------------------------ */
+
+arc_status arc_store_set_info(arc_store *store, const char *name, const char *text,
+                              arc_error *error) {
+  query *q;
+  arc_status status = query_open(store->db,
+                                 text ? "INSERT OR REPLACE INTO info (name, value) VALUES (?1, ?2)"
+                                      : "DELETE FROM info WHERE name = ?1",
+                                 &q, error);
+  if (status != ARC_OK) return status;
+  query_set_text(q, 1, name);
+  if (text) query_set_text(q, 2, text);
+  status = query_run(q, error);
+  query_close(&q);
+  return status;
+}
+
+arc_status arc_store_info(arc_store *store, const char *name, char **text, arc_error *error) {
+  *text = NULL;
+  query *q;
+  int row;
+  arc_status status = query_open(store->db, "SELECT value FROM info WHERE name = ?1", &q, error);
+  if (status != ARC_OK) return status;
+  query_set_text(q, 1, name);
+  status = query_step(q, &row, error);
+  if (status == ARC_OK && row) {
+    *text = strdup(query_text(q, 0));
+    if (!*text) status = arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+  }
+  query_close(&q);
+  return status;
+}

@@ -1,0 +1,95 @@
+/* Joining run files: the shares of a study computed apart. */
+#include "store/store.h"
+
+#include <stdlib.h>
+
+/* Attaching needs the path as a parameter: it may hold any character. */
+static arc_status attach(arc_store *store, const char *from, arc_error *error) {
+  query *q;
+  arc_status status = query_open(store->db, "ATTACH ?1 AS other", &q, error);
+  if (status != ARC_OK) return status;
+  query_set_text(q, 1, from);
+  status = query_run(q, error);
+  query_close(&q);
+  return status;
+}
+
+/* Fails with `what` and the case of the first row that `sql` finds. */
+static arc_status expect_none(arc_store *store, const char *sql, const char *from, const char *what,
+                              arc_error *error) {
+  query *q;
+  int row = 0;
+  arc_status status = query_open(store->db, sql, &q, error);
+  if (status == ARC_OK) status = query_step(q, &row, error);
+  if (status == ARC_OK && row)
+    status = arc_fail(error, ARC_ARGUMENT, "%s: case %lld %s (in %s)", from, query_whole(q, 0),
+                      what, store->path);
+  query_close(&q);
+  return status;
+}
+
+static arc_status check_same_study(arc_store *store, const char *from, arc_error *error) {
+  arc_status status = expect_none(
+      store,
+      "SELECT id FROM (SELECT id, label FROM main.cases EXCEPT SELECT id, label FROM other.cases "
+      "UNION ALL SELECT id, label FROM (SELECT id, label FROM other.cases EXCEPT SELECT id, label "
+      "FROM main.cases)) ORDER BY id LIMIT 1",
+      from, "is not the same in both: they hold different studies", error);
+  if (status != ARC_OK) return status;
+  return expect_none(
+      store,
+      "SELECT case_id FROM (SELECT * FROM main.settings EXCEPT SELECT * FROM other.settings "
+      "UNION ALL SELECT * FROM (SELECT * FROM other.settings EXCEPT SELECT * FROM main.settings)) "
+      "ORDER BY case_id LIMIT 1",
+      from, "has other settings: they hold different studies", error);
+}
+
+static arc_status check_none_double(arc_store *store, const char *from, arc_error *error) {
+  return expect_none(store,
+                     "SELECT a.id FROM main.cases a JOIN other.cases b ON a.id = b.id "
+                     "WHERE a.status = 'done' AND b.status = 'done' ORDER BY a.id LIMIT 1",
+                     from, "is finished in both", error);
+}
+
+#define FINISHED " WHERE case_id IN (SELECT id FROM other.cases WHERE status = 'done')"
+
+static arc_status copy_finished(arc_store *store, arc_error *error) {
+  return database_run(
+      store->db,
+      "INSERT INTO main.definition SELECT * FROM other.definition" FINISHED ";"
+      "INSERT INTO main.results SELECT * FROM other.results" FINISHED ";"
+      "INSERT INTO main.history SELECT * FROM other.history" FINISHED ";"
+      "INSERT INTO main.surfaces SELECT * FROM other.surfaces" FINISHED ";"
+      "INSERT INTO main.state SELECT * FROM other.state" FINISHED ";"
+      "UPDATE main.cases SET (status, message, seconds) ="
+      "  (SELECT status, message, seconds FROM other.cases o WHERE o.id = main.cases.id)"
+      "  WHERE status <> 'done' AND id IN (SELECT id FROM other.cases WHERE status <> 'waiting');",
+      error);
+}
+
+static arc_status merge_attached(arc_store *store, const char *from, arc_error *error) {
+  arc_status status = arc_store_begin(store, error);
+  if (status != ARC_OK) return status;
+  status = check_same_study(store, from, error);
+  if (status == ARC_OK) status = check_none_double(store, from, error);
+  if (status == ARC_OK) status = copy_finished(store, error);
+  return store_leave(store, 1, status, error);
+}
+
+/* Opened once by itself, so that a foreign file is refused in plain words. */
+static arc_status check_source(const char *from, arc_error *error) {
+  arc_store *other = NULL;
+  arc_status status = arc_store_open(from, ARC_STORE_READ, &other, error);
+  if (status == ARC_OK) status = arc_store_check(other, error);
+  arc_store_close(&other);
+  return status;
+}
+
+arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error) {
+  arc_status status = check_source(from, error);
+  if (status == ARC_OK) status = attach(store, from, error);
+  if (status != ARC_OK) return status;
+  status = merge_attached(store, from, error);
+  arc_status detached = database_run(store->db, "DETACH other", status == ARC_OK ? error : NULL);
+  return status == ARC_OK ? detached : status;
+}

@@ -1,0 +1,31 @@
+/* The inside of an arc_store, for the files of this layer. */
+#ifndef STORE_STORE_H
+#define STORE_STORE_H
+
+#include "archard/store.h"
+#include "store/database.h"
+
+struct arc_store {
+  database *db;
+  char *path;   /* the file's name for the user */
+  char *beside; /* where a replacing file is written until it is published; NULL: none */
+};
+
+/* Opens a transaction unless one is open; *own says whether it did. */
+arc_status store_enter(arc_store *store, int *own, arc_error *error);
+/* Ends what store_enter began: commits after ARC_OK, takes back after anything else. Returns the
+ * status of the whole. */
+arc_status store_leave(arc_store *store, int own, arc_status status, arc_error *error);
+
+/* A query of one case, with its id as parameter 1. */
+arc_status store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error);
+
+/* Runs a statement with the case's id as parameter 1. */
+arc_status store_run(arc_store *store, const char *sql, int id, arc_error *error);
+
+/* --- definition.c: the engine's definitions as named values ----------------------------------- */
+
+/* Writes the definition of a run as the values of a case. */
+arc_status definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error);
+
+#endif
