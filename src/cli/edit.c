@@ -149,21 +149,25 @@ static void abandon_line(void) {
 /* Lets readline treat what its handlers noted: it puts the terminal right, then passes the signal
  * on to the handler or default action of before. */
 static void treat_signals(const sigset_t *normal) {
-  continued = 0;
   do {
     sigprocmask(SIG_SETMASK, normal, NULL);
     rl_check_signals();
     sigprocmask(SIG_BLOCK, &editor.kept_back, NULL);
   } while (rl_pending_signal() != 0);
   if (continued) rl_forced_update_display();
+  continued = 0;
 }
 
-/* Waits for a key; the signals come in here and nowhere else. Returns zero if one did. */
+/* Waits for a key; the signals come in here and nowhere else. Returns zero if one did. A key may
+ * be there already when a signal comes (Ctrl-C, then more): the signal goes first. */
 static int wait_for_key(const sigset_t *normal) {
   fd_set input;
   FD_ZERO(&input);
   FD_SET(STDIN_FILENO, &input);
-  return pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL, normal) > 0;
+  int ready = pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL, normal) > 0;
+  sigprocmask(SIG_SETMASK, normal, NULL);
+  sigprocmask(SIG_BLOCK, &editor.kept_back, NULL);
+  return ready && rl_pending_signal() == 0;
 }
 
 edit_result edit_read(const char *prompt, char **line) {

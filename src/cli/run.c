@@ -66,7 +66,9 @@ run_status run_call(lua_State *L, int arguments, int results) {
   int base = lua_gettop(L) - arguments;
   lua_pushcfunction(L, describe);
   lua_insert(L, base);
+  interrupt_attach(L);
   int status = lua_pcall(L, arguments, results, base);
+  interrupt_detach(L);
   lua_remove(L, base);
   return status == LUA_OK ? RUN_OK : run_refused(L);
 }

@@ -8,7 +8,6 @@
 /* A signal handler has no other way to reach the state than file scope. */
 static volatile sig_atomic_t requests;
 static lua_State *volatile running;
-static lua_State *main_state;
 
 /* Pushes "file:line: " of the Lua function that runs, or of the one that called a C function. */
 static void push_place(lua_State *L) {
@@ -49,14 +48,21 @@ int interrupt_pending(void *context) {
 
 void interrupt_clear(void) {
   requests = 0;
-  running = main_state;
-  if (main_state) lua_sethook(main_state, NULL, 0, 0);
 }
 
 /* Whoever takes over the processor must carry the hook if a request came before. */
 static void switch_to(lua_State *L) {
   running = L;
   if (requests) arm(L);
+}
+
+void interrupt_attach(lua_State *L) {
+  switch_to(L);
+}
+
+void interrupt_detach(lua_State *L) {
+  running = NULL;
+  lua_sethook(L, NULL, 0, 0);
 }
 
 /* Resumes `co` with the `count` values on top of L. Returns the number of results moved to L, or
@@ -135,7 +141,6 @@ static int tracked_close(lua_State *L) {
 }
 
 void interrupt_install(lua_State *L) {
-  main_state = running = L;
   lua_getglobal(L, "coroutine");
   lua_getfield(L, -1, "close");
   lua_pushcclosure(L, tracked_close, 1);

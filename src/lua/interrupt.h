@@ -9,9 +9,14 @@
 
 #include <lua.h>
 
-/* Makes `L` the state that requests go to, and replaces coroutine.resume, wrap and close by
- * versions that keep track of the running coroutine. Once, after the standard libraries. */
+/* Replaces coroutine.resume, wrap and close by versions that keep track of the running coroutine.
+ * Once, after the standard libraries. */
 void interrupt_install(lua_State *L);
+
+/* Between these two calls requests stop what runs in `L`, also one that came just before; outside
+ * they only set the flag, so that the program's own work is never cut short. */
+void interrupt_attach(lua_State *L);
+void interrupt_detach(lua_State *L);
 
 /* Asks for a stop; may be called from a signal handler. Returns how many requests were pending. */
 int interrupt_request(void);
@@ -19,7 +24,7 @@ int interrupt_request(void);
 /* Non-zero when a stop was asked for: an arc_stop_fn for the engine; `context` is not used. */
 int interrupt_pending(void *context);
 
-/* Forgets the request. Called when nothing of the user's runs any more. */
+/* Forgets the request. Called when nothing of the user's runs. */
 void interrupt_clear(void);
 
 #endif
