@@ -78,6 +78,8 @@ typedef struct arc_contact arc_contact;
 arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_contact **contact,
                              arc_error *error);
 void arc_contact_destroy(arc_contact **contact);
+/* Bytes held by the contact, for a garbage collector. */
+size_t arc_contact_bytes(const arc_contact *contact);
 
 typedef struct arc_contact_result {
   double load;        /* [N] */

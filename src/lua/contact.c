@@ -133,6 +133,7 @@ static int contact_new(lua_State *L) {
   arc_status status = arc_contact_solve(shape, def.load, def.x, &contact, &error);
   made->thing = contact;
   error_check(L, status, &error, "contact", -1);
+  box_weigh(L, arc_contact_bytes(contact));
   return 1;
 }
 

@@ -25,6 +25,7 @@ static const arc_contact *push_contact(lua_State *L, const arc_wear *wear, const
   arc_status status = arc_wear_contact(wear, &contact, &error);
   made->thing = contact;
   error_check(L, status, &error, where, (lua_Number)arc_wear_last(wear)->update);
+  box_weigh(L, arc_contact_bytes(contact));
   return contact;
 }
 

@@ -88,6 +88,11 @@ void arc_contact_destroy(arc_contact **contact) {
   *contact = NULL;
 }
 
+size_t arc_contact_bytes(const arc_contact *c) {
+  const size_t nodes = (size_t)(c->count[ARC_CYLINDER] + c->count[ARC_PLATE]);
+  return sizeof *c + shape_bytes(c->shape) + pose_bytes(&c->pose) + 3 * nodes * sizeof(double);
+}
+
 arc_contact_result arc_contact_get(const arc_contact *contact) {
   return contact->result;
 }

@@ -38,6 +38,12 @@ void pose_free(pose *p) {
   *p = (pose){0};
 }
 
+size_t pose_bytes(const pose *p) {
+  const size_t nc = (size_t)p->nc, np = (size_t)p->np, width = (size_t)p->width;
+  return sizeof *p + (2 * nc * nc + nc * width + 9 * nc + 5 * np) * sizeof(double) +
+         2 * nc * sizeof(int);
+}
+
 /* The zone that would have held the contact, in words. */
 static arc_status edge_reached(pose *p, int left, arc_error *error) {
   const int node = left ? p->lo : p->lo + p->count - 1;

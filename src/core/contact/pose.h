@@ -36,6 +36,8 @@ typedef struct pose {
 /* Room for a pose on a model; ARC_MEMORY leaves it empty. */
 arc_status pose_create(pose *p, const arc_model *model);
 void pose_free(pose *p);
+/* Bytes of one pose. */
+size_t pose_bytes(const pose *p);
 
 /* B and tributary widths for the plate at x [mm], from where the nodes stood along x at the last
  * condensation: coupling and compliance always belong together. ARC_ZONE where fewer than three

@@ -255,9 +255,8 @@ const arc_wear_record *arc_wear_last(const arc_wear *w) {
 
 size_t arc_wear_bytes(const arc_wear *w) {
   const size_t n = (size_t)(w->nc + w->np);
-  const size_t one_pose = 2 * (size_t)w->nc * (size_t)w->nc + 20 * n;
-  return ((size_t)(w->poses + 1) * one_pose + 8 * n) * sizeof(double) + 2 * shape_bytes(w->shape) +
-         w->capacity * sizeof(arc_wear_record);
+  return (size_t)(w->poses + 1) * pose_bytes(&w->reference) + 8 * n * sizeof(double) +
+         2 * shape_bytes(w->shape) + w->capacity * sizeof(arc_wear_record);
 }
 
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {
