@@ -58,7 +58,7 @@ UNUSED static void check_near_at(double got, double expected, double room, const
 
 /* The same, `share` relative to the expected value. */
 #define check_share(got, expected, share)                                                          \
-  check_near_at(got, expected, (share)*fabs(expected), #got, __FILE__, __LINE__)
+  check_near_at(got, expected, (share)*fabs((double)(expected)), #got, __FILE__, __LINE__)
 
 #define check_below(got, limit) check_below_at(got, limit, #got, __FILE__, __LINE__)
 
