@@ -28,20 +28,23 @@ enum { ARGS_LOW_OPEN = 1, ARGS_HIGH_OPEN = 2 };
 
 /* Entries for common members: a number above or from `bound` on, a name out of a list, a value with
  * its own reader. */
-#define ARGS_ABOVE(type, member, bound)                                                            \
+#define ARGS_ABOVE(type, field, member, bound)                                                     \
   {                                                                                                \
-    .name = #member, .kind = ARGS_NUMBER, .offset = offsetof(type, member), .low = (bound),        \
+    .name = (field), .kind = ARGS_NUMBER, .offset = offsetof(type, member), .low = (bound),        \
     .high = HUGE_VAL, .open = ARGS_LOW_OPEN                                                        \
   }
-#define ARGS_FROM(type, member, bound)                                                             \
+#define ARGS_FROM(type, field, member, bound)                                                      \
   {                                                                                                \
-    .name = #member, .kind = ARGS_NUMBER, .offset = offsetof(type, member), .low = (bound),        \
+    .name = (field), .kind = ARGS_NUMBER, .offset = offsetof(type, member), .low = (bound),        \
     .high = HUGE_VAL                                                                               \
   }
-#define ARGS_NAMED(type, member, names)                                                            \
-  { .name = #member, .kind = ARGS_CHOICE, .offset = offsetof(type, member), .choices = (names) }
+#define ARGS_NAMED(type, field, member, names)                                                     \
+  { .name = (field), .kind = ARGS_CHOICE, .offset = offsetof(type, member), .choices = (names) }
 #define ARGS_READ(type, field, member, reader)                                                     \
   { .name = (field), .kind = ARGS_READER, .offset = offsetof(type, member), .read = (reader) }
+/* A name that whoever made the list reads. */
+#define ARGS_OTHER(field)                                                                          \
+  { .name = (field), .kind = ARGS_ANY }
 
 typedef struct args_field {
   const char *name; /* NULL ends a list */

@@ -84,14 +84,14 @@ typedef struct contact_def {
 } contact_def;
 
 static const args_field definition[] = {
-    ARGS_ABOVE(contact_def, load, 0),
+    ARGS_ABOVE(contact_def, "load", load, 0),
     {.name = "x",
      .kind = ARGS_NUMBER,
      .offset = offsetof(contact_def, x),
      .low = -HUGE_VAL,
      .high = HUGE_VAL},
-    {.name = "model", .kind = ARGS_ANY},
-    {.name = "worn", .kind = ARGS_ANY},
+    ARGS_OTHER("model"),
+    ARGS_OTHER("worn"),
     {.name = NULL},
 };
 

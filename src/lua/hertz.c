@@ -17,9 +17,9 @@ typedef struct hertz_value {
 static const box_class hertz_class;
 
 static const args_field definition[] = {
-    ARGS_ABOVE(hertz_def, radius, 0),
-    ARGS_ABOVE(hertz_def, load, 0),
-    ARGS_ABOVE(hertz_def, thickness, 0),
+    ARGS_ABOVE(hertz_def, "radius", radius, 0),
+    ARGS_ABOVE(hertz_def, "load", load, 0),
+    ARGS_ABOVE(hertz_def, "thickness", thickness, 0),
     ARGS_READ(hertz_def, "cylinder", material[ARC_CYLINDER], material_read),
     ARGS_READ(hertz_def, "plate", material[ARC_PLATE], material_read),
     {.name = NULL},

@@ -7,7 +7,7 @@
 static const box_class material_class;
 
 static const args_field definition[] = {
-    ARGS_ABOVE(arc_material, E, 0),
+    ARGS_ABOVE(arc_material, "E", E, 0),
     {.name = "nu",
      .kind = ARGS_NUMBER,
      .offset = offsetof(arc_material, nu),

@@ -30,8 +30,8 @@ typedef struct zone_widths {
 } zone_widths;
 
 static const args_field zone_fields[] = {
-    ARGS_ABOVE(zone_widths, cylinder, 0),
-    ARGS_ABOVE(zone_widths, plate, 0),
+    ARGS_ABOVE(zone_widths, "cylinder", cylinder, 0),
+    ARGS_ABOVE(zone_widths, "plate", plate, 0),
     {.name = NULL},
 };
 
@@ -52,31 +52,16 @@ static void read_zone(lua_State *L, args_place place, const char *name, void *me
 }
 
 static const args_field mesh_fields[] = {
-    {.name = "size",
-     .kind = ARGS_NUMBER,
-     .offset = offsetof(model_request, def.mesh.size),
-     .high = HUGE_VAL,
-     .open = ARGS_LOW_OPEN},
-    {.name = "height",
-     .kind = ARGS_NUMBER,
-     .offset = offsetof(model_request, def.mesh.height),
-     .high = HUGE_VAL,
-     .open = ARGS_LOW_OPEN},
-    {.name = "far",
-     .kind = ARGS_NUMBER,
-     .offset = offsetof(model_request, def.mesh.far),
-     .high = HUGE_VAL,
-     .open = ARGS_LOW_OPEN},
+    ARGS_ABOVE(model_request, "size", def.mesh.size, 0),
+    ARGS_ABOVE(model_request, "height", def.mesh.height, 0),
+    ARGS_ABOVE(model_request, "far", def.mesh.far, 0),
     {.name = "zone", .kind = ARGS_READER, .offset = 0, .read = read_zone},
     {.name = "rows",
      .kind = ARGS_WHOLE,
      .offset = offsetof(model_request, def.mesh.rows),
      .low = 1,
      .high = 100},
-    {.name = "element",
-     .kind = ARGS_CHOICE,
-     .offset = offsetof(model_request, def.mesh.element),
-     .choices = element_names},
+    ARGS_NAMED(model_request, "element", def.mesh.element, element_names),
     {.name = NULL},
 };
 
@@ -90,16 +75,8 @@ static void read_mesh(lua_State *L, args_place place, const char *name, void *me
 }
 
 static const args_field definition[] = {
-    {.name = "radius",
-     .kind = ARGS_NUMBER,
-     .offset = offsetof(model_request, def.radius),
-     .high = HUGE_VAL,
-     .open = ARGS_LOW_OPEN},
-    {.name = "thickness",
-     .kind = ARGS_NUMBER,
-     .offset = offsetof(model_request, def.thickness),
-     .high = HUGE_VAL,
-     .open = ARGS_LOW_OPEN},
+    ARGS_ABOVE(model_request, "radius", def.radius, 0),
+    ARGS_ABOVE(model_request, "thickness", def.thickness, 0),
     ARGS_READ(model_request, "cylinder", def.material[ARC_CYLINDER], material_read),
     ARGS_READ(model_request, "plate", def.material[ARC_PLATE], material_read),
     {.name = "mesh", .kind = ARGS_READER, .offset = 0, .read = read_mesh},

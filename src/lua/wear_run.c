@@ -80,9 +80,9 @@ typedef struct run_def {
 } run_def;
 
 static const args_field definition[] = {
-    ARGS_ABOVE(run_def, distance, 0),
-    ARGS_ABOVE(run_def, cycles, 0),
-    {.name = "progress", .kind = ARGS_ANY},
+    ARGS_ABOVE(run_def, "distance", distance, 0),
+    ARGS_ABOVE(run_def, "cycles", cycles, 0),
+    ARGS_OTHER("progress"),
     {.name = NULL},
 };
 

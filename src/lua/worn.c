@@ -20,8 +20,8 @@ const box_class shape_class = {
     .name = "shape", .tostring = shape_tostring, .destroy = destroy_shape};
 
 static const args_field by_body[] = {
-    {.name = "cylinder", .kind = ARGS_ANY},
-    {.name = "plate", .kind = ARGS_ANY},
+    ARGS_OTHER("cylinder"),
+    ARGS_OTHER("plate"),
     {.name = NULL},
 };
 
