@@ -2,103 +2,11 @@
 #include "lua/wear.h"
 #include "lua/error.h"
 
-#include <string.h>
-
-const char *const procedure_names[] = {"auto", "SP", "NSP", NULL};
-const char *const scheme_names[] = {"explicit", "implicit", NULL};
-const char *const slip_names[] = {"rigid", "total", NULL};
-const char *const rule_names[] = {"trapezoid", "simple", NULL};
-const char *const geometry_names[] = {"moving", "frozen", NULL};
-
-/* --- the definition -------------------------------------------------------------------------- */
-
-typedef struct wear_request {
-  arc_wear_def def;
-  double cycles; /* 0: not given */
-} wear_request;
-
-#define AT(member) .offset = offsetof(wear_request, member)
-
-static const args_field definition[] = {
-    ARGS_FROM(wear_request, "k", def.k, 0),
-    {.name = "alpha", .kind = ARGS_NUMBER, AT(def.alpha), .low = 0, .high = 1},
-    ARGS_ABOVE(wear_request, "load", def.load, 0),
-    ARGS_ABOVE(wear_request, "stroke", def.stroke, 0),
-    ARGS_ABOVE(wear_request, "distance", def.distance, 0),
-    ARGS_ABOVE(wear_request, "cycles", cycles, 0),
-    ARGS_ABOVE(wear_request, "jump", def.jump, 0),
-    {.name = "increments", .kind = ARGS_WHOLE, AT(def.increments), .low = 2, .high = 1e6},
-    ARGS_FROM(wear_request, "refresh", def.refresh, 0),
-    ARGS_NAMED(wear_request, "procedure", def.procedure, procedure_names),
-    ARGS_NAMED(wear_request, "scheme", def.scheme, scheme_names),
-    ARGS_NAMED(wear_request, "slip", def.slip, slip_names),
-    ARGS_NAMED(wear_request, "rule", def.rule, rule_names),
-    ARGS_NAMED(wear_request, "geometry", def.geometry, geometry_names),
-    ARGS_OTHER("model"),
-    ARGS_OTHER("worn"),
-    ARGS_OTHER("tolerance"),
-    ARGS_OTHER("loading"),
-    ARGS_OTHER("local_factor"),
-    {.name = NULL},
-};
-
-/* What the contract names and the engine cannot do yet: a field with a value of a type, or with
- * this very text. */
-static const struct {
-  const char *field;
-  int type; /* LUA_TNONE: any */
-  const char *text;
-  const char *instead;
-} later[] = {
-    {"k", LUA_TFUNCTION, NULL, "give a number"},
-    {"alpha", LUA_TFUNCTION, NULL, "give a number"},
-    {"jump", LUA_TFUNCTION, NULL, "give a number"},
-    {"jump", LUA_TSTRING, "auto", "give a number"},
-    {"scheme", LUA_TSTRING, "implicit", "use \"explicit\""},
-    {"tolerance", LUA_TNONE, NULL, "leave it out"},
-    {"loading", LUA_TNONE, NULL, "give stroke and load"},
-    {"local_factor", LUA_TNONE, NULL, "leave it out"},
-};
-
-static void refuse_later(lua_State *L, int index) {
-  for (size_t i = 0; i < sizeof later / sizeof *later; i++) {
-    int type = args_get(L, index, later[i].field);
-    int meant = type != LUA_TNIL && (later[i].type == LUA_TNONE || later[i].type == type);
-    if (meant && later[i].text) meant = strcmp(later[i].text, lua_tostring(L, -1)) == 0;
-    if (meant)
-      error_raise(L, ARC_ARGUMENT, "wear", "field '%s': %s%s%s not available yet; %s",
-                  later[i].field, later[i].text ? "\"" : "",
-                  later[i].text                ? later[i].text
-                  : later[i].type == LUA_TNONE ? "it is"
-                                               : "functions of the state are",
-                  later[i].text ? "\" is" : "", later[i].instead);
-    lua_pop(L, 1);
-  }
-}
-
-static wear_request read_request(lua_State *L, int index) {
-  wear_request request = {.def = arc_wear_default(), .cycles = 0};
-  args_read(L, index, (args_place){"wear", ""}, definition, &request);
-  if (request.cycles > 0 && args_get(L, index, "distance") != LUA_TNIL)
-    error_raise(L, ARC_ARGUMENT, "wear",
-                "fields 'distance' and 'cycles': expected one of them, got both");
-  return request;
-}
-
 /* --- construction ---------------------------------------------------------------------------- */
-
-/* The definition on a model: `cycles` become a distance once the radius tells how many strokes a
- * cycle has. */
-static arc_wear_def settle(const wear_request *request, const arc_model_def *model) {
-  arc_wear_def def = request->def;
-  if (request->cycles > 0)
-    def.distance = request->cycles * arc_wear_def_strokes(&def, model) * def.stroke;
-  return def;
-}
 
 static arc_status needed_zones(const void *asker, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
-  arc_wear_def def = settle(asker, model);
+  arc_wear_def def = wear_request_settle(asker, model);
   arc_status status = arc_wear_check(&def, model, error);
   if (status == ARC_OK) arc_wear_zones(&def, model, zone);
   return status;
@@ -121,7 +29,7 @@ static void create_run(lua_State *L, box *made, arc_model *model, const wear_req
                        const arc_shape *start) {
   arc_error error = {0};
   arc_wear *wear = NULL;
-  arc_wear_def def = settle(request, arc_model_definition(model));
+  arc_wear_def def = wear_request_settle(request, arc_model_definition(model));
   arc_status status = arc_wear_create(model, &def, start, &wear, &error);
   made->thing = wear;
   error_check(L, status, &error, "wear", -1);
@@ -132,8 +40,7 @@ static void create_run(lua_State *L, box *made, arc_model *model, const wear_req
 static int wear_new(lua_State *L) {
   lua_remove(L, 1);
   lua_settop(L, 1);
-  refuse_later(L, 1);
-  wear_request request = read_request(L, 1);
+  wear_request request = wear_request_read(L, 1);
   worn_check(L, 1, "wear");
   int worn = lua_gettop(L);
   arc_model *model = model_argument(L, worn, "wear", needed_zones, &request);

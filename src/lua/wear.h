@@ -13,6 +13,23 @@ extern const char *const scheme_names[];
 extern const char *const slip_names[];
 extern const char *const rule_names[];
 extern const char *const geometry_names[];
+extern const char *const update_names[];
+extern const char *const law_names[];
+
+/* --- wear_def.c: the definition table --- */
+
+typedef struct wear_request {
+  arc_wear_def def;
+  double cycles; /* in place of a distance; 0: not given */
+} wear_request;
+
+/* Reads and checks the table at `index` (or nil); leaves what holds its arrays on the stack. The
+ * fields model and worn are read by others. */
+wear_request wear_request_read(lua_State *L, int index);
+
+/* The definition on a model: `cycles` become a distance once the radius tells how many strokes a
+ * cycle has. */
+arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model);
 
 /* --- wear_state.c: what a run knows, as fields and in words --- */
 extern const luaL_Reg wear_fields[];

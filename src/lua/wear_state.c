@@ -1,4 +1,5 @@
 /* Class wear: its fields (state, measures, definition) and its summary in words. */
+#include "lua/array.h"
 #include "lua/error.h"
 #include "lua/wear.h"
 
@@ -67,15 +68,48 @@ static int wear_done(lua_State *L) {
 
 /* --- the definition -------------------------------------------------------------------------- */
 
-NUMBER_FIELD(wear, k, def(L)->k)
-NUMBER_FIELD(wear, alpha, def(L)->alpha)
 NUMBER_FIELD(wear, load, def(L)->load)
 NUMBER_FIELD(wear, stroke, def(L)->stroke)
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
-NUMBER_FIELD(wear, jump, def(L)->jump)
+NUMBER_FIELD(wear, law_pressure, def(L)->law_pressure)
+NUMBER_FIELD(wear, law_exponent, def(L)->law_exponent)
+NUMBER_FIELD(wear, tolerance, def(L)->tolerance)
 NUMBER_FIELD(wear, refresh, def(L)->refresh)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
 NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
+
+/* Pushes a number, or { distance=, value= } where it is given as such. */
+static int push_coefficient(lua_State *L, double number, const arc_series *series) {
+  if (series->count == 0) {
+    lua_pushnumber(L, number);
+    return 1;
+  }
+  lua_createtable(L, 0, 2);
+  array_set(L, "distance", series->distance, (size_t)series->count);
+  array_set(L, "value", series->value, (size_t)series->count);
+  return 1;
+}
+
+static int wear_k(lua_State *L) {
+  return push_coefficient(L, def(L)->k, &def(L)->k_series);
+}
+
+static int wear_alpha(lua_State *L) {
+  return push_coefficient(L, def(L)->alpha, &def(L)->alpha_series);
+}
+
+static int wear_jump(lua_State *L) {
+  if (def(L)->jump_auto)
+    lua_pushliteral(L, "auto");
+  else
+    lua_pushnumber(L, def(L)->jump);
+  return 1;
+}
+
+static int wear_order(lua_State *L) {
+  lua_pushinteger(L, def(L)->order);
+  return 1;
+}
 
 static int wear_increments(lua_State *L) {
   lua_pushinteger(L, def(L)->increments);
@@ -105,6 +139,14 @@ static int wear_rule(lua_State *L) {
 
 static int wear_geometry(lua_State *L) {
   return push_name(L, geometry_names[def(L)->geometry]);
+}
+
+static int wear_law(lua_State *L) {
+  return push_name(L, law_names[def(L)->law]);
+}
+
+static int wear_update_at(lua_State *L) {
+  return push_name(L, update_names[def(L)->update]);
 }
 
 static int wear_model(lua_State *L) {
@@ -142,22 +184,49 @@ const luaL_Reg wear_fields[] = {
     {"slip", wear_slip},
     {"rule", wear_rule},
     {"geometry", wear_geometry},
+    {"law", wear_law},
+    {"law_pressure", wear_law_pressure},
+    {"law_exponent", wear_law_exponent},
+    {"order", wear_order},
+    {"tolerance", wear_tolerance},
+    {"update_at", wear_update_at},
     {"model", wear_model},
     {NULL, NULL},
 };
 
 /* --- in words -------------------------------------------------------------------------------- */
 
+/* "0.5", or "by distance" for a series. */
+static const char *show_coefficient(double number, const arc_series *series, char *text,
+                                    size_t size) {
+  if (series->count > 0) return "by distance";
+  snprintf(text, size, "%.6g", number);
+  return text;
+}
+
+/* "jump 100", "jump auto", "tolerance 0.001": what the length of a step goes by. */
+static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
+  if (settings->tolerance > 0)
+    snprintf(text, size, "tolerance %.6g", settings->tolerance);
+  else if (settings->jump_auto)
+    snprintf(text, size, "jump auto");
+  else
+    snprintf(text, size, "jump %.6g", settings->jump);
+}
+
 static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_def *settings = arc_wear_definition(wear);
-  char line[400];
+  char line[400], k[40], alpha[40], steps[40];
+  show_steps(settings, steps, sizeof steps);
   snprintf(line, sizeof line,
-           "wear: stroke %.6g mm, load %.6g N, k %.6g mm2/N, alpha %.6g\n"
-           "  settings  %s %s, jump %.6g, increments %d, %s, %s slip, %s\n",
-           settings->stroke, settings->load, settings->k, settings->alpha,
-           procedure_names[arc_wear_procedure(wear)], scheme_names[settings->scheme],
-           settings->jump, settings->increments, geometry_names[settings->geometry],
-           slip_names[settings->slip], rule_names[settings->rule]);
+           "wear: stroke %.6g mm, load %.6g N, k %s mm2/N, alpha %s\n"
+           "  settings  %s %s, %s, increments %d, %s, %s slip, %s\n",
+           settings->stroke, settings->load,
+           show_coefficient(settings->k, &settings->k_series, k, sizeof k),
+           show_coefficient(settings->alpha, &settings->alpha_series, alpha, sizeof alpha),
+           procedure_names[arc_wear_procedure(wear)], scheme_names[settings->scheme], steps,
+           settings->increments, geometry_names[settings->geometry], slip_names[settings->slip],
+           rule_names[settings->rule]);
   luaL_addstring(text, line);
 }
 

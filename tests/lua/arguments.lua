@@ -57,13 +57,23 @@ fails(function() wear{}:profile("pin") end,
 -- what excludes each other, what is still to come
 fails(function() wear{ distance = 10, cycles = 10 } end, "expected one of them, got both",
   "distance and cycles")
-for field, value in pairs{ loading = {}, local_factor = print, tolerance = 1e-3, scheme = "implicit",
-  k = print, alpha = print, jump = "auto" } do
+for field, value in pairs{ loading = {}, local_factor = print, k = print, alpha = print, jump = print } do
   fails(function() wear{ [field] = value } end, { "field '" .. field .. "'", "not available yet" },
     field .. " is refused until it exists")
 end
-fails(function() wear{ jump = "often" } end, [[field 'jump': expected a number > 0, got "often"]],
+fails(function() wear{ jump = "often" } end, [[field 'jump': expected a number > 0 or "auto", got "often"]],
   "other text for jump")
+fails(function() wear{ k = { distance = { 0, 0 }, value = { 1, 1 } } } end,
+  { "k.distance[2]", "increasing" }, "a series by distance: distances increase")
+fails(function() wear{ alpha = { distance = { 0, 1 }, value = { 0, 2 } } } end,
+  { "alpha.value[2]", "from 0 to 1" }, "its values are in the range")
+fails(function() wear{ alpha = { distance = { 0, 1 }, value = { 0 } } } end, "one length, got 2 and 1",
+  "and as many as distances")
+fails(function() wear{ alpha = { distanc = {} } } end,
+  "unknown field 'alpha.distanc' (did you mean 'distance'?)", "names in a series")
+fails(function() wear{ tolerance = 1e-3 } end, { "tolerance", "implicit" }, "a tolerance is for the implicit scheme")
+fails(function() wear{ order = 3 } end, "field 'order': expected a whole number in [1, 2], got 3", "order")
+fails(function() wear{ law = "coulomb" } end, [["archard", "power" or "threshold"]], "law")
 
 -- error objects
 local err = fails(function() wear{ alpha = 2 } end, "arguments.lua:", "position of the caller")

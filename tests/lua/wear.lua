@@ -56,7 +56,7 @@ fails(function() w.step(material{}) end, { "expected a wear object", "material" 
 local history = w.history
 is(#history.distance, 13, "a row a step, and one before")
 for _, name in ipairs{ "update", "cycle", "distance", "jump", "k", "alpha", "p_center", "p_max",
-  "half_width", "depth_cylinder", "depth_plate", "volume_cylinder", "volume_plate", "depth_partition",
+  "half_width", "depth_cylinder", "error", "depth_plate", "volume_cylinder", "volume_plate", "depth_partition",
   "solutions" } do
   is(#history[name], 13, "history." .. name)
 end
@@ -147,6 +147,29 @@ if ok(err ~= nil, "a run that must fail fails") then
   for i, h in ipairs(before.h) do same = same and h == after.h[i] end
   ok(same, "to the same bits")
 end
+
+-- schemes, steps, laws and series reach the engine
+local implicit = wear{ scheme = "implicit", tolerance = 1e-3 }
+is(implicit.tolerance, 1e-3, "tolerance can be read back")
+holds(tostring(implicit), { "implicit", "tolerance 0.001" }, "and is in the summary")
+implicit:run()
+near(implicit.depth.cylinder, w.depth.cylinder, 2e-2, "implicit: the depth of the explicit run, nearly")
+ok(implicit.update < 30, "implicit: in fewer steps")
+local auto = wear{ jump = "auto" }
+is(auto.jump, "auto", [[jump = "auto" can be read back]])
+auto:run()
+near(auto.volume.total, 1.32e-3, 1e-9, "auto: the volume")
+ok(auto.history.jump[2] > 0 and auto.history.jump[2] ~= auto.history.jump[10], "auto: jumps of its own")
+local ramp = wear{ k = { distance = { 0, 1320 }, value = { 0, 2e-8 } }, alpha = { distance = { 0 }, value = { 1 } } }
+is(ramp.k.value[2], 2e-8, "a series can be read back")
+ramp:run()
+near(ramp.volume.total, 1.32e-3, 1e-9, "a ramp of k wears what its mean does")
+is(ramp.volume.plate, 0, "alpha = 1 by a series: no wear of the plate")
+local law = wear{ law = "threshold", law_pressure = 1e4, distance = 22 }:run()
+is(law.volume.total, 0, "no wear under the threshold pressure")
+is(law.law, "threshold", "law can be read back")
+is(wear{ update = "increment", jump = 1, increments = 4, distance = 0.22 }.update_at, "increment",
+  "quasi-continuous can be read back")
 
 -- worn to start from
 local start = wear{}:run{ distance = 220 }
