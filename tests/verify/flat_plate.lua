@@ -1,0 +1,54 @@
+-- A plate that stays flat: the cylinder's wear depends on k_c d alone, and tends to a flat scar under
+-- uniform pressure.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within = figures.within
+
+local p_h = hertz{}.p_max
+
+-- k_c d [mm2/N mm], centre pressure / p_H, depth [um]
+local rows = {
+  { 1.1e-6, 0.7222, 0.5498 }, { 3.3e-6, 0.5048, 1.3195 },
+  { 6.6e-6, 0.3962, 2.1816 }, { 1.32e-5, 0.3132, 3.5407 },
+}
+
+local function check(w, row, what)
+  what = ("%s, k_c d = %g"):format(what, row[1])
+  within(w.p_center / p_h, row[2], 0.01, what .. ": centre pressure / p_H")
+  within(1000 * w.depth.cylinder, row[3], 3e-3, what .. ": depth [um]")
+end
+
+-- One run past all the rows, with steps short against the first of them.
+local w = wear{ alpha = 1, stroke = 0.11, jump = 5 }
+for _, row in ipairs(rows) do
+  w:run{ distance = row[1] / 1e-8 }
+  check(w, row, "alpha = 1")
+end
+
+-- The same products by other alpha, k and strokes.
+w = wear{ alpha = 0.5, stroke = 20, jump = 0.1, distance = 2640 }
+for _, row in ipairs(rows) do
+  w:run{ distance = row[1] / 0.5e-8 }
+  check(w, row, "s = 2R, alpha = 0.5")
+end
+w = wear{ alpha = 0.8, k = 5e-8, stroke = 20, jump = 0.0125, distance = 330 }
+for _, row in ipairs(rows) do
+  w:run{ distance = row[1] / 4e-8 }
+  check(w, row, "s = 2R, alpha = 0.8, k = 5e-8")
+end
+
+-- Long run: b = (3 R k_c L d / 2)^(1/3), h = b2 / 2R, p = L / 2b.
+local last_off
+for _, times in ipairs{ 1, 4, 16 } do
+  local distance = 1320 * times
+  w = wear{ alpha = 1, stroke = 0.11, jump = 100, distance = distance }
+  w:run()
+  local b = (1.5 * 10 * 1e-8 * 100 * distance) ^ (1 / 3)
+  local off = math.abs(w.depth.cylinder / (b * b / 20) - 1)
+  within(w.p_center, 100 / (2 * b), 0.01, ("d = %g mm: centre pressure [MPa]"):format(distance))
+  within(1000 * w.depth.cylinder, 1000 * b * b / 20, 0.035, ("d = %g mm: depth [um]"):format(distance))
+  within(w.half_width, b, 0.05, ("d = %g mm: half width [mm]"):format(distance))
+  if last_off then
+    figures.below(off, 0.7 * last_off, ("d = %g mm: depth off the flat scar's by"):format(distance))
+  end
+  last_off = off
+end

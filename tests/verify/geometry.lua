@@ -1,0 +1,47 @@
+-- What the choices of a run change: moving or frozen geometry, rigid or total slip,
+-- increments, element height.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, below = figures.within, figures.below
+
+local function run(definition)
+  local w = wear(definition)
+  w:run()
+  return w
+end
+
+local function compare(w, other, share, what)
+  within(w.depth.cylinder, other.depth.cylinder, share, what .. ": depth of the cylinder [mm]")
+  within(w.depth.plate, other.depth.plate, share, what .. ": depth of the plate [mm]")
+  within(w.p_center, other.p_center, share, what .. ": centre pressure [MPa]")
+end
+
+local reference = run{}
+local frozen = run{ geometry = "frozen" }
+compare(frozen, reference, 1e-3, "frozen against moving geometry")
+figures.ok(frozen.p_center ~= reference.p_center, "and they are not the same")
+
+compare(run{ refresh = 0 }, reference, 1e-4, "stiffness renewed at every update")
+
+local total = run{ slip = "total" }
+compare(total, reference, 0.01, "total against rigid slip")
+within(total.volume.total, reference.volume.total, 0.01, "its volume, the work actually done [mm3]")
+
+compare(run{ increments = 200 }, reference, 1e-3, "200 against 100 increments a cycle")
+
+-- A mesh twice as fine
+local fine = run{ model = { mesh = { size = 0.01, height = 0.0125, rows = 6 } } }
+compare(reference, fine, 0.01, "20 um against 10 um")
+
+-- CPE4I
+compare(run{ model = { mesh = { element = "CPE4I" } } }, reference, 0.01, "CPE4I against CPE4")
+
+-- The first cycle in closed form, under Hertz' pressure. At x = 0 of the cylinder it
+-- wears k_c p_H r s.
+local first = wear{ alpha = 0.5, jump = 1 }
+first:step()
+within(first.depth.cylinder, 0.5e-8 * hertz{}.p_max * 0.22, 5e-3, "first cycle on the cylinder [mm]")
+-- The plate's middle feels p_H sqrt(1 - x2/a2) for |x| <= s/2, twice a cycle.
+local a, s = hertz{}.half_width, 0.11
+local t = s / 2 / a
+local passed = hertz{}.p_max * a * (t * math.sqrt(1 - t * t) + math.asin(t))
+within(first.depth.plate, 0.5e-8 * 2 * passed, 5e-3, "first cycle on the plate [mm]")

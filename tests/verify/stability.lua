@@ -1,0 +1,51 @@
+-- Where explicit updates become rough: the N-bar at which a sawtooth grows, by a scan, against the limit
+-- from the largest eigenvalue. Roughness is the root mean square of the profile's fourth differences over
+-- 16 (1 for a sawtooth of amplitude 1), as a share of the depth, over the middle of the contact.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+
+local function roughest(w) return math.max(w:roughness("cylinder"), w:roughness("plate")) end
+
+local function run(definition)
+  local w = wear(definition)
+  w:run()
+  return w
+end
+
+local reference = run{ jump = 100, increments = 100 }
+local smooth = roughest(reference)
+figures.below(smooth, 1e-4, "s = a, alpha = 0.5, N-bar = 100, n_c = 100: roughness")
+figures.below(figures.asymmetry(reference:profile("plate").h), 1e-9, "its asymmetry")
+local fine = run{ jump = 50, increments = 200 }
+figures.within(reference.depth.cylinder, fine.depth.cylinder, 2e-3,
+  "its depth against N-bar = 50, n_c = 200 [mm]")
+figures.within(reference.p_center, fine.p_center, 5e-3, "its pressure [MPa]")
+
+local unworn = wear{}:stability().jump_limit
+local worn = reference:stability().jump_limit
+local limit = math.min(unworn, worn)
+figures.note(("limit 2 / eigenvalue: N-bar = %.1f unworn, %.1f worn"):format(unworn, worn))
+
+-- The scan: rough is ten times as rough as at N-bar = 100.
+local onset
+for share = 0.80, 1.401, 0.05 do
+  local jump = share * limit
+  local rough = roughest(run{ jump = jump })
+  figures.note(("N-bar = %.0f, %.2f of the limit: roughness %.2g"):format(jump, share, rough))
+  if rough > 10 * smooth then
+    onset = jump
+    break
+  end
+end
+figures.ok(onset ~= nil, ("roughness sets in at N-bar = %.0f"):format(onset or 0 / 0))
+figures.about(onset / limit, 1.05, 0.1501, "that N-bar over the limit of the eigenvalue")
+
+-- The limit in length of sliding, r s N-bar, goes down with the element size: a ripple as short as the
+-- elements is the first to grow.
+local halved = wear{ model = { mesh = { size = 0.01, height = 0.0125 } } }:stability().jump_limit
+figures.within(halved, unworn / 2, 0.02, "limit at half the element size, N-bar")
+
+-- alpha = 1 puts all of k on one surface, that is always in the middle of its contact: the sliding between
+-- updates stays under about 40 mm for matched quadrilaterals of 20 x 25 um.
+local alone = wear{ alpha = 1 }:stability().jump_limit
+figures.note(("alpha = 1: limit N-bar = %.1f, %.1f at alpha = 0.5"):format(alone, unworn))
+figures.within(2 * 0.11 * alone, 40, 0.05, "alpha = 1: sliding between updates at the limit [mm]")
