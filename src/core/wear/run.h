@@ -149,8 +149,19 @@ typedef struct wear_monitor {
   size_t count;
   int reached;
 } wear_monitor;
-/* One step, not beyond `limit` [mm]. *moved: whether there was anything left to do. */
-arc_status wear_step_towards(arc_wear *w, double limit, wear_monitor *monitor, int *moved,
-                             arc_error *error);
+/* What a step is about to do. */
+typedef struct wear_plan {
+  const wear_block *block;
+  double cycles; /* asked for; an implicit step may take fewer */
+  double end;    /* distance at which the step ends if it takes all its cycles [mm] */
+  int first;     /* generic history: the increment, and the share of it that is left to do */
+  double share;
+  wear_monitor *monitor;
+} wear_plan;
+
+/* --- plan.c --- */
+/* The next step towards `limit` [mm]; enters its block. *moved: whether there is anything left to
+ * do. */
+arc_status wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved, arc_error *error);
 
 #endif

@@ -6,168 +6,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a step is about to do. */
-typedef struct step_plan {
-  const wear_block *block;
-  double cycles; /* asked for; an implicit step may take fewer */
-  double end;    /* distance at which the step ends if it takes all its cycles [mm] */
-  int first;     /* generic history: the increment, and the share of it that is left to do */
-  double share;
-  wear_monitor *monitor;
-} step_plan;
-
-/* What is left of a distance below this share is rounding. */
-static const double rounding = 1e-12;
-/* A last step that is whole but for rounding stays whole. */
-static const double whole = 1e-9;
-
-/* --- how far
- * ------------------------------------------------------------------------------------------------------
- */
-
-/* Scale of wear [mm]: the drop of the cylinder at the edge of the unworn contact, a^2 / 2R. */
-static double natural_depth(const arc_wear *w) {
-  const arc_model_def *d = arc_model_definition(w->model);
-  arc_hertz hertz = {0};
-  arc_hertz_solve(d->radius, d->thickness, w->def.load, d->material, &hertz, NULL);
-  return hertz.half_width * hertz.half_width / (2 * d->radius);
-}
-
-/* Cycles until the deepest node of either body has gained `depth` [mm] at the present pressure. */
-static double cycles_for(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
-                         double depth) {
-  const double per_cycle =
-      (k[ARC_CYLINDER] + k[ARC_PLATE]) * arc_wear_last(w)->p_center * block->sliding;
-  return per_cycle > 0 ? depth / per_cycle : INFINITY;
-}
-
-/* An update may wear this share of the natural depth, or of what is worn already. */
-static const double first_bite = 0.15, later_bite = 0.05;
-/* Share of the stability limit 2 / eigenvalue that automatic updates use. */
-static const double safe_share = 0.6;
-
-static double total_depth(const arc_wear *w) {
-  const arc_wear_record *now = arc_wear_last(w);
-  return now->depth_cylinder + now->depth_plate;
-}
-
-/* The largest explicit update that neither amplifies ripples nor wears too much at once. */
-static arc_status automatic_jump(arc_wear *w, const wear_block *block, double *jump,
-                                 arc_error *error) {
-  const arc_wear_record *now = arc_wear_last(w);
-  double k[ARC_BODIES], eigenvalue = 0;
-  arc_status status = wear_coefficients(w, now->distance, now->distance, now, k, error);
-  if (status == ARC_OK && !wear_closed_form(w)) status = arc_wear_stability(w, &eigenvalue, error);
-  if (status != ARC_OK) return status;
-  const double bite = fmax(first_bite * natural_depth(w), later_bite * total_depth(w));
-  *jump =
-      fmin(cycles_for(w, block, k, bite), eigenvalue > 0 ? safe_share * 2 / eigenvalue : INFINITY);
-  return ARC_OK;
-}
-
-/* The next adaptive step from the last one's estimated error; history alone decides, so that a
- * stored run goes on alike. */
-static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, double *jump,
-                                arc_error *error) {
-  const arc_wear_record *now = arc_wear_last(w);
-  if (now->error > 0) {
-    const double power = w->def.order == 1 ? 0.5 : 1.0 / 3;
-    *jump = now->jump * fmin(4, fmax(0.2, 0.9 * pow(now->error, -power)));
-    return ARC_OK;
-  }
-  double k[ARC_BODIES];
-  const arc_status status = wear_coefficients(w, now->distance, now->distance, now, k, error);
-  *jump = cycles_for(w, block, k, first_bite * natural_depth(w));
-  return status;
-}
-
-static arc_status choose_jump(arc_wear *w, const wear_block *block, double *jump,
-                              arc_error *error) {
-  const arc_wear_record *now = arc_wear_last(w);
-  *jump = w->def.jump;
-  if (w->def.jump_auto) return automatic_jump(w, block, jump, error);
-  if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
-    return adaptive_jump(w, block, jump, error);
-  if (!w->def.jump_function) return ARC_OK;
-  const arc_status status = w->def.jump_function(w->def.context, now, jump);
-  if (status != ARC_OK)
-    return arc_fail(error, status, "the function for jump failed at distance %g mm", now->distance);
-  if (*jump > 0 && !isnan(*jump)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "jump: expected above 0 cycles, its function gave %g at distance %g mm", *jump,
-                  now->distance);
-}
-
-/* The distance a step must not pass: the run's limit or the end of its block. */
-static double bound(const arc_wear *w, const wear_block *block, double limit) {
-  return block == &w->block[w->blocks - 1] && block->periodic ? limit
-                                                              : fmin(limit, wear_block_end(block));
-}
-
-/* Generic histories go by increments: which one, and how much of it is left before the limit. */
-static void plan_increment(const arc_wear *w, double limit, step_plan *plan) {
-  const arc_wear_record *now = arc_wear_last(w);
-  const wear_block *b = plan->block;
-  const int increments = b->count - 1;
-  const double at = (now->cycle - b->start_cycle) * increments;
-  plan->first = (int)floor(at + whole);
-  if (plan->first >= increments) plan->first = increments - 1;
-  const double done = fmax(0, at - plan->first);
-  const double length = fabs(b->x[plan->first + 1] - b->x[plan->first]);
-  plan->share = 1 - (done < whole ? 0 : done);
-  plan->end = now->distance + plan->share * length;
-  if (plan->first == increments - 1) plan->end = wear_block_end(b);
-  if (plan->end > limit && length > 0) {
-    plan->share = (limit - now->distance) / length;
-    plan->end = limit;
-  }
-  plan->cycles = plan->share / increments;
-}
-
-static arc_status plan_step(arc_wear *w, double limit, step_plan *plan, int *moved,
-                            arc_error *error) {
-  const arc_wear_record *now = arc_wear_last(w);
-  const int index = wear_block_at(w, now);
-  plan->block = &w->block[index];
-  const int last = index + 1 == w->blocks;
-  const double end = bound(w, plan->block, limit),
-               left = (end - now->distance) / plan->block->sliding;
-  const int finished =
-      !plan->block->periodic && last && now->cycle >= plan->block->start_cycle + 1 - whole;
-  *moved = !finished && (limit - now->distance) > rounding * (limit + plan->block->sliding);
-  if (!*moved) return ARC_OK;
-  arc_status status = wear_enter_block(w, index, error);
-  if (status != ARC_OK) return status;
-  if (!plan->block->periodic) {
-    plan_increment(w, limit, plan);
-    return ARC_OK;
-  }
-  double jump;
-  if ((status = choose_jump(w, plan->block, &jump, error)) != ARC_OK) return status;
-  const int to_end = left <= jump * (1 + whole);
-  plan->cycles = to_end ? left : jump;
-  plan->end = to_end ? end : now->distance + plan->cycles * plan->block->sliding;
-  return ARC_OK;
-}
-
 /* --- with which coefficients
  * -------------------------------------------------------------------------------------- */
 
-/* Gains of an update so far: volumes [mm3] and the depths now on the next shape. */
-static void add_volumes(const arc_wear *w, const double *const delta[ARC_BODIES], double even,
+/* Volumes [mm3] that depths `delta` and even wear take from a shape, before it is worn by them. */
+static void add_volumes(const arc_wear *w, const arc_shape *shape,
+                        const double *const delta[ARC_BODIES], double even,
                         arc_wear_record *record) {
   const arc_model_def *md = arc_model_definition(w->model);
   double sum[ARC_BODIES] = {0};
   for (int b = 0; b < ARC_BODIES; b++)
-    for (int i = 0; i < w->shape->side[b].n; i++)
-      sum[b] += delta[b][i] * shape_width(&w->shape->side[b], i);
+    for (int i = 0; i < shape->side[b].n; i++)
+      sum[b] += delta[b][i] * shape_width(&shape->side[b], i);
   record->volume_cylinder += sum[ARC_CYLINDER] * md->thickness;
   record->volume_plate += (sum[ARC_PLATE] + even * 2 * md->radius) * md->thickness;
 }
 
 /* The state half-way through an update, by the rate at its start: functions of the state are asked
  * there. */
-static arc_status middle_state(arc_wear *w, const step_plan *plan, const arc_wear_record *before,
+static arc_status middle_state(arc_wear *w, const wear_plan *plan, const arc_wear_record *before,
                                arc_wear_record *middle, int *solutions, arc_error *error) {
   *middle = *before;
   middle->distance = (before->distance + plan->end) / 2;
@@ -196,7 +53,7 @@ static arc_status middle_state(arc_wear *w, const step_plan *plan, const arc_wea
   }
   const double *const delta[ARC_BODIES] = {w->delta[0], w->delta[1]};
   const int spread = w->over_plate && w->procedure == ARC_NSP;
-  add_volumes(w, delta, spread ? half * k[ARC_PLATE] * w->rate.even : 0, middle);
+  add_volumes(w, w->shape, delta, spread ? half * k[ARC_PLATE] * w->rate.even : 0, middle);
   middle->depth_partition = middle->depth_cylinder / (middle->depth_cylinder + middle->depth_plate);
   return ARC_OK;
 }
@@ -209,6 +66,7 @@ static arc_status middle_state(arc_wear *w, const step_plan *plan, const arc_wea
 static arc_status apply(arc_wear *w, arc_shape *next, double even, arc_wear_record *record,
                         arc_error *error) {
   const double *const delta[ARC_BODIES] = {w->delta[0], w->delta[1]};
+  add_volumes(w, next, delta, even, record);
   for (int b = 0; b < ARC_BODIES; b++) {
     int any = 0;
     for (int i = 0; i < next->side[b].n && !any; i++) any = delta[b][i] != 0;
@@ -217,7 +75,6 @@ static arc_status apply(arc_wear *w, arc_shape *next, double even, arc_wear_reco
     if (status != ARC_OK) return status;
   }
   if (even != 0) arc_shape_wear_evenly(next, ARC_PLATE, even);
-  add_volumes(w, delta, even, record);
   return ARC_OK;
 }
 
@@ -261,7 +118,7 @@ static arc_status closed_form_update(arc_wear *w, double cycles, const double k[
 
 /* Every increment of a cycle with an update of its own (Eq. 4 with p_{i-1} of the geometry before).
  */
-static arc_status quasi_continuous(arc_wear *w, const step_plan *plan, arc_wear_record *record,
+static arc_status quasi_continuous(arc_wear *w, const wear_plan *plan, arc_wear_record *record,
                                    arc_error *error) {
   const wear_block *b = plan->block;
   const double start = record->distance, length = plan->end - start;
@@ -285,7 +142,7 @@ static arc_status quasi_continuous(arc_wear *w, const step_plan *plan, arc_wear_
   return ARC_OK;
 }
 
-static arc_status whole_update(arc_wear *w, const step_plan *plan, arc_wear_record *record,
+static arc_status whole_update(arc_wear *w, const wear_plan *plan, arc_wear_record *record,
                                arc_error *error) {
   const arc_wear_record before = *record;
   arc_wear_record middle;
@@ -308,8 +165,31 @@ static arc_status whole_update(arc_wear *w, const step_plan *plan, arc_wear_reco
 /* --- all of it or nothing
  * ------------------------------------------------------------------------------------------ */
 
+/* Adaptive steps also answer for functions of the state: taken at the middle, they are good to the
+ * second difference of what they give at both ends and in the middle, over the share of wear that
+ * the step adds. */
+static arc_status add_coefficient_error(arc_wear *w, arc_wear_record *record, arc_error *error) {
+  if (!wear_has_state_functions(w) || w->def.tolerance == 0) return ARC_OK;
+  const arc_wear_record *before = arc_wear_last(w);
+  double start[ARC_BODIES], end[ARC_BODIES];
+  arc_status status =
+      wear_coefficients(w, before->distance, before->distance, before, start, error);
+  if (status == ARC_OK)
+    status = wear_coefficients(w, record->distance, record->distance, record, end, error);
+  if (status != ARC_OK || !(record->k > 0)) return status;
+  const double middle[ARC_BODIES] = {record->k * record->alpha, record->k * (1 - record->alpha)};
+  const double gone = record->distance - w->block[0].start_distance;
+  const double added = gone > 0 ? (record->distance - before->distance) / gone : 1;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const double bend =
+        fabs(start[b] - 2 * middle[b] + end[b]) / 6 + fabs(end[b] - start[b]) * added / 12;
+    record->error = fmax(record->error, bend / record->k * added / w->def.tolerance);
+  }
+  return ARC_OK;
+}
+
 /* Tries the plan on w->next, which holds a worn copy afterwards; the run itself stays. */
-static arc_status attempt(arc_wear *w, const step_plan *plan, arc_wear_record *record,
+static arc_status attempt(arc_wear *w, const wear_plan *plan, arc_wear_record *record,
                           arc_error *error) {
   *record = *arc_wear_last(w);
   record->error = 0;
@@ -325,10 +205,11 @@ static arc_status attempt(arc_wear *w, const step_plan *plan, arc_wear_record *r
   record->cycle += plan->cycles;
   record->jump = plan->cycles;
   record->distance = plan->end;
-  return wear_measure(w, w->next, record, error);
+  status = wear_measure(w, w->next, record, error);
+  return status == ARC_OK ? add_coefficient_error(w, record, error) : status;
 }
 
-static void shorten(const arc_wear *w, step_plan *plan, double cycles) {
+static void shorten(const arc_wear *w, wear_plan *plan, double cycles) {
   const double share = cycles / plan->cycles, from = arc_wear_last(w)->distance;
   plan->end = from + share * (plan->end - from);
   plan->share *= share;
@@ -336,7 +217,7 @@ static void shorten(const arc_wear *w, step_plan *plan, double cycles) {
 }
 
 /* Implicit steps that do not converge, or err too much, are cut and tried again. */
-static arc_status attempt_with_cuts(arc_wear *w, step_plan *plan, arc_wear_record *record,
+static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, arc_wear_record *record,
                                     arc_error *error) {
   enum { most_cuts = 20 };
   const double power = w->def.order == 1 ? 0.5 : 1.0 / 3;
@@ -364,7 +245,7 @@ static int passed(const arc_wear *w, const arc_wear_record *record, const arc_we
 
 /* Shortens a step that passed a target until it ends on it: false position with Illinois' weights.
  */
-static arc_status meet_target(arc_wear *w, const step_plan *whole_plan, const arc_wear_target *t,
+static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const arc_wear_target *t,
                               arc_wear_record *record, arc_error *error) {
   enum { most_tries = 60 };
   const double close = 1e-10 * fmax(fabs(t->value), fabs(column_of(record, t->column)));
@@ -375,7 +256,7 @@ static arc_status meet_target(arc_wear *w, const step_plan *whole_plan, const ar
     if (fabs(column_of(record, t->column) - t->value) <= close || high - low < 1e-13 * high)
       return ARC_OK;
     const double cycles = low + (high - low) * below / (below - above);
-    step_plan plan = *whole_plan;
+    wear_plan plan = *whole_plan;
     shorten(w, &plan, cycles);
     const arc_status status = attempt(w, &plan, record, error);
     if (status != ARC_OK) return status;
@@ -394,10 +275,10 @@ static arc_status meet_target(arc_wear *w, const step_plan *whole_plan, const ar
 }
 
 /* Of all targets passed in the step, the one that is met first. */
-static arc_status meet_targets(arc_wear *w, const step_plan *plan, arc_wear_record *record,
+static arc_status meet_targets(arc_wear *w, const wear_plan *plan, arc_wear_record *record,
                                arc_error *error) {
   wear_monitor *m = plan->monitor;
-  step_plan first = *plan;
+  wear_plan first = *plan;
   for (size_t t = 0; t < m->count; t++) {
     if (!passed(w, record, &m->targets[t])) continue;
     const arc_status status = meet_target(w, &first, &m->targets[t], record, error);
@@ -408,12 +289,12 @@ static arc_status meet_targets(arc_wear *w, const step_plan *plan, arc_wear_reco
   return ARC_OK;
 }
 
-arc_status wear_step_towards(arc_wear *w, double limit, wear_monitor *monitor, int *moved,
-                             arc_error *error) {
-  step_plan plan = {.share = 1, .monitor = monitor};
+static arc_status step_towards(arc_wear *w, double limit, wear_monitor *monitor, int *moved,
+                               arc_error *error) {
+  wear_plan plan = {.share = 1, .monitor = monitor};
   arc_wear_record record;
   monitor->reached = -1;
-  arc_status status = plan_step(w, limit, &plan, moved, error);
+  arc_status status = wear_plan_step(w, limit, &plan, moved, error);
   if (status != ARC_OK || !*moved) return status;
   status = attempt_with_cuts(w, &plan, &record, error);
   if (status == ARC_OK) status = meet_targets(w, &plan, &record, error);
@@ -431,7 +312,7 @@ arc_status wear_step_towards(arc_wear *w, double limit, wear_monitor *monitor, i
 arc_status arc_wear_step(arc_wear *w, arc_stop_fn stop, void *context, arc_error *error) {
   wear_monitor monitor = {.stop = stop, .context = context};
   int moved;
-  return wear_step_towards(w, w->def.distance, &monitor, &moved, error);
+  return step_towards(w, w->def.distance, &monitor, &moved, error);
 }
 
 arc_status arc_wear_run_until(arc_wear *w, double distance, const arc_wear_target *targets,
@@ -444,7 +325,7 @@ arc_status arc_wear_run_until(arc_wear *w, double distance, const arc_wear_targe
   for (;;) {
     wear_monitor monitor = {.stop = stop, .context = context, .targets = targets, .count = count};
     int moved;
-    const arc_status status = wear_step_towards(w, distance, &monitor, &moved, error);
+    const arc_status status = step_towards(w, distance, &monitor, &moved, error);
     if (status != ARC_OK || !moved) return status;
     if (progress && progress(context, w)) return arc_fail(error, ARC_STOPPED, "stopped on request");
     if (monitor.reached < 0) continue;

@@ -1,0 +1,138 @@
+/* How far a step goes: to the end of its jump, its block or its limit, whichever comes first. */
+#include "core/wear/run.h"
+
+#include <math.h>
+
+/* What is left of a distance below this share is rounding. */
+static const double rounding = 1e-12;
+/* A last step that is whole but for rounding stays whole. */
+static const double whole = 1e-9;
+
+/* --- how far
+ * ------------------------------------------------------------------------------------------------------
+ */
+
+/* Scale of wear [mm]: the drop of the cylinder at the edge of the unworn contact, a^2 / 2R. */
+static double natural_depth(const arc_wear *w) {
+  const arc_model_def *d = arc_model_definition(w->model);
+  arc_hertz hertz = {0};
+  arc_hertz_solve(d->radius, d->thickness, w->def.load, d->material, &hertz, NULL);
+  return hertz.half_width * hertz.half_width / (2 * d->radius);
+}
+
+/* Cycles until the deepest node of either body has gained `depth` [mm] at the present pressure. */
+static double cycles_for(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
+                         double depth) {
+  const double per_cycle =
+      (k[ARC_CYLINDER] + k[ARC_PLATE]) * arc_wear_last(w)->p_center * block->sliding;
+  return per_cycle > 0 ? depth / per_cycle : INFINITY;
+}
+
+/* An update may wear this share of the natural depth, or of what is worn already. */
+static const double first_bite = 0.15, later_bite = 0.05;
+/* Share of the stability limit 2 / eigenvalue that automatic updates use. */
+static const double safe_share = 0.6;
+
+static double total_depth(const arc_wear *w) {
+  const arc_wear_record *now = arc_wear_last(w);
+  return now->depth_cylinder + now->depth_plate;
+}
+
+/* The largest explicit update that neither amplifies ripples nor wears too much at once. */
+static arc_status automatic_jump(arc_wear *w, const wear_block *block, double *jump,
+                                 arc_error *error) {
+  const arc_wear_record *now = arc_wear_last(w);
+  double k[ARC_BODIES], eigenvalue = 0;
+  arc_status status = wear_coefficients(w, now->distance, now->distance, now, k, error);
+  if (status == ARC_OK && !wear_closed_form(w)) status = arc_wear_stability(w, &eigenvalue, error);
+  if (status != ARC_OK) return status;
+  const double bite = fmax(first_bite * natural_depth(w), later_bite * total_depth(w));
+  *jump =
+      fmin(cycles_for(w, block, k, bite), eigenvalue > 0 ? safe_share * 2 / eigenvalue : INFINITY);
+  return ARC_OK;
+}
+
+/* The next adaptive step from the last one's estimated error; history alone decides, so that a
+ * stored run goes on alike. */
+static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, double *jump,
+                                arc_error *error) {
+  const arc_wear_record *now = arc_wear_last(w);
+  if (now->error > 0) {
+    const double power = w->def.order == 1 ? 0.5 : 1.0 / 3;
+    *jump = now->jump * fmin(4, fmax(0.2, 0.9 * pow(now->error, -power)));
+    return ARC_OK;
+  }
+  double k[ARC_BODIES];
+  const arc_status status = wear_coefficients(w, now->distance, now->distance, now, k, error);
+  *jump = cycles_for(w, block, k, first_bite * natural_depth(w));
+  return status;
+}
+
+static arc_status choose_jump(arc_wear *w, const wear_block *block, double *jump,
+                              arc_error *error) {
+  const arc_wear_record *now = arc_wear_last(w);
+  *jump = w->def.jump;
+  if (w->def.jump_auto) return automatic_jump(w, block, jump, error);
+  if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
+    return adaptive_jump(w, block, jump, error);
+  if (!w->def.jump_function) return ARC_OK;
+  const arc_status status = w->def.jump_function(w->def.context, now, jump);
+  if (status != ARC_OK)
+    return arc_fail(error, status, "the function for jump failed at distance %g mm", now->distance);
+  if (*jump > 0 && !isnan(*jump)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "jump: expected above 0 cycles, its function gave %g at distance %g mm", *jump,
+                  now->distance);
+}
+
+/* The distance a step must not pass: the run's limit or the end of its block. */
+static double bound(const arc_wear *w, const wear_block *block, double limit) {
+  return block == &w->block[w->blocks - 1] && block->periodic ? limit
+                                                              : fmin(limit, wear_block_end(block));
+}
+
+/* Generic histories go by increments: which one, and how much of it is left before the limit. */
+static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
+  const arc_wear_record *now = arc_wear_last(w);
+  const wear_block *b = plan->block;
+  const int increments = b->count - 1;
+  const double at = (now->cycle - b->start_cycle) * increments;
+  plan->first = (int)floor(at + whole);
+  if (plan->first >= increments) plan->first = increments - 1;
+  const double done = fmax(0, at - plan->first);
+  const double length = fabs(b->x[plan->first + 1] - b->x[plan->first]);
+  plan->share = 1 - (done < whole ? 0 : done);
+  plan->end = now->distance + plan->share * length;
+  if (plan->first == increments - 1) plan->end = wear_block_end(b);
+  if (plan->end > limit && length > 0) {
+    plan->share = (limit - now->distance) / length;
+    plan->end = limit;
+  }
+  plan->cycles = plan->share / increments;
+}
+
+arc_status wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
+                          arc_error *error) {
+  const arc_wear_record *now = arc_wear_last(w);
+  const int index = wear_block_at(w, now);
+  plan->block = &w->block[index];
+  const int last = index + 1 == w->blocks;
+  const double end = bound(w, plan->block, limit),
+               left = (end - now->distance) / plan->block->sliding;
+  const int finished =
+      !plan->block->periodic && last && now->cycle >= plan->block->start_cycle + 1 - whole;
+  *moved = !finished && (limit - now->distance) > rounding * (limit + plan->block->sliding);
+  if (!*moved) return ARC_OK;
+  arc_status status = wear_enter_block(w, index, error);
+  if (status != ARC_OK) return status;
+  if (!plan->block->periodic) {
+    plan_increment(w, limit, plan);
+    return ARC_OK;
+  }
+  double jump;
+  if ((status = choose_jump(w, plan->block, &jump, error)) != ARC_OK) return status;
+  const int to_end = left <= jump * (1 + whole);
+  plan->cycles = to_end ? left : jump;
+  plan->end = to_end ? end : now->distance + plan->cycles * plan->block->sliding;
+  return ARC_OK;
+}
