@@ -36,8 +36,10 @@ proc start {args} {
   expect "> "
 }
 
-# Ends the session by Ctrl-D, and waits for it.
+# Ends the session by Ctrl-D, and waits for it. Only a prompt that is there takes it: before, the
+# terminal would keep it as the end of a line.
 proc leave {} {
+  answers
   send "\004"
   expect eof
   return [lindex [wait] 3]
