@@ -42,7 +42,7 @@ program  = $(BUILD)/archard
 unit_src   := $(wildcard tests/unit/*.c)
 unit_tests  = $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(unit_src))
 
-.PHONY: all demo check test-programs bench format lint install uninstall clean setup
+.PHONY: all demo check test-programs bench man format lint install uninstall clean setup
 .DELETE_ON_ERROR:
 
 all: $(program)
@@ -104,6 +104,10 @@ check:
 
 bench: $(program)
 	$(program) scripts/bench.lua
+
+# The reference part of the manual comes from the help entries inside the program.
+man: $(program)
+	$(program) scripts/manpage.lua > man/archard.1
 
 # --- care -------------------------------------------------------------------------------------
 c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/core/*/*.[ch] tests/unit/*.[ch])

@@ -254,7 +254,7 @@ end
 local function field_words(frame, prefix)
   local address = address_of_call(frame.call)
   local set = {}
-  for _, entry in next, help.definition(address, frame.path) do
+  for _, entry in next, help.fields(address, frame.path) do
     if not frame.used[entry.name] then set[entry.name] = true end
   end
   return sorted(set, prefix)

@@ -47,7 +47,8 @@ end
 -- --- for completion and the manual ------------------------------------------------------------
 
 -- The entry of an address, or nil. Fields: address, name, owner, kind, type, unit, default, values,
--- class (of what it holds or returns), use (how it is written), text.
+-- class (of what it holds or returns), takes (the object whose definition's fields it takes too),
+-- use (how it is written), text.
 function help.entry(address)
   load_entries()
   return entries[address]
@@ -84,9 +85,35 @@ function help.definition(address, path)
   return list
 end
 
+-- Follows a path into tables whose fields are those of another definition: wear{ model={ ... } },
+-- or all of plot{} in plot.pressure(w, { ... }). Returns an address and the path left within it.
+local function follow(address, path)
+  local at = address
+  local rest = ""
+  for name in (path or ""):gmatch("[^.]+") do
+    rest = rest == "" and name or rest .. "." .. name
+    local entry = entries[("%s{%s}"):format(at, rest)]
+    local other = entry and (entry.takes or entry.class)
+    if other and #help.definition(at, rest) == 0 then at, rest = other, "" end
+  end
+  return at, rest
+end
+
+-- All fields that can stand in that table, taken ones too.
+function help.fields(address, path)
+  if not address then return {} end
+  load_entries()
+  local at, rest = follow(address, path)
+  local list = help.definition(at, rest)
+  local taken = rest == "" and entries[at] and entries[at].takes
+  for _, entry in ipairs(taken and help.definition(taken) or {}) do list[#list + 1] = entry end
+  return list
+end
+
 function help.option(address, path, name)
-  if not address then return nil end
-  return help.entry(("%s{%s%s}"):format(address, path and path .. "." or "", name))
+  for _, entry in ipairs(help.fields(address, path)) do
+    if entry.name == name then return entry end
+  end
 end
 
 -- --- from a value to its address --------------------------------------------------------------

@@ -327,9 +327,9 @@ return {
   { "wear.history", kind = "field",
     text = "Columns by name, one value for each update from 0 on: " .. [[
 
-  update, cycle, distance (mm), jump     p_center, p_max (MPa), half_width (mm)
-  depth_cylinder, depth_plate (mm)       volume_cylinder, volume_plate (mm3)
-  depth_partition, k, alpha              solutions (contacts solved so far)]] },
+  update, cycle, distance (mm), jump   p_center, p_max (MPa), half_width (mm)
+  depth_cylinder, depth_plate (mm)     volume_cylinder, volume_plate (mm3)
+  depth_partition, k, alpha            solutions (contacts solved so far)]] },
 
   -- --- the definition, read back --------------------------------------------------------------
   { "wear.k", kind = "field", unit = "mm2/N", text = "Wear coefficient of the couple." },

@@ -106,14 +106,15 @@ archard simulates how two rubbing surfaces wear each other away: a half cylinder
 sliding on a plate. Lengths are in mm, forces in N, pressures in MPa.
 
 Describe     material{}  hertz{}  model{}
-Contact      c = contact{ load=100 }      c.p_max  c:pressure("plate")  c:stress()
+Contact      c = contact{ load=100 }   c.p_max  c:pressure("plate")  c:stress()
 Wear         w = wear{ alpha=0.5 }        w:step()  w:step(10)  w:run()
   look       w  w.history  w:profile("plate")  w:pressure("cylinder")
   keep       w:clone()  w:save("run.archard")  wear.open("run.archard")
 Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
              plot.mesh(m)  plot.stress(c)  plot{ {x=..., y=...} }
 Many cases   study{ base=..., vary=... }  study.paper()
-Files        export.csv(w, "w.csv")  export.vtk(w, "w.vtk")  export.inp(m, "m.inp")
+Files        export.csv(w, "w.csv")  export.vtk(c, "c.vtk")
+             export.inp(m, "m.inp")
 
 help(wear) explains an object, help(w.step) a method, help "jump" a name.
 Tab completes names, also the fields inside wear{ }. The last value is in _ .

@@ -7,8 +7,8 @@ return {
     text = "Many wear runs: every combination of the varied fields, each run like wear{} with the "
       .. "fields of base. Results are stored as they come; an interrupted study goes on where it "
       .. "was." },
-  { "study{base}", type = "table", text = "Fields that all cases share, those of wear{}." },
-  { "study{vary}", type = "table of lists",
+  { "study{base}", type = "table", takes = "wear", text = "Fields that all cases share, those of wear{}." },
+  { "study{vary}", type = "table of lists", takes = "wear",
     text = "Fields of wear{} and the values each takes; the cases are all combinations." },
   { "study{cases}", type = "list of tables",
     text = "The cases one by one, instead of vary; each holds fields of wear{}." },
@@ -87,7 +87,7 @@ return {
   { "plot{layout}", type = "table { rows, columns }", text = "The grid of the panels." },
   { "plot.default", kind = "field", type = "table",
     text = "Options where a call does not give them: term, size, colour, key." },
-  { "plot.pressure", kind = "function", use = "plot.pressure(w1, w2, ..., { scaled=true })",
+  { "plot.pressure", kind = "function", takes = "plot", use = "plot.pressure(w1, w2, ..., { scaled=true })",
     text = "Contact pressure against x, of wear and contact objects. The key names the settings in "
       .. "which they differ. Takes the options of plot{} too." },
   { "plot.pressure{scaled}", type = "boolean", default = false,
@@ -95,13 +95,13 @@ return {
   { "plot.pressure{body}", values = { "cylinder", "plate" }, default = '"cylinder"',
     text = "Which body's pressure." },
   { "plot.pressure{titles}", type = "list of strings", text = "Names of the curves in the key." },
-  { "plot.profile", kind = "function", values = { "cylinder", "plate" },
+  { "plot.profile", kind = "function", takes = "plot", values = { "cylinder", "plate" },
     use = 'plot.profile(w1, ..., "plate")',
     text = "Wear depth in um against x; both bodies where none is named. Takes the options of plot{} "
       .. "too." },
   { "plot.profile{body}", values = { "cylinder", "plate" }, text = "Which body's profile." },
   { "plot.profile{titles}", type = "list of strings", text = "Names of the curves in the key." },
-  { "plot.history", kind = "function", use = 'plot.history(w, "p_center", ...)',
+  { "plot.history", kind = "function", takes = "plot", use = 'plot.history(w, "p_center", ...)',
     values = { "p_center", "p_max", "half_width", "depth_cylinder", "depth_plate",
       "volume_cylinder", "volume_plate", "depth_partition", "jump", "k", "alpha" },
     text = "Columns of w.history against the travelled distance, a panel for each quantity. Takes "
@@ -109,12 +109,12 @@ return {
   { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance"',
     text = "The abscissa." },
   { "plot.history{titles}", type = "list of strings", text = "Names of the objects in the key." },
-  { "plot.mesh", kind = "function", use = 'plot.mesh(m, { zoom="wear box" })',
+  { "plot.mesh", kind = "function", takes = "plot", use = 'plot.mesh(m, { zoom="wear box" })',
     text = "The elements of a model, whole or near the contact. Takes the options of plot{} too." },
   { "plot.mesh{zoom}", type = "table { x0, x1, y0, y1 }", values = { "wear box", "all" },
     text = "What part to show." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "One body alone." },
-  { "plot.stress", kind = "function", use = 'plot.stress(c, { component="mises" })',
+  { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
     text = "A stress inside both bodies in colours, with contour lines and outlines. Takes the "
       .. "options of plot{} too." },
   { "plot.stress{component}", values = { "mises", "shear", "sxx", "syy", "szz", "sxy" },
@@ -136,6 +136,9 @@ return {
   { "plot.animate{delay}", type = "number > 0", unit = "s", default = 0.1,
     text = "Time between two pictures." },
   { "plot.animate{file}", type = "string", text = "A file that ends in gif." },
+  { "plot.animate{term}", type = "string", text = "As in plot{term}." },
+  { "plot.animate{size}", type = "table { width, height }", text = "As in plot{size}." },
+  { "plot.animate{colour}", type = "boolean", text = "As in plot{colour}." },
   { "plot.save", kind = "function", use = 'plot.save("p.png")',
     text = "Writes the last picture to a file, and its data as CSV beside it (p.csv). "
       .. "plot.save{ ..., file= } draws what plot{} would. A second table gives size." },

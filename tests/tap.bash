@@ -3,6 +3,7 @@
 #   like WHAT GOT PATTERN       the extended regular expression matches somewhere
 #   unlike WHAT GOT PATTERN
 #   finish                      prints the plan; its status is the test's
+ARCHARD=${ARCHARD:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build/archard}
 tap_count=0
 tap_failed=0
 
