@@ -106,8 +106,7 @@ static arc_status check(const arc_mesh_def *def, arc_body body, double radius, a
   return ARC_OK;
 }
 
-/* --- from logical elements of the half body to the whole mesh
- * ------------------------------------------------- */
+/* --- from logical elements of the half body to the whole mesh --- */
 
 static int compare_keys(const void *a, const void *b) {
   const mesh_key *p = a, *q = b;

@@ -37,9 +37,7 @@ arc_procedure wear_choose_procedure(const arc_wear_def *def, const arc_model_def
   return alpha_stays_one(def) || wear_over_plate(def, model) ? ARC_NSP : ARC_SP;
 }
 
-/* --- checks
- * ------------------------------------------------------------------------------------------------------
- */
+/* --- checks --- */
 
 static arc_status positive(const char *field, const char *unit, double value, arc_error *error) {
   if (value > 0 && isfinite(value)) return ARC_OK;
@@ -165,9 +163,7 @@ arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc
   return check_series("alpha", &d->alpha_series, 1, error);
 }
 
-/* --- copies
- * ------------------------------------------------------------------------------------------------------
- */
+/* --- copies --- */
 
 /* Two arrays of n doubles as one block, given back as the first. */
 static double *copy_pair(int n, const double *first, const double *second) {
@@ -224,9 +220,7 @@ void wear_def_free(arc_wear_def *def) {
   *def = (arc_wear_def){0};
 }
 
-/* --- zones
- * -------------------------------------------------------------------------------------------------------
- */
+/* --- zones --- */
 
 void arc_zone_for(double reach, double half_width, double zone[ARC_BODIES]) {
   const arc_mesh_def usual = arc_mesh_default();

@@ -8,9 +8,7 @@ static const double rounding = 1e-12;
 /* A last step that is whole but for rounding stays whole. */
 static const double whole = 1e-9;
 
-/* --- how far
- * ------------------------------------------------------------------------------------------------------
- */
+/* --- how far --- */
 
 /* Scale of wear [mm]: the drop of the cylinder at the edge of the unworn contact, a^2 / 2R. */
 static double natural_depth(const arc_wear *w) {
@@ -101,14 +99,14 @@ static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   if (plan->first >= increments) plan->first = increments - 1;
   const double done = fmax(0, at - plan->first);
   const double length = fabs(b->x[plan->first + 1] - b->x[plan->first]);
-  plan->share = 1 - (done < whole ? 0 : done);
-  plan->end = now->distance + plan->share * length;
+  plan->times = 1 - (done < whole ? 0 : done);
+  plan->end = now->distance + plan->times * length;
   if (plan->first == increments - 1) plan->end = wear_block_end(b);
   if (plan->end > limit && length > 0) {
-    plan->share = (limit - now->distance) / length;
+    plan->times = (limit - now->distance) / length;
     plan->end = limit;
   }
-  plan->cycles = plan->share / increments;
+  plan->cycles = plan->times / increments;
 }
 
 arc_status wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
@@ -132,7 +130,7 @@ arc_status wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved
   double jump;
   if ((status = choose_jump(w, plan->block, &jump, error)) != ARC_OK) return status;
   const int to_end = left <= jump * (1 + whole);
-  plan->cycles = to_end ? left : jump;
+  plan->cycles = plan->times = to_end ? left : jump;
   plan->end = to_end ? end : now->distance + plan->cycles * plan->block->sliding;
   return ARC_OK;
 }

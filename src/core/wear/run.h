@@ -152,10 +152,10 @@ typedef struct wear_monitor {
 /* What a step is about to do. */
 typedef struct wear_plan {
   const wear_block *block;
-  double cycles; /* asked for; an implicit step may take fewer */
-  double end;    /* distance at which the step ends if it takes all its cycles [mm] */
-  int first;     /* generic history: the increment, and the share of it that is left to do */
-  double share;
+  double cycles; /* so many cycles go by; an implicit step may take fewer */
+  double times;  /* what the wear of the window counts: cycles, or the share of an increment */
+  double end;    /* distance at which the step ends [mm] */
+  int first;     /* generic history: the increment */
   wear_monitor *monitor;
 } wear_plan;
 

@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- with which coefficients
- * -------------------------------------------------------------------------------------- */
+/* --- with which coefficients --- */
 
 /* Volumes [mm3] that depths `delta` and even wear take from a shape, before it is worn by them. */
 static void add_volumes(const arc_wear *w, const arc_shape *shape,
@@ -22,45 +21,63 @@ static void add_volumes(const arc_wear *w, const arc_shape *shape,
   record->volume_plate += (sum[ARC_PLATE] + even * 2 * md->radius) * md->thickness;
 }
 
-/* The state half-way through an update, by the rate at its start: functions of the state are asked
- * there. */
-static arc_status middle_state(arc_wear *w, const wear_plan *plan, const arc_wear_record *before,
-                               arc_wear_record *middle, int *solutions, arc_error *error) {
-  *middle = *before;
-  middle->distance = (before->distance + plan->end) / 2;
-  middle->cycle = before->cycle + plan->cycles / 2;
-  if (!wear_has_state_functions(w) || wear_closed_form(w)) return ARC_OK;
-  double k[ARC_BODIES];
-  arc_status status = wear_coefficients(w, before->distance, plan->end, before, k, error);
-  const wear_window window = {.first = plan->block->periodic ? 0 : plan->first,
-                              .last =
-                                  plan->block->periodic ? plan->block->count - 1 : plan->first + 1,
-                              .state = before};
-  if (status == ARC_OK)
-    status = wear_evaluate(w, w->shape, &window, plan->monitor->stop, plan->monitor->context,
-                           solutions, error);
-  if (status != ARC_OK) return status;
-  const double half = (plan->block->periodic ? plan->cycles : plan->share) / 2;
-  double *deepest[ARC_BODIES] = {&middle->depth_cylinder, &middle->depth_plate};
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const shape_side *side = &w->shape->side[b];
-    const int even = b == ARC_PLATE && w->over_plate && w->procedure == ARC_NSP;
-    for (int i = 0; i < side->n; i++) {
-      const double gain = half * k[b] * (even ? w->rate.even : w->rate.node[b][i]);
-      w->delta[b][i] = even || (b == ARC_PLATE && w->procedure == ARC_NSP) ? 0 : gain;
-      *deepest[b] = fmax(*deepest[b], side->h[i] + (even ? gain : w->delta[b][i]));
-    }
-  }
-  const double *const delta[ARC_BODIES] = {w->delta[0], w->delta[1]};
-  const int spread = w->over_plate && w->procedure == ARC_NSP;
-  add_volumes(w, w->shape, delta, spread ? half * k[ARC_PLATE] * w->rate.even : 0, middle);
-  middle->depth_partition = middle->depth_cylinder / (middle->depth_cylinder + middle->depth_plate);
-  return ARC_OK;
+static int wears_evenly(const arc_wear *w) {
+  return w->over_plate && w->procedure == ARC_NSP;
 }
 
-/* --- by which scheme
- * -----------------------------------------------------------------------------------------------
- */
+/* w->delta := what w->rate takes in so many cycles; returns the even depth of the plate. */
+static double depths_of_rate(arc_wear *w, double cycles, const double k[ARC_BODIES]) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const double scale = b == ARC_PLATE && w->procedure == ARC_NSP ? 0 : cycles * k[b];
+    for (int i = 0; i < w->shape->side[b].n; i++) w->delta[b][i] = scale * w->rate.node[b][i];
+  }
+  return wears_evenly(w) ? cycles * k[ARC_PLATE] * w->rate.even : 0;
+}
+
+/* The state a share of the way through an update, predicted from w->rate and coefficients k. */
+static arc_wear_record predict(arc_wear *w, const wear_plan *plan, double share,
+                               const double k[ARC_BODIES]) {
+  arc_wear_record state = *arc_wear_last(w);
+  const double even = depths_of_rate(w, share * plan->times, k);
+  const double *const delta[ARC_BODIES] = {w->delta[0], w->delta[1]};
+  double *deepest[ARC_BODIES] = {&state.depth_cylinder, &state.depth_plate};
+  state.distance += share * (plan->end - state.distance);
+  state.cycle += share * plan->cycles;
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < w->shape->side[b].n; i++)
+      *deepest[b] =
+          fmax(*deepest[b], w->shape->side[b].h[i] + w->delta[b][i] + (b == ARC_PLATE ? even : 0));
+  add_volumes(w, w->shape, delta, even, &state);
+  state.depth_partition = state.depth_cylinder / (state.depth_cylinder + state.depth_plate);
+  return state;
+}
+
+/* The state half-way through an update, where functions of the state are asked: from the rate at
+ * its start, with their value a quarter of the way. *rated: w->rate is that of the start. */
+static arc_status middle_state(arc_wear *w, const wear_plan *plan, const wear_window *window,
+                               arc_wear_record *middle, int *rated, int *solutions,
+                               arc_error *error) {
+  const arc_wear_record *before = arc_wear_last(w);
+  static const double nothing[ARC_BODIES] = {0};
+  double k[ARC_BODIES];
+  *rated = wear_has_state_functions(w) && !wear_closed_form(w);
+  if (!*rated) {
+    w->rate.even = 0;
+    *middle = predict(w, plan, 0.5, nothing);
+    return ARC_OK;
+  }
+  arc_status status = wear_coefficients(w, before->distance, plan->end, before, k, error);
+  if (status == ARC_OK)
+    status = wear_evaluate(w, w->shape, window, plan->monitor->stop, plan->monitor->context,
+                           solutions, error);
+  if (status != ARC_OK) return status;
+  const arc_wear_record quarter = predict(w, plan, 0.25, k);
+  status = wear_coefficients(w, before->distance, plan->end, &quarter, k, error);
+  if (status == ARC_OK) *middle = predict(w, plan, 0.5, k);
+  return status;
+}
+
+/* --- by which scheme --- */
 
 /* Wears `next` by w->delta and `even`, and adds the volumes. */
 static arc_status apply(arc_wear *w, arc_shape *next, double even, arc_wear_record *record,
@@ -78,35 +95,23 @@ static arc_status apply(arc_wear *w, arc_shape *next, double even, arc_wear_reco
   return ARC_OK;
 }
 
-/* Depths of an explicit update into w->delta. */
-static arc_status explicit_depths(arc_wear *w, const arc_shape *shape, const wear_window *window,
-                                  double cycles, const double k[ARC_BODIES], const wear_monitor *m,
-                                  int *solutions, arc_error *error) {
-  const arc_status status = wear_evaluate(w, shape, window, m->stop, m->context, solutions, error);
-  if (status != ARC_OK) return status;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const double scale = b == ARC_PLATE && w->procedure == ARC_NSP ? 0 : cycles * k[b];
-    for (int i = 0; i < shape->side[b].n; i++) w->delta[b][i] = scale * w->rate.node[b][i];
-  }
-  return ARC_OK;
-}
-
 /* One update over a window of the path, on w->next. */
 static arc_status update(arc_wear *w, const wear_window *window, double cycles,
                          const double k[ARC_BODIES], const wear_monitor *m, arc_wear_record *record,
                          arc_error *error) {
   int solutions = 0;
   arc_status status;
-  if (w->def.scheme == ARC_IMPLICIT)
+  double even;
+  if (w->def.scheme == ARC_IMPLICIT) {
     status = wear_implicit(w, w->next, window, cycles, k, m->stop, m->context, &solutions,
                            &record->error, error);
-  else
-    status = explicit_depths(w, w->next, window, cycles, k, m, &solutions, error);
+    even = wears_evenly(w) ? cycles * k[ARC_PLATE] * w->rate.even : 0;
+  } else {
+    status = wear_evaluate(w, w->next, window, m->stop, m->context, &solutions, error);
+    even = depths_of_rate(w, cycles, k);
+  }
   record->solutions += solutions;
-  if (status != ARC_OK) return status;
-  const double even =
-      w->over_plate && w->procedure == ARC_NSP ? cycles * k[ARC_PLATE] * w->rate.even : 0;
-  return apply(w, w->next, even, record, error);
+  return status == ARC_OK ? apply(w, w->next, even, record, error) : status;
 }
 
 /* alpha = 0 over the whole plate: the load is all that counts. */
@@ -144,26 +149,29 @@ static arc_status quasi_continuous(arc_wear *w, const wear_plan *plan, arc_wear_
 
 static arc_status whole_update(arc_wear *w, const wear_plan *plan, arc_wear_record *record,
                                arc_error *error) {
-  const arc_wear_record before = *record;
-  arc_wear_record middle;
+  const double from = record->distance;
+  const int generic = !plan->block->periodic;
+  arc_wear_record middle = *record;
+  wear_window window = {.first = generic ? plan->first : 0,
+                        .last = generic ? plan->first + 1 : plan->block->count - 1,
+                        .state = &middle};
   double k[ARC_BODIES];
-  int solutions = 0;
-  arc_status status = middle_state(w, plan, &before, &middle, &solutions, error);
+  int solutions = 0, rated;
+  arc_wear_record found;
+  arc_status status = middle_state(w, plan, &window, &found, &rated, &solutions, error);
   record->solutions += solutions;
-  if (status == ARC_OK)
-    status = wear_coefficients(w, before.distance, plan->end, &middle, k, error);
+  middle = found;
+  if (status == ARC_OK) status = wear_coefficients(w, from, plan->end, &middle, k, error);
   if (status != ARC_OK) return status;
   wear_note_coefficients(k, record);
   if (wear_closed_form(w)) return closed_form_update(w, plan->cycles, k, record, error);
-  const int generic = !plan->block->periodic;
-  const wear_window window = {.first = generic ? plan->first : 0,
-                              .last = generic ? plan->first + 1 : plan->block->count - 1,
-                              .state = &middle};
-  return update(w, &window, generic ? plan->share : plan->cycles, k, plan->monitor, record, error);
+  /* the explicit rate at the start serves twice, unless local factors see the middle */
+  if (rated && w->def.scheme == ARC_EXPLICIT && !w->def.local_factor)
+    return apply(w, w->next, depths_of_rate(w, plan->times, k), record, error);
+  return update(w, &window, plan->times, k, plan->monitor, record, error);
 }
 
-/* --- all of it or nothing
- * ------------------------------------------------------------------------------------------ */
+/* --- all of it or nothing --- */
 
 /* Adaptive steps also answer for functions of the state: taken at the middle, they are good to the
  * second difference of what they give at both ends and in the middle, over the share of wear that
@@ -212,7 +220,7 @@ static arc_status attempt(arc_wear *w, const wear_plan *plan, arc_wear_record *r
 static void shorten(const arc_wear *w, wear_plan *plan, double cycles) {
   const double share = cycles / plan->cycles, from = arc_wear_last(w)->distance;
   plan->end = from + share * (plan->end - from);
-  plan->share *= share;
+  plan->times *= share;
   plan->cycles = cycles;
 }
 
@@ -291,7 +299,7 @@ static arc_status meet_targets(arc_wear *w, const wear_plan *plan, arc_wear_reco
 
 static arc_status step_towards(arc_wear *w, double limit, wear_monitor *monitor, int *moved,
                                arc_error *error) {
-  wear_plan plan = {.share = 1, .monitor = monitor};
+  wear_plan plan = {.monitor = monitor};
   arc_wear_record record;
   monitor->reached = -1;
   arc_status status = wear_plan_step(w, limit, &plan, moved, error);

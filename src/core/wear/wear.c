@@ -210,8 +210,7 @@ arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, arc_error *erro
   return status;
 }
 
-/* --- what a run tells
- * -------------------------------------------------------------------------------------------- */
+/* --- what a run tells --- */
 
 const arc_wear_def *arc_wear_definition(const arc_wear *w) {
   return &w->def;
