@@ -87,7 +87,11 @@ $(program): $(call obj_of,$(front_src)) $(call obj_of,$(side_src)) $(OBJ)/embedd
 # A unit test links the engine, plot and store, never Lua or readline: that it links is a test.
 $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(call obj_of,$(side_src)) $(core_lib)
 	@mkdir -p $(@D)
-	$(CC) $(all_ldflags) $^ -lcmocka $(sql_libs) $(core_libs) -o $@
+	$(CC) $(all_ldflags) $^ $(test_ldflags) -lcmocka $(sql_libs) $(core_libs) -o $@
+
+# Out of memory on demand: this test stands between the engine and its allocations.
+$(BUILD)/tests/test_oom: test_ldflags = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free \
+                                        -lsuitesparseconfig
 
 test-programs: $(program) $(unit_tests)
 

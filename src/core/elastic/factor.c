@@ -96,8 +96,18 @@ void factor_destroy(factor **f) {
   *f = NULL;
 }
 
+/* cholmod_solve2 takes its workspace itself, but asks for the second block without looking whether
+ * it got the first, and then writes to nowhere. */
+static int ensure_workspace(factor *f, size_t count) {
+  const size_t n = f->l->n, e = f->l->maxesize;
+  return cholmod_ensure_dense(&f->x, n, count, n, CHOLMOD_REAL, &f->common) &&
+         cholmod_ensure_dense(&f->y, n, count, n, CHOLMOD_REAL, &f->common) &&
+         cholmod_ensure_dense(&f->e, e, count, e, CHOLMOD_REAL, &f->common);
+}
+
 arc_status factor_solve(factor *f, int count, double *b, arc_error *error) {
   const size_t n = f->l->n;
+  if (!ensure_workspace(f, (size_t)count)) return why(f, error);
   cholmod_dense rhs = {.nrow = n,
                        .ncol = (size_t)count,
                        .nzmax = n * (size_t)count,
