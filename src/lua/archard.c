@@ -23,6 +23,8 @@ static const luaL_Reg classes[] = {
 static const luaL_Reg modules[] = {
     {"archard.term", luaopen_archard_term},
     {"archard.gnuplot", luaopen_archard_gnuplot},
+    {"archard.store", luaopen_archard_store},
+    {"archard.process", luaopen_archard_process},
     {NULL, NULL},
 };
 

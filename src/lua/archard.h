@@ -26,4 +26,10 @@ int luaopen_archard_term(lua_State *L);
 /* The module `archard.gnuplot`: figures as tables, drawn by gnuplot; scripts/plot.lua uses it. */
 int luaopen_archard_gnuplot(lua_State *L);
 
+/* The module `archard.store`: run files. */
+int luaopen_archard_store(lua_State *L);
+
+/* The module `archard.process`: copies of this program at work. */
+int luaopen_archard_process(lua_State *L);
+
 #endif

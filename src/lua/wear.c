@@ -82,6 +82,7 @@ static const luaL_Reg methods[] = {
     {"step", wear_step},
     {"run", wear_run},
     {"clone", wear_clone},
+    {"save", wear_save},
     {"contact", wear_contact},
     {"profile", wear_profile},
     {"pressure", wear_pressure},
@@ -114,5 +115,7 @@ int luaopen_archard_wear(lua_State *L) {
   lua_pushcfunction(L, class_tostring);
   lua_setfield(L, -2, "__tostring");
   lua_setmetatable(L, -2);
+  lua_pushcfunction(L, wear_open);
+  lua_setfield(L, -2, "open");
   return 1;
 }

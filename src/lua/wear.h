@@ -39,6 +39,10 @@ int wear_tostring(lua_State *L);
 int wear_step(lua_State *L);
 int wear_run(lua_State *L);
 
+/* --- store_run.c: runs in files --- */
+int wear_save(lua_State *L);
+int wear_open(lua_State *L);
+
 /* --- wear_profile.c: methods that look at it --- */
 int wear_profile(lua_State *L);
 int wear_pressure(lua_State *L);
@@ -60,6 +64,7 @@ void record_push_lines(lua_State *L, const arc_wear_record *records, size_t coun
 
 /* Pushes the history as a table of arrays by column name. */
 void history_push(lua_State *L, const arc_wear *wear);
+void records_push_columns(lua_State *L, const arc_wear_record *records, size_t count);
 
 /* Names of the columns of the history, in the order of arc_wear_record's members. */
 extern const char *const history_columns[];

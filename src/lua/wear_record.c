@@ -77,9 +77,7 @@ void record_push_lines(lua_State *L, const arc_wear_record *records, size_t coun
   luaL_pushresult(&text);
 }
 
-void history_push(lua_State *L, const arc_wear *wear) {
-  size_t count;
-  const arc_wear_record *records = arc_wear_history(wear, &count);
+void records_push_columns(lua_State *L, const arc_wear_record *records, size_t count) {
   lua_createtable(L, 0, HISTORY_COLUMNS);
   for (int column = 0; column < HISTORY_COLUMNS; column++) {
     lua_createtable(L, (int)count, 0);
@@ -89,4 +87,10 @@ void history_push(lua_State *L, const arc_wear *wear) {
     }
     lua_setfield(L, -2, history_columns[column]);
   }
+}
+
+void history_push(lua_State *L, const arc_wear *wear) {
+  size_t count;
+  const arc_wear_record *records = arc_wear_history(wear, &count);
+  records_push_columns(L, records, count);
 }
