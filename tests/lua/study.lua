@@ -1,0 +1,198 @@
+-- Studies: settings, running, resuming, shares, tables, what cases tell; wear:save and wear.open.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+
+local folder = os.tmpname()
+os.remove(folder)
+assert(os.execute("mkdir " .. folder))
+local function path(name) return folder .. "/" .. name end
+
+local coarse = { geometry = "frozen", increments = 8, distance = 220,
+  model = { mesh = { size = 0.04, height = 0.05 } } }
+local function small(given)
+  given.base = coarse
+  return study(given)
+end
+
+-- --- settings ----------------------------------------------------------------------------------
+local settings = require "archard.study_settings"
+local nested = { alpha = 0.5, model = { mesh = { size = 0.04 }, plate = material{ E = 1e5 } },
+  loading = { { x = { 0, 1 }, cycles = 3 }, { x = { 2 } } }, scheme = "explicit", flag = true }
+local flat = settings.flatten("test", nested)
+is(flat["model.mesh.size"], 0.04, "nested names are joined by points")
+is(flat["model.plate.E"], 1e5, "a material becomes its fields")
+is(#flat["loading.1.x"], 2, "a list of numbers stays whole")
+local again = settings.nest(flat)
+is(again.loading[2].x[1], 2, "list positions come back as numbers")
+is(settings.difference(flat, settings.flatten("test", again)), nil, "there and back")
+is(settings.flatten("test", { model = model{ radius = 8 } })["model.mesh.element"], "CPE4",
+  "a model becomes its definition")
+fails(function() settings.flatten("test", { k = function() end }) end, { "'k'", "function" },
+  "a function is refused by name")
+fails(function() settings.flatten("test", { k = 0 / 0 }) end, { "'k'", "finite" }, "NaN is refused")
+local grid = settings.grid("test", { stroke = { 1, 2 }, alpha = { 0, 1 }, model = { radius = { 8 } } })
+is(#grid, 4, "a grid holds all combinations")
+is(grid[2].alpha .. " " .. grid[2].stroke .. " " .. grid[2]["model.radius"], "0 2 8",
+  "the last name changes fastest")
+
+-- --- definitions -------------------------------------------------------------------------------
+fails(function() study{ bas = {} } end, { "'bas'", "did you mean 'base'" }, "a misspelt field")
+fails(function() study{ vary = { alpha = 3 } } end, { "vary.alpha", "list" }, "vary needs lists")
+fails(function() study{ vary = { alpha = {} } } end, "empty", "and not empty ones")
+fails(function() study{ vary = { alpha = { 1 } }, cases = { {} } } end, "got both", "vary or cases")
+fails(function() study{ base = { aplha = 1 } }:run{ file = path "never" } end, "aplha",
+  "a misspelt field of wear stops the study before it starts")
+is(io.open(path "never"), nil, "and leaves no file")
+is(#study.paper():cases(), 20, "the paper's 20 cases")
+is(study.paper():cases()[6].jump, 40, "with Table 1's cycles per update")
+holds(tostring(study.paper()), { "paper", "20 cases", "alpha, stroke" }, "print(study)")
+
+-- --- running -----------------------------------------------------------------------------------
+local function new_study() return small{ vary = { alpha = { 0.25, 0.5 }, stroke = { 0.11, 0.2 } },
+  looks = 2 } end
+
+-- All that is stored of a study but times, as text.
+local function content(s)
+  local lines = {}
+  local function add(name, value)
+    if type(value) == "table" then
+      local keys = {}
+      for key in pairs(value) do keys[#keys + 1] = key end
+      table.sort(keys, function(a, b) return tostring(a) < tostring(b) end)
+      for _, key in ipairs(keys) do add(name .. "." .. key, value[key]) end
+    elseif value ~= value then
+      lines[#lines + 1] = name .. " nan"
+    else
+      lines[#lines + 1] = name .. " " .. (type(value) == "number" and ("%a"):format(value)
+        or tostring(value))
+    end
+  end
+  for _, case in ipairs(s:cases()) do
+    add(case.id .. " status", case.status)
+    add(case.id .. " definition", case.definition)
+    add(case.id .. " history", case.history)
+    add(case.id .. " surfaces", case.surfaces)
+  end
+  return table.concat(lines, "\n")
+end
+
+local events = {}
+local one = new_study():run{ workers = 1, file = path "one",
+  progress = function(event) events[#events + 1] = event end }
+is(#one.failed, 0, "no case failed")
+is(#events, 4, "one event a case")
+is(events[4].done, 4, "the last says that all are done")
+local three = new_study():run{ workers = 3, file = path "three", progress = false }
+is(content(three), content(one), "three workers store the same bits as one")
+
+local direct = wear(settings.nest(settings.flatten("test", { geometry = "frozen", increments = 8,
+  distance = 220, alpha = 0.5, stroke = 0.2, model = coarse.model })))
+direct:run()
+local case = one:cases()[4]
+is(case.status, "done", "a case's status")
+is(case.label, "alpha 0.5, stroke 0.2", "a case's label")
+is(case.alpha, 0.5, "a case's setting")
+is(case.k, 1e-8, "a default of the engine, from the stored definition")
+is(case.p_center, direct.p_center, "a case's result is that of the run itself")
+is(case.depth.plate, direct.depth.plate, "depths by body")
+near(case.volume.total, 1e-8 * 100 * 220, 1e-9, "volume")
+is(#case.history.distance, #direct.history.distance, "history")
+is(#case:distances(), 3, "two looks on the way and the end")
+is(case:distances()[1], 0, "the first look is at the unworn surfaces")
+is(case:profile("plate").h[30], direct:profile("plate").h[30], "profile")
+is(case:pressure("plate").p[30], direct:pressure("plate").p[30], "pressure")
+is(case:profile("plate", 0).h[30], 0, "an earlier profile")
+local sum, theirs = case:combined(), direct:combined()
+near(sum.h[31], theirs.h[31], 1e-12, "the sum of both profiles")
+near(case:local_partition().value[5], direct:local_partition().value[5], 1e-12, "local partition")
+near(case.hertz.half_width, hertz{}.half_width, 1e-12, "Hertz' contact of a case")
+holds(tostring(case), { "case 4", "done", "MPa" }, "print(case)")
+fails(function() case:profile("table") end, '"cylinder" or "plate"', "no third body")
+
+local run = case:wear()
+run:run{ distance = 330 }
+direct:run{ distance = 330 }
+is(run.p_center, direct.p_center, "a stored case goes on to the same bits")
+is(wear.open(path "one", 4).distance, 220, "wear.open of a case")
+fails(function() wear.open(path "one") end, "found 4 cases", "which needs its number")
+
+-- --- resuming ----------------------------------------------------------------------------------
+local seconds = one:cases()[1].seconds
+one = new_study():run{ workers = 2, file = path "one", progress = false }
+is(one:cases()[1].seconds, seconds, "what is done is not computed again")
+fails(function() small{ vary = { alpha = { 0.25 } } }:run{ file = path "one" } end,
+  { "another study", "4 cases" }, "a file of another study is refused")
+fails(function()
+  small{ vary = { alpha = { 0.25, 0.5 }, stroke = { 0.11, 0.3 } } }:run{ file = path "one" }
+end, { "another study", "case 2", "stroke" }, "and the first difference is named")
+do
+  local letter = assert(io.open(path "letter", "w"))
+  letter:write(("Dear Sir, "):rep(20))
+  letter:close()
+  fails(function() new_study():run{ file = path "letter" } end, "not a run file",
+    "a foreign file is refused")
+  fails(function() study.open(path "letter") end, "not a run file", "also by study.open")
+  is(#assert(io.open(path "letter")):read("a"), 200, "and stays as it was")
+end
+
+-- A case that fails costs no other, and is tried again.
+local bad = small{ cases = { { alpha = 0.5 }, { alpha = 2 }, { alpha = 0.25 } } }
+local quiet = io.stderr
+local errors = {}
+io.stderr = { write = function(_, ...) errors[#errors + 1] = table.concat{ ... } end }
+bad:run{ workers = 2, file = path "bad", progress = false }
+io.stderr = quiet
+is(#bad.failed, 1, "one case failed")
+holds(bad.failed[1].message, { "alpha", "2" }, "with its message")
+holds(table.concat(errors), { "case 2", "alpha 2" }, "which is also reported")
+local cases = bad:cases()
+is(cases[1].status .. cases[2].status .. cases[3].status, "donefaileddone", "the others are done")
+holds(cases[2].message, "alpha", "the message is stored")
+is(study.open(path "bad"):cases()[2].status, "failed", "study.open")
+
+-- --- shares ------------------------------------------------------------------------------------
+for i = 1, 3 do
+  new_study():run{ workers = 1, file = path("share" .. i), shard = i .. "/3", progress = false }
+end
+local share = study.open(path "share2")
+is(share:cases()[2].status .. share:cases()[1].status, "donewaiting", "a share holds its cases")
+fails(function() new_study():run{ shard = "4/3", file = path "x" } end, "shard", "share 4 of 3")
+local merged = study.merge(path "share1", path "share2", path "share3", { file = path "merged" })
+is(content(merged), content(one), "shares merge to the same bits")
+fails(function() study.merge(path "share1", path "share3", { file = path "gap" }) end,
+  { "1 cases", "none of the files", "2" }, "a missing case is named")
+is(io.open(path "gap"), nil, "and no file is made")
+fails(function() study.merge(path "share1", path "share1", { file = path "gap" }) end,
+  "finished in both", "a double case is refused")
+fails(function() study.merge(path "share1", path "bad", { file = path "gap" }) end,
+  "different studies", "as is another study")
+
+-- --- tables ------------------------------------------------------------------------------------
+holds(one:table(), { "alpha", "stroke", "p_center", "[MPa]", "done" }, "table")
+local csv = one:table{ format = "csv" }
+is(select(2, csv:gsub("\n", "\n")), 4, "CSV: a line a case and the head")
+holds(csv, ("%.17g"):format(case.p_center), "CSV has all digits")
+holds(one:table{ format = "markdown" }, "| --: |", "Markdown")
+one:table{ file = path "table.md" }
+holds(assert(io.open(path "table.md")):read("a"), "| --: |", "the ending tells the form")
+fails(function() one:table{ format = "html" } end, '"markdown"', "no other form")
+
+-- --- one run in a file -------------------------------------------------------------------------
+local w = wear{ geometry = "frozen", increments = 8, distance = 220, model = coarse.model }
+w:step(5)
+is(w:save(path "wear"), w, "wear:save returns the run")
+local opened = wear.open(path "wear")
+is(opened.update, 5, "wear.open")
+w:run()
+opened:run()
+is(opened.p_center, w.p_center, "and it goes on to the same bits")
+opened:save(path "wear")
+is(wear.open(path "wear").distance, 220, "a saved run may be replaced")
+fails(function() w:save(path "one") end, "not replaced", "a study may not")
+fails(function() w:save(path "letter") end, "not a run file", "nor anything else")
+fails(function() w:save "/no/such/folder/w" end, "/no/such/folder/w", "a folder that is not there")
+fails(function() wear.open(path "absent") end, "absent", "a file that is not there")
+fails(function() study.open(path "wear") end, "kind study", "a run is no study")
+
+os.execute("rm -r " .. folder)
