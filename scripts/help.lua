@@ -1,5 +1,5 @@
--- help(): what every object, field and method is. The entries are in help_engine.lua and
--- help_tools.lua; this file finds them and shows them. Completion asks here for names that no table
+-- help(): what every object, field and method is. The entries are in help_engine.lua,
+-- help_tools.lua and help_study.lua; this file finds them and shows them. Completion asks here for names that no table
 -- holds, the manual page is written from here. Leans on archard.term.
 --
 -- Addresses: "wear" an object, "wear.step" its method or field, "wear{jump}" a field of its
@@ -42,6 +42,7 @@ local function load_entries()
   entries, ordered = {}, {}
   add(require "archard.help_engine")
   add(require "archard.help_tools")
+  add(require "archard.help_study")
 end
 
 -- --- for completion and the manual ------------------------------------------------------------

@@ -277,9 +277,11 @@ return {
   { "wear.contact", kind = "method", class = "contact", use = "w:contact()",
     text = "The contact on the present shape: plate at x = 0, nominal load." },
   { "wear.save", kind = "method", use = "w:save(path)",
-    text = "Writes the run, with all it needs to go on, to a file; wear.open reads it." },
-  { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path)",
-    text = "Reads a run that w:save wrote; it goes on to the same numbers." },
+    text = "Writes the run, with all it needs to go on, to a run file; wear.open reads it. A run "
+      .. "that was saved there before is replaced, anything else is refused." },
+  { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path, case)",
+    text = "Reads a run that w:save wrote, or a case of a study by its number; it goes on to the "
+      .. "same numbers." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
     text = "Worn profile of a body: { x=, h=, y= } in mm; h is the wear depth, y the present height "

@@ -1,39 +1,6 @@
--- Help entries of what stands around the engine: study, plot, export, help. Form: help.lua.
+-- Help entries of what stands around the engine: plot, export, help. Form: help.lua.
 
 return {
-  -- --- study ----------------------------------------------------------------------------------
-  { "study", kind = "constructor",
-    use = "s = study{ base={...}, vary={ alpha={0, 0.5, 1}, stroke={0.11, 0.22} } }",
-    text = "Many wear runs: every combination of the varied fields, each run like wear{} with the "
-      .. "fields of base. Results are stored as they come; an interrupted study goes on where it "
-      .. "was." },
-  { "study{base}", type = "table", takes = "wear", text = "Fields that all cases share, those of wear{}." },
-  { "study{vary}", type = "table of lists", takes = "wear",
-    text = "Fields of wear{} and the values each takes; the cases are all combinations." },
-  { "study{cases}", type = "list of tables",
-    text = "The cases one by one, instead of vary; each holds fields of wear{}." },
-  { "study{name}", type = "string", text = "Name of the study, for titles and the run file." },
-  { "study.paper", kind = "function", class = "study", use = "study.paper()",
-    text = "The 20 cases: alpha 0, 0.25, 0.5, 0.75, 1 by stroke a, 2a, 4a, 2R, with the jump and the "
-      .. "increments of Table 1." },
-  { "study.merge", kind = "function", class = "study", use = "study.merge(file, ...)",
-    text = "Joins the run files of the shards of one study; refuses missing and double cases." },
-  { "study.run", kind = "method", use = 's:run{ workers=2, file="study.archard" }',
-    text = "Computes the cases that the file does not hold yet, in processes of their own." },
-  { "study.run{workers}", type = "whole number >= 1", default = 2,
-    text = "Cases that run at the same time." },
-  { "study.run{file}", type = "string", default = '"study.archard"',
-    text = "The run file, an SQLite database. What it holds already is not computed again." },
-  { "study.cases", kind = "method", use = "s:cases()",
-    text = "The definitions of all cases, and the results of those that have run." },
-  { "study.table", kind = "method", use = "s:table()",
-    text = "Final depths, pressures and alpha-tilde of every case, one line each." },
-  { "study.figures", kind = "method", use = 's:figures{ dir="figures" }',
-    text = "Draws the study's figures from the stored results." },
-  { "study.figures{dir}", type = "string", text = "Folder to write them to." },
-  { "study.figures{term}", values = { "svg", "png", "pdf", "dumb" },
-    text = "Kind of the pictures." },
-
   -- --- plot -----------------------------------------------------------------------------------
   { "plot", kind = "function", use = "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
     text = "Draws curves through gnuplot: in the terminal, in a window, or to a file. The list part "

@@ -167,12 +167,9 @@ end
 
 case.__name = "case"
 case.__methods = methods
-case.__fields = function()
-  local names = { "id", "label", "status", "message", "seconds", "settings" }
-  for name in pairs(computed) do names[#names + 1] = name end
-  for name in pairs(measures) do names[#names + 1] = name end
-  return names
-end
+case.__fields = { "id", "label", "status", "message", "seconds", "settings", "study" }
+for name in pairs(computed) do case.__fields[#case.__fields + 1] = name end
+for name in pairs(measures) do case.__fields[#case.__fields + 1] = name end
 
 function case.__tostring(self)
   local head = ("case %d: %s, %s"):format(self.id, self.label, self.status)

@@ -1,0 +1,114 @@
+-- Help entries of studies, their cases, and what is made of them. Form: help.lua.
+
+return {
+  -- --- study ----------------------------------------------------------------------------------
+  { "study", kind = "constructor",
+    use = "s = study{ base={...}, vary={ alpha={0, 0.5, 1}, stroke={0.11, 0.22} } }",
+    text = "Many wear runs: every combination of the varied fields, each run like wear{} with the "
+      .. "fields of base. Results are stored as they come; an interrupted study goes on where it "
+      .. "was. Without vary and cases, base is the only case." },
+  { "study{base}", type = "table", text = "Fields that all cases share, those of wear{}; functions "
+      .. "cannot be stored, and are refused." },
+  { "study{vary}", type = "table of lists",
+    text = "Fields of wear{} and the values each takes; the cases are all combinations, the last "
+      .. "name by the alphabet changing fastest. Fields within fields are written nested or as "
+      .. '["model.mesh.size"].' },
+  { "study{cases}", type = "list of tables",
+    text = "The cases one by one, instead of vary; each holds fields of wear{}." },
+  { "study{name}", type = "string", default = '"study"',
+    text = "Name of the study, for titles and the run file." },
+  { "study{looks}", type = "whole number >= 0", default = 6,
+    text = "How many times on its way the surfaces of a case are kept, at equal distances, the "
+      .. "unworn ones among them; the final ones always are." },
+  { "study{task}", values = { "wear", "converge" }, default = '"wear"',
+    text = "What is done for each case: to run it, or to find the settings it needs as "
+      .. "study.converge does." },
+  { "study.name", kind = "field", text = "Name of the study." },
+  { "study.file", kind = "field", text = "The run file; nil before the first run." },
+  { "study.paper", kind = "function", class = "study", use = "study.paper(base)",
+    text = "The 20 cases: alpha 0, 0.25, 0.5, 0.75, 1 by stroke a, 2a, 4a, 2R, with the jump and the "
+      .. "increments of Table 1; base holds more fields of wear{} for all of them." },
+  { "study.trials", kind = "function", class = "study", use = "study.trials(base)",
+    text = "The runs of the convergence example (Fig. 8): stroke a, alpha 0.5, 1000 cycles, with "
+      .. "several jumps and increments." },
+  { "study.open", kind = "function", class = "study", use = "s = study.open(file)",
+    text = "A study as its run file has it, to look at or to go on with." },
+  { "study.merge", kind = "function", class = "study",
+    use = "study.merge(file, ..., { file = \"study.archard\" })",
+    text = "Joins the run files of the shards of one study; refuses missing and double cases." },
+  { "study.merge{file}", type = "string", default = '"study.archard"',
+    text = "The file that receives all cases." },
+  { "study.run", kind = "method", use = 's:run{ workers=2, file="study.archard" }',
+    text = "Computes the cases that the file does not hold yet, in processes of their own; returns "
+      .. "the study. Cases that failed before are tried again. s.failed lists those that failed, "
+      .. "with their messages; they cost no other." },
+  { "study.run{workers}", type = "whole number from 1 to 256",
+    text = "Cases that run at the same time; as many as there are processors if left out." },
+  { "study.run{file}", type = "string", default = '"study.archard"',
+    text = "The run file, an SQLite database. What it holds already is not computed again." },
+  { "study.run{shard}", type = 'string "i/n"',
+    text = "Computes only the share i of n: cases i, i + n, and so on. One file a share; "
+      .. "study.merge joins them." },
+  { "study.run{progress}", type = 'function, false or "lines"',
+    text = "A function called after each case with { case=, failure=, done=, total= }; false: "
+      .. "silence; \"lines\": a line a case. Left out: a display, on a terminal." },
+  { "study.cases", kind = "method", class = "case", use = "s:cases()",
+    text = "The list of all cases, with the results of those that have run." },
+  { "study.table", kind = "method", use = 's:table{ format="markdown" }',
+    text = "Final depths, pressures and alpha-tilde of every case, one line each, as text. On a "
+      .. "narrow terminal some columns are left out." },
+  { "study.table{format}", values = { "text", "csv", "markdown" }, default = '"text"',
+    text = "Form of the table; by the file's ending where one is named." },
+  { "study.table{file}", type = "string", text = "File to write it to: .txt, .csv or .md." },
+  { "study.store", kind = "method", use = "s:store()",
+    text = "The run file as it is, for those who write scripts of their own around it." },
+  { "study.close", kind = "method", use = "s:close()",
+    text = "Closes the run file; it is opened again when needed." },
+
+  -- --- case -----------------------------------------------------------------------------------
+  { "case", kind = "object", use = "s:cases()[1]",
+    text = "A case of a study. It answers like a wear object, from what is stored: plot.pressure, "
+      .. "plot.profile and plot.history draw it. Fields of its definition (alpha, stroke, jump, "
+      .. "...) are there by name." },
+  { "case.id", kind = "field", text = "Its number, from 1." },
+  { "case.label", kind = "field", text = "The varied fields and their values, as text." },
+  { "case.status", kind = "field", values = { "waiting", "running", "done", "failed" },
+    text = "How far it is. One that runs when the program is killed waits again at the next run." },
+  { "case.message", kind = "field", text = "Why it failed." },
+  { "case.seconds", kind = "field", unit = "s", text = "How long it took." },
+  { "case.settings", kind = "field", text = "The fields of wear{} as given." },
+  { "case.definition", kind = "field",
+    text = "All fields of the run and its model, as the engine had them." },
+  { "case.results", kind = "field", text = "What another task than a run has found." },
+  { "case.study", kind = "field", class = "study", text = "The study it belongs to." },
+  { "case.history", kind = "field", text = "Columns by name, as of wear objects." },
+  { "case.last", kind = "field", text = "The last row of the history, by name." },
+  { "case.surfaces", kind = "field",
+    text = "All stored surfaces: { body=, update=, distance=, x=, h=, y=, p= }." },
+  { "case.model", kind = "field", text = "The definition of its model." },
+  { "case.hertz", kind = "field", class = "hertz", text = "The unworn contact." },
+  { "case.depth", kind = "field", unit = "mm", text = "Final depths: { cylinder=, plate= }." },
+  { "case.volume", kind = "field", unit = "mm3",
+    text = "Final volumes: { cylinder=, plate=, total= }." },
+  { "case.update", kind = "field", text = "Geometry updates done." },
+  { "case.cycle", kind = "field", text = "Cycles done." },
+  { "case.distance", kind = "field", unit = "mm", text = "Distance travelled." },
+  { "case.p_center", kind = "field", unit = "MPa", text = "Final pressure at the centre." },
+  { "case.p_max", kind = "field", unit = "MPa", text = "Final largest pressure." },
+  { "case.half_width", kind = "field", unit = "mm", text = "Final half width of the contact." },
+  { "case.depth_partition", kind = "field", text = "Final alpha-tilde." },
+  { "case.solutions", kind = "field", text = "Contact solutions it took." },
+  { "case.profile", kind = "method", use = 'case:profile("cylinder" | "plate", distance)',
+    text = "Wear profile { x=, h=, y= } at the last look not after that distance [mm]; at the end "
+      .. "where none is given." },
+  { "case.pressure", kind = "method", use = 'case:pressure("cylinder" | "plate", distance)',
+    text = "Pressure { x=, p= } likewise, with the plate at x = 0." },
+  { "case.combined", kind = "method", use = "case:combined(distance)",
+    text = "Sum of both profiles { x=, h= }, Eq. (31)." },
+  { "case.local_partition", kind = "method", use = "case:local_partition(distance)",
+    text = "The cylinder's share of that sum { x=, value= }, Eq. (30)." },
+  { "case.distances", kind = "method", use = "case:distances()",
+    text = "The distances [mm] at which surfaces are stored." },
+  { "case.wear", kind = "method", class = "wear", use = "case:wear()",
+    text = "The run as a wear object, that goes on where the case ended." },
+}
