@@ -198,11 +198,19 @@ local function spoken(name)
   return (name:gsub("%s+", ""):gsub("%(.*%)$", ""):gsub("[{:]$", ""):gsub(":", "."))
 end
 
+-- "w.step" where w is a global object: "wear.step".
+local function by_object(name)
+  local object, member = name:match("^([%a_][%w_]*)%.(.+)$")
+  local class = object and help.address_of(rawget(_G, object))
+  return class and entries[class .. "." .. member]
+end
+
 -- Every entry a name can mean: its full address first, else all that end in it.
 function help.search(name)
   load_entries()
   name = spoken(name)
-  if entries[name] then return { entries[name] } end
+  local exact = entries[name] or by_object(name)
+  if exact then return { exact } end
   local found = {}
   for _, entry in ipairs(ordered) do
     if entry.name == name then found[#found + 1] = entry end

@@ -23,7 +23,10 @@ local function load_at(text, name, line)
   end, name, "t")
 end
 
-local function is_open(message)
+-- Did the parser come to the end and want more? A string in quotes ends with its line, unless a
+-- backslash stands there.
+local function is_open(message, text)
+  if message:find("unfinished string near", 1, true) and not text:find("\\$") then return false end
   return message:find("<eof>'?$") ~= nil
 end
 
@@ -67,7 +70,7 @@ function prompt.compile(text, name, line)
     note_locals(text)
     return chunk
   end
-  if is_open(as_statement) or is_open(as_expression) then return nil, nil end
+  if is_open(as_statement, text) or is_open(as_expression, text) then return nil, nil end
   return nil, text:find("^%s*=") and as_expression or as_statement
 end
 

@@ -1,0 +1,179 @@
+-- The prompt's Lua: what is a complete chunk, how values look, what may be completed.
+package.path = arg[0]:gsub("[^/]*$", "") .. "lib/?.lua;" .. package.path
+local tap = require "tap"
+local pretty = require "archard.pretty"
+local prompt = require "archard.prompt"
+local complete = require "archard.complete"
+local help = require "archard.help"
+
+-- --- chunks ------------------------------------------------------------------------------------
+
+local function state(text)
+  local chunk, message = prompt.compile(text, "=test", 1)
+  if chunk then return table.pack(chunk())[1] end
+  return message and "wrong" or "open"
+end
+
+tap.is(state("1 + 1"), 2, "an expression gives its value")
+tap.is(state("= 6 * 7"), 42, "with = before it too")
+tap.is(state("return 5"), 5, "return is understood")
+tap.is(state("-- nothing"), nil, "a comment is complete")
+tap.is(state(""), nil, "so is nothing")
+for _, text in ipairs { "for i = 1, 2 do", "x = {", "f(", "1 +", "[[ text", "a = [==[ x", "if x then",
+  "function f()", "x =", "--[[ comment", "print('a',", "repeat", "w = wear{ k=1e-8,",
+  "'text \\" } do
+  tap.is(state(text), "open", "more lines are asked for after: " .. text)
+end
+for _, text in ipairs { "x = = 1", "end", "a b", "'text", "for 1", "1 + + 2)" } do
+  tap.is(state(text), "wrong", "no more lines help: " .. text)
+end
+tap.is(state("local a = 2\na * 3"), 6, "the last line of a paste is shown")
+tap.is(state("t = 0\nfor i = 1, 3 do\n  t = t + i\nend\nt"), 6, "a loop before it runs to its end")
+tap.is(state("n = 0\nfor i = 1, 3 do\n  n = n + 1\nend"), nil, "the end of a loop is no value")
+tap.is(n, 3, "and the loop is whole")
+tap.is(state("a = 7\n-2"), nil, "a line that goes on the one above is left with it")
+tap.is(a, 5, "as Lua reads it")
+local _, message = prompt.compile("x = = 1", "=name", 12)
+tap.is(message, "name:12: unexpected symbol near '='", "messages count lines from where it began")
+
+-- --- values ------------------------------------------------------------------------------------
+
+local function looks(value, text, what) tap.is(pretty.format(value, { width = 80 }), text, what) end
+looks(1.5, "1.5", "a number")
+looks("a\tb", "a\tb", "a string as it is")
+looks({ "a\n\"b\"\\" }, [[{ "a\n\"b\"\\" }]], "a string in a table quoted")
+looks({ "µm" }, '{ "µm" }', "UTF-8 is left alone")
+looks({ "\xff\0" }, '{ "\\255\\0" }', "bytes that are no text are numbers")
+looks({}, "{}", "an empty table")
+looks({ b = 1, a = 2, [10] = 3, [true] = 4, 5 }, "{ 5, [10] = 3, a = 2, b = 1, [true] = 4 }",
+  "keys in order")
+looks({ ["end"] = 1, ["a b"] = 2 }, '{ ["a b"] = 2, ["end"] = 1 }', "keys that are no names")
+looks({ 1 / 3, 2 }, "{ 0.333333, 2 }", "six digits in a list")
+looks({ x = 1 / 3 }, "{ x = 0.33333333333333 }", "all in a field")
+looks({ { { { { { 1 } } } } } }, "{ { { { { {...} } } } } }", "depth has an end")
+local cycle = {}
+cycle.me = { cycle }
+looks(cycle, "{ me = { <cycle> } }", "so have cycles")
+local twice = { 1 }
+looks({ twice, twice }, "{ { 1 }, { 1 } }", "what comes twice is no cycle")
+looks(setmetatable({}, { __tostring = function() return "mine" end }), "mine", "__tostring rules")
+looks({ setmetatable({}, { __tostring = function() return "one\ntwo" end }) }, "{ one ... }",
+  "in one line within a table")
+tap.holds(pretty.format(setmetatable({}, { __tostring = function() error("oops") end })), "oops",
+  "a __tostring that fails is told")
+looks(setmetatable({ 1 }, { __index = error, __pairs = error, __len = error }), "{ 1 }",
+  "no other metamethod runs")
+local long = {}
+for i = 1, 1000 do long[i] = i end
+tap.holds(pretty.format(long), { "..., 1000", "(1000 items)" }, "a long list is shortened")
+tap.holds(pretty.format({ x = long }), "x = { 1, 2, 3, 4, ..., 1000 } (1000 items)",
+  "more so in a table")
+local wide = true
+for width = 20, 120, 7 do
+  local deep = { name = long, list = { { a = 1, b = "text" }, { a = 2, b = "more text" } }, long }
+  for line in pretty.format(deep, { width = width }):gmatch("[^\n]+") do
+    wide = wide and #line <= math.max(width, 60)
+  end
+end
+tap.ok(wide, "lines fit the width")
+local huge = {}
+for i = 1, 80 do
+  huge[i] = {}
+  for j = 1, 80 do huge[i]["k" .. j] = { j } end
+end
+local begin = os.clock()
+tap.ok(#pretty.format(huge) < 100000 and os.clock() - begin < 1, "large tables do not flood")
+tap.is(pretty.format({ 1, "a" }, { colour = true }), "{ \27[36m1\27[0m, \27[32m\"a\"\27[0m }",
+  "colours when asked for")
+
+-- --- completion --------------------------------------------------------------------------------
+
+local function words(text)
+  local list, append = complete.words(text)
+  if type(list) == "string" then return list end
+  return table.concat(list, " ") .. (append ~= "" and "|" .. append or "")
+end
+local function offers(text, expected) tap.is(words(text), expected, "completed: " .. text) end
+local function has(text, wanted, unwanted)
+  local list = " " .. words(text):gsub("|.*", "") .. " "
+  for word in (wanted or ""):gmatch("%S+") do
+    tap.ok(list:find(" " .. word .. " ", 1, true), "completed with " .. word .. ": " .. text)
+  end
+  for word in (unwanted or ""):gmatch("%S+") do
+    tap.ok(not list:find(" " .. word .. " ", 1, true), "not with " .. word .. ": " .. text)
+  end
+end
+
+_G.m = model { mesh = { size = 0.04, height = 0.05 } }
+_G.w = wear { model = m }
+_G.c = contact { model = m }
+_G.data = { inner = { deep = { leaf = 1 } }, list = { { first = 1 } }, ["no name"] = 2 }
+
+offers("wea", "wear")
+has("", "wear model help print", "_VERSION _G")
+offers("_VER", "_VERSION")
+offers("data.", "inner list")
+offers("data.inner.deep.", "leaf")
+offers('data["inner"].de', "deep")
+offers("data.list[1].", "first")
+offers("nosuch.", "")
+offers("f().", "")
+has("w:", "step run clone profile pressure", "alpha depth stroke")
+has("w.", "depth volume p_center step history")
+offers("w.depth.", "cylinder plate")
+offers("w.volume.t", "total")
+has("m.mesh.cylinder.", "nodes quads")
+has("m.mesh.cylinder:", "quality node", "nodes")
+has("w.model.mesh.plate.", "quads")
+has("c:", "stress pressure")
+has("plot.", "pressure history mesh")
+offers("x = wear{ al", "alpha|=")
+offers("x = wear{ alpha=0.5, al", "")
+offers("x = wear {\n  k = 1e-8, -- the { couple\n  al", "alpha|=")
+offers("wear({ k=1, str", "stroke|=")
+offers("wear{ loading={ per", "periodic|=")
+offers("wear{ model={ mesh={ he", "height|=")
+has("model{ mesh={ zone={ ", "cylinder plate", "size")
+offers("w:run{ pro", "progress|=")
+has("plot.pressure(w, { ", "scaled body xlabel term")
+has("study{ base={ al", "alpha")
+has("wear{ alpha = ma", "math material")
+offers('wear{ procedure="', "auto SP NSP")
+offers("wear{ scheme = '", "explicit implicit")
+offers('w:pressure("', "cylinder plate")
+offers('w:profile "', "cylinder plate")
+offers('io.open("', "files")
+offers('wear{ k=f("', "files")
+has('require "', "archard.term string")
+has('help "', "wear.step wear{jump}")
+offers("-- wea", "")
+offers("--[[ wea", "")
+offers("x = 'it' .. wea", "wear")
+offers('print("a\\"b", wea', "wear")
+has("{ wea", "wear")
+has("f{ wea", "wear")
+has("whi", "while")
+has("string.", "format rep")
+has("('x'):", "")
+
+local called = false
+_G.trap = setmetatable({}, { __index = function() called = true end, __pairs = error,
+  __len = error, __eq = error })
+offers("trap.x.", "")
+offers("trap.", "")
+tap.ok(not called, "completion runs no metamethod")
+_G.broken = setmetatable({}, { __fields = function() error("no") end })
+offers("broken.", "")
+
+-- --- help --------------------------------------------------------------------------------------
+
+tap.is(help.address_of(wear), "wear", "help knows a constructor")
+tap.is(help.address_of(w), "wear", "and an object")
+tap.is(help.address_of(w.step), "wear.step", "and a method")
+tap.is(help.address_of(plot.pressure), "plot.pressure", "and a function")
+tap.is(help.address_of(print), nil, "and not what is Lua's")
+tap.is(#help.search("w:step()"), 1, "help reads a name as it is written")
+tap.ok(#help.search("alpha") >= 2, "help finds all of a name")
+tap.holds(help.text("strok"), 'did you mean "stroke"', "help proposes the nearest name")
+tap.holds(help.text(nil), "nil", "help of nil says so")
+tap.holds(tostring(help), "archard simulates", "help alone, at the prompt, is the overview")
