@@ -96,6 +96,8 @@ local function brace_frame(tokens, i, parent)
     frame.path = parent.path and parent.path .. "." .. field or field
   elseif (before.text == "(" or before.text == ",") and parent and parent.open == "(" then
     frame.call = parent.call
+  elseif (before.text == "{" or before.text == ",") and parent and parent.open == "{" then
+    frame.call, frame.path = parent.call, parent.path -- an item of a list: plot{ {x=, y=}, ... }
   elseif before.kind == "name" or before.text == "]" then
     frame.call = chain_before(tokens, i - 1)
   end

@@ -7,13 +7,14 @@ return {
     text = "Many wear runs: every combination of the varied fields, each run like wear{} with the "
       .. "fields of base. Results are stored as they come; an interrupted study goes on where it "
       .. "was. Without vary and cases, base is the only case." },
-  { "study{base}", type = "table", text = "Fields that all cases share, those of wear{}; functions "
-      .. "cannot be stored, and are refused." },
-  { "study{vary}", type = "table of lists",
+  { "study{base}", type = "table", takes = "wear",
+    text = "Fields that all cases share, those of wear{}; functions cannot be stored, and are "
+      .. "refused." },
+  { "study{vary}", type = "table of lists", takes = "wear",
     text = "Fields of wear{} and the values each takes; the cases are all combinations, the last "
       .. "name by the alphabet changing fastest. Fields within fields are written nested or as "
       .. '["model.mesh.size"].' },
-  { "study{cases}", type = "list of tables",
+  { "study{cases}", type = "list of tables", takes = "wear",
     text = "The cases one by one, instead of vary; each holds fields of wear{}." },
   { "study{name}", type = "string", default = '"study"',
     text = "Name of the study, for titles and the run file." },
