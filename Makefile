@@ -123,7 +123,8 @@ lint:
 	clang-format --dry-run --Werror $(c_files)
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --error-exitcode=1 --suppress=missingIncludeSystem -Iinclude -Isrc src
-	shellcheck scripts/setup tests/run .ci/run
+	shellcheck -S warning scripts/setup tests/run .ci/run tests/tap.bash \
+	  $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 	mandoc -T lint -W warning man/*.1
 
 install: all

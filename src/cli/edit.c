@@ -100,6 +100,7 @@ static void choose_signals(void) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
   action.sa_handler = on_continue;
+  action.sa_flags = SA_RESTART; /* whoever waits for gnuplot, say, need not know of a fg */
   sigaction(SIGCONT, &action, NULL);
 }
 
