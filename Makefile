@@ -42,7 +42,7 @@ program  = $(BUILD)/archard
 unit_src   := $(wildcard tests/unit/*.c)
 unit_tests  = $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(unit_src))
 
-.PHONY: all demo check test-programs bench man format lint install uninstall clean setup
+.PHONY: all demo check study figures test-programs bench man format lint install uninstall clean setup
 .DELETE_ON_ERROR:
 
 all: $(program)
@@ -108,6 +108,13 @@ check:
 
 bench: $(program)
 	$(program) scripts/bench.lua
+
+# The paper's study. What an older program computed is not gone on with.
+study figures: $(program)
+	@for file in $(BUILD)/study.archard $(BUILD)/study-trials.archard; do \
+	  [ ! $$file -ot $(program) ] || rm -f $$file; done
+	$(program) scripts/study20.lua --file $(BUILD)/study.archard \
+	  $(if $(filter figures,$@),--figures $(BUILD)/figures)
 
 # The reference part of the manual comes from the help entries inside the program.
 man: $(program)

@@ -61,6 +61,12 @@ return {
   { "study.table{format}", values = { "text", "csv", "markdown" }, default = '"text"',
     text = "Form of the table; by the file's ending where one is named." },
   { "study.table{file}", type = "string", text = "File to write it to: .txt, .csv or .md." },
+  { "study.figures", kind = "method", use = 's:figures{ dir="figures" }',
+    text = "Draws from the stored results: the paper's figures for study.paper and study.trials, "
+      .. "final shapes, pressures and histories for others. Returns a list of what was drawn." },
+  { "study.figures{dir}", type = "string", default = '"figures"', text = "Folder to write them to." },
+  { "study.figures{term}", values = { "svg", "png", "pdf", "dumb" }, default = '"svg"',
+    text = "Kind of the pictures, or a list of kinds; dumb draws them in the terminal." },
   { "study.store", kind = "method", use = "s:store()",
     text = "The run file as it is, for those who write scripts of their own around it." },
   { "study.close", kind = "method", use = "s:close()",

@@ -225,6 +225,8 @@ end
 
 function methods:table(options) return require "archard.study_table".make(self, options) end
 
+function methods:figures(options) return require "archard.figures".draw(self, options) end
+
 -- Closes the run file, if it is open.
 function methods:close()
   if self.reading then self.reading:close() end

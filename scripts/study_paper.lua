@@ -16,8 +16,12 @@ paper.jumps = {
   { 100, 50, 30, 1 },
 }
 
--- Eq. (28) [mm]: the depth of the first update, overestimated. p in MPa.
-function paper.first_depth(jump, k, p, stroke) return jump * k * p * 2 * stroke end
+-- Eq. (28) [mm]: the depth of the first update, overestimated. p in MPa; a cycle over the whole
+-- plate (the last stroke) goes one way only.
+function paper.first_depth(jump, k, p, stroke)
+  local strokes = stroke == paper.strokes[4] and 1 or 2
+  return jump * k * p * strokes * stroke
+end
 
 function paper.cases()
   local cases = {}

@@ -188,6 +188,15 @@ function tables.make(study, options)
   return text
 end
 
+-- The rows as people read them, the head first, without the columns named: for pages.
+function tables.rows(study, omitted)
+  local columns = columns_of(study)
+  for _, name in ipairs(omitted or {}) do columns = without(columns, name) end
+  local rows = rows_of(study, columns, shown)
+  table.insert(rows, 1, heads(columns, true))
+  return rows
+end
+
 tables.align = align
 
 return tables

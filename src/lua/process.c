@@ -18,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -365,9 +366,25 @@ static int process_processors(lua_State *L) {
   return 1;
 }
 
+/* process.make_folder(path) -> true, or nil and the reason; one that is there already is fine */
+static int process_make_folder(lua_State *L) {
+  const char *path = luaL_checkstring(L, 1);
+  struct stat there;
+  if (mkdir(path, 0777) == 0 ||
+      (errno == EEXIST && stat(path, &there) == 0 && S_ISDIR(there.st_mode))) {
+    lua_pushboolean(L, 1);
+    return 1;
+  }
+  lua_pushnil(L);
+  lua_pushstring(L, strerror(errno));
+  return 2;
+}
+
 int luaopen_archard_process(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"pool", process_pool}, {"processors", process_processors}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"pool", process_pool},
+                                       {"processors", process_processors},
+                                       {"make_folder", process_make_folder},
+                                       {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }
