@@ -81,7 +81,8 @@ local function write_page(dir, study20, drawn)
     lead = "Five wear partition factors by four strokes, each over 1320 mm of sliding under 100 N "
       .. "per mm (R = 10 mm, steel on steel, k = 1e-8 mm²/N). Lengths along the surface are in "
       .. "units of a = 0.108 mm, half the width of the unworn contact, whose pressure is 591 MPa.",
-    tables = { { title = "Results", rows = tables.rows(study20, { "updates", "seconds", "status" }), file = "results.csv",
+    tables = { { title = "Results", rows = tables.rows(study20, { "updates", "p_max", "half_width", "seconds",
+        "status" }), file = "results.csv",
         text = "The state at the end of each case." },
       { title = "Table 1", rows = table_1(),
         text = "Cycles between two updates of the surfaces (N̄), with 100 increments a cycle, and "
