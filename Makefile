@@ -52,9 +52,10 @@ all: $(program)
 ifneq ($(MAKECMDGOALS),clean)
 ifneq ($(MAKECMDGOALS),uninstall)
 ifeq ($(filter demo check setup,$(MAKECMDGOALS)),)
-missing := $(shell scripts/setup --list)
+# The list goes to standard error line by line; what is left is whether there was one.
+missing := $(shell scripts/setup --list | tee /dev/stderr)
 ifneq ($(missing),)
-$(error Missing packages: $(missing). Run scripts/setup to install them)
+$(error These packages are missing. scripts/setup installs them)
 endif
 endif
 endif
@@ -63,31 +64,41 @@ endif
 setup:
 	@scripts/setup
 
+jobs  = $(shell nproc 2>/dev/null || echo 2)
+# `make V=1` shows whole commands.
+quiet = $(if $(V),,@)
+say   = @$(if $(V),:,echo " ")
+
 # --- build ------------------------------------------------------------------------------------
 $(OBJ)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(all_cflags) -c $< -o $@
+	$(say) CC $<
+	$(quiet)$(CC) $(all_cflags) -c $< -o $@
 
 $(core_lib): $(call obj_of,$(core_src))
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(say) AR $@
+	$(quiet)$(AR) rcs $@ $^
 
 # The Lua files that ship live inside the binary.
 $(BUILD)/embedded.c: scripts/embed.awk $(scripts)
 	@mkdir -p $(@D)
-	awk -f scripts/embed.awk $(scripts) > $@
+	$(quiet)awk -f scripts/embed.awk $(scripts) > $@
 
 $(OBJ)/embedded.o: $(BUILD)/embedded.c
 	@mkdir -p $(@D)
-	$(CC) $(all_cflags) -c $< -o $@
+	$(say) CC $<
+	$(quiet)$(CC) $(all_cflags) -c $< -o $@
 
 $(program): $(call obj_of,$(front_src)) $(call obj_of,$(side_src)) $(OBJ)/embedded.o $(core_lib)
-	$(CC) $(all_ldflags) -rdynamic $^ $(lua_libs) $(rl_libs) $(sql_libs) $(core_libs) -ldl -o $@
+	$(say) LD $@
+	$(quiet)$(CC) $(all_ldflags) -rdynamic $^ $(lua_libs) $(rl_libs) $(sql_libs) $(core_libs) -ldl -o $@
 
 # A unit test links the engine, plot and store, never Lua or readline: that it links is a test.
 $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(call obj_of,$(side_src)) $(core_lib)
 	@mkdir -p $(@D)
-	$(CC) $(all_ldflags) $^ $(test_ldflags) -lcmocka $(sql_libs) $(core_libs) -o $@
+	$(say) LD $@
+	$(quiet)$(CC) $(all_ldflags) $^ $(test_ldflags) -lcmocka $(sql_libs) $(core_libs) -o $@
 
 # Out of memory on demand: this test stands between the engine and its allocations.
 $(BUILD)/tests/test_oom: test_ldflags = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free \
@@ -98,12 +109,12 @@ test-programs: $(program) $(unit_tests)
 # --- use --------------------------------------------------------------------------------------
 demo:
 	@scripts/setup
-	@$(MAKE) --no-print-directory all
+	@$(MAKE) --no-print-directory -j$(jobs) all
 	@$(program) examples/demo.lua
 
 check:
 	@scripts/setup test
-	@$(MAKE) --no-print-directory -j2 test-programs
+	@$(MAKE) --no-print-directory -j$(jobs) test-programs
 	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run
 
 bench: $(program)
