@@ -42,7 +42,7 @@ program  = $(BUILD)/archard
 unit_src   := $(wildcard tests/unit/*.c)
 unit_tests  = $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(unit_src))
 
-.PHONY: all demo check study figures test-programs bench man format lint install uninstall clean setup
+.PHONY: all demo check study figures test-programs bench gallery man format lint install uninstall clean setup
 .DELETE_ON_ERROR:
 
 all: $(program)
@@ -116,6 +116,10 @@ check:
 	@scripts/setup test
 	@$(MAKE) --no-print-directory -j$(jobs) test-programs
 	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run
+
+# The pictures of examples/gallery/.
+gallery: $(program)
+	$(program) examples/gallery.lua
 
 bench: $(program)
 	$(program) scripts/bench.lua
