@@ -126,10 +126,10 @@ bench: $(program)
 
 # The paper's study. What an older program computed is not gone on with.
 study figures: $(program)
-	@for file in $(BUILD)/study.archard $(BUILD)/study-trials.archard; do \
+	@for file in $(BUILD)/study.archard $(BUILD)/study-*.archard; do \
 	  [ ! $$file -ot $(program) ] || rm -f $$file; done
 	$(program) scripts/study20.lua --file $(BUILD)/study.archard \
-	  $(if $(filter figures,$@),--figures $(BUILD)/figures)
+	  $(if $(filter figures,$@),--converge --figures $(BUILD)/figures)
 
 # The reference part of the manual comes from the help entries inside the program.
 man: $(program)

@@ -112,7 +112,8 @@ Wear         w = wear{ alpha=0.5 }        w:step()  w:step(10)  w:run()
   keep       w:clone()  w:save("run.archard")  wear.open("run.archard")
 Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
              plot.mesh(m)  plot.stress(c)  plot{ {x=..., y=...} }
-Many cases   study{ base=..., vary=... }  study.paper()
+Many cases   study{ base=..., vary=... }  study.paper()  study.converge{}
+Measured     calibrate{ volume={...}, load=100, distance=1320 }
 Files        export.csv(w, "w.csv")  export.vtk(c, "c.vtk")
              export.inp(m, "m.inp")
 

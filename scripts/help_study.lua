@@ -39,6 +39,38 @@ return {
     text = "Joins the run files of the shards of one study; refuses missing and double cases." },
   { "study.merge{file}", type = "string", default = '"study.archard"',
     text = "The file that receives all cases." },
+  { "study.converge", kind = "function", class = "convergence",
+    use = "c = study.converge{ base={ stroke=0.22 } }",
+    text = "Finds the settings that cases need, by trial: the element size whose unworn pressure is "
+      .. "within a limit of Hertz', then the largest jump whose surfaces stay smooth and symmetric, "
+      .. "then the fewest increments that give the same profiles. Takes the fields of study{} and "
+      .. "those below, or a study and a table of them; many cases are searched by workers. For "
+      .. "study.paper() it prints the paper's Table 1 with what was found beside it." },
+  { "study.converge{base}", type = "table", text = "As in study{}." },
+  { "study.converge{vary}", type = "table of lists", text = "As in study{}." },
+  { "study.converge{cases}", type = "list of tables", text = "As in study{}." },
+  { "study.converge{name}", type = "string", text = "As in study{}." },
+  { "study.converge{mesh}", type = "boolean", default = true,
+    text = "Whether the element size is searched, for the first case; all get it then." },
+  { "study.converge{pressure}", type = "number", default = 0.01,
+    text = "Mesh: how far the largest pressure may be off Hertz', as a share." },
+  { "study.converge{smooth}", type = "number", default = 0.005,
+    text = "Jump: largest sawtooth in the pressure over the middle of the contact (root mean square "
+      .. "of fourth differences), as a share of the centre's; on coarse meshes half more than that "
+      .. "of the unworn contact, if that is larger." },
+  { "study.converge{symmetric}", type = "number", default = 1e-3,
+    text = "Largest difference of a profile to its mirror image, as a share of its depth." },
+  { "study.converge{profile}", type = "number", default = 0.005,
+    text = "Increments: largest change of a profile against 400 increments, as a share of its depth." },
+  { "study.converge{updates}", type = "whole number from 4 to 1000", default = 20,
+    text = "How many geometry updates are looked at." },
+  { "study.converge{first_depth}", type = "number", unit = "mm", default = 1e-4,
+    text = "First guess of the jump: the depth of the first update, Eq. (28)." },
+  { "study.converge{file}", type = "string", default = '"converge.archard"',
+    text = "Run file of the search, where there are many cases." },
+  { "study.converge{workers}", type = "whole number", text = "As in study.run." },
+  { "study.converge{progress}", type = 'function, false or "lines"', text = "As in study.run." },
+
   { "study.run", kind = "method", use = 's:run{ workers=2, file="study.archard" }',
     text = "Computes the cases that the file does not hold yet, in processes of their own; returns "
       .. "the study. Cases that failed before are tried again. s.failed lists those that failed, "
@@ -71,6 +103,61 @@ return {
     text = "The run file as it is, for those who write scripts of their own around it." },
   { "study.close", kind = "method", use = "s:close()",
     text = "Closes the run file; it is opened again when needed." },
+
+  -- --- convergence ----------------------------------------------------------------------------
+  { "convergence", kind = "object", use = "c = study.converge{...}",
+    text = "What study.converge found; print shows it." },
+  { "convergence.mesh", kind = "field",
+    text = "The element size that is enough, and the steps to it: { size=, steps=, limit= }." },
+  { "convergence.cases", kind = "field",
+    text = "A list of { label=, status=, settings=, found= }; found holds jump, increments, roughness, "
+      .. "asymmetry, change, first_depth, capped, and the lists jumps and roughnesses of what was "
+      .. "tried." },
+  { "convergence.table_1", kind = "method", use = "c:table_1()",
+    text = "The paper's Table 1 with what was found beside it, as rows of texts." },
+
+  -- --- calibrate ------------------------------------------------------------------------------
+  { "calibrate", kind = "function", class = "calibration",
+    use = "calibrate{ volume={ cylinder={...}, plate={...} }, load=100, distance=1320 }",
+    text = "From measured wear to the model's numbers. Volumes give k, k_cylinder, k_plate and alpha "
+      .. "(Eq. 12) with the spread of repeated measurements. Depths give the alpha whose simulated "
+      .. "alpha-tilde is the measured one: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 }, "
+      .. "stroke=0.44 }, with further fields of wear{}." },
+  { "calibrate{volume}", type = "table { cylinder=, plate= }", unit = "mm3",
+    text = "Worn volumes: numbers, or lists of repeated measurements." },
+  { "calibrate{depth}", type = "table { cylinder=, plate= }", unit = "mm",
+    text = "Largest wear depths, likewise." },
+  { "calibrate{load}", type = "number", unit = "N", text = "Load of the test." },
+  { "calibrate{distance}", type = "number", unit = "mm", text = "Travelled distance of the test." },
+  { "calibrate{tolerance}", type = "number", default = 1e-4,
+    text = "How near the simulated alpha-tilde must come." },
+  { "calibrate{model}", class = "model", text = "As in wear{}; for depths, like all below." },
+  { "calibrate{k}", type = "number", unit = "mm2/N", text = "As in wear{}." },
+  { "calibrate{stroke}", type = "number", unit = "mm", text = "As in wear{}." },
+  { "calibrate{jump}", type = "number", text = "As in wear{}." },
+  { "calibrate{increments}", type = "whole number", text = "As in wear{}." },
+  { "calibrate{cycles}", type = "number", text = "As in wear{}." },
+  { "calibrate{scheme}", type = "string", text = "As in wear{}." },
+  { "calibrate{procedure}", type = "string", text = "As in wear{}." },
+  { "calibrate{slip}", type = "string", text = "As in wear{}." },
+  { "calibrate{geometry}", type = "string", text = "As in wear{}." },
+  { "calibrate{refresh}", type = "number", text = "As in wear{}." },
+  { "calibrate{rule}", type = "string", text = "As in wear{}." },
+  { "calibration", kind = "object", use = "calibrate{...}",
+    text = "The numbers found and, as spread, their standard deviations; print shows them." },
+  { "calibration.alpha", kind = "field", text = "Wear partition factor." },
+  { "calibration.k", kind = "field", unit = "mm2/N", text = "Wear coefficient of the couple." },
+  { "calibration.k_cylinder", kind = "field", unit = "mm2/N", text = "That of the cylinder." },
+  { "calibration.k_plate", kind = "field", unit = "mm2/N", text = "That of the plate." },
+  { "calibration.depth_partition", kind = "field", text = "The measured alpha-tilde." },
+  { "calibration.simulated_depth", kind = "field", unit = "mm",
+    text = "Sum of both simulated depths: next to the measured one it tells whether k fits." },
+  { "calibration.measured_depth", kind = "field", unit = "mm", text = "Sum of the measured ones." },
+  { "calibration.runs", kind = "field", text = "How many simulations it took." },
+  { "calibration.measurements", kind = "field", text = "How many repetitions were given." },
+  { "calibration.spread", kind = "field",
+    text = "Standard deviations of the fields, from those of the measurements to first order; nil "
+      .. "for single measurements." },
 
   -- --- case -----------------------------------------------------------------------------------
   { "case", kind = "object", use = "s:cases()[1]",

@@ -233,6 +233,11 @@ function methods:close()
   self.reading = nil
 end
 
+-- study.converge{...}: the settings that the cases need, found by trial; see converge.lua.
+function study.converge(given, options)
+  return require "archard.converge"(study, given, options)
+end
+
 -- --- joining -----------------------------------------------------------------------------------
 
 -- study.merge(file, ..., { file = }): joins the shares of one study into one file, "study.archard"

@@ -1,5 +1,6 @@
 -- The paper's study: twenty cases and the trials of its convergence example, table and figures.
---   archard scripts/study20.lua [--file F] [--workers N] [--figures DIR] [--shard I/N] [--merge F...]
+--   archard scripts/study20.lua [--file F] [--workers N] [--figures DIR] [--converge]
+--     [--shard I/N] [--merge F...]
 -- Results are kept in the run file; a second start goes on where the first one ended. With --shard
 -- only that share is computed, and nothing drawn; --merge joins the files of the shares.
 
@@ -8,6 +9,7 @@ usage: archard study20.lua [options]
   --file FILE      run file of the twenty cases (study.archard, in build/ if there is one)
   --workers N      cases at the same time (as many as there are processors)
   --figures DIR    draw the figures and index.html there
+  --converge       find the best settings of every case, for Table 1
   --no-trials      leave out the runs of Figure 8
   --shard I/N      compute only the share I of N into the run file
   --merge FILE...  join the run files of all shares first]]
@@ -36,6 +38,8 @@ local function read_options(arguments)
       options[name] = arguments[i] or stop("study20: " .. word .. " needs a value")
     elseif word == "--merge" then
       merged = {}
+    elseif word == "--converge" then
+      options.converge = true
     elseif word == "--no-trials" then
       options.trials = false
     elseif merged and not word:find("^%-") then
@@ -51,7 +55,9 @@ local function read_options(arguments)
   return options
 end
 
-local function trials_file(file) return (file:gsub("%.archard$", "") .. "-trials.archard") end
+local function file_beside(file, what)
+  return (file:gsub("%.archard$", "") .. "-" .. what .. ".archard")
+end
 
 -- The paper's Table 1 as rows: cycles per update, and the depth of the first one.
 local function table_1()
@@ -73,7 +79,7 @@ local function table_1()
   return rows
 end
 
-local function write_page(dir, study20, drawn)
+local function write_page(dir, study20, found, drawn)
   local tables = require "archard.study_table"
   study20:table{ file = dir .. "/results.csv" }
   require "archard.figures_page".write(dir .. "/index.html", {
@@ -86,7 +92,11 @@ local function write_page(dir, study20, drawn)
         text = "The state at the end of each case." },
       { title = "Table 1", rows = table_1(),
         text = "Cycles between two updates of the surfaces (N̄), with 100 increments a cycle, and "
-          .. "the depth of the first update by Eq. (28), which overestimates it." } },
+          .. "the depth of the first update by Eq. (28), which overestimates it." },
+      found and { title = "Table 1, found anew", rows = found:table_1(),
+        text = "The paper's cycles between updates, and the most that keep the surfaces smooth and "
+          .. "symmetric here, with the fewest increments a cycle (n_c) that give the same profiles." }
+    },
     figures = drawn })
 end
 
@@ -97,7 +107,7 @@ local function collect(into, drawn, how)
   end
 end
 
-local function draw(options, study20, trials)
+local function draw(options, study20, trials, found)
   local terms, drawn = { "svg", "png" }, {}
   local function how(what, file)
     return ("s = study.%s():run{ file = %q }\ns:figures{ dir = %q, term = { \"svg\", \"png\" } }")
@@ -109,7 +119,7 @@ local function draw(options, study20, trials)
   end
   collect(drawn, study20:figures{ dir = options.figures, term = terms },
     how("paper", study20.file))
-  write_page(options.figures, study20, drawn)
+  write_page(options.figures, study20, found, drawn)
   print(("%d figures and index.html are in %s"):format(#drawn, options.figures))
 end
 
@@ -125,9 +135,16 @@ local function main(options)
   print(study20:table())
   local trials
   if options.trials then
-    trials = study.trials():run{ file = trials_file(options.file), workers = options.workers }
+    trials = study.trials():run{ file = file_beside(options.file, "trials"),
+      workers = options.workers }
   end
-  if options.figures then draw(options, study20, trials) end
+  local found
+  if options.converge then
+    found = study.converge(study.paper(), { file = file_beside(options.file, "converge"),
+      workers = options.workers })
+    print(found)
+  end
+  if options.figures then draw(options, study20, trials, found) end
   return #study20.failed + (trials and #trials.failed or 0)
 end
 
