@@ -284,8 +284,8 @@ function curves.history(...)
   for i, object in ipairs(objects) do
     local history = object.history
     for _, panel in ipairs(panels) do
-      for _, column in ipairs(panel.columns) do
-        panel[#panel + 1] = { x = column_of(where, history, abscissa),
+      for c, column in ipairs(panel.columns) do
+        panel[#panel + 1] = { series = #objects > 1 and i or c, dash = #objects > 1 and c or 1, x = column_of(where, history, abscissa),
           y = scaled(column_of(where, history, column), panel.factor),
           title = history_title(column, names[i], #panel.columns > 1, #objects > 1) }
       end

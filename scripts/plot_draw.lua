@@ -231,7 +231,7 @@ end
 function draw.draw(where, given)
   local picture = render(where, given)
   if picture then
-    io.write(picture)
+    io.write(picture, picture:sub(-1) == "\n" and "" or "\n")
     io.flush()
   end
 end

@@ -14,13 +14,13 @@ typedef struct kind {
 
 static const kind kinds[] = {
     {"png", "pngcairo", "noenhanced font 'sans,11' background '#ffffff'", 0, 0},
-    {"png", "png", "noenhanced truecolor", 0, 0},
+    {"png", "png", "noenhanced truecolor font 'sans,9'", 0, 0},
     {"svg", "svg", "noenhanced font 'sans-serif,13' background '#ffffff'", 0, 1},
     {"pdf", "pdfcairo", "noenhanced font 'sans,11' background '#ffffff'", 0, 1},
     {"eps", "epscairo", "noenhanced font 'sans,11'", 0, 1},
-    {"gif", "gif", "noenhanced", 0, 0},
+    {"gif", "gif", "noenhanced font 'sans,9'", 0, 0},
     {"txt", "dumb", "noenhanced", 1, 0},
-    {"sixel", "sixelgd", "noenhanced truecolor", 0, 0},
+    {"sixel", "sixelgd", "noenhanced truecolor font 'sans,9'", 0, 0},
     {"window", "qt", "noenhanced persist font 'sans,11'", 0, 0},
     {"window", "wxt", "noenhanced persist font 'sans,11'", 0, 0},
     {"window", "x11", "noenhanced persist", 0, 0},
@@ -73,7 +73,7 @@ static void choose_size(const arc_plot_figure *figure, const arc_plot_output *ou
   int rows, columns;
   arc_plot_grid(figure, &rows, &columns);
   int one = rows * columns == 1;
-  int width = canvas->text ? at_least(80, 26 * columns) : one ? 900 : 60 + 400 * columns;
+  int width = canvas->text ? at_least(80, 26 * columns) : columns == 1 ? 900 : 60 + 400 * columns;
   int height = canvas->text ? at_least(24, 12 * rows + 2) : one ? 600 : 60 + 300 * rows;
   canvas->width = output->width > 0 ? output->width : width;
   canvas->height = output->height > 0 ? output->height : height;

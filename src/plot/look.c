@@ -58,16 +58,25 @@ double arc_look_key_rows(const arc_writer *w) {
     size_t length = arc_text_characters(w->titles[i]);
     longest = length > longest ? length : longest;
   }
-  double in_a_row = fmax(1, floor(w->canvas->columns / ((double)longest + 10)));
+  double in_a_row = fmax(1, floor(w->canvas->columns / ((double)longest + 14)));
   return ceil((double)w->title_count / in_a_row);
 }
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-static int series_of(const arc_writer *w, const arc_plot_curve *curve, size_t position) {
-  if (curve->series > 0) return (curve->series - 1) % SERIES + 1;
+/* Colour and dash of a curve, both from 1. When the colours are through they come again dashed;
+ * characters have no dashes, and take another mark instead. */
+typedef struct pen {
+  int series, dash;
+} pen;
+
+static pen pen_of(const arc_writer *w, const arc_plot_curve *curve, size_t position) {
   if (arc_look_one_key(w) && curve->title) position = arc_look_title(w, curve->title);
-  return (int)(position % SERIES) + 1;
+  if (curve->series > 0) position = (size_t)curve->series - 1;
+  pen p = {(int)(position % SERIES) + 1, (int)(position / SERIES % 5) + 1};
+  if (curve->dash > 0) p.dash = (curve->dash - 1) % 5 + 1;
+  if (w->canvas->text) p.series = (p.series - 1 + 3 * (p.dash - 1)) % SERIES + 1;
+  return p;
 }
 
 static void style_words(arc_writer *w, const arc_plot_panel *panel, arc_plot_style style) {
@@ -85,11 +94,12 @@ static void style_words(arc_writer *w, const arc_plot_panel *panel, arc_plot_sty
 
 static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve,
                  size_t position) {
+  pen p = pen_of(w, curve, position);
   style_words(w, panel, curve->style);
-  arc_text_format(w->out, " linetype %d", series_of(w, curve, position));
+  arc_text_format(w->out, " linetype %d", p.series);
   if (curve->colour) arc_writer_words(w, " linecolor rgb ", curve->colour, "");
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
-  if (curve->dash > 1) arc_text_format(w->out, " dashtype %d", (curve->dash - 1) % 5 + 1);
+  if (p.dash > 1) arc_text_format(w->out, " dashtype %d", p.dash);
 }
 
 /* In characters the sample of a line would touch its title. */
