@@ -175,9 +175,8 @@ return {
     text = "The bodies. Without it one is built on first use whose contact zones suit the stroke." },
   { "wear{k}", type = "number >= 0, function(state), or table { distance=, value= }",
     unit = "mm2/N", default = "1e-8",
-    text = "Wear coefficient k of the couple: volume = k L_N d (Eq. 1). A function gets the state "
-      .. "(distance, cycle, update, depth, volume, ...) in the middle of the update; a table is "
-      .. "interpolated over the distance." },
+    text = "Wear coefficient k of the couple: volume = k L_N d (Eq. 1). A function gets the state in "
+      .. "the middle of the update, see help \"state\"; a table is interpolated over the distance." },
   { "wear{alpha}", type = "number 0 ... 1, function(state), or table { distance=, value= }",
     default = 0.5,
     text = "Wear partition factor k_c / k (Eq. 19): the share of the volume that the cylinder loses. "
@@ -194,7 +193,8 @@ return {
   { "wear{jump}", type = 'number > 0, "auto", or function(state)', values = { "auto" },
     unit = "cycles", default = 100,
     text = "Cycles from one geometry update to the next (N-bar). Pressures are kept meanwhile. Too "
-      .. 'large a jump makes explicit updates rough; "auto" stays below that limit.' },
+      .. 'large a jump makes explicit updates rough; "auto" stays below that limit. A function gets '
+      .. "the state before the update." },
   { "wear{increments}", type = "even number >= 2", default = 100,
     text = "Increments n_c of a full cycle. Half of them are simulated, the way back being like the "
       .. "way out (Eq. 22)." },
@@ -233,22 +233,35 @@ return {
   { "wear{refresh}", type = "number >= 0",
     text = "With moving geometry: the stiffness is renewed once a node has moved by more than this "
       .. "share of an element's height. 0 renews it at every update." },
-  { "wear{loading}", type = "table, or list of tables",
-    text = "A cycle of your own instead of stroke and load: x and load as functions of t in 0 ... 1, "
-      .. "or as sampled lists. Several such blocks in a list follow each other." },
+  { "wear{loading}", type = "block { x=, load=, ... }, or list of blocks",
+    text = "A cycle of your own instead of stroke and load: x and load as functions of t, which goes "
+      .. "from 0 to 1 over the cycle, or as sampled lists. Both strokes are simulated as they are. "
+      .. "Functions are called once, when the run is made. Several blocks in a list follow each "
+      .. "other, each with its cycles. Without a distance the run ends with the last block; where "
+      .. "that has no cycles, it goes on to the end of the distance. The pressures and widths that "
+      .. "a run tells are those under load, which by default is the largest of the loading. "
+      .. "\n\ncsv.read(path) reads measured lists." },
   { "wear{loading.x}", type = "function(t) or list", unit = "mm",
     text = "Position of the plate over the cycle." },
   { "wear{loading.load}", type = "function(t), list or number", unit = "N",
-    text = "Normal load over the cycle; 0 lifts off: no contact, no wear." },
-  { "wear{loading.t}", type = "list", text = "Times of sampled lists, increasing from 0 to 1." },
+    default = "that of the run", text = "Normal load over the cycle; 0 lifts off: no contact, no wear." },
+  { "wear{loading.t}", type = "list",
+    text = "Increasing times of the lists, in any unit: the first is the start of the cycle (t = 0), "
+      .. "the last its end (t = 1). Left out: the points lie evenly in time." },
   { "wear{loading.increments}", type = "whole number >= 1", default = 100,
-    text = "Increments of the cycle." },
+    text = "Even increments of the cycle, at whose ends functions are called and lists interpolated. "
+      .. "Left out: lists are taken point by point, functions at their times." },
   { "wear{loading.cycles}", type = "number > 0", unit = "cycles",
-    text = "How often the cycle is repeated." },
+    text = "How often the cycle is repeated. The last block may be without: it goes on to the end." },
   { "wear{loading.periodic}", type = "boolean", default = true,
     text = "false: one generic history, with a geometry update at every increment (Eqs. 4-8)." },
-  { "wear{local_factor}", type = "function(body, x, p, state)",
-    text = "Factor on k at each node, for cross-shear and the like." },
+  { "wear{local_factor}", type = "function(body, x, p, state), or { vector = function }",
+    text = 'Factor on k at each node, for cross-shear and the like. body is "cylinder" or "plate", x '
+      .. "the node's own position in mm, p its pressure in MPa; the result is 0 or above. Nodes "
+      .. "without pressure are not asked: they do not wear. It is called at every increment." },
+  { "wear{local_factor.vector}", type = "function(body, xs, ps, state)",
+    text = "The same for all nodes in one call, which is cheaper: xs and ps are lists, the result is "
+      .. "the list of factors." },
   { "wear{worn}", type = "wear, or table { cylinder=, plate= }", class = "wear",
     text = "Shape to start from, as in contact{worn}." },
   { "wear{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
@@ -270,6 +283,25 @@ return {
   { "wear.run{progress}", type = "boolean or function(w)",
     text = "Shows a bar on a terminal (the default there), or calls the function after every step; "
       .. "the run ends early where it returns true. false shows nothing." },
+  { "wear.run{depth}", type = "table { cylinder=, plate= }", unit = "mm",
+    text = "Ends where the wear depth of a body reaches this value, exactly, by a shorter last step; "
+      .. "or at the distance, if that comes first. Given this or another measure, run returns a "
+      .. 'second value, which says what ended it: "depth.cylinder", "distance", ...' },
+  { "wear.run{volume}", type = "table { cylinder=, plate=, total= }", unit = "mm3",
+    text = "Ends where a wear volume reaches this value, as with depth." },
+  { "wear.run{p_center}", type = "number > 0", unit = "MPa",
+    text = "Ends where the pressure at the centre passes this value, as with depth." },
+  { "wear.run{p_max}", type = "number > 0", unit = "MPa",
+    text = "Ends where the largest pressure passes this value, as with depth." },
+  { "wear.run{half_width}", type = "number > 0", unit = "mm",
+    text = "Ends where half the contact width passes this value, as with depth." },
+  { "wear.run{stop_when}", type = "function(w)",
+    text = "Called with the run after every step; the run ends where it returns true." },
+  { "wear.set", kind = "method", takes = "wear", class = "wear", use = "w:set{ alpha=0.3, load=200 }",
+    text = "Changes the definition between two steps: any field of wear{} but model, geometry and "
+      .. "worn. What is not given stays; the worn shapes and the history stay too. A new loading "
+      .. "begins at its start, loading=false and stroke go back to the plain stroke. distance and "
+      .. "cycles count from the start of the run. Returns the run." },
   { "wear.clone", kind = "method", class = "wear", use = "w:clone()",
     text = "A copy that goes its own way: for a before and after, or for two futures of one past." },
   { "wear.close", kind = "method", use = "w:close()",
@@ -355,4 +387,35 @@ return {
   { "wear.tolerance", kind = "field", text = "See wear{tolerance}; 0: steps of jump." },
   { "wear.update_at", kind = "field", text = '"cycle" or "increment", see wear{update}.' },
   { "wear.refresh", kind = "field", text = "When the stiffness is renewed, see wear{refresh}." },
+  { "wear.loading", kind = "field",
+    text = "The blocks of loading as they were sampled, each { x=, load=, cycles=, periodic= }; false "
+      .. "for the plain stroke." },
+  { "wear.local_factor", kind = "field", text = "The function, or false." },
+  { "wear.functions", kind = "field",
+    text = 'List of the fields that are functions, "k", "alpha", "jump", "local_factor": what no file '
+      .. "can hold." },
+
+  -- --- state ----------------------------------------------------------------------------------
+  { "state", kind = "object", use = "wear{ k = function(state) ... end }",
+    text = "What functions of the state get. It can be read during the call only. For k and alpha it "
+      .. "is the middle of the update, with distance, cycle, depths and volumes predicted to second "
+      .. "order; for jump and local_factor, and all that is not predicted, the last record." },
+  { "state.distance", kind = "field", unit = "mm", text = "Travelled distance." },
+  { "state.cycle", kind = "field", unit = "cycles", text = "Loading cycles." },
+  { "state.update", kind = "field", text = "Geometry updates so far." },
+  { "state.depth", kind = "field", unit = "mm", text = "Largest wear depths, { cylinder=, plate= }." },
+  { "state.volume", kind = "field", unit = "mm3", text = "Wear volumes, { cylinder=, plate=, total= }." },
+  { "state.depth_cylinder", kind = "field", unit = "mm", text = "The same number, a little faster." },
+  { "state.depth_plate", kind = "field", unit = "mm", text = "The same number, a little faster." },
+  { "state.volume_cylinder", kind = "field", unit = "mm3", text = "The same number, a little faster." },
+  { "state.volume_plate", kind = "field", unit = "mm3", text = "The same number, a little faster." },
+  { "state.depth_partition", kind = "field", text = "Wear depth partition factor; NaN before any wear." },
+  { "state.p_center", kind = "field", unit = "MPa", text = "Pressure at the centre." },
+  { "state.p_max", kind = "field", unit = "MPa", text = "Largest pressure." },
+  { "state.half_width", kind = "field", unit = "mm", text = "Half the width of the contact." },
+  { "state.k", kind = "field", unit = "mm2/N", text = "Wear coefficient of the last update." },
+  { "state.alpha", kind = "field", text = "Partition factor of the last update." },
+  { "state.jump", kind = "field", unit = "cycles", text = "Cycles of the last update." },
+  { "state.error", kind = "field", text = "Estimated error of the last adaptive step, over its tolerance." },
+  { "state.solutions", kind = "field", text = "Contacts solved so far." },
 }

@@ -1,6 +1,16 @@
 -- Help entries of what stands around the engine: plot, export, help. Form: help.lua.
 
 return {
+  -- --- csv ------------------------------------------------------------------------------------
+  { "csv", kind = "object", use = 'csv.read("measured.csv")',
+    text = "Tables of numbers from files of others: measured loadings, profiles, coefficients." },
+  { "csv.read", kind = "function", use = 'csv.read(path, { t="time [s]", x="position" })',
+    text = "Reads a file of columns under a line of names, separated by commas, semicolons or tabs; "
+      .. "lines that are empty or begin with # are left out. Returns the columns by their names, as "
+      .. "lists: a file with the columns t, x and load can stand as it is, loading = "
+      .. "csv.read(path). A second argument chooses columns and renames them, by their name in the "
+      .. "file or their number. A column is text where its first cell is." },
+
   -- --- plot -----------------------------------------------------------------------------------
   { "plot", kind = "function", use = "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
     text = "Draws curves through gnuplot: in the terminal, in a window, or to a file. The list part "

@@ -161,9 +161,12 @@ arc_status arc_wear_run(arc_wear *wear, double distance, arc_stop_fn stop,
 
 /* A quantity of the record that ends a run where it is reached, exactly, by a shorter last step. */
 typedef struct arc_wear_target {
-  size_t column; /* offsetof(arc_wear_record, ...) */
+  size_t column; /* offsetof(arc_wear_record, ...), or ARC_WEAR_TOTAL_VOLUME */
   double value;
 } arc_wear_target;
+
+/* In place of a column: the sum of both volumes. */
+#define ARC_WEAR_TOTAL_VOLUME sizeof(arc_wear_record)
 
 /* As arc_wear_run, and ends earlier where one of `count` targets is reached (to 1e-9 relative);
  * *reached is its index, or -1. A target that cannot be met within a step is passed. */
@@ -172,7 +175,8 @@ arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_ta
                               void *context, int *reached, arc_error *error);
 
 /* Changes the definition between steps (load, k, alpha, stroke, jump, loading, ...); the worn shape
- * and the history stay. On failure everything stays. */
+ * and the history stay. The loading begins here, unless it is arc_wear_definition's own array: then
+ * it goes on. On failure everything stays. */
 arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, arc_error *error);
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);

@@ -29,7 +29,7 @@ static const luaL_Reg modules[] = {
 };
 
 /* Classes in Lua: scripts/NAME.lua returns the value of the global NAME. */
-static const char *const scripted[] = {"help", "plot", "study", "calibrate", NULL};
+static const char *const scripted[] = {"help", "plot", "study", "calibrate", "csv", NULL};
 
 static void preload_modules(lua_State *L) {
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_PRELOAD_TABLE);

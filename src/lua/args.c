@@ -114,8 +114,7 @@ static const char *push_known(lua_State *L, const args_field *fields) {
   return lua_tostring(L, -1);
 }
 
-__attribute__((noreturn)) static void refuse_name(lua_State *L, args_place place,
-                                                  const args_field *fields, const char *name) {
+void args_unknown(lua_State *L, args_place place, const args_field *fields, const char *name) {
   const char *meant = nearest(name, fields);
   if (meant)
     error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (did you mean '%s'?)",
@@ -133,7 +132,7 @@ void args_check_names(lua_State *L, int index, args_place place, const args_fiel
     const char *name = lua_tostring(L, -2);
     const args_field *field = fields;
     while (field->name && strcmp(field->name, name) != 0) field++;
-    if (!field->name) refuse_name(L, place, fields, name);
+    if (!field->name) args_unknown(L, place, fields, name);
   }
 }
 

@@ -64,6 +64,10 @@ void args_read(lua_State *L, int index, args_place place, const args_field *fiel
 /* Only the check of the names; `index` as above, except that the table must be there. */
 void args_check_names(lua_State *L, int index, args_place place, const args_field *fields);
 
+/* Raises the error for a name that is none of the fields. */
+void args_unknown(lua_State *L, args_place place, const args_field *fields, const char *name)
+    __attribute__((noreturn));
+
 /* The number on top of the stack, finite and in the range of `field`, or an error. */
 double args_number(lua_State *L, args_place place, const args_field *field);
 

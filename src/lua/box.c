@@ -54,6 +54,8 @@ static int class_close(lua_State *L) {
   box_empty(self, class);
   lua_pushnil(L);
   lua_setiuservalue(L, 1, 1);
+  lua_pushnil(L);
+  lua_setiuservalue(L, 1, 2);
   return 0;
 }
 
@@ -137,7 +139,7 @@ box *box_push(lua_State *L, const box_class *class) {
   luaL_checkstack(L, 6, class->name);
   size_t unit = alignof(max_align_t);
   size_t head = (sizeof(box) + unit - 1) / unit * unit;
-  box *made = lua_newuserdatauv(L, head + class->value, 1);
+  box *made = lua_newuserdatauv(L, head + class->value, 2);
   memset(made, 0, head + class->value);
   if (class->value) made->thing = (char *)made + head;
   push_metatable(L, class);

@@ -31,8 +31,8 @@ typedef struct box {
   int busy;    /* in use by the engine: may be neither closed nor entered again */
 } box;
 
-/* Pushes an empty box with one user value (a parent to keep alive). A value's box comes with
- * `thing` set to zeroed memory. */
+/* Pushes an empty box with two user values (a parent to keep alive; the class' own use). A value's
+ * box comes with `thing` set to zeroed memory. */
 box *box_push(lua_State *L, const box_class *class);
 
 /* The box at `index`, or NULL if it is anything else. */

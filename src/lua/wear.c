@@ -1,6 +1,7 @@
 /* Class wear: construction, cloning, and the list of what the other wear_*.c files do. */
 #include "lua/wear.h"
 #include "lua/error.h"
+#include "lua/wear_functions.h"
 
 /* --- construction ---------------------------------------------------------------------------- */
 
@@ -24,14 +25,24 @@ static const arc_shape *push_start(lua_State *L, int worn, arc_model *model,
   return worn_push_shape(L, worn, model, def->geometry, def->refresh, "wear");
 }
 
-/* Fills the box with a new run. */
+/* Makes the holder of functions at `index` the user value of the box on top of the stack. */
+static void keep_functions(lua_State *L, int index) {
+  lua_pushvalue(L, index);
+  lua_setiuservalue(L, -2, RUN_FUNCTIONS);
+}
+
+/* Fills the box on top of the stack with a new run. */
 static void create_run(lua_State *L, box *made, arc_model *model, const wear_request *request,
                        const arc_shape *start) {
   arc_error error = {0};
   arc_wear *wear = NULL;
   arc_wear_def def = wear_request_settle(request, arc_model_definition(model));
+  const int top = lua_gettop(L);
+  functions_call call = functions_enter(L, request->functions, NULL);
   arc_status status = arc_wear_create(model, &def, start, &wear, &error);
   made->thing = wear;
+  functions_leave(L, &call, "wear");
+  lua_settop(L, top);
   error_check(L, status, &error, "wear", -1);
   box_weigh(L, arc_wear_bytes(wear));
 }
@@ -40,7 +51,7 @@ static void create_run(lua_State *L, box *made, arc_model *model, const wear_req
 static int wear_new(lua_State *L) {
   lua_remove(L, 1);
   lua_settop(L, 1);
-  wear_request request = wear_request_read(L, 1);
+  wear_request request = wear_request_read(L, 1, 0);
   worn_check(L, 1, "wear");
   int worn = lua_gettop(L);
   arc_model *model = model_argument(L, worn, "wear", needed_zones, &request);
@@ -48,6 +59,7 @@ static int wear_new(lua_State *L) {
   const arc_shape *start = push_start(L, worn, model, &request.def);
   box *made = box_push(L, &wear_class);
   box_keep(L, holder);
+  keep_functions(L, request.functions);
   create_run(L, made, model, &request, start);
   return 1;
 }
@@ -57,13 +69,37 @@ static int wear_clone(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:clone");
   arc_error error = {0};
   arc_wear *copy = NULL;
-  lua_getiuservalue(L, 1, 1);
+  lua_settop(L, 1);
+  lua_getiuservalue(L, 1, RUN_MODEL);
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   box *made = box_push(L, &wear_class);
-  box_keep(L, -2);
+  box_keep(L, 2);
+  keep_functions(L, 3);
   arc_status status = arc_wear_clone(wear, &copy, &error);
   made->thing = copy;
   error_check(L, status, &error, "wear:clone", -1);
   box_weigh(L, arc_wear_bytes(copy));
+  return 1;
+}
+
+/* wear:set{ load=, alpha=, ... } -> the object itself; what is not given stays as it is */
+static int wear_set(lua_State *L) {
+  static const char where[] = "wear:set";
+  arc_error error = {0};
+  lua_settop(L, 2);
+  box *made = box_self_idle(L, &wear_class, where);
+  wear_request request = wear_request_read(L, 2, 1);
+  arc_wear_def def =
+      wear_request_settle(&request, arc_model_definition(arc_wear_model(made->thing)));
+  functions_call call = functions_enter(L, request.functions, made);
+  made->busy = RUN_BUSY;
+  arc_status status = arc_wear_set(made->thing, &def, &error);
+  made->busy = RUN_IDLE;
+  functions_leave(L, &call, where);
+  error_check(L, status, &error, where, -1);
+  lua_pushvalue(L, request.functions);
+  lua_setiuservalue(L, 1, RUN_FUNCTIONS);
+  lua_settop(L, 1);
   return 1;
 }
 
@@ -81,6 +117,7 @@ arc_wear *wear_self(lua_State *L, const char *where) {
 static const luaL_Reg methods[] = {
     {"step", wear_step},
     {"run", wear_run},
+    {"set", wear_set},
     {"clone", wear_clone},
     {"save", wear_save},
     {"contact", wear_contact},

@@ -20,16 +20,29 @@ extern const char *const law_names[];
 
 typedef struct wear_request {
   arc_wear_def def;
-  double cycles; /* in place of a distance; 0: not given */
+  double cycles;                        /* in place of a distance; 0: not given */
+  double distance_before, cycle_before; /* where the run stands that is changed */
+  int functions;                        /* index of the holder of the user's functions, or of nil */
 } wear_request;
 
-/* Reads and checks the table at `index` (or nil); leaves what holds its arrays on the stack. The
- * fields model and worn are read by others. */
-wear_request wear_request_read(lua_State *L, int index);
+/* Reads and checks the table at `index` (or nil); leaves what holds its arrays on the stack. What
+ * it does not give stays as the run in the box at index `changed` has it, or at its default (0).
+ * The fields model and worn are read by others. */
+wear_request wear_request_read(lua_State *L, int index, int changed);
 
 /* The definition on a model: `cycles` become a distance once the radius tells how many strokes a
  * cycle has. */
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model);
+
+/* --- wear_loading.c: the field `loading` --- */
+
+/* Reads it from the table at `index` into the definition, whose load is that of the run; without a
+ * field load the largest of the loading becomes the nominal one. Returns whether there is one;
+ * leaves what holds its numbers on the stack. */
+int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def);
+
+/* Pushes the list of sampled blocks. */
+void loading_push(lua_State *L, const arc_wear_def *def);
 
 /* --- wear_state.c: what a run knows, as fields and in words --- */
 extern const luaL_Reg wear_fields[];
@@ -42,6 +55,22 @@ int wear_run(lua_State *L);
 /* --- store_run.c: runs in files --- */
 int wear_save(lua_State *L);
 int wear_open(lua_State *L);
+
+/* --- wear_goal.c: what ends a run --- */
+
+enum { MOST_GOALS = 16 };
+
+/* The distance, targets and function at which a run ends. */
+typedef struct wear_goals {
+  double distance; /* [mm] in all */
+  arc_wear_target target[MOST_GOALS];
+  char name[MOST_GOALS][32]; /* of the targets, "depth.cylinder" */
+  size_t count;
+  int stop_when; /* index of the function; 0: none */
+} wear_goals;
+
+/* Reads them from the table at index 2 (or nil). */
+wear_goals wear_goals_read(lua_State *L, const arc_wear *wear);
 
 /* --- wear_profile.c: methods that look at it --- */
 int wear_profile(lua_State *L);

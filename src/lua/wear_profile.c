@@ -2,6 +2,7 @@
 #include "lua/array.h"
 #include "lua/error.h"
 #include "lua/wear.h"
+#include "lua/wear_functions.h"
 
 /* wear:profile(body) -> { x=, h=, y= } */
 int wear_profile(lua_State *L) {
@@ -97,12 +98,19 @@ int wear_roughness(lua_State *L) {
 
 /* wear:stability() -> { eigenvalue=, jump_limit= }: ripples grow where jump exceeds the limit */
 int wear_stability(lua_State *L) {
-  box *made = box_self_idle(L, &wear_class, "wear:stability");
+  static const char where[] = "wear:stability";
+  lua_settop(L, 1);
+  box *made = box_self_idle(L, &wear_class, where);
   arc_wear *wear = made->thing;
   arc_error error = {0};
   double eigenvalue = 0;
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  functions_call call = functions_enter(L, 2, made);
+  made->busy = RUN_BUSY;
   arc_status status = arc_wear_stability(wear, &eigenvalue, &error);
-  error_check(L, status, &error, "wear:stability", (lua_Number)arc_wear_last(wear)->update);
+  made->busy = RUN_IDLE;
+  functions_leave(L, &call, where);
+  error_check(L, status, &error, where, (lua_Number)arc_wear_last(wear)->update);
   lua_createtable(L, 0, 2);
   lua_pushnumber(L, eigenvalue);
   lua_setfield(L, -2, "eigenvalue");

@@ -2,6 +2,7 @@
 #include "lua/error.h"
 #include "lua/interrupt.h"
 #include "lua/wear.h"
+#include "lua/wear_functions.h"
 
 #include <math.h>
 
@@ -31,21 +32,34 @@ static void push_progress(lua_State *L, const arc_wear *wear, size_t first) {
   record_push(L, arc_wear_last(wear));
 }
 
+/* One step of the engine, with the functions of the run at index 1. */
+static void step_once(lua_State *L, box *made, const char *where) {
+  arc_wear *wear = made->thing;
+  arc_error error = {0};
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  functions_call call = functions_enter(L, lua_gettop(L), made);
+  made->busy = RUN_BUSY;
+  arc_status status = arc_wear_step(wear, interrupt_pending, NULL, &error);
+  made->busy = RUN_IDLE;
+  functions_leave(L, &call, where);
+  error_check(L, status, &error, where, next_update(wear));
+  lua_settop(L, 2);
+}
+
 /* wear:step(n) -> the last record; nothing happens at the end of the distance */
 int wear_step(lua_State *L) {
   static const char where[] = "wear:step";
+  lua_settop(L, 2);
   box *made = box_self_idle(L, &wear_class, where);
   arc_wear *wear = made->thing;
   int steps = count_argument(L, 2, where);
   size_t first;
   arc_wear_history(wear, &first);
-  arc_error error = {0};
   for (int i = 0; i < steps; i++) {
-    double before = arc_wear_last(wear)->distance;
-    arc_status status = arc_wear_step(wear, interrupt_pending, NULL, &error);
-    error_check(L, status, &error, where, next_update(wear));
-    if (arc_wear_last(wear)->distance <= before) break;
-    if (interrupt_pending(NULL)) error_check(L, ARC_STOPPED, &error, where, -1);
+    double before = arc_wear_last(wear)->cycle;
+    step_once(L, made, where);
+    if (arc_wear_last(wear)->cycle <= before) break;
+    if (interrupt_pending(NULL)) error_check(L, ARC_STOPPED, &(arc_error){0}, where, -1);
   }
   push_progress(L, wear, first);
   return 1;
@@ -53,56 +67,35 @@ int wear_step(lua_State *L) {
 
 /* --- run ------------------------------------------------------------------------------------- */
 
-/* What the engine hands back to on_progress. The run's object stands at index 1. */
+/* What the engine hands back to after_step. The run's object stands at index 1. */
 typedef struct run_call {
   lua_State *L;
-  int function; /* index of the progress function; 0: none */
-  int asked;    /* it asked to stop */
-  int failed;   /* it raised the error on top of the stack */
+  int progress, stop_when; /* indices of the functions; 0: none */
+  const char *asked;       /* the one that asked to stop */
+  const char *failed;      /* the one that raised the error on top of the stack */
 } run_call;
 
-static int on_progress(void *context, const arc_wear *wear) {
-  (void)wear;
-  run_call *call = context;
+/* Calls a function with the run; whether the run is to end. */
+static int ask_user(run_call *call, int function, const char *name) {
   lua_State *L = call->L;
-  if (!call->function) return 0;
-  lua_pushvalue(L, call->function);
+  if (!function) return 0;
+  lua_pushvalue(L, function);
   lua_pushvalue(L, 1);
-  call->failed = error_pcall(L, 1, 1) != LUA_OK;
-  if (call->failed) return 1;
-  call->asked = lua_toboolean(L, -1);
+  if (error_pcall(L, 1, 1) != LUA_OK) {
+    call->failed = name;
+    return 1;
+  }
+  if (lua_toboolean(L, -1)) call->asked = name;
   lua_pop(L, 1);
-  return call->asked;
+  return call->asked != NULL;
 }
 
-typedef struct run_def {
-  double distance, cycles;
-} run_def;
-
-static const args_field definition[] = {
-    ARGS_ABOVE(run_def, "distance", distance, 0),
-    ARGS_ABOVE(run_def, "cycles", cycles, 0),
-    ARGS_OTHER("progress"),
-    {.name = NULL},
-};
-
-/* The distance to run to [mm], from the start. */
-static double read_goal(lua_State *L, const arc_wear *wear) {
-  static const char where[] = "wear:run";
-  const arc_wear_def *def = arc_wear_definition(wear);
-  run_def run = {0, 0};
-  args_read(L, 2, (args_place){where, ""}, definition, &run);
-  if (run.distance > 0 && run.cycles > 0)
-    error_raise(L, ARC_ARGUMENT, where,
-                "fields 'distance' and 'cycles': expected one of them, got both");
-  if (run.cycles > 0) run.distance = run.cycles * arc_wear_strokes(wear) * def->stroke;
-  if (run.distance <= 0) return def->distance;
-  double covered = arc_wear_last(wear)->distance;
-  if (run.distance < covered)
-    error_raise(L, ARC_ARGUMENT, where,
-                "the run is at %s mm already, beyond %s mm (both counted from its start)",
-                args_show_number(L, covered), args_show_number(L, run.distance));
-  return run.distance;
+static int after_step(void *context, const arc_wear *wear) {
+  (void)wear;
+  run_call *call = context;
+  const int progress = ask_user(call, call->progress, "progress");
+  if (call->failed) return 1;
+  return ask_user(call, call->stop_when, "stop_when") || progress;
 }
 
 /* Pushes what draws the progress of a run to `goal`, or nil: archard.run_progress decides. */
@@ -143,30 +136,44 @@ static void call_undisturbed(lua_State *L) {
 /* A display of our own is told that the run is over, however it ended. */
 static void end_display(lua_State *L, const run_call *call) {
   int top = lua_gettop(L);
-  if (call->function && args_get(L, 2, "progress") != LUA_TFUNCTION) {
-    lua_pushvalue(L, call->function);
+  if (call->progress && args_get(L, 2, "progress") != LUA_TFUNCTION) {
+    lua_pushvalue(L, call->progress);
     call_undisturbed(L);
   }
   lua_settop(L, top);
 }
 
-/* wear:run{ distance=, cycles=, progress= } -> the object itself */
+/* Pushes the object, and what ended the run if there was a choice. */
+static int push_outcome(lua_State *L, const wear_goals *goals, const run_call *call, int reached) {
+  lua_pushvalue(L, 1);
+  if (goals->count == 0 && !goals->stop_when) return 1;
+  lua_pushstring(L, reached >= 0 ? goals->name[reached] : call->asked ? call->asked : "distance");
+  return 2;
+}
+
+/* wear:run{ distance=, cycles=, depth=, volume=, ..., stop_when=, progress= } -> the object itself,
+ * and what ended the run where that is not the distance alone */
 int wear_run(lua_State *L) {
   static const char where[] = "wear:run";
   arc_error error = {0};
   lua_settop(L, 2);
   box *made = box_self_idle(L, &wear_class, where);
   arc_wear *wear = made->thing;
-  double goal = read_goal(L, wear);
-  run_call call = {.L = L, .function = push_progress_function(L, goal)};
-  luaL_checkstack(L, 12, where);
-  made->busy = 1;
-  arc_status status = arc_wear_run(wear, goal, interrupt_pending, on_progress, &call, &error);
-  made->busy = 0;
+  int reached = -1;
+  const wear_goals goals = wear_goals_read(L, wear);
+  run_call call = {.L = L, .stop_when = goals.stop_when};
+  call.progress = push_progress_function(L, goals.distance);
+  luaL_checkstack(L, 20, where);
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  functions_call functions = functions_enter(L, lua_gettop(L), made);
+  made->busy = RUN_BUSY;
+  arc_status status = arc_wear_run_until(wear, goals.distance, goals.target, goals.count,
+                                         interrupt_pending, after_step, &call, &reached, &error);
+  made->busy = RUN_IDLE;
   end_display(L, &call);
-  if (call.failed) error_callback(L, where, "progress");
+  functions_leave(L, &functions, where);
+  if (call.failed) error_callback(L, where, call.failed);
   if (!(status == ARC_STOPPED && call.asked))
     error_check(L, status, &error, where, next_update(wear));
-  lua_settop(L, 1);
-  return 1;
+  return push_outcome(L, &goals, &call, reached);
 }

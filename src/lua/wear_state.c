@@ -2,6 +2,7 @@
 #include "lua/array.h"
 #include "lua/error.h"
 #include "lua/wear.h"
+#include "lua/wear_functions.h"
 
 #include <stdio.h>
 
@@ -78,8 +79,18 @@ NUMBER_FIELD(wear, refresh, def(L)->refresh)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
 NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
 
-/* Pushes a number, or { distance=, value= } where it is given as such. */
-static int push_coefficient(lua_State *L, double number, const arc_series *series) {
+/* Pushes the function of a field; returns 0 where it is none. */
+static int push_function(lua_State *L, const char *field) {
+  lua_settop(L, 1);
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  functions_push(L, 2, field);
+  return lua_isfunction(L, -1);
+}
+
+/* Pushes a number, its function, or { distance=, value= }, as it is given. */
+static int push_coefficient(lua_State *L, const char *field, double number,
+                            const arc_series *series) {
+  if (push_function(L, field)) return 1;
   if (series->count == 0) {
     lua_pushnumber(L, number);
     return 1;
@@ -91,18 +102,44 @@ static int push_coefficient(lua_State *L, double number, const arc_series *serie
 }
 
 static int wear_k(lua_State *L) {
-  return push_coefficient(L, def(L)->k, &def(L)->k_series);
+  const arc_wear_def *settings = def(L);
+  return push_coefficient(L, "k", settings->k, &settings->k_series);
 }
 
 static int wear_alpha(lua_State *L) {
-  return push_coefficient(L, def(L)->alpha, &def(L)->alpha_series);
+  const arc_wear_def *settings = def(L);
+  return push_coefficient(L, "alpha", settings->alpha, &settings->alpha_series);
 }
 
 static int wear_jump(lua_State *L) {
-  if (def(L)->jump_auto)
+  const arc_wear_def *settings = def(L);
+  if (push_function(L, "jump")) return 1;
+  if (settings->jump_auto)
     lua_pushliteral(L, "auto");
   else
-    lua_pushnumber(L, def(L)->jump);
+    lua_pushnumber(L, settings->jump);
+  return 1;
+}
+
+static int wear_local_factor(lua_State *L) {
+  self(L);
+  if (!push_function(L, "local_factor")) lua_pushboolean(L, 0);
+  return 1;
+}
+
+/* The fields that are functions: what no file can hold. */
+static int wear_functions_given(lua_State *L) {
+  functions_push_names(L, def(L));
+  return 1;
+}
+
+/* The blocks of loading as sampled; false for the plain stroke. */
+static int wear_loading(lua_State *L) {
+  const arc_wear_def *settings = def(L);
+  if (settings->blocks == 0)
+    lua_pushboolean(L, 0);
+  else
+    loading_push(L, settings);
   return 1;
 }
 
@@ -151,7 +188,7 @@ static int wear_update_at(lua_State *L) {
 
 static int wear_model(lua_State *L) {
   self(L);
-  lua_getiuservalue(L, 1, 1);
+  lua_getiuservalue(L, 1, RUN_MODEL);
   return 1;
 }
 
@@ -190,18 +227,31 @@ const luaL_Reg wear_fields[] = {
     {"order", wear_order},
     {"tolerance", wear_tolerance},
     {"update_at", wear_update_at},
+    {"local_factor", wear_local_factor},
+    {"loading", wear_loading},
+    {"functions", wear_functions_given},
     {"model", wear_model},
     {NULL, NULL},
 };
 
 /* --- in words -------------------------------------------------------------------------------- */
 
-/* "0.5", or "by distance" for a series. */
-static const char *show_coefficient(double number, const arc_series *series, char *text,
-                                    size_t size) {
+/* "0.5", "by distance" for a series, "by function". */
+static const char *show_coefficient(double number, const arc_series *series, int function,
+                                    char *text, size_t size) {
+  if (function) return "by function";
   if (series->count > 0) return "by distance";
   snprintf(text, size, "%.6g", number);
   return text;
+}
+
+/* "stroke 0.11 mm", or "loading of 3 blocks". */
+static void show_motion(const arc_wear_def *settings, char *text, size_t size) {
+  if (settings->blocks == 0)
+    snprintf(text, size, "stroke %.6g mm", settings->stroke);
+  else
+    snprintf(text, size, "loading of %d block%s", settings->blocks,
+             settings->blocks == 1 ? "" : "s");
 }
 
 /* "jump 100", "jump auto", "tolerance 0.001": what the length of a step goes by. */
@@ -210,23 +260,28 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
     snprintf(text, size, "tolerance %.6g", settings->tolerance);
   else if (settings->jump_auto)
     snprintf(text, size, "jump auto");
+  else if (settings->jump_function)
+    snprintf(text, size, "jump by function");
   else
     snprintf(text, size, "jump %.6g", settings->jump);
 }
 
 static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_def *settings = arc_wear_definition(wear);
-  char line[400], k[40], alpha[40], steps[40];
+  char line[400], motion[60], k[40], alpha[40], steps[40];
+  show_motion(settings, motion, sizeof motion);
   show_steps(settings, steps, sizeof steps);
-  snprintf(line, sizeof line,
-           "wear: stroke %.6g mm, load %.6g N, k %s mm2/N, alpha %s\n"
-           "  settings  %s %s, %s, increments %d, %s, %s slip, %s\n",
-           settings->stroke, settings->load,
-           show_coefficient(settings->k, &settings->k_series, k, sizeof k),
-           show_coefficient(settings->alpha, &settings->alpha_series, alpha, sizeof alpha),
-           procedure_names[arc_wear_procedure(wear)], scheme_names[settings->scheme], steps,
-           settings->increments, geometry_names[settings->geometry], slip_names[settings->slip],
-           rule_names[settings->rule]);
+  snprintf(
+      line, sizeof line,
+      "wear: %s, load %.6g N, k %s mm2/N, alpha %s\n"
+      "  settings  %s %s, %s, increments %d, %s, %s slip, %s\n",
+      motion, settings->load,
+      show_coefficient(settings->k, &settings->k_series, settings->k_function != NULL, k, sizeof k),
+      show_coefficient(settings->alpha, &settings->alpha_series, settings->alpha_function != NULL,
+                       alpha, sizeof alpha),
+      procedure_names[arc_wear_procedure(wear)], scheme_names[settings->scheme], steps,
+      settings->increments, geometry_names[settings->geometry], slip_names[settings->slip],
+      rule_names[settings->rule]);
   luaL_addstring(text, line);
 }
 

@@ -229,13 +229,30 @@ void arc_zone_for(double reach, double half_width, double zone[ARC_BODIES]) {
   zone[ARC_PLATE] = fmax(usual.zone[ARC_PLATE], 2 * (reach + contact));
 }
 
+/* Travelled distance of the whole run [mm]; blocks of loading may be all that tells. */
+static double whole_distance(const arc_wear_def *def) {
+  double sum = def->distance;
+  for (int b = 0; b < def->blocks && def->distance == 0; b++) {
+    const arc_loading *l = &def->loading[b];
+    for (int i = 1; i < l->count; i++) sum += l->cycles * fabs(l->x[i] - l->x[i - 1]);
+  }
+  return sum;
+}
+
+static double largest_k(const arc_wear_def *def) {
+  double k = def->k_series.count > 0 ? 0 : def->k;
+  for (int i = 0; i < def->k_series.count; i++) k = fmax(k, def->k_series.value[i]);
+  return k;
+}
+
 /* Half width at the end: Hertz' at first, and a flat scar of the whole volume on the cylinder at
  * the most (on a flat plate, b^3 = 3 R k L d / 2 per thickness). */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
   arc_hertz hertz = {0};
   arc_hertz_solve(model->radius, model->thickness, load, model->material, &hertz, NULL);
   const double line = load / model->thickness;
-  return hertz.half_width / 2 + cbrt(1.5 * model->radius * def->k * line * def->distance);
+  return hertz.half_width / 2 +
+         cbrt(1.5 * model->radius * largest_k(def) * line * whole_distance(def));
 }
 
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {

@@ -242,6 +242,7 @@ static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, arc_wear_recor
 }
 
 static double column_of(const arc_wear_record *record, size_t column) {
+  if (column == ARC_WEAR_TOTAL_VOLUME) return record->volume_cylinder + record->volume_plate;
   return *(const double *)(const void *)((const char *)record + column);
 }
 

@@ -194,8 +194,9 @@ void arc_wear_destroy(arc_wear **wear) {
 arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
   arc_wear_def def = *wanted;
-  def.start_distance = now->distance;
-  def.start_cycle = now->cycle;
+  const int same_loading = def.blocks > 0 && def.loading == w->def.loading;
+  def.start_distance = same_loading ? w->def.start_distance : now->distance;
+  def.start_cycle = same_loading ? w->def.start_cycle : now->cycle;
   arc_status status = arc_wear_check(&def, arc_model_definition(w->model), error);
   if (status != ARC_OK) return status;
   arc_wear *changed;

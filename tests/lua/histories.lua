@@ -1,0 +1,306 @@
+-- Functions in a definition, loading, w:set and what ends a run: what they take, what they refuse and how.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+
+local bodies = model{ mesh = { zone = { cylinder = 1, plate = 1.3 } } }
+local function run_of(fields)
+  fields.model = fields.model or bodies
+  fields.increments = fields.increments or not fields.loading and 4 or nil
+  return wear(fields)
+end
+
+-- A refused step leaves everything as it was.
+local function untouched(w, parts, what)
+  local before
+  local err = fails(function()
+    for _ = 1, 5 do
+      before = tostring(w)
+      w:step()
+    end
+  end, parts, what)
+  is(tostring(w), before, what .. ": the state is untouched")
+  return err
+end
+
+-- functions of the state ---------------------------------------------------------------------------
+
+local function half(_) return 0.5 end
+local plain = run_of{}:run()
+local called = run_of{ k = function() return 1e-8 end, alpha = half, jump = function() return 100 end }:run()
+is(called.p_center, plain.p_center, "constant functions: the bits of numbers")
+is(table.concat(called.functions, " "), "k alpha jump", "a run tells which fields are functions")
+is(#plain.functions, 0, "none for numbers")
+is(called.alpha, half, "a function can be read back")
+is(plain.local_factor, false, "no local factor reads false")
+holds(tostring(called), { "k by function", "alpha by function", "jump by function" }, "print names them")
+
+local seen = {}
+local watch = run_of{ k = function(s)
+  seen = { distance = s.distance, cycle = s.cycle, update = s.update, depth = s.depth, volume = s.volume,
+    p_center = s.p_center, flat = s.depth_plate, text = tostring(s), kept = s }
+  return 1e-8
+end }
+watch:step(2)
+is(seen.distance, 33, "k sees the middle of the update: distance")
+is(seen.cycle, 150, "cycle")
+is(seen.update, 1, "update")
+is(seen.flat, seen.depth.plate, "depth of both bodies")
+near(seen.volume.total, 1e-8 * 100 * 33, 1e-3, "volume")
+near(seen.volume.total, seen.volume.cylinder + seen.volume.plate, 1e-12, "total volume")
+ok(seen.p_center > 400 and seen.p_center < 600, "pressure of the last record")
+holds(seen.text, { "cycle", "33.0 mm" }, "print(state)")
+fails(function() return seen.kept.distance end, "during the call of your function only", "a state kept too long")
+holds(tostring(seen.kept), "is over", "prints so")
+fails(function() run_of{ k = function(s) return s.distanse end } end,
+  { "k(state at distance 0 mm, cycle 0) failed", "unknown field 'distanse' (did you mean 'distance'?)" },
+  "an unknown field of the state")
+fails(function() run_of{ k = function(s) s.distance = 3 end } end, "read-only", "the state is not written to")
+fails(function() run_of{ k = function(s) return getmetatable(s).__index(3, "k") end } end, "state expected",
+  "the state's functions check their argument")
+
+local function after_30(value)
+  return function(s) return s.distance > 30 and value or 0.5 end
+end
+local err = untouched(run_of{ alpha = function(s) return s.distance > 30 and error("no alpha") or 0.5 end },
+  { "wear:step: alpha(state at distance 33 mm, cycle 150) failed", "no alpha", "stack traceback",
+    "histories.lua" }, "an error in alpha")
+is(err.code, "CALLBACK", "its code")
+holds(err.cause, "no alpha", "its cause")
+err = untouched(run_of{ k = function(s) return s.distance > 30 and error{ answer = 42 } or 1e-8 end }, "k(state",
+  "an error that is a table")
+is(err.cause.answer, 42, "is handed on as the cause")
+untouched(run_of{ alpha = after_30(1.5) },
+  { "wear:step: alpha: expected from 0 to 1, its function gave 1.5 at distance 33 mm" }, "alpha above 1")
+untouched(run_of{ alpha = after_30(0 / 0) }, "alpha: expected from 0 to 1", "alpha NaN")
+untouched(run_of{ alpha = after_30("much") }, { "alpha(state", "expected a number, got string" }, "alpha a text")
+untouched(run_of{ k = function(s) return s.distance > 30 and -1 or 1e-8 end }, { "k: expected from 0", "its function gave -1" }, "k negative")
+untouched(run_of{ jump = function(s) return s.distance > 30 and 0 or 100 end },
+  { "jump: expected above 0 cycles, its function gave 0 at distance 44 mm" }, "jump zero")
+untouched(run_of{ scheme = "implicit", alpha = function(s) return s.distance > 30 and error("no alpha") or 0.5 end },
+  { "alpha(state", "no alpha" }, "an error in alpha of an implicit run")
+fails(function() run_of{ k = "much" } end,
+  [[field 'k': expected a number >= 0, a function of the state or a table { distance=, value= }, got "much"]],
+  "k a text")
+fails(function() run_of{ alpha = true } end, "a function of the state or a table", "alpha a boolean")
+
+-- runs in runs
+local self
+self = run_of{ k = function() if self then self:step() end return 1e-8 end }
+untouched(self, { "k(state", "this wear object is running already" }, "stepped from its own function")
+self = nil
+self = run_of{ k = function() if self then self:set{ load = 3 } end return 1e-8 end }
+untouched(self, "running already", "set from its own function")
+self = nil
+self = run_of{ k = function() if self then self:close() end return 1e-8 end }
+untouched(self, "a running wear cannot be closed", "closed from its own function")
+self = nil
+self = run_of{ k = function() if self then self:stability() end return 1e-8 end }
+untouched(self, "running already", "its stability from its own function")
+local depth, deep = 0
+self = nil
+self = run_of{ k = function(s)
+  local own = s.distance
+  if self and depth == 0 then
+    depth = 1
+    deep = self:clone():step().distance
+    depth = 0
+  end
+  return s.distance == own and 1e-8 or -1
+end }
+near(self:run().volume.total, 1.32e-3, 1e-9, "a clone that steps within a function of both")
+ok(deep > 100, "did step")
+local other = run_of{ k = function() return self:contact().p_center > 0 and 1e-8 end }
+near(other:run().p_center, plain.p_center, 1e-12, "another run's contact within a function")
+is(coroutine.wrap(function()
+  return run_of{ k = coroutine.wrap(function() while true do coroutine.yield(1e-8) end end) }:run().p_center
+end)(), plain.p_center, "a coroutine as a function, in a coroutine")
+fails(function() run_of{ k = function() coroutine.yield() end } end, "attempt to yield", "no yielding out of a step")
+
+-- functions live as long as anyone needs them
+do
+  local kept = setmetatable({}, { __mode = "v" })
+  local copy
+  do
+    local f = function() return 1e-8 + 0 * #kept end
+    kept[1] = f
+    local original = run_of{ k = f }
+    copy = original:clone()
+    original:close()
+  end
+  collectgarbage() collectgarbage()
+  ok(kept[1] ~= nil, "a clone keeps the functions alive")
+  ok(copy:step().volume_cylinder > 0, "and uses them")
+  copy:close()
+  copy = nil
+  collectgarbage() collectgarbage()
+  ok(kept[1] == nil, "a closed run lets go of them")
+  local ring
+  do
+    local held = {}
+    held.run = run_of{ k = function() return held and 1e-8 end }
+    ring = setmetatable({ held }, { __mode = "v" })
+  end
+  collectgarbage() collectgarbage()
+  ok(ring[1] == nil, "a run and its function that know each other are collected")
+end
+
+-- local factors --------------------------------------------------------------------------------------
+
+local asked = { cylinder = 0, plate = 0 }
+local one = run_of{ local_factor = function(body, x, p, s)
+  asked[body] = asked[body] + 1
+  assert(p > 0 and math.abs(x) < 1 and s.distance >= 0)
+  return 1
+end }:run()
+is(one.p_center, plain.p_center, "a factor of 1: the bits of none")
+ok(asked.cylinder > 100 and asked.plate > 100, "it is asked for both bodies")
+local double = run_of{ local_factor = { vector = function(_, xs, ps)
+  local factors = {}
+  for i in ipairs(ps) do factors[i] = xs[i] and 2 end
+  return factors
+end }, k = 5e-9 }:run()
+is(double.p_center, plain.p_center, "the vector form: 2 of half k is k")
+untouched(run_of{ local_factor = function(_, x, _, s) return s.distance > 30 and x < 0 and {} or 1 end },
+  { 'local_factor("cylinder", x = -', "MPa, state at distance", "expected a number, got table" },
+  "a local factor that is a table")
+untouched(run_of{ local_factor = function(_, _, _, s) return s.distance > 30 and -1 or 1 end },
+  { "local_factor: expected 0 or above, got -1 for the cylinder at x = -" }, "a negative local factor")
+fails(function() run_of{ local_factor = { vector = function() return { 1 } end } } end,
+  { "local_factor.vector(\"", "expected a number for every x, got nil for x[2]" }, "too few factors")
+fails(function() run_of{ local_factor = { vector = function() end } } end, "expected an array of factors, got nil",
+  "no factors")
+fails(function() run_of{ local_factor = { vektor = print } } end, "did you mean 'vector'", "misspelt vector")
+fails(function() run_of{ local_factor = 3 } end,
+  "field 'local_factor': expected a function(body, x, p, state) or { vector = function }, got 3", "a number")
+
+-- loading ------------------------------------------------------------------------------------------
+
+local function position(t) return 0.055 * math.cos(2 * math.pi * t) end
+local calls = 0
+local cosine = run_of{ loading = { x = function(t) calls = calls + 1 return position(t) end, increments = 20 } }
+is(calls, 21, "x is called once for each point")
+cosine:step(2)
+is(calls, 21, "and never again")
+is(#cosine.functions, 0, "sampled functions are data")
+is(#cosine.loading[1].x, 21, "which can be read back")
+is(cosine.loading[1].x[6], position(0.25), "to the bit")
+is(plain.loading, false, "no loading reads false")
+holds(tostring(cosine), "loading of 1 block", "print tells of it")
+near(cosine.total_distance, 1320, 1e-12, "without cycles: to the usual distance")
+near(run_of{ cycles = 30, loading = { x = position } }.total_distance, 30 * 0.22, 1e-12, "cycles of a single block")
+near(run_of{ loading = { x = position, cycles = 30 } }.total_distance, 30 * 0.22, 1e-12, "its own cycles")
+near(run_of{ loading = { { x = position, cycles = 30 }, { x = position, cycles = 20 } } }.total_distance, 50 * 0.22,
+  1e-12, "blocks in a row")
+is(run_of{ loading = { x = position, load = { 50, 80, 50 }, increments = 4 } }.load, 80,
+  "the largest load is the nominal one")
+is(run_of{ load = 60, loading = { x = position, load = { 50, 80, 50 } } }.load, 60, "unless it is given")
+is(run_of{ load = 60, loading = { x = position } }.loading[1].load[3], 60, "the run's load is the default")
+local even = run_of{ loading = { t = { 10, 15, 20 }, x = { -0.05, 0.05, -0.05 }, load = function(t) return 100 + t end } }
+is(#even.loading[1].x, 3, "lists are taken point by point")
+is(even.loading[1].load[2], 100.5, "times are scaled to 0 ... 1")
+local finer = run_of{ loading = { t = { 0, 1, 4 }, x = { -0.05, 0.05, -0.05 }, increments = 4 } }
+near(finer.loading[1].x[3], 0.05 - 0.1 / 3, 1e-12, "increments: interpolated at even times")
+
+local function bad(loading, parts, what) fails(function() run_of{ loading = loading } end, parts, what) end
+bad({ x = { 0, 0.1, "a" } }, [[field 'loading.x[3]': expected a finite number, got "a"]], "a text among numbers")
+bad({ x = { 0, 0 / 0 } }, "field 'loading.x[2]': expected a finite number", "NaN in x")
+bad({ x = { 0, 0.1, 0 }, load = { 1, 2 } }, "field 'loading.load': expected 3 numbers", "too few loads")
+bad({ x = { 0 } }, "at least 2", "one point")
+bad({ x = { 0, 0.1 }, load = { 1, -2 } }, "load[2]: expected above 0 N, or 0 for a lift-off, got -2 N", "negative load")
+bad({ x = { 0, 0 } }, "the plate does not move", "no motion")
+bad({ load = 3 }, "field 'loading.x': expected a function of t or an array, got nil", "no x")
+bad({ x = 3 }, "expected a function of t or an array, got 3", "x a number")
+bad({ x = { 0, 1, 0 }, t = { 0, 1, 1 } }, "field 'loading.t[3]': expected increasing times, got 1 after 1", "equal times")
+bad({ x = { 0, 1 }, t = { 0 } }, "at least 2 times", "one time")
+bad({ x = position, t = { 0, 1 }, increments = 3 }, "expected one of them", "t and increments for functions")
+bad({ x = position, increments = 0 }, "field 'loading.increments': expected a whole number in", "no increments")
+bad({ x = position, cycles = -1 }, "field 'loading.cycles': expected a number > 0", "negative cycles")
+bad({ x = position, periodic = 1 }, "field 'loading.periodic': expected true or false, got 1", "periodic a number")
+bad({ x = position, periodic = false, cycles = 2 }, "a history that is not periodic runs once", "twice a history")
+bad({ x = position, period = 1 }, "unknown field 'loading.period' (did you mean 'periodic'?)", "misspelt field")
+bad({ { x = position, cycles = 1 }, { x = position, lod = 1 } }, "unknown field 'loading[2].lod'", "in the second block")
+bad({ { x = position }, { x = position } }, "block 1: cycles: expected above 0 and finite", "endless first block")
+bad({ { x = position }, 3 }, "loading[2].", "a number for a block")
+bad(3, "field 'loading': expected a block { x=, load= } or a list of them, got 3", "loading a number")
+bad({ x = function(t) return t < 0.5 and 0 end, increments = 4 },
+  "loading.x(0.5): expected a finite number, got false", "x gives no number")
+bad({ x = function(t) return t < 0.5 and 0 or error("no x") end, increments = 4 },
+  { "loading.x(0.5) failed", "no x", "stack traceback" }, "an error in x")
+fails(function() run_of{ cycles = 3, loading = { x = position, cycles = 2 } } end, "field 'cycles': expected more than",
+  "cycles of both")
+fails(function() cosine:run{ cycles = 3 } end, "a run with loading takes a distance", "run by cycles")
+
+-- changes ------------------------------------------------------------------------------------------
+
+local w = run_of{}
+w:step(2)
+is(w:set{ alpha = 1, load = 200 }, w, "set returns the run")
+is(w.alpha, 1, "what is given changes")
+is(w.k, 1e-8, "what is not stays")
+is(w.update, 2, "and so does the history")
+is(w.procedure, "NSP", "the procedure follows")
+w:step()
+near(w.volume.total, 1e-8 * (100 * 44 + 200 * 22), 1e-9, "the wear goes on under the new load")
+w:set{ k = function() return 3e-8 end }
+is(w.functions[1], "k", "a number becomes a function")
+w:step()
+is(w.history.k[#w.history.k], 3e-8, "which is asked")
+w:set{ alpha = function() return 1 end }
+is(#w.functions, 2, "functions not given stay")
+w:set{ k = 1e-8, alpha = { distance = { 0, 5000 }, value = { 1, 0 } } }
+is(#w.functions, 0, "numbers and tables replace them")
+is(w.alpha.value[2], 0, "a table")
+w:set{ alpha = 0.5, cycles = 700 }
+near(w.total_distance, 88 + 300 * 0.22, 1e-12, "cycles count from the start of the run")
+w:set{ loading = { { x = { 0, 0.1, 0 }, load = 30, cycles = 50 }, { x = { 0, 0.2, 0 }, cycles = 40 } } }
+near(w.total_distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "a new loading begins at its start")
+is(w.load, 200, "the nominal load becomes the largest of both")
+w:run{ distance = 105 }
+local volume = w.volume.total
+w:set{ k = 2e-8 }
+w:run()
+near(w.distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "other changes leave the place in the loading")
+near(w.volume.total - volume, 2e-8 * 200 * 9, 1e-9, "and its loads")
+w:set{ stroke = 0.2, distance = 200 }
+is(w.loading, false, "stroke goes back to the plain stroke")
+near(w:run().distance, 200, 1e-12, "and on it goes")
+w:set{ scheme = "implicit", tolerance = 1e-3 }:set{ scheme = "explicit" }
+is(w.tolerance, 0, "the other scheme's fields go with it")
+local before = tostring(w)
+fails(function() w:set{ model = bodies } end, "wear:set: field 'model' cannot be changed in a run", "another model")
+fails(function() w:set{ alpha = 2 } end, "wear:set: field 'alpha': expected a number in [0, 1], got 2", "alpha 2")
+fails(function() w:set{ alhpa = 0.2 } end, "did you mean 'alpha'", "misspelt")
+fails(function() w:set{ distance = 3 } end, "the run is at 200 mm already", "backwards")
+fails(function() w:set{ procedure = "NSP" } end, "NSP needs a plate that stays flat", "what does not go together")
+fails(function() w:set{ stroke = 3 } end, "zone", "a stroke that needs a larger model")
+fails(function() w:set{ local_factor = function() error("no factor") end } end, "no factor", "a function that fails")
+is(tostring(w), before, "after a refusal all is as it was")
+
+-- ends of a run ------------------------------------------------------------------------------------
+
+w = run_of{}
+local again, why = w:run{ depth = { cylinder = 1e-3 } }
+is(again, w, "run returns the run")
+is(why, "depth.cylinder", "and what ended it")
+near(w.depth.cylinder, 1e-3, 1e-9, "a depth is met")
+is(select(2, w:run{ volume = { total = 9e-4 } }), "volume.total", "a volume")
+near(w.volume.total, 9e-4, 1e-9, "is met")
+near(w.distance, 900, 1e-9, "where V = k L d says")
+is(select(2, w:run{ p_center = 205 }), "p_center", "a pressure")
+near(w.p_center, 205, 1e-9, "is met")
+is(select(2, w:run{ half_width = 0.252, depth = { plate = 1 } }), "half_width", "the first of several")
+is(select(2, w:run{ stop_when = function(r) return r.update >= 62 and "enough" end }), "stop_when", "a function")
+is(w.update, 62, "ends the run after the step")
+is(select(2, w:run{ depth = { plate = 1 } }), "distance", "else the distance does")
+near(w.distance, 1320, 1e-12, "exactly")
+is(select("#", w:run()), 1, "nothing to choose, nothing more to say")
+fails(function() w:run{ depth = { plate = 1e-6 } } end, "field 'depth.plate': the run is at", "behind")
+fails(function() w:run{ depth = 3 } end, "field 'depth': expected a table { cylinder=, plate= }, got 3", "of no body")
+fails(function() w:run{ depth = { total = 3 } } end, "unknown field 'depth.total'", "depths do not add up")
+fails(function() w:run{ p_center = -3 } end, "field 'p_center': expected a number > 0, got -3", "a negative pressure")
+fails(function() w:run{ stop_when = true } end, "field 'stop_when': expected a function", "stop_when a boolean")
+w:set{ distance = 1400 }
+err = fails(function() w:run{ stop_when = function() error("no end") end } end,
+  { "wear:run: stop_when failed", "no end" }, "an error in stop_when")
+near(w.distance, 1342, 1e-12, "leaves the run after the step")
