@@ -97,12 +97,21 @@ static void how_it_ended(int how, char text[64]) {
     snprintf(text, 64, "how is unknown");
 }
 
-/* Ends the process of an exchange that went wrong, and says what happened. */
+static arc_status missing(const arc_gnuplot *session, arc_error *error) {
+  return arc_fail(error, ARC_MISSING,
+                  "gnuplot is needed for plots, and there is no program '%s'. %s", session->program,
+                  remedy);
+}
+
+/* Ends the process of an exchange that went wrong, and says what happened. Status 127 is how a
+ * shell, or a system whose spawn cannot tell at once, reports that there is no such program. */
 static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end end,
                          arc_error *error) {
   char ending[64];
   int how = arc_process_end(&session->process, end == ARC_EXCHANGE_DIED ? 0.5 : 0.0);
   how_it_ended(how, ending);
+  if (end == ARC_EXCHANGE_DIED && how != -1 && WIFEXITED(how) && WEXITSTATUS(how) == 127)
+    return missing(session, error);
   switch (end) {
   case ARC_EXCHANGE_SILENT:
     return arc_fail(error, ARC_IO,
@@ -179,10 +188,7 @@ static arc_status spawn(arc_gnuplot *session, arc_error *error) {
   char defaults[] = "-d"; /* reads no start-up file of the user */
   char *argv[] = {session->program, defaults, NULL};
   arc_status status = arc_process_start(&session->process, argv, error);
-  if (status == ARC_MISSING)
-    return arc_fail(error, ARC_MISSING,
-                    "gnuplot is needed for plots, and there is no program '%s'. %s",
-                    session->program, remedy);
+  if (status == ARC_MISSING) return missing(session, error);
   return status;
 }
 
@@ -208,7 +214,7 @@ static arc_status note_abilities(arc_gnuplot *session, arc_text *answer, arc_err
 /* The first answer failed: say that it was the start, with what helps. */
 static arc_status failed_start(arc_gnuplot *session, arc_status status, arc_error *error) {
   arc_process_end(&session->process, 0.0);
-  if (status == ARC_STOPPED || status == ARC_MEMORY || !error) return status;
+  if (status != ARC_IO || !error) return status;
   char reason[256];
   snprintf(reason, sizeof reason, "%.255s", error->message);
   return arc_fail(error, status, "gnuplot does not start: %s. Try '%.100s -d' in a shell", reason,

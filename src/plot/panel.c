@@ -138,11 +138,18 @@ static void tic_words(arc_writer *w, const char *axis, const arc_plot_axis *a, d
     arc_text_format(w->out, "set %stics %.17g\n", axis, round_step(fabs(span), steps));
 }
 
+/* A grid would lie over a field; characters have neither choice. */
+static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
+  if (w->canvas->text) return;
+  arc_text_word(w->out, panel->field ? "unset grid\nset border 15\n"
+                                     : "set border 3\nset grid linecolor rgb '#e4e4e4' "
+                                       "linewidth 0.7 linetype 1\n");
+}
+
 /* --- field ------------------------------------------------------------------------------------ */
 
 /* Colours for values of one sign, and others, with white at zero, for values of both. */
 static void colour_words(arc_writer *w, const arc_plot_panel *panel, const double range[2]) {
-  arc_text_word(w->out, "unset grid\nset border 15\n");
   arc_text_word(w->out, range[0] < 0 && range[1] > 0
                             ? "set palette defined (0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', "
                               "3 '#f4a582', 4 '#b2182b')\n"
@@ -283,6 +290,7 @@ static void settings(arc_writer *w, const arc_plot_panel *panel, const arc_plot_
   tic_words(w, "x", &panel->x, box->x1 - box->x0, frame->columns / 7);
   tic_words(w, "y", &panel->y, box->y1 - box->y0, frame->rows / 2.2);
   box_words(w, panel, box);
+  ground_words(w, panel);
   heading(w, panel);
   key_words(w, panel, frame, framed);
   if (panel->field && !w->canvas->text) colour_words(w, panel, range);

@@ -66,9 +66,7 @@ static arc_plot_frame frame_of(const arc_writer *w, size_t number) {
 
 static void common_settings(arc_writer *w) {
   arc_text_word(w->out, "set encoding utf8\n");
-  if (!w->canvas->text)
-    arc_text_word(w->out, "set border 3\nset xtics nomirror\nset ytics nomirror\n"
-                          "set grid linecolor rgb '#e4e4e4' linewidth 0.7 linetype 1\n");
+  if (!w->canvas->text) arc_text_word(w->out, "set xtics nomirror\nset ytics nomirror\n");
   arc_look_series(w);
 }
 
