@@ -52,30 +52,7 @@ holds(tostring(study.paper()), { "paper", "20 cases", "alpha, stroke" }, "print(
 local function new_study() return small{ vary = { alpha = { 0.25, 0.5 }, stroke = { 0.11, 0.2 } },
   looks = 2 } end
 
--- All that is stored of a study but times, as text.
-local function content(s)
-  local lines = {}
-  local function add(name, value)
-    if type(value) == "table" then
-      local keys = {}
-      for key in pairs(value) do keys[#keys + 1] = key end
-      table.sort(keys, function(a, b) return tostring(a) < tostring(b) end)
-      for _, key in ipairs(keys) do add(name .. "." .. key, value[key]) end
-    elseif value ~= value then
-      lines[#lines + 1] = name .. " nan"
-    else
-      lines[#lines + 1] = name .. " " .. (type(value) == "number" and ("%a"):format(value)
-        or tostring(value))
-    end
-  end
-  for _, case in ipairs(s:cases()) do
-    add(case.id .. " status", case.status)
-    add(case.id .. " definition", case.definition)
-    add(case.id .. " history", case.history)
-    add(case.id .. " surfaces", case.surfaces)
-  end
-  return table.concat(lines, "\n")
-end
+local content = dofile(here .. "/lib/content.lua")
 
 local events = {}
 local one = new_study():run{ workers = 1, file = path "one",
