@@ -88,7 +88,7 @@ int wear_local_partition(lua_State *L) {
 
 /* --- smoothness ------------------------------------------------------------------------------ */
 
-/* wear:roughness(body) -> largest second difference that changes sign, as a share of the depth */
+/* wear:roughness(body) -> sawtooth part of the profile, as a share of the depth */
 int wear_roughness(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:roughness");
   arc_body body = body_argument(L, 2, "wear:roughness", ARC_CYLINDER);

@@ -333,6 +333,39 @@ static void test_zone(void **state) {
   arc_model_release(&wide);
 }
 
+/* The zones of a run hold its contact whatever its size, with much wear and with hardly any. */
+static void test_zones_are_enough(void **state) {
+  (void)state;
+  random_start(51);
+  for (int trial = 0; trial < 15; trial++) {
+    arc_model_def md = arc_model_default();
+    arc_wear_def def = arc_wear_default();
+    arc_hertz hertz = {0};
+    md.radius = random_in(10, 50);
+    def.load = md.radius * random_in(20, 200);
+    check_ok(arc_hertz_solve(md.radius, 1, def.load, md.material, &hertz, why));
+    md.mesh.size = md.mesh.height = hertz.half_width / 4;
+    md.mesh.far = md.radius / 5;
+    def.stroke = hertz.half_width * random_in(0.3, 4);
+    def.alpha = random_int(0, 4) / 4.0;
+    def.increments = 10;
+    def.jump = def.distance / (2 * def.stroke) / 20;
+    /* wear up to a scar of three times the first half width */
+    const double scar = hertz.half_width * random_in(0, 3);
+    def.k = pow(scar, 3) / (1.5 * md.radius * def.load * def.distance);
+    arc_wear_zones(&def, &md, md.mesh.zone);
+    for (int b = 0; b < ARC_BODIES; b++) md.mesh.zone[b] = fmin(md.mesh.zone[b], 1.6 * md.radius);
+    arc_model *model = build_model(&md);
+    arc_wear *wear = NULL;
+    def.scheme = ARC_IMPLICIT; /* so few steps would make explicit ones rough */
+    check_ok(arc_wear_create(model, &def, NULL, &wear, why));
+    check_ok(arc_wear_run(wear, def.distance, NULL, NULL, NULL, why));
+    check_volumes(wear);
+    arc_wear_destroy(&wear);
+    arc_model_release(&model);
+  }
+}
+
 /* No wear at k = 0, but a run. */
 static void test_no_wear(void **state) {
   (void)state;
@@ -366,6 +399,7 @@ int main(void) {
       cmocka_unit_test(test_refused_numbers),
       cmocka_unit_test(test_refused_combinations),
       cmocka_unit_test(test_zone),
+      cmocka_unit_test(test_zones_are_enough),
       cmocka_unit_test(test_no_wear),
   };
   return cmocka_run_group_tests_name("wear", tests, set_up, tear_down);

@@ -60,6 +60,9 @@ static arc_status why(const factor *f, arc_error *error) {
     return arc_fail(error, ARC_NUMERIC,
                     "the stiffness is not positive definite at column %zu of %zu",
                     f->l ? f->l->minor : 0, f->l ? f->l->n : 0);
+  if (f->common.status == CHOLMOD_TOO_LARGE)
+    return arc_fail(error, ARC_MEMORY,
+                    "the mesh is too fine to be factorised; use larger elements");
   return arc_fail(error, ARC_NUMERIC, "CHOLMOD failed with status %d", f->common.status);
 }
 

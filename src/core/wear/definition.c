@@ -245,14 +245,14 @@ static double largest_k(const arc_wear_def *def) {
   return k;
 }
 
-/* Half width at the end: Hertz' at first, and a flat scar of the whole volume on the cylinder at
- * the most (on a flat plate, b^3 = 3 R k L d / 2 per thickness). */
+/* Half width of the widest contact: Hertz' at first, and a flat scar of the whole volume on the
+ * cylinder at the most (on a flat plate, b^3 = 3 R k L d / 2 per thickness). */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
   arc_hertz hertz = {0};
   arc_hertz_solve(model->radius, model->thickness, load, model->material, &hertz, NULL);
   const double line = load / model->thickness;
-  return hertz.half_width / 2 +
-         cbrt(1.5 * model->radius * largest_k(def) * line * whole_distance(def));
+  const double scar = cbrt(1.5 * model->radius * largest_k(def) * line * whole_distance(def));
+  return fmax(hertz.half_width, hertz.half_width / 2 + scar);
 }
 
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {
