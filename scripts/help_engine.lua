@@ -327,8 +327,8 @@ return {
     text = "Local wear depth partition h_c / (h_c + h_p) along x (Eq. 30)." },
   { "wear.roughness", kind = "method", values = { "cylinder", "plate" },
     use = 'w:roughness("cylinder" | "plate")', default = '"cylinder"',
-    text = "Roughness of a profile: the largest second difference that changes sign from node to "
-      .. "node, as a share of the largest depth. A smooth profile stays under a few per mille." },
+    text = "Roughness of a profile: its sawtooth part (1 for a sawtooth as high as the depth), root mean "
+      .. "square over the middle of the contact. Smooth profiles stay under 1e-4." },
   { "wear.stability", kind = "method", use = "w:stability()",
     text = "{ eigenvalue=, jump_limit= }: the growth rate of ripples in 1/cycle, linearised about the "
       .. "present state, and 2 / eigenvalue. Explicit updates with a larger jump get rough." },

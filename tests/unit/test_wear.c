@@ -350,8 +350,8 @@ static void test_zones_are_enough(void **state) {
     def.alpha = random_int(0, 4) / 4.0;
     def.increments = 10;
     def.jump = def.distance / (2 * def.stroke) / 20;
-    /* wear up to a scar of three times the first half width */
-    const double scar = hertz.half_width * random_in(0, 3);
+    /* hardly any wear, or a scar of up to three times the first half width */
+    const double scar = hertz.half_width * random_in(0, trial % 2 ? 3 : 0.2);
     def.k = pow(scar, 3) / (1.5 * md.radius * def.load * def.distance);
     arc_wear_zones(&def, &md, md.mesh.zone);
     for (int b = 0; b < ARC_BODIES; b++) md.mesh.zone[b] = fmin(md.mesh.zone[b], 1.6 * md.radius);

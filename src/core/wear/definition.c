@@ -222,9 +222,12 @@ void wear_def_free(arc_wear_def *def) {
 
 /* --- zones --- */
 
+/* Room for the edge peaks of worn contacts, in half widths. */
+static const double contact_room = 1.3;
+
 void arc_zone_for(double reach, double half_width, double zone[ARC_BODIES]) {
   const arc_mesh_def usual = arc_mesh_default();
-  const double contact = 1.3 * half_width; /* room for the edge peaks of worn contacts */
+  const double contact = contact_room * half_width;
   zone[ARC_CYLINDER] = fmax(usual.zone[ARC_CYLINDER], 2 * contact);
   zone[ARC_PLATE] = fmax(usual.zone[ARC_PLATE], 2 * (reach + contact));
 }
@@ -252,7 +255,10 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
   arc_hertz_solve(model->radius, model->thickness, load, model->material, &hertz, NULL);
   const double line = load / model->thickness;
   const double scar = cbrt(1.5 * model->radius * largest_k(def) * line * whole_distance(def));
-  return fmax(hertz.half_width, hertz.half_width / 2 + scar);
+  const double widest = fmax(hertz.half_width, hertz.half_width / 2 + scar);
+  /* on coarse meshes the room beside it is counted in elements: one under the edge, two that stay
+   * open */
+  return fmax(widest, (widest + 3 * model->mesh.size) / contact_room);
 }
 
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {
