@@ -276,6 +276,15 @@ static void test_steps(void **state) {
     }
 }
 
+/* The same of implicit steps. */
+static void test_implicit_steps(void **state) {
+  (void)state;
+  arc_wear_def def = quick(0.11, 0.5);
+  def.increments = 4;
+  def.scheme = ARC_IMPLICIT;
+  check_run_survives(&def, step);
+}
+
 /* Writers: out of memory, or the file. */
 static void test_export(void **state) {
   (void)state;
@@ -295,9 +304,8 @@ static void test_export(void **state) {
 int main(void) {
   wrap_cholmod();
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_makers),
-      cmocka_unit_test(test_shape_wear),
-      cmocka_unit_test(test_steps),
+      cmocka_unit_test(test_makers), cmocka_unit_test(test_shape_wear),
+      cmocka_unit_test(test_steps),  cmocka_unit_test(test_implicit_steps),
       cmocka_unit_test(test_export),
   };
   return cmocka_run_group_tests_name("oom", tests, set_up_all, tear_down_all);
