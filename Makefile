@@ -139,15 +139,15 @@ man: $(program)
 c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/core/*/*.[ch] tests/unit/*.[ch])
 
 format:
-	clang-format -i $(c_files)
+	@clang-format -i $(c_files)
 
 lint:
-	clang-format --dry-run --Werror $(c_files)
-	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
+	@clang-format --dry-run --Werror $(c_files)
+	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --error-exitcode=1 --suppress=missingIncludeSystem -Iinclude -Isrc src
-	shellcheck -S warning scripts/setup tests/run .ci/run tests/tap.bash \
+	@shellcheck -S warning scripts/setup tests/run .ci/run tests/tap.bash \
 	  $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
-	mandoc -T lint -W warning man/*.1
+	@mandoc -T lint -W warning man/*.1
 
 install: all
 	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR) $(DESTDIR)$(INCLUDEDIR)/archard $(DESTDIR)$(MANDIR)/man1

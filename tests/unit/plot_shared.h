@@ -73,7 +73,8 @@ static inline arc_plot_panel panel_of(const arc_plot_curve *curves, size_t count
 static const arc_plot_output as_text = {.medium = ARC_PLOT_TEXT, .width = 70, .height = 20};
 
 /* Draws one curve as characters; the caller frees. */
-__attribute__((noinline)) static char *draw_text(arc_gnuplot *session, const arc_plot_curve *c, arc_error *error) {
+__attribute__((noinline)) static char *draw_text(arc_gnuplot *session, const arc_plot_curve *c,
+                                                 arc_error *error) {
   arc_plot_panel panel = panel_of(c, 1);
   arc_plot_figure figure = {.panels = &panel, .panel_count = 1};
   char *picture = NULL;

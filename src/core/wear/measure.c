@@ -78,8 +78,8 @@ double arc_wear_roughness(const arc_wear *w, arc_body body) {
   int count = 0;
   for (int i = 2; i < profile.count - 2; i++) {
     if (fabs(profile.x[i]) > reach) continue;
-    const double *h = &profile.h[i];
-    const double saw = (h[-2] - 4 * h[-1] + 6 * h[0] - 4 * h[1] + h[2]) / 16;
+    const double *h = profile.h;
+    const double saw = (h[i - 2] - 4 * h[i - 1] + 6 * h[i] - 4 * h[i + 1] + h[i + 2]) / 16;
     sum += saw * saw;
     count++;
   }
