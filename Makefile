@@ -128,8 +128,8 @@ bench: $(program)
 study figures: $(program)
 	@for file in $(BUILD)/study.archard $(BUILD)/study-*.archard; do \
 	  [ ! $$file -ot $(program) ] || rm -f $$file; done
-	$(program) scripts/study20.lua --file $(BUILD)/study.archard \
-	  $(if $(filter figures,$@),--converge --figures $(BUILD)/figures)
+	$(program) scripts/study20.lua --file $(BUILD)/study.archard --figures $(BUILD)/figures \
+	  $(if $(filter figures,$@),--converge)
 
 # The reference part of the manual comes from the help entries inside the program.
 man: $(program)

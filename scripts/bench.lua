@@ -68,6 +68,26 @@ local function measure(size, finer, goals)
   line("peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB", goals and "300")
 end
 
+-- Small cases, as in studies of thousands: by the clock, with as many workers as processors.
+local function studies()
+  local term, workers = require "archard.term", require "archard.process".processors()
+  local file, loads = os.tmpname(), {}
+  os.remove(file)
+  for i = 1, 20 do loads[i] = 60 + 3 * i end
+  local s = study{ looks = 2, base = { jump = 200, increments = 20,
+    model = { mesh = { size = 0.04, height = 0.05 } } },
+    vary = { alpha = { 0.1, 0.3, 0.5, 0.7, 0.9 }, stroke = { 0.1, 0.2, 0.4 }, load = loads } }
+  local start = term.clock()
+  s:run{ file = file, workers = workers, progress = false }
+  local minutes = (term.clock() - start) / 60
+  s:close()
+  os.remove(file)
+  io.write("\nstudies of many cases, results stored\n")
+  line(string.format("300 cases at 40 um, %d worker%s, by the clock", workers, workers > 1 and "s" or ""),
+    string.format("%.0f", 300 / minutes), "a minute")
+end
+
 io.write("archard bench: CPU time, one thread\n")
 measure(0.020, 1, { moving = "10", frozen = "2" })
+studies()
 if (arg and arg[1]) ~= "quick" then measure(0.010, 2) end

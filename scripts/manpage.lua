@@ -200,6 +200,60 @@ Equation numbers are those of the article under
 .Sx SEE ALSO .]]
 
 local tail = [[
+.Sh RUN FILES
+Studies and saved runs are kept in SQLite databases, which
+.Xr sqlite3 1
+can read as well.
+Their application id is 1634886504, the letters
+.Dq arch ;
+user_version is the number of the format, now 1.
+A file of another program, of a newer format or with damage is refused and left
+as it is.
+Each case is written in one transaction, synchronously: a program that is killed
+loses what it was computing and nothing that it stored.
+Several processes may use a file at once.
+.Pp
+The tables:
+.Bl -tag -width "definition" -compact
+.It Li info
+Notes on the whole, by name: kind
+.Pq Li study No or Li wear ,
+name, looks, task, program.
+.It Li cases
+id, label, status
+.Pq Li waiting , running , done No or Li failed ,
+message, seconds.
+A case left running by a killed program waits again at the next start.
+.It Li settings
+case_id, name, value: the fields of
+.Li wear{}
+as given.
+Fields within fields are joined by points,
+.Li model.mesh.size .
+.It Li definition
+Likewise all fields of the run and its model, as the engine had them.
+.It Li results
+Likewise what another task than a run has found.
+.It Li history
+case_id, step and a column for each column of
+.Li w.history .
+.It Li surfaces
+case_id, update, distance, body, node, x (unworn position, mm), h (wear depth,
+mm), y (present height, mm), p (pressure with the plate at x = 0, MPa).
+The last update is the final state.
+.It Li state
+case_id, body, condensed, even, h, xy, settled: what a run needs to go on to the
+same bits.
+.El
+.Pp
+Values are numbers (REAL), texts, flags (INTEGER 0 or 1) or lists of numbers
+(BLOB: doubles of this machine).
+A NaN is stored as NULL.
+.Bd -literal -offset indent
+$ sqlite3 study.archard 'select id, label, status from cases'
+$ sqlite3 -csv study.archard 'select x, h from surfaces
+    where case_id = 9 and body = "plate" and "update" = 60'
+.Ed
 .Sh ENVIRONMENT
 .Bl -tag -width XDG_STATE_HOME
 .It Ev ARCHARD_GNUPLOT
@@ -255,6 +309,7 @@ The same at the prompt, in steps of 10 updates:
 .Sh SEE ALSO
 .Xr gnuplot 1 ,
 .Xr lua 1 ,
+.Xr sqlite3 1 ,
 .Xr readline 3
 .Rs
 .%A L. Mattei

@@ -1,6 +1,6 @@
 -- The paper's study: twenty cases and the trials of its convergence example, table and figures.
 --   archard scripts/study20.lua [--file F] [--workers N] [--figures DIR] [--converge]
---     [--shard I/N] [--merge F...]
+--     [--shard I/N] [--merge F...] [--no-figures] [--no-trials]
 -- Results are kept in the run file; a second start goes on where the first one ended. With --shard
 -- only that share is computed, and nothing drawn; --merge joins the files of the shares.
 
@@ -8,7 +8,8 @@ local usage = [[
 usage: archard study20.lua [options]
   --file FILE      run file of the twenty cases (study.archard, in build/ if there is one)
   --workers N      cases at the same time (as many as there are processors)
-  --figures DIR    draw the figures and index.html there
+  --figures DIR    where to draw the figures and index.html (figures, in build/ if there is one)
+  --no-figures     draw nothing
   --converge       find the best settings of every case, for Table 1
   --no-trials      leave out the runs of Figure 8
   --shard I/N      compute only the share I of N into the run file
@@ -20,15 +21,16 @@ local function stop(message)
 end
 
 -- In the source folder what is made goes to build/.
-local function usual_file()
+local function usual(name)
   local folder = io.open("build/archard")
-  if not folder then return "study.archard" end
+  if not folder then return name end
   folder:close()
-  return "build/study.archard"
+  return "build/" .. name
 end
 
 local function read_options(arguments)
-  local options, merged = { file = usual_file(), trials = true }, nil
+  local options, merged = { file = usual "study.archard", figures = usual "figures",
+    trials = true }, nil
   local i = 1
   while i <= #arguments do
     local word = arguments[i]
@@ -40,6 +42,8 @@ local function read_options(arguments)
       merged = {}
     elseif word == "--converge" then
       options.converge = true
+    elseif word == "--no-figures" then
+      options.figures = nil
     elseif word == "--no-trials" then
       options.trials = false
     elseif merged and not word:find("^%-") then
