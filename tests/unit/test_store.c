@@ -316,6 +316,137 @@ static void test_run_goes_on(void **state) {
   arc_model_release(&second_model);
 }
 
+/* Every kind of field: numbers, choices, series, blocks of loading. */
+static const double distances[3] = {0, 50, 100}, k_at[3] = {2e-8, 1e-8, 1.5e-8},
+                    alpha_at[2] = {0.25, 0.75};
+static const double to_and_fro[5] = {-0.05, 0, 0.05, 0, -0.05}, loads[5] = {80, 100, 0, 100, 90};
+static const arc_loading blocks[2] = {
+    {.count = 5, .x = to_and_fro, .load = loads, .cycles = 250.5, .periodic = 1},
+    {.count = 3, .x = to_and_fro + 1, .load = loads, .cycles = 1, .periodic = 0}};
+
+static arc_wear_def rich_definition(void) {
+  arc_wear_def def = arc_wear_default();
+  def.jump = 12.5;
+  def.distance = 0;
+  def.slip = ARC_SLIP_TOTAL;
+  def.rule = ARC_SIMPLE;
+  def.geometry = ARC_FROZEN;
+  def.refresh = 0.0;
+  def.law = ARC_LAW_POWER;
+  def.law_pressure = 100;
+  def.law_exponent = 0.5;
+  def.k_series = (arc_series){3, distances, k_at};
+  def.alpha_series = (arc_series){2, distances, alpha_at};
+  def.blocks = 2;
+  def.loading = blocks;
+  return def;
+}
+
+static void assert_same_definition(const arc_wear_def *a, const arc_wear_def *b) {
+  assert_true(a->k == b->k && a->alpha == b->alpha && a->load == b->load);
+  assert_true(a->distance == b->distance && a->jump == b->jump && a->refresh == b->refresh);
+  assert_int_equal(a->slip, b->slip);
+  assert_int_equal(a->rule, b->rule);
+  assert_int_equal(a->geometry, b->geometry);
+  assert_int_equal(a->scheme, b->scheme);
+  assert_int_equal(a->law, b->law);
+  assert_true(a->law_pressure == b->law_pressure && a->law_exponent == b->law_exponent);
+  assert_int_equal(a->k_series.count, b->k_series.count);
+  assert_memory_equal(a->k_series.distance, b->k_series.distance, sizeof distances);
+  assert_memory_equal(a->k_series.value, b->k_series.value, sizeof k_at);
+  assert_int_equal(a->alpha_series.count, b->alpha_series.count);
+  assert_memory_equal(a->alpha_series.value, b->alpha_series.value, sizeof alpha_at);
+  assert_int_equal(a->blocks, b->blocks);
+  for (int i = 0; i < a->blocks; i++) {
+    size_t size = (size_t)a->loading[i].count * sizeof(double);
+    assert_int_equal(a->loading[i].count, b->loading[i].count);
+    assert_int_equal(a->loading[i].periodic, b->loading[i].periodic);
+    assert_true(a->loading[i].cycles == b->loading[i].cycles);
+    assert_memory_equal(a->loading[i].x, b->loading[i].x, size);
+    assert_memory_equal(a->loading[i].load, b->loading[i].load, size);
+  }
+}
+
+static void test_definition(void **state) {
+  (void)state;
+  arc_error error = {0};
+  arc_model *model = coarse_model();
+  arc_wear_def def = rich_definition(), back;
+  arc_model_def model_back;
+  arc_wear *wear;
+  void *keep;
+  must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
+  must(arc_wear_step(wear, NULL, NULL, &error), &error);
+  save_as("definition", 1, wear);
+  arc_store *store = opened("definition", ARC_STORE_READ);
+  must(arc_store_definition(store, 1, &model_back, &back, &keep, &error), &error);
+  assert_same_definition(arc_wear_definition(wear), &back);
+  free(keep);
+  arc_store_close(&store);
+
+  arc_model *second_model;
+  arc_wear *again = restored("definition", 1, &second_model);
+  for (int i = 0; i < 3; i++) {
+    must(arc_wear_step(wear, NULL, NULL, &error), &error);
+    must(arc_wear_step(again, NULL, NULL, &error), &error);
+  }
+  assert_same_runs(wear, again);
+  arc_wear_destroy(&wear);
+  arc_wear_destroy(&again);
+  arc_model_release(&model);
+  arc_model_release(&second_model);
+}
+
+static arc_status ask(void *context, const arc_wear_record *record, double *value) {
+  (void)context;
+  (void)record;
+  *value = 1e-8;
+  return ARC_OK;
+}
+
+static void test_functions_refused(void **state) {
+  (void)state;
+  arc_error error = {0};
+  arc_model *model = coarse_model();
+  arc_wear_def def = arc_wear_default();
+  arc_wear *wear;
+  def.k_function = ask;
+  must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
+  arc_store *store = opened("function", ARC_STORE_CREATE);
+  must(arc_store_add(store, 1, "run", &error), &error);
+  assert_int_equal(arc_store_save(store, 1, wear, NULL, 0, &error), ARC_ARGUMENT);
+  assert_non_null(strstr(error.message, "'k': a function cannot be stored"));
+  arc_wear_record *history;
+  size_t count;
+  must(arc_store_history(store, 1, &history, &count, &error), &error);
+  assert_int_equal(count, 0);
+  free(history);
+  arc_store_close(&store);
+  arc_wear_destroy(&wear);
+  arc_model_release(&model);
+}
+
+static void test_unknown_fields(void **state) {
+  (void)state;
+  arc_error error = {0};
+  arc_store *store = opened("unknown", ARC_STORE_CREATE);
+  const arc_value bad[] = {{.kind = ARC_VALUE_NUMBER, .name = "colour", .number = 3},
+                           {.kind = ARC_VALUE_TEXT, .name = "scheme", .text = "magic"},
+                           {.kind = ARC_VALUE_TEXT, .name = "alpha", .text = "half"},
+                           {.kind = ARC_VALUE_NUMBER, .name = "loading.0.x", .number = 1}};
+  for (int i = 0; i < 4; i++) {
+    arc_model_def model;
+    arc_wear_def def;
+    void *keep;
+    must(arc_store_add(store, i + 1, "case", &error), &error);
+    must(arc_store_set_values(store, i + 1, ARC_DEFINITION, &bad[i], 1, &error), &error);
+    assert_int_equal(arc_store_definition(store, i + 1, &model, &def, &keep, &error), ARC_FORMAT);
+    assert_non_null(strstr(error.message, bad[i].name));
+    assert_null(keep);
+  }
+  arc_store_close(&store);
+}
+
 static void test_surfaces(void **state) {
   (void)state;
   arc_error error = {0};
@@ -607,12 +738,21 @@ static void test_merge(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_cases),         cmocka_unit_test(test_notes),
-      cmocka_unit_test(test_values),        cmocka_unit_test(test_transactions),
-      cmocka_unit_test(test_run_goes_on),   cmocka_unit_test(test_surfaces),
-      cmocka_unit_test(test_foreign_files), cmocka_unit_test(test_damaged_pages),
-      cmocka_unit_test(test_replace),       cmocka_unit_test(test_full_disk),
-      cmocka_unit_test(test_killed_writer), cmocka_unit_test(test_two_writers),
+      cmocka_unit_test(test_cases),
+      cmocka_unit_test(test_notes),
+      cmocka_unit_test(test_values),
+      cmocka_unit_test(test_transactions),
+      cmocka_unit_test(test_run_goes_on),
+      cmocka_unit_test(test_definition),
+      cmocka_unit_test(test_functions_refused),
+      cmocka_unit_test(test_unknown_fields),
+      cmocka_unit_test(test_surfaces),
+      cmocka_unit_test(test_foreign_files),
+      cmocka_unit_test(test_damaged_pages),
+      cmocka_unit_test(test_replace),
+      cmocka_unit_test(test_full_disk),
+      cmocka_unit_test(test_killed_writer),
+      cmocka_unit_test(test_two_writers),
       cmocka_unit_test(test_merge),
   };
   arc_single_threaded();
