@@ -313,7 +313,8 @@ return {
       .. "that was saved there before is replaced, anything else is refused." },
   { "wear.open", kind = "function", class = "wear", use = "w = wear.open(path, case)",
     text = "Reads a run that w:save wrote, or a case of a study by its number; it goes on to the "
-      .. "same numbers." },
+      .. "same numbers. Functions in its definition cannot be stored: give them again, "
+      .. "wear.open(path, { k = f })." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
     text = "Worn profile of a body: { x=, h=, y= } in mm; h is the wear depth, y the present height "

@@ -137,20 +137,28 @@ typedef struct arc_surface {
 
 /* Stores a run under a case that is there, in place of what was stored of it: definition, history,
  * state, its present surfaces, and `count` earlier surfaces. One transaction (its own, or the one
- * begun). A definition that holds a function cannot be stored: ARC_ARGUMENT, naming the field. */
+ * begun). Of a field that is a function only that is stored: it must be given again to go on. */
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
                           const arc_surface *surfaces, size_t count, arc_error *error);
 
-/* The definition of a stored run. The arrays it points to belong to *keep, to be freed with free().
- * ARC_ARGUMENT: nothing of this case is stored. ARC_FORMAT: a field or value this program does not
- * know. On failure *keep is NULL. */
-arc_status arc_store_definition(arc_store *store, int id, arc_model_def *model, arc_wear_def *def,
-                                void **keep, arc_error *error);
+/* The definition of a stored run. */
+typedef struct arc_stored_run {
+  arc_model_def model;
+  arc_wear_def def;   /* its functions are NULL */
+  char functions[64]; /* names of the fields that were functions, each followed by a blank */
+  void *memory;       /* the arrays `def` points to */
+} arc_stored_run;
 
-/* The run itself, on a model of the stored definition: goes on to the same bits as the run that was
- * stored. Errors: those of arc_store_definition and arc_wear_restore. */
-arc_status arc_store_restore(arc_store *store, int id, arc_model *model, arc_wear **wear,
-                             arc_error *error);
+/* Reads it. ARC_ARGUMENT: nothing of this case is stored. ARC_FORMAT: a field or value this program
+ * does not know. On failure there is nothing to free. */
+arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error);
+void arc_stored_run_free(arc_stored_run *run);
+
+/* The run itself, on a model of the stored definition, with `def` the stored one and its functions
+ * set: goes on to the same bits as the run that was stored. Errors: ARC_FORMAT (the state is not
+ * complete) and those of arc_wear_restore. */
+arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
+                             arc_wear **wear, arc_error *error);
 
 /* The stored history; *history [*count] is to be freed with free(). Count 0: nothing stored. */
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,

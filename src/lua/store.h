@@ -10,8 +10,9 @@ extern const box_class store_class; /* thing: arc_store */
 /* Pushes an empty box and opens a file into it. */
 arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const char *where);
 
-/* Pushes the wear object stored as case `id`. */
-void store_push_wear(lua_State *L, arc_store *store, int id, const char *where);
+/* Pushes the wear object stored as case `id`; the table at index `given` (0: none) holds the
+ * functions of its definition again. */
+void store_push_wear(lua_State *L, arc_store *store, int id, int given, const char *where);
 
 /* --- store_values.c: named values as Lua tables --- */
 

@@ -3,6 +3,7 @@
 #include "lua/error.h"
 #include "lua/store.h"
 #include "lua/wear.h"
+#include "lua/wear_functions.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -144,27 +145,90 @@ int store_surfaces(lua_State *L) {
 
 /* --- runs that go on -------------------------------------------------------------------------- */
 
-void store_push_wear(lua_State *L, arc_store *store, int id, const char *where) {
+static void free_stored(void *thing) {
+  arc_stored_run_free(thing);
+  free(thing);
+}
+
+static int stored_tostring(lua_State *L) {
+  lua_pushliteral(L, "a stored definition");
+  return 1;
+}
+
+/* thing: arc_stored_run; internal, so that what Lua raises leaks nothing */
+static const box_class stored_class = {
+    .name = "stored run", .tostring = stored_tostring, .destroy = free_stored};
+
+static arc_stored_run *push_stored(lua_State *L, arc_store *store, int id, const char *where) {
   arc_error error = {0};
-  arc_model_def model_def;
-  arc_wear_def def;
-  void *keep;
-  arc_status status = arc_store_definition(store, id, &model_def, &def, &keep, &error);
-  free(keep);
-  error_check(L, status, &error, where, -1);
-  arc_model *model = model_push(L, &model_def, where);
+  box *made = box_push(L, &stored_class);
+  arc_stored_run *run = made->thing = calloc(1, sizeof *run);
+  if (!run) error_raise(L, ARC_MEMORY, where, "out of memory");
+  error_check(L, arc_store_definition(store, id, run, &error), &error, where, -1);
+  return run;
+}
+
+static const args_field functions_again[] = {
+    {.name = "k", .kind = ARGS_ANY},
+    {.name = "alpha", .kind = ARGS_ANY},
+    {.name = "jump", .kind = ARGS_ANY},
+    {.name = "local_factor", .kind = ARGS_ANY},
+    {.name = NULL},
+};
+
+/* Whether a field is among names that are each followed by a blank. */
+static int is_named(const char *names, const char *field) {
+  size_t length = strlen(field);
+  while (*names) {
+    size_t here = strcspn(names, " ");
+    if (here == length && strncmp(names, field, length) == 0) return 1;
+    names += here + 1;
+  }
+  return 0;
+}
+
+/* The fields that were functions must be functions again, and no others. Pushes their holder, or
+ * nil. */
+static void push_functions(lua_State *L, arc_stored_run *run, int given, const char *where) {
+  args_place place = {where, ""};
+  if (given) args_check_names(L, given, place, functions_again);
+  for (const args_field *field = functions_again; field->name; field++) {
+    int was = is_named(run->functions, field->name);
+    int type = args_get(L, given ? given : lua_gettop(L), field->name);
+    if (was && type != LUA_TFUNCTION)
+      args_refuse(L, place, field->name, "the function again that it was when the run was saved");
+    if (!was && type != LUA_TNIL)
+      args_refuse(L, place, field->name, "nothing, as it was stored with the run");
+    lua_pop(L, 1);
+  }
+  lua_pushnil(L);
+  if (run->functions[0]) functions_read(L, given, 0, place, &run->def);
+}
+
+void store_push_wear(lua_State *L, arc_store *store, int id, int given, const char *where) {
+  arc_error error = {0};
+  luaL_checkstack(L, 12, where);
+  arc_stored_run *run = push_stored(L, store, id, where);
+  box *stored = box_test(L, -1, &stored_class);
+  push_functions(L, run, given, where);
+  int holder = lua_gettop(L);
+  arc_model *model = model_push(L, &run->model, where);
   arc_wear *wear = NULL;
   box *made = box_push(L, &wear_class);
   box_keep(L, -2);
-  status = arc_store_restore(store, id, model, &wear, &error);
+  lua_pushvalue(L, holder);
+  lua_setiuservalue(L, -2, RUN_FUNCTIONS);
+  arc_status status = arc_store_restore(store, id, model, &run->def, &wear, &error);
   made->thing = wear;
+  box_empty(stored, &stored_class);
   error_check(L, status, &error, where, -1);
   box_weigh(L, arc_wear_bytes(wear));
 }
 
-/* store:wear(id) -> a wear object */
+/* store:wear(id, functions) -> a wear object */
 int store_wear(lua_State *L) {
-  store_push_wear(L, self(L, "store:wear"), id_at(L, 2), "store:wear");
+  int given = lua_istable(L, 3) ? 3 : 0;
+  store_push_wear(L, self(L, "store:wear"), id_at(L, 2), given, "store:wear");
   return 1;
 }
 
@@ -205,14 +269,22 @@ static int only_case(lua_State *L, arc_store *store) {
               arc_store_path(store), (int)count);
 }
 
-/* wear.open(path, case) -> the stored run */
+/* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run; the case may be
+ * left out where there is but one, the table where nothing in the definition was a function */
 int wear_open(lua_State *L) {
   const char *path = luaL_checkstring(L, 1);
-  int id = (int)luaL_optinteger(L, 2, 0);
+  lua_settop(L, 3);
+  if (lua_istable(L, 2)) {
+    lua_replace(L, 3);
+    lua_pushnil(L);
+    lua_insert(L, 2);
+    lua_settop(L, 3);
+  }
+  int id = (int)luaL_optinteger(L, 2, 0), given = lua_istable(L, 3) ? 3 : 0;
   arc_store *store = store_push(L, path, ARC_STORE_READ, "wear.open");
   box *opened = box_test(L, -1, &store_class);
   if (id == 0) id = only_case(L, store);
-  store_push_wear(L, store, id, "wear.open");
+  store_push_wear(L, store, id, given, "wear.open");
   box_empty(opened, &store_class);
   return 1;
 }

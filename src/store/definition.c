@@ -105,20 +105,18 @@ static arc_value value_of(const field *f, whole_def *def) {
   return value;
 }
 
-static arc_status refuse_functions(const arc_wear_def *def, const char *path, arc_error *error) {
-  const char *name = def->k_function       ? "k"
-                     : def->alpha_function ? "alpha"
-                     : def->jump_function  ? "jump"
-                     : def->local_factor   ? "local_factor"
-                                           : NULL;
-  if (!name) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "field '%s': a function cannot be stored in %s; expected a number, a text or a "
-                  "table of numbers",
-                  name, path);
-}
+/* A field that is a function, and where the definition has it. */
+static const struct {
+  const char *field, *stored;
+} functions[] = {{"k", "k_function"},
+                 {"alpha", "alpha_function"},
+                 {"jump", "jump_function"},
+                 {"local_factor", "local_factor_function"}};
 
-/* The values under construction: room for all fields, two series and the loading's blocks. */
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
+
+/* The values under construction: room for all fields, functions, two series and the loading's
+ * blocks. */
 typedef struct value_list {
   arc_value *value;
   size_t count;
@@ -135,6 +133,16 @@ static void add_series(value_list *list, const char *distance, const char *value
   if (series->count <= 0) return;
   add_array(list, distance, series->distance, (size_t)series->count);
   add_array(list, value, series->value, (size_t)series->count);
+}
+
+/* Of a function only that it is one. */
+static void add_functions(value_list *list, const arc_wear_def *def) {
+  const int given[FUNCTIONS] = {def->k_function != NULL, def->alpha_function != NULL,
+                                def->jump_function != NULL, def->local_factor != NULL};
+  for (int i = 0; i < FUNCTIONS; i++)
+    if (given[i])
+      list->value[list->count++] =
+          (arc_value){.kind = ARC_VALUE_FLAG, .name = functions[i].stored, .number = 1};
 }
 
 static const char *block_name(value_list *list, int block, int which, const char *what) {
@@ -155,7 +163,7 @@ static void add_block(value_list *list, const arc_loading *block, int i) {
 
 static arc_status allocate_list(value_list *list, int blocks, arc_error *error) {
   size_t block_values = BLOCK_FIELDS * (size_t)blocks;
-  list->value = malloc((FIELDS + 4 + block_values) * sizeof *list->value);
+  list->value = malloc((FIELDS + FUNCTIONS + 4 + block_values) * sizeof *list->value);
   list->name = malloc((block_values + 1) * sizeof *list->name);
   list->count = 0;
   if (list->value && list->name) return ARC_OK;
@@ -164,12 +172,11 @@ static arc_status allocate_list(value_list *list, int blocks, arc_error *error) 
 
 arc_status definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error) {
   whole_def def = {*arc_wear_definition(wear), *arc_model_definition(arc_wear_model(wear))};
-  arc_status status = refuse_functions(&def.wear, store->path, error);
-  if (status != ARC_OK) return status;
   value_list list;
-  status = allocate_list(&list, def.wear.blocks, error);
+  arc_status status = allocate_list(&list, def.wear.blocks, error);
   if (status == ARC_OK) {
     for (size_t i = 0; i < FIELDS; i++) list.value[list.count++] = value_of(&fields[i], &def);
+    add_functions(&list, &def.wear);
     add_series(&list, "k_series.distance", "k_series.value", &def.wear.k_series);
     add_series(&list, "alpha_series.distance", "alpha_series.value", &def.wear.alpha_series);
     for (int i = 0; i < def.wear.blocks; i++) add_block(&list, &def.wear.loading[i], i);
@@ -186,6 +193,7 @@ arc_status definition_save(arc_store *store, int id, const arc_wear *wear, arc_e
 typedef struct reading {
   const char *path;
   whole_def def;
+  arc_stored_run *run;
   size_t seen, numbers; /* values; numbers in arrays */
   int blocks;
   arc_loading *loading; /* NULL while only counting */
@@ -282,11 +290,23 @@ static int read_loading(reading *r, const arc_value *value) {
   return 1;
 }
 
+/* Reads the mark of a function; 0: it is none. */
+static int read_function(reading *r, const arc_value *value) {
+  for (int i = 0; i < FUNCTIONS; i++) {
+    if (strcmp(functions[i].stored, value->name) != 0 || value->kind != ARC_VALUE_FLAG) continue;
+    if (r->loading) strcat(strcat(r->run->functions, functions[i].field), " ");
+    return 1;
+  }
+  return 0;
+}
+
 static int see(void *context, const arc_value *value) {
   reading *r = context;
   r->seen++;
   if (value->kind == ARC_VALUE_ARRAY) r->numbers += value->count;
-  if (read_field(r, value) || read_series(r, value) || read_loading(r, value)) return 0;
+  if (read_field(r, value) || read_function(r, value) || read_series(r, value) ||
+      read_loading(r, value))
+    return 0;
   return refuse_value(r, value);
 }
 
@@ -316,13 +336,13 @@ static arc_status check_blocks(const reading *r, arc_error *error) {
   return ARC_OK;
 }
 
-arc_status arc_store_definition(arc_store *store, int id, arc_model_def *model, arc_wear_def *def,
-                                void **keep, arc_error *error) {
+arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error) {
   reading r = {.path = store->path,
                .def = {arc_wear_default(), arc_model_default()},
+               .run = run,
                .error = error,
                .status = ARC_OK};
-  *keep = NULL;
+  *run = (arc_stored_run){.memory = NULL};
   arc_status status = read_twice(store, id, &r, error);
   if (status == ARC_OK) status = check_blocks(&r, error);
   if (status != ARC_OK) {
@@ -330,8 +350,13 @@ arc_status arc_store_definition(arc_store *store, int id, arc_model_def *model, 
     return status;
   }
   r.def.wear.loading = r.blocks > 0 ? r.loading : NULL;
-  *keep = r.loading;
-  *model = r.def.model;
-  *def = r.def.wear;
+  run->memory = r.loading;
+  run->model = r.def.model;
+  run->def = r.def.wear;
   return ARC_OK;
+}
+
+void arc_stored_run_free(arc_stored_run *run) {
+  free(run->memory);
+  *run = (arc_stored_run){.memory = NULL};
 }

@@ -289,21 +289,16 @@ static arc_status restore_shape(arc_store *store, int id, arc_model *model, cons
   return status;
 }
 
-arc_status arc_store_restore(arc_store *store, int id, arc_model *model, arc_wear **wear,
-                             arc_error *error) {
-  arc_model_def model_def;
-  arc_wear_def def;
-  void *keep = NULL;
+arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
+                             arc_wear **wear, arc_error *error) {
   arc_shape *shape = NULL;
   arc_wear_record *history = NULL;
   size_t count = 0;
   *wear = NULL;
-  arc_status status = arc_store_definition(store, id, &model_def, &def, &keep, error);
-  if (status == ARC_OK) status = restore_shape(store, id, model, &def, &shape, error);
+  arc_status status = restore_shape(store, id, model, def, &shape, error);
   if (status == ARC_OK) status = arc_store_history(store, id, &history, &count, error);
-  if (status == ARC_OK) status = arc_wear_restore(model, &def, shape, history, count, wear, error);
+  if (status == ARC_OK) status = arc_wear_restore(model, def, shape, history, count, wear, error);
   arc_shape_destroy(&shape);
   free(history);
-  free(keep);
   return status;
 }

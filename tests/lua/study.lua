@@ -166,6 +166,23 @@ opened:run()
 is(opened.p_center, w.p_center, "and it goes on to the same bits")
 opened:save(path "wear")
 is(wear.open(path "wear").distance, 220, "a saved run may be replaced")
+local function falling(state) return 1e-8 / (1 + state.distance / 500) end
+local f = wear{ geometry = "frozen", increments = 8, distance = 220, model = coarse.model, k = falling }
+f:step(3)
+f:save(path "function")
+fails(function() wear.open(path "function") end, { "'k'", "function again" },
+  "a function must be given again")
+fails(function() wear.open(path "function", { k = falling, alpha = falling }) end, "'alpha'",
+  "and no other")
+fails(function() wear.open(path "function", { kay = falling }) end, "'kay'", "nor an unknown one")
+local g = wear.open(path "function", { k = falling })
+f:run()
+g:run()
+is(g.depth.plate, f.depth.plate, "then it goes on to the same bits")
+fails(function() wear.open(path "wear", { k = falling }) end, "nothing",
+  "a run without functions takes none")
+fails(function() small{ vary = { k = { falling } } }:run{ file = path "x" } end, { "k", "function" },
+  "a study takes none")
 fails(function() w:save(path "one") end, "not replaced", "a study may not")
 fails(function() w:save(path "letter") end, "not a run file", "nor anything else")
 fails(function() w:save "/no/such/folder/w" end, "/no/such/folder/w", "a folder that is not there")

@@ -283,14 +283,12 @@ static void save_as(const char *name, int id, const arc_wear *wear) {
 static arc_wear *restored(const char *name, int id, arc_model **model) {
   arc_error error = {0};
   arc_store *store = opened(name, ARC_STORE_READ);
-  arc_model_def model_def;
-  arc_wear_def def;
+  arc_stored_run run;
   arc_wear *wear;
-  void *keep;
-  must(arc_store_definition(store, id, &model_def, &def, &keep, &error), &error);
-  must(arc_model_build(&model_def, model, &error), &error);
-  must(arc_store_restore(store, id, *model, &wear, &error), &error);
-  free(keep);
+  must(arc_store_definition(store, id, &run, &error), &error);
+  must(arc_model_build(&run.model, model, &error), &error);
+  must(arc_store_restore(store, id, *model, &run.def, &wear, &error), &error);
+  arc_stored_run_free(&run);
   arc_store_close(&store);
   return wear;
 }
@@ -371,17 +369,17 @@ static void test_definition(void **state) {
   (void)state;
   arc_error error = {0};
   arc_model *model = coarse_model();
-  arc_wear_def def = rich_definition(), back;
-  arc_model_def model_back;
+  arc_wear_def def = rich_definition();
+  arc_stored_run back;
   arc_wear *wear;
-  void *keep;
   must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
   must(arc_wear_step(wear, NULL, NULL, &error), &error);
   save_as("definition", 1, wear);
   arc_store *store = opened("definition", ARC_STORE_READ);
-  must(arc_store_definition(store, 1, &model_back, &back, &keep, &error), &error);
-  assert_same_definition(arc_wear_definition(wear), &back);
-  free(keep);
+  must(arc_store_definition(store, 1, &back, &error), &error);
+  assert_same_definition(arc_wear_definition(wear), &back.def);
+  assert_string_equal(back.functions, "");
+  arc_stored_run_free(&back);
   arc_store_close(&store);
 
   arc_model *second_model;
@@ -404,23 +402,23 @@ static arc_status ask(void *context, const arc_wear_record *record, double *valu
   return ARC_OK;
 }
 
-static void test_functions_refused(void **state) {
+/* Of functions a file knows that they were there. */
+static void test_functions(void **state) {
   (void)state;
   arc_error error = {0};
   arc_model *model = coarse_model();
   arc_wear_def def = arc_wear_default();
   arc_wear *wear;
   def.k_function = ask;
+  def.jump_function = ask;
   must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
-  arc_store *store = opened("function", ARC_STORE_CREATE);
-  must(arc_store_add(store, 1, "run", &error), &error);
-  assert_int_equal(arc_store_save(store, 1, wear, NULL, 0, &error), ARC_ARGUMENT);
-  assert_non_null(strstr(error.message, "'k': a function cannot be stored"));
-  arc_wear_record *history;
-  size_t count;
-  must(arc_store_history(store, 1, &history, &count, &error), &error);
-  assert_int_equal(count, 0);
-  free(history);
+  save_as("function", 1, wear);
+  arc_store *store = opened("function", ARC_STORE_READ);
+  arc_stored_run back;
+  must(arc_store_definition(store, 1, &back, &error), &error);
+  assert_string_equal(back.functions, "jump k ");
+  assert_null(back.def.k_function);
+  arc_stored_run_free(&back);
   arc_store_close(&store);
   arc_wear_destroy(&wear);
   arc_model_release(&model);
@@ -435,14 +433,12 @@ static void test_unknown_fields(void **state) {
                            {.kind = ARC_VALUE_TEXT, .name = "alpha", .text = "half"},
                            {.kind = ARC_VALUE_NUMBER, .name = "loading.0.x", .number = 1}};
   for (int i = 0; i < 4; i++) {
-    arc_model_def model;
-    arc_wear_def def;
-    void *keep;
+    arc_stored_run run;
     must(arc_store_add(store, i + 1, "case", &error), &error);
     must(arc_store_set_values(store, i + 1, ARC_DEFINITION, &bad[i], 1, &error), &error);
-    assert_int_equal(arc_store_definition(store, i + 1, &model, &def, &keep, &error), ARC_FORMAT);
+    assert_int_equal(arc_store_definition(store, i + 1, &run, &error), ARC_FORMAT);
     assert_non_null(strstr(error.message, bad[i].name));
-    assert_null(keep);
+    assert_null(run.memory);
   }
   arc_store_close(&store);
 }
@@ -477,9 +473,12 @@ static void test_surfaces(void **state) {
   must(arc_store_surfaces(store, 2, &surfaces, &count, &error), &error);
   assert_int_equal(count, 0);
   free(surfaces);
-  arc_wear *nothing;
-  assert_int_equal(arc_store_restore(store, 2, model, &nothing, &error), ARC_ARGUMENT);
-  assert_null(nothing);
+  arc_stored_run nothing;
+  assert_int_equal(arc_store_definition(store, 2, &nothing, &error), ARC_ARGUMENT);
+  arc_wear *none;
+  assert_int_equal(arc_store_restore(store, 2, model, arc_wear_definition(wear), &none, &error),
+                   ARC_FORMAT);
+  assert_null(none);
   arc_store_close(&store);
   arc_wear_destroy(&wear);
   arc_model_release(&model);
@@ -738,22 +737,14 @@ static void test_merge(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_cases),
-      cmocka_unit_test(test_notes),
-      cmocka_unit_test(test_values),
-      cmocka_unit_test(test_transactions),
-      cmocka_unit_test(test_run_goes_on),
-      cmocka_unit_test(test_definition),
-      cmocka_unit_test(test_functions_refused),
-      cmocka_unit_test(test_unknown_fields),
-      cmocka_unit_test(test_surfaces),
-      cmocka_unit_test(test_foreign_files),
-      cmocka_unit_test(test_damaged_pages),
-      cmocka_unit_test(test_replace),
-      cmocka_unit_test(test_full_disk),
-      cmocka_unit_test(test_killed_writer),
-      cmocka_unit_test(test_two_writers),
-      cmocka_unit_test(test_merge),
+      cmocka_unit_test(test_cases),         cmocka_unit_test(test_notes),
+      cmocka_unit_test(test_values),        cmocka_unit_test(test_transactions),
+      cmocka_unit_test(test_run_goes_on),   cmocka_unit_test(test_definition),
+      cmocka_unit_test(test_functions),     cmocka_unit_test(test_unknown_fields),
+      cmocka_unit_test(test_surfaces),      cmocka_unit_test(test_foreign_files),
+      cmocka_unit_test(test_damaged_pages), cmocka_unit_test(test_replace),
+      cmocka_unit_test(test_full_disk),     cmocka_unit_test(test_killed_writer),
+      cmocka_unit_test(test_two_writers),   cmocka_unit_test(test_merge),
   };
   arc_single_threaded();
   return cmocka_run_group_tests(tests, make_folder, remove_folder);
