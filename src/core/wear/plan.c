@@ -130,7 +130,7 @@ arc_status wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved
   double jump;
   if ((status = choose_jump(w, plan->block, &jump, error)) != ARC_OK) return status;
   const int to_end = left <= jump * (1 + whole);
-  plan->cycles = plan->times = to_end ? left : jump;
+  plan->cycles = plan->times = left < jump * (1 - whole) ? left : jump;
   plan->end = to_end ? end : now->distance + plan->cycles * plan->block->sliding;
   return ARC_OK;
 }
