@@ -260,8 +260,8 @@ return {
       .. "the node's own position in mm, p its pressure in MPa; the result is 0 or above. Nodes "
       .. "without pressure are not asked: they do not wear. It is called at every increment." },
   { "wear{local_factor.vector}", type = "function(body, xs, ps, state)",
-    text = "The same for all nodes in one call, which is cheaper: xs and ps are lists, the result is "
-      .. "the list of factors." },
+    text = "The same for all nodes under pressure in one call, for factors that hang together: xs and "
+      .. "ps are lists, the result is the list of factors, and may be ps itself." },
   { "wear{worn}", type = "wear, or table { cylinder=, plate= }", class = "wear",
     text = "Shape to start from, as in contact{worn}." },
   { "wear{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",

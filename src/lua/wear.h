@@ -36,10 +36,12 @@ arc_wear_def wear_request_settle(const wear_request *request, const arc_model_de
 
 /* --- wear_loading.c: the field `loading` --- */
 
-/* Reads it from the table at `index` into the definition, whose load is that of the run; without a
- * field load the largest of the loading becomes the nominal one. Returns whether there is one;
- * leaves what holds its numbers on the stack. */
+/* Reads it from the table at `index` into the definition, whose load stands where a block gives
+ * none. Returns whether there is one; leaves what holds its numbers on the stack. */
 int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def);
+
+/* The largest load of all blocks [N]. */
+double loading_largest(const arc_wear_def *def);
 
 /* Pushes the list of sampled blocks. */
 void loading_push(lua_State *L, const arc_wear_def *def);

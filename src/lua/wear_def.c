@@ -203,6 +203,14 @@ static int given(lua_State *L, int index, const char *name) {
   return type != LUA_TNIL;
 }
 
+/* What follows from new loading. A new run's nominal load is the largest, unless it is given. */
+static void settle_loading(lua_State *L, int index, args_place place, wear_request *request,
+                           int changed) {
+  share_cycles(L, place, request, given(L, index, "distance"));
+  const double largest = loading_largest(&request->def);
+  if (!changed && !given(L, index, "load") && largest > 0) request->def.load = largest;
+}
+
 wear_request wear_request_read(lua_State *L, int index, int changed) {
   args_place place = {changed ? "wear:set" : "wear", ""};
   luaL_checkstack(L, 30, "wear");
@@ -216,7 +224,7 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
   push_series(L, index, place, "alpha", &request.def.alpha_series);
   if (given(L, index, "stroke")) request.def.blocks = 0;
   if (loading_read(L, index, place, &request.def))
-    share_cycles(L, place, &request, given(L, index, "distance"));
+    settle_loading(L, index, place, &request, changed);
   else if (request.cycles > 0 && request.def.blocks > 0)
     error_raise(L, ARC_ARGUMENT, place.where,
                 "field 'cycles': a run with loading takes a distance");

@@ -118,7 +118,9 @@ static int each_node(lua_State *L) {
 /* Pushes the values at the nodes under pressure. */
 static void push_loaded(lua_State *L, const local_call *call, const double *values) {
   lua_Integer count = 0;
-  lua_createtable(L, 32, 0);
+  int loaded = 0;
+  for (int i = 0; i < call->n; i++) loaded += call->p[i] > 0;
+  lua_createtable(L, loaded, 0);
   for (int i = 0; i < call->n; i++) {
     if (!(call->p[i] > 0)) continue;
     lua_pushnumber(L, values[i]);

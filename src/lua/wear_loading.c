@@ -184,7 +184,7 @@ static int is_list(lua_State *L, int index) {
   return list;
 }
 
-static double largest_load(const arc_wear_def *def) {
+double loading_largest(const arc_wear_def *def) {
   double largest = 0;
   for (int b = 0; b < def->blocks; b++)
     for (int i = 0; i < def->loading[b].count; i++)
@@ -216,9 +216,6 @@ int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def) {
   }
   def->blocks = (int)count;
   def->loading = blocks;
-  if (args_get(L, index, "load") == LUA_TNIL && largest_load(def) > 0)
-    def->load = largest_load(def);
-  lua_pop(L, 1);
   return 1;
 }
 

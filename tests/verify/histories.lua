@@ -1,0 +1,178 @@
+-- Histories against what is known of them: k and alpha in time by the product k_c d alone (flat plate),
+-- volumes by the integral of k L, and inputs that mean the same by the same bits.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, about, below, ok = figures.within, figures.about, figures.below, figures.ok
+
+local p_h = hertz{}.p_max
+
+-- k_c d [mm2/N mm], centre pressure / p_H, depth [um]; flat plate, any way to get there
+local rows = {
+  { 1.1e-6, 0.7222, 0.5498 }, { 3.3e-6, 0.5048, 1.3195 },
+  { 6.6e-6, 0.3962, 2.1816 }, { 1.32e-5, 0.3132, 3.5407 },
+}
+
+local function check(w, row, what)
+  what = ("%s, k_c d = %g"):format(what, row[1])
+  within(w.p_center / p_h, row[2], 0.01, what .. ": centre pressure / p_H")
+  within(1000 * w.depth.cylinder, row[3], 3e-3, what .. ": depth [um]")
+end
+
+local function same_bits(a, b, what)
+  local same = a.p_center == b.p_center and a.volume.total == b.volume.total
+  for _, body in ipairs{ "cylinder", "plate" } do
+    local left, right = a:profile(body).h, b:profile(body).h
+    same = same and #left == #right
+    for i, h in ipairs(left) do same = same and h == right[i] end
+  end
+  return ok(same, what .. ": the same bits")
+end
+
+-- k in time ------------------------------------------------------------------------------------------
+
+-- A ramp from 0: k = 2e-8 d / 1320, so that k_c d is 1e-8 d^2 / 1320.
+local ramps = {
+  { "a ramp of k by a table", { distance = { 0, 1320 }, value = { 0, 2e-8 } } },
+  { "a ramp of k by a function", function(s) return 2e-8 * s.distance / 1320 end },
+}
+for _, ramp in ipairs(ramps) do
+  local w = wear{ alpha = 1, k = ramp[2], jump = 5 }
+  for _, row in ipairs(rows) do
+    w:run{ distance = math.sqrt(row[1] * 1320 / 1e-8) }
+    check(w, row, ramp[1])
+    within(w.volume.total, row[1] * 100, 1e-9, ramp[1] .. ": volume [mm3]")
+  end
+end
+
+-- A coefficient that depends on what is worn: dV/dd = k0 (1 - V / V1) L has the closed form
+-- V = V1 (1 - exp(-k0 L d / V1)). Middle of the update: the error falls with the square of the step.
+local last
+for _, jump in ipairs{ 200, 100, 50 } do
+  local v1 = 1e-3
+  local w = wear{ jump = jump, k = function(s) return 1e-8 * (1 - s.volume.total / v1) end, scheme = "implicit" }:run()
+  local off = math.abs(w.volume.total / (v1 * (1 - math.exp(-1e-8 * 100 * 1320 / v1))) - 1)
+  below(off, 1e-3, ("k that falls with the volume, jump = %d: volume off by"):format(jump))
+  if last then about(math.log(last / off, 2), 2, 0.1, "of the order") end
+  last = off
+end
+
+-- alpha in time --------------------------------------------------------------------------------------
+
+-- Switched from 1 to 0.25 at 440 mm, a stroke over the whole plate: k_c d is 1e-8 d, then 0.25e-8 d more.
+local switched = wear{ stroke = 20, jump = 0.1, alpha = function(s) return s.distance < 440 and 1 or 0.25 end,
+  distance = 3960 }
+switched:run{ distance = 330 }
+check(switched, rows[2], "alpha switched, before")
+switched:run{ distance = 440 + (rows[3][1] - 4.4e-6) / 0.25e-8 }
+check(switched, rows[3], "alpha switched, after")
+switched:run()
+check(switched, rows[4], "alpha switched, later")
+within(switched.volume.cylinder, 1.32e-3, 1e-9, "alpha switched: volume of the cylinder [mm3]")
+within(switched.volume.plate, 0.75e-6 * 3520, 1e-9, "alpha switched: volume of the plate [mm3]")
+
+-- By w:set, by a function and by tables with a step: where updates end at the switch, all one.
+local function step_at(s) return s.distance < 440 and 0.25 or 0.75 end
+local by_function = wear{ alpha = step_at }:run()
+local by_set = wear{ alpha = 0.25 }:run{ distance = 440 }:set{ alpha = 0.75 }:run()
+same_bits(by_function, by_set, "alpha switched by a function and by set")
+within(by_set.volume.cylinder, 1e-6 * (0.25 * 440 + 0.75 * 880), 1e-9, "its volume of the cylinder [mm3]")
+local by_worn = wear{ alpha = 0.75, worn = wear{ alpha = 0.25 }:run{ distance = 440 }, distance = 880 }:run()
+ok(by_worn.p_center == by_set.p_center and by_worn.depth.plate == by_set.depth.plate,
+  "alpha switched by set and by a new run that starts worn: the same bits")
+
+-- load and motion over the cycle ---------------------------------------------------------------------
+
+local function triangle(t) return 0.055 * (4 * math.abs(t - 0.5) - 1) end
+local function saw(t) return 100 + 60 * math.sin(2 * math.pi * t) end
+
+-- The reciprocating stroke, written as a loading.
+local plain = wear{}:run()
+local written = wear{ loading = { x = triangle } }:run()
+within(written.depth.cylinder, plain.depth.cylinder, 1e-6, "a stroke as a loading: depth of the cylinder [mm]")
+within(written.depth.plate, plain.depth.plate, 1e-6, "a stroke as a loading: depth of the plate [mm]")
+within(written.p_center, plain.p_center, 1e-6, "a stroke as a loading: centre pressure [MPa]")
+
+-- Volume: k times the sum of load and motion, in each increment the mean of its ends (Eq. 4).
+local function integral(block)
+  local sum = 0
+  for i = 2, #block.x do
+    sum = sum + (block.load[i] + block.load[i - 1]) / 2 * math.abs(block.x[i] - block.x[i - 1])
+  end
+  return sum
+end
+for _, scheme in ipairs{ "explicit", "implicit" } do
+  local w = wear{ loading = { x = triangle, load = saw, increments = 60 }, cycles = 2000, scheme = scheme }:run()
+  within(w.volume.total, 1e-8 * 2000 * integral(w.loading[1]), 1e-9, "load over the cycle, " .. scheme .. ": volume [mm3]")
+  within(w.volume.cylinder, w.volume.total / 2, 1e-9, "its half, alpha = 0.5")
+  -- the load is 100 + 60 on the way out, 100 - 60 on the way back: mirrored, it is the same history backwards
+  local mirrored = wear{ loading = { x = function(t) return -triangle(t) end, load = saw, increments = 60 },
+    cycles = 2000, scheme = scheme }:run()
+  local h, g, worst = w:profile("plate").h, mirrored:profile("plate").h, 0
+  for i, depth in ipairs(h) do worst = math.max(worst, math.abs(depth - g[#g + 1 - i])) end
+  below(worst / w.depth.plate, 1e-9, "mirrored, " .. scheme .. ": profiles differ by")
+end
+
+-- Functions, the same sampled as lists, with times and without.
+local t, x, load = {}, {}, {}
+for i = 0, 50 do t[i + 1], x[i + 1], load[i + 1] = i / 50, triangle(i / 50), saw(i / 50) end
+local by_functions = wear{ loading = { x = triangle, load = saw, increments = 50 }, cycles = 1000 }:run()
+same_bits(by_functions, wear{ loading = { x = x, load = load }, cycles = 1000 }:run(), "functions and lists")
+same_bits(by_functions, wear{ loading = { t = t, x = x, load = load }, cycles = 1000 }:run(), "functions and timed lists")
+
+-- Lifted off on the way back, on a flat plate: half the distance wears.
+local lifted = wear{ alpha = 1, jump = 5, distance = 2640,
+  loading = { x = triangle, load = function(at) return at < 0.5 and 100 or 0 end } }
+for _, row in ipairs(rows) do
+  -- Eq. (4) takes the mean over the increment at whose end the load is gone, half of it: 49.5 of 100
+  lifted:run{ distance = row[1] / 1e-8 / 0.495 }
+  check(lifted, row, "lifted off on the way back")
+end
+
+-- blocks -----------------------------------------------------------------------------------------------
+
+local first = { x = triangle, load = 120, cycles = 1500, increments = 40 }
+local second = { x = function(at) return 1.6 * triangle(at) end, load = saw, cycles = 700, increments = 60 }
+local bodies = model{ mesh = { zone = { cylinder = 1, plate = 1.4 } } }
+local function blocks(loading, more)
+  local fields = { model = bodies, load = 100, loading = loading }
+  for name, value in pairs(more or {}) do fields[name] = value end
+  return wear(fields)
+end
+local both = blocks({ first, second }):run()
+same_bits(both, blocks({ first }):run():set{ loading = { second } }:run(), "two blocks, and set between them")
+local apart = blocks({ second }, { worn = blocks({ first }):run() }):run()
+ok(apart.depth.cylinder == both.depth.cylinder and apart.p_center == both.p_center,
+  "two blocks, and a second run that starts worn: the same bits")
+within(both.volume.total, 1e-8 * (1500 * integral(both.loading[1]) + 700 * integral(both.loading[2])), 1e-9,
+  "two blocks: volume [mm3]")
+ok(both.cycle == 2200, "two blocks: cycles")
+
+-- updates at every increment ---------------------------------------------------------------------------
+
+local wave = { t = {}, x = {}, load = {} }
+for i = 0, 20 * 50 do
+  wave.x[i + 1], wave.load[i + 1] = triangle(i % 50 / 50), saw(i % 50 / 50)
+end
+wave.t = nil
+wave.periodic = false
+local generic = wear{ k = 1e-6, loading = wave, load = 100 }:run()
+local continuous = wear{ k = 1e-6, load = 100, loading = { x = triangle, load = saw, increments = 50, cycles = 20 },
+  update = "increment", jump = 1 }:run()
+ok(generic.update == 1000 and continuous.update == 1000, "20 cycles of 50 increments: 1000 updates both ways")
+within(generic.volume.total, 1e-6 * 20 * integral(continuous.loading[1]), 1e-9, "one generic history: volume [mm3]")
+within(continuous.volume.total, generic.volume.total, 1e-6, "quasi-continuous: volume [mm3]")
+for _, body in ipairs{ "cylinder", "plate" } do
+  within(generic.depth[body], continuous.depth[body], 5e-4, "depth of the " .. body .. " [mm]")
+end
+within(generic.p_center, continuous.p_center, 2e-3, "centre pressure [MPa]")
+
+-- local factors ------------------------------------------------------------------------------------------
+
+-- A power of the pressure, as a law and as a factor.
+local law = wear{ law = "power", law_pressure = 300, law_exponent = 0.5, distance = 440 }:run()
+local factor = wear{ local_factor = function(_, _, p) return (p / 300) ^ 0.5 end, distance = 440 }:run()
+within(factor.depth.cylinder, law.depth.cylinder, 1e-12, "a power law by its name and by a factor: depth [mm]")
+-- A factor of each body is a k of each body.
+local bodies_factor = wear{ alpha = 0.5, distance = 440,
+  local_factor = function(body) return body == "plate" and 0.5 or 1.5 end }:run()
+local by_alpha = wear{ alpha = 0.75, distance = 440 }:run()
+within(bodies_factor.depth.plate, by_alpha.depth.plate, 1e-9, "factors of the bodies against alpha: depth [mm]")
