@@ -1,0 +1,95 @@
+-- Steps that choose themselves: implicit updates with a tolerance, and automatic explicit ones.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, below, ok = figures.within, figures.below, figures.ok
+
+local function run(fields) return wear(fields):run() end
+local function roughest(w) return math.max(w:roughness("cylinder"), w:roughness("plate")) end
+
+local function asymmetry(w)
+  return math.max(figures.asymmetry(w:profile("cylinder").h), figures.asymmetry(w:profile("plate").h))
+end
+
+local function depths(w, true_depth, share, what)
+  for _, body in ipairs{ "cylinder", "plate" } do
+    if true_depth[body] == 0 then
+      ok(w.depth[body] == 0, what .. ": no wear of the " .. body)
+    else
+      within(1000 * w.depth[body], 1000 * true_depth[body], share, ("%s: depth of the %s [um]"):format(what, body))
+    end
+  end
+end
+
+-- What explicit updates tend to as they get shorter: twice the finer minus the coarser.
+local function extrapolated(fields, jump)
+  local depth = {}
+  for i, part in ipairs{ 5, 10 } do
+    fields.jump = jump / part
+    depth[i] = run(fields).depth
+  end
+  return { cylinder = 2 * depth[2].cylinder - depth[1].cylinder, plate = 2 * depth[2].plate - depth[1].plate }
+end
+
+-- Implicit: the error is held, with few steps -----------------------------------------------------------
+
+local cases = { -- stroke, alpha, N-bar of Table 1, most steps
+  { 0.11, 0.5, 100, 25 }, { 0.22, 0.25, 40, 25 }, { 0.44, 0.75, 20, 25 }, { 20, 0.5, 1, 25 },
+}
+for _, case in ipairs(cases) do
+  local stroke, alpha, jump, most = table.unpack(case)
+  local what = ("s = %g, alpha = %g, tolerance = 1e-3"):format(stroke, alpha)
+  local true_depth = extrapolated({ stroke = stroke, alpha = alpha }, jump)
+  local w = run{ stroke = stroke, alpha = alpha, scheme = "implicit", tolerance = 1e-3 }
+  depths(w, true_depth, 1e-3, what)
+  below(w.update, most + 1, what .. ": steps")
+  within(w.volume.total, 1.32e-3, 1e-9, what .. ": volume [mm3]")
+  below(roughest(w), 5e-4, what .. ": roughness")
+  below(asymmetry(w), 1e-9, what .. ": asymmetry")
+end
+
+-- Both orders tend to the same, at their rate.
+local fine = run{ scheme = "implicit", jump = 12.5 }
+for order = 1, 2 do
+  local off = {}
+  for i, jump in ipairs{ 400, 200 } do
+    local w = run{ scheme = "implicit", order = order, jump = jump }
+    off[i] = math.abs(w.depth.cylinder / fine.depth.cylinder - 1)
+  end
+  figures.above(off[1] / off[2], order == 1 and 1.7 or 2.5, ("order %d: the error falls with half the step by"):format(order))
+  below(off[2], order == 1 and 2e-3 or 5e-5, ("order %d, N-bar = 200: depth off by"):format(order))
+end
+
+-- Functions of the state are part of the error that is held: running-in.
+local function running_in(s) return 1e-8 * (1 + 4 * math.exp(-s.distance / 100)) end
+local exact = 1e-6 * (1320 + 400 * (1 - math.exp(-13.2)))
+local w = run{ k = running_in, scheme = "implicit", tolerance = 1e-3 }
+within(w.volume.total, exact, 1e-3, "running-in k, tolerance = 1e-3: volume [mm3]")
+below(w.update, 60, "running-in k: steps")
+-- the tolerance is that of a step: errors of one sign add up
+within(run{ k = running_in, scheme = "implicit", tolerance = 1e-4 }.volume.total, exact, 3e-4,
+  "running-in k, tolerance = 1e-4: volume [mm3]")
+
+-- Implicit: nothing grows where explicit updates fail -------------------------------------------------------
+
+for _, jump in ipairs{ 200, 300, 1000 } do
+  for _, order in ipairs{ 1, 2 } do
+    w = run{ jump = jump, scheme = "implicit", order = order }
+    below(roughest(w), 5e-4, ("N-bar = %d, implicit of order %d: roughness"):format(jump, order))
+    below(asymmetry(w), 1e-9, ("N-bar = %d, implicit of order %d: asymmetry"):format(jump, order))
+  end
+end
+local calm = roughest(run{ jump = 100 })
+figures.above(roughest(run{ jump = 300 }) / calm, 100, "N-bar = 300, explicit: times as rough as at 100")
+
+-- Automatic explicit updates: no number set by hand ------------------------------------------------------------
+
+for _, stroke in ipairs{ 0.11, 0.22, 0.44, 20 } do
+  for _, alpha in ipairs{ 0, 0.25, 0.5, 0.75, 1 } do
+    local what = ("auto, s = %g, alpha = %g"):format(stroke, alpha)
+    local auto = run{ stroke = stroke, alpha = alpha, jump = "auto" }
+    local true_depth = run{ stroke = stroke, alpha = alpha, scheme = "implicit", tolerance = 1e-4 }.depth
+    depths(auto, true_depth, 5e-3, what)
+    below(roughest(auto), 5e-4, what .. ": roughness")
+    below(asymmetry(auto), 1e-9, what .. ": asymmetry")
+    within(auto.volume.total, 1.32e-3, 1e-9, what .. ": volume [mm3]")
+  end
+end
