@@ -9,11 +9,11 @@ local where = "calibrate"
 
 local pair = { expected = "a table { cylinder=, plate= } of numbers or lists of numbers",
   test = function(v) return type(v) == "table" end }
-local tolerance = { expected = "a number > 0 and < 1", test = function(v)
+local accuracy = { expected = "a number > 0 and < 1", test = function(v)
   return type(v) == "number" and v > 0 and v < 1
 end }
 local fields = { volume = pair, depth = pair, load = check.positive, distance = check.positive,
-  tolerance = tolerance }
+  accuracy = accuracy }
 -- Fields of wear{} that a search by depth may have.
 for name in ("model k stroke jump increments cycles scheme procedure slip geometry refresh rule")
   :gmatch("%S+") do
@@ -92,7 +92,7 @@ end
 
 -- --- from depths ---------------------------------------------------------------------------------
 
-local not_of_wear = { volume = true, depth = true, tolerance = true }
+local not_of_wear = { volume = true, depth = true, accuracy = true }
 
 -- The simulated alpha-tilde at the end, for an alpha.
 local function simulated(given, alpha)
@@ -136,7 +136,7 @@ local function from_depths(given)
   if c + p <= 0 then
     check.fail(where, "field 'depth': expected wear of at least one body, got none")
   end
-  local wanted, room = c / (c + p), given.tolerance or 1e-4
+  local wanted, room = c / (c + p), given.accuracy or 1e-4
   local alpha, sum, runs = search(given, wanted, room)
   local spread = spread_of_share(c, p, deviation(cylinder), deviation(plate))
   local result = { alpha = alpha, depth_partition = wanted, runs = runs, simulated_depth = sum,

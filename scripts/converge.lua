@@ -60,6 +60,14 @@ local function find_mesh(flat, options)
   return found
 end
 
+local function refuse_loading(flat)
+  for name in pairs(flat) do
+    if name:find("^loading") then
+      check.fail(where, "field 'loading': only reciprocating cases are searched; give a stroke")
+    end
+  end
+end
+
 local function with_mesh(flat, mesh, limits)
   local copy = {}
   for name, value in pairs(flat) do copy[name] = value end
@@ -192,6 +200,7 @@ end
 -- (study module, study object or table of fields, options) -> { mesh=, cases= }
 return function(study, given, options)
   local flat, read_options, name = read(study, given, options)
+  for _, case in ipairs(flat) do refuse_loading(case) end
   local limits = pick(read_options, limit_fields)
   local mesh = read_options.mesh ~= false and find_mesh(flat[1], read_options) or nil
   local wanted = {}

@@ -129,7 +129,7 @@ return {
     text = "Largest wear depths, likewise." },
   { "calibrate{load}", type = "number", unit = "N", text = "Load of the test." },
   { "calibrate{distance}", type = "number", unit = "mm", text = "Travelled distance of the test." },
-  { "calibrate{tolerance}", type = "number", default = 1e-4,
+  { "calibrate{accuracy}", type = "number", default = 1e-4,
     text = "How near the simulated alpha-tilde must come." },
   { "calibrate{model}", class = "model", text = "As in wear{}; for depths, like all below." },
   { "calibrate{k}", type = "number", unit = "mm2/N", text = "As in wear{}." },

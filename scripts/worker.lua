@@ -31,7 +31,7 @@ local function compute(given, count, on_progress)
   local run = wear(given)
   local list, next_look, total = {}, 0, run.total_distance
   local function look_on()
-    if next_look < count and run.distance >= next_look / count * total and not run.done then
+    if total > 0 and next_look < count and run.distance >= next_look / count * total and not run.done then
       look(run, list)
       next_look = math.floor(run.distance / total * count) + 1
     end

@@ -49,6 +49,9 @@ is(c:table_1(), nil, "no Table 1 of other cases")
 os.remove(file)
 fails(function() study.converge{ bas = {} } end, "did you mean 'base'", "a misspelt field")
 fails(function() study.converge(3) end, "expected a study or a table", "no table")
+fails(function()
+  study.converge{ base = { loading = { x = { 0, 0.1, 0 }, load = { 1, 1, 1 }, cycles = 9 } } }
+end, "loading", "a loading history")
 fails(function() study.converge{ smooth = 2 } end, "smooth", "a limit out of range")
 
 -- The paper's table, from results as they might be.
@@ -84,7 +87,7 @@ end
 local truth = wear(with{ alpha = 0.3 })
 truth:run()
 local back = calibrate(with{ depth = { cylinder = truth.depth.cylinder, plate = truth.depth.plate },
-  tolerance = 1e-6 })
+  accuracy = 1e-6 })
 near(back.alpha, 0.3, 1e-4, "the alpha of a simulation comes back from its depths")
 near(back.simulated_depth, back.measured_depth, 1e-4, "and so do its depths")
 ok(back.runs < 12, "in few runs: " .. back.runs)

@@ -128,6 +128,17 @@ is(cases[1].status .. cases[2].status .. cases[3].status, "donefaileddone", "the
 holds(cases[2].message, "alpha", "the message is stored")
 is(study.open(path "bad"):cases()[2].status, "failed", "study.open")
 
+-- Histories and series are settings as any other.
+local blocks = study{ looks = 0, base = { geometry = "frozen", jump = 50, model = coarse.model,
+  loading = { { x = { -0.05, 0.05, -0.05 }, load = { 80, 100, 80 }, cycles = 200 },
+    { x = { -0.1, 0, 0.1, 0, -0.1 }, load = { 90, 90, 90, 90, 90 }, cycles = 100 } } },
+  vary = { k = { { distance = { 0, 40 }, value = { 2e-8, 1e-8 } }, { distance = { 0, 40 },
+    value = { 1e-8, 2e-8 } } } } }:run{ file = path "blocks", progress = false }
+is(#blocks.failed, 0, "blocks of loading and coefficients by distance run")
+local block_run = wear(blocks:cases()[2].settings)
+block_run:run()
+is(blocks:cases()[2].depth.plate, block_run.depth.plate, "to the same bits as alone")
+
 -- --- shares ------------------------------------------------------------------------------------
 for i = 1, 3 do
   new_study():run{ workers = 1, file = path("share" .. i), shard = i .. "/3", progress = false }
