@@ -55,8 +55,7 @@ end, "loading", "a loading history")
 fails(function() study.converge{ smooth = 2 } end, "smooth", "a limit out of range")
 
 -- The paper's table, from results as they might be.
-local rows = { setmetatable({}, {}) }
-rows = {}
+local rows = {}
 for i, case in ipairs(study.paper():cases()) do
   rows[i] = { settings = case.settings, found = { jump = i, increments = 16, capped = i == 4 } }
 end

@@ -1,7 +1,7 @@
 -- Studies: settings, running, resuming, shares, tables, what cases tell; wear:save and wear.open.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
-local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+local is, near, fails, holds = tap.is, tap.near, tap.fails, tap.holds
 
 local folder = os.tmpname()
 os.remove(folder)
