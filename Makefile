@@ -145,7 +145,7 @@ lint:
 	@clang-format --dry-run --Werror $(c_files)
 	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --error-exitcode=1 --suppress=missingIncludeSystem -Iinclude -Isrc src
-	@shellcheck -S warning scripts/setup tests/run .ci/run tests/tap.bash \
+	@shellcheck -S warning scripts/setup scripts/slurm/study.sbatch scripts/slurm/parallel tests/run .ci/run tests/tap.bash \
 	  $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 	@mandoc -T lint -W warning man/*.1
 
