@@ -82,13 +82,27 @@ static int wear_clone(lua_State *L) {
   return 1;
 }
 
+/* What the request has kept of the run's own arrays, taken from the run as it is now: functions
+ * that were called on the way may have changed it. */
+static void keep_arrays(arc_wear_def *def, const arc_wear_def *before, const arc_wear_def *now) {
+  if (def->k_series.distance == before->k_series.distance) def->k_series = now->k_series;
+  if (def->alpha_series.distance == before->alpha_series.distance)
+    def->alpha_series = now->alpha_series;
+  if (def->loading != before->loading || def->blocks == 0) return;
+  def->loading = now->loading;
+  def->blocks = now->blocks;
+}
+
 /* wear:set{ load=, alpha=, ... } -> the object itself; what is not given stays as it is */
 static int wear_set(lua_State *L) {
   static const char where[] = "wear:set";
   arc_error error = {0};
   lua_settop(L, 2);
   box *made = box_self_idle(L, &wear_class, where);
+  const arc_wear_def before = *arc_wear_definition(made->thing);
   wear_request request = wear_request_read(L, 2, 1);
+  made = box_self_idle(L, &wear_class, where);
+  keep_arrays(&request.def, &before, arc_wear_definition(made->thing));
   arc_wear_def def =
       wear_request_settle(&request, arc_model_definition(arc_wear_model(made->thing)));
   functions_call call = functions_enter(L, request.functions, made);

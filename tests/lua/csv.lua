@@ -1,0 +1,53 @@
+-- csv.read: separators, quotes, names, numbers, and what it refuses.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local is, near, fails = tap.is, tap.near, tap.fails
+
+local path = os.tmpname()
+local function file(text)
+  local f = assert(io.open(path, "wb"))
+  f:write(text)
+  f:close()
+  return path
+end
+
+local t = csv.read(file "t,x,load\n0,-0.05,100\n1,5e-2,120\n")
+is(#t.t, 2, "two rows")
+is(t.x[1], -0.05, "a number")
+is(t.x[2], 0.05, "with an exponent")
+is(t.load[2], 120, "the last column")
+t = csv.read(file "\xEF\xBB\xBFt [s];x\r\n# measured\r\n\r\n 0,5 ; 1 \r\n1;-2,25")
+is(t["t [s]"][1], 0.5, "semicolons, decimal commas, blanks, a mark at the start, no end of line")
+is(t.x[2], -2.25, "a number with both")
+is(#t.x, 2, "comments and empty lines are left out")
+t = csv.read(file 'name\tcycles\n"a ""b"",\tc"\t3\nd\t4\n')
+is(t.name[1], 'a "b",\tc', "tabs, quotes")
+is(t.name[2], "d", "text")
+is(t.cycles[2], 4, "beside numbers")
+t = csv.read(file "time,position\n0,1\n1,2\n", { t = "time", x = 2 })
+is(t.t[2], 1, "a column by its name")
+is(t.x[1], 1, "and by its number")
+is(t.time, nil, "only those that are asked for")
+
+-- what it is for
+local w = wear{ loading = csv.read(file "t,x,load\n0,-0.05,100\n3,0.05,50\n4,-0.05,100\n"), cycles = 3 }
+is(w.loading[1].load[2], 50, "a file as a loading")
+near(w.total_distance, 0.6, 1e-12, "its distance")
+
+local function refused(text, parts, what) fails(function() csv.read(file(text)) end, parts, what) end
+refused("", "the file is empty", "nothing in it")
+refused("\n# only this\n", "the file is empty", "only comments")
+refused("1,2\n3,4\n", { ":1: expected a line of names first, got the number 1" }, "no names")
+refused("a,a\n1,2\n", { ":1: column 2: expected a name of its own, got \"a\"" }, "a name twice")
+refused("a,\n1,2\n", "column 2: expected a name of its own", "no name")
+refused("a,b\n1,2\n3\n", { ":3: expected 2 cells, got 1" }, "a short line")
+refused("a,b\n1,2\n3,x\n", { ":3: column \"b\": expected a number, got \"x\"" }, "a text among numbers")
+refused("a,b\n1,2\n3,\n", { "column \"b\": expected a number, got \"\"" }, "an empty cell")
+refused("a,b\n1,2\n3,0x10\n", "expected a number, got \"0x10\"", "a hexadecimal")
+fails(function() csv.read(file "a,b\n1,2\n", { t = "c" }) end, "no column \"c\"; there are a, b", "an unknown column")
+fails(function() csv.read(file "a,b\n1,2\n", { t = 3 }) end, "no column 3", "an unknown number")
+os.remove(path)
+fails(function() csv.read(path) end, { "csv.read: ", "No such file" }, "no file")
+fails(function() csv.read("/") end, { "csv.read: ", "directory" }, "a folder")
+fails(function() csv.read(3) end, "expected the path of a file, got number", "no path")
+fails(function() csv.read(path, "x") end, "expected a table { name = column, ... }, got string", "no choice")
