@@ -94,6 +94,8 @@ local function follow(address, path)
   for name in (path or ""):gmatch("[^.]+") do
     rest = rest == "" and name or rest .. "." .. name
     local entry = entries[("%s{%s}"):format(at, rest)]
+    local taken = not entry and entries[at] and entries[at].takes
+    if taken then at, entry = taken, entries[("%s{%s}"):format(taken, rest)] end
     local other = entry and (entry.takes or entry.class)
     if other and #help.definition(at, rest) == 0 then at, rest = other, "" end
   end

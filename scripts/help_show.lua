@@ -109,12 +109,15 @@ Describe     material{}  hertz{}  model{}
 Contact      c = contact{ load=100 }   c.p_max  c:pressure("plate")  c:stress()
 Wear         w = wear{ alpha=0.5 }        w:step()  w:step(10)  w:run()
   look       w  w.history  w:profile("plate")  w:pressure("cylinder")
+  until      w:run{ depth={ plate=1e-3 } }   w:run{ stop_when=f }
+  change     w:set{ load=200, alpha=0.3 }
+  in time    wear{ k=function(state) ... end }   wear{ loading={ x=..., load=... } }
   keep       w:clone()  w:save("run.archard")  wear.open("run.archard")
 Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
              plot.mesh(m)  plot.stress(c)  plot{ {x=..., y=...} }
 Many cases   study{ base=..., vary=... }  study.paper()  study.converge{}
 Measured     calibrate{ volume={...}, load=100, distance=1320 }
-Files        export.csv(w, "w.csv")  export.vtk(c, "c.vtk")
+Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtk")
              export.inp(m, "m.inp")
 
 help(wear) explains an object, help(w.step) a method, help "jump" a name.
