@@ -111,7 +111,7 @@ Wear         w = wear{ alpha=0.5 }        w:step()  w:step(10)  w:run()
   look       w  w.history  w:profile("plate")  w:pressure("cylinder")
   until      w:run{ depth={ plate=1e-3 } }   w:run{ stop_when=f }
   change     w:set{ load=200, alpha=0.3 }
-  in time    wear{ k=function(state) ... end }   wear{ loading={ x=..., load=... } }
+  in time    wear{ k=function(state) ... end }  wear{ loading={ x=f, load=g } }
   keep       w:clone()  w:save("run.archard")  wear.open("run.archard")
 Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
              plot.mesh(m)  plot.stress(c)  plot{ {x=..., y=...} }
