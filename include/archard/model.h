@@ -44,7 +44,8 @@ arc_status arc_hertz_solve(double radius, double thickness, double load,
                            const arc_material material[ARC_BODIES], arc_hertz *hertz,
                            arc_error *error);
 
-/* Opaque, reference counted, immutable after arc_model_build. */
+/* Opaque, reference counted, unchanged after arc_model_build; not for two threads at once (stress
+ * fields share the factor's workspace). */
 typedef struct arc_model arc_model;
 
 /* Meshes, assembles, factorises and condenses both bodies. Errors: those of arc_mesh_build,
@@ -62,9 +63,9 @@ size_t arc_model_bytes(const arc_model *model);
 /* Seconds arc_model_build took. */
 double arc_model_seconds(const arc_model *model);
 
-/* The narrowest zones (full widths, by body) [mm], never under the mesh defaults, that hold wear of
- * load [N] over plate positions |x| <= reach [mm], contacts up to half_width [mm] wide on either
- * side of the cylinder's axis. */
-void arc_zone_for(double reach, double half_width, double zone[ARC_BODIES]);
+/* Zones (full widths, by body) [mm] that hold contacts up to half_width [mm] wide on either side of
+ * the cylinder's axis, over plate positions |x| <= reach [mm]. Never under 50 and 60 elements of
+ * `size` [mm]: at the default size these are the default zones. */
+void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]);
 
 #endif

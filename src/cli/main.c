@@ -141,12 +141,22 @@ static run_status run_command(lua_State *L, const command *self) {
   return status;
 }
 
+/* warn() of Lua and of the binding, on standard error; "@..." are controls of Lua's own. */
+static void print_warning(void *ignored, const char *message, int to_be_continued) {
+  static int continued = 0;
+  (void)ignored;
+  if (!continued && !to_be_continued && message[0] == '@') return;
+  fprintf(stderr, "%s%s%s", continued ? "" : "archard: warning: ", message,
+          to_be_continued ? "" : "\n");
+  continued = to_be_continued;
+}
+
 /* Everything that may raise an error of Lua's happens in here. */
 static int session(lua_State *L) {
   const command *self = lua_touserdata(L, 1);
   luaL_checkversion(L);
   luaL_openlibs(L);
-  lua_warning(L, "@on", 0);
+  lua_setwarnf(L, print_warning, NULL);
   interrupt_install(L);
   signals_install(0);
   set_arg_table(L, self);

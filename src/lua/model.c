@@ -160,20 +160,19 @@ static int model_new(lua_State *L) {
 /* --- as an argument -------------------------------------------------------------------------- */
 
 /* Rounded up, so that runs that differ a little share a model. */
-static double rounded_zone(double needed, double radius) {
-  const double unit = 0.2;
+static double rounded_zone(double needed, const arc_model_def *def) {
+  const double unit = 10 * def->mesh.size;
   double rounded = ceil(needed / unit - 1e-9) * unit;
-  return rounded < radius ? rounded : needed;
+  return rounded < def->radius ? rounded : needed;
 }
 
-static void widen_zones(lua_State *L, model_request *request, const char *where, zones_fn zones,
-                        const void *asker) {
+static void suit_zones(lua_State *L, model_request *request, const char *where, zones_fn zones,
+                       const void *asker) {
   double needed[ARC_BODIES], *zone = request->def.mesh.zone;
   arc_error error = {0};
   error_check(L, zones(asker, &request->def, needed, &error), &error, where, -1);
   for (int body = 0; body < ARC_BODIES; body++)
-    if (!request->zone[body] && needed[body] > zone[body])
-      zone[body] = rounded_zone(needed[body], request->def.radius);
+    if (!request->zone[body]) zone[body] = rounded_zone(needed[body], &request->def);
 }
 
 arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zones,
@@ -187,7 +186,7 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zo
   if (other) request.def = *other;
   args_read(L, -1, (args_place){where, "model."}, definition, &request);
   lua_pop(L, 1);
-  widen_zones(L, &request, where, zones, asker);
+  suit_zones(L, &request, where, zones, asker);
   return model_push(L, &request.def, where);
 }
 

@@ -5,9 +5,29 @@
 #include "lua/wear_functions.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static lua_Number next_update(const arc_wear *wear) {
   return (lua_Number)arc_wear_last(wear)->update + 1;
+}
+
+/* --- what explicit runs should know ---------------------------------------------------------- */
+
+/* Warns where a fixed explicit jump is past the stability limit: its ripples grow until the results
+ * mean nothing. Stands between functions_enter and functions_leave. */
+static void warn_unstable(lua_State *L, arc_wear *wear) {
+  const arc_wear_def *def = arc_wear_definition(wear);
+  double eigenvalue;
+  if (def->scheme != ARC_EXPLICIT || def->jump_auto || def->jump_function) return;
+  if (arc_wear_last(wear)->distance >= def->distance) return;
+  if (arc_wear_stability(wear, &eigenvalue, NULL) != ARC_OK) return; /* the step will tell */
+  if (def->jump * eigenvalue <= 2) return;
+  char text[200];
+  snprintf(text, sizeof text,
+           "jump = %g cycles is past the stability limit of %.0f: ripples will grow; use jump = "
+           "\"auto\" or scheme = \"implicit\"",
+           def->jump, floor(2 / eigenvalue));
+  lua_warning(L, text, 0);
 }
 
 /* --- step ------------------------------------------------------------------------------------ */
@@ -39,6 +59,7 @@ static void step_once(lua_State *L, box *made, const char *where) {
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   functions_call call = functions_enter(L, lua_gettop(L), made);
   made->busy = RUN_BUSY;
+  if (arc_wear_last(wear)->update == 0) warn_unstable(L, wear);
   arc_status status = arc_wear_step(wear, interrupt_pending, NULL, &error);
   made->busy = RUN_IDLE;
   functions_leave(L, &call, where);
@@ -167,6 +188,7 @@ int wear_run(lua_State *L) {
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   functions_call functions = functions_enter(L, lua_gettop(L), made);
   made->busy = RUN_BUSY;
+  warn_unstable(L, wear);
   arc_status status = arc_wear_run_until(wear, goals.distance, goals.target, goals.count,
                                          interrupt_pending, after_step, &call, &reached, &error);
   made->busy = RUN_IDLE;

@@ -112,7 +112,7 @@ static int advance(pose *p, double load, double *f, double *fs) {
   double step = 1;
   int blocking = -1;
   for (int s = 0; s < p->active; s++) {
-    if (fs[s] > 0) continue;
+    if (fs[s] > 0 || fs[s] == f[p->set[s]]) continue;
     const double share = f[p->set[s]] / (f[p->set[s]] - fs[s]);
     if (share < step || blocking < 0) step = share, blocking = s;
   }

@@ -114,7 +114,9 @@ static void box_node_at(const shape_side *side, const double *surface_xy, int k,
   const arc_mesh *mesh = side->body->mesh;
   const int column = k / (mesh->rows + 1), row = k % (mesh->rows + 1);
   const double *top = &mesh->xy[2 * mesh->surface_node[column]];
-  const double share = (double)(mesh->rows - row) / mesh->rows;
+  /* far elements share the nodes at the box's sides, and stay as they are: so do these */
+  const int side_column = column == 0 || column == side->n - 1;
+  const double share = side_column ? 0 : (double)(mesh->rows - row) / mesh->rows;
   for (int d = 0; d < 2; d++)
     xy[d] = mesh->xy[2 * mesh->box_node[k] + d] + share * (surface_xy[2 * column + d] - top[d]);
 }
@@ -191,6 +193,14 @@ static int refresh_is_due(const arc_shape *shape, const shape_side *side, const 
   return 0;
 }
 
+static int is_unworn(const shape_side *side) {
+  const arc_mesh *mesh = side->body->mesh;
+  for (int i = 0; i < side->n; i++)
+    if (memcmp(&side->xy[2 * i], &mesh->xy[2 * mesh->surface_node[i]], 2 * sizeof(double)))
+      return 0;
+  return 1;
+}
+
 static arc_status condense(const shape_side *side, const double *xy, compliance *result,
                            arc_error *error) {
   double *box = malloc(2 * (size_t)side->body->box_count * sizeof *box);
@@ -236,6 +246,33 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
   }
   free(xy);
   return status;
+}
+
+/* The compliance of one side as a geometry wants it, into *renewed (n = 0: the unworn one). */
+static arc_status compliance_for(const shape_side *side, arc_geometry geometry, compliance *renewed,
+                                 arc_error *error) {
+  *renewed = (compliance){0};
+  if (geometry == ARC_FROZEN || is_unworn(side)) return ARC_OK;
+  const arc_status status = check_box(side, side->xy, error);
+  return status == ARC_OK ? condense(side, side->xy, renewed, error) : status;
+}
+
+arc_status shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
+                              arc_error *error) {
+  compliance renewed[ARC_BODIES] = {{0}};
+  arc_status status = ARC_OK;
+  if (geometry != shape->geometry) {
+    for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+      status = compliance_for(&shape->side[b], geometry, &renewed[b], error);
+    if (status != ARC_OK) {
+      for (int b = 0; b < ARC_BODIES; b++) compliance_free(&renewed[b]);
+      return status;
+    }
+    for (int b = 0; b < ARC_BODIES; b++) settle(shape, &shape->side[b], renewed[b]);
+  }
+  shape->geometry = geometry;
+  shape->refresh = refresh;
+  return ARC_OK;
 }
 
 void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth) {

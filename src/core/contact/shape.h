@@ -38,6 +38,11 @@ void shape_downward(const arc_shape *shape, arc_body body, double *down);
 /* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n]. */
 void shape_box(const shape_side *side, const double *surface_xy, double *box_xy);
 
+/* Goes on with another geometry: frozen takes the unworn compliance, moving that of the present
+ * nodes. On failure the shape is as it was. */
+arc_status shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
+                              arc_error *error);
+
 /* Bytes of one shape. */
 size_t shape_bytes(const arc_shape *shape);
 

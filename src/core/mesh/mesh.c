@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* A finer mesh than this is a mistake, not a wish. */
-enum { most_elements = 4000000 };
+enum { most_elements = 1000000 };
 
 const char *arc_body_name(arc_body body) {
   return body == ARC_CYLINDER ? "cylinder" : "plate";

@@ -129,6 +129,12 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
     return arc_fail(error, ARC_ARGUMENT,
                     "stroke: expected at most the plate's width 2 radius = %g mm, got %g mm",
                     2 * model->radius, d->stroke);
+  const double widest = 1.5 * model->radius; /* the mesher's widest zone less a contact */
+  if (d->blocks == 0 && d->stroke > widest && wear_choose_procedure(d, model) == ARC_SP)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "stroke: a sliding plate (SP) takes at most 1.5 radius = %g mm, got %g mm; 2 "
+                    "radius = %g mm is the half-reciprocating stroke over the whole plate (NSP)",
+                    widest, d->stroke, 2 * model->radius);
   if (d->procedure == ARC_NSP && !alpha_stays_one(d) && !wear_over_plate(d, model))
     return arc_fail(
         error, ARC_ARGUMENT,
@@ -225,11 +231,11 @@ void wear_def_free(arc_wear_def *def) {
 /* Room for the edge peaks of worn contacts, in half widths. */
 static const double contact_room = 1.3;
 
-void arc_zone_for(double reach, double half_width, double zone[ARC_BODIES]) {
+void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
   const arc_mesh_def usual = arc_mesh_default();
-  const double contact = contact_room * half_width;
-  zone[ARC_CYLINDER] = fmax(usual.zone[ARC_CYLINDER], 2 * contact);
-  zone[ARC_PLATE] = fmax(usual.zone[ARC_PLATE], 2 * (reach + contact));
+  const double contact = contact_room * half_width, scale = size / usual.size;
+  zone[ARC_CYLINDER] = fmax(scale * usual.zone[ARC_CYLINDER], 2 * contact);
+  zone[ARC_PLATE] = fmax(scale * usual.zone[ARC_PLATE], 2 * (reach + contact));
 }
 
 /* Travelled distance of the whole run [mm]; blocks of loading may be all that tells. */
@@ -269,5 +275,5 @@ void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double 
       if (slides) reach = fmax(reach, fabs(def->loading[b].x[i]));
       load = fmax(load, def->loading[b].load[i]);
     }
-  arc_zone_for(reach, widest_contact(def, model, load), zone);
+  arc_zone_for(reach, widest_contact(def, model, load), model->mesh.size, zone);
 }

@@ -114,11 +114,9 @@ static arc_status start_shape(arc_model *model, const arc_wear_def *def, const a
   *shape = NULL;
   if (arc_shape_model(start) != model)
     return arc_fail(error, ARC_ARGUMENT, "worn: the starting shape belongs to another model");
-  const arc_status status = arc_shape_clone(start, shape, error);
-  if (status == ARC_OK) {
-    (*shape)->geometry = def->geometry;
-    (*shape)->refresh = def->refresh;
-  }
+  arc_status status = arc_shape_clone(start, shape, error);
+  if (status == ARC_OK) status = shape_set_geometry(*shape, def->geometry, def->refresh, error);
+  if (status != ARC_OK) arc_shape_destroy(shape);
   return status;
 }
 
