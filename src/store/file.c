@@ -146,6 +146,16 @@ static arc_status create(arc_store *store, arc_error *error) {
   return status == ARC_OK ? database_open(store->path, 1, 0, &store->db, error) : status;
 }
 
+/* A reader opens for writing too where it may: what a killed program left in mid-change can only be
+ * put right that way. It writes nothing of its own. */
+static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error *error) {
+  int writable = mode != ARC_STORE_READ || access(store->path, W_OK) == 0;
+  arc_status status = database_open(store->path, writable, 0, &store->db, error);
+  if (status == ARC_OK && mode == ARC_STORE_READ)
+    status = database_run(store->db, "PRAGMA query_only = ON", error);
+  return status;
+}
+
 arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **result,
                           arc_error *error) {
   *result = NULL;
@@ -156,8 +166,7 @@ arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **res
     status = create(store, error);
   } else {
     status = check_file(path, error);
-    if (status == ARC_OK)
-      status = database_open(path, mode != ARC_STORE_READ, 0, &store->db, error);
+    if (status == ARC_OK) status = open_existing(store, mode, error);
   }
   if (status != ARC_OK) arc_store_close(&store);
   *result = store;
