@@ -90,4 +90,6 @@ end
 io.write("archard bench: CPU time, one thread\n")
 measure(0.020, 1, { moving = "10", frozen = "2" })
 studies()
+io.write("\n10000 cycles of 100 increments, an update at every increment, geometry frozen\n")
+require "archard.million"(line)
 if (arg and arg[1]) ~= "quick" then measure(0.010, 2) end
