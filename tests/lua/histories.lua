@@ -174,6 +174,11 @@ fails(function() run_of{ local_factor = { vektor = print } } end, "did you mean 
 fails(function() run_of{ local_factor = 3 } end,
   "field 'local_factor': expected a function(body, x, p, state) or { vector = function }, got 3", "a number")
 
+fails(function() run_of{ law = "threshold", scheme = "implicit", tolerance = 1e-3 } end,
+  "no step is short enough for law", "a law that jumps, with a tolerance")
+near(run_of{ law = "threshold", law_pressure = 300, scheme = "implicit", distance = 440, increments = 20 }:run().distance,
+  440, 1e-12, "without one it falls back on explicit steps where it must")
+
 -- loading ------------------------------------------------------------------------------------------
 
 local function position(t) return 0.055 * math.cos(2 * math.pi * t) end

@@ -114,6 +114,10 @@ static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
     return arc_fail(error, ARC_ARGUMENT, "tolerance: expected from 0 to 1, got %g", d->tolerance);
   if (d->tolerance > 0 && d->scheme != ARC_IMPLICIT)
     return arc_fail(error, ARC_ARGUMENT, "tolerance: needs scheme = \"implicit\"");
+  if (d->tolerance > 0 && d->law == ARC_LAW_THRESHOLD)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "tolerance: no step is short enough for law = \"threshold\", which jumps; use "
+                    "scheme = \"explicit\" with jump = \"auto\"");
   if (d->order != 1 && d->order != 2)
     return arc_fail(error, ARC_ARGUMENT, "order: expected 1 or 2, got %d", d->order);
   if (d->jump_auto && d->scheme == ARC_IMPLICIT)

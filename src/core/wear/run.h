@@ -156,6 +156,7 @@ typedef struct wear_plan {
   double times;  /* what the wear of the window counts: cycles, or the share of an increment */
   double end;    /* distance at which the step ends [mm] */
   int first;     /* generic history: the increment */
+  int explicit;  /* although the scheme is implicit */
   wear_monitor *monitor;
 } wear_plan;
 

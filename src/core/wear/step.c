@@ -97,12 +97,13 @@ static arc_status apply(arc_wear *w, arc_shape *next, double even, arc_wear_reco
 
 /* One update over a window of the path, on w->next. */
 static arc_status update(arc_wear *w, const wear_window *window, double cycles,
-                         const double k[ARC_BODIES], const wear_monitor *m, arc_wear_record *record,
+                         const double k[ARC_BODIES], const wear_plan *plan, arc_wear_record *record,
                          arc_error *error) {
+  const wear_monitor *m = plan->monitor;
   int solutions = 0;
   arc_status status;
   double even;
-  if (w->def.scheme == ARC_IMPLICIT) {
+  if (w->def.scheme == ARC_IMPLICIT && !plan->explicit) {
     status = wear_implicit(w, w->next, window, cycles, k, m->stop, m->context, &solutions,
                            &record->error, error);
     even = wears_evenly(w) ? cycles * k[ARC_PLATE] * w->rate.even : 0;
@@ -135,8 +136,7 @@ static arc_status quasi_continuous(arc_wear *w, const wear_plan *plan, arc_wear_
     double k[ARC_BODIES];
     arc_status status = wear_coefficients(w, start + gone, start + gone + part, &middle, k, error);
     const wear_window window = {.first = i, .last = i + 1, .chained = i > 0, .state = &middle};
-    if (status == ARC_OK)
-      status = update(w, &window, plan->cycles, k, plan->monitor, record, error);
+    if (status == ARC_OK) status = update(w, &window, plan->cycles, k, plan, record, error);
     if (status != ARC_OK) return status;
     gone += part;
     record->distance = start + gone;
@@ -166,9 +166,9 @@ static arc_status whole_update(arc_wear *w, const wear_plan *plan, arc_wear_reco
   wear_note_coefficients(k, record);
   if (wear_closed_form(w)) return closed_form_update(w, plan->cycles, k, record, error);
   /* the explicit rate at the start serves twice, unless local factors see the middle */
-  if (rated && w->def.scheme == ARC_EXPLICIT && !w->def.local_factor)
+  if (rated && (w->def.scheme == ARC_EXPLICIT || plan->explicit) && !w->def.local_factor)
     return apply(w, w->next, depths_of_rate(w, plan->times, k), record, error);
-  return update(w, &window, plan->times, k, plan->monitor, record, error);
+  return update(w, &window, plan->times, k, plan, record, error);
 }
 
 /* --- all of it or nothing --- */
@@ -224,20 +224,38 @@ static void shorten(const arc_wear *w, wear_plan *plan, double cycles) {
   plan->cycles = cycles;
 }
 
+/* A law with a jump in it may have no implicit solution for any step: then the plan is an explicit
+ * one, at half the length at which ripples would grow. */
+static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, arc_error *error) {
+  double eigenvalue;
+  const arc_status status = arc_wear_stability(w, &eigenvalue, error);
+  plan->explicit = 1;
+  if (status == ARC_OK && plan->block->periodic && eigenvalue * plan->cycles > 1)
+    shorten(w, plan, 1 / eigenvalue);
+  return status;
+}
+
 /* Implicit steps that do not converge, or err too much, are cut and tried again. */
 static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, arc_wear_record *record,
                                     arc_error *error) {
-  enum { most_cuts = 20 };
+  enum { most_cuts = 20, most_failures = 3, patience = 6 };
+  const wear_plan whole_plan = *plan;
+  int failures = 0;
   const double power = w->def.order == 1 ? 0.5 : 1.0 / 3;
   for (int cut = 0;; cut++) {
-    const arc_status status = attempt(w, plan, record, error);
+    arc_status status = attempt(w, plan, record, error);
     if (w->def.scheme != ARC_IMPLICIT || cut == most_cuts) return status;
-    if (status == ARC_NOT_CONVERGED)
+    if (status == ARC_OK && record->error <= 1) return status;
+    if (status != ARC_OK && status != ARC_NOT_CONVERGED) return status;
+    failures += status == ARC_NOT_CONVERGED;
+    if (!plan->explicit && (failures == most_failures || cut == patience)) {
+      *plan = whole_plan;
+      if ((status = give_up_implicit(w, plan, error)) != ARC_OK) return status;
+    } else if (status == ARC_NOT_CONVERGED) {
       shorten(w, plan, plan->cycles / 4);
-    else if (status == ARC_OK && record->error > 1)
+    } else {
       shorten(w, plan, plan->cycles * fmax(0.1, 0.8 * pow(record->error, -power)));
-    else
-      return status;
+    }
   }
 }
 
