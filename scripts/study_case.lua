@@ -159,7 +159,9 @@ function case.__index(self, name)
     value = self.last and self.last[name]
   else
     value = rawget(self, "settings")[name]
-    if value == nil and type(name) == "string" then value = self.definition[name] end
+    if value == nil and type(name) == "string" and rawget(self, "study").file then
+      value = self.definition[name]
+    end
   end
   if value ~= nil and self.status == "done" then rawset(self, name, value) end
   return value

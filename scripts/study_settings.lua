@@ -53,18 +53,25 @@ end
 -- { model = { radius = 8 } } -> { ["model.radius"] = 8 }
 function settings.flatten(where, given) return flatten(where, {}, "", given) end
 
--- The way back. Parts of names that are whole numbers become list positions.
+-- The table and the key in it that "model.mesh.size" stands for. Parts of names that are whole
+-- numbers are list positions.
+function settings.place(nested, name)
+  local at, last = nested, nil
+  for part in name:gmatch("[^.]+") do
+    if last ~= nil then
+      if type(at[last]) ~= "table" then at[last] = {} end
+      at = at[last]
+    end
+    last = math.tointeger(tonumber(part)) or part
+  end
+  return at, last
+end
+
+-- The way back.
 function settings.nest(flat)
   local nested = {}
   for name, value in pairs(flat) do
-    local at, last = nested, nil
-    for part in name:gmatch("[^.]+") do
-      if last ~= nil then
-        at[last] = at[last] or {}
-        at = at[last]
-      end
-      last = math.tointeger(tonumber(part)) or part
-    end
+    local at, last = settings.place(nested, name)
     at[last] = value
   end
   return nested
@@ -113,11 +120,37 @@ function settings.grid(where, vary)
   return cases
 end
 
+local function is_fields(value)
+  return type(value) == "table" and value[1] == nil and next(value) ~= nil
+end
+
+local function sorted_names(given)
+  local names = {}
+  for name in pairs(given) do names[#names + 1] = name end
+  table.sort(names, function(a, b) return tostring(a) < tostring(b) end)
+  return names
+end
+
+-- Tables of fields are joined field by field; what is a list, or a number on one of both sides,
+-- is replaced as a whole. A name with points reaches into what is there.
+local function lay_over(where, base, over)
+  for _, name in ipairs(sorted_names(over)) do
+    local at, last = settings.place(base, tostring(name))
+    local value = over[name]
+    if is_fields(at[last]) and is_fields(value) then
+      lay_over(where, at[last], value)
+    else
+      at[last] = settings.nest(settings.flatten(where, { value = value })).value
+    end
+  end
+end
+
 -- Flat settings of `over` before those of `base`.
 function settings.join(where, base, over)
-  local joined = settings.flatten(where, base)
-  for name, value in pairs(settings.flatten(where, over)) do joined[name] = value end
-  return joined
+  settings.flatten(where, over) -- names what is wrong by its full name
+  local joined = settings.nest(settings.flatten(where, base))
+  lay_over(where, joined, over)
+  return settings.flatten(where, joined)
 end
 
 -- --- comparing and naming ----------------------------------------------------------------------

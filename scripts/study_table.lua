@@ -8,9 +8,12 @@ local tables = {}
 
 -- --- columns -------------------------------------------------------------------------------------
 
+-- The last row of a case that is done; nil for others.
+local function last_of(case) return case.status == "done" and case.last or nil end
+
 local function of_last(name, factor)
   return function(case)
-    local last = case.status == "done" and case.last
+    local last = last_of(case)
     return last and last[name] * (factor or 1)
   end
 end
@@ -24,7 +27,7 @@ local measured = {
   { "depth_cylinder", "um", "%.4f", of_last("depth_cylinder", 1e3) },
   { "depth_plate", "um", "%.4f", of_last("depth_plate", 1e3) },
   { "volume", "mm3", "%.4e", function(case)
-    local last = case.status == "done" and case.last
+    local last = last_of(case)
     return last and last.volume_cylinder + last.volume_plate
   end },
   { "alpha_tilde", "", "%.4f", of_last "depth_partition" },

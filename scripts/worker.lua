@@ -8,7 +8,11 @@ local term = require "archard.term"
 
 local pause = 0.2 -- seconds between two words on progress
 
-local function one_line(value) return (tostring(value):gsub("%s+", " "):sub(1, 480)) end
+-- Where in this file it went wrong says nothing to the user.
+local function one_line(value)
+  if type(value) == "table" then value.position = nil end
+  return (tostring(value):gsub("%s+", " "):sub(1, 480))
+end
 
 local function say(...)
   io.write(table.concat({ ... }, " "), "\n")

@@ -6,6 +6,7 @@
 #include <lauxlib.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const char kind[] = "archard.error";
 
@@ -45,6 +46,17 @@ static void set_text(lua_State *L, const char *name, const char *text) {
   lua_setfield(L, -2, name);
 }
 
+/* Pushes "file:line: " of the caller outside the program's own scripts; of the first caller, if all
+ * of them look like those. */
+static void push_position(lua_State *L) {
+  lua_Debug frame;
+  int level = 1;
+  while (lua_getstack(L, level, &frame) && lua_getinfo(L, "S", &frame) &&
+         (strncmp(frame.source, "@scripts/", 9) == 0 || frame.source[0] == '='))
+    level++;
+  luaL_where(L, lua_getstack(L, level, &frame) ? level : 1);
+}
+
 /* Pops the message and pushes the error object. */
 static void push_object(lua_State *L, arc_status code, const char *where) {
   lua_createtable(L, 0, 6);
@@ -52,7 +64,7 @@ static void push_object(lua_State *L, arc_status code, const char *where) {
   lua_setfield(L, -2, "message");
   set_text(L, "code", arc_status_name(code));
   set_text(L, "where", where);
-  luaL_where(L, 1);
+  push_position(L);
   lua_setfield(L, -2, "position");
   if (luaL_newmetatable(L, kind)) {
     lua_pushcfunction(L, error_tostring);

@@ -36,6 +36,22 @@ is(#grid, 4, "a grid holds all combinations")
 is(grid[2].alpha .. " " .. grid[2].stroke .. " " .. grid[2]["model.radius"], "0 2 8",
   "the last name changes fastest")
 
+-- What a case gives comes before what the base gives, whatever the form of both.
+local function joined(base, over) return settings.nest(settings.join("test", base, over)) end
+is(joined({ k = { distance = { 0, 1 }, value = { 1, 2 } } }, { k = 3 }).k, 3, "a number for a series")
+is(joined({ k = 3 }, { k = { distance = { 0, 1 }, value = { 1, 2 } } }).k.value[2], 2,
+  "a series for a number")
+local block = { x = { 0, 1, 0 }, load = 100, cycles = 10 }
+is(joined({ loading = { block, block } }, { loading = { block } }).loading[2], nil,
+  "a shorter list leaves nothing of the longer one")
+is(joined({ loading = { block, block } }, { loading = block }).loading[1], nil, "a block for a list")
+local reached = joined({ loading = { block, block } }, { ["loading.2.cycles"] = 7 }).loading
+is(reached[2].cycles .. " " .. reached[1].cycles .. " " .. reached[2].load, "7 10 100",
+  "a name with points reaches into a list")
+is(block.cycles, 10, "and leaves the user's table alone")
+local mixed = joined({ model = model{ radius = 8 } }, { model = { mesh = { size = 0.03 } } }).model
+is(mixed.radius .. " " .. mixed.mesh.size, "8.0 0.03", "fields of a model are joined")
+
 -- --- definitions -------------------------------------------------------------------------------
 fails(function() study{ bas = {} } end, { "'bas'", "did you mean 'base'" }, "a misspelt field")
 fails(function() study{ vary = { alpha = 3 } } end, { "vary.alpha", "list" }, "vary needs lists")
@@ -47,6 +63,12 @@ is(io.open(path "never"), nil, "and leaves no file")
 is(#study.paper():cases(), 20, "the paper's 20 cases")
 is(study.paper():cases()[6].jump, 40, "with Table 1's cycles per update")
 holds(tostring(study.paper()), { "paper", "20 cases", "alpha, stroke" }, "print(study)")
+
+local waiting = study{ vary = { alpha = { 0.25, 0.5 } } }
+for _, form in ipairs{ "text", "csv", "markdown" } do
+  holds(waiting:table{ format = form }, { "0.25", "waiting" }, "a table of what is to come, " .. form)
+end
+holds(tostring(waiting:cases()[1]), { "case 1", "waiting" }, "print of a case to come")
 
 -- --- running -----------------------------------------------------------------------------------
 local function new_study() return small{ vary = { alpha = { 0.25, 0.5 }, stroke = { 0.11, 0.2 } },
@@ -109,7 +131,8 @@ do
   letter:close()
   fails(function() new_study():run{ file = path "letter" } end, "not a run file",
     "a foreign file is refused")
-  fails(function() study.open(path "letter") end, "not a run file", "also by study.open")
+  local refused = fails(function() study.open(path "letter") end, "not a run file", "also by study.open")
+  holds(refused.position, "study.lua:", "with the user's own line")
   is(#assert(io.open(path "letter")):read("a"), 200, "and stays as it was")
 end
 
@@ -125,7 +148,8 @@ holds(bad.failed[1].message, { "alpha", "2" }, "with its message")
 holds(table.concat(errors), { "case 2", "alpha 2" }, "which is also reported")
 local cases = bad:cases()
 is(cases[1].status .. cases[2].status .. cases[3].status, "donefaileddone", "the others are done")
-holds(cases[2].message, "alpha", "the message is stored")
+is(cases[2].message:find "wear: field 'alpha'", 1, "the message is stored, without a place in our scripts")
+holds(bad:table(), { "done", "failed: wear: field 'alpha'" }, "the table tells of it")
 is(study.open(path "bad"):cases()[2].status, "failed", "study.open")
 
 -- Histories and series are settings as any other.
