@@ -165,10 +165,10 @@ static void refuse_changes(lua_State *L, int index, args_place place) {
   static const char *const fixed[] = {"model", "worn", "geometry", NULL};
   for (const char *const *name = fixed; *name; name++, lua_pop(L, 1))
     if (args_get(L, index, *name) != LUA_TNIL)
-      error_raise(
-          L, ARC_ARGUMENT, place.where,
-          "field '%s' cannot be changed in a run; make a new one, wear{ worn = w, %s = ... }",
-          *name, *name);
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "field '%s' cannot be changed in a run; make a new one of its shape, wear{ worn "
+                  "= w, ... }",
+                  *name);
 }
 
 /* Where a run that is changed begins anew; nothing lies behind it. */
@@ -203,9 +203,13 @@ static int given(lua_State *L, int index, const char *name) {
   return type != LUA_TNIL;
 }
 
-/* What follows from new loading. A new run's nominal load is the largest, unless it is given. */
+/* What follows from new loading, which has its own motion. A new run's nominal load is the largest,
+ * unless it is given. */
 static void settle_loading(lua_State *L, int index, args_place place, wear_request *request,
                            int changed) {
+  if (given(L, index, "stroke"))
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "fields 'stroke' and 'loading': expected one of them, got both");
   share_cycles(L, place, request, given(L, index, "distance"));
   const double largest = loading_largest(&request->def);
   if (!changed && !given(L, index, "load") && largest > 0) request->def.load = largest;

@@ -118,9 +118,13 @@ static void sample_function(const reading *r, const char *name, double *value) {
     lua_pushnumber(L, r->t[i]);
     if (error_pcall(L, 1, 1) != LUA_OK) error_callback(L, r->place.where, call);
     value[i] = lua_tonumber(L, -1);
-    if (lua_type(L, -1) != LUA_TNUMBER || !isfinite(value[i]))
+    if (lua_type(L, -1) != LUA_TNUMBER || !isfinite(value[i])) {
+      const char *got = lua_type(L, -1) == LUA_TSTRING
+                            ? lua_pushfstring(L, "\"%s\"", lua_tostring(L, -1))
+                            : luaL_tolstring(L, -1, NULL);
       error_raise(L, ARC_CALLBACK, r->place.where, "%s: expected a finite number, got %s", call,
-                  luaL_tolstring(L, -1, NULL));
+                  got);
+    }
     lua_pop(L, 1);
   }
 }

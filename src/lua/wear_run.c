@@ -21,12 +21,13 @@ static void warn_unstable(lua_State *L, arc_wear *wear) {
   if (def->scheme != ARC_EXPLICIT || def->jump_auto || def->jump_function) return;
   if (arc_wear_last(wear)->distance >= def->distance) return;
   if (arc_wear_stability(wear, &eigenvalue, NULL) != ARC_OK) return; /* the step will tell */
-  if (def->jump * eigenvalue <= 2) return;
+  const double limit = 2 / eigenvalue;
+  if (def->jump <= limit) return;
   char text[200];
   snprintf(text, sizeof text,
-           "jump = %g cycles is past the stability limit of %.0f: ripples will grow; use jump = "
+           "jump = %g cycles is past the stability limit of %.*g: ripples will grow; use jump = "
            "\"auto\" or scheme = \"implicit\"",
-           def->jump, floor(2 / eigenvalue));
+           def->jump, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit));
   lua_warning(L, text, 0);
 }
 

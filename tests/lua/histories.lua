@@ -166,6 +166,8 @@ untouched(run_of{ local_factor = function(_, x, _, s) return s.distance > 30 and
   "a local factor that is a table")
 untouched(run_of{ local_factor = function(_, _, _, s) return s.distance > 30 and -1 or 1 end },
   { "local_factor: expected 0 or above, got -1 for the cylinder at x = -" }, "a negative local factor")
+err = fails(function() run_of{ local_factor = function() return -1 end } end, "got -1 for the cylinder", "a negative one at once")
+is(tostring(err):find "mesh.zone", nil, "of which the zones of the mesh are innocent")
 fails(function() run_of{ local_factor = { vector = function() return { 1 } end } } end,
   { "local_factor.vector(\"", "expected a number for every x, got nil for x[2]" }, "too few factors")
 fails(function() run_of{ local_factor = { vector = function() end } } end, "expected an array of factors, got nil",
@@ -230,10 +232,12 @@ bad({ { x = position }, 3 }, "loading[2].", "a number for a block")
 bad(3, "field 'loading': expected a block { x=, load= } or a list of them, got 3", "loading a number")
 bad({ x = function(t) return t < 0.5 and 0 end, increments = 4 },
   "loading.x(0.5): expected a finite number, got false", "x gives no number")
+bad({ x = function() return "a" end }, 'loading.x(0): expected a finite number, got "a"', "x gives a text")
 bad({ x = function(t) return t < 0.5 and 0 or error("no x") end, increments = 4 },
   { "loading.x(0.5) failed", "no x", "stack traceback" }, "an error in x")
 fails(function() run_of{ cycles = 3, loading = { x = position, cycles = 2 } } end, "field 'cycles': expected more than",
   "cycles of both")
+fails(function() run_of{ stroke = 0.1, loading = { x = position } } end, "'stroke' and 'loading': expected one", "two motions")
 fails(function() cosine:run{ cycles = 3 } end, "a run with loading takes a distance", "run by cycles")
 
 -- changes ------------------------------------------------------------------------------------------

@@ -99,6 +99,7 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
     for (int e = 0; e < 2 && status == ARC_OK; e++)
       status = wear_probe(w, &ends[e], &solutions, &why);
     if (status == ARC_OK) continue;
+    if (status != ARC_ZONE) return arc_fail(error, status, "%s", why.message);
     double zone[ARC_BODIES];
     arc_wear_zones(&w->def, arc_model_definition(w->model), zone);
     return arc_fail(error, status,
