@@ -9,7 +9,8 @@ return {
       .. "was. Without vary and cases, base is the only case." },
   { "study{base}", type = "table", takes = "wear",
     text = "Fields that all cases share, those of wear{}; functions cannot be stored, and are "
-      .. "refused." },
+      .. "refused. What a case gives comes first: tables of fields are joined, lists and numbers "
+      .. "replaced." },
   { "study{vary}", type = "table of lists", takes = "wear",
     text = "Fields of wear{} and the values each takes; the cases are all combinations, the last "
       .. "name by the alphabet changing fastest. Fields within fields are written nested or as "

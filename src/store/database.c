@@ -40,6 +40,9 @@ static arc_status fail(const database *db, int code, arc_error *error) {
     why = "the disk is full";
     remedy = "; what was stored before is still there";
     break;
+  case SQLITE_CANTOPEN:
+    if (sqlite3_system_errno(db->handle)) why = strerror(sqlite3_system_errno(db->handle));
+    break;
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
     why = "the file is damaged";

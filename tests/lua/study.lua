@@ -220,7 +220,7 @@ fails(function() small{ vary = { k = { falling } } }:run{ file = path "x" } end,
   "a study takes none")
 fails(function() w:save(path "one") end, "not replaced", "a study may not")
 fails(function() w:save(path "letter") end, "not a run file", "nor anything else")
-fails(function() w:save "/no/such/folder/w" end, "/no/such/folder/w", "a folder that is not there")
+fails(function() w:save "/no/such/folder/w" end, { "/no/such/folder/w", "No such file" }, "a folder that is not there")
 fails(function() wear.open(path "absent") end, "absent", "a file that is not there")
 fails(function() study.open(path "wear") end, "kind study", "a run is no study")
 
