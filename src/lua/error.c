@@ -52,7 +52,7 @@ static void push_position(lua_State *L) {
   lua_Debug frame;
   int level = 1;
   while (lua_getstack(L, level, &frame) && lua_getinfo(L, "S", &frame) &&
-         (strncmp(frame.source, "@scripts/", 9) == 0 || frame.source[0] == '='))
+         (strncmp(frame.source, "@scripts/", 9) == 0 || strcmp(frame.source, "=[C]") == 0))
     level++;
   luaL_where(L, lua_getstack(L, level, &frame) ? level : 1);
 }
