@@ -30,20 +30,26 @@ local function is_open(message, text)
   return message:find("<eof>'?$") ~= nil
 end
 
--- The text with `return` before its last lines, where these alone are an expression and those
--- before them alone a chunk: then the expression's values can be shown. Lines that Lua would take
--- for the end of what stands above, as in "a = b" over "(c)", are left together.
-local function with_return(text)
+-- The text up to its last lines, and these, where they alone are an expression and those before them
+-- alone a chunk: then the expression's values can be shown. Lines that Lua would take for the end
+-- of what stands above, as in "a = b" over "(c)", are left together.
+local function split_last(text)
   local at = #text
   for _ = 1, 100 do
     local head = text:sub(1, at):match("^(.*)\n")
     if not head then return nil end
     local tail = text:sub(#head + 2)
     if tail:find("^%s*[^%s%-~({\"'%[]") and load("return " .. tail) and load(head) then
-      return head .. "\nreturn " .. tail
+      return head, tail
     end
     at = #head
   end
+end
+
+-- A chunk that ends with the values of `expression`. A plain `return f()` would be a tail call: the
+-- chunk's frame would be gone, and with it the line that an error in f is to be reported at.
+local function handed_on(head, expression)
+  return head .. "return (function(...) return ... end)(" .. expression .. "\n)"
 end
 
 local told_about_locals = false
@@ -58,10 +64,10 @@ end
 function prompt.compile(text, name, line)
   local expression = text:gsub("^%s*=", "")
   local chunk, as_expression = load_at("return " .. expression, name, line)
-  if chunk then return chunk end
+  if chunk then return load_at(handed_on("", expression), name, line) or chunk end
   if text:find("\n") then
-    local returning = with_return(text)
-    chunk = returning and load_at(returning, name, line)
+    local head, tail = split_last(text)
+    chunk = head and load_at(handed_on(head .. "\n", tail), name, line)
     if chunk then return chunk end
   end
   local as_statement
