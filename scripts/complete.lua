@@ -211,6 +211,8 @@ local function add_documented(set, address, functions_only)
   for _, entry in next, help.members(address) do
     if not functions_only or entry.kind == "method" then set[entry.name] = true end
   end
+  local entry = not functions_only and help.entry(address)
+  for _, key in next, entry and entry.keys or {} do set[key] = true end
 end
 
 local function sorted(set, prefix)
@@ -247,6 +249,8 @@ local function member_words(tokens, prefix)
   local chain = chain_before(tokens, #tokens - 1)
   if not chain then return {} end
   local value, address = resolve(chain)
+  -- Names that only functions of the user's see, as their argument: state.
+  if value == nil and not address then address = table.concat(chain, ".") end
   local set = {}
   add_members(set, value, separator == ":")
   if address then add_documented(set, address, separator == ":") end

@@ -1,10 +1,14 @@
 -- csv.read: columns of numbers from a text file, for loadings, profiles and coefficients that were
--- measured elsewhere. Leans on nothing.
+-- measured elsewhere. Leans on plot_check for its errors.
 
+local check = require "archard.plot_check"
+
+local where = "csv.read"
 local csv = {}
 
 local function refuse(path, number, text, ...)
-  error(("csv.read: %s%s: %s"):format(path, number and ":" .. number or "", text:format(...)), 0)
+  check.fail(where, ("%s%s: %s"):format(path, number and ":" .. number or "", text:format(...)),
+    "FORMAT")
 end
 
 -- The cells of a line; quoted ones may hold the separator, and a quote written twice.
@@ -63,10 +67,10 @@ end
 -- Lines that count, with their numbers.
 local function lines_of(path)
   local file, problem = io.open(path, "r")
-  if not file then error("csv.read: " .. problem, 0) end
+  if not file then check.fail(where, problem, "IO") end
   local text, failed = file:read("a")
   file:close()
-  if not text then error(("csv.read: %s: %s"):format(path, failed), 0) end
+  if not text then check.fail(where, ("%s: %s"):format(path, failed), "IO") end
   local lines, number = {}, 0
   for line in (text:gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch("(.-)\r?\n") do
     number = number + 1
@@ -108,10 +112,10 @@ end
 
 function csv.read(path, choice)
   if type(path) ~= "string" then
-    error("csv.read: expected the path of a file, got " .. type(path), 2)
+    check.fail(where, "expected the path of a file, got " .. check.shown(path))
   end
   if choice ~= nil and type(choice) ~= "table" then
-    error("csv.read: expected a table { name = column, ... }, got " .. type(choice), 2)
+    check.fail(where, "expected a table { name = column, ... }, got " .. check.shown(choice))
   end
   local names, columns = read_columns(path)
   local result = {}

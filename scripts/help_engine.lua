@@ -365,11 +365,15 @@ return {
     text = "Wear depth partition factor alpha-tilde: the cylinder's share of the sum of the largest "
       .. "depths (Eq. 29)." },
   { "wear.history", kind = "field",
+    keys = { "update", "cycle", "distance", "jump", "k", "alpha", "p_center", "p_max", "half_width",
+      "depth_cylinder", "depth_plate", "volume_cylinder", "volume_plate", "depth_partition",
+      "error", "solutions" },
     text = "Columns by name, one value for each update from 0 on: " .. [[
 
   update, cycle, distance (mm), jump   p_center, p_max (MPa), half_width (mm)
   depth_cylinder, depth_plate (mm)     volume_cylinder, volume_plate (mm3)
-  depth_partition, k, alpha            solutions (contacts solved so far)]] },
+  depth_partition, k, alpha            solutions (contacts solved so far)
+  error (of adaptive steps, as a share of the tolerance)]] },
 
   -- --- the definition, read back --------------------------------------------------------------
   { "wear.k", kind = "field", unit = "mm2/N", text = "Wear coefficient of the couple." },

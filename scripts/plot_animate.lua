@@ -122,7 +122,7 @@ end
 return function(w, given)
   local where = "plot.animate"
   if not (curves.get(w, "step") and curves.get(w, "profile")) then
-    check.fail(where, "expected a wear object as the first argument")
+    check.fail(where, "expected a wear object as the first argument, got " .. check.shown(w))
   end
   local fields = { file = draw.fields.file, size = draw.fields.size, term = draw.fields.term,
     colour = draw.fields.colour }

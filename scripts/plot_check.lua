@@ -58,10 +58,14 @@ function check.hint(name, known)
   return (" (known: %s)"):format(table.concat(sorted, ", "))
 end
 
-local function shown(value)
+-- A value in a message: "dumb", 3, a wear object, a table.
+function check.shown(value)
   if type(value) == "string" then return ('"%s"'):format(value) end
   if type(value) == "number" or type(value) == "boolean" then return tostring(value) end
-  return value == nil and "nil" or "a " .. type(value)
+  if value == nil then return "nil" end
+  local class = type(value) == "userdata" and (debug.getmetatable(value) or {}).__name
+  class = type(class) == "string" and class:match("^archard%.(.*)") or class
+  return type(class) == "string" and ("a %s object"):format(class) or "a " .. type(value)
 end
 
 -- --- kinds of values: { test, what is expected } ----------------------------------------------
@@ -131,7 +135,7 @@ function check.fields(where, given, fields, prefix)
         check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, known)))
       elseif not wanted.test(value) then
         check.fail(where, ("field '%s%s': expected %s, got %s"):format(prefix, name,
-          wanted.expected, shown(value)))
+          wanted.expected, check.shown(value)))
       end
     end
   end

@@ -33,7 +33,7 @@ local function split(where, mark, ...)
       options = value
     else
       check.fail(where, ("argument %d: expected an object with .%s, a word, or at the end a table "
-        .. "of options, got %s"):format(i, mark, value == nil and "nil" or "a " .. type(value)))
+        .. "of options, got %s"):format(i, mark, check.shown(value)))
     end
   end
   if #objects == 0 then

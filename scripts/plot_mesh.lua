@@ -109,7 +109,9 @@ local mesh_options = { body = check.one_of(bodies), zoom = check.one_of({ "wear 
 function mesh.mesh(model, options)
   local where = "plot.mesh"
   local ok, meshes = pcall(function() return model.mesh end)
-  if not ok or not meshes then check.fail(where, "expected a model as the first argument") end
+  if not ok or not meshes then
+    check.fail(where, "expected a model as the first argument, got " .. check.shown(model))
+  end
   options = options_of(where, options, mesh_options)
   local box = view_of(where, model, options.zoom)
   local defaults = { xlabel = "x / mm", ylabel = "y / mm", equal = true, title = "mesh" }
@@ -181,7 +183,9 @@ end
 function mesh.stress(contact, options)
   local where = "plot.stress"
   local ok, stress = pcall(function() return contact.stress end)
-  if not ok or not stress then check.fail(where, "expected a contact as the first argument") end
+  if not ok or not stress then
+    check.fail(where, "expected a contact as the first argument, got " .. check.shown(contact))
+  end
   options = options_of(where, options, stress_options)
   local component, box = options.component or "mises", stress_view(contact, options.zoom)
   local field, defaults = { x = {}, y = {}, value = {} }, {}

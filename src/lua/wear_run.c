@@ -4,6 +4,7 @@
 #include "lua/wear.h"
 #include "lua/wear_functions.h"
 
+#include <lauxlib.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -29,6 +30,23 @@ static void warn_unstable(lua_State *L, arc_wear *wear) {
            "\"auto\" or scheme = \"implicit\"",
            def->jump, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit));
   lua_warning(L, text, 0);
+}
+
+/* --- interruption ---------------------------------------------------------------------------- */
+
+/* Ctrl-C ended a step or a run: says where it stands now, since a progress bar is gone. */
+static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
+  char text[120];
+  const arc_wear_record *last = arc_wear_last(wear);
+  snprintf(text, sizeof text, "cycle %.10g, %.6g of %.6g mm: interrupted", last->cycle,
+           last->distance, arc_wear_definition(wear)->distance);
+  luaL_error(L, "%s", text);
+}
+
+static void check_ended(lua_State *L, const arc_wear *wear, arc_status status,
+                        const arc_error *error, const char *where) {
+  if (status == ARC_STOPPED && interrupt_pending(NULL)) refuse_interrupted(L, wear);
+  error_check(L, status, error, where, next_update(wear));
 }
 
 /* --- step ------------------------------------------------------------------------------------ */
@@ -64,7 +82,7 @@ static void step_once(lua_State *L, box *made, const char *where) {
   arc_status status = arc_wear_step(wear, interrupt_pending, NULL, &error);
   made->busy = RUN_IDLE;
   functions_leave(L, &call, where);
-  error_check(L, status, &error, where, next_update(wear));
+  check_ended(L, wear, status, &error, where);
   lua_settop(L, 2);
 }
 
@@ -81,7 +99,7 @@ int wear_step(lua_State *L) {
     double before = arc_wear_last(wear)->cycle;
     step_once(L, made, where);
     if (arc_wear_last(wear)->cycle <= before) break;
-    if (interrupt_pending(NULL)) error_check(L, ARC_STOPPED, &(arc_error){0}, where, -1);
+    if (interrupt_pending(NULL)) refuse_interrupted(L, wear);
   }
   push_progress(L, wear, first);
   return 1;
@@ -195,8 +213,7 @@ int wear_run(lua_State *L) {
   made->busy = RUN_IDLE;
   end_display(L, &call);
   functions_leave(L, &functions, where);
-  if (call.failed) error_callback(L, where, call.failed);
-  if (!(status == ARC_STOPPED && call.asked))
-    error_check(L, status, &error, where, next_update(wear));
+  if (call.failed && !interrupt_pending(NULL)) error_callback(L, where, call.failed);
+  if (!(status == ARC_STOPPED && call.asked)) check_ended(L, wear, status, &error, where);
   return push_outcome(L, &goals, &call, reached);
 }

@@ -49,5 +49,5 @@ fails(function() csv.read(file "a,b\n1,2\n", { t = 3 }) end, "no column 3", "an 
 os.remove(path)
 fails(function() csv.read(path) end, { "csv.read: ", "No such file" }, "no file")
 fails(function() csv.read("/") end, { "csv.read: ", "directory" }, "a folder")
-fails(function() csv.read(3) end, "expected the path of a file, got number", "no path")
-fails(function() csv.read(path, "x") end, "expected a table { name = column, ... }, got string", "no choice")
+fails(function() csv.read(3) end, "expected the path of a file, got 3", "no path")
+fails(function() csv.read(path, "x") end, "expected a table { name = column, ... }, got \"x\"", "no choice")

@@ -122,6 +122,11 @@ has("w:", "step run clone profile pressure", "alpha depth stroke")
 has("w.", "depth volume p_center step history")
 offers("w.depth.", "cylinder plate")
 offers("w.volume.t", "total")
+local columns = {}
+for name in pairs(w.history) do columns[#columns + 1] = name end
+table.sort(columns)
+offers("w.history.", table.concat(columns, " "))
+has("wear{ k = function(state) return state.", "distance depth p_center k")
 has("m.mesh.cylinder.", "nodes quads")
 has("m.mesh.cylinder:", "quality node", "nodes")
 has("w.model.mesh.plate.", "quads")
