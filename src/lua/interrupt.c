@@ -4,10 +4,15 @@
 
 #include <lauxlib.h>
 #include <signal.h>
+#include <stdio.h>
 
 /* A signal handler has no other way to reach the state than file scope. */
 static volatile sig_atomic_t requests;
 static lua_State *volatile running;
+
+/* What the error says; set outside of the handler. */
+static const char plain[] = "interrupted";
+static char explained[120];
 
 /* Pushes "file:line: " of the Lua function that runs, or of the one that called a C function. */
 static void push_place(lua_State *L) {
@@ -24,7 +29,7 @@ static void stop_hook(lua_State *L, lua_Debug *event) {
     return;
   }
   push_place(L);
-  lua_pushliteral(L, "interrupted");
+  lua_pushstring(L, explained[0] ? explained : plain);
   lua_concat(L, 2);
   lua_error(L);
 }
@@ -46,8 +51,14 @@ int interrupt_pending(void *context) {
   return requests != 0;
 }
 
+void interrupt_raise(lua_State *L, const char *stand) {
+  snprintf(explained, sizeof explained, "%s: %s", stand, plain);
+  luaL_error(L, "%s", explained);
+}
+
 void interrupt_clear(void) {
   requests = 0;
+  explained[0] = '\0';
 }
 
 /* Whoever takes over the processor must carry the hook if a request came before. */

@@ -24,6 +24,10 @@ int interrupt_request(void);
 /* Non-zero when a stop was asked for: an arc_stop_fn for the engine; `context` is not used. */
 int interrupt_pending(void *context);
 
+/* Raises the error of a pending request, "<stand>: interrupted", and gives later errors of the same
+ * request this text too. */
+void interrupt_raise(lua_State *L, const char *stand);
+
 /* Forgets the request. Called when nothing of the user's runs. */
 void interrupt_clear(void);
 

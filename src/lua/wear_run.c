@@ -4,7 +4,6 @@
 #include "lua/wear.h"
 #include "lua/wear_functions.h"
 
-#include <lauxlib.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -36,11 +35,11 @@ static void warn_unstable(lua_State *L, arc_wear *wear) {
 
 /* Ctrl-C ended a step or a run: says where it stands now, since a progress bar is gone. */
 static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
-  char text[120];
+  char text[80];
   const arc_wear_record *last = arc_wear_last(wear);
-  snprintf(text, sizeof text, "cycle %.10g, %.6g of %.6g mm: interrupted", last->cycle,
-           last->distance, arc_wear_definition(wear)->distance);
-  luaL_error(L, "%s", text);
+  snprintf(text, sizeof text, "cycle %.10g, %.6g of %.6g mm", last->cycle, last->distance,
+           arc_wear_definition(wear)->distance);
+  interrupt_raise(L, text);
 }
 
 static void check_ended(lua_State *L, const arc_wear *wear, arc_status status,
