@@ -177,8 +177,10 @@ end
 -- A misspelt field is told before anything starts: by the first case, made here.
 local function try_first(self)
   if self.task then return end
-  local run = wear(settings.nest(self.flat[1]))
-  run:close()
+  local made, run = pcall(wear, settings.nest(self.flat[1]))
+  if made then return run:close() end
+  if type(run) ~= "table" then error(run, 0) end
+  check.fail("study:run", ("case 1: %s"):format(run.message), run.code)
 end
 
 local function report(failed)

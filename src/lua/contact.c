@@ -134,6 +134,7 @@ static int contact_new(lua_State *L) {
   made->thing = contact;
   error_check(L, status, &error, "contact", -1);
   box_weigh(L, arc_contact_bytes(contact));
+  model_warn_coarse(L, model, arc_contact_get(contact).half_width);
   return 1;
 }
 

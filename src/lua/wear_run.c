@@ -31,6 +31,12 @@ static void warn_unstable(lua_State *L, arc_wear *wear) {
   lua_warning(L, text, 0);
 }
 
+/* Before the first step: is the mesh fine enough for the contact it begins with? */
+static void warn_coarse(lua_State *L, const arc_wear *wear) {
+  const arc_wear_record *last = arc_wear_last(wear);
+  if (last->update == 0) model_warn_coarse(L, arc_wear_model(wear), last->half_width);
+}
+
 /* --- interruption ---------------------------------------------------------------------------- */
 
 /* Ctrl-C ended a step or a run: says where it stands now, since a progress bar is gone. */
@@ -77,6 +83,7 @@ static void step_once(lua_State *L, box *made, const char *where) {
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   functions_call call = functions_enter(L, lua_gettop(L), made);
   made->busy = RUN_BUSY;
+  warn_coarse(L, wear);
   if (arc_wear_last(wear)->update == 0) warn_unstable(L, wear);
   arc_status status = arc_wear_step(wear, interrupt_pending, NULL, &error);
   made->busy = RUN_IDLE;
@@ -206,6 +213,7 @@ int wear_run(lua_State *L) {
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   functions_call functions = functions_enter(L, lua_gettop(L), made);
   made->busy = RUN_BUSY;
+  warn_coarse(L, wear);
   warn_unstable(L, wear);
   arc_status status = arc_wear_run_until(wear, goals.distance, goals.target, goals.count,
                                          interrupt_pending, after_step, &call, &reached, &error);

@@ -57,7 +57,8 @@ fails(function() study{ bas = {} } end, { "'bas'", "did you mean 'base'" }, "a m
 fails(function() study{ vary = { alpha = 3 } } end, { "vary.alpha", "list" }, "vary needs lists")
 fails(function() study{ vary = { alpha = {} } } end, "empty", "and not empty ones")
 fails(function() study{ vary = { alpha = { 1 } }, cases = { {} } } end, "got both", "vary or cases")
-fails(function() study{ base = { aplha = 1 } }:run{ file = path "never" } end, "aplha",
+fails(function() study{ base = { aplha = 1 } }:run{ file = path "never" } end,
+  { "study.lua:", "study:run: case 1: ", "'aplha'" },
   "a misspelt field of wear stops the study before it starts")
 is(io.open(path "never"), nil, "and leaves no file")
 is(#study.paper():cases(), 20, "the paper's 20 cases")
