@@ -357,7 +357,8 @@ return {
   { "wear.vector_depth", kind = "field", unit = "mm",
     text = "Largest length of the vector sum of the wear steps (Eq. 8) of each body; depth is the "
       .. "scalar sum (Eq. 6)." },
-  { "wear.volume", kind = "field", unit = "mm3", text = "Wear volumes." },
+  { "wear.volume", kind = "field", unit = "mm3", text = "Wear volumes of this run. What a starting shape (worn) had lost before counts in "
+      .. "the depths, not here." },
   { "wear.volume.cylinder", kind = "field", unit = "mm3", text = "Wear volume of the cylinder." },
   { "wear.volume.plate", kind = "field", unit = "mm3", text = "Wear volume of the plate." },
   { "wear.volume.total", kind = "field", unit = "mm3", text = "Wear volume of both, k L_N d." },
