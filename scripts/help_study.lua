@@ -75,7 +75,8 @@ return {
   { "study.run", kind = "method", use = 's:run{ workers=2, file="study.archard" }',
     text = "Computes the cases that the file does not hold yet, in processes of their own; returns "
       .. "the study. Cases that failed before are tried again. s.failed lists those that failed, "
-      .. "with their messages; they cost no other." },
+      .. "with their messages; they cost no other. s.warned lists those that this run warned of, such "
+      .. "as a jump past the stability limit; the table marks them." },
   { "study.run{workers}", type = "whole number from 1 to 256",
     text = "Cases that run at the same time; as many as there are processors if left out." },
   { "study.run{file}", type = "string", default = '"study.archard"',
@@ -170,6 +171,7 @@ return {
   { "case.status", kind = "field", values = { "waiting", "running", "done", "failed" },
     text = "How far it is. One that runs when the program is killed waits again at the next run." },
   { "case.message", kind = "field", text = "Why it failed." },
+  { "case.warning", kind = "field", text = "What its run warned of; nil: nothing." },
   { "case.seconds", kind = "field", unit = "s", text = "How long it took." },
   { "case.settings", kind = "field", text = "The fields of wear{} as given." },
   { "case.definition", kind = "field",

@@ -183,14 +183,26 @@ local function try_first(self)
   check.fail("study:run", ("case 1: %s"):format(run.message), run.code)
 end
 
-local function report(failed)
+local most_warnings = 3 -- shown one by one; more become one line
+
+local function report(failed, warned)
+  local function tell(text, ...) io.stderr:write("study: ", text:format(...), "\n") end
   for _, case in ipairs(failed) do
-    io.stderr:write(("study: case %d (%s) failed: %s\n"):format(case.id, case.label, case.message))
+    tell("case %d (%s) failed: %s", case.id, case.label, case.message)
   end
+  table.sort(warned, function(a, b) return a.id < b.id end)
+  for i = 1, #warned <= most_warnings and #warned or 0 do
+    tell("case %d (%s): warning: %s", warned[i].id, warned[i].label, warned[i].message)
+  end
+  if #warned <= most_warnings then return end
+  local ids = {}
+  for i, case in ipairs(warned) do ids[i] = case.id end
+  tell("%d cases (%s) have warnings, as case %d (%s): %s", #warned, table.concat(ids, ", "),
+    warned[1].id, warned[1].label, warned[1].message)
 end
 
 -- run{ workers=, file=, shard="i/n", progress= } -> the study itself. Cases that are done stay as
--- they are; `failed` of the study lists those that failed.
+-- they are; `failed` of the study lists those that failed, `warned` those that this run warned of.
 function methods:run(options)
   options = options or {}
   check.fields("study:run", options, run_fields)
@@ -201,10 +213,10 @@ function methods:run(options)
   local store = open_for_run(self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
-  self.failed = require "archard.study_run"(store, { workers = workers,
+  self.failed, self.warned = require "archard.study_run"(store, { workers = workers,
     shard = read_shard(options.shard), progress = options.progress })
   store:close()
-  report(self.failed)
+  report(self.failed, self.warned)
   return self
 end
 

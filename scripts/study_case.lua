@@ -23,6 +23,11 @@ function computed.results(self)
   return settings.nest(self.study:store():values(self.id, "results"))
 end
 
+-- What the engine warned of in this case, or nil.
+function computed.warning(self)
+  return self.study.file and self.study:store():values(self.id, "results").warning
+end
+
 -- The last row of the history, or nil.
 function computed.last(self)
   local history = self.history
@@ -176,6 +181,7 @@ for name in pairs(measures) do case.__fields[#case.__fields + 1] = name end
 function case.__tostring(self)
   local head = ("case %d: %s, %s"):format(self.id, self.label, self.status)
   if self.message then return head .. "\n  " .. self.message end
+  if self.warning then head = head .. "\n  warning: " .. self.warning end
   local last = self.status == "done" and self.last
   if not last then return head end
   return ("%s\n  %.6g mm, p centre %.2f MPa, depth %.4f and %.4f um, volume %.4e mm3"):format(head,

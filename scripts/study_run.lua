@@ -62,6 +62,9 @@ function run:hear(i, line)
     return
   elseif word == "at" then
     self.display:at(i, tonumber(rest:match("(%S+)$")))
+  elseif word == "warned" then
+    self.warned[#self.warned + 1] = { id = case.id, label = case.label,
+      message = rest:match("^%d+ (.*)$") }
   elseif word == "done" then
     self:over(i, case)
   elseif word == "failed" then
@@ -76,22 +79,23 @@ function run:attend(event)
 end
 
 -- store: open for writing. options: workers, shard, progress. Returns the failed cases, as a list
--- of { id=, label=, message= }, and how many there were to compute.
+-- of { id=, label=, message= }, a list of the same of those that were warned of, and how many there
+-- were to compute.
 return function(store, options)
   store:release()
   local queue, finished = waiting(store, options.shard)
-  local count, failed = #queue, {}
-  if count == 0 then return failed, 0 end
+  local count, failed, warned = #queue, {}, {}
+  if count == 0 then return failed, warned, 0 end
   local workers = math.min(options.workers, count)
   local pool <close> = process.pool(workers, { "-e",
     ("require('archard.worker')(%q)"):format(store.path) })
   local display <close> = progress.new(workers, count + finished, finished, options.progress)
   local self = setmetatable({ store = store, pool = pool, queue = queue, busy = {}, running = 0,
-    failed = failed, display = display }, run)
+    failed = failed, warned = warned, display = display }, run)
   for i = 1, workers do self:feed(i) end
   while self.running > 0 do
     for _, event in ipairs(pool:wait(0.5)) do self:attend(event) end
     display:draw()
   end
-  return failed, count
+  return failed, warned, count
 end

@@ -45,6 +45,7 @@ local function columns_of(study)
   for _, column in ipairs(measured) do columns[#columns + 1] = column end
   columns[#columns + 1] = { "status", "", "%s", function(case)
     return case.status .. (case.message and ": " .. case.message or "")
+      .. (case.warning and ", warned: " .. case.warning:match("^[^:]*") or "")
   end }
   return columns
 end
@@ -108,6 +109,9 @@ local function without(columns, name)
   return kept
 end
 
+-- What failed or was warned of may be long, and goes over the line's end for no column's sake.
+local widest_status = 20
+
 local function text_of(study, columns)
   local head, units = {}, {}
   for c, column in ipairs(columns) do
@@ -117,8 +121,9 @@ local function text_of(study, columns)
   local rows = rows_of(study, columns, shown)
   table.insert(rows, 1, units)
   table.insert(rows, 1, head)
-  local width = -2
-  for _, each in ipairs(align(rows)) do width = width + each + 2 end
+  local width, widths = -2, align(rows)
+  widths[#widths] = math.min(widths[#widths], widest_status)
+  for _, each in ipairs(widths) do width = width + each + 2 end
   local lines = {}
   for i, row in ipairs(rows) do lines[i] = (table.concat(row, "  "):gsub(" +$", "")) end
   return table.concat(lines, "\n"), width

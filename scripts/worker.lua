@@ -1,10 +1,12 @@
 -- A worker of a study: reads "case ID" lines, computes, stores the results in the run file itself,
 -- and says how it goes. What it says: "at ID SHARE", "done ID", "failed ID TEXT" (the case),
--- "broken TEXT" (the file: nobody can go on). Leans on archard.store.
+-- "warned ID TEXT" (before the end of a case), "broken TEXT" (the file: nobody can go on). Leans on
+-- archard.store; what it warns of goes by archard.warnings.
 
 local stores = require "archard.store"
 local settings = require "archard.study_settings"
 local term = require "archard.term"
+local warnings = require "archard.warnings"
 
 local pause = 0.2 -- seconds between two words on progress
 
@@ -75,11 +77,21 @@ local function speaker(id)
   end
 end
 
+-- What the engine warned of in this case is part of what the user must know of it. A search goes
+-- past every limit on purpose.
+local function tell_warning(store, id)
+  local text = warnings.take()
+  if not text or store:info("task") == "converge" then return end
+  store:set_values(id, "results", { warning = text })
+  say("warned", id, one_line(text))
+end
+
 -- Stores what `keep` does and the mark in one transaction.
 local function finish(store, id, seconds, keep)
   store:begin()
   local fine, why = pcall(function()
     keep()
+    tell_warning(store, id)
     store:mark(id, "done", nil, seconds)
     store:commit()
   end)
@@ -91,10 +103,12 @@ end
 
 local function do_case(store, id)
   local start = term.clock()
+  warnings.take()
   store:mark(id, "running")
   local task = tasks[store:info("task") or "wear"]
   local fine, keep = pcall(task, store, id, speaker(id))
   if not fine then
+    tell_warning(store, id)
     store:mark(id, "failed", one_line(keep))
     return say("failed", id, one_line(keep))
   end
@@ -104,6 +118,7 @@ end
 
 return function(path)
   local store = stores.open(path, "write")
+  warnings.keep()
   for line in io.lines() do
     local id = math.tointeger(tonumber(line:match("^case (%d+)$")))
     if not id then error("worker: cannot make sense of " .. line) end

@@ -25,6 +25,7 @@ static const luaL_Reg modules[] = {
     {"archard.gnuplot", luaopen_archard_gnuplot},
     {"archard.store", luaopen_archard_store},
     {"archard.process", luaopen_archard_process},
+    {"archard.warnings", luaopen_archard_warnings},
     {NULL, NULL},
 };
 

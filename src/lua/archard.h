@@ -32,4 +32,7 @@ int luaopen_archard_store(lua_State *L);
 /* The module `archard.process`: copies of this program at work. */
 int luaopen_archard_process(lua_State *L);
 
+/* The module `archard.warnings`: keeps warnings for whoever asks, instead of showing them. */
+int luaopen_archard_warnings(lua_State *L);
+
 #endif

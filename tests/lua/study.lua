@@ -153,6 +153,28 @@ is(cases[2].message:find "wear: field 'alpha'", 1, "the message is stored, witho
 holds(bad:table(), { "done", "failed: wear: field 'alpha'" }, "the table tells of it")
 is(study.open(path "bad"):cases()[2].status, "failed", "study.open")
 
+holds(bad:table{ format = "csv" }, '\n2,2,,,,,,,,,,"failed: ', "empty cells in CSV")
+
+-- What a run warns of is told by the study.
+errors = {}
+io.stderr = { write = function(_, ...) errors[#errors + 1] = table.concat{ ... } end }
+local ripples = small{ vary = { jump = { 50, 800 } } }:run{ file = path "ripples", progress = false }
+local told = table.concat(errors)
+errors = {}
+small{ vary = { jump = { 50, 800, 810, 820, 830 } } }:run{ file = path "more", progress = false }
+io.stderr = quiet
+holds(told, { "case 2", "warning: jump = 800 cycles is past the stability limit" },
+  "a jump past the stability limit is told of")
+is(told:find("case 1", 1, true), nil, "and no other")
+holds(table.concat(errors), "4 cases (2, 3, 4, 5) have warnings", "many are told of in one line")
+is(#errors, 1, "and no more")
+ripples = study.open(path "ripples"):cases()
+is(ripples[1].warning, nil, "a quiet case has no warning")
+holds(ripples[2].warning, "ripples will grow", "the run file keeps the others'")
+holds(tostring(ripples[2]), "ripples will grow", "print(case) tells of it")
+holds(study.open(path "ripples"):table(), "done, warned: jump = 800 cycles is past", "the table too")
+holds(study.open(path "ripples"):table(), "half_w", "which keeps its columns")
+
 -- Histories and series are settings as any other.
 local blocks = study{ looks = 0, base = { geometry = "frozen", jump = 50, model = coarse.model,
   loading = { { x = { -0.05, 0.05, -0.05 }, load = { 80, 100, 80 }, cycles = 200 },
