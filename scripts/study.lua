@@ -50,6 +50,7 @@ local function new(where, given)
   if given[1] ~= nil then check.fail(where, "fields are given by name; found [1]") end
   local self = { name = given.name or "study", flat = expand(where, given), task = given.task,
     looks = given.looks or usual_looks }
+  if not given.task then require "archard.study_names"(where, self.flat) end
   self.varied = settings.varied(self.flat)
   self.labels = {}
   for i, case in ipairs(self.flat) do self.labels[i] = settings.label(case, self.varied) end
@@ -174,7 +175,7 @@ local function read_shard(text)
   return { tonumber(i), tonumber(n) }
 end
 
--- A misspelt field is told before anything starts: by the first case, made here.
+-- A value out of range is told before anything starts: by the first case, made here.
 local function try_first(self)
   if self.task then return end
   local made, run = pcall(wear, settings.nest(self.flat[1]))

@@ -57,9 +57,20 @@ fails(function() study{ bas = {} } end, { "'bas'", "did you mean 'base'" }, "a m
 fails(function() study{ vary = { alpha = 3 } } end, { "vary.alpha", "list" }, "vary needs lists")
 fails(function() study{ vary = { alpha = {} } } end, "empty", "and not empty ones")
 fails(function() study{ vary = { alpha = { 1 } }, cases = { {} } } end, "got both", "vary or cases")
-fails(function() study{ base = { aplha = 1 } }:run{ file = path "never" } end,
-  { "study.lua:", "study:run: case 1: ", "'aplha'" },
-  "a misspelt field of wear stops the study before it starts")
+fails(function() study{ base = { alfa = 3 } } end,
+  { "study.lua:", "study: unknown field 'alfa' (did you mean 'alpha'?)" },
+  "a misspelt field of wear is refused at once")
+fails(function() study{ vary = { k = { 1e-9, 2e-9 }, foo = { 1 } } } end, "unknown field 'foo' (",
+  "one that is varied too")
+fails(function() study{ cases = { { alpha = 1 }, { ["model.mesh.sise"] = 1 } } } end,
+  "unknown field 'model.mesh.sise' (did you mean 'size'?)", "and one inside the model")
+fails(function() study.paper{ model = { plate = { G = 1 } } } end,
+  { "study.paper: ", "'model.plate.G' (did you mean 'E'?)" }, "or a material")
+fails(function() study{ base = { loading = { { x = { 0, 1, 0 }, lode = 1 } } } } end,
+  "unknown field 'loading.lode' (did you mean 'load'?)", "or a block of loading")
+fails(function() study{ base = { alpha = 3 } }:run{ file = path "never" } end,
+  { "study.lua:", "study:run: case 1: ", "'alpha'" },
+  "a value out of range stops the study before it starts")
 is(io.open(path "never"), nil, "and leaves no file")
 is(#study.paper():cases(), 20, "the paper's 20 cases")
 is(study.paper():cases()[6].jump, 40, "with Table 1's cycles per update")
