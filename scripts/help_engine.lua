@@ -57,7 +57,7 @@ return {
   { "model{mesh}", type = "table", text = "How fine the meshes are." },
   { "model{mesh.size}", type = "number > 0", unit = "mm", default = 0.020,
     text = "Width of the elements at the contact." },
-  { "model{mesh.height}", type = "number > 0", unit = "mm", default = 0.025,
+  { "model{mesh.height}", type = "number > 0", unit = "mm", default = "1.25 size",
     text = "Height of the elements at the contact." },
   { "model{mesh.far}", type = "number > 0", unit = "mm", default = 1.0,
     text = "Largest size of the elements far from the contact." },
@@ -154,7 +154,7 @@ return {
     text = "Pressure at the surface nodes of a body, as { x=, p= } in mm and MPa; x is counted from "
       .. "the cylinder's axis." },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
-    text = "Displacements and stresses inside both bodies: a field for plot.stress and export.vtk." },
+    text = "Displacements and stresses inside both bodies: a field for plot.stress, export.vtk and export.csv." },
   { "contact.close", kind = "method", use = "c:close()",
     text = "Lets go of it now instead of when it is collected." },
   { "stress", kind = "object", use = "f = c:stress()",
@@ -263,7 +263,8 @@ return {
     text = "The same for all nodes under pressure in one call, for factors that hang together: xs and "
       .. "ps are lists, the result is the list of factors, and may be ps itself." },
   { "wear{worn}", type = "wear, or table { cylinder=, plate= }", class = "wear",
-    text = "Shape to start from, as in contact{worn}." },
+    text = "Shape to start from, as in contact{worn}. Depths and alpha-tilde count from the unworn "
+      .. "shape, volumes from this one." },
   { "wear{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
     text = "Wear depth of the cylinder to start from." },
   { "wear{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",

@@ -125,9 +125,10 @@ return {
     text = "Writes files for other tools. A file is complete or not there." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
     text = "Columns of numbers with a line of names: the history of a wear run, a profile, a "
-      .. "pressure." },
+      .. "pressure. A stress becomes two files, path-cylinder.csv and path-plate.csv." },
   { "export.vtk", kind = "function", use = "export.vtk(obj, path)",
-    text = "Meshes and stress fields, for ParaView and others (legacy VTK text)." },
+    text = "Meshes and stress fields, for ParaView and others (legacy VTK text). Of a model, a contact "
+      .. "or its stress come two files, path-cylinder.vtk and path-plate.vtk." },
   { "export.inp", kind = "function", use = "export.inp(model, path)",
     text = "Input deck of both meshes for Abaqus and CalculiX: nodes, elements, surfaces, boundary "
       .. "sets, materials." },

@@ -143,8 +143,11 @@ static edit_result read_line(prompt *self, char **line) {
 }
 
 static int asks_to_leave(const prompt *self, const char *line) {
-  if (self->chunk.text || (strcmp(line, "exit") != 0 && strcmp(line, "quit") != 0)) return 0;
-  int taken = lua_getglobal(self->L, line) != LUA_TNIL;
+  static const char *const words[] = {"exit", "quit", "exit()", "quit()"};
+  int word = 0;
+  while (word < 4 && strcmp(line, words[word]) != 0) word++;
+  if (self->chunk.text || word == 4) return 0;
+  int taken = lua_getglobal(self->L, words[word % 2]) != LUA_TNIL;
   lua_pop(self->L, 1);
   return !taken;
 }

@@ -119,6 +119,12 @@ void args_unknown(lua_State *L, args_place place, const args_field *fields, cons
   if (meant)
     error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (did you mean '%s'?)",
                 place.prefix, name, meant);
+  static const char *const of_model[] = {"radius", "thickness", "cylinder", "plate", "mesh", NULL};
+  for (int i = 0; of_model[i] && place.prefix[0] == '\0'; i++)
+    if (strcmp(name, of_model[i]) == 0)
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "unknown field '%s': it is a field of model{}, as in model = { %s = ... }", name,
+                  name);
   error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (known: %s)", place.prefix, name,
               push_known(L, fields));
 }

@@ -26,8 +26,8 @@ static int class_index(lua_State *L) {
 static int class_newindex(lua_State *L) {
   const box_class *class = class_upvalue(L);
   const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
-  error_raise(L, ARC_ARGUMENT, class->name, "field '%s' cannot be set: the object is read-only",
-              name);
+  error_raise(L, ARC_ARGUMENT, class->name, "field '%s' cannot be set: the object is read-only%s%s",
+              name, class->setter ? "; change it by " : "", class->setter ? class->setter : "");
 }
 
 void box_empty(box *emptied, const box_class *class) {

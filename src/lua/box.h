@@ -23,6 +23,7 @@ typedef struct box_class {
   lua_CFunction tostring;       /* a few readable lines */
   void (*destroy)(void *thing); /* NULL: the box holds a value */
   size_t value;                 /* [bytes] of that value */
+  const char *setter; /* how to change a field instead, "w:set{ ... }"; NULL: not at all */
 } box_class;
 
 typedef struct box {

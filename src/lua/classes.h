@@ -98,6 +98,9 @@ void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body bo
 /* contact:stress() (stress.c). */
 int stress_new(lua_State *L);
 
+/* The contact that the stress object at `index` belongs to; NULL if it is anything else. */
+const arc_contact *stress_contact(lua_State *L, int index, const char *where);
+
 /* Pushes what holds the stresses of one body until it is collected. */
 const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
                                    const char *where);

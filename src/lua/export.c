@@ -76,6 +76,40 @@ static void write_pressures(lua_State *L, const char *path, const arc_contact *c
   write_columns(L, path, table);
 }
 
+/* Pushes "file-cylinder.ending" for "file.ending". */
+static const char *push_path(lua_State *L, const char *path, arc_body body, const char *usual) {
+  const char *name = strrchr(path, '/');
+  const char *ending = strrchr(name ? name : path, '.');
+  size_t stem = ending ? (size_t)(ending - path) : strlen(path);
+  lua_pushlstring(L, path, stem);
+  lua_pushfstring(L, "%s-%s%s", lua_tostring(L, -1), body_names[body], ending ? ending : usual);
+  lua_remove(L, -2);
+  return lua_tostring(L, -1);
+}
+
+/* The fields of both bodies, one file each; leaves the names of the files on the stack. */
+static int write_stress(lua_State *L, const char *path, const arc_contact *contact) {
+  static const char *const names[] = {"x",   "y",   "ux",  "uy",    "sxx",
+                                      "syy", "szz", "sxy", "mises", "shear"};
+  for (int body = 0; body < ARC_BODIES; body++) {
+    const char *file = push_path(L, path, (arc_body)body, ".csv");
+    const arc_field *f = field_push_holder(L, contact, (arc_body)body, csv_where);
+    const double *const columns[] = {f->x,   f->y,   f->ux,  f->uy,    f->sxx,
+                                     f->syy, f->szz, f->sxy, f->mises, f->shear};
+    arc_error error = {0};
+    arc_status status = arc_export_csv(file, 10, names, columns, (size_t)f->nodes, &error);
+    error_check(L, status, &error, csv_where, -1);
+    lua_pop(L, 1);
+  }
+  return ARC_BODIES;
+}
+
+/* What stands at an index, by its class or type: whole objects make long messages. */
+static const char *kind_of(lua_State *L, int index) {
+  if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) return lua_tostring(L, -1);
+  return luaL_typename(L, index);
+}
+
 /* The order of columns of a plain table: positions first, then by name. */
 static int rank_of(const char *name) {
   static const char *const first[] = {"distance", "t", "x", "y"};
@@ -134,7 +168,7 @@ static void write_table(lua_State *L, const char *path, int index) {
   write_columns(L, path, table);
 }
 
-/* export.csv(wear | contact | table of arrays, path) */
+/* export.csv(wear | contact | stress | table of arrays, path) -> the two files of a stress */
 static int export_csv(lua_State *L) {
   lua_settop(L, 2);
   const char *path = path_argument(L, 2, csv_where);
@@ -143,12 +177,14 @@ static int export_csv(lua_State *L) {
     write_history(L, path, box_check(L, 1, &wear_class, csv_where)->thing);
   else if (box_test(L, 1, &contact_class))
     write_pressures(L, path, box_check(L, 1, &contact_class, csv_where)->thing);
+  else if (stress_contact(L, 1, csv_where))
+    return write_stress(L, path, stress_contact(L, 1, csv_where));
   else if (lua_istable(L, 1))
     write_table(L, path, 1);
   else
     error_raise(L, ARC_ARGUMENT, csv_where,
-                "expected a wear or contact object or a table of arrays, got %s",
-                luaL_tolstring(L, 1, NULL));
+                "expected a wear or contact object, a stress or a table of arrays, got %s",
+                kind_of(L, 1));
   return 0;
 }
 
@@ -156,23 +192,12 @@ static int export_csv(lua_State *L) {
 
 static const char vtk_where[] = "export.vtk";
 
-/* Pushes "file-cylinder.vtk" for "file.vtk". */
-static const char *push_path(lua_State *L, const char *path, arc_body body) {
-  const char *name = strrchr(path, '/');
-  const char *ending = strrchr(name ? name : path, '.');
-  size_t stem = ending ? (size_t)(ending - path) : strlen(path);
-  lua_pushlstring(L, path, stem);
-  lua_pushfstring(L, "%s-%s%s", lua_tostring(L, -1), body_names[body], ending ? ending : ".vtk");
-  lua_remove(L, -2);
-  return lua_tostring(L, -1);
-}
-
 /* One file a body; returns their names. */
 static int write_bodies(lua_State *L, const char *path, const arc_model *model,
                         const arc_contact *contact) {
   arc_error error = {0};
   for (int body = 0; body < ARC_BODIES; body++) {
-    const char *file = push_path(L, path, (arc_body)body);
+    const char *file = push_path(L, path, (arc_body)body, ".vtk");
     const arc_field *field =
         contact ? field_push_holder(L, contact, (arc_body)body, vtk_where) : NULL;
     arc_status status = arc_export_vtk(file, arc_model_mesh(model, (arc_body)body), field, &error);
@@ -192,17 +217,20 @@ static int write_mesh(lua_State *L, const char *path) {
   return 1;
 }
 
-/* export.vtk(contact | model | mesh, path) -> the files written: one of a mesh, else one a body */
+/* export.vtk(contact | stress | model | mesh, path) -> the files written: one of a mesh, else one a
+ * body */
 static int export_vtk(lua_State *L) {
   lua_settop(L, 2);
   const char *path = path_argument(L, 2, vtk_where);
   if (box_test(L, 1, &mesh_class)) return write_mesh(L, path);
   if (box_test(L, 1, &model_class))
     return write_bodies(L, path, box_check(L, 1, &model_class, vtk_where)->thing, NULL);
-  if (!box_test(L, 1, &contact_class))
-    error_raise(L, ARC_ARGUMENT, vtk_where, "expected a contact, model or mesh object, got %s",
-                luaL_tolstring(L, 1, NULL));
-  const arc_contact *contact = box_check(L, 1, &contact_class, vtk_where)->thing;
+  const arc_contact *contact = stress_contact(L, 1, vtk_where);
+  if (!contact && !box_test(L, 1, &contact_class))
+    error_raise(L, ARC_ARGUMENT, vtk_where,
+                "expected a contact, its stress, a model or a mesh, got %s%s", kind_of(L, 1),
+                box_test(L, 1, &wear_class) ? " (its contact is w:contact())" : "");
+  if (!contact) contact = box_check(L, 1, &contact_class, vtk_where)->thing;
   return write_bodies(L, path, arc_contact_model(contact), contact);
 }
 

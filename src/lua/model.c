@@ -69,9 +69,14 @@ static const args_field mesh_fields[] = {
 static void read_mesh(lua_State *L, args_place place, const char *name, void *member) {
   if (!lua_istable(L, -1))
     args_refuse(L, place, name, "a table { size=, height=, far=, zone=, rows=, element= }");
+  model_request *request = member;
+  arc_mesh_def *mesh = &request->def.mesh, usual = arc_mesh_default();
+  mesh->height = 0; /* not given */
   args_place inner = {place.where, lua_pushfstring(L, "%smesh.", place.prefix)};
   args_read(L, -2, inner, mesh_fields, member);
   lua_pop(L, 1);
+  /* finer elements keep their shape: both sides of one matter to the pressure */
+  if (mesh->height == 0) mesh->height = usual.height * (mesh->size / usual.size);
 }
 
 static const args_field definition[] = {

@@ -150,6 +150,7 @@ const box_class wear_class = {
     .fields = wear_fields,
     .tostring = wear_tostring,
     .destroy = destroy_wear,
+    .setter = "w:set{ field = value }",
 };
 
 static int class_tostring(lua_State *L) {

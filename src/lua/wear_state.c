@@ -266,23 +266,47 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
     snprintf(text, size, "jump %.6g", settings->jump);
 }
 
+/* Where k is not one number everywhere: law and local factor, a line only where they are used. */
+static void add_law(luaL_Buffer *text, const arc_wear_def *settings) {
+  char line[120];
+  if (settings->law == ARC_LAW_ARCHARD && !settings->local_factor) return;
+  snprintf(line, sizeof line, "  law       %s", law_names[settings->law]);
+  luaL_addstring(text, line);
+  if (settings->law == ARC_LAW_POWER)
+    snprintf(line, sizeof line, ", (p / %.6g MPa)^%.6g", settings->law_pressure,
+             settings->law_exponent);
+  else if (settings->law == ARC_LAW_THRESHOLD)
+    snprintf(line, sizeof line, ", above %.6g MPa", settings->law_pressure);
+  else
+    line[0] = '\0';
+  luaL_addstring(text, line);
+  luaL_addstring(text, settings->local_factor ? ", with a local factor\n" : "\n");
+}
+
+/* "1e-08 mm2/N", "by function". */
+static const char *show_k(const arc_wear_def *settings, char *text, size_t size) {
+  if (settings->k_function) return "by function";
+  if (settings->k_series.count > 0) return "by distance";
+  snprintf(text, size, "%.6g mm2/N", settings->k);
+  return text;
+}
+
 static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_def *settings = arc_wear_definition(wear);
   char line[400], motion[60], k[40], alpha[40], steps[40];
   show_motion(settings, motion, sizeof motion);
   show_steps(settings, steps, sizeof steps);
-  snprintf(
-      line, sizeof line,
-      "wear: %s, load %.6g N, k %s mm2/N, alpha %s\n"
-      "  settings  %s %s, %s, increments %d, %s, %s slip, %s\n",
-      motion, settings->load,
-      show_coefficient(settings->k, &settings->k_series, settings->k_function != NULL, k, sizeof k),
-      show_coefficient(settings->alpha, &settings->alpha_series, settings->alpha_function != NULL,
-                       alpha, sizeof alpha),
-      procedure_names[arc_wear_procedure(wear)], scheme_names[settings->scheme], steps,
-      settings->increments, geometry_names[settings->geometry], slip_names[settings->slip],
-      rule_names[settings->rule]);
+  snprintf(line, sizeof line,
+           "wear: %s, load %.6g N, k %s, alpha %s\n"
+           "  settings  %s %s, %s, increments %d, %s, %s slip, %s\n",
+           motion, settings->load, show_k(settings, k, sizeof k),
+           show_coefficient(settings->alpha, &settings->alpha_series,
+                            settings->alpha_function != NULL, alpha, sizeof alpha),
+           procedure_names[arc_wear_procedure(wear)], scheme_names[settings->scheme], steps,
+           settings->increments, geometry_names[settings->geometry], slip_names[settings->slip],
+           rule_names[settings->rule]);
   luaL_addstring(text, line);
+  add_law(text, settings);
 }
 
 static void add_state(luaL_Buffer *text, const arc_wear *wear) {
