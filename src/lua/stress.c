@@ -100,20 +100,28 @@ static int stress_tostring(lua_State *L) {
   return 1;
 }
 
+/* Pushes the table from stress objects to their contacts, for files made of them. */
+static void push_origins(lua_State *L) {
+  if (!luaL_getsubtable(L, LUA_REGISTRYINDEX, "archard.stress origins")) {
+    lua_createtable(L, 0, 1);
+    lua_pushliteral(L, "k");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+  }
+}
+
 const arc_contact *stress_contact(lua_State *L, int index, const char *where) {
-  index = lua_absindex(L, index);
-  if (!lua_istable(L, index) || !lua_getmetatable(L, index)) return NULL;
-  luaL_getmetatable(L, kind);
-  const int is_stress = lua_rawequal(L, -1, -2);
-  lua_pop(L, 2);
-  if (!is_stress) return NULL;
-  lua_getfield(L, index, "contact");
-  const arc_contact *contact = box_check(L, -1, &contact_class, where)->thing;
-  lua_pop(L, 1); /* the table keeps it */
+  lua_pushvalue(L, index);
+  push_origins(L);
+  lua_insert(L, -2);
+  lua_gettable(L, -2);
+  const arc_contact *contact =
+      lua_isnil(L, -1) ? NULL : box_check(L, -1, &contact_class, where)->thing;
+  lua_pop(L, 2); /* the table of origins keeps it */
   return contact;
 }
 
-/* contact:stress() -> { cylinder=, plate=, contact= } of nodal arrays */
+/* contact:stress() -> { cylinder=, plate= } of nodal arrays */
 int stress_new(lua_State *L) {
   const arc_contact *contact = box_self(L, &contact_class, "contact:stress")->thing;
   luaL_checkstack(L, 12, "contact:stress");
@@ -122,8 +130,11 @@ int stress_new(lua_State *L) {
     push_field(L, contact, (arc_body)body);
     lua_setfield(L, -2, body_names[body]);
   }
+  push_origins(L);
+  lua_pushvalue(L, -2);
   lua_pushvalue(L, 1);
-  lua_setfield(L, -2, "contact"); /* for files made of it */
+  lua_settable(L, -3);
+  lua_pop(L, 1);
   if (luaL_newmetatable(L, kind)) {
     lua_pushcfunction(L, stress_tostring);
     lua_setfield(L, -2, "__tostring");

@@ -1,7 +1,7 @@
 -- Definition tables: what is refused, with which words, and error objects as values.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
-local ok, is, fails = tap.ok, tap.is, tap.fails
+local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 
 -- unknown names
 fails(function() wear{ aplha = 0.3 } end, "unknown field 'aplha' (did you mean 'alpha'?)",
@@ -84,3 +84,12 @@ fails(function() wear{ stroke = 30 } end, { "stroke", "30" }, "stroke over the p
 fails(function() wear{ procedure = "NSP" } end, { "NSP", "alpha" }, "NSP where the plate does not stay flat")
 fails(function() model{ mesh = { size = 100 } } end, { "size" }, "element larger than the body")
 ok(pcall(wear), "no table at all: the defaults")
+
+-- what belongs elsewhere is said so
+fails(function() wear{ radius = 6 } end, "it is a field of model{}", "a field of a model in wear{}")
+fails(function() wear{}.k = 3 end, "change it by w:set{ field = value }", "a field that cannot be set")
+
+-- an element keeps its shape when only its width is given
+local fine = model{ mesh = { size = 0.04 } }
+near(fine.mesh.height, 0.05, 1e-15, "the height follows the size")
+is(model{ mesh = { size = 0.04, height = 0.03 } }.mesh.height, 0.03, "unless it is given")

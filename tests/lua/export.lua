@@ -74,11 +74,19 @@ is(files[2], at "stress-plate.vtk", "and one for the plate")
 local text = read "stress-plate.vtk"
 holds(text, { "# vtk DataFile", "POINTS " .. w.model.mesh.plate.nodes, "CELLS", "POINT_DATA", "mises" },
   "stresses in VTK")
+-- a stress object stands for its contact
+export.vtk(c:stress(), at "field.vtk")
+is(read "field-plate.vtk", text, "a stress in VTK, the same file")
+files = { export.csv(c:stress(), at "field.csv") }
+is(files[1], at "field-cylinder.csv", "a stress in CSV: a file a body")
+local columns = read_csv "field-plate.csv"
+is(#columns.mises, w.model.mesh.plate.nodes, "node by node")
+is(columns.mises[7], c:stress().plate.mises[7], "the same bits")
 export.vtk(w.model, at "mesh")
 ok(not read("mesh-plate.vtk"):find("mises"), "a model in VTK has no stresses; the ending is added")
 is(export.vtk(w.model.mesh.plate, at "plate.vtk"), at "plate.vtk", "a mesh is one file")
 holds(read "plate.vtk", "POINTS " .. w.model.mesh.plate.nodes, "with its nodes")
-fails(function() export.vtk(w, at "w.vtk") end, "expected a contact, model or mesh object", "a run")
+fails(function() export.vtk(w, at "w.vtk") end, "expected a contact, its stress, a model or a mesh", "a run")
 
 -- decks
 export.inp(w.model, at "model.inp")
