@@ -21,6 +21,10 @@ for name in ("model k stroke jump increments cycles scheme procedure slip geomet
 end
 
 local function measurements(name, given)
+  if given == nil then
+    check.fail(where, ("field '%s': expected the measured wear, got none (0: too little to measure)")
+      :format(name))
+  end
   local list = type(given) == "table" and given or { given }
   for i = 1, math.max(#list, 1) do
     local value = list[i]
@@ -32,12 +36,17 @@ local function measurements(name, given)
   return list
 end
 
--- Both bodies' measurements; a body that is left out did not wear.
+-- Both bodies' measurements, as many of one as of the other: each pair is of one test. A plain 0
+-- stands for a body whose wear was too little to measure in all of them.
 local function read_pair(name, given)
   check.fields(where, given, { cylinder = { expected = "numbers", test = function() return true end },
     plate = { expected = "numbers", test = function() return true end } }, name .. ".")
-  local cylinder = measurements(name .. ".cylinder", given.cylinder or 0)
-  local plate = measurements(name .. ".plate", given.plate or 0)
+  local cylinder = measurements(name .. ".cylinder", given.cylinder)
+  local plate = measurements(name .. ".plate", given.plate)
+  if #cylinder ~= #plate and given.cylinder ~= 0 and given.plate ~= 0 then
+    check.fail(where, ("fields '%s.cylinder' and '%s.plate': expected as many measurements of one as "
+      .. "of the other, got %d and %d"):format(name, name, #cylinder, #plate))
+  end
   return cylinder, plate
 end
 

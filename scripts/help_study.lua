@@ -126,7 +126,8 @@ return {
       .. "alpha-tilde is the measured one: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 }, "
       .. "stroke=0.44 }, with further fields of wear{}." },
   { "calibrate{volume}", type = "table { cylinder=, plate= }", unit = "mm3",
-    text = "Worn volumes: numbers, or lists of repeated measurements." },
+    text = "Worn volumes of both bodies: numbers, or lists of as many repeated measurements; 0 for "
+      .. "what is too little to measure." },
   { "calibrate{depth}", type = "table { cylinder=, plate= }", unit = "mm",
     text = "Largest wear depths, likewise." },
   { "calibrate{load}", type = "number", unit = "N", text = "Load of the test." },

@@ -69,7 +69,7 @@ near(one.k, 1e-8, 1e-12, "k from volumes")
 near(one.alpha, 0.75, 1e-12, "alpha from volumes")
 near(one.k_cylinder + one.k_plate, one.k, 1e-12, "parts of k")
 is(one.spread.k, nil, "one measurement has no spread")
-local many = calibrate{ volume = { cylinder = { 1, 2, 3 }, plate = { 2, 2 } }, load = 1, distance = 1 }
+local many = calibrate{ volume = { cylinder = { 1, 2, 3 }, plate = { 2, 2, 2 } }, load = 1, distance = 1 }
 near(many.alpha, 0.5, 1e-12, "alpha of means")
 near(many.spread.k_cylinder, 1, 1e-12, "standard deviation of k_cylinder")
 near(many.spread.k, 1, 1e-12, "of k")
@@ -90,7 +90,7 @@ local back = calibrate(with{ depth = { cylinder = truth.depth.cylinder, plate = 
 near(back.alpha, 0.3, 1e-4, "the alpha of a simulation comes back from its depths")
 near(back.simulated_depth, back.measured_depth, 1e-4, "and so do its depths")
 ok(back.runs < 12, "in few runs: " .. back.runs)
-local flat = calibrate(with{ depth = { cylinder = 1e-3 } })
+local flat = calibrate(with{ depth = { cylinder = 1e-3, plate = 0 } })
 is(flat.alpha, 1, "a plate that did not wear")
 local spread = calibrate(with{ depth = { cylinder = { 1.0e-3, 1.1e-3 }, plate = { 1.1e-3, 1.0e-3 } } })
 ok(spread.spread.alpha > 0.01 and spread.spread.alpha < 0.2, "spread of alpha by depths")
@@ -98,9 +98,19 @@ ok(spread.spread.alpha > 0.01 and spread.spread.alpha < 0.2, "spread of alpha by
 fails(function() calibrate{} end, "got neither", "volume or depth")
 fails(function() calibrate{ volume = {}, depth = {} } end, "got both", "but not both")
 fails(function() calibrate{ volume = { cylinder = 1 } } end, "load", "volumes need the test's load")
+fails(function() calibrate{ volume = { plate = 1e-4 }, load = 40, distance = 2000 } end,
+  { "'volume.cylinder'", "got none", "0: too little" }, "a body that is left out")
+fails(function() calibrate(with{ depth = { cylinder = 1e-3 } }) end, "'depth.plate'", "also of depths")
+fails(function()
+  calibrate{ volume = { cylinder = { 1, 2, 3 }, plate = { 2, 2 } }, load = 1, distance = 1 }
+end, { "'volume.cylinder'", "'volume.plate'", "got 3 and 2" }, "unequal numbers of measurements")
+fails(function() calibrate{ volume = { cylinder = 1, plate = { 2, 2 } }, load = 1, distance = 1 } end,
+  "got 1 and 2", "one against a list")
+is(calibrate{ volume = { cylinder = 0, plate = { 2, 4 } }, load = 1, distance = 1 }.k, 3,
+  "a plain 0 stands for all of a list")
 fails(function() calibrate{ volume = { cylinder = -1 }, load = 1, distance = 1 } end,
   { "volume.cylinder", "-1" }, "no negative volume")
 fails(function() calibrate{ volume = { cyl = 1 }, load = 1, distance = 1 } end, "volume.cyl",
   "a misspelt body")
-fails(function() calibrate{ volume = { cylinder = 0 }, load = 1, distance = 1 } end, "got none",
+fails(function() calibrate{ volume = { cylinder = 0, plate = 0 }, load = 1, distance = 1 } end, "got none",
   "no wear at all")
