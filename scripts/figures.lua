@@ -21,6 +21,11 @@ local function finished(cases)
   return curves
 end
 
+-- "8 of 9 cases" where some are left out or have no results, else nil.
+local function share_of(curves, cases)
+  return #curves < #cases and ("%d of %d cases"):format(#curves, #cases) or nil
+end
+
 -- The widest contact, in a, with room around it.
 local function reach_of(curves, widen)
   local reach = 1
@@ -36,25 +41,27 @@ end
 local function final_state(cases)
   local curves = finished(cases)
   if #curves == 0 then return nil end
-  local reach = reach_of(curves)
-  return { layout = { 1, 3 }, size = { 1260, 460 }, panels = {
+  local reach, share = reach_of(curves), share_of(curves, cases)
+  return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
     parts.panel("cylinder", curves, { title = "cylinder", reach = reach }),
     parts.panel("plate", curves, { title = "plate", reach = reach_of(curves, true) }),
-    parts.panel("pressure", curves, { title = "pressure", reach = reach }) } }
+    parts.panel("pressure", curves, { title = "pressure", reach = reach }) } }, share
 end
 
 local function histories(cases)
   local curves = finished(cases)
   if #curves == 0 then return nil end
-  return { layout = { 1, 3 }, size = { 1260, 460 }, panels = {
+  local share = share_of(curves, cases)
+  return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
     parts.course("depth_cylinder", 1e3, "cylinder / µm", curves, {}),
     parts.course("depth_plate", 1e3, "plate / µm", curves, {}),
-    parts.course("p_center", 1, "p_center / MPa", curves, { yrange = { 0 } }) } }
+    parts.course("p_center", 1, "p_center / MPa", curves, { yrange = { 0 } }) } }, share
 end
 
+-- draw(cases) -> the figure or nil, and which share of the cases is in it, if not all.
 local general = {
   { name = "final", title = "Final state", draw = final_state,
-    caption = "Worn shapes and pressures at the end of the first cases.", shows = "" },
+    caption = "Worn shapes and pressures at the end.", shows = "" },
   { name = "history", title = "Course", draw = histories,
     caption = "Depths and pressure at the centre over the travelled distance.", shows = "" },
 }
@@ -103,11 +110,12 @@ function figures.draw(study, options)
   if terms[1] ~= "dumb" then make_folder(dir) end
   local drawn, cases = {}, study:cases()
   for _, figure in ipairs(set_of(study)) do
-    local made = figure.draw(cases)
+    local made, share = figure.draw(cases)
     if made then
       local files = {}
       for _, term in ipairs(terms) do files[#files + 1] = draw_one(made, dir, figure.name, term) end
-      drawn[#drawn + 1] = { name = figure.name, title = figure.title, caption = figure.caption,
+      drawn[#drawn + 1] = { name = figure.name, title = figure.title,
+        caption = figure.caption .. (share and " " .. share .. "." or ""),
         shows = figure.shows, files = files }
     end
   end

@@ -97,7 +97,8 @@ return {
   { "study.table{file}", type = "string", text = "File to write it to: .txt, .csv or .md." },
   { "study.figures", kind = "method", use = 's:figures{ dir="figures" }',
     text = "Draws from the stored results: the paper's figures for study.paper and study.trials, "
-      .. "final shapes, pressures and histories for others. Returns a list of what was drawn." },
+      .. "final shapes, pressures and histories of up to eight cases for others. Returns a list of "
+      .. "what was drawn." },
   { "study.figures{dir}", type = "string", default = '"figures"', text = "Folder to write them to." },
   { "study.figures{term}", values = { "svg", "png", "pdf", "dumb" }, default = '"svg"',
     text = "Kind of the pictures, or a list of kinds; dumb draws them in the terminal." },

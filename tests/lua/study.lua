@@ -224,6 +224,17 @@ one:table{ file = path "table.md" }
 holds(assert(io.open(path "table.md")):read("a"), "| --: |", "the ending tells the form")
 fails(function() one:table{ format = "html" } end, '"markdown"', "no other form")
 
+-- --- figures -----------------------------------------------------------------------------------
+local drawn = one:figures{ dir = path "figures" }
+is(drawn[1].caption:find "cases", nil, "a picture of all cases says no more")
+local nine = small{ vary = { alpha = { 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9 } }, looks = 0 }
+  :run{ file = path "nine", progress = false }
+drawn = nine:figures{ dir = path "figures" }
+for _, each in ipairs(drawn) do
+  holds(each.caption, "8 of 9 cases", "one that leaves out a case says so, " .. each.name)
+  holds(assert(io.open(each.files[1])):read("a"), "8 of 9 cases", "in the picture as well")
+end
+
 -- --- one run in a file -------------------------------------------------------------------------
 local w = wear{ geometry = "frozen", increments = 8, distance = 220, model = coarse.model }
 w:step(5)
