@@ -52,12 +52,11 @@ end
 local function find_mesh(flat, options)
   local limit = options.pressure or search.limits.pressure
   local steps, good = search.mesh(settings.nest(flat), limit)
-  local found = { steps = steps, limit = limit, good = good, size = steps[#steps].size }
   if not good then
     check.fail(where, ("no element size down to %g mm brings the largest pressure within %g %% of "
-      .. "Hertz'"):format(found.size, 100 * limit), "NOT_CONVERGED")
+      .. "Hertz' and keeps it there"):format(steps[#steps].size, 100 * limit), "NOT_CONVERGED")
   end
-  return found
+  return { steps = steps, limit = limit, size = good.size }
 end
 
 local function refuse_loading(flat)
@@ -107,15 +106,15 @@ local function number(format, value)
 end
 
 local function mesh_lines(mesh)
-  local rows = { { "size [mm]", "p_max [MPa]", "off Hertz", "change" } }
+  local rows = { { "size [mm]", "across 2a", "p_max [MPa]", "off Hertz", "change" } }
   for _, step in ipairs(mesh.steps) do
-    rows[#rows + 1] = { ("%g"):format(step.size), ("%.2f"):format(step.p_max),
-      ("%+.2f %%"):format(100 * step.error),
+    rows[#rows + 1] = { ("%g"):format(step.size), ("%.1f"):format(step.elements),
+      ("%.2f"):format(step.p_max), ("%+.2f %%"):format(100 * step.error),
       step.change and ("%+.2f %%"):format(100 * step.change) or "-" }
   end
   align(rows)
-  local lines = { ("element size: %g mm is enough (within %g %% of Hertz' pressure)"):format(
-    mesh.size, 100 * mesh.limit) }
+  local lines = { ("element size: %g mm is enough (within %g %% of Hertz' pressure, as is half of it)")
+    :format(mesh.size, 100 * mesh.limit) }
   for _, row in ipairs(rows) do lines[#lines + 1] = "  " .. table.concat(row, "  ") end
   return table.concat(lines, "\n")
 end
@@ -139,6 +138,19 @@ local function case_lines(rows)
   align(lines)
   for i, line in ipairs(lines) do lines[i] = table.concat(line, "  ") end
   return table.concat(lines, "\n")
+end
+
+-- A limit of roughness that was not the one asked for is told.
+local function smooth_lines(rows)
+  local lines = {}
+  for _, row in ipairs(rows) do
+    if row.found and row.found.smooth then
+      lines[#lines + 1] = ("%s: roughness up to %.1e was allowed, since the unworn pressure on this "
+        .. "mesh is rough itself; a finer mesh keeps to the limit of %g"):format(row.label,
+        row.found.smooth, row.limit)
+    end
+  end
+  return #lines > 0 and table.concat(lines, "\n") or nil
 end
 
 -- --- the paper's table -----------------------------------------------------------------------------
@@ -194,6 +206,7 @@ function class.__tostring(self)
   else
     parts[#parts + 1] = case_lines(self.cases)
   end
+  parts[#parts + 1] = smooth_lines(self.cases)
   return table.concat(parts, "\n\n")
 end
 
@@ -207,5 +220,6 @@ return function(study, given, options)
   for i, case in ipairs(flat) do wanted[i] = with_mesh(case, mesh, limits) end
   local rows = #wanted == 1 and search_one(wanted[1])
     or search_many(study, wanted, read_options, name)
+  for _, row in ipairs(rows) do row.limit = limits.smooth or search.limits.smooth end
   return setmetatable({ mesh = mesh, cases = rows }, class)
 end

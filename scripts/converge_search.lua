@@ -31,25 +31,33 @@ local function with_size(model_given, size)
   return copy
 end
 
--- Halves the element size until the largest pressure of the unworn contact is within the limit of
--- Hertz'. Returns the list of { size=, p_max=, error=, change= }, and whether the last is good
--- enough; error and change (from the size before) are shares of Hertz' pressure.
+local fewest_elements = 8 -- across the contact: fewer are near Hertz' pressure by luck alone
+
+-- Halves the element size until it and the one before both bring the largest pressure of the unworn
+-- contact within the limit of Hertz', the one before with elements enough across the contact.
+-- Returns the list of { size=, elements=, p_max=, error=, change= } that were tried, and the one
+-- before, or nil where none was good enough; error and change (from the size before) are shares of
+-- Hertz' pressure.
 function search.mesh(given, limit, on_step)
   local m = given.model or {}
   local h = hertz{ radius = m.radius, thickness = m.thickness, load = given.load,
     cylinder = m.cylinder, plate = m.plate }
   local size, steps = rounded(0.75 * h.half_width), {}
-  for i = 1, 6 do
+  for i = 1, 7 do
     local c = contact{ model = with_size(m, size), load = given.load }
     local before = steps[i - 1]
-    steps[i] = { size = size, p_max = c.p_max, error = c.p_max / h.p_max - 1,
+    steps[i] = { size = size, elements = 2 * h.half_width / size, p_max = c.p_max,
+      error = c.p_max / h.p_max - 1,
       change = before and (c.p_max - before.p_max) / h.p_max }
     c:close()
     if on_step then on_step(steps[i]) end
-    if math.abs(steps[i].error) < limit then return steps, true end
+    if before and before.elements >= fewest_elements and math.abs(before.error) < limit
+      and math.abs(steps[i].error) < limit then
+      return steps, before
+    end
     size = size / 2
   end
-  return steps, false
+  return steps, nil
 end
 
 -- --- smoothness and symmetry -----------------------------------------------------------------------
@@ -212,8 +220,9 @@ local function without_limits(given)
 end
 
 -- found: jump (nil: none was good), capped (whether it is a tenth of all cycles, the largest that
--- is tried), increments (nil where the plate does not slide), roughness, asymmetry, change (of the
--- profiles by these increments), first_depth [mm], trials, and what was tried as lists jumps and
+-- is tried), smooth (the limit of roughness where the unworn contact is rougher than the one asked
+-- for, else nil), increments (nil where the plate does not slide), roughness, asymmetry, change (of
+-- the profiles by these increments), first_depth [mm], trials, and what was tried as lists jumps and
 -- roughnesses.
 local function find(given, on_progress)
   local self = new_trial(without_limits(given), limits_of(given.converge), on_progress or print)
@@ -227,6 +236,7 @@ local function find(given, on_progress)
     found.first_depth = jump * self.k * self.p_hertz * self.strokes * self.stroke
     if slides then found.increments, found.change = self:fewest_increments(jump) end
   end
+  if self.allowed > self.limit.smooth then found.smooth = self.allowed end
   found.trials, found.jumps, found.roughnesses = self.count, self.jumps, self.roughnesses
   return found
 end

@@ -43,7 +43,8 @@ return {
   { "study.converge", kind = "function", class = "convergence",
     use = "c = study.converge{ base={ stroke=0.22 } }",
     text = "Finds the settings that cases need, by trial: the element size whose unworn pressure is "
-      .. "within a limit of Hertz', then the largest jump whose surfaces stay smooth and symmetric, "
+      .. "within a limit of Hertz', at that size and at half of it, with at least eight elements "
+      .. "across the contact; then the largest jump whose surfaces stay smooth and symmetric, "
       .. "then the fewest increments that give the same profiles. Takes the fields of study{} and "
       .. "those below, or a study and a table of them; many cases are searched by workers. For "
       .. "study.paper() it prints the paper's Table 1 with what was found beside it." },
@@ -58,7 +59,7 @@ return {
   { "study.converge{smooth}", type = "number", default = 0.005,
     text = "Jump: largest sawtooth in the pressure over the middle of the contact (root mean square "
       .. "of fourth differences), as a share of the centre's; on coarse meshes half more than that "
-      .. "of the unworn contact, if that is larger." },
+      .. "of the unworn contact, if that is larger: the result says so." },
   { "study.converge{symmetric}", type = "number", default = 1e-3,
     text = "Largest difference of a profile to its mirror image, as a share of its depth." },
   { "study.converge{profile}", type = "number", default = 0.005,
@@ -114,8 +115,8 @@ return {
     text = "The element size that is enough, and the steps to it: { size=, steps=, limit= }." },
   { "convergence.cases", kind = "field",
     text = "A list of { label=, status=, settings=, found= }; found holds jump, increments, roughness, "
-      .. "asymmetry, change, first_depth, capped, and the lists jumps and roughnesses of what was "
-      .. "tried." },
+      .. "asymmetry, smooth (a limit that had to be loosened), change, first_depth, capped, and the "
+      .. "lists jumps and roughnesses of what was tried." },
   { "convergence.table_1", kind = "method", use = "c:table_1()",
     text = "The paper's Table 1 with what was found beside it, as rows of texts." },
 
