@@ -62,8 +62,9 @@ return {
   { "model{mesh.far}", type = "number > 0", unit = "mm", default = 1.0,
     text = "Largest size of the elements far from the contact." },
   { "model{mesh.zone}", type = "table { cylinder=, plate= }", unit = "mm",
-    text = "Full width of the fine contact zone of each body. What surrounds it scales with it. "
-      .. "Contact cannot be found outside; an error then names the zone it needs." },
+    text = "Full width of the fine contact zone of each body. Depth and margins of the finer parts "
+      .. "scale with the cylinder's. Contact cannot be found outside; an error then names the zone it "
+      .. "needs." },
   { "model{mesh.zone.cylinder}", type = "number > 0", unit = "mm", default = 1.0,
     text = "Full width of the fine contact zone of the cylinder." },
   { "model{mesh.zone.plate}", type = "number > 0", unit = "mm", default = 1.2,

@@ -21,13 +21,15 @@ typedef enum arc_element { ARC_CPE4 = 0, ARC_CPE4I = 1 } arc_element;
 
 /* What to mesh. The plate is 2 radius wide and radius high. */
 typedef struct arc_mesh_def {
-  double size;             /* [mm] element width at the contact, 0.020 */
-  double height;           /* [mm] element height at the contact, 0.025 */
-  double far;              /* [mm] largest element size away from the contact, 1.0 */
-  double zone[ARC_BODIES]; /* [mm] full width of the fine candidate contact zone, 1.0 and 1.2;
-                              the two nested partitions around the contact scale with it */
-  int rows;                /* element rows of the wear box, 3 */
-  arc_element element;     /* ARC_CPE4 */
+  double size;   /* [mm] element width at the contact, 0.020 */
+  double height; /* [mm] element height at the contact, 0.025 */
+  double far;    /* [mm] largest element size away from the contact, 1.0 */
+  double
+      zone[ARC_BODIES]; /* [mm] full width of the fine candidate contact zone, 1.0 and 1.2;
+                           the cylinder's is the measure of the contact: depths and margins of the
+                           two nested partitions scale with it, the plate's adds the stroke */
+  int rows;             /* element rows of the wear box, 3 */
+  arc_element element;  /* ARC_CPE4 */
 } arc_mesh_def;
 
 /* The defaults above. */

@@ -22,16 +22,17 @@ arc_mesh_def arc_mesh_default(void) {
                         .element = ARC_CPE4};
 }
 
-/* The two nested partitions, half widths and depths [mm], as shares of the zone's full width: 1 x
- * 0.5 in 4 x 1 mm for the cylinder, 1.2 x 0.5 in 4.2 x 1.5 mm for the plate. */
+/* The two nested partitions, half widths and depths [mm]: 1 x 0.5 in 4 x 1 mm for the cylinder, 1.2
+ * x 0.5 in 4.2 x 1.5 mm for the plate. The contact's width, which the cylinder's zone stands for,
+ * is the measure of all but the plate's own width, which grows with the stroke. */
 typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
 static partitions partitions_of(const arc_mesh_def *def, arc_body body, double radius) {
-  const double z = def->zone[body];
-  partitions p = body == ARC_CYLINDER ? (partitions){z / 2, 0.5 * z, 2 * z, z}
-                                      : (partitions){z / 2, z * 0.5 / 1.2, 1.75 * z, 1.25 * z};
+  const double z = def->zone[body], c = def->zone[ARC_CYLINDER];
+  partitions p = body == ARC_CYLINDER ? (partitions){z / 2, 0.5 * c, 2 * c, c}
+                                      : (partitions){z / 2, 0.5 * c, z / 2 + 1.5 * c, 1.5 * c};
   p.inner_d = fmax(p.inner_d, (def->rows + 1) * def->height);
   p.outer_s = fmin(p.outer_s, 0.9 * radius);
   p.outer_d = fmin(fmax(p.outer_d, p.inner_d), 0.5 * radius);
