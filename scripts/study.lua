@@ -15,6 +15,14 @@ local usual_looks = 6
 
 local function store_module() return require "archard.store" end
 
+-- Opens a run file; what fails is told of as the call that the user made.
+local function open_file(where, path, mode)
+  local fine, store = pcall(store_module().open, path, mode)
+  if fine then return store end
+  if type(store) == "table" then store.where = where end
+  error(store, 0)
+end
+
 -- --- making ------------------------------------------------------------------------------------
 
 local function any(expected, test) return { expected = expected, test = test } end
@@ -109,7 +117,7 @@ local function compare(self, store)
 end
 
 local function open_for_run(self, path)
-  local store = store_module().open(path, "create")
+  local store = open_file("study:run", path, "create")
   store:check()
   if #store:cases() == 0 and not store:info("kind") then
     write_definitions(self, store)
@@ -124,7 +132,7 @@ function study.open(path)
   if type(path) ~= "string" then
     check.fail("study.open", ("expected the name of a run file, got %s"):format(type(path)))
   end
-  local store = store_module().open(path, "read")
+  local store = open_file("study.open", path, "read")
   store:check()
   local kind = store:info("kind")
   if kind ~= "study" then
@@ -147,7 +155,7 @@ function methods:store()
     if not self.file then
       check.fail("study", "nothing has run yet: call run{}, or study.open(file)")
     end
-    self.reading = store_module().open(self.file, "read")
+    self.reading = open_file("study", self.file, "read")
   end
   return self.reading
 end

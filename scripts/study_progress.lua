@@ -28,7 +28,7 @@ function progress:finish(i, case, failure)
   if failure then self.failed = self.failed + 1 end
   if self.mode == "lines" then
     print(("%d/%d  case %d  %s%s"):format(self.done, self.total, case.id, case.label,
-      failure and "  failed: " .. failure or ""))
+      failure and "  failed" or "")) -- why is told after the run, once
     io.flush()
   elseif type(self.mode) == "function" then
     self.mode{ case = case, failure = failure, done = self.done, total = self.total }

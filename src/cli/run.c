@@ -17,10 +17,23 @@ static int to_text(lua_State *L) {
   return 1;
 }
 
-/* Is any function but the chunk itself on the stack? If not, a traceback says nothing new. */
-static int has_callers(lua_State *L) {
+/* The level of the first function of the user's: neither in C nor in a script of the program,
+ * unless that is the chunk that runs. 1 where there is none. */
+static int user_level(lua_State *L) {
   lua_Debug frame;
   for (int level = 1; lua_getstack(L, level, &frame); level++) {
+    lua_getinfo(L, "S", &frame);
+    if (strcmp(frame.what, "main") == 0) return level;
+    if (strcmp(frame.what, "Lua") == 0 && strncmp(frame.source, "@scripts/", 9) != 0) return level;
+  }
+  return 1;
+}
+
+/* Is any function but the chunk itself on the stack from `level` on? If not, a traceback says
+ * nothing new. */
+static int has_callers(lua_State *L, int level) {
+  lua_Debug frame;
+  for (; lua_getstack(L, level, &frame); level++) {
     lua_getinfo(L, "S", &frame);
     if (strcmp(frame.what, "Lua") == 0) return 1;
   }
@@ -28,11 +41,13 @@ static int has_callers(lua_State *L) {
 }
 
 /* Runs where the error happened: adds the traceback. An interrupt needs none, and the hook is still
- * armed, so nothing may be called for it here. */
+ * armed, so nothing may be called for it here. An error object is about what the user called: the
+ * way from there on, through the program's own scripts, is of no interest. */
 static int describe(lua_State *L) {
   if (interrupt_pending(NULL)) return 1;
+  const int level = lua_istable(L, 1) ? user_level(L) : 1;
   to_text(L);
-  if (has_callers(L)) luaL_traceback(L, L, lua_tostring(L, -1), 1);
+  if (has_callers(L, level)) luaL_traceback(L, L, lua_tostring(L, -1), level);
   return 1;
 }
 

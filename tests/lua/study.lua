@@ -145,6 +145,8 @@ do
     "a foreign file is refused")
   local refused = fails(function() study.open(path "letter") end, "not a run file", "also by study.open")
   holds(refused.position, "study.lua:", "with the user's own line")
+  refused = fails(function() study.open(path "none") end, "No such file", "and one that is not there")
+  is(refused.where, "study.open", "as the call that was made")
   is(#assert(io.open(path "letter")):read("a"), 200, "and stays as it was")
 end
 
