@@ -24,17 +24,23 @@ local function grow()
   return grown.wear
 end
 
+local function refuse(where, at, prefix, name)
+  if at == tree and tree.model[name] then
+    check.fail(where, ("unknown field '%s': it is a field of model{}, as in model = { %s = ... }")
+      :format(name, name))
+  end
+  local known = {}
+  for word in pairs(at) do known[#known + 1] = word end
+  check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, known)))
+end
+
 -- Raises an error for a name like "model.mesh.sise" that nothing has.
 local function refuse_unknown(where, name)
   local at, prefix = tree, ""
   for part in name:gmatch("[^.]+") do
     if next(at) == nil then return end
     if not math.tointeger(tonumber(part)) then -- a position in a list of blocks
-      if not at[part] then
-        local known = {}
-        for word in pairs(at) do known[#known + 1] = word end
-        check.fail(where, ("unknown field '%s%s'%s"):format(prefix, part, check.hint(part, known)))
-      end
+      if not at[part] then refuse(where, at, prefix, part) end
       at, prefix = at[part], prefix .. part .. "."
     end
   end
