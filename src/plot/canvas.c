@@ -97,6 +97,7 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
     canvas->terminal = found->terminal;
     canvas->text = found->text;
     canvas->vector = found->vector;
+    canvas->window = output->medium == ARC_PLOT_WINDOW;
   }
   canvas->colour = output->medium == ARC_PLOT_TEXT && output->colour;
   canvas->ascii = canvas->text && output->ascii;

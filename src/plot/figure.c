@@ -43,12 +43,19 @@ static void take_range(const arc_plot_axis *axis, double *low, double *high) {
   if (!isnan(axis->max)) *high = axis->max;
 }
 
+static int between(const arc_plot_axis *axis, double value) {
+  double low = fmin(axis->min, axis->max), high = fmax(axis->min, axis->max);
+  if (isnan(axis->min) || isnan(axis->max)) low = axis->min, high = axis->max;
+  return !(value < low) && !(value > high);
+}
+
+/* As gnuplot does, what lies beside the shown x has no say in the range of y. */
 arc_plot_box arc_plot_extent(const arc_plot_panel *panel) {
   arc_plot_box box = {NAN, NAN, NAN, NAN};
   for (size_t i = 0; i < panel->curve_count; i++)
     for (size_t j = 0; j < panel->curves[i].count; j++) {
       widen(panel->curves[i].x[j], &box.x0, &box.x1);
-      widen(panel->curves[i].y[j], &box.y0, &box.y1);
+      if (between(&panel->x, panel->curves[i].x[j])) widen(panel->curves[i].y[j], &box.y0, &box.y1);
     }
   for (size_t j = 0; panel->field && j < 4 * panel->field->count; j++) {
     widen(panel->field->x[j], &box.x0, &box.x1);

@@ -10,6 +10,7 @@ typedef struct arc_canvas {
   const char *terminal; /* gnuplot's name; NULL: none is set (a script for the user) */
   int text;             /* non-zero: characters, else pixels */
   int ascii, colour;    /* of a text */
+  int window;           /* the user can zoom in it */
   int vector;           /* every polygon costs bytes in the file */
   int width, height;    /* characters or pixels */
   double columns, rows; /* the same in characters of the font */
@@ -36,6 +37,19 @@ typedef struct arc_writer {
   size_t title_count;
 } arc_writer;
 
+/* The numbers of an axis. */
+typedef struct arc_ticks {
+  double step;    /* 0: gnuplot's choice */
+  int digits;     /* significant ones a label shows */
+  size_t longest; /* characters of the longest label */
+} arc_ticks;
+
+/* Ticks of an axis that shows from..to (in either order), at most about `most` of them; labels
+ * stand above each other, or side by side in so many columns, with two between them. */
+arc_ticks arc_ticks_up(const arc_plot_axis *axis, double from, double to, double most);
+arc_ticks arc_ticks_across(const arc_plot_axis *axis, double from, double to, double most,
+                           double columns);
+
 /* The grid of panels: as given, or about as wide as high. */
 void arc_plot_grid(const arc_plot_figure *figure, int *rows, int *columns);
 
@@ -56,6 +70,9 @@ void arc_writer_words(arc_writer *w, const char *before, const char *words, cons
 /* The settings, data and plot command of one panel. `framed`: the frame is imposed, else gnuplot
  * finds its own margins. */
 void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed);
+
+/* Characters of the longest number beside a panel whose frame is so many rows high. */
+size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double rows);
 
 /* Whether one key stands for all panels; the number of a title in it; the rows it takes. */
 int arc_look_one_key(const arc_writer *w);

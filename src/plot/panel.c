@@ -121,21 +121,34 @@ static void frame_words(arc_writer *w, const arc_plot_frame *frame) {
                   frame->top);
 }
 
-/* 1, 2 or 5 times a power of ten, at most so many to the span. */
-static double round_step(double span, double steps) {
-  double rough = span / fmax(2, steps), power = pow(10, floor(log10(rough)));
-  double share = rough / power;
-  return power * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10);
-}
-
-/* Numbers need room: in characters gnuplot writes them over each other. */
-static void tic_words(arc_writer *w, const char *axis, const arc_plot_axis *a, double span,
-                      double steps) {
-  if (!w->canvas->text) return;
-  if (a->log || !isfinite(span) || span == 0)
+/* Numbers need room: gnuplot writes them over each other. In a window it chooses anew when the user
+ * zooms. */
+static void tic_words(arc_writer *w, const char *axis, arc_ticks ticks) {
+  arc_text_format(w->out, "set format %s '%%.%dg'\n", axis, ticks.digits);
+  if (ticks.step == 0 || w->canvas->window)
     arc_text_format(w->out, "set %stics autofreq\n", axis);
   else
-    arc_text_format(w->out, "set %stics %.17g\n", axis, round_step(fabs(span), steps));
+    arc_text_format(w->out, "set %stics %.17g\n", axis, ticks.step);
+}
+
+static double ticks_in_rows(const arc_writer *w, double rows) {
+  return w->canvas->text ? rows / 2.2 : fmin(10, rows / 1.6);
+}
+
+static arc_ticks ticks_of_y(const arc_writer *w, const arc_plot_panel *panel,
+                            const arc_plot_box *box, double rows) {
+  return arc_ticks_up(&panel->y, box->y0, box->y1, ticks_in_rows(w, rows));
+}
+
+static arc_ticks ticks_of_x(const arc_writer *w, const arc_plot_panel *panel,
+                            const arc_plot_box *box, double columns) {
+  double most = w->canvas->text ? columns / 7 : fmin(10, columns / 6);
+  return arc_ticks_across(&panel->x, box->x0, box->x1, most, columns);
+}
+
+size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double rows) {
+  arc_plot_box box = arc_plot_extent(panel);
+  return ticks_of_y(w, panel, &box, rows).longest;
 }
 
 /* A grid would lie over a field; characters have neither choice. */
@@ -287,8 +300,8 @@ static void settings(arc_writer *w, const arc_plot_panel *panel, const arc_plot_
                      const arc_plot_frame *frame, int framed, const double range[2]) {
   axis_words(w, "x", &panel->x);
   axis_words(w, "y", &panel->y);
-  tic_words(w, "x", &panel->x, box->x1 - box->x0, frame->columns / 7);
-  tic_words(w, "y", &panel->y, box->y1 - box->y0, frame->rows / 2.2);
+  tic_words(w, "x", ticks_of_x(w, panel, box, frame->columns));
+  tic_words(w, "y", ticks_of_y(w, panel, box, frame->rows));
   box_words(w, panel, box);
   ground_words(w, panel);
   heading(w, panel);

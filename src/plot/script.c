@@ -23,7 +23,7 @@ static room room_around(const arc_writer *w) {
     int labelled = panel->y.label != NULL, titled = panel->title != NULL;
     if (panel->field) r.right = text ? 25 : 13;
     if (panel->x.label) r.bottom = text ? 3 : 3.2;
-    r.top = fmax(r.top, text ? titled + labelled + 1 : titled ? 2 : 0.7);
+    r.top = fmax(r.top, text ? titled + labelled + 1 : titled ? 2.5 : 0.7);
     if (!text && labelled) r.left = 9.5;
   }
   return r;
@@ -39,6 +39,20 @@ static double own_keys(const arc_writer *w) {
   return lines;
 }
 
+/* The longest number of all panels decides, so that their frames stand in line. */
+static double left_of_frames(const arc_writer *w, double least, double rows) {
+  int labelled = 0;
+  size_t longest = 0;
+  for (size_t i = 0; i < w->figure->panel_count; i++) {
+    const arc_plot_panel *panel = &w->figure->panels[i];
+    size_t length = arc_panel_label(w, panel, rows);
+    longest = length > longest ? length : longest;
+    labelled |= panel->y.label != NULL;
+  }
+  double numbers = (double)longest, wide = w->canvas->text ? numbers + 2 : 1.15 * numbers + 1.5;
+  return fmax(least, wide + (labelled && !w->canvas->text ? 3.2 : 0));
+}
+
 static arc_plot_frame frame_of(const arc_writer *w, size_t number) {
   int rows, columns;
   arc_plot_grid(w->figure, &rows, &columns);
@@ -48,6 +62,7 @@ static arc_plot_frame frame_of(const arc_writer *w, size_t number) {
   double wide = w->canvas->columns / columns;
   double high = (w->canvas->rows - above - below) / rows;
   double left = wide * (double)(number % (size_t)columns);
+  r.left = left_of_frames(w, r.left, high - r.top - r.bottom - own_keys(w));
   double top = w->canvas->rows - above - high * (double)(number / (size_t)columns);
   arc_plot_frame frame = {.left = left + r.left,
                           .right = fmax(left + wide - r.right, left + r.left + 2),

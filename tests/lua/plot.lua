@@ -95,6 +95,31 @@ do
     "a layout that is too small")
 end
 
+-- --- numbers on axes ------------------------------------------------------------------------------
+
+do
+  local text = picture_of(function(file)
+    plot { x = { 0, 1 }, y = { 1e-8, 2e-9 }, ylabel = "k", file = file }
+  end)
+  has(text, " 2e-09 +", "small numbers have a short form")
+  local small = { x = { 0, 1 }, y = { 1e-8, 2e-9 }, ylabel = "k", xlabel = "d" }
+  local large = { x = { 0, 1 }, y = { 1.0000001, 1.0000004 }, ylabel = "p", xlabel = "d" }
+  plot { panels = { small, large }, layout = { 2, 1 }, file = folder .. "/n.gp" }
+  local script = read("n.gp") or ""
+  has(script, "set format y '%.6g'", "in files too")
+  has(script, "set format y '%.9g'", "and as many digits as neighbours need")
+  local margins = {}
+  for left in script:gmatch("set lmargin at screen ([%d.]+)\nset rm") do
+    margins[#margins + 1] = tonumber(left)
+  end
+  ok(#margins == 2 and margins[1] == margins[2], "frames stand in line")
+  ok(margins[1] and margins[1] * 900 / 8 > 9 + 3.2, "with room for the longest number and the label")
+  local narrow = { x = { -0.1, 0, 0.1 }, y = { 0, 1, 0 }, xrange = { -0.1, 0.1 } }
+  plot { panels = { narrow, narrow }, layout = { 1, 2 }, file = folder .. "/x.gp" }
+  local step = (read("x.gp") or ""):match("set xtics ([%d.e-]+)")
+  ok(tonumber(step) and tonumber(step) > 0.02, "numbers of x do not touch")
+end
+
 -- --- what is refused ----------------------------------------------------------------------------
 
 local function refusals(list)

@@ -1,0 +1,69 @@
+/* Which numbers an axis shows: round ones, in a short form, with room between them. Leans on
+ * nothing but the axis and its range.
+ *
+ * gnuplot alone would write 0.000000001 where 1e-09 says it, and numbers over each other.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "plot/figure.h"
+
+/* Digits beyond these are the noise of doubles. */
+enum { DIGITS = 6, MOST_DIGITS = 15, MOST_TICKS = 200 };
+
+/* 1, 2 or 5 times a power of ten, at most so many to the span. */
+static double round_step(double span, double steps) {
+  double rough = span / fmax(2, steps), power = pow(10, floor(log10(rough)));
+  double share = rough / power;
+  return power * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10);
+}
+
+/* As many as tell neighbours apart: 100.001 and 100.002 need six. */
+static int digits_of(double low, double high, double step) {
+  double largest = fmax(fabs(low), fabs(high));
+  double digits = floor(log10(largest)) - floor(log10(step)) + 1;
+  return (int)fmin(MOST_DIGITS, fmax(DIGITS, digits));
+}
+
+/* Open ends reach to the next tick beyond the data. */
+static size_t longest_label(double low, double high, const arc_ticks *ticks) {
+  char label[40];
+  size_t longest = 1;
+  double first = floor(low / ticks->step), last = ceil(high / ticks->step);
+  for (int i = 0; i < MOST_TICKS && first + i <= last; i++) {
+    int length = snprintf(label, sizeof label, "%.*g", ticks->digits, (first + i) * ticks->step);
+    if (length > 0 && (size_t)length > longest) longest = (size_t)length;
+  }
+  return longest;
+}
+
+static arc_ticks with_step(double low, double high, double step) {
+  arc_ticks ticks = {step, digits_of(low, high, step), 0};
+  ticks.longest = longest_label(low, high, &ticks);
+  return ticks;
+}
+
+/* Decades, and ranges that are not known: gnuplot's choice. */
+static int is_free(const arc_plot_axis *axis, double span) {
+  return axis->log || !isfinite(span) || span == 0;
+}
+
+static arc_ticks free_ticks(const arc_plot_axis *axis) {
+  return (arc_ticks){0, DIGITS, axis->log ? 6 : 5};
+}
+
+arc_ticks arc_ticks_up(const arc_plot_axis *axis, double from, double to, double most) {
+  double low = fmin(from, to), high = fmax(from, to);
+  if (is_free(axis, high - low)) return free_ticks(axis);
+  return with_step(low, high, round_step(high - low, most));
+}
+
+arc_ticks arc_ticks_across(const arc_plot_axis *axis, double from, double to, double most,
+                           double columns) {
+  double low = fmin(from, to), high = fmax(from, to), span = high - low;
+  if (is_free(axis, span)) return free_ticks(axis);
+  arc_ticks ticks = with_step(low, high, round_step(span, most));
+  while (((double)ticks.longest + 2) * span > columns * ticks.step && ticks.step < span / 2)
+    ticks = with_step(low, high, round_step(3 * ticks.step, 2));
+  return ticks;
+}
