@@ -58,17 +58,25 @@ end
 
 -- --- names of objects ---------------------------------------------------------------------------
 
+-- Field, how its numbers or words are said, and its name where it is neither.
 local settings = {
-  { "alpha", "α = %g" }, { "stroke", "s = %g mm" }, { "load", "load %g N" }, { "k", "k = %g" },
-  { "x", "x = %g mm" }, { "jump", "jump %g" }, { "procedure", "%s" }, { "scheme", "%s" },
-  { "geometry", "%s geometry" }, { "slip", "%s slip" }, { "cycle", "%.6g cycles" },
+  { "alpha", "α = %g", "α" }, { "stroke", "s = %g mm" }, { "load", "load %g N" },
+  { "k", "k = %g", "k" }, { "x", "x = %g mm" }, { "jump", "jump %s", "jump" },
+  { "procedure", "procedure %s" }, { "scheme", "scheme %s" }, { "tolerance", "tolerance %g" },
+  { "increments", "%d increments" }, { "law", "law %s" }, { "law_exponent", "exponent %g" },
+  { "local_factor", "local factor %s", "local factor" }, { "geometry", "%s geometry" },
+  { "slip", "%s slip" }, { "cycle", "%.6g cycles" },
 }
+
+local unnamed = { ["function"] = "%s by function", table = "%s by table" }
 
 local function said(object, setting)
   local value = get(object, setting[1])
+  local form = setting[3] and unnamed[type(value)]
+  if form then return form:format(setting[3]) end
+  if type(value) == "number" and setting[2]:find("%s", 1, true) then value = ("%g"):format(value) end
   if type(value) ~= "number" and type(value) ~= "string" then return nil end
-  local ok, text = pcall(string.format, setting[2], value)
-  return ok and text or tostring(value)
+  return setting[2]:format(value)
 end
 
 -- The settings in which the objects differ, for each object.
@@ -116,16 +124,22 @@ local function scaled(list, factor)
   return result
 end
 
--- Widens reach to the largest |x| at which values are not zero.
+-- Widens reach to show all that is not zero: a little beyond the last such |x|, and the first zero
+-- on either side, where the curve comes down.
 local function reach_of(x, values, reach)
   for i = 1, #x do
-    if values[i] ~= 0 then reach = math.max(reach, math.abs(x[i])) end
+    local at = math.abs(x[i])
+    if values[i] ~= 0 then
+      reach = math.max(reach, 1.25 * at)
+    elseif (values[i - 1] or 0) ~= 0 or (values[i + 1] or 0) ~= 0 then
+      reach = math.max(reach, 1.05 * at)
+    end
   end
   return reach
 end
 
--- A little more than what is not zero; all of it where everything is.
-local function range_of(reach) return reach > 0 and { -1.25 * reach, 1.25 * reach } or nil end
+-- All there is where everything is zero.
+local function range_of(reach) return reach > 0 and { -reach, reach } or nil end
 
 -- Hertz' contact of an object: its own field, or computed from its model and load.
 local function hertz_of(where, object)
@@ -265,6 +279,19 @@ local function history_panels(columns)
   return panels
 end
 
+local function from_second(list)
+  local result = {}
+  for i = 2, #list do result[i - 1] = list[i] end
+  return result
+end
+
+-- The row before the first update has no jump.
+local function history_curve(where, history, abscissa, column, factor)
+  local x, y = column_of(where, history, abscissa), column_of(where, history, column)
+  if column == "jump" and #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
+  return { x = x, y = scaled(y, factor) }
+end
+
 -- "plate, α = 0.5": what a reader needs to tell the curves of a panel apart.
 local function history_title(column, name, several_columns, several_objects)
   local parts = {}
@@ -285,9 +312,10 @@ function curves.history(...)
     local history = object.history
     for _, panel in ipairs(panels) do
       for c, column in ipairs(panel.columns) do
-        panel[#panel + 1] = { series = #objects > 1 and i or c, dash = #objects > 1 and c or 1, x = column_of(where, history, abscissa),
-          y = scaled(column_of(where, history, column), panel.factor),
-          title = history_title(column, names[i], #panel.columns > 1, #objects > 1) }
+        local curve = history_curve(where, history, abscissa, column, panel.factor)
+        curve.series, curve.dash = #objects > 1 and i or c, #objects > 1 and c or 1
+        curve.title = history_title(column, names[i], #panel.columns > 1, #objects > 1)
+        panel[#panel + 1] = curve
       end
     end
   end

@@ -238,6 +238,12 @@ do
   has(text, "p / MPa", "plot.pressure has units")
   has(text, "contact pressure: s = 0.11 mm, α = 0.25", "and says of what")
   text = picture_of(function(file) plot.pressure(one, two, { file = file }) end)
+  local coarse = { pressure = function()
+    return { x = { -3, -1, 0, 1, 3 }, p = { 0, 300, 400, 300, 0 } }
+  end }
+  plot.pressure(setmetatable(coarse, {}), { file = folder .. "/z.gp" })
+  local low, high = (read("z.gp") or ""):match("set xrange %[([%d.-]+):([%d.-]+)%]")
+  ok(low and tonumber(low) <= -3 and tonumber(high) >= 3, "the curve comes down to zero in sight")
   has(text, "α = 0.25", "several objects are told apart by what differs")
   ok(text:find("α = 0.75") and not text:find("0.11"), "and by nothing else")
   text = picture_of(function(file) plot.pressure(one, "plate", { scaled = true, file = file }) end)
@@ -282,6 +288,17 @@ do
   has(text, "wear depth partition", "partition")
   has(text, "plate, α = 0.75", "columns and objects are told apart")
   has(text, "cycles", "against cycles")
+  local k = function() return 1e-8 end
+  local first = stand_in { k = k, jump = "auto", scheme = "explicit" }
+  local second = stand_in { k = 1e-8, jump = 100, scheme = "implicit" }
+  text = picture_of(function(file)
+    plot.history(first, second, { file = file, size = { 120, 30 } })
+  end)
+  has(text, "k by function, jump auto, scheme explicit", "every setting that differs is named")
+  has(text, "k = 1e-08, jump 100, scheme implicit", "for every curve")
+  first.history.jump = { 0, 40, 60 }
+  plot.history(first, "jump", { file = folder .. "/jump.gp" })
+  ok((read("jump.gp") or ""):find("END\n10 40\n20 60\nEND", 1, true), "jumps begin at the first update")
   refused(function() plot.history(one, "p_centre") end, "did you mean 'p_center'",
     "an unknown column")
 end
@@ -333,6 +350,11 @@ do
   has(text, "-2 to -1.56", "of the levels")
   plot.stress(contact_, { file = folder .. "/stress.png" })
   ok(read("stress.png"), "and in colour")
+  text = picture_of(function(file) plot.stress(contact_.stress(), { file = file }) end)
+  has(text, "von Mises stress / MPa", "plot.stress takes the field itself")
+  refused(function() plot.stress({}) end, "expected a contact or its stress()", "but no other table")
+  refused(function() plot.stress(material {}) end, "got a material", "a contact is asked for")
+  refused(function() plot(material {}) end, "got a material", "objects are named by their kind")
   refused(function() plot.stress(contact_, { component = "misses" }) end, "field 'component'",
     "no such component")
 end
