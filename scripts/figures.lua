@@ -26,13 +26,13 @@ local function share_of(curves, cases)
   return #curves < #cases and ("%d of %d cases"):format(#curves, #cases) or nil
 end
 
--- The widest contact, in a, with room around it.
+-- Half the widest contact, worn or not, with room around it [mm].
 local function reach_of(curves, widen)
-  local reach = 1
+  local reach = 0
   for _, curve in ipairs(curves) do
     local case = curve.case
-    local wide = case.half_width / case.hertz.half_width
-    if widen then wide = wide + math.min(case.stroke, 10) / 2 / case.hertz.half_width end
+    local wide = math.max(case.half_width, case.hertz.half_width)
+    if widen then wide = wide + math.min(case.stroke, 10) / 2 end
     reach = math.max(reach, wide)
   end
   return 1.3 * reach
@@ -43,9 +43,9 @@ local function final_state(cases)
   if #curves == 0 then return nil end
   local reach, share = reach_of(curves), share_of(curves, cases)
   return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
-    parts.panel("cylinder", curves, { title = "cylinder", reach = reach }),
-    parts.panel("plate", curves, { title = "plate", reach = reach_of(curves, true) }),
-    parts.panel("pressure", curves, { title = "pressure", reach = reach }) } }, share
+    parts.panel("cylinder", curves, { title = "cylinder", reach = reach, mm = true }),
+    parts.panel("plate", curves, { title = "plate", reach = reach_of(curves, true), mm = true }),
+    parts.panel("pressure", curves, { title = "pressure", reach = reach, mm = true }) } }, share
 end
 
 local function histories(cases)
@@ -53,9 +53,9 @@ local function histories(cases)
   if #curves == 0 then return nil end
   local share = share_of(curves, cases)
   return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
-    parts.course("depth_cylinder", 1e3, "cylinder / µm", curves, {}),
-    parts.course("depth_plate", 1e3, "plate / µm", curves, {}),
-    parts.course("p_center", 1, "p_center / MPa", curves, { yrange = { 0 } }) } }, share
+    parts.course("depth_cylinder", 1e3, "depth of cylinder / µm", curves, {}),
+    parts.course("depth_plate", 1e3, "depth of plate / µm", curves, {}),
+    parts.course("p_center", 1, "pressure at the centre / MPa", curves, { yrange = { 0 } }) } }, share
 end
 
 -- draw(cases) -> the figure or nil, and which share of the cases is in it, if not all.

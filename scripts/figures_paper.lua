@@ -119,8 +119,8 @@ local function courses(cases)
     local curves = by_alpha(cases, column)
     if #curves == 0 then return nil end
     local options = { title = stroke_titles[column], yrange = { 0, 4 } }
-    append(panels, parts.course("depth_cylinder", 1e3, "cylinder / µm", curves, options),
-      parts.course("depth_plate", 1e3, "plate / µm", curves, options),
+    append(panels, parts.course("depth_cylinder", 1e3, "depth of cylinder / µm", curves, options),
+      parts.course("depth_plate", 1e3, "depth of plate / µm", curves, options),
       parts.course("p_center", 1, "p_max / MPa", curves,
         { title = stroke_titles[column], yrange = { 0, 600 } }))
   end

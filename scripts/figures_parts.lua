@@ -1,5 +1,6 @@
 -- The parts that figures of studies are made of: curves of a case and panels around them, with
--- lengths along the surface in units of the unworn contact's half width a, as the paper has them.
+-- lengths along the surface in units of the unworn contact's half width a, as the paper has them, or
+-- in mm.
 
 local parts = {}
 
@@ -17,19 +18,19 @@ local function over_a(case, x)
 end
 
 -- Height of a worn surface [um]: the unworn shape with the wear depth taken off.
-function parts.shape(case, body, distance)
+function parts.shape(case, body, distance, mm)
   local profile = case:profile(body, distance)
   local radius = case.model.radius
   local y = map(profile.x, function(x, i)
     local unworn = radius - math.sqrt(math.max(0, radius * radius - x * x))
     return 1e3 * (body == "cylinder" and unworn + profile.h[i] or -profile.h[i])
   end)
-  return { x = over_a(case, profile.x), y = y }
+  return { x = mm and profile.x or over_a(case, profile.x), y = y }
 end
 
-function parts.pressure(case, body, distance)
+function parts.pressure(case, body, distance, mm)
   local pressure = case:pressure(body or "cylinder", distance)
-  return { x = over_a(case, pressure.x), y = pressure.p }
+  return { x = mm and pressure.x or over_a(case, pressure.x), y = pressure.p }
 end
 
 function parts.sum(case)
@@ -50,14 +51,15 @@ end
 
 -- --- panels --------------------------------------------------------------------------------------
 
--- `reach`: half the width shown, in a.
+-- `reach`: half the width shown, in a. Heights are those of the worn surfaces above the point where
+-- they first touched.
 local kinds = {
   cylinder = function(reach)
-    return { ylabel = "cylinder / µm", xlabel = "x / a", xrange = { -reach, reach },
+    return { ylabel = "height of cylinder / µm", xlabel = "x / a", xrange = { -reach, reach },
       yrange = { 0, nil } }
   end,
   plate = function(reach)
-    return { ylabel = "plate / µm", xlabel = "x / a", xrange = { -reach, reach } }
+    return { ylabel = "height of plate / µm", xlabel = "x / a", xrange = { -reach, reach } }
   end,
   pressure = function(reach)
     return { ylabel = "p / MPa", xlabel = "x / a", xrange = { -reach, reach }, yrange = { 0 } }
@@ -65,16 +67,18 @@ local kinds = {
 }
 
 -- A panel of shapes or pressures: kind "cylinder", "plate" or "pressure"; curves is a list of
--- { case=, title=, distance=, series= }.
+-- { case=, title=, distance=, series= }. options.mm: x, and reach, in mm.
 function parts.panel(kind, curves, options)
   local panel = kinds[kind](options.reach or 3)
   for i, curve in ipairs(curves) do
-    local made = kind == "pressure" and parts.pressure(curve.case, options.body, curve.distance)
-      or parts.shape(curve.case, kind, curve.distance)
+    local made = kind == "pressure" and parts.pressure(curve.case, options.body, curve.distance,
+        options.mm)
+      or parts.shape(curve.case, kind, curve.distance, options.mm)
     made.title, made.series, made.dash = curve.title, curve.series, curve.dash
     panel[i] = made
   end
   panel.title = options.title
+  panel.xlabel = options.mm and "x / mm" or panel.xlabel
   panel.yrange = options.yrange or panel.yrange
   return panel
 end
