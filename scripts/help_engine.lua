@@ -164,6 +164,7 @@ return {
       .. "corners each)." },
   { "stress.cylinder", kind = "field", text = "Lists of the cylinder." },
   { "stress.plate", kind = "field", text = "Lists of the plate." },
+  { "stress.contact", kind = "field", class = "contact", text = "The contact it was made of." },
 
   -- --- wear -----------------------------------------------------------------------------------
   { "wear", kind = "constructor", use = "w = wear{ alpha=0.5, stroke=0.11, distance=1320 }",

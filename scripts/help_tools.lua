@@ -92,8 +92,8 @@ return {
     text = "What part to show." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "One body alone." },
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
-    text = "A stress inside both bodies in colours, with contour lines and outlines. Takes the "
-      .. "options of plot{} too." },
+    text = "A stress inside both bodies in colours, with contour lines and outlines; of a contact, or "
+      .. "of a field f = c:stress(). Takes the options of plot{} too." },
   { "plot.stress{component}", values = { "mises", "shear", "sxx", "syy", "szz", "sxy" },
     default = '"mises"', text = "Which stress; shear is the largest in the plane." },
   { "plot.stress{zoom}", type = "table { x0, x1, y0, y1 }", values = { "all" },

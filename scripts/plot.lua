@@ -23,7 +23,7 @@ return setmetatable(plot, {
   __call = function(_, given)
     if type(given) ~= "table" then
       check.fail("plot", ("expected a table, plot{ {x=..., y=...}, ... }, got %s"):format(
-        given == nil and "nil" or "a " .. type(given)))
+        check.shown(given)))
     end
     draw.draw("plot", given)
   end,

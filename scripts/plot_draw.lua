@@ -56,8 +56,8 @@ end
 local function to_curve(where, given, number, panel)
   local prefix = ("curve %d: "):format(number)
   if type(given) ~= "table" then
-    check.fail(where, ("curve %d: expected a table { x=, y= }, got a %s"):format(number,
-      type(given)))
+    check.fail(where, ("curve %d: expected a table { x=, y= }, got %s"):format(number,
+      check.shown(given)))
   end
   check.fields(where, given, curve_fields, prefix)
   if not given.y then check.fail(where, ("field '%sy': expected a list of numbers, got nil")
@@ -127,7 +127,8 @@ local function to_figure(where, given)
     one_key = given.key == nil }
   for number, panel in ipairs(given.panels) do
     if type(panel) ~= "table" then
-      check.fail(where, ("panel %d: expected a table, got a %s"):format(number, type(panel)))
+      check.fail(where, ("panel %d: expected a table, got %s"):format(number,
+        check.shown(panel)))
     end
     check.fields(where, panel, panel_fields, ("panel %d: "):format(number))
     figure.one_key = figure.one_key and panel.key == nil

@@ -54,7 +54,7 @@ end
 
 local function options_of(where, options, own)
   if options ~= nil and type(options) ~= "table" then
-    check.fail(where, "expected a table of options, got a " .. type(options))
+    check.fail(where, "expected a table of options, got " .. check.shown(options))
   end
   local fields = {}
   for name, kind in pairs(draw.fields) do fields[name] = kind end
@@ -179,17 +179,26 @@ local function stress_view(contact, zoom)
   return { -3 * a, 3 * a, -2.5 * a, 2.5 * a }
 end
 
--- plot.stress(contact, { component=, zoom=, body=, deformed=, levels=, ... })
-function mesh.stress(contact, options)
-  local where = "plot.stress"
-  local ok, stress = pcall(function() return contact.stress end)
-  if not ok or not stress then
-    check.fail(where, "expected a contact as the first argument, got " .. check.shown(contact))
+-- The stresses of a contact, or what its stress() handed out; and the contact, where it is known.
+local function field_of(where, object)
+  local ok, stress = pcall(function() return object.stress end)
+  if ok and stress then return object:stress(), object end
+  local both = type(object) == "table"
+  for _, name in ipairs(bodies) do
+    both = both and type(object[name]) == "table" and object[name].elements ~= nil
   end
+  if both then return object, object.contact end
+  check.fail(where, "expected a contact or its stress() as the first argument, got "
+    .. check.shown(object))
+end
+
+-- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... })
+function mesh.stress(object, options)
+  local where = "plot.stress"
+  local stress, contact = field_of(where, object)
   options = options_of(where, options, stress_options)
   local component, box = options.component or "mises", stress_view(contact, options.zoom)
   local field, defaults = { x = {}, y = {}, value = {} }, {}
-  stress = contact:stress()
   for _, name in ipairs(shown_bodies(options)) do
     local body = stress[name]
     local x, y = displaced(body, options.deformed or 0)

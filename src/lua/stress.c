@@ -121,6 +121,17 @@ const arc_contact *stress_contact(lua_State *L, int index, const char *where) {
   return contact;
 }
 
+/* stress.contact: beside the bodies, so that a loop over the object meets these alone */
+static int stress_index(lua_State *L) {
+  lua_settop(L, 2);
+  lua_pushliteral(L, "contact");
+  if (!lua_rawequal(L, 2, 3)) return 0;
+  push_origins(L);
+  lua_pushvalue(L, 1);
+  lua_gettable(L, -2);
+  return 1;
+}
+
 /* contact:stress() -> { cylinder=, plate= } of nodal arrays */
 int stress_new(lua_State *L) {
   const arc_contact *contact = box_self(L, &contact_class, "contact:stress")->thing;
@@ -138,6 +149,8 @@ int stress_new(lua_State *L) {
   if (luaL_newmetatable(L, kind)) {
     lua_pushcfunction(L, stress_tostring);
     lua_setfield(L, -2, "__tostring");
+    lua_pushcfunction(L, stress_index);
+    lua_setfield(L, -2, "__index");
   }
   lua_setmetatable(L, -2);
   return 1;
