@@ -31,6 +31,7 @@ holds(tostring(c), { "load 100 N", "MPa", "half" }, "print(contact)")
 
 -- stress
 local s = c:stress()
+is(s.contact, c, "a stress knows its contact")
 for body, field in pairs(s) do
   local nodes = c.model.mesh[body].nodes
   for _, name in ipairs{ "x", "y", "ux", "uy", "sxx", "syy", "szz", "sxy", "mises", "shear" } do
