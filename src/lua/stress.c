@@ -151,6 +151,12 @@ int stress_new(lua_State *L) {
     lua_setfield(L, -2, "__tostring");
     lua_pushcfunction(L, stress_index);
     lua_setfield(L, -2, "__index");
+    lua_newtable(L);
+    lua_setfield(L, -2, "__methods");
+    lua_createtable(L, 1, 0);
+    lua_pushliteral(L, "contact");
+    lua_rawseti(L, -2, 1);
+    lua_setfield(L, -2, "__fields");
   }
   lua_setmetatable(L, -2);
   return 1;
