@@ -222,7 +222,9 @@ name, looks, task, program.
 .It Li cases
 id, label, status
 .Pq Li waiting , running , done No or Li failed ,
-message, seconds.
+message, seconds, digest: a checksum
+.Pq FNV-1a, 64 bit
+of all that a finished case holds; one that does not match is refused.
 A case left running by a killed program waits again at the next start.
 .It Li settings
 case_id, name, value: the fields of

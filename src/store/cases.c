@@ -92,8 +92,8 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
 
 /* --- status ----------------------------------------------------------------------------------- */
 
-arc_status arc_store_mark(arc_store *store, int id, arc_case_status mark, const char *message,
-                          double seconds, arc_error *error) {
+static arc_status write_mark(arc_store *store, int id, arc_case_status mark, const char *message,
+                             double seconds, arc_error *error) {
   query *q;
   arc_status status =
       store_query(store, "UPDATE cases SET status = ?2, message = ?3, seconds = ?4 WHERE id = ?1",
@@ -107,6 +107,15 @@ arc_status arc_store_mark(arc_store *store, int id, arc_case_status mark, const 
   if (status == ARC_OK && database_changes(store->db) == 0)
     return arc_fail(error, ARC_ARGUMENT, "%s: there is no case %d", store->path, id);
   return status;
+}
+
+arc_status arc_store_mark(arc_store *store, int id, arc_case_status mark, const char *message,
+                          double seconds, arc_error *error) {
+  int own = 0;
+  arc_status status = store_enter(store, &own, error);
+  if (status == ARC_OK) status = store_open_seal(store, id, error);
+  if (status == ARC_OK) status = write_mark(store, id, mark, message, seconds, error);
+  return store_leave(store, own, status, error);
 }
 
 arc_status arc_store_release(arc_store *store, arc_error *error) {
@@ -164,6 +173,7 @@ arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
                                 const arc_value *values, size_t count, arc_error *error) {
   int own = 0;
   arc_status status = store_enter(store, &own, error);
+  if (status == ARC_OK) status = store_open_seal(store, id, error);
   if (status == ARC_OK) status = store_run(store, forget[use], id, error);
   if (status == ARC_OK) status = insert_values(store, id, use, values, count, error);
   return store_leave(store, own, status, error);
@@ -199,11 +209,12 @@ static arc_status read_value(arc_store *store, query *q, arc_value *value, doubl
 
 arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_value_fn see,
                             void *context, arc_error *error) {
-  query *q;
+  query *q = NULL;
   double *buffer = NULL;
   arc_value value;
   int row = 0, ended = 0;
-  arc_status status = store_query(store, look_up[use], id, &q, error);
+  arc_status status = store_verify(store, id, error);
+  if (status == ARC_OK) status = store_query(store, look_up[use], id, &q, error);
   while (!ended && status == ARC_OK && (status = query_step(q, &row, error)) == ARC_OK && row) {
     status = read_value(store, q, &value, &buffer, error);
     if (status == ARC_OK) ended = see(context, &value);

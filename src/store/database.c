@@ -174,6 +174,10 @@ arc_status query_run(query *q, arc_error *error) {
   return status;
 }
 
+int query_columns(const query *q) {
+  return sqlite3_column_count(q->statement);
+}
+
 column_kind query_kind(query *q, int column) {
   switch (sqlite3_column_type(q->statement, column)) {
   case SQLITE_INTEGER:

@@ -45,6 +45,7 @@ typedef enum column_kind {
   COLUMN_ARRAY
 } column_kind;
 
+int query_columns(const query *q);
 column_kind query_kind(query *q, int column);
 double query_number(query *q, int column); /* NaN where there is no value */
 long long query_whole(query *q, int column);

@@ -20,7 +20,7 @@ static const char schema[] =
     "BEGIN IMMEDIATE;"
     "CREATE TABLE info (name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;"
     "CREATE TABLE cases (id INTEGER PRIMARY KEY, label TEXT NOT NULL,"
-    "  status TEXT NOT NULL DEFAULT 'waiting', message TEXT, seconds REAL);"
+    "  status TEXT NOT NULL DEFAULT 'waiting', message TEXT, seconds REAL, digest TEXT);"
     "CREATE TABLE settings (case_id INTEGER NOT NULL REFERENCES cases, name TEXT NOT NULL, value,"
     "  PRIMARY KEY (case_id, name)) WITHOUT ROWID;"
     "CREATE TABLE definition (case_id INTEGER NOT NULL REFERENCES cases, name TEXT NOT NULL, value,"
@@ -217,7 +217,7 @@ arc_status arc_store_check(arc_store *store, arc_error *error) {
     status =
         arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", store->path, query_text(q, 0));
   query_close(&q);
-  return status;
+  return status == ARC_OK ? store_verify_all(store, error) : status;
 }
 
 /* --- transactions ----------------------------------------------------------------------------- */
@@ -227,7 +227,9 @@ arc_status arc_store_begin(arc_store *store, arc_error *error) {
 }
 
 arc_status arc_store_commit(arc_store *store, arc_error *error) {
-  arc_status status = database_run(store->db, "COMMIT", error);
+  store->verified = 0;
+  arc_status status = store_seal_finished(store, error);
+  if (status == ARC_OK) status = database_run(store->db, "COMMIT", error);
   if (status != ARC_OK) arc_store_rollback(store);
   return status;
 }

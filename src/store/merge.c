@@ -61,8 +61,8 @@ static arc_status copy_finished(arc_store *store, arc_error *error) {
       "INSERT INTO main.history SELECT * FROM other.history" FINISHED ";"
       "INSERT INTO main.surfaces SELECT * FROM other.surfaces" FINISHED ";"
       "INSERT INTO main.state SELECT * FROM other.state" FINISHED ";"
-      "UPDATE main.cases SET (status, message, seconds) ="
-      "  (SELECT status, message, seconds FROM other.cases o WHERE o.id = main.cases.id)"
+      "UPDATE main.cases SET (status, message, seconds, digest) ="
+      "  (SELECT status, message, seconds, digest FROM other.cases o WHERE o.id = main.cases.id)"
       "  WHERE status <> 'done' AND id IN (SELECT id FROM other.cases WHERE status <> 'waiting');",
       error);
 }

@@ -107,6 +107,7 @@ arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
                           const arc_surface *surfaces, size_t count, arc_error *error) {
   int own = 0;
   arc_status status = store_enter(store, &own, error);
+  if (status == ARC_OK) status = store_open_seal(store, id, error);
   if (status == ARC_OK) status = forget(store, id, error);
   if (status == ARC_OK) status = definition_save(store, id, wear, error);
   if (status == ARC_OK) status = save_history(store, id, wear, error);
@@ -155,8 +156,9 @@ arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history
   int row = 0;
   *history = NULL;
   *count = 0;
-  arc_status status =
-      count_rows(store, "SELECT count(*) FROM history WHERE case_id = ?1", id, &rows, error);
+  arc_status status = store_verify(store, id, error);
+  if (status == ARC_OK)
+    status = count_rows(store, "SELECT count(*) FROM history WHERE case_id = ?1", id, &rows, error);
   if (status != ARC_OK) return status;
   *history = malloc((rows + 1) * sizeof **history);
   if (!*history) return out_of_memory(store, error);
@@ -216,8 +218,10 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_surface **surfaces, 
   int row = 0;
   *count = 0;
   *surfaces = NULL;
-  arc_status status =
-      count_rows(store, "SELECT count(*) FROM surfaces WHERE case_id = ?1", id, &rows, error);
+  arc_status status = store_verify(store, id, error);
+  if (status == ARC_OK)
+    status =
+        count_rows(store, "SELECT count(*) FROM surfaces WHERE case_id = ?1", id, &rows, error);
   if (status != ARC_OK) return status;
   *surfaces = allocate_surfaces(rows, column);
   if (!*surfaces) return out_of_memory(store, error);
@@ -295,7 +299,8 @@ arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const a
   arc_wear_record *history = NULL;
   size_t count = 0;
   *wear = NULL;
-  arc_status status = restore_shape(store, id, model, def, &shape, error);
+  arc_status status = store_verify(store, id, error);
+  if (status == ARC_OK) status = restore_shape(store, id, model, def, &shape, error);
   if (status == ARC_OK) status = arc_store_history(store, id, &history, &count, error);
   if (status == ARC_OK) status = arc_wear_restore(model, def, shape, history, count, wear, error);
   arc_shape_destroy(&shape);

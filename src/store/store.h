@@ -9,6 +9,7 @@ struct arc_store {
   database *db;
   char *path;   /* the file's name for the user */
   char *beside; /* where a replacing file is written until it is published; NULL: none */
+  int verified; /* the case whose checksum was compared last; 0: none */
 };
 
 /* Opens a transaction unless one is open; *own says whether it did. */
@@ -22,6 +23,17 @@ arc_status store_query(arc_store *store, const char *sql, int id, query **q, arc
 
 /* Runs a statement with the case's id as parameter 1. */
 arc_status store_run(arc_store *store, const char *sql, int id, arc_error *error);
+
+/* --- digest.c: checksums of finished cases -----------------------------------------------------
+ */
+
+/* Whatever changes a case takes its checksum away first; the commit writes those of finished cases
+ * anew. */
+arc_status store_open_seal(arc_store *store, int id, arc_error *error);
+arc_status store_seal_finished(arc_store *store, arc_error *error);
+/* ARC_FORMAT where the contents of a finished case do not match its checksum; of all of them. */
+arc_status store_verify(arc_store *store, int id, arc_error *error);
+arc_status store_verify_all(arc_store *store, arc_error *error);
 
 /* --- definition.c: the engine's definitions as named values ----------------------------------- */
 

@@ -552,6 +552,57 @@ static void test_damaged_pages(void **state) {
   arc_store_close(&store);
 }
 
+/* Reads all of the first case; whether that worked. */
+static int reads_well(const char *name, const arc_wear_record *expected, size_t expected_count) {
+  arc_error error = {0};
+  arc_store *store;
+  arc_wear_record *history = NULL;
+  size_t count = 0;
+  int well = 0;
+  if (arc_store_open(in_folder(name), ARC_STORE_READ, &store, &error) != ARC_OK) return 0;
+  if (arc_store_history(store, 1, &history, &count, &error) == ARC_OK) {
+    assert_int_equal(count, expected_count);
+    assert_memory_equal(history, expected, count * sizeof *history);
+    well = 1;
+  }
+  free(history);
+  arc_store_close(&store);
+  return well;
+}
+
+/* A bit turned over anywhere is refused, or does not touch what is read. */
+static void test_turned_bits(void **state) {
+  (void)state;
+  arc_error error = {0};
+  arc_model_def definition = arc_model_default();
+  definition.mesh.size = 0.05;
+  definition.mesh.height = 0.06;
+  arc_model *model;
+  must(arc_model_build(&definition, &model, &error), &error);
+  arc_wear *wear = short_run(model, 44);
+  arc_store *store = opened("bits", ARC_STORE_CREATE);
+  must(arc_store_add(store, 1, "one", &error), &error);
+  must(arc_store_save(store, 1, wear, NULL, 0, &error), &error);
+  must(arc_store_mark(store, 1, ARC_CASE_DONE, NULL, 1, &error), &error);
+  arc_store_close(&store);
+  size_t rows, count;
+  const arc_wear_record *history = arc_wear_history(wear, &rows);
+  assert_true(reads_well("bits", history, rows));
+  unsigned char *bytes = bytes_of(in_folder("bits"), &count);
+  int refused = 0;
+  for (size_t at = 100; at < count; at += count / 97) {
+    bytes[at] ^= 4;
+    write_bytes(in_folder("turned"), bytes, count);
+    refused += !reads_well("turned", history, rows);
+    bytes[at] ^= 4;
+  }
+  print_message("# %d of 97 turned bits refused, the others touch nothing that is read\n", refused);
+  assert_true(refused > 5);
+  free(bytes);
+  arc_wear_destroy(&wear);
+  arc_model_release(&model);
+}
+
 static void test_replace(void **state) {
   (void)state;
   arc_error error = {0};
@@ -742,9 +793,10 @@ int main(void) {
       cmocka_unit_test(test_run_goes_on),   cmocka_unit_test(test_definition),
       cmocka_unit_test(test_functions),     cmocka_unit_test(test_unknown_fields),
       cmocka_unit_test(test_surfaces),      cmocka_unit_test(test_foreign_files),
-      cmocka_unit_test(test_damaged_pages), cmocka_unit_test(test_replace),
-      cmocka_unit_test(test_full_disk),     cmocka_unit_test(test_killed_writer),
-      cmocka_unit_test(test_two_writers),   cmocka_unit_test(test_merge),
+      cmocka_unit_test(test_damaged_pages), cmocka_unit_test(test_turned_bits),
+      cmocka_unit_test(test_replace),       cmocka_unit_test(test_full_disk),
+      cmocka_unit_test(test_killed_writer), cmocka_unit_test(test_two_writers),
+      cmocka_unit_test(test_merge),
   };
   arc_single_threaded();
   return cmocka_run_group_tests(tests, make_folder, remove_folder);

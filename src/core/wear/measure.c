@@ -8,6 +8,10 @@ static double E_star(const arc_model_def *def) {
               1 / arc_material_E_star(def->material[ARC_PLATE]));
 }
 
+double wear_partition(double cylinder, double plate) {
+  return cylinder + plate > 0 ? cylinder / (cylinder + plate) : (double)NAN;
+}
+
 int wear_closed_form(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   return d->alpha == 0 && !d->alpha_function && d->alpha_series.count == 0 &&
@@ -64,7 +68,7 @@ arc_status wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *re
   if (status != ARC_OK) return status;
   record->depth_cylinder = arc_shape_depth(shape, ARC_CYLINDER);
   record->depth_plate = arc_shape_depth(shape, ARC_PLATE);
-  record->depth_partition = record->depth_cylinder / (record->depth_cylinder + record->depth_plate);
+  record->depth_partition = wear_partition(record->depth_cylinder, record->depth_plate);
   return ARC_OK;
 }
 

@@ -132,6 +132,8 @@ arc_status wear_implicit(arc_wear *w, const arc_shape *shape, const wear_window 
                          int *solutions, double *error_share, arc_error *error);
 
 /* --- measure.c --- */
+/* alpha-tilde (Eq. 29); NaN before any wear. */
+double wear_partition(double cylinder, double plate);
 /* alpha = 0 over the whole plate: the contact never changes and no solution is needed. */
 int wear_closed_form(const arc_wear *w);
 /* Reads the reference configuration of a shape into the record (which holds the rest). */

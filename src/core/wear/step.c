@@ -48,7 +48,7 @@ static arc_wear_record predict(arc_wear *w, const wear_plan *plan, double share,
       *deepest[b] =
           fmax(*deepest[b], w->shape->side[b].h[i] + w->delta[b][i] + (b == ARC_PLATE ? even : 0));
   add_volumes(w, w->shape, delta, even, &state);
-  state.depth_partition = state.depth_cylinder / (state.depth_cylinder + state.depth_plate);
+  state.depth_partition = wear_partition(state.depth_cylinder, state.depth_plate);
   return state;
 }
 

@@ -1,0 +1,145 @@
+/* The seal of a finished case: a checksum (FNV-1a, 64 bit) over all it holds, written in the commit
+ * that finishes it and compared when the case is read. SQLite finds damage to a file's structure;
+ * this finds it inside the numbers. */
+#include "store/store.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const parts[] = {
+    "SELECT label, status, message, seconds FROM cases WHERE id = ?1",
+    "SELECT name, value FROM settings WHERE case_id = ?1 ORDER BY name",
+    "SELECT name, value FROM definition WHERE case_id = ?1 ORDER BY name",
+    "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name",
+    "SELECT * FROM history WHERE case_id = ?1 ORDER BY step",
+    "SELECT * FROM surfaces WHERE case_id = ?1 ORDER BY \"update\", body, node",
+    "SELECT * FROM state WHERE case_id = ?1 ORDER BY body"};
+
+static uint64_t add_bytes(uint64_t sum, const void *bytes, size_t count) {
+  const unsigned char *at = bytes;
+  for (size_t i = 0; i < count; i++) sum = (sum ^ at[i]) * 1099511628211u;
+  return sum;
+}
+
+/* One value with its kind, so that 1 and "1" differ. */
+static arc_status add_value(query *q, int column, uint64_t *sum) {
+  const column_kind kind = query_kind(q, column);
+  const unsigned char tag = (unsigned char)kind;
+  *sum = add_bytes(*sum, &tag, 1);
+  if (kind == COLUMN_WHOLE) {
+    const long long whole = query_whole(q, column);
+    *sum = add_bytes(*sum, &whole, sizeof whole);
+  } else if (kind == COLUMN_NUMBER) {
+    const double number = query_number(q, column);
+    *sum = add_bytes(*sum, &number, sizeof number);
+  } else if (kind == COLUMN_TEXT) {
+    const char *text = query_text(q, column);
+    *sum = add_bytes(*sum, text, strlen(text) + 1);
+  } else if (kind == COLUMN_ARRAY) {
+    const size_t count = query_array_count(q, column);
+    double *array = malloc((count + 1) * sizeof *array);
+    if (!array) return ARC_MEMORY;
+    query_array(q, column, array, count);
+    *sum = add_bytes(*sum, array, count * sizeof *array);
+    free(array);
+  }
+  return ARC_OK;
+}
+
+static arc_status add_part(arc_store *store, const char *sql, int id, uint64_t *sum,
+                           arc_error *error) {
+  query *q;
+  int row = 0;
+  arc_status status = store_query(store, sql, id, &q, error);
+  while (status == ARC_OK && (status = query_step(q, &row, error)) == ARC_OK && row)
+    for (int c = 0; c < query_columns(q) && status == ARC_OK; c++)
+      if ((status = add_value(q, c, sum)) != ARC_OK)
+        arc_fail(error, status, "%s: out of memory", store->path);
+  query_close(&q);
+  return status;
+}
+
+/* The checksum of a case as text. */
+static arc_status digest_of(arc_store *store, int id, char text[17], arc_error *error) {
+  uint64_t sum = 14695981039346656037u;
+  arc_status status = ARC_OK;
+  for (size_t p = 0; p < sizeof parts / sizeof *parts && status == ARC_OK; p++)
+    status = add_part(store, parts[p], id, &sum, error);
+  snprintf(text, 17, "%016llx", (unsigned long long)sum);
+  return status;
+}
+
+static arc_status seal(arc_store *store, int id, arc_error *error) {
+  char text[17];
+  query *q;
+  arc_status status = digest_of(store, id, text, error);
+  if (status != ARC_OK) return status;
+  status = store_query(store, "UPDATE cases SET digest = ?2 WHERE id = ?1", id, &q, error);
+  if (status == ARC_OK) {
+    query_set_text(q, 2, text);
+    status = query_run(q, error);
+  }
+  query_close(&q);
+  return status;
+}
+
+/* The first case for which the SQL holds; 0: none. */
+static arc_status first_case(arc_store *store, const char *sql, int after, int *id,
+                             arc_error *error) {
+  query *q;
+  int row = 0;
+  *id = 0;
+  arc_status status = store_query(store, sql, after, &q, error);
+  if (status == ARC_OK) status = query_step(q, &row, error);
+  if (status == ARC_OK && row) *id = (int)query_whole(q, 0);
+  query_close(&q);
+  return status;
+}
+
+arc_status store_open_seal(arc_store *store, int id, arc_error *error) {
+  store->verified = 0;
+  return store_run(store, "UPDATE cases SET digest = NULL WHERE id = ?1", id, error);
+}
+
+arc_status store_seal_finished(arc_store *store, arc_error *error) {
+  static const char unsealed[] =
+      "SELECT id FROM cases WHERE status = 'done' AND digest IS NULL AND "
+      "id > ?1 ORDER BY id LIMIT 1";
+  int id = 0;
+  arc_status status;
+  while ((status = first_case(store, unsealed, id, &id, error)) == ARC_OK && id > 0)
+    if ((status = seal(store, id, error)) != ARC_OK) return status;
+  return status;
+}
+
+arc_status store_verify(arc_store *store, int id, arc_error *error) {
+  if (store->verified == id) return ARC_OK;
+  query *q;
+  int row = 0;
+  char found[17], expected[17] = "";
+  arc_status status = store_query(
+      store, "SELECT digest FROM cases WHERE id = ?1 AND digest IS NOT NULL", id, &q, error);
+  if (status == ARC_OK) status = query_step(q, &row, error);
+  if (status == ARC_OK && row) snprintf(expected, sizeof expected, "%s", query_text(q, 0));
+  query_close(&q);
+  if (status != ARC_OK || !row) return status;
+  status = digest_of(store, id, found, error);
+  if (status == ARC_OK && strcmp(found, expected) != 0)
+    return arc_fail(error, ARC_FORMAT,
+                    "%s: the file is damaged: what case %d holds does not match its checksum",
+                    store->path, id);
+  if (status == ARC_OK) store->verified = id;
+  return status;
+}
+
+arc_status store_verify_all(arc_store *store, arc_error *error) {
+  static const char sealed[] =
+      "SELECT id FROM cases WHERE digest IS NOT NULL AND id > ?1 ORDER BY id LIMIT 1";
+  int id = 0;
+  arc_status status;
+  while ((status = first_case(store, sealed, id, &id, error)) == ARC_OK && id > 0)
+    if ((status = store_verify(store, id, error)) != ARC_OK) return status;
+  return status;
+}
