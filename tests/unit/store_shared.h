@@ -1,0 +1,149 @@
+/* What the tests of run files share: a folder of their own, runs on a coarse mesh, comparisons. */
+#ifndef TESTS_STORE_SHARED_H
+#define TESTS_STORE_SHARED_H
+
+#include "archard/store.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static char folder[] = "/tmp/archard-store-XXXXXX";
+
+/* The path of a file in the test's folder; the next call but three overwrites it. */
+__attribute__((unused)) static const char *in_folder(const char *name) {
+  static char path[4][200];
+  static int turn;
+  turn = (turn + 1) % 4;
+  snprintf(path[turn], sizeof path[turn], "%s/%s", folder, name);
+  return path[turn];
+}
+
+__attribute__((unused)) static int make_folder(void **state) {
+  (void)state;
+  return mkdtemp(folder) ? 0 : -1;
+}
+
+__attribute__((unused)) static int remove_folder(void **state) {
+  (void)state;
+  char command[300];
+  snprintf(command, sizeof command, "rm -rf %s", folder);
+  return system(command);
+}
+
+__attribute__((unused)) static arc_store *opened(const char *name, arc_store_mode mode) {
+  arc_error error = {0};
+  arc_store *store;
+  if (arc_store_open(in_folder(name), mode, &store, &error) != ARC_OK)
+    fail_msg("%s", error.message);
+  return store;
+}
+
+__attribute__((unused)) static void must(arc_status status, const arc_error *error) {
+  if (status != ARC_OK) fail_msg("%s", error->message);
+}
+
+/* All bytes of a file; to be freed. */
+__attribute__((unused)) static unsigned char *bytes_of(const char *path, size_t *count) {
+  FILE *file = fopen(path, "rb");
+  assert_non_null(file);
+  fseek(file, 0, SEEK_END);
+  *count = (size_t)ftell(file);
+  rewind(file);
+  unsigned char *bytes = malloc(*count + 1);
+  assert_non_null(bytes);
+  assert_int_equal(fread(bytes, 1, *count, file), *count);
+  fclose(file);
+  return bytes;
+}
+
+__attribute__((unused)) static void write_bytes(const char *path, const void *bytes, size_t count) {
+  FILE *file = fopen(path, "wb");
+  assert_non_null(file);
+  assert_int_equal(fwrite(bytes, 1, count, file), count);
+  assert_int_equal(fclose(file), 0);
+}
+
+__attribute__((unused)) static arc_model *coarse_model(void) {
+  arc_error error = {0};
+  arc_model_def def = arc_model_default();
+  arc_model *model;
+  def.mesh.size = 0.04;
+  def.mesh.height = 0.04;
+  def.mesh.zone[ARC_PLATE] = 1.4;
+  def.material[ARC_PLATE].nu = 0.31;
+  must(arc_model_build(&def, &model, &error), &error);
+  return model;
+}
+
+__attribute__((unused)) static arc_wear *short_run(arc_model *model, double distance) {
+  arc_error error = {0};
+  arc_wear *wear;
+  arc_wear_def def = arc_wear_default();
+  def.distance = 330;
+  def.increments = 20;
+  def.alpha = 0.3;
+  must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
+  must(arc_wear_run(wear, distance, NULL, NULL, NULL, &error), &error);
+  return wear;
+}
+
+__attribute__((unused)) static void assert_same_doubles(const double *a, const double *b,
+                                                        size_t count) {
+  for (size_t i = 0; i < count; i++)
+    if (!(isnan(a[i]) && isnan(b[i]))) assert_memory_equal(&a[i], &b[i], sizeof *a);
+}
+
+__attribute__((unused)) static void assert_same_runs(const arc_wear *a, const arc_wear *b) {
+  size_t rows, others;
+  const arc_wear_record *history = arc_wear_history(a, &rows),
+                        *other = arc_wear_history(b, &others);
+  assert_int_equal(rows, others);
+  assert_same_doubles((const double *)(const void *)history, (const double *)(const void *)other,
+                      rows * sizeof *history / sizeof(double));
+  for (int body = 0; body < ARC_BODIES; body++) {
+    arc_surface_state one = arc_shape_state(arc_wear_shape(a), (arc_body)body);
+    arc_surface_state two = arc_shape_state(arc_wear_shape(b), (arc_body)body);
+    assert_int_equal(one.count, two.count);
+    assert_int_equal(one.condensed, two.condensed);
+    assert_same_doubles(&one.even, &two.even, 1);
+    assert_same_doubles(one.h, two.h, (size_t)one.count);
+    assert_same_doubles(one.xy, two.xy, 2 * (size_t)one.count);
+    assert_same_doubles(one.settled, two.settled, 2 * (size_t)one.count);
+  }
+}
+
+__attribute__((unused)) static void save_as(const char *name, int id, const arc_wear *wear) {
+  arc_error error = {0};
+  arc_store *store = opened(name, ARC_STORE_CREATE);
+  must(arc_store_add(store, id, "run", &error), &error);
+  must(arc_store_save(store, id, wear, NULL, 0, &error), &error);
+  arc_store_close(&store);
+}
+
+__attribute__((unused)) static arc_wear *restored(const char *name, int id, arc_model **model) {
+  arc_error error = {0};
+  arc_store *store = opened(name, ARC_STORE_READ);
+  arc_stored_run run;
+  arc_wear *wear;
+  must(arc_store_definition(store, id, &run, &error), &error);
+  must(arc_model_build(&run.model, model, &error), &error);
+  must(arc_store_restore(store, id, *model, &run.def, &wear, &error), &error);
+  arc_stored_run_free(&run);
+  arc_store_close(&store);
+  return wear;
+}
+
+#endif
