@@ -2,6 +2,7 @@
 #include "core/export/file.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,6 +14,15 @@ static void forget(output_file *file) {
   free(file->path);
   free(file->temporary);
   *file = (output_file){0};
+}
+
+number_text number_to_text(double value) {
+  number_text result = {"nan"};
+  for (int digits = 15; digits <= 17 && !isnan(value); digits++) {
+    snprintf(result.text, sizeof result.text, "%.*g", digits, value == 0 ? 0.0 : value);
+    if (strtod(result.text, NULL) == value) break;
+  }
+  return result;
 }
 
 arc_status output_open(output_file *file, const char *path, arc_error *error) {

@@ -10,7 +10,8 @@ typedef struct numbering {
 static void write_mesh(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   fprintf(out, "*NODE, NSET=%s\n", name);
   for (int n = 0; n < m->nodes; n++)
-    fprintf(out, "%d, %.17g, %.17g, 0\n", n + at.node, m->xy[2 * n], m->xy[2 * n + 1]);
+    fprintf(out, "%d, %s, %s, 0\n", n + at.node, number_to_text(m->xy[2 * n]).text,
+            number_to_text(m->xy[2 * n + 1]).text);
   for (int corners = 4; corners >= 3; corners--) {
     const char *type = corners == 3 ? "CPE3" : m->def.element == ARC_CPE4I ? "CPE4I" : "CPE4";
     fprintf(out, "*ELEMENT, TYPE=%s, ELSET=%s\n", type, name);
@@ -48,8 +49,10 @@ static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char
 
 static void write_section(FILE *out, const arc_model_def *def, arc_body body, const char *name) {
   const arc_material m = def->material[body];
-  fprintf(out, "*MATERIAL, NAME=%s\n*ELASTIC\n%.17g, %.17g\n", name, m.E, m.nu);
-  fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n%.17g\n", name, name, def->thickness);
+  fprintf(out, "*MATERIAL, NAME=%s\n*ELASTIC\n%s, %s\n", name, number_to_text(m.E).text,
+          number_to_text(m.nu).text);
+  fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n%s\n", name, name,
+          number_to_text(def->thickness).text);
 }
 
 /* Everything of one body but its material. */
