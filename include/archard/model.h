@@ -20,6 +20,9 @@ arc_material arc_material_default(void);
 /* Plane-strain modulus E / (1 - nu^2) [MPa]. */
 double arc_material_E_star(arc_material material);
 
+/* Contact modulus of the couple, 1 / (1/E*_c + 1/E*_p) [MPa]. */
+double arc_contact_modulus(const arc_material material[ARC_BODIES]);
+
 /* Checks ranges; ARC_ARGUMENT names field, expectation and value. */
 arc_status arc_material_check(arc_material material, arc_error *error);
 

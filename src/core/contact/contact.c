@@ -34,11 +34,8 @@ static void read_pressures(arc_contact *c) {
 }
 
 static void read_result(arc_contact *c, double load, double x) {
-  const arc_model_def *def = arc_model_definition(c->shape->model);
-  const double E_star = 1 / (1 / arc_material_E_star(def->material[ARC_CYLINDER]) +
-                             1 / arc_material_E_star(def->material[ARC_PLATE]));
   double edges[2], largest = 0;
-  pose_edges(&c->pose, c->shape, E_star, edges);
+  pose_edges(&c->pose, c->shape, edges);
   for (int i = 0; i < c->count[ARC_CYLINDER]; i++) largest = fmax(largest, c->p[ARC_CYLINDER][i]);
   c->result = (arc_contact_result){.load = load,
                                    .x = x,

@@ -20,8 +20,7 @@ arc_status arc_hertz_solve(double radius, double thickness, double load,
       (status = arc_material_check(material[ARC_PLATE], error)))
     return status;
   const double pi = acos(-1), line = load / thickness;
-  hertz->E_star = 1 / (1 / arc_material_E_star(material[ARC_CYLINDER]) +
-                       1 / arc_material_E_star(material[ARC_PLATE]));
+  hertz->E_star = arc_contact_modulus(material);
   hertz->half_width = sqrt(4 * line * radius / (pi * hertz->E_star));
   hertz->p_max = 2 * line / (pi * hertz->half_width);
   return ARC_OK;

@@ -120,7 +120,8 @@ static double edge_offset(double q, double g, double h, double E_star) {
   return (low + high) / 2;
 }
 
-void pose_edges(const pose *p, const arc_shape *shape, double E_star, double edges[2]) {
+void pose_edges(const pose *p, const arc_shape *shape, double edges[2]) {
+  const double E_star = arc_contact_modulus(arc_model_definition(shape->model)->material);
   const double *cyl = shape->side[ARC_CYLINDER].xy;
   for (int side = 0; side < 2; side++) {
     const int direction = side ? 1 : -1;

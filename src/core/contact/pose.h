@@ -62,8 +62,8 @@ void pose_to_cylinder(const pose *p, const double *v, double *result);
 /* result [np] := B' v; v by cylinder node [nc]. */
 void pose_to_plate(const pose *p, const double *v, double *result);
 /* Contact edges [mm], interpolated between nodes with the square-root law of smooth contacts.
- * E_star: the couple's. */
-void pose_edges(const pose *p, const arc_shape *shape, double E_star, double edges[2]);
+ */
+void pose_edges(const pose *p, const arc_shape *shape, double edges[2]);
 
 /* The complementarity problem (lcp.c): finds p's set, factor, ones, f, approach for a load, from
  * the set as a warm start. */

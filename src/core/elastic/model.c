@@ -20,6 +20,11 @@ double arc_material_E_star(arc_material m) {
   return m.E / (1 - m.nu * m.nu);
 }
 
+double arc_contact_modulus(const arc_material material[ARC_BODIES]) {
+  return 1 / (1 / arc_material_E_star(material[ARC_CYLINDER]) +
+              1 / arc_material_E_star(material[ARC_PLATE]));
+}
+
 arc_status arc_material_check(arc_material m, arc_error *error) {
   if (!(m.E > 0) || !isfinite(m.E))
     return arc_fail(error, ARC_ARGUMENT, "E: expected above 0 MPa, got %g MPa", m.E);

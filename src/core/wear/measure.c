@@ -3,11 +3,6 @@
 
 #include <math.h>
 
-static double E_star(const arc_model_def *def) {
-  return 1 / (1 / arc_material_E_star(def->material[ARC_CYLINDER]) +
-              1 / arc_material_E_star(def->material[ARC_PLATE]));
-}
-
 double wear_partition(double cylinder, double plate) {
   return cylinder + plate > 0 ? cylinder / (cylinder + plate) : (double)NAN;
 }
@@ -51,7 +46,7 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
   if (status != ARC_OK) return status;
   const pose *p = &w->reference;
   double edges[2];
-  pose_edges(p, shape, E_star(def), edges);
+  pose_edges(p, shape, edges);
   record->half_width = (edges[1] - edges[0]) / 2;
   record->p_center = record->p_max = 0;
   for (int k = 0; k < p->count; k++)
