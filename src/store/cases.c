@@ -14,9 +14,9 @@ const char *const arc_case_status_names[] = {ARC_CASE_STATUS_LIST(STATUS_TEXT) N
 /* Whether there is a case of this id. */
 static arc_status find(arc_store *store, int id, int *found, arc_error *error) {
   query *q;
-  arc_status status = store_query(store, "SELECT 1 FROM cases WHERE id = ?1", id, &q, error);
-  if (status == ARC_OK) status = query_step(q, found, error);
-  query_close(&q);
+  arc_status status = arc_store_query(store, "SELECT 1 FROM cases WHERE id = ?1", id, &q, error);
+  if (status == ARC_OK) status = arc_query_step(q, found, error);
+  arc_query_close(&q);
   return status;
 }
 
@@ -27,12 +27,12 @@ arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error 
   if (status == ARC_OK && found)
     status = arc_fail(error, ARC_ARGUMENT, "%s: there is a case %d already", store->path, id);
   if (status == ARC_OK)
-    status = store_query(store, "INSERT INTO cases (id, label) VALUES (?1, ?2)", id, &q, error);
+    status = arc_store_query(store, "INSERT INTO cases (id, label) VALUES (?1, ?2)", id, &q, error);
   if (status == ARC_OK) {
-    query_set_text(q, 2, label);
-    status = query_run(q, error);
+    arc_query_set_text(q, 2, label);
+    status = arc_query_run(q, error);
   }
-  query_close(&q);
+  arc_query_close(&q);
   return status;
 }
 
@@ -44,25 +44,25 @@ static int status_named(const char *text) {
 
 /* Reads one row: id, label, status, message, seconds. */
 static arc_status read_case(arc_store *store, query *q, arc_case *one, arc_error *error) {
-  int status = status_named(query_text(q, 2));
-  one->id = (int)query_whole(q, 0);
+  int status = status_named(arc_query_text(q, 2));
+  one->id = (int)arc_query_whole(q, 0);
   if (status < 0)
     return arc_fail(error, ARC_FORMAT, "%s: case %d has the unknown status '%s'", store->path,
-                    one->id, query_text(q, 2));
+                    one->id, arc_query_text(q, 2));
   one->status = (arc_case_status)status;
-  snprintf(one->label, sizeof one->label, "%s", query_text(q, 1));
-  snprintf(one->message, sizeof one->message, "%s", query_text(q, 3));
-  one->seconds = query_number(q, 4);
+  snprintf(one->label, sizeof one->label, "%s", arc_query_text(q, 1));
+  snprintf(one->message, sizeof one->message, "%s", arc_query_text(q, 3));
+  one->seconds = arc_query_number(q, 4);
   return ARC_OK;
 }
 
 static arc_status count_cases(arc_store *store, size_t *count, arc_error *error) {
   query *q;
   int row;
-  arc_status status = query_open(store->db, "SELECT count(*) FROM cases", &q, error);
-  if (status == ARC_OK) status = query_step(q, &row, error);
-  if (status == ARC_OK) *count = (size_t)query_whole(q, 0);
-  query_close(&q);
+  arc_status status = arc_query_open(store->db, "SELECT count(*) FROM cases", &q, error);
+  if (status == ARC_OK) status = arc_query_step(q, &row, error);
+  if (status == ARC_OK) *count = (size_t)arc_query_whole(q, 0);
+  arc_query_close(&q);
   return status;
 }
 
@@ -76,13 +76,13 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
   if (status != ARC_OK) return status;
   *cases = calloc(room + 1, sizeof **cases);
   if (!*cases) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
-  status = query_open(
+  status = arc_query_open(
       store->db, "SELECT id, label, status, message, seconds FROM cases ORDER BY id", &q, error);
   /* a writer may have added cases since they were counted */
-  while (status == ARC_OK && *count < room && (status = query_step(q, &row, error)) == ARC_OK &&
+  while (status == ARC_OK && *count < room && (status = arc_query_step(q, &row, error)) == ARC_OK &&
          row)
     status = read_case(store, q, &(*cases)[(*count)++], error);
-  query_close(&q);
+  arc_query_close(&q);
   if (status == ARC_OK) return ARC_OK;
   free(*cases);
   *cases = NULL;
@@ -95,16 +95,16 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
 static arc_status write_mark(arc_store *store, int id, arc_case_status mark, const char *message,
                              double seconds, arc_error *error) {
   query *q;
-  arc_status status =
-      store_query(store, "UPDATE cases SET status = ?2, message = ?3, seconds = ?4 WHERE id = ?1",
-                  id, &q, error);
+  arc_status status = arc_store_query(
+      store, "UPDATE cases SET status = ?2, message = ?3, seconds = ?4 WHERE id = ?1", id, &q,
+      error);
   if (status != ARC_OK) return status;
-  query_set_text(q, 2, arc_case_status_names[mark]);
-  query_set_text(q, 3, message);
-  if (isfinite(seconds)) query_set_number(q, 4, seconds);
-  status = query_run(q, error);
-  query_close(&q);
-  if (status == ARC_OK && database_changes(store->db) == 0)
+  arc_query_set_text(q, 2, arc_case_status_names[mark]);
+  arc_query_set_text(q, 3, message);
+  if (isfinite(seconds)) arc_query_set_number(q, 4, seconds);
+  status = arc_query_run(q, error);
+  arc_query_close(&q);
+  if (status == ARC_OK && arc_database_changes(store->db) == 0)
     return arc_fail(error, ARC_ARGUMENT, "%s: there is no case %d", store->path, id);
   return status;
 }
@@ -112,14 +112,14 @@ static arc_status write_mark(arc_store *store, int id, arc_case_status mark, con
 arc_status arc_store_mark(arc_store *store, int id, arc_case_status mark, const char *message,
                           double seconds, arc_error *error) {
   int own = 0;
-  arc_status status = store_enter(store, &own, error);
-  if (status == ARC_OK) status = store_open_seal(store, id, error);
+  arc_status status = arc_store_enter(store, &own, error);
+  if (status == ARC_OK) status = arc_store_open_seal(store, id, error);
   if (status == ARC_OK) status = write_mark(store, id, mark, message, seconds, error);
-  return store_leave(store, own, status, error);
+  return arc_store_leave(store, own, status, error);
 }
 
 arc_status arc_store_release(arc_store *store, arc_error *error) {
-  return database_run(
+  return arc_database_run(
       store->db, "UPDATE cases SET status = 'waiting', message = NULL WHERE status = 'running'",
       error);
 }
@@ -140,19 +140,19 @@ static const char *const look_up[] = {
     "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name"};
 
 static void set_value(query *q, const arc_value *value) {
-  query_set_text(q, 2, value->name);
+  arc_query_set_text(q, 2, value->name);
   switch (value->kind) {
   case ARC_VALUE_NUMBER:
-    query_set_number(q, 3, value->number);
+    arc_query_set_number(q, 3, value->number);
     break;
   case ARC_VALUE_FLAG: /* numbers are never stored as whole ones, so these stand out */
-    query_set_whole(q, 3, value->number != 0);
+    arc_query_set_whole(q, 3, value->number != 0);
     break;
   case ARC_VALUE_TEXT:
-    query_set_text(q, 3, value->text);
+    arc_query_set_text(q, 3, value->text);
     break;
   case ARC_VALUE_ARRAY:
-    query_set_array(q, 3, value->array, value->count);
+    arc_query_set_array(q, 3, value->array, value->count);
     break;
   }
 }
@@ -160,49 +160,49 @@ static void set_value(query *q, const arc_value *value) {
 static arc_status insert_values(arc_store *store, int id, arc_value_use use,
                                 const arc_value *values, size_t count, arc_error *error) {
   query *q;
-  arc_status status = store_query(store, insert[use], id, &q, error);
+  arc_status status = arc_store_query(store, insert[use], id, &q, error);
   for (size_t i = 0; i < count && status == ARC_OK; i++) {
     set_value(q, &values[i]);
-    status = query_run(q, error);
+    status = arc_query_run(q, error);
   }
-  query_close(&q);
+  arc_query_close(&q);
   return status;
 }
 
 arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
                                 const arc_value *values, size_t count, arc_error *error) {
   int own = 0;
-  arc_status status = store_enter(store, &own, error);
-  if (status == ARC_OK) status = store_open_seal(store, id, error);
-  if (status == ARC_OK) status = store_run(store, forget[use], id, error);
+  arc_status status = arc_store_enter(store, &own, error);
+  if (status == ARC_OK) status = arc_store_open_seal(store, id, error);
+  if (status == ARC_OK) status = arc_store_run(store, forget[use], id, error);
   if (status == ARC_OK) status = insert_values(store, id, use, values, count, error);
-  return store_leave(store, own, status, error);
+  return arc_store_leave(store, own, status, error);
 }
 
 /* The value of the row; an array is put into *buffer, which grows. */
 static arc_status read_value(arc_store *store, query *q, arc_value *value, double **buffer,
                              arc_error *error) {
-  *value = (arc_value){.kind = ARC_VALUE_NUMBER, .name = query_text(q, 0)};
-  switch (query_kind(q, 1)) {
+  *value = (arc_value){.kind = ARC_VALUE_NUMBER, .name = arc_query_text(q, 0)};
+  switch (arc_query_kind(q, 1)) {
   case COLUMN_WHOLE:
     value->kind = ARC_VALUE_FLAG;
-    value->number = (double)query_whole(q, 1);
+    value->number = (double)arc_query_whole(q, 1);
     break;
   case COLUMN_TEXT:
     value->kind = ARC_VALUE_TEXT;
-    value->text = query_text(q, 1);
+    value->text = arc_query_text(q, 1);
     break;
   case COLUMN_ARRAY:
     value->kind = ARC_VALUE_ARRAY;
-    value->count = query_array_count(q, 1);
+    value->count = arc_query_array_count(q, 1);
     free(*buffer);
     *buffer = malloc((value->count + 1) * sizeof **buffer);
     if (!*buffer) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
-    query_array(q, 1, *buffer, value->count);
+    arc_query_array(q, 1, *buffer, value->count);
     value->array = *buffer;
     break;
   default:
-    value->number = query_number(q, 1);
+    value->number = arc_query_number(q, 1);
   }
   return ARC_OK;
 }
@@ -213,13 +213,13 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
   double *buffer = NULL;
   arc_value value;
   int row = 0, ended = 0;
-  arc_status status = store_verify(store, id, error);
-  if (status == ARC_OK) status = store_query(store, look_up[use], id, &q, error);
-  while (!ended && status == ARC_OK && (status = query_step(q, &row, error)) == ARC_OK && row) {
+  arc_status status = arc_store_verify(store, id, error);
+  if (status == ARC_OK) status = arc_store_query(store, look_up[use], id, &q, error);
+  while (!ended && status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row) {
     status = read_value(store, q, &value, &buffer, error);
     if (status == ARC_OK) ended = see(context, &value);
   }
-  query_close(&q);
+  arc_query_close(&q);
   free(buffer);
   return status;
 }

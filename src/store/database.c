@@ -68,11 +68,11 @@ static arc_status configure(database *db, arc_error *error) {
   sqlite3_extended_result_codes(db->handle, 1);
   sqlite3_busy_timeout(db->handle, PATIENCE);
   /* a rollback journal rather than a log: one file when idle, and network file systems manage */
-  return database_run(db, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON", error);
+  return arc_database_run(db, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON", error);
 }
 
-arc_status database_open(const char *path, int writable, int create, database **result,
-                         arc_error *error) {
+arc_status arc_database_open(const char *path, int writable, int create, database **result,
+                             arc_error *error) {
   *result = NULL;
   database *db = calloc(1, sizeof *db);
   if (db) db->path = strdup(path);
@@ -84,12 +84,12 @@ arc_status database_open(const char *path, int writable, int create, database **
   if (create) flags |= SQLITE_OPEN_CREATE;
   int code = sqlite3_open_v2(path, &db->handle, flags, NULL);
   arc_status status = code == SQLITE_OK ? configure(db, error) : fail(db, code, error);
-  if (status != ARC_OK) database_close(&db);
+  if (status != ARC_OK) arc_database_close(&db);
   *result = db;
   return status;
 }
 
-void database_close(database **db) {
+void arc_database_close(database **db) {
   if (!db || !*db) return;
   sqlite3_close_v2((*db)->handle);
   free((*db)->path);
@@ -97,26 +97,26 @@ void database_close(database **db) {
   *db = NULL;
 }
 
-const char *database_path(const database *db) {
+const char *arc_database_path(const database *db) {
   return db->path;
 }
 
-arc_status database_run(database *db, const char *sql, arc_error *error) {
+arc_status arc_database_run(database *db, const char *sql, arc_error *error) {
   int code = sqlite3_exec(db->handle, sql, NULL, NULL, NULL);
   return code == SQLITE_OK ? ARC_OK : fail(db, code, error);
 }
 
-int database_changes(const database *db) {
+int arc_database_changes(const database *db) {
   return sqlite3_changes(db->handle);
 }
 
-int database_in_transaction(const database *db) {
+int arc_database_in_transaction(const database *db) {
   return !sqlite3_get_autocommit(db->handle);
 }
 
 /* --- queries ---------------------------------------------------------------------------------- */
 
-arc_status query_open(database *db, const char *sql, query **result, arc_error *error) {
+arc_status arc_query_open(database *db, const char *sql, query **result, arc_error *error) {
   *result = NULL;
   query *q = calloc(1, sizeof *q);
   if (!q) return arc_fail(error, ARC_MEMORY, "%s: out of memory", db->path);
@@ -126,11 +126,11 @@ arc_status query_open(database *db, const char *sql, query **result, arc_error *
     *result = q;
     return ARC_OK;
   }
-  query_close(&q);
+  arc_query_close(&q);
   return fail(db, code, error);
 }
 
-void query_close(query **q) {
+void arc_query_close(query **q) {
   if (!q || !*q) return;
   sqlite3_finalize((*q)->statement);
   free(*q);
@@ -141,25 +141,25 @@ static void note(query *q, int code) {
   if (q->failed == SQLITE_OK) q->failed = code;
 }
 
-void query_set_number(query *q, int index, double value) {
+void arc_query_set_number(query *q, int index, double value) {
   note(q, sqlite3_bind_double(q->statement, index, value));
 }
 
-void query_set_whole(query *q, int index, long long value) {
+void arc_query_set_whole(query *q, int index, long long value) {
   note(q, sqlite3_bind_int64(q->statement, index, value));
 }
 
-void query_set_text(query *q, int index, const char *text) {
+void arc_query_set_text(query *q, int index, const char *text) {
   note(q, sqlite3_bind_text(q->statement, index, text, -1, SQLITE_STATIC));
 }
 
-void query_set_array(query *q, int index, const double *values, size_t count) {
+void arc_query_set_array(query *q, int index, const double *values, size_t count) {
   /* an empty array has no address, and would become a NULL */
   const void *bytes = count > 0 ? (const void *)values : "";
   note(q, sqlite3_bind_blob64(q->statement, index, bytes, count * sizeof(double), SQLITE_STATIC));
 }
 
-arc_status query_step(query *q, int *row, arc_error *error) {
+arc_status arc_query_step(query *q, int *row, arc_error *error) {
   *row = 0;
   if (q->failed != SQLITE_OK) return fail(q->db, q->failed, error);
   int code = sqlite3_step(q->statement);
@@ -167,18 +167,18 @@ arc_status query_step(query *q, int *row, arc_error *error) {
   return code == SQLITE_ROW || code == SQLITE_DONE ? ARC_OK : fail(q->db, code, error);
 }
 
-arc_status query_run(query *q, arc_error *error) {
+arc_status arc_query_run(query *q, arc_error *error) {
   int row;
-  arc_status status = query_step(q, &row, error);
+  arc_status status = arc_query_step(q, &row, error);
   sqlite3_reset(q->statement);
   return status;
 }
 
-int query_columns(const query *q) {
+int arc_query_columns(const query *q) {
   return sqlite3_column_count(q->statement);
 }
 
-column_kind query_kind(query *q, int column) {
+column_kind arc_query_kind(query *q, int column) {
   switch (sqlite3_column_type(q->statement, column)) {
   case SQLITE_INTEGER:
     return COLUMN_WHOLE;
@@ -193,28 +193,28 @@ column_kind query_kind(query *q, int column) {
   }
 }
 
-double query_number(query *q, int column) {
-  if (query_kind(q, column) == COLUMN_NONE) return (double)NAN;
+double arc_query_number(query *q, int column) {
+  if (arc_query_kind(q, column) == COLUMN_NONE) return (double)NAN;
   return sqlite3_column_double(q->statement, column);
 }
 
-long long query_whole(query *q, int column) {
+long long arc_query_whole(query *q, int column) {
   return sqlite3_column_int64(q->statement, column);
 }
 
-const char *query_text(query *q, int column) {
+const char *arc_query_text(query *q, int column) {
   const unsigned char *text = sqlite3_column_text(q->statement, column);
   return text ? (const char *)text : "";
 }
 
-size_t query_array_count(query *q, int column) {
+size_t arc_query_array_count(query *q, int column) {
   return (size_t)sqlite3_column_bytes(q->statement, column) / sizeof(double);
 }
 
 /* What SQLite hands out need not lie where a double may. */
-void query_array(query *q, int column, double *values, size_t count) {
+void arc_query_array(query *q, int column, double *values, size_t count) {
   const void *bytes = sqlite3_column_blob(q->statement, column);
-  size_t there = query_array_count(q, column);
+  size_t there = arc_query_array_count(q, column);
   if (count > there) count = there;
   if (count > 0) memcpy(values, bytes, count * sizeof *values);
 }

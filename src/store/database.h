@@ -9,33 +9,33 @@ typedef struct database database;
 typedef struct query query;
 
 /* `create`: makes the file, which must not be there. */
-arc_status database_open(const char *path, int writable, int create, database **db,
-                         arc_error *error);
-void database_close(database **db);
-const char *database_path(const database *db);
+arc_status arc_database_open(const char *path, int writable, int create, database **db,
+                             arc_error *error);
+void arc_database_close(database **db);
+const char *arc_database_path(const database *db);
 
 /* Runs statements without results. */
-arc_status database_run(database *db, const char *sql, arc_error *error);
+arc_status arc_database_run(database *db, const char *sql, arc_error *error);
 
 /* Rows changed by the last statement. */
-int database_changes(const database *db);
+int arc_database_changes(const database *db);
 /* Whether a transaction is open. */
-int database_in_transaction(const database *db);
+int arc_database_in_transaction(const database *db);
 
-arc_status query_open(database *db, const char *sql, query **result, arc_error *error);
-void query_close(query **q);
+arc_status arc_query_open(database *db, const char *sql, query **result, arc_error *error);
+void arc_query_close(query **q);
 
-/* What fails here is told by the next query_step. Texts and arrays must live until then. */
-void query_set_number(query *q, int index, double value);
-void query_set_whole(query *q, int index, long long value);
-void query_set_text(query *q, int index, const char *text); /* NULL: no value */
-void query_set_array(query *q, int index, const double *values, size_t count);
+/* What fails here is told by the next arc_query_step. Texts and arrays must live until then. */
+void arc_query_set_number(query *q, int index, double value);
+void arc_query_set_whole(query *q, int index, long long value);
+void arc_query_set_text(query *q, int index, const char *text); /* NULL: no value */
+void arc_query_set_array(query *q, int index, const double *values, size_t count);
 
 /* *row: whether there is another row. */
-arc_status query_step(query *q, int *row, arc_error *error);
+arc_status arc_query_step(query *q, int *row, arc_error *error);
 
 /* Runs a query that has no rows and makes it ready for new parameters. */
-arc_status query_run(query *q, arc_error *error);
+arc_status arc_query_run(query *q, arc_error *error);
 
 typedef enum column_kind {
   COLUMN_NONE,
@@ -45,14 +45,14 @@ typedef enum column_kind {
   COLUMN_ARRAY
 } column_kind;
 
-int query_columns(const query *q);
-column_kind query_kind(query *q, int column);
-double query_number(query *q, int column); /* NaN where there is no value */
-long long query_whole(query *q, int column);
-const char *query_text(query *q,
-                       int column); /* "" where there is none; lives until the next step */
-size_t query_array_count(query *q, int column);
+int arc_query_columns(const query *q);
+column_kind arc_query_kind(query *q, int column);
+double arc_query_number(query *q, int column); /* NaN where there is no value */
+long long arc_query_whole(query *q, int column);
+const char *arc_query_text(query *q,
+                           int column); /* "" where there is none; lives until the next step */
+size_t arc_query_array_count(query *q, int column);
 /* Copies as many numbers as there are, `count` at most. */
-void query_array(query *q, int column, double *values, size_t count);
+void arc_query_array(query *q, int column, double *values, size_t count);
 
 #endif

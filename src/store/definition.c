@@ -170,7 +170,7 @@ static arc_status allocate_list(value_list *list, int blocks, arc_error *error) 
   return arc_fail(error, ARC_MEMORY, "out of memory for a definition");
 }
 
-arc_status definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error) {
+arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error) {
   whole_def def = {*arc_wear_definition(wear), *arc_model_definition(arc_wear_model(wear))};
   value_list list;
   arc_status status = allocate_list(&list, def.wear.blocks, error);

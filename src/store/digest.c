@@ -25,23 +25,23 @@ static uint64_t add_bytes(uint64_t sum, const void *bytes, size_t count) {
 
 /* One value with its kind, so that 1 and "1" differ. */
 static arc_status add_value(query *q, int column, uint64_t *sum) {
-  const column_kind kind = query_kind(q, column);
+  const column_kind kind = arc_query_kind(q, column);
   const unsigned char tag = (unsigned char)kind;
   *sum = add_bytes(*sum, &tag, 1);
   if (kind == COLUMN_WHOLE) {
-    const long long whole = query_whole(q, column);
+    const long long whole = arc_query_whole(q, column);
     *sum = add_bytes(*sum, &whole, sizeof whole);
   } else if (kind == COLUMN_NUMBER) {
-    const double number = query_number(q, column);
+    const double number = arc_query_number(q, column);
     *sum = add_bytes(*sum, &number, sizeof number);
   } else if (kind == COLUMN_TEXT) {
-    const char *text = query_text(q, column);
+    const char *text = arc_query_text(q, column);
     *sum = add_bytes(*sum, text, strlen(text) + 1);
   } else if (kind == COLUMN_ARRAY) {
-    const size_t count = query_array_count(q, column);
+    const size_t count = arc_query_array_count(q, column);
     double *array = malloc((count + 1) * sizeof *array);
     if (!array) return ARC_MEMORY;
-    query_array(q, column, array, count);
+    arc_query_array(q, column, array, count);
     *sum = add_bytes(*sum, array, count * sizeof *array);
     free(array);
   }
@@ -52,12 +52,12 @@ static arc_status add_part(arc_store *store, const char *sql, int id, uint64_t *
                            arc_error *error) {
   query *q;
   int row = 0;
-  arc_status status = store_query(store, sql, id, &q, error);
-  while (status == ARC_OK && (status = query_step(q, &row, error)) == ARC_OK && row)
-    for (int c = 0; c < query_columns(q) && status == ARC_OK; c++)
+  arc_status status = arc_store_query(store, sql, id, &q, error);
+  while (status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row)
+    for (int c = 0; c < arc_query_columns(q) && status == ARC_OK; c++)
       if ((status = add_value(q, c, sum)) != ARC_OK)
         arc_fail(error, status, "%s: out of memory", store->path);
-  query_close(&q);
+  arc_query_close(&q);
   return status;
 }
 
@@ -76,12 +76,12 @@ static arc_status seal(arc_store *store, int id, arc_error *error) {
   query *q;
   arc_status status = digest_of(store, id, text, error);
   if (status != ARC_OK) return status;
-  status = store_query(store, "UPDATE cases SET digest = ?2 WHERE id = ?1", id, &q, error);
+  status = arc_store_query(store, "UPDATE cases SET digest = ?2 WHERE id = ?1", id, &q, error);
   if (status == ARC_OK) {
-    query_set_text(q, 2, text);
-    status = query_run(q, error);
+    arc_query_set_text(q, 2, text);
+    status = arc_query_run(q, error);
   }
-  query_close(&q);
+  arc_query_close(&q);
   return status;
 }
 
@@ -91,19 +91,19 @@ static arc_status first_case(arc_store *store, const char *sql, int after, int *
   query *q;
   int row = 0;
   *id = 0;
-  arc_status status = store_query(store, sql, after, &q, error);
-  if (status == ARC_OK) status = query_step(q, &row, error);
-  if (status == ARC_OK && row) *id = (int)query_whole(q, 0);
-  query_close(&q);
+  arc_status status = arc_store_query(store, sql, after, &q, error);
+  if (status == ARC_OK) status = arc_query_step(q, &row, error);
+  if (status == ARC_OK && row) *id = (int)arc_query_whole(q, 0);
+  arc_query_close(&q);
   return status;
 }
 
-arc_status store_open_seal(arc_store *store, int id, arc_error *error) {
+arc_status arc_store_open_seal(arc_store *store, int id, arc_error *error) {
   store->verified = 0;
-  return store_run(store, "UPDATE cases SET digest = NULL WHERE id = ?1", id, error);
+  return arc_store_run(store, "UPDATE cases SET digest = NULL WHERE id = ?1", id, error);
 }
 
-arc_status store_seal_finished(arc_store *store, arc_error *error) {
+arc_status arc_store_seal_finished(arc_store *store, arc_error *error) {
   static const char unsealed[] =
       "SELECT id FROM cases WHERE status = 'done' AND digest IS NULL AND "
       "id > ?1 ORDER BY id LIMIT 1";
@@ -114,16 +114,16 @@ arc_status store_seal_finished(arc_store *store, arc_error *error) {
   return status;
 }
 
-arc_status store_verify(arc_store *store, int id, arc_error *error) {
+arc_status arc_store_verify(arc_store *store, int id, arc_error *error) {
   if (store->verified == id) return ARC_OK;
   query *q;
   int row = 0;
   char found[17], expected[17] = "";
-  arc_status status = store_query(
+  arc_status status = arc_store_query(
       store, "SELECT digest FROM cases WHERE id = ?1 AND digest IS NOT NULL", id, &q, error);
-  if (status == ARC_OK) status = query_step(q, &row, error);
-  if (status == ARC_OK && row) snprintf(expected, sizeof expected, "%s", query_text(q, 0));
-  query_close(&q);
+  if (status == ARC_OK) status = arc_query_step(q, &row, error);
+  if (status == ARC_OK && row) snprintf(expected, sizeof expected, "%s", arc_query_text(q, 0));
+  arc_query_close(&q);
   if (status != ARC_OK || !row) return status;
   status = digest_of(store, id, found, error);
   if (status == ARC_OK && strcmp(found, expected) != 0)
@@ -134,12 +134,12 @@ arc_status store_verify(arc_store *store, int id, arc_error *error) {
   return status;
 }
 
-arc_status store_verify_all(arc_store *store, arc_error *error) {
+arc_status arc_store_verify_all(arc_store *store, arc_error *error) {
   static const char sealed[] =
       "SELECT id FROM cases WHERE digest IS NOT NULL AND id > ?1 ORDER BY id LIMIT 1";
   int id = 0;
   arc_status status;
   while ((status = first_case(store, sealed, id, &id, error)) == ARC_OK && id > 0)
-    if ((status = store_verify(store, id, error)) != ARC_OK) return status;
+    if ((status = arc_store_verify(store, id, error)) != ARC_OK) return status;
   return status;
 }

@@ -109,7 +109,7 @@ static arc_store *new_store(const char *path) {
 
 void arc_store_close(arc_store **store) {
   if (!store || !*store) return;
-  database_close(&(*store)->db);
+  arc_database_close(&(*store)->db);
   if ((*store)->beside) unlink((*store)->beside);
   free((*store)->beside);
   free((*store)->path);
@@ -127,12 +127,12 @@ static arc_status make_beside(arc_store *store, arc_error *error) {
   if (!store->beside) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
   sprintf(store->beside, "%s.new-%ld", store->path, (long)getpid());
   unlink(store->beside);
-  arc_status status = database_open(store->beside, 1, 1, &store->db, error);
-  return status == ARC_OK ? database_run(store->db, schema, error) : status;
+  arc_status status = arc_database_open(store->beside, 1, 1, &store->db, error);
+  return status == ARC_OK ? arc_database_run(store->db, schema, error) : status;
 }
 
 static arc_status move_into_place(arc_store *store, arc_error *error) {
-  database_close(&store->db);
+  arc_database_close(&store->db);
   int moved = rename(store->beside, store->path) == 0, why = errno;
   if (!moved) unlink(store->beside);
   free(store->beside);
@@ -143,16 +143,16 @@ static arc_status move_into_place(arc_store *store, arc_error *error) {
 static arc_status create(arc_store *store, arc_error *error) {
   arc_status status = make_beside(store, error);
   if (status == ARC_OK) status = move_into_place(store, error);
-  return status == ARC_OK ? database_open(store->path, 1, 0, &store->db, error) : status;
+  return status == ARC_OK ? arc_database_open(store->path, 1, 0, &store->db, error) : status;
 }
 
 /* A reader opens for writing too where it may: what a killed program left in mid-change can only be
  * put right that way. It writes nothing of its own. */
 static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error *error) {
   int writable = mode != ARC_STORE_READ || access(store->path, W_OK) == 0;
-  arc_status status = database_open(store->path, writable, 0, &store->db, error);
+  arc_status status = arc_database_open(store->path, writable, 0, &store->db, error);
   if (status == ARC_OK && mode == ARC_STORE_READ)
-    status = database_run(store->db, "PRAGMA query_only = ON", error);
+    status = arc_database_run(store->db, "PRAGMA query_only = ON", error);
   return status;
 }
 
@@ -211,57 +211,57 @@ arc_status arc_store_publish(arc_store **store, arc_error *error) {
 arc_status arc_store_check(arc_store *store, arc_error *error) {
   query *q;
   int row;
-  arc_status status = query_open(store->db, "PRAGMA quick_check(1)", &q, error);
-  if (status == ARC_OK) status = query_step(q, &row, error);
-  if (status == ARC_OK && strcmp(query_text(q, 0), "ok") != 0)
-    status =
-        arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", store->path, query_text(q, 0));
-  query_close(&q);
-  return status == ARC_OK ? store_verify_all(store, error) : status;
+  arc_status status = arc_query_open(store->db, "PRAGMA quick_check(1)", &q, error);
+  if (status == ARC_OK) status = arc_query_step(q, &row, error);
+  if (status == ARC_OK && strcmp(arc_query_text(q, 0), "ok") != 0)
+    status = arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", store->path,
+                      arc_query_text(q, 0));
+  arc_query_close(&q);
+  return status == ARC_OK ? arc_store_verify_all(store, error) : status;
 }
 
 /* --- transactions ----------------------------------------------------------------------------- */
 
 arc_status arc_store_begin(arc_store *store, arc_error *error) {
-  return database_run(store->db, "BEGIN IMMEDIATE", error);
+  return arc_database_run(store->db, "BEGIN IMMEDIATE", error);
 }
 
 arc_status arc_store_commit(arc_store *store, arc_error *error) {
   store->verified = 0;
-  arc_status status = store_seal_finished(store, error);
-  if (status == ARC_OK) status = database_run(store->db, "COMMIT", error);
+  arc_status status = arc_store_seal_finished(store, error);
+  if (status == ARC_OK) status = arc_database_run(store->db, "COMMIT", error);
   if (status != ARC_OK) arc_store_rollback(store);
   return status;
 }
 
 /* SQLite has rolled back by itself after some failures. */
 void arc_store_rollback(arc_store *store) {
-  if (database_in_transaction(store->db)) database_run(store->db, "ROLLBACK", NULL);
+  if (arc_database_in_transaction(store->db)) arc_database_run(store->db, "ROLLBACK", NULL);
 }
 
-arc_status store_enter(arc_store *store, int *own, arc_error *error) {
-  *own = !database_in_transaction(store->db);
+arc_status arc_store_enter(arc_store *store, int *own, arc_error *error) {
+  *own = !arc_database_in_transaction(store->db);
   return *own ? arc_store_begin(store, error) : ARC_OK;
 }
 
-arc_status store_leave(arc_store *store, int own, arc_status status, arc_error *error) {
+arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error) {
   if (!own) return status;
   if (status == ARC_OK) return arc_store_commit(store, error);
   arc_store_rollback(store);
   return status;
 }
 
-arc_status store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error) {
-  arc_status status = query_open(store->db, sql, q, error);
-  if (status == ARC_OK) query_set_whole(*q, 1, id);
+arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error) {
+  arc_status status = arc_query_open(store->db, sql, q, error);
+  if (status == ARC_OK) arc_query_set_whole(*q, 1, id);
   return status;
 }
 
-arc_status store_run(arc_store *store, const char *sql, int id, arc_error *error) {
+arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *error) {
   query *q;
-  arc_status status = store_query(store, sql, id, &q, error);
-  if (status == ARC_OK) status = query_run(q, error);
-  query_close(&q);
+  arc_status status = arc_store_query(store, sql, id, &q, error);
+  if (status == ARC_OK) status = arc_query_run(q, error);
+  arc_query_close(&q);
   return status;
 }
 
@@ -270,15 +270,16 @@ arc_status store_run(arc_store *store, const char *sql, int id, arc_error *error
 arc_status arc_store_set_info(arc_store *store, const char *name, const char *text,
                               arc_error *error) {
   query *q;
-  arc_status status = query_open(store->db,
-                                 text ? "INSERT OR REPLACE INTO info (name, value) VALUES (?1, ?2)"
-                                      : "DELETE FROM info WHERE name = ?1",
-                                 &q, error);
+  arc_status status =
+      arc_query_open(store->db,
+                     text ? "INSERT OR REPLACE INTO info (name, value) VALUES (?1, ?2)"
+                          : "DELETE FROM info WHERE name = ?1",
+                     &q, error);
   if (status != ARC_OK) return status;
-  query_set_text(q, 1, name);
-  if (text) query_set_text(q, 2, text);
-  status = query_run(q, error);
-  query_close(&q);
+  arc_query_set_text(q, 1, name);
+  if (text) arc_query_set_text(q, 2, text);
+  status = arc_query_run(q, error);
+  arc_query_close(&q);
   return status;
 }
 
@@ -286,14 +287,15 @@ arc_status arc_store_info(arc_store *store, const char *name, char **text, arc_e
   *text = NULL;
   query *q;
   int row;
-  arc_status status = query_open(store->db, "SELECT value FROM info WHERE name = ?1", &q, error);
+  arc_status status =
+      arc_query_open(store->db, "SELECT value FROM info WHERE name = ?1", &q, error);
   if (status != ARC_OK) return status;
-  query_set_text(q, 1, name);
-  status = query_step(q, &row, error);
+  arc_query_set_text(q, 1, name);
+  status = arc_query_step(q, &row, error);
   if (status == ARC_OK && row) {
-    *text = strdup(query_text(q, 0));
+    *text = strdup(arc_query_text(q, 0));
     if (!*text) status = arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
   }
-  query_close(&q);
+  arc_query_close(&q);
   return status;
 }

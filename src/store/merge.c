@@ -6,11 +6,11 @@
 /* Attaching needs the path as a parameter: it may hold any character. */
 static arc_status attach(arc_store *store, const char *from, arc_error *error) {
   query *q;
-  arc_status status = query_open(store->db, "ATTACH ?1 AS other", &q, error);
+  arc_status status = arc_query_open(store->db, "ATTACH ?1 AS other", &q, error);
   if (status != ARC_OK) return status;
-  query_set_text(q, 1, from);
-  status = query_run(q, error);
-  query_close(&q);
+  arc_query_set_text(q, 1, from);
+  status = arc_query_run(q, error);
+  arc_query_close(&q);
   return status;
 }
 
@@ -19,12 +19,12 @@ static arc_status expect_none(arc_store *store, const char *sql, const char *fro
                               arc_error *error) {
   query *q;
   int row = 0;
-  arc_status status = query_open(store->db, sql, &q, error);
-  if (status == ARC_OK) status = query_step(q, &row, error);
+  arc_status status = arc_query_open(store->db, sql, &q, error);
+  if (status == ARC_OK) status = arc_query_step(q, &row, error);
   if (status == ARC_OK && row)
-    status = arc_fail(error, ARC_ARGUMENT, "%s: case %lld %s (in %s)", from, query_whole(q, 0),
+    status = arc_fail(error, ARC_ARGUMENT, "%s: case %lld %s (in %s)", from, arc_query_whole(q, 0),
                       what, store->path);
-  query_close(&q);
+  arc_query_close(&q);
   return status;
 }
 
@@ -54,7 +54,7 @@ static arc_status check_none_double(arc_store *store, const char *from, arc_erro
 #define FINISHED " WHERE case_id IN (SELECT id FROM other.cases WHERE status = 'done')"
 
 static arc_status copy_finished(arc_store *store, arc_error *error) {
-  return database_run(
+  return arc_database_run(
       store->db,
       "INSERT INTO main.definition SELECT * FROM other.definition" FINISHED ";"
       "INSERT INTO main.results SELECT * FROM other.results" FINISHED ";"
@@ -73,7 +73,7 @@ static arc_status merge_attached(arc_store *store, const char *from, arc_error *
   status = check_same_study(store, from, error);
   if (status == ARC_OK) status = check_none_double(store, from, error);
   if (status == ARC_OK) status = copy_finished(store, error);
-  return store_leave(store, 1, status, error);
+  return arc_store_leave(store, 1, status, error);
 }
 
 /* Opened once by itself, so that a foreign file is refused in plain words. */
@@ -90,6 +90,7 @@ arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error)
   if (status == ARC_OK) status = attach(store, from, error);
   if (status != ARC_OK) return status;
   status = merge_attached(store, from, error);
-  arc_status detached = database_run(store->db, "DETACH other", status == ARC_OK ? error : NULL);
+  arc_status detached =
+      arc_database_run(store->db, "DETACH other", status == ARC_OK ? error : NULL);
   return status == ARC_OK ? detached : status;
 }

@@ -13,31 +13,31 @@ struct arc_store {
 };
 
 /* Opens a transaction unless one is open; *own says whether it did. */
-arc_status store_enter(arc_store *store, int *own, arc_error *error);
-/* Ends what store_enter began: commits after ARC_OK, takes back after anything else. Returns the
- * status of the whole. */
-arc_status store_leave(arc_store *store, int own, arc_status status, arc_error *error);
+arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
+/* Ends what arc_store_enter began: commits after ARC_OK, takes back after anything else. Returns
+ * the status of the whole. */
+arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
 
 /* A query of one case, with its id as parameter 1. */
-arc_status store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error);
+arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error);
 
 /* Runs a statement with the case's id as parameter 1. */
-arc_status store_run(arc_store *store, const char *sql, int id, arc_error *error);
+arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *error);
 
 /* --- digest.c: checksums of finished cases -----------------------------------------------------
  */
 
 /* Whatever changes a case takes its checksum away first; the commit writes those of finished cases
  * anew. */
-arc_status store_open_seal(arc_store *store, int id, arc_error *error);
-arc_status store_seal_finished(arc_store *store, arc_error *error);
+arc_status arc_store_open_seal(arc_store *store, int id, arc_error *error);
+arc_status arc_store_seal_finished(arc_store *store, arc_error *error);
 /* ARC_FORMAT where the contents of a finished case do not match its checksum; of all of them. */
-arc_status store_verify(arc_store *store, int id, arc_error *error);
-arc_status store_verify_all(arc_store *store, arc_error *error);
+arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
+arc_status arc_store_verify_all(arc_store *store, arc_error *error);
 
 /* --- definition.c: the engine's definitions as named values ----------------------------------- */
 
 /* Writes the definition of a run as the values of a case. */
-arc_status definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error);
+arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error);
 
 #endif

@@ -28,24 +28,24 @@ static whole assemble(const elastic_body *b, const double *xy) {
   sparse_entries entries = {0};
   for (int e = 0; e < m->elements; e++) {
     const int *corner = &m->element[4 * e];
-    const element el = element_at(xy, corner, m->def.element);
+    const element el = arc_element_at(xy, corner, m->def.element);
     const int n = 2 * el.corners;
     double k[64];
-    element_stiffness(&el, b->d, k);
+    arc_element_stiffness(&el, b->d, k);
     for (int r = 0; r < n; r++)
       for (int c = 0; c < n; c++) {
         const int i = w.unknown[corner[r / 2]], j = w.unknown[corner[c / 2]];
         if (i >= 0 && j >= 0 && i + r % 2 >= j + c % 2)
-          assert_int_equal(sparse_add(&entries, i + r % 2, j + c % 2, k[r * n + c]), ARC_OK);
+          assert_int_equal(arc_sparse_add(&entries, i + r % 2, j + c % 2, k[r * n + c]), ARC_OK);
       }
   }
-  check_ok(factor_create(w.n, &entries, &w.k, why));
-  sparse_free(&entries);
+  check_ok(arc_factor_create(w.n, &entries, &w.k, why));
+  arc_sparse_free(&entries);
   return w;
 }
 
 static void whole_free(whole *w) {
-  factor_destroy(&w->k);
+  arc_factor_destroy(&w->k);
   free(w->unknown);
 }
 
@@ -53,7 +53,7 @@ static void whole_free(whole *w) {
 static void push(const whole *w, int s, double *u) {
   memset(u, 0, (size_t)w->n * sizeof *u);
   u[w->unknown[w->body->mesh->surface_node[s]] + 1] = 1;
-  check_ok(factor_solve(w->k, 1, u, why));
+  check_ok(arc_factor_solve(w->k, 1, u, why));
 }
 
 /* The compliance against the direct solution, to 1e-10 of its largest entry; F symmetric. */
@@ -89,7 +89,7 @@ static void test_unworn(void **state) {
       const arc_model_def def = definition((arc_element)kind, rows);
       arc_model *model = build_model(&def);
       for (int b = 0; b < ARC_BODIES; b++) {
-        const elastic_body *body = model_body(model, (arc_body)b);
+        const elastic_body *body = arc_model_body(model, (arc_body)b);
         whole w = assemble(body, body->mesh->xy);
         check_compliance(&w, &body->unworn);
         whole_free(&w);
@@ -103,11 +103,11 @@ static void test_definite(void **state) {
   (void)state;
   arc_model *model = coarse_model();
   for (int b = 0; b < ARC_BODIES; b++) {
-    const compliance *c = &model_body(model, (arc_body)b)->unworn;
+    const compliance *c = &arc_model_body(model, (arc_body)b)->unworn;
     const size_t bytes = (size_t)c->n * (size_t)c->n * sizeof(double);
     double *copy = malloc(bytes);
     memcpy(copy, c->normal, bytes);
-    assert_int_equal(dense_cholesky(c->n, copy, c->n), 0);
+    assert_int_equal(arc_dense_cholesky(c->n, copy, c->n), 0);
     free(copy);
   }
   arc_model_release(&model);
@@ -118,7 +118,7 @@ static void test_mirror(void **state) {
   (void)state;
   arc_model *model = default_model();
   for (int b = 0; b < ARC_BODIES; b++) {
-    const compliance *c = &model_body(model, (arc_body)b)->unworn;
+    const compliance *c = &arc_model_body(model, (arc_body)b)->unworn;
     const int last = c->n - 1;
     const double most = c->normal[dense_at(last / 2, last / 2, c->n)];
     for (int r = 0; r < c->n; r++)
@@ -155,7 +155,7 @@ static void test_worn(void **state) {
     arc_shape *shape = NULL;
     check_ok(arc_shape_create(model, ARC_MOVING, 0, &shape, why));
     for (int b = 0; b < ARC_BODIES; b++) {
-      const elastic_body *body = model_body(model, (arc_body)b);
+      const elastic_body *body = arc_model_body(model, (arc_body)b);
       double *xy = malloc(2 * (size_t)body->mesh->nodes * sizeof *xy);
       wear_at_random(shape, (arc_body)b);
       arc_shape_nodes(shape, (arc_body)b, xy);
@@ -198,7 +198,7 @@ static void test_refresh(void **state) {
 
 /* Displacements inside, by back-substitution, against the whole mesh under the same forces. */
 static void check_field(const arc_contact *contact, const arc_shape *shape, arc_body b) {
-  const elastic_body *body = model_body(arc_shape_model(shape), b);
+  const elastic_body *body = arc_model_body(arc_shape_model(shape), b);
   const arc_mesh *m = body->mesh;
   const arc_pressure pressure = arc_contact_pressure(contact, b);
   double *xy = malloc(2 * (size_t)m->nodes * sizeof *xy), most = 0;
@@ -207,7 +207,7 @@ static void check_field(const arc_contact *contact, const arc_shape *shape, arc_
   double *u = calloc((size_t)w.n, sizeof *u);
   for (int s = 0; s < m->surface; s++)
     u[w.unknown[m->surface_node[s]] + 1] = (b == ARC_CYLINDER ? 1 : -1) * pressure.f[s];
-  check_ok(factor_solve(w.k, 1, u, why));
+  check_ok(arc_factor_solve(w.k, 1, u, why));
   for (int k = 0; k < w.n; k++) most = fmax(most, fabs(u[k]));
   arc_field *field = NULL;
   check_ok(arc_contact_field(contact, b, &field, why));
@@ -245,12 +245,12 @@ static void test_not_definite(void **state) {
   (void)state;
   sparse_entries entries = {0};
   for (int i = 0; i < 3; i++) {
-    assert_int_equal(sparse_add(&entries, i, i, i == 2 ? -1 : 1), ARC_OK);
+    assert_int_equal(arc_sparse_add(&entries, i, i, i == 2 ? -1 : 1), ARC_OK);
   }
   factor *f = NULL;
-  check_refused(factor_create(3, &entries, &f, why), ARC_NUMERIC, "not positive definite");
+  check_refused(arc_factor_create(3, &entries, &f, why), ARC_NUMERIC, "not positive definite");
   assert_null(f);
-  sparse_free(&entries);
+  arc_sparse_free(&entries);
 }
 
 int main(void) {

@@ -39,7 +39,7 @@ static element random_kind(int which) {
 }
 
 static elasticity random_elasticity(void) {
-  return elasticity_of((arc_material){exp(random_in(0, 13)), random_in(-0.9, 0.49)});
+  return arc_elasticity_of((arc_material){exp(random_in(0, 13)), random_in(-0.9, 0.49)});
 }
 
 static double largest(const double *value, int count) {
@@ -52,7 +52,7 @@ static double largest(const double *value, int count) {
 static double forces(const element *e, elasticity d, const double *u, double *f) {
   const int n = 2 * e->corners;
   double k[64], scale = 0;
-  element_stiffness(e, d, k);
+  arc_element_stiffness(e, d, k);
   for (int r = 0; r < n; r++) {
     double sum = 0, size = 0;
     for (int c = 0; c < n; c++) {
@@ -74,7 +74,7 @@ static void test_symmetric(void **state) {
     const element e = random_kind(trial % 3);
     const int n = 2 * e.corners;
     double k[64];
-    element_stiffness(&e, random_elasticity(), k);
+    arc_element_stiffness(&e, random_elasticity(), k);
     for (int r = 0; r < n; r++)
       for (int c = 0; c < r; c++) check_near(k[r * n + c], k[c * n + r], 1e-13 * largest(k, n * n));
   }
@@ -95,7 +95,7 @@ static void test_rigid_motions(void **state) {
       mode[1][2 * c] = 0, mode[1][2 * c + 1] = 1;
       mode[2][2 * c] = -e.xy[c][1], mode[2][2 * c + 1] = e.xy[c][0];
     }
-    element_stiffness(&e, d, k);
+    arc_element_stiffness(&e, d, k);
     const double stiff = largest(k, n * n);
     for (int m = 0; m < 3; m++) {
       const double scale = forces(&e, d, mode[m], f);
@@ -103,7 +103,7 @@ static void test_rigid_motions(void **state) {
       for (int r = 0; r < n; r++)
         for (int c = 0; c < n; c++) k[r * n + c] += stiff * mode[m][r] * mode[m][c];
     }
-    assert_int_equal(dense_cholesky(n, k, n), 0);
+    assert_int_equal(arc_dense_cholesky(n, k, n), 0);
   }
 }
 
@@ -117,7 +117,7 @@ static void test_constant_strain(void **state) {
     double u[8], f[8], stress[3], exact[3];
     for (int c = 0; c < e.corners; c++) linear_field(e.xy[c], &u[2 * c]);
     linear_stress(d, exact);
-    element_stress(&e, d, u, stress);
+    arc_element_stress(&e, d, u, stress);
     const double scale = forces(&e, d, u, f);
     for (int s = 0; s < 3; s++) check_near(stress[s], exact[s], 1e-12 * d.c11);
     for (int c = 0; c < e.corners; c++) {
@@ -145,7 +145,7 @@ static double bending_energy_ratio(arc_element kind, double half_length) {
     u[2 * c] = x * y;
     u[2 * c + 1] = -x * x / 2 - nu / (1 - nu) * y * y / 2;
   }
-  forces(&e, elasticity_of(steel), u, f);
+  forces(&e, arc_elasticity_of(steel), u, f);
   for (int k = 0; k < 8; k++) energy += u[k] * f[k] / 2;
   const double exact = arc_material_E_star(steel) / 2 * (2 * half_length) * 8 / 12;
   return energy / exact;
@@ -166,8 +166,8 @@ static void test_area(void **state) {
   (void)state;
   const element square = {.corners = 4, .kind = ARC_CPE4, .xy = {{1, 1}, {3, 1}, {3, 4}, {1, 4}}};
   const element half = {.corners = 3, .kind = ARC_CPE4, .xy = {{1, 1}, {3, 1}, {3, 4}}};
-  check_near(element_area(&square), 6, 1e-15);
-  check_near(element_area(&half), 3, 1e-15);
+  check_near(arc_element_area(&square), 6, 1e-15);
+  check_near(arc_element_area(&half), 3, 1e-15);
 }
 
 /* --- patches ---------------------------------------------------------------------------------- */
@@ -180,10 +180,10 @@ static const int patch_quad[5][4] = {
     {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}};
 
 static void add_patch_element(const int corner[4], arc_element kind, elasticity d, double *k) {
-  const element e = element_at(patch_xy, corner, kind);
+  const element e = arc_element_at(patch_xy, corner, kind);
   const int n = 2 * e.corners;
   double own[64];
-  element_stiffness(&e, d, own);
+  arc_element_stiffness(&e, d, own);
   for (int r = 0; r < n; r++)
     for (int c = 0; c < n; c++)
       k[dense_at(2 * corner[r / 2] + r % 2, 2 * corner[c / 2] + c % 2, 16)] += own[r * n + c];
@@ -205,7 +205,7 @@ static void assemble_patch(int which, elasticity d, double *k) {
 static void test_patch(void **state) {
   (void)state;
   for (int which = 0; which < 3; which++) {
-    const elasticity d = elasticity_of(steel);
+    const elasticity d = arc_elasticity_of(steel);
     double k[256], inner[64], u[16], x[8] = {0};
     assemble_patch(which, d, k);
     for (int n = 0; n < 8; n++) linear_field(&patch_xy[2 * n], &u[2 * n]);
@@ -213,8 +213,8 @@ static void test_patch(void **state) {
       for (int c = 0; c < 8; c++) x[r] -= k[dense_at(8 + r, c, 16)] * u[c];
       for (int c = 0; c < 8; c++) inner[dense_at(r, c, 8)] = k[dense_at(8 + r, 8 + c, 16)];
     }
-    assert_int_equal(dense_cholesky(8, inner, 8), 0);
-    dense_cholesky_solve(8, 1, inner, 8, x, 8);
+    assert_int_equal(arc_dense_cholesky(8, inner, 8), 0);
+    arc_dense_cholesky_solve(8, 1, inner, 8, x, 8);
     for (int r = 0; r < 8; r++) check_near(x[r], u[8 + r], 1e-12 * largest(u, 16));
   }
 }
@@ -226,16 +226,16 @@ static void check_body_patch(arc_body body, arc_element kind) {
   def.element = kind;
   arc_mesh *m = NULL;
   check_ok(arc_mesh_build(&def, body, 10, &m, why));
-  const elasticity d = elasticity_of(steel);
+  const elasticity d = arc_elasticity_of(steel);
   double *residual = calloc(2 * (size_t)m->nodes, sizeof *residual), scale = 0, exact[3];
   linear_stress(d, exact);
   for (int e = 0; e < m->elements; e++) {
     const int *corner = &m->element[4 * e];
-    const element el = element_at(m->xy, corner, kind);
+    const element el = arc_element_at(m->xy, corner, kind);
     double u[8], f[8], stress[3];
     for (int c = 0; c < el.corners; c++) linear_field(el.xy[c], &u[2 * c]);
     forces(&el, d, u, f);
-    element_stress(&el, d, u, stress);
+    arc_element_stress(&el, d, u, stress);
     for (int c = 0; c < 2 * el.corners; c++) residual[2 * corner[c / 2] + c % 2] += f[c];
     scale = fmax(scale, largest(f, 2 * el.corners));
     for (int s = 0; s < 3; s++) check_near(stress[s], exact[s], 1e-10 * d.c11 * 1e-3);

@@ -103,7 +103,7 @@ static int solve_set(const pose *p, unsigned set, double load, double *f, double
   }
   m[dense_at(n, n, n + 1)] = 0;
   x[n] = load;
-  if (dense_solve(n + 1, m, pivots, x)) return 0;
+  if (arc_dense_solve(n + 1, m, pivots, x)) return 0;
   memset(f, 0, 8 * sizeof *f);
   for (int r = 0; r < n; r++) f[list[r]] = x[r];
   *approach = x[n];
@@ -136,7 +136,7 @@ static void test_against_all_sets(void **state) {
     random_gaps(&p, 3);
     double f[8], approach = 0;
     try_all_sets(&p, load, f, &approach);
-    assert_int_equal(lcp_solve(&p, load), ARC_OK);
+    assert_int_equal(arc_lcp_solve(&p, load), ARC_OK);
     check_near(p.approach, approach, 1e-9 * (1 + fabs(approach)));
     for (int k = 0; k < p.count; k++) check_near(p.f[k], f[k], 1e-8 * load);
     room_free(&p);
@@ -152,17 +152,17 @@ static void test_warm_start(void **state) {
     double first[most];
     random_matrix(&p, p.count, 1e-2);
     random_gaps(&p, 5);
-    assert_int_equal(lcp_solve(&p, 2), ARC_OK);
+    assert_int_equal(arc_lcp_solve(&p, 2), ARC_OK);
     check_solution(&p, 2);
     memcpy(first, p.f, (size_t)p.count * sizeof *first);
-    assert_int_equal(lcp_solve(&p, 2), ARC_OK);
+    assert_int_equal(arc_lcp_solve(&p, 2), ARC_OK);
     assert_int_equal(p.iterations, 1);
     for (int k = 0; k < p.count; k++) check_near(p.f[k], first[k], 1e-12);
     p.active = 0;
     p.factored = 0;
     for (int k = 0; k < p.count; k++)
       if (random_in(0, 1) < 0.5) p.set[p.active++] = k;
-    assert_int_equal(lcp_solve(&p, 2), ARC_OK);
+    assert_int_equal(arc_lcp_solve(&p, 2), ARC_OK);
     check_solution(&p, 2);
     for (int k = 0; k < p.count; k++) check_near(p.f[k], first[k], 1e-9);
     room_free(&p);
@@ -183,7 +183,7 @@ static void test_newton_gives_up(void **state) {
     gave_up += newton(&p, 1, fs) == 0;
     p.active = 0;
     p.factored = 0;
-    assert_int_equal(lcp_solve(&p, 1), ARC_OK);
+    assert_int_equal(arc_lcp_solve(&p, 1), ARC_OK);
     check_solution(&p, 1);
     room_free(&p);
   }
@@ -221,7 +221,7 @@ static void test_degenerate(void **state) {
     p.active = 0;
     p.factored = 0;
     p.iterations = 0;
-    assert_int_equal(lcp_solve(&p, load), ARC_OK);
+    assert_int_equal(arc_lcp_solve(&p, load), ARC_OK);
     check_solution(&p, load);
     room_free(&p);
   }
@@ -236,7 +236,7 @@ static void test_path(void **state) {
   random_gaps(&p, 5);
   for (int step = 0; step < 300; step++) {
     for (int k = 0; k < p.count; k++) p.gap[k] = fmax(0, p.gap[k] + random_in(-0.1, 0.1));
-    assert_int_equal(lcp_solve(&p, 3), ARC_OK);
+    assert_int_equal(arc_lcp_solve(&p, 3), ARC_OK);
     check_solution(&p, 3);
   }
   room_free(&p);
@@ -247,7 +247,7 @@ static void test_not_definite(void **state) {
   pose p = room(2);
   p.a[0] = p.a[3] = 1;
   p.a[1] = p.a[2] = 2;
-  assert_int_equal(lcp_solve(&p, 1), ARC_NUMERIC);
+  assert_int_equal(arc_lcp_solve(&p, 1), ARC_NUMERIC);
   room_free(&p);
 }
 

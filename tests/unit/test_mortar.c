@@ -20,8 +20,8 @@ static arc_model *make_model(void) {
 
 static pose place(const arc_shape *shape, double x) {
   pose p;
-  assert_int_equal(pose_create(&p, arc_shape_model(shape)), ARC_OK);
-  check_ok(pose_place(&p, shape, x, why));
+  assert_int_equal(arc_pose_create(&p, arc_shape_model(shape)), ARC_OK);
+  check_ok(arc_pose_place(&p, shape, x, why));
   return p;
 }
 
@@ -37,10 +37,10 @@ static double plate_x(const arc_shape *shape, const pose *p, int l) {
 static void check_rows(const arc_shape *shape, const pose *p) {
   double *v = calloc((size_t)(p->np + p->nc), sizeof *v), *at_cylinder = v + p->np;
   for (int l = 0; l < p->np; l++) v[l] = 1;
-  pose_to_cylinder(p, v, at_cylinder);
+  arc_pose_to_cylinder(p, v, at_cylinder);
   for (int k = 0; k < p->count; k++) check_near(at_cylinder[p->lo + k], 1, 1e-13);
   for (int l = 0; l < p->np; l++) v[l] = plate_x(shape, p, l);
-  pose_to_cylinder(p, v, at_cylinder);
+  arc_pose_to_cylinder(p, v, at_cylinder);
   for (int k = 0; k < p->count; k++)
     check_near(at_cylinder[p->lo + k], cylinder_x(shape, p, k), 1e-13);
   free(v);
@@ -57,7 +57,7 @@ static void check_balance(const arc_shape *shape, const pose *p) {
     moment[0] += force * cylinder_x(shape, p, k);
     size += fabs(force);
   }
-  pose_to_plate(p, f, on_plate);
+  arc_pose_to_plate(p, f, on_plate);
   for (int l = 0; l < p->np; l++) {
     sum[1] += on_plate[l];
     moment[1] += on_plate[l] * plate_x(shape, p, l);
@@ -73,8 +73,8 @@ static void check_adjoint(const pose *p) {
   double *bv = v + p->np, *f = bv + p->nc, *bf = f + p->nc, one = 0, other = 0;
   for (int l = 0; l < p->np; l++) v[l] = random_in(-1, 1);
   for (int k = 0; k < p->count; k++) f[p->lo + k] = random_in(-1, 1);
-  pose_to_cylinder(p, v, bv);
-  pose_to_plate(p, f, bf);
+  arc_pose_to_cylinder(p, v, bv);
+  arc_pose_to_plate(p, f, bf);
   for (int i = 0; i < p->nc; i++) one += bv[i] * f[i];
   for (int l = 0; l < p->np; l++) other += bf[l] * v[l];
   check_near(one, other, 1e-12);
@@ -87,7 +87,7 @@ static void check_at(const arc_shape *shape, double x) {
   check_rows(shape, &p);
   check_balance(shape, &p);
   check_adjoint(&p);
-  pose_free(&p);
+  arc_pose_free(&p);
 }
 
 static void test_random_positions(void **state) {
@@ -146,7 +146,7 @@ static void test_matching_nodes(void **state) {
       const double apart = plate_x(shape, &p, p.first[k] + q) - cylinder_x(shape, &p, k);
       check_near(p.b[k * p.width + q], fabs(apart) < 1e-3 ? 1 : 0, 1e-4);
     }
-  pose_free(&p);
+  arc_pose_free(&p);
   arc_shape_destroy(&shape);
   arc_model_release(&model);
 }
@@ -157,11 +157,11 @@ static void test_matrix(void **state) {
   arc_model *model = make_model();
   arc_shape *shape = make_shape(model);
   pose p = place(shape, 0.0123);
-  pose_stiffen(&p, shape);
+  arc_pose_stiffen(&p, shape);
   for (int r = 0; r < p.count; r++)
     for (int c = 0; c < r; c++)
       assert_true(p.a[dense_at(r, c, p.count)] == p.a[dense_at(c, r, p.count)]);
-  pose_free(&p);
+  arc_pose_free(&p);
   arc_shape_destroy(&shape);
   arc_model_release(&model);
 }
@@ -171,14 +171,14 @@ static void test_apart(void **state) {
   arc_model *model = make_model();
   arc_shape *shape = make_shape(model);
   pose p;
-  assert_int_equal(pose_create(&p, model), ARC_OK);
+  assert_int_equal(arc_pose_create(&p, model), ARC_OK);
   for (int side = -1; side <= 1; side += 2) {
-    check_refused(pose_place(&p, shape, side * 1.5, why), ARC_ZONE, "do not overlap");
-    check_refused(pose_place(&p, shape, side * 100, why), ARC_ZONE, "do not overlap");
+    check_refused(arc_pose_place(&p, shape, side * 1.5, why), ARC_ZONE, "do not overlap");
+    check_refused(arc_pose_place(&p, shape, side * 100, why), ARC_ZONE, "do not overlap");
   }
-  check_ok(pose_place(&p, shape, 0, why));
+  check_ok(arc_pose_place(&p, shape, 0, why));
   check_rows(shape, &p);
-  pose_free(&p);
+  arc_pose_free(&p);
   arc_shape_destroy(&shape);
   arc_model_release(&model);
 }

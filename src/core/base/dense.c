@@ -17,46 +17,46 @@ void dgemm_(const char *transa, const char *transb, const int *m, const int *n, 
             const double *alpha, const double *a, const int *lda, const double *b, const int *ldb,
             const double *beta, double *c, const int *ldc);
 
-int dense_cholesky(int n, double *a, int ld) {
+int arc_dense_cholesky(int n, double *a, int ld) {
   int info = 0;
   if (n > 0) dpotrf_("L", &n, a, &ld, &info);
   return info;
 }
 
-void dense_cholesky_solve(int n, int count, const double *l, int ld, double *b, int ldb) {
+void arc_dense_cholesky_solve(int n, int count, const double *l, int ld, double *b, int ldb) {
   int info = 0;
   if (n > 0) dpotrs_("L", &n, &count, l, &ld, b, &ldb, &info);
 }
 
-void dense_forward(int n, int count, const double *l, int ld, double *b, int ldb) {
+void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int ldb) {
   const double one = 1;
   if (n > 0) dtrsm_("L", "L", "N", "N", &n, &count, &one, l, &ld, b, &ldb);
 }
 
-int dense_band_cholesky(int n, int band, double *a) {
+int arc_dense_band_cholesky(int n, int band, double *a) {
   const int ld = band + 1;
   int info = 0;
   if (n > 0) dpbtrf_("L", &n, &band, a, &ld, &info);
   return info;
 }
 
-void dense_band_solve(int n, int band, int count, const double *l, double *b, int ldb) {
+void arc_dense_band_solve(int n, int band, int count, const double *l, double *b, int ldb) {
   const int ld = band + 1;
   int info = 0;
   if (n > 0) dpbtrs_("L", &n, &band, &count, l, &ld, b, &ldb, &info);
 }
 
-void dense_multiply_transposed(int m, int n, int k, double alpha, const double *a, int lda,
-                               const double *b, int ldb, double beta, double *c, int ldc) {
+void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const double *a, int lda,
+                                   const double *b, int ldb, double beta, double *c, int ldc) {
   dgemm_("T", "N", &m, &n, &k, &alpha, a, &lda, b, &ldb, &beta, c, &ldc);
 }
 
-void dense_multiply(int m, int n, int k, double alpha, const double *a, int lda, const double *b,
-                    int ldb, double beta, double *c, int ldc) {
+void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int lda,
+                        const double *b, int ldb, double beta, double *c, int ldc) {
   dgemm_("N", "N", &m, &n, &k, &alpha, a, &lda, b, &ldb, &beta, c, &ldc);
 }
 
-int dense_solve(int n, double *a, int *pivots, double *x) {
+int arc_dense_solve(int n, double *a, int *pivots, double *x) {
   const int one = 1;
   int info = 0;
   if (n > 0) dgesv_(&n, &one, a, &n, pivots, x, &n, &info);

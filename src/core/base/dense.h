@@ -6,26 +6,26 @@
 
 /* a := L with a = L L', lower triangle of a [n x n, leading dimension ld]. 0, or k > 0 where the
  * leading k x k block is not positive definite. */
-int dense_cholesky(int n, double *a, int ld);
+int arc_dense_cholesky(int n, double *a, int ld);
 /* b := (L L')^-1 b, b [n x count, leading dimension ldb]. */
-void dense_cholesky_solve(int n, int count, const double *l, int ld, double *b, int ldb);
+void arc_dense_cholesky_solve(int n, int count, const double *l, int ld, double *b, int ldb);
 /* b := L^-1 b (forward half of the solve). */
-void dense_forward(int n, int count, const double *l, int ld, double *b, int ldb);
+void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int ldb);
 
 /* The same for a band matrix of `band` sub-diagonals, lower band storage: a[(i - j) + j * (band +
  * 1)]. */
-int dense_band_cholesky(int n, int band, double *a);
-void dense_band_solve(int n, int band, int count, const double *l, double *b, int ldb);
+int arc_dense_band_cholesky(int n, int band, double *a);
+void arc_dense_band_solve(int n, int band, int count, const double *l, double *b, int ldb);
 
 /* c := beta c + alpha a' b, a [k x m], b [k x n], c [m x n]. */
-void dense_multiply_transposed(int m, int n, int k, double alpha, const double *a, int lda,
-                               const double *b, int ldb, double beta, double *c, int ldc);
+void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const double *a, int lda,
+                                   const double *b, int ldb, double beta, double *c, int ldc);
 /* c := beta c + alpha a b, a [m x k], b [k x n], c [m x n]. */
-void dense_multiply(int m, int n, int k, double alpha, const double *a, int lda, const double *b,
-                    int ldb, double beta, double *c, int ldc);
+void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int lda,
+                        const double *b, int ldb, double beta, double *c, int ldc);
 /* x := a^-1 x for a general a [n x n], which is destroyed; pivots [n] is work space. 0, or k > 0
  * where singular. */
-int dense_solve(int n, double *a, int *pivots, double *x);
+int arc_dense_solve(int n, double *a, int *pivots, double *x);
 
 /* Index of (i, j) in a column-major matrix of leading dimension ld. */
 static inline size_t dense_at(int i, int j, int ld) {

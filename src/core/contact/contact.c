@@ -10,7 +10,7 @@ static arc_status out_of_memory(arc_error *error) {
 }
 
 static arc_status allocate(arc_contact *c) {
-  if (pose_create(&c->pose, c->shape->model) != ARC_OK) return ARC_MEMORY;
+  if (arc_pose_create(&c->pose, c->shape->model) != ARC_OK) return ARC_MEMORY;
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t n = (size_t)c->shape->side[b].n;
     c->count[b] = (int)n;
@@ -23,7 +23,7 @@ static arc_status allocate(arc_contact *c) {
 }
 
 static void read_pressures(arc_contact *c) {
-  pose_pressures(&c->pose, c->p[ARC_CYLINDER], c->p[ARC_PLATE]);
+  arc_pose_pressures(&c->pose, c->p[ARC_CYLINDER], c->p[ARC_PLATE]);
   for (int b = 0; b < ARC_BODIES; b++) {
     const double *width = b == ARC_CYLINDER ? c->pose.wc : c->pose.wp;
     for (int i = 0; i < c->count[b]; i++) {
@@ -35,7 +35,7 @@ static void read_pressures(arc_contact *c) {
 
 static void read_result(arc_contact *c, double load, double x) {
   double edges[2], largest = 0;
-  pose_edges(&c->pose, c->shape, edges);
+  arc_pose_edges(&c->pose, c->shape, edges);
   for (int i = 0; i < c->count[ARC_CYLINDER]; i++) largest = fmax(largest, c->p[ARC_CYLINDER][i]);
   c->result = (arc_contact_result){.load = load,
                                    .x = x,
@@ -59,11 +59,11 @@ arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_
   if (!c) return out_of_memory(error);
   arc_status status = arc_shape_clone(shape, &c->shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
-  if (status == ARC_OK) status = pose_place(&c->pose, c->shape, x, error);
+  if (status == ARC_OK) status = arc_pose_place(&c->pose, c->shape, x, error);
   if (status == ARC_OK) {
-    pose_stiffen(&c->pose, c->shape);
-    pose_measure(&c->pose, c->shape);
-    status = pose_solve(&c->pose, load / arc_model_definition(shape->model)->thickness, error);
+    arc_pose_stiffen(&c->pose, c->shape);
+    arc_pose_measure(&c->pose, c->shape);
+    status = arc_pose_solve(&c->pose, load / arc_model_definition(shape->model)->thickness, error);
   }
   if (status == ARC_OK) {
     read_pressures(c);
@@ -78,7 +78,7 @@ arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_
 void arc_contact_destroy(arc_contact **contact) {
   if (!contact || !*contact) return;
   arc_contact *c = *contact;
-  pose_free(&c->pose);
+  arc_pose_free(&c->pose);
   for (int b = 0; b < ARC_BODIES; b++) free(c->x[b]);
   arc_shape_destroy(&c->shape);
   free(c);
@@ -87,7 +87,8 @@ void arc_contact_destroy(arc_contact **contact) {
 
 size_t arc_contact_bytes(const arc_contact *c) {
   const size_t nodes = (size_t)(c->count[ARC_CYLINDER] + c->count[ARC_PLATE]);
-  return sizeof *c + shape_bytes(c->shape) + pose_bytes(&c->pose) + 3 * nodes * sizeof(double);
+  return sizeof *c + arc_shape_bytes(c->shape) + arc_pose_bytes(&c->pose) +
+         3 * nodes * sizeof(double);
 }
 
 arc_contact_result arc_contact_get(const arc_contact *contact) {

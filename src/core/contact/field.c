@@ -69,11 +69,11 @@ static void element_stresses(const elastic_body *b, const double *xy, const doub
   const arc_mesh *mesh = b->mesh;
   for (int e = 0; e < mesh->elements; e++) {
     const int *corner = &mesh->element[4 * e];
-    const element el = element_at(xy, corner, mesh->def.element);
+    const element el = arc_element_at(xy, corner, mesh->def.element);
     double ue[8];
     for (int c = 0; c < el.corners; c++) memcpy(&ue[2 * c], &u[2 * corner[c]], 2 * sizeof *ue);
-    element_stress(&el, b->d, ue, &r->value[3 * e]);
-    r->area[e] = element_area(&el);
+    arc_element_stress(&el, b->d, ue, &r->value[3 * e]);
+    r->area[e] = arc_element_area(&el);
     for (int c = 0; c < el.corners; c++) r->weight[corner[c]] += r->area[e];
   }
 }
@@ -118,8 +118,8 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   double *u = work, *xy = work + 2 * n, *f = box + 2 * (size_t)side->body->box_count;
   const double sign = body == ARC_CYLINDER ? 1 : -1;
   for (int i = 0; i < side->n; i++) f[i] = sign * c->f[body][i];
-  shape_box(side, side->xy, box);
-  const arc_status status = body_displacements(side->body, box, f, u, error);
+  arc_shape_box(side, side->xy, box);
+  const arc_status status = arc_body_displacements(side->body, box, f, u, error);
   if (status != ARC_OK) return status;
   arc_shape_nodes(c->shape, body, xy);
   if (recover_stresses(side->body, xy, u, field) != ARC_OK) return out_of_memory(error);

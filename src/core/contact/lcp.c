@@ -18,9 +18,9 @@ static int factorise(pose *p) {
   for (int c = 0; c < n; c++)
     for (int r = c; r < n; r++)
       p->factor[dense_at(r, c, n)] = p->a[dense_at(p->set[r], p->set[c], p->count)];
-  if (dense_cholesky(n, p->factor, n)) return 1;
+  if (arc_dense_cholesky(n, p->factor, n)) return 1;
   for (int k = 0; k < n; k++) p->ones[k] = 1;
-  dense_cholesky_solve(n, 1, p->factor, n, p->ones, n);
+  arc_dense_cholesky_solve(n, 1, p->factor, n, p->ones, n);
   p->factored = 1;
   return 0;
 }
@@ -31,7 +31,7 @@ static int solve_on_set(pose *p, double load, double *fs) {
   if (factorise(p)) return 1;
   double sum = 0, total = 0;
   for (int k = 0; k < p->active; k++) fs[k] = p->gap[p->set[k]];
-  dense_cholesky_solve(p->active, 1, p->factor, p->active, fs, p->active);
+  arc_dense_cholesky_solve(p->active, 1, p->factor, p->active, fs, p->active);
   for (int k = 0; k < p->active; k++) {
     sum += fs[k];
     total += p->ones[k];
@@ -153,7 +153,7 @@ static int descend(pose *p, double load, double *fs) {
   return 0;
 }
 
-arc_status lcp_solve(pose *p, double load) {
+arc_status arc_lcp_solve(pose *p, double load) {
   double *fs = p->work + 2 * (p->nc + p->np);
   p->iterations = 0;
   int solved = newton(p, load, fs);

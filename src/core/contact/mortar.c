@@ -90,7 +90,7 @@ static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
   for (int q = 0; q < p->width; q++) row[q] /= p->wc[i];
 }
 
-arc_status pose_place(pose *p, const arc_shape *shape, double x, arc_error *error) {
+arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *error) {
   const double *cyl = shape->side[ARC_CYLINDER].settled, *plate = shape->side[ARC_PLATE].settled;
   p->x = x;
   const int lo = p->lo, count = p->count;
@@ -104,13 +104,13 @@ arc_status pose_place(pose *p, const arc_shape *shape, double x, arc_error *erro
         x, cyl[2 * p->nc - 2] - cyl[0], plate[2 * p->np - 2] - plate[0]);
   if (make_room(p, row_width(p, cyl, plate)) != ARC_OK)
     return arc_fail(error, ARC_MEMORY, "out of memory for the contact");
-  for (int i = 0; i < p->nc; i++) p->wc[i] = shape_width(&shape->side[ARC_CYLINDER], i);
-  for (int l = 0; l < p->np; l++) p->wp[l] = shape_width(&shape->side[ARC_PLATE], l);
+  for (int i = 0; i < p->nc; i++) p->wc[i] = arc_shape_width(&shape->side[ARC_CYLINDER], i);
+  for (int l = 0; l < p->np; l++) p->wp[l] = arc_shape_width(&shape->side[ARC_PLATE], l);
   for (int k = 0; k < p->count; k++) fill_row(p, k, cyl, plate);
   return ARC_OK;
 }
 
-void pose_to_cylinder(const pose *p, const double *v, double *result) {
+void arc_pose_to_cylinder(const pose *p, const double *v, double *result) {
   memset(result, 0, (size_t)p->nc * sizeof *result);
   for (int k = 0; k < p->count; k++) {
     const double *row = &p->b[k * p->width], *from = &v[p->first[k]];
@@ -120,7 +120,7 @@ void pose_to_cylinder(const pose *p, const double *v, double *result) {
   }
 }
 
-void pose_to_plate(const pose *p, const double *v, double *result) {
+void arc_pose_to_plate(const pose *p, const double *v, double *result) {
   memset(result, 0, (size_t)p->np * sizeof *result);
   for (int k = 0; k < p->count; k++) {
     const double *row = &p->b[k * p->width], at = v[p->lo + k];
@@ -131,7 +131,7 @@ void pose_to_plate(const pose *p, const double *v, double *result) {
 }
 
 /* A = F_c + B F_p B', the lower triangle first, then mirrored: A is symmetric to the bit. */
-void pose_stiffen(pose *p, const arc_shape *shape) {
+void arc_pose_stiffen(pose *p, const arc_shape *shape) {
   const double *fc = shape_compliance(&shape->side[ARC_CYLINDER])->normal;
   const double *fp = shape_compliance(&shape->side[ARC_PLATE])->normal;
   double *column = p->work; /* F_p b_k */
@@ -153,7 +153,7 @@ void pose_stiffen(pose *p, const arc_shape *shape) {
   p->factored = 0;
 }
 
-void pose_measure(pose *p, const arc_shape *shape) {
+void arc_pose_measure(pose *p, const arc_shape *shape) {
   const double *cyl = shape->side[ARC_CYLINDER].xy, *plate = shape->side[ARC_PLATE].xy;
   for (int k = 0; k < p->count; k++) {
     double below = 0;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-arc_status pose_create(pose *p, const arc_model *model) {
+arc_status arc_pose_create(pose *p, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
   *p = (pose){.nc = (int)nc, .np = (int)np};
@@ -16,7 +16,7 @@ arc_status pose_create(pose *p, const arc_model *model) {
   p->factor = malloc(nc * nc * sizeof(double));
   p->wc = calloc(5 * nc + np + 4 * (nc + np), sizeof(double)); /* one block for the small arrays */
   if (!p->first || !p->set || !p->a || !p->factor || !p->wc) {
-    pose_free(p);
+    arc_pose_free(p);
     return ARC_MEMORY;
   }
   p->gap = p->wc + nc;
@@ -28,7 +28,7 @@ arc_status pose_create(pose *p, const arc_model *model) {
   return ARC_OK;
 }
 
-void pose_free(pose *p) {
+void arc_pose_free(pose *p) {
   free(p->first);
   free(p->set);
   free(p->a);
@@ -38,7 +38,7 @@ void pose_free(pose *p) {
   *p = (pose){0};
 }
 
-size_t pose_bytes(const pose *p) {
+size_t arc_pose_bytes(const pose *p) {
   const size_t nc = (size_t)p->nc, np = (size_t)p->np, width = (size_t)p->width;
   return sizeof *p + (2 * nc * nc + nc * width + 9 * nc + 5 * np) * sizeof(double) +
          2 * nc * sizeof(int);
@@ -57,8 +57,8 @@ static arc_status edge_reached(pose *p, int left, arc_error *error) {
       cylinder ? "cylinder" : "plate");
 }
 
-arc_status pose_solve(pose *p, double load, arc_error *error) {
-  if (lcp_solve(p, load) != ARC_OK) {
+arc_status arc_pose_solve(pose *p, double load, arc_error *error) {
+  if (arc_lcp_solve(p, load) != ARC_OK) {
     p->active = p->factored = 0;
     return arc_fail(error, ARC_NUMERIC,
                     "the contact solution broke down with the plate at x = %g mm", p->x);
@@ -87,22 +87,22 @@ static void push_only(double *f, int n) {
     if (f[l] < 0) f[l - 1] += f[l], f[l] = 0;
 }
 
-void pose_pressures(const pose *p, double *pc, double *pp) {
+void arc_pose_pressures(const pose *p, double *pc, double *pp) {
   nodal_forces(p, pc);
-  pose_to_plate(p, pc, pp);
+  arc_pose_to_plate(p, pc, pp);
   push_only(pp, p->np);
   for (int i = 0; i < p->nc; i++) pc[i] /= p->wc[i];
   for (int l = 0; l < p->np; l++) pp[l] /= p->wp[l];
 }
 
-void pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up) {
+void arc_pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up) {
   double *fc = p->work, *fp = p->work + p->nc;
   nodal_forces(p, fc);
-  pose_to_plate(p, fc, fp);
+  arc_pose_to_plate(p, fc, fp);
   const double *gc = shape_compliance(&shape->side[ARC_CYLINDER])->tangential;
   const double *gp = shape_compliance(&shape->side[ARC_PLATE])->tangential;
-  dense_multiply(p->nc, 1, p->nc, 1, gc, p->nc, fc, p->nc, 0, uc, p->nc);
-  dense_multiply(p->np, 1, p->np, -1, gp, p->np, fp, p->np, 0, up, p->np);
+  arc_dense_multiply(p->nc, 1, p->nc, 1, gc, p->nc, fc, p->nc, 0, uc, p->nc);
+  arc_dense_multiply(p->np, 1, p->np, -1, gp, p->np, fp, p->np, 0, up, p->np);
 }
 
 /* Between the last node in contact (pressure q at distance 0) and the next one (gap g at distance
@@ -120,7 +120,7 @@ static double edge_offset(double q, double g, double h, double E_star) {
   return (low + high) / 2;
 }
 
-void pose_edges(const pose *p, const arc_shape *shape, double edges[2]) {
+void arc_pose_edges(const pose *p, const arc_shape *shape, double edges[2]) {
   const double E_star = arc_contact_modulus(arc_model_definition(shape->model)->material);
   const double *cyl = shape->side[ARC_CYLINDER].xy;
   for (int side = 0; side < 2; side++) {

@@ -34,39 +34,39 @@ typedef struct pose {
 } pose;
 
 /* Room for a pose on a model; ARC_MEMORY leaves it empty. */
-arc_status pose_create(pose *p, const arc_model *model);
-void pose_free(pose *p);
+arc_status arc_pose_create(pose *p, const arc_model *model);
+void arc_pose_free(pose *p);
 /* Bytes of one pose. */
-size_t pose_bytes(const pose *p);
+size_t arc_pose_bytes(const pose *p);
 
 /* B and tributary widths for the plate at x [mm], from where the nodes stood along x at the last
  * condensation: coupling and compliance always belong together. ARC_ZONE where fewer than three
  * candidates remain, ARC_MEMORY. */
-arc_status pose_place(pose *p, const arc_shape *shape, double x, arc_error *error);
+arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *error);
 /* Contact matrix from the shape's present compliance. */
-void pose_stiffen(pose *p, const arc_shape *shape);
+void arc_pose_stiffen(pose *p, const arc_shape *shape);
 /* Initial gaps from the shape's present heights. */
-void pose_measure(pose *p, const arc_shape *shape);
+void arc_pose_measure(pose *p, const arc_shape *shape);
 
 /* Solves for a load per thickness [N/mm]. On ARC_ZONE (contact at the edge of the candidates) and
  * ARC_NUMERIC the warm start is dropped, nothing else changes. */
-arc_status pose_solve(pose *p, double load, arc_error *error);
+arc_status arc_pose_solve(pose *p, double load, arc_error *error);
 
 /* Pressures [MPa] of the solution at all surface nodes: pc [nc], pp [np]. */
-void pose_pressures(const pose *p, double *pc, double *pp);
+void arc_pose_pressures(const pose *p, double *pc, double *pp);
 /* Elastic displacement along x of the solution [mm]: at cylinder nodes uc [nc], plate nodes up
  * [np]. */
-void pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up);
+void arc_pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up);
 /* result [nc] := B v for the candidates, 0 elsewhere; v [np]. */
-void pose_to_cylinder(const pose *p, const double *v, double *result);
+void arc_pose_to_cylinder(const pose *p, const double *v, double *result);
 /* result [np] := B' v; v by cylinder node [nc]. */
-void pose_to_plate(const pose *p, const double *v, double *result);
+void arc_pose_to_plate(const pose *p, const double *v, double *result);
 /* Contact edges [mm], interpolated between nodes with the square-root law of smooth contacts.
  */
-void pose_edges(const pose *p, const arc_shape *shape, double edges[2]);
+void arc_pose_edges(const pose *p, const arc_shape *shape, double edges[2]);
 
 /* The complementarity problem (lcp.c): finds p's set, factor, ones, f, approach for a load, from
  * the set as a warm start. */
-arc_status lcp_solve(pose *p, double load);
+arc_status arc_lcp_solve(pose *p, double load);
 
 #endif

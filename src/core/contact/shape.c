@@ -54,7 +54,7 @@ arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refr
   shape->geometry = geometry;
   shape->refresh = refresh;
   for (int b = 0; b < ARC_BODIES; b++) {
-    if (allocate_side(&shape->side[b], model_body(model, (arc_body)b)) != ARC_OK) {
+    if (allocate_side(&shape->side[b], arc_model_body(model, (arc_body)b)) != ARC_OK) {
       arc_shape_destroy(&shape);
       return out_of_memory(error);
     }
@@ -66,7 +66,7 @@ arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refr
 
 static arc_status copy_compliance(compliance *to, const compliance *from) {
   if (from->n == 0) return ARC_OK;
-  const arc_status status = compliance_create(to, from->n);
+  const arc_status status = arc_compliance_create(to, from->n);
   if (status != ARC_OK) return status;
   const size_t bytes = (size_t)from->n * (size_t)from->n * sizeof(double);
   memcpy(to->normal, from->normal, bytes);
@@ -97,7 +97,7 @@ void arc_shape_destroy(arc_shape **shape) {
   if (!shape || !*shape) return;
   for (int b = 0; b < ARC_BODIES; b++) {
     free((*shape)->side[b].h);
-    compliance_free(&(*shape)->side[b].own);
+    arc_compliance_free(&(*shape)->side[b].own);
   }
   arc_model_release(&(*shape)->model);
   free(*shape);
@@ -121,11 +121,11 @@ static void box_node_at(const shape_side *side, const double *surface_xy, int k,
     xy[d] = mesh->xy[2 * mesh->box_node[k] + d] + share * (surface_xy[2 * column + d] - top[d]);
 }
 
-void shape_box(const shape_side *side, const double *surface_xy, double *box_xy) {
+void arc_shape_box(const shape_side *side, const double *surface_xy, double *box_xy) {
   for (int k = 0; k < side->body->box_count; k++) box_node_at(side, surface_xy, k, &box_xy[2 * k]);
 }
 
-double shape_width(const shape_side *side, int i) {
+double arc_shape_width(const shape_side *side, int i) {
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
   return (side->settled[2 * b] - side->settled[2 * a]) / 2;
 }
@@ -144,7 +144,7 @@ static void normal_at(const shape_side *side, arc_geometry geometry, int i, doub
   normal[1] = in * tx / length;
 }
 
-void shape_downward(const arc_shape *shape, arc_body body, double *down) {
+void arc_shape_downward(const arc_shape *shape, arc_body body, double *down) {
   const shape_side *side = &shape->side[body];
   for (int i = 0; i < side->n; i++) {
     double normal[2];
@@ -204,13 +204,13 @@ static int is_unworn(const shape_side *side) {
 static arc_status condense(const shape_side *side, const double *xy, compliance *result,
                            arc_error *error) {
   double *box = malloc(2 * (size_t)side->body->box_count * sizeof *box);
-  arc_status status = box ? compliance_create(result, side->n) : ARC_MEMORY;
+  arc_status status = box ? arc_compliance_create(result, side->n) : ARC_MEMORY;
   if (status != ARC_OK) {
     out_of_memory(error);
   } else {
-    shape_box(side, xy, box);
-    status = body_condense(side->body, box, result, error);
-    if (status != ARC_OK) compliance_free(result);
+    arc_shape_box(side, xy, box);
+    status = arc_body_condense(side->body, box, result, error);
+    if (status != ARC_OK) arc_compliance_free(result);
   }
   free(box);
   return status;
@@ -225,7 +225,7 @@ static void commit(shape_side *side, const double *depth, const double *xy) {
 }
 
 static void settle(arc_shape *shape, shape_side *side, compliance renewed) {
-  compliance_free(&side->own);
+  arc_compliance_free(&side->own);
   side->own = renewed;
   memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
   shape->condensed++;
@@ -257,15 +257,15 @@ static arc_status compliance_for(const shape_side *side, arc_geometry geometry, 
   return status == ARC_OK ? condense(side, side->xy, renewed, error) : status;
 }
 
-arc_status shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
-                              arc_error *error) {
+arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
+                                  arc_error *error) {
   compliance renewed[ARC_BODIES] = {{0}};
   arc_status status = ARC_OK;
   if (geometry != shape->geometry) {
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
       status = compliance_for(&shape->side[b], geometry, &renewed[b], error);
     if (status != ARC_OK) {
-      for (int b = 0; b < ARC_BODIES; b++) compliance_free(&renewed[b]);
+      for (int b = 0; b < ARC_BODIES; b++) arc_compliance_free(&renewed[b]);
       return status;
     }
     for (int b = 0; b < ARC_BODIES; b++) settle(shape, &shape->side[b], renewed[b]);
@@ -351,7 +351,7 @@ void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy) {
     box_node_at(side, side->xy, k, &xy[2 * mesh->box_node[k]]);
 }
 
-size_t shape_bytes(const arc_shape *shape) {
+size_t arc_shape_bytes(const arc_shape *shape) {
   size_t bytes = sizeof *shape;
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t n = (size_t)shape->side[b].n, own = (size_t)shape->side[b].own.n;

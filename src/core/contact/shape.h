@@ -30,20 +30,20 @@ static inline const compliance *shape_compliance(const shape_side *side) {
 
 /* Tributary width of surface node i [mm], where the nodes stood along x at the last condensation.
  */
-double shape_width(const shape_side *side, int i);
+double arc_shape_width(const shape_side *side, int i);
 
 /* Vertical share of the inward normals that wear would follow, into down [n]. */
-void shape_downward(const arc_shape *shape, arc_body body, double *down);
+void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
 
 /* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n]. */
-void shape_box(const shape_side *side, const double *surface_xy, double *box_xy);
+void arc_shape_box(const shape_side *side, const double *surface_xy, double *box_xy);
 
 /* Goes on with another geometry: frozen takes the unworn compliance, moving that of the present
  * nodes. On failure the shape is as it was. */
-arc_status shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
-                              arc_error *error);
+arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
+                                  arc_error *error);
 
 /* Bytes of one shape. */
-size_t shape_bytes(const arc_shape *shape);
+size_t arc_shape_bytes(const arc_shape *shape);
 
 #endif

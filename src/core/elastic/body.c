@@ -49,9 +49,9 @@ static void number_far(elastic_body *b) {
  */
 static arc_status add_far_element(elastic_body *b, int e, sparse_entries *stiffness) {
   const int *corner = &b->mesh->element[4 * e];
-  const element el = element_at(b->mesh->xy, corner, b->mesh->def.element);
+  const element el = arc_element_at(b->mesh->xy, corner, b->mesh->def.element);
   double k[64];
-  element_stiffness(&el, b->d, k);
+  arc_element_stiffness(&el, b->d, k);
   const int n = 2 * el.corners;
   int far[8], rim[8];
   for (int r = 0; r < n; r++) {
@@ -64,9 +64,9 @@ static arc_status add_far_element(elastic_body *b, int e, sparse_entries *stiffn
     for (int c = 0; c < n && status == ARC_OK; c++) {
       const double value = k[r * n + c];
       if (far[r] >= 0 && far[c] >= 0) {
-        if (far[r] >= far[c]) status = sparse_add(stiffness, far[r], far[c], value);
+        if (far[r] >= far[c]) status = arc_sparse_add(stiffness, far[r], far[c], value);
       } else if (far[r] >= 0 && rim[c] >= 0) {
-        status = sparse_add(&b->coupling, far[r], rim[c], value);
+        status = arc_sparse_add(&b->coupling, far[r], rim[c], value);
       } else if (rim[r] >= 0 && rim[c] >= 0) {
         b->s_far[dense_at(rim[r], rim[c], 2 * b->rim)] += value;
       }
@@ -80,10 +80,10 @@ static arc_status assemble_and_factorise(elastic_body *b, arc_error *error) {
   for (int e = b->mesh->box_elements; e < b->mesh->elements && status == ARC_OK; e++)
     status = add_far_element(b, e, &stiffness);
   if (status == ARC_OK)
-    status = factor_create(b->far_count, &stiffness, &b->far, error);
+    status = arc_factor_create(b->far_count, &stiffness, &b->far, error);
   else
     out_of_memory(b, error);
-  sparse_free(&stiffness);
+  arc_sparse_free(&stiffness);
   return status;
 }
 
@@ -102,7 +102,7 @@ static arc_status eliminate_far(elastic_body *b, arc_error *error) {
       if (c >= 0 && c < count)
         x[(size_t)b->coupling.row[k] + (size_t)c * n] += b->coupling.value[k];
     }
-    status = factor_solve(b->far, count, x, error);
+    status = arc_factor_solve(b->far, count, x, error);
     for (size_t k = 0; k < b->coupling.count && status == ARC_OK; k++)
       for (int c = 0; c < count; c++)
         b->s_far[dense_at(b->coupling.column[k], first + c, m)] -=
@@ -124,7 +124,7 @@ static arc_status allocate(elastic_body *b) {
   number_far(b);
   b->s_far = calloc((size_t)(4 * b->rim) * (size_t)b->rim, sizeof(double));
   if (!b->s_far) return ARC_MEMORY;
-  return compliance_create(&b->unworn, m->surface);
+  return arc_compliance_create(&b->unworn, m->surface);
 }
 
 static arc_status condense_unworn(elastic_body *b, arc_error *error) {
@@ -132,29 +132,29 @@ static arc_status condense_unworn(elastic_body *b, arc_error *error) {
   if (!box) return out_of_memory(b, error);
   for (int k = 0; k < b->box_count; k++)
     memcpy(&box[2 * k], &b->mesh->xy[2 * b->mesh->box_node[k]], 2 * sizeof *box);
-  const arc_status status = body_condense(b, box, &b->unworn, error);
+  const arc_status status = arc_body_condense(b, box, &b->unworn, error);
   free(box);
   return status;
 }
 
-arc_status body_create(const arc_model_def *def, arc_body which, elastic_body **result,
-                       arc_error *error) {
+arc_status arc_body_create(const arc_model_def *def, arc_body which, elastic_body **result,
+                           arc_error *error) {
   *result = NULL;
   elastic_body *b = calloc(1, sizeof *b);
   if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(which));
   b->material = def->material[which];
-  b->d = elasticity_of(b->material);
+  b->d = arc_elasticity_of(b->material);
   arc_status status = arc_mesh_build(&def->mesh, which, def->radius, &b->mesh, error);
   if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);
   if (status == ARC_OK) status = assemble_and_factorise(b, error);
   if (status == ARC_OK) status = eliminate_far(b, error);
   if (status == ARC_OK) status = condense_unworn(b, error);
-  if (status != ARC_OK) body_destroy(&b);
+  if (status != ARC_OK) arc_body_destroy(&b);
   *result = b;
   return status;
 }
 
-void body_destroy(elastic_body **body) {
+void arc_body_destroy(elastic_body **body) {
   if (!body || !*body) return;
   elastic_body *b = *body;
   arc_mesh_destroy(&b->mesh);
@@ -162,29 +162,29 @@ void body_destroy(elastic_body **body) {
   free(b->node_far);
   free(b->box_inner);
   free(b->box_rim);
-  factor_destroy(&b->far);
-  sparse_free(&b->coupling);
+  arc_factor_destroy(&b->far);
+  arc_sparse_free(&b->coupling);
   free(b->s_far);
-  compliance_free(&b->unworn);
+  arc_compliance_free(&b->unworn);
   free(b);
   *body = NULL;
 }
 
-size_t body_bytes(const elastic_body *b) {
+size_t arc_body_bytes(const elastic_body *b) {
   const size_t n = (size_t)b->mesh->nodes, m = (size_t)(2 * b->rim), s = (size_t)b->mesh->surface;
-  return factor_bytes(b->far) + b->coupling.capacity * 16 + 8 * m * m + 16 * s * s + n * 24 +
+  return arc_factor_bytes(b->far) + b->coupling.capacity * 16 + 8 * m * m + 16 * s * s + n * 24 +
          (size_t)b->mesh->elements * 16;
 }
 
-arc_status compliance_create(compliance *c, int n) {
+arc_status arc_compliance_create(compliance *c, int n) {
   const size_t count = (size_t)n * (size_t)n;
   *c = (compliance){n, calloc(count, sizeof(double)), calloc(count, sizeof(double))};
   if (c->normal && c->tangential) return ARC_OK;
-  compliance_free(c);
+  arc_compliance_free(c);
   return ARC_MEMORY;
 }
 
-void compliance_free(compliance *c) {
+void arc_compliance_free(compliance *c) {
   free(c->normal);
   free(c->tangential);
   *c = (compliance){0};

@@ -38,26 +38,26 @@ typedef struct elastic_body {
 } elastic_body;
 
 /* Meshes, assembles, factorises, condenses. On failure *body is NULL. */
-arc_status body_create(const arc_model_def *def, arc_body which, elastic_body **body,
-                       arc_error *error);
-void body_destroy(elastic_body **body);
-size_t body_bytes(const elastic_body *body);
+arc_status arc_body_create(const arc_model_def *def, arc_body which, elastic_body **body,
+                           arc_error *error);
+void arc_body_destroy(elastic_body **body);
+size_t arc_body_bytes(const elastic_body *body);
 
 /* Room for a compliance of n nodes; ARC_MEMORY leaves it empty. */
-arc_status compliance_create(compliance *c, int n);
-void compliance_free(compliance *c);
+arc_status arc_compliance_create(compliance *c, int n);
+void arc_compliance_free(compliance *c);
 
 /* The compliance with the wear-box nodes at box_xy [2 * box_count] (order of box_node).
  * ARC_NUMERIC, ARC_MEMORY. */
-arc_status body_condense(const elastic_body *body, const double *box_xy, compliance *result,
-                         arc_error *error);
+arc_status arc_body_condense(const elastic_body *body, const double *box_xy, compliance *result,
+                             arc_error *error);
 
 /* Displacements u [2 * nodes] of the whole body under vertical surface forces f [surface, N/mm], by
  * back-substitution. */
-arc_status body_displacements(const elastic_body *body, const double *box_xy, const double *f,
-                              double *u, arc_error *error);
+arc_status arc_body_displacements(const elastic_body *body, const double *box_xy, const double *f,
+                                  double *u, arc_error *error);
 
 /* The model's body (not public: contact and wear lean on it). */
-const elastic_body *model_body(const arc_model *model, arc_body which);
+const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
 #endif

@@ -28,7 +28,7 @@ static void condensation_free(condensation *c) {
   free(c->t);
   free(c->w);
   free(c->wx);
-  sparse_free(&c->rim);
+  arc_sparse_free(&c->rim);
 }
 
 static arc_status condensation_create(const elastic_body *b, condensation *c) {
@@ -49,9 +49,9 @@ static arc_status add_box_element(const elastic_body *b, int e, const double *bo
                                   condensation *c) {
   int corner[4], inner[8], rim[8];
   for (int a = 0; a < 4; a++) corner[a] = b->node_box[b->mesh->element[4 * e + a]];
-  const element el = element_at(box_xy, corner, b->mesh->def.element);
+  const element el = arc_element_at(box_xy, corner, b->mesh->def.element);
   double k[64];
-  element_stiffness(&el, b->d, k);
+  arc_element_stiffness(&el, b->d, k);
   for (int r = 0; r < 8; r++) {
     const int at = corner[r / 2];
     inner[r] = b->box_inner[at] < 0 ? -1 : 2 * b->box_inner[at] + r % 2;
@@ -67,7 +67,7 @@ static arc_status add_box_element(const elastic_body *b, int e, const double *bo
       } else if (rim[r] >= 0 && rim[q] >= 0) {
         c->t[dense_at(rim[r], rim[q], c->nr)] += value;
       } else if (rim[r] >= 0) {
-        status = sparse_add(&c->rim, rim[r], inner[q], value);
+        status = arc_sparse_add(&c->rim, rim[r], inner[q], value);
       }
     }
   return status;
@@ -122,11 +122,11 @@ static arc_status condense(const elastic_body *b, const double *box_xy, condensa
     arc_fail(error, status, "out of memory for the %s's wear box", name);
   } else {
     fill_right_hand_sides(b, c);
-    int bad = dense_band_cholesky(c->ni, b->band, c->band);
+    int bad = arc_dense_band_cholesky(c->ni, b->band, c->band);
     if (!bad) {
-      dense_band_solve(c->ni, b->band, c->nr + c->ns, c->band, c->x, c->ni);
+      arc_dense_band_solve(c->ni, b->band, c->nr + c->ns, c->band, c->x, c->ni);
       reduce_rim(c);
-      bad = dense_cholesky(c->nr, c->t, c->nr);
+      bad = arc_dense_cholesky(c->nr, c->t, c->nr);
     }
     if (bad)
       status = arc_fail(error, ARC_NUMERIC, "the %s's wear box is not positive definite at row %d",
@@ -152,18 +152,18 @@ static void surface_rows_of_z(const elastic_body *b, const condensation *c, int 
   }
 }
 
-arc_status body_condense(const elastic_body *b, const double *box_xy, compliance *result,
-                         arc_error *error) {
+arc_status arc_body_condense(const elastic_body *b, const double *box_xy, compliance *result,
+                             arc_error *error) {
   condensation c;
   const arc_status status = condense(b, box_xy, &c, error);
   if (status != ARC_OK) return status;
-  dense_forward(c.nr, c.ns, c.t, c.nr, c.w, c.nr);
-  dense_forward(c.nr, c.ns, c.t, c.nr, c.wx, c.nr);
+  arc_dense_forward(c.nr, c.ns, c.t, c.nr, c.w, c.nr);
+  arc_dense_forward(c.nr, c.ns, c.t, c.nr, c.wx, c.nr);
   surface_rows_of_z(b, &c, 1, result->normal);
   surface_rows_of_z(b, &c, 0, result->tangential);
-  dense_multiply_transposed(c.ns, c.ns, c.nr, 1, c.w, c.nr, c.w, c.nr, 1, result->normal, c.ns);
-  dense_multiply_transposed(c.ns, c.ns, c.nr, 1, c.wx, c.nr, c.w, c.nr, 1, result->tangential,
-                            c.ns);
+  arc_dense_multiply_transposed(c.ns, c.ns, c.nr, 1, c.w, c.nr, c.w, c.nr, 1, result->normal, c.ns);
+  arc_dense_multiply_transposed(c.ns, c.ns, c.nr, 1, c.wx, c.nr, c.w, c.nr, 1, result->tangential,
+                                c.ns);
   condensation_free(&c);
   return ARC_OK;
 }
@@ -175,7 +175,7 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
   if (!far) return arc_fail(error, ARC_MEMORY, "out of memory for displacements");
   for (size_t k = 0; k < b->coupling.count; k++)
     far[b->coupling.row[k]] -= b->coupling.value[k] * rim[b->coupling.column[k]];
-  const arc_status status = factor_solve(b->far, 1, far, error);
+  const arc_status status = arc_factor_solve(b->far, 1, far, error);
   for (int n = 0; n < b->mesh->nodes && status == ARC_OK; n++)
     if (b->node_far[n] >= 0) memcpy(&u[2 * n], &far[b->node_far[n]], 2 * sizeof *u);
   free(far);
@@ -184,15 +184,15 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
 
 /* Rim and inner displacements of the wear box under surface forces f. */
 static void box_displacements(const condensation *c, const double *f, double *rim, double *inner) {
-  dense_multiply(c->nr, 1, c->ns, 1, c->w, c->nr, f, c->ns, 0, rim, c->nr);
-  dense_cholesky_solve(c->nr, 1, c->t, c->nr, rim, c->nr);
+  arc_dense_multiply(c->nr, 1, c->ns, 1, c->w, c->nr, f, c->ns, 0, rim, c->nr);
+  arc_dense_cholesky_solve(c->nr, 1, c->t, c->nr, rim, c->nr);
   const double *z = &c->x[dense_at(0, c->nr, c->ni)];
-  dense_multiply(c->ni, 1, c->ns, 1, z, c->ni, f, c->ns, 0, inner, c->ni);
-  dense_multiply(c->ni, 1, c->nr, -1, c->x, c->ni, rim, c->nr, 1, inner, c->ni);
+  arc_dense_multiply(c->ni, 1, c->ns, 1, z, c->ni, f, c->ns, 0, inner, c->ni);
+  arc_dense_multiply(c->ni, 1, c->nr, -1, c->x, c->ni, rim, c->nr, 1, inner, c->ni);
 }
 
-arc_status body_displacements(const elastic_body *b, const double *box_xy, const double *f,
-                              double *u, arc_error *error) {
+arc_status arc_body_displacements(const elastic_body *b, const double *box_xy, const double *f,
+                                  double *u, arc_error *error) {
   condensation c;
   arc_status status = condense(b, box_xy, &c, error);
   if (status != ARC_OK) return status;

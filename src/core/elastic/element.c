@@ -8,12 +8,12 @@
 
 static const double corner_xi[4] = {-1, 1, 1, -1}, corner_eta[4] = {-1, -1, 1, 1};
 
-elasticity elasticity_of(arc_material m) {
+elasticity arc_elasticity_of(arc_material m) {
   const double scale = m.E / ((1 + m.nu) * (1 - 2 * m.nu));
   return (elasticity){scale * (1 - m.nu), scale * m.nu, scale * (1 - 2 * m.nu) / 2, m.nu};
 }
 
-element element_at(const double *xy, const int corner[4], arc_element kind) {
+element arc_element_at(const double *xy, const int corner[4], arc_element kind) {
   element e = {.corners = corner[3] < 0 ? 3 : 4, .kind = kind};
   for (int c = 0; c < e.corners; c++) memcpy(e.xy[c], &xy[2 * corner[c]], sizeof e.xy[c]);
   return e;
@@ -107,7 +107,7 @@ static void condense_bubbles(double *full, double *k) {
   for (int r = 0; r < 8; r++) memcpy(&k[8 * r], &full[12 * r], 8 * sizeof *k);
 }
 
-void element_stiffness(const element *e, elasticity d, double *k) {
+void arc_element_stiffness(const element *e, elasticity d, double *k) {
   if (e->corners == 3) {
     double g[3][2];
     const double det = triangle_gradients(e, g);
@@ -123,7 +123,7 @@ void element_stiffness(const element *e, elasticity d, double *k) {
 }
 
 /* At the centre the bubbles have no gradient: one formula for both quadrilaterals. */
-void element_stress(const element *e, elasticity d, const double *u, double stress[3]) {
+void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]) {
   double g[4][2], exx = 0, eyy = 0, gxy = 0;
   if (e->corners == 3)
     triangle_gradients(e, g);
@@ -139,7 +139,7 @@ void element_stress(const element *e, elasticity d, const double *u, double stre
   stress[2] = d.c33 * gxy;
 }
 
-double element_area(const element *e) {
+double arc_element_area(const element *e) {
   double area = 0;
   for (int c = 0; c < e->corners; c++) {
     const double *p = e->xy[c], *q = e->xy[(c + 1) % e->corners];

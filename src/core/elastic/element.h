@@ -10,7 +10,7 @@ typedef struct elasticity {
   double nu;
 } elasticity;
 
-elasticity elasticity_of(arc_material material);
+elasticity arc_elasticity_of(arc_material material);
 
 /* An element's corners; `corners` is 3 or 4. */
 typedef struct element {
@@ -20,16 +20,16 @@ typedef struct element {
 } element;
 
 /* The element with the corners corner[4] (-1 fourth: triangle) of a mesh with nodes xy. */
-element element_at(const double *xy, const int corner[4], arc_element kind);
+element arc_element_at(const double *xy, const int corner[4], arc_element kind);
 
 /* Stiffness per mm of thickness [N/mm2], k [64], row-major 2 corners x 2 corners in the order x0 y0
  * x1 y1 ... */
-void element_stiffness(const element *e, elasticity d, double *k);
+void arc_element_stiffness(const element *e, elasticity d, double *k);
 
 /* Stress at the centre of the element from corner displacements u [2 corners]: xx, yy, xy [MPa]. */
-void element_stress(const element *e, elasticity d, const double *u, double stress[3]);
+void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]);
 
 /* Area [mm2]. */
-double element_area(const element *e);
+double arc_element_area(const element *e);
 
 #endif

@@ -13,7 +13,7 @@ struct factor {
   cholmod_dense *x, *y, *e; /* workspace kept between solves */
 };
 
-arc_status sparse_add(sparse_entries *s, int row, int column, double value) {
+arc_status arc_sparse_add(sparse_entries *s, int row, int column, double value) {
   if (s->count == s->capacity) {
     const size_t capacity = 2 * s->capacity + 1024;
     int *rows = realloc(s->row, capacity * sizeof *rows);
@@ -31,7 +31,7 @@ arc_status sparse_add(sparse_entries *s, int row, int column, double value) {
   return ARC_OK;
 }
 
-void sparse_free(sparse_entries *s) {
+void arc_sparse_free(sparse_entries *s) {
   free(s->row);
   free(s->column);
   free(s->value);
@@ -66,7 +66,8 @@ static arc_status why(const factor *f, arc_error *error) {
   return arc_fail(error, ARC_NUMERIC, "CHOLMOD failed with status %d", f->common.status);
 }
 
-arc_status factor_create(int n, const sparse_entries *entries, factor **result, arc_error *error) {
+arc_status arc_factor_create(int n, const sparse_entries *entries, factor **result,
+                             arc_error *error) {
   *result = NULL;
   factor *f = calloc(1, sizeof *f);
   if (!f) return arc_fail(error, ARC_MEMORY, "out of memory in the factorisation");
@@ -82,12 +83,12 @@ arc_status factor_create(int n, const sparse_entries *entries, factor **result, 
       f->l->minor < f->l->n)
     status = why(f, error);
   cholmod_free_sparse(&a, &f->common);
-  if (status != ARC_OK) factor_destroy(&f);
+  if (status != ARC_OK) arc_factor_destroy(&f);
   *result = f;
   return status;
 }
 
-void factor_destroy(factor **f) {
+void arc_factor_destroy(factor **f) {
   if (!f || !*f) return;
   cholmod_common *c = &(*f)->common;
   cholmod_free_dense(&(*f)->x, c);
@@ -108,7 +109,7 @@ static int ensure_workspace(factor *f, size_t count) {
          cholmod_ensure_dense(&f->e, e, count, e, CHOLMOD_REAL, &f->common);
 }
 
-arc_status factor_solve(factor *f, int count, double *b, arc_error *error) {
+arc_status arc_factor_solve(factor *f, int count, double *b, arc_error *error) {
   const size_t n = f->l->n;
   if (!ensure_workspace(f, (size_t)count)) return why(f, error);
   cholmod_dense rhs = {.nrow = n,
@@ -124,6 +125,6 @@ arc_status factor_solve(factor *f, int count, double *b, arc_error *error) {
   return ARC_OK;
 }
 
-size_t factor_bytes(const factor *f) {
+size_t arc_factor_bytes(const factor *f) {
   return f ? f->common.memory_inuse : 0;
 }

@@ -12,19 +12,20 @@ typedef struct sparse_entries {
 } sparse_entries;
 
 /* Appends an entry; ARC_MEMORY leaves the list as it was. */
-arc_status sparse_add(sparse_entries *entries, int row, int column, double value);
-void sparse_free(sparse_entries *entries);
+arc_status arc_sparse_add(sparse_entries *entries, int row, int column, double value);
+void arc_sparse_free(sparse_entries *entries);
 
 typedef struct factor factor;
 
 /* Factorises the n x n matrix. ARC_NUMERIC where it is not positive definite, ARC_MEMORY. */
-arc_status factor_create(int n, const sparse_entries *entries, factor **result, arc_error *error);
-void factor_destroy(factor **f);
+arc_status arc_factor_create(int n, const sparse_entries *entries, factor **result,
+                             arc_error *error);
+void arc_factor_destroy(factor **f);
 
 /* b := A^-1 b for `count` columns of n. Not for use by two threads at once on one factor. */
-arc_status factor_solve(factor *f, int count, double *b, arc_error *error);
+arc_status arc_factor_solve(factor *f, int count, double *b, arc_error *error);
 
 /* Bytes the factor holds. */
-size_t factor_bytes(const factor *f);
+size_t arc_factor_bytes(const factor *f);
 
 #endif

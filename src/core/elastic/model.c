@@ -68,7 +68,7 @@ arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_err
   m->def = *def;
   m->seconds = -now();
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status = body_create(def, (arc_body)b, &m->body[b], error);
+    status = arc_body_create(def, (arc_body)b, &m->body[b], error);
   m->seconds += now();
   if (status != ARC_OK) arc_model_release(&m);
   *result = m;
@@ -85,7 +85,7 @@ void arc_model_release(arc_model **model) {
   arc_model *m = *model;
   *model = NULL;
   if (--m->references > 0) return;
-  for (int b = 0; b < ARC_BODIES; b++) body_destroy(&m->body[b]);
+  for (int b = 0; b < ARC_BODIES; b++) arc_body_destroy(&m->body[b]);
   free(m);
 }
 
@@ -98,13 +98,13 @@ const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body) {
 }
 
 size_t arc_model_bytes(const arc_model *model) {
-  return body_bytes(model->body[ARC_CYLINDER]) + body_bytes(model->body[ARC_PLATE]);
+  return arc_body_bytes(model->body[ARC_CYLINDER]) + arc_body_bytes(model->body[ARC_PLATE]);
 }
 
 double arc_model_seconds(const arc_model *model) {
   return model->seconds;
 }
 
-const elastic_body *model_body(const arc_model *model, arc_body which) {
+const elastic_body *arc_model_body(const arc_model *model, arc_body which) {
   return model->body[which];
 }

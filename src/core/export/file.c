@@ -16,7 +16,7 @@ static void forget(output_file *file) {
   *file = (output_file){0};
 }
 
-number_text number_to_text(double value) {
+number_text arc_number_to_text(double value) {
   number_text result = {"nan"};
   for (int digits = 15; digits <= 17 && !isnan(value); digits++) {
     snprintf(result.text, sizeof result.text, "%.*g", digits, value == 0 ? 0.0 : value);
@@ -25,7 +25,7 @@ number_text number_to_text(double value) {
   return result;
 }
 
-arc_status output_open(output_file *file, const char *path, arc_error *error) {
+arc_status arc_output_open(output_file *file, const char *path, arc_error *error) {
   static const char ending[] = ".part";
   const size_t length = strlen(path);
   *file = (output_file){.path = malloc(length + 1), .temporary = malloc(length + sizeof ending)};
@@ -43,7 +43,7 @@ arc_status output_open(output_file *file, const char *path, arc_error *error) {
   return status;
 }
 
-arc_status output_close(output_file *file, arc_error *error) {
+arc_status arc_output_close(output_file *file, arc_error *error) {
   int bad = ferror(file->stream);
   if (fflush(file->stream) != 0) bad = 1;
   if (fclose(file->stream) != 0) bad = 1;

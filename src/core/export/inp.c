@@ -10,8 +10,8 @@ typedef struct numbering {
 static void write_mesh(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   fprintf(out, "*NODE, NSET=%s\n", name);
   for (int n = 0; n < m->nodes; n++)
-    fprintf(out, "%d, %s, %s, 0\n", n + at.node, number_to_text(m->xy[2 * n]).text,
-            number_to_text(m->xy[2 * n + 1]).text);
+    fprintf(out, "%d, %s, %s, 0\n", n + at.node, arc_number_to_text(m->xy[2 * n]).text,
+            arc_number_to_text(m->xy[2 * n + 1]).text);
   for (int corners = 4; corners >= 3; corners--) {
     const char *type = corners == 3 ? "CPE3" : m->def.element == ARC_CPE4I ? "CPE4I" : "CPE4";
     fprintf(out, "*ELEMENT, TYPE=%s, ELSET=%s\n", type, name);
@@ -49,10 +49,10 @@ static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char
 
 static void write_section(FILE *out, const arc_model_def *def, arc_body body, const char *name) {
   const arc_material m = def->material[body];
-  fprintf(out, "*MATERIAL, NAME=%s\n*ELASTIC\n%s, %s\n", name, number_to_text(m.E).text,
-          number_to_text(m.nu).text);
+  fprintf(out, "*MATERIAL, NAME=%s\n*ELASTIC\n%s, %s\n", name, arc_number_to_text(m.E).text,
+          arc_number_to_text(m.nu).text);
   fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n%s\n", name, name,
-          number_to_text(def->thickness).text);
+          arc_number_to_text(def->thickness).text);
 }
 
 /* Everything of one body but its material. */
@@ -68,16 +68,16 @@ static void write_body(FILE *out, const arc_mesh *m, numbering at) {
 
 arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error *error) {
   output_file file;
-  const arc_status status = output_open(&file, path, error);
+  const arc_status status = arc_output_open(&file, path, error);
   if (status != ARC_OK) return status;
   fprintf(file.stream, "*HEADING\narchard: %s, units mm\n", arc_body_name(mesh->body));
   write_body(file.stream, mesh, (numbering){1, 1});
-  return output_close(&file, error);
+  return arc_output_close(&file, error);
 }
 
 arc_status arc_export_inp(const char *path, const arc_model *model, arc_error *error) {
   output_file file;
-  const arc_status status = output_open(&file, path, error);
+  const arc_status status = arc_output_open(&file, path, error);
   if (status != ARC_OK) return status;
   fprintf(file.stream, "*HEADING\narchard: half cylinder on a plate, units mm, N, MPa\n");
   numbering at = {1, 1};
@@ -87,5 +87,5 @@ arc_status arc_export_inp(const char *path, const arc_model *model, arc_error *e
     write_section(file.stream, arc_model_definition(model), (arc_body)b, arc_body_name(m->body));
     at = (numbering){at.node + m->nodes, at.element + m->elements};
   }
-  return output_close(&file, error);
+  return arc_output_close(&file, error);
 }

@@ -45,9 +45,9 @@ arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_fiel
   if (field && field->nodes != mesh->nodes)
     return arc_fail(error, ARC_ARGUMENT, "field: expected %d nodes as in the mesh, got %d",
                     mesh->nodes, field->nodes);
-  const arc_status status = output_open(&file, path, error);
+  const arc_status status = arc_output_open(&file, path, error);
   if (status != ARC_OK) return status;
   write_grid(file.stream, mesh, field ? field->x : NULL, field ? field->y : NULL);
   if (field) write_field(file.stream, field);
-  return output_close(&file, error);
+  return arc_output_close(&file, error);
 }

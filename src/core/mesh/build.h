@@ -19,10 +19,10 @@ typedef struct mesh_builder {
 
 /* Adds the elements of the half body s >= 0: the wear box first, column by column, then the rest;
  * hanging nodes are closed with triangles. `columns` x `rows` is the half wear box. ARC_MEMORY. */
-arc_status mesh_tile(mesh_builder *builder, const quadtree *tree, int columns, int rows);
+arc_status arc_mesh_tile(mesh_builder *builder, const quadtree *tree, int columns, int rows);
 
 /* Chains the edges that only one element has into the boundary polygon. ARC_MEMORY or ARC_GEOMETRY.
  */
-arc_status mesh_outline(arc_mesh *mesh);
+arc_status arc_mesh_outline(arc_mesh *mesh);
 
 #endif

@@ -15,8 +15,8 @@ static int choose_root_level(const arc_mesh_def *def, arc_body body, double half
   return level > 0 ? level : 0;
 }
 
-body_map body_map_make(const arc_mesh_def *def, arc_body body, double radius, double near_s,
-                       double near_d) {
+body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, double radius, double near_s,
+                           double near_d) {
   body_map m = {.body = body, .radius = radius, .size = def->size, .height = def->height};
   m.half_s = body == ARC_CYLINDER ? pi * radius / 2 : radius;
   m.near_s = near_s;
@@ -43,7 +43,7 @@ static double cylinder_radius_at(const body_map *m, double depth) {
   return r0 * exp(-(depth - m->near_d) / r0);
 }
 
-void body_map_point(const body_map *m, double i, double j, double xy[2]) {
+void arc_body_map_point(const body_map *m, double i, double j, double xy[2]) {
   const double s = i * m->size, d = j * m->height;
   const double along =
       i * m->size >= m->units_s ? m->half_s : stretch(s, m->near_s, m->units_s, m->half_s);
@@ -59,7 +59,7 @@ void body_map_point(const body_map *m, double i, double j, double xy[2]) {
   xy[1] = along >= m->half_s ? m->radius : (m->radius - r) + 2 * r * half * half;
 }
 
-double body_map_unit(const body_map *m, double j) {
+double arc_body_map_unit(const body_map *m, double j) {
   if (m->body == ARC_PLATE) return m->size;
   return m->size * cylinder_radius_at(m, j * m->height) / m->radius;
 }

@@ -20,14 +20,14 @@ typedef struct body_map {
 } body_map;
 
 /* Chooses roots and stretch for a body whose contact region is near_s x near_d [mm]. */
-body_map body_map_make(const arc_mesh_def *def, arc_body body, double radius, double near_s,
-                       double near_d);
+body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, double radius, double near_s,
+                           double near_d);
 
 /* Position [mm] of the logical point (i, j) in units, i >= 0. */
-void body_map_point(const body_map *map, double i, double j, double xy[2]);
+void arc_body_map_point(const body_map *map, double i, double j, double xy[2]);
 
 /* Physical size [mm] of one unit of width at logical depth j (the cylinder's shrinks towards its
  * centre). */
-double body_map_unit(const body_map *map, double j);
+double arc_body_map_unit(const body_map *map, double j);
 
 #endif

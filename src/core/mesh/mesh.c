@@ -52,7 +52,7 @@ static int coarsest_level(const void *context, const quad_cell *c) {
   const body_map *m = rule->map;
   const double s = c->i * m->size * (1 + 1e-12) + 1e-12, d = c->j * m->height + 1e-12;
   if (s < rule->part.inner_s && d < rule->part.inner_d) return 0;
-  const double wide = body_map_unit(m, c->j), tall = wide * m->height / m->size;
+  const double wide = arc_body_map_unit(m, c->j), tall = wide * m->height / m->size;
   int level = (int)floor(log2(rule->far / fmax(wide, tall)) + 1e-9);
   if (s < rule->part.outer_s && d < rule->part.outer_d && level > 2) level = 2;
   return level > 0 ? level : 0;
@@ -169,7 +169,7 @@ static void place_nodes(arc_mesh *mesh, const body_map *map, const mesh_key *key
       xy[0] = 0, xy[1] = map->radius;
       continue;
     }
-    body_map_point(map, abs(keys[n].i) / 2.0, keys[n].j / 2.0, xy);
+    arc_body_map_point(map, abs(keys[n].i) / 2.0, keys[n].j / 2.0, xy);
     if (keys[n].i < 0) xy[0] = -xy[0];
   }
 }
@@ -232,14 +232,14 @@ static arc_status fill(arc_mesh *mesh, const mesh_builder *b, int half) {
 static arc_status tile_and_fill(arc_mesh *mesh, int half) {
   const partitions part = partitions_of(&mesh->def, mesh->body, mesh->radius);
   mesh_builder b = {
-      .map = body_map_make(&mesh->def, mesh->body, mesh->radius, part.outer_s, part.outer_d)};
+      .map = arc_body_map_make(&mesh->def, mesh->body, mesh->radius, part.outer_s, part.outer_d)};
   const size_rule rule = {part, &b.map, mesh->def.far};
   quadtree tree = {0};
-  arc_status status =
-      quadtree_build(&tree, b.map.root_level, b.map.columns, b.map.lines, coarsest_level, &rule);
-  if (status == ARC_OK) status = mesh_tile(&b, &tree, half, mesh->rows);
+  arc_status status = arc_quadtree_build(&tree, b.map.root_level, b.map.columns, b.map.lines,
+                                         coarsest_level, &rule);
+  if (status == ARC_OK) status = arc_mesh_tile(&b, &tree, half, mesh->rows);
   if (status == ARC_OK) status = fill(mesh, &b, half);
-  quadtree_free(&tree);
+  arc_quadtree_free(&tree);
   free(b.corner);
   return status;
 }
@@ -258,7 +258,7 @@ arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius,
   mesh->rows = def->rows;
   const int half = (int)ceil(def->zone[body] / 2 / def->size - 1e-9);
   status = tile_and_fill(mesh, half);
-  if (status == ARC_OK) status = mesh_outline(mesh);
+  if (status == ARC_OK) status = arc_mesh_outline(mesh);
   if (status == ARC_MEMORY)
     arc_fail(error, status, "out of memory for the %s's mesh", arc_body_name(body));
   else if (status == ARC_OK && !(arc_mesh_quality(mesh, NULL).smallest_jacobian > 0))

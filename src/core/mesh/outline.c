@@ -41,7 +41,7 @@ static int link_boundary(const arc_mesh *mesh, edge *list, int *next) {
   return first;
 }
 
-arc_status mesh_outline(arc_mesh *mesh) {
+arc_status arc_mesh_outline(arc_mesh *mesh) {
   edge *list = malloc(4 * (size_t)mesh->elements * sizeof *list);
   int *next = malloc((size_t)mesh->nodes * sizeof *next);
   mesh->outline_node = malloc((size_t)mesh->nodes * sizeof(int));

@@ -15,7 +15,7 @@ static int leaf_index(const quadtree *tree, int i, int j) {
   return at;
 }
 
-const quad_cell *quadtree_leaf(const quadtree *tree, int i, int j) {
+const quad_cell *arc_quadtree_leaf(const quadtree *tree, int i, int j) {
   const int at = leaf_index(tree, i, j);
   return at < 0 ? NULL : &tree->cell[at];
 }
@@ -82,8 +82,8 @@ static int unbalanced(const quadtree *tree, const quad_cell *c) {
   return 0;
 }
 
-arc_status quadtree_build(quadtree *tree, int root_level, int columns, int lines,
-                          quad_level_fn coarsest, const void *context) {
+arc_status arc_quadtree_build(quadtree *tree, int root_level, int columns, int lines,
+                              quad_level_fn coarsest, const void *context) {
   *tree = (quadtree){.root_level = root_level, .columns = columns, .lines = lines};
   tree->capacity = columns * lines;
   tree->cell = malloc((size_t)tree->capacity * sizeof *tree->cell);
@@ -100,7 +100,7 @@ arc_status quadtree_build(quadtree *tree, int root_level, int columns, int lines
       if (c->child >= 0 || c->level == 0) continue;
       if (coarsest(context, c) >= c->level && !unbalanced(tree, c)) continue;
       if (split(tree, at) != ARC_OK) {
-        quadtree_free(tree);
+        arc_quadtree_free(tree);
         return ARC_MEMORY;
       }
       changed = 1;
@@ -109,12 +109,12 @@ arc_status quadtree_build(quadtree *tree, int root_level, int columns, int lines
   return ARC_OK;
 }
 
-void quadtree_free(quadtree *tree) {
+void arc_quadtree_free(quadtree *tree) {
   free(tree->cell);
   *tree = (quadtree){0};
 }
 
-unsigned quadtree_hanging(const quadtree *tree, const quad_cell *leaf) {
+unsigned arc_quadtree_hanging(const quadtree *tree, const quad_cell *leaf) {
   unsigned mask = 0;
   for (int edge = 0; edge < 4; edge++)
     if (finest_neighbour(tree, leaf, edge) < leaf->level) mask |= 1u << edge;

@@ -22,15 +22,15 @@ typedef int (*quad_level_fn)(const void *context, const quad_cell *cell);
 
 /* Splits until no leaf is coarser than allowed and neighbours across an edge differ by at most one
  * level. ARC_MEMORY: the tree is empty. */
-arc_status quadtree_build(quadtree *tree, int root_level, int columns, int lines,
-                          quad_level_fn coarsest, const void *context);
-void quadtree_free(quadtree *tree);
+arc_status arc_quadtree_build(quadtree *tree, int root_level, int columns, int lines,
+                              quad_level_fn coarsest, const void *context);
+void arc_quadtree_free(quadtree *tree);
 
 /* The leaf that holds the unit cell (i, j); NULL outside. */
-const quad_cell *quadtree_leaf(const quadtree *tree, int i, int j);
+const quad_cell *arc_quadtree_leaf(const quadtree *tree, int i, int j);
 
 /* Which edges of a leaf have a hanging node in their middle: bit 0 j-min, 1 i-max, 2 j-max, 3
  * i-min. */
-unsigned quadtree_hanging(const quadtree *tree, const quad_cell *leaf);
+unsigned arc_quadtree_hanging(const quadtree *tree, const quad_cell *leaf);
 
 #endif

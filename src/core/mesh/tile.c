@@ -58,7 +58,7 @@ static arc_status close_fan(mesh_builder *b, const quad_cell *c, const mesh_key 
 
 static arc_status add_leaf(mesh_builder *b, const quadtree *tree, const quad_cell *leaf) {
   mesh_key point[8];
-  const unsigned hanging = quadtree_hanging(tree, leaf);
+  const unsigned hanging = arc_quadtree_hanging(tree, leaf);
   const int n = walk_around(leaf, hanging, point);
   if (n == 4) return add(b, point[0], point[1], point[2], point[3]);
   if (n > 5) return close_fan(b, leaf, point, n);
@@ -76,11 +76,11 @@ static arc_status add_core(mesh_builder *b, const quadtree *tree, const quad_cel
                       (mesh_key){0, 2 * last + 2});
 }
 
-arc_status mesh_tile(mesh_builder *b, const quadtree *tree, int columns, int rows) {
+arc_status arc_mesh_tile(mesh_builder *b, const quadtree *tree, int columns, int rows) {
   arc_status status = ARC_OK;
   for (int i = 0; i < columns && status == ARC_OK; i++)
     for (int j = 0; j < rows && status == ARC_OK; j++)
-      status = add_leaf(b, tree, quadtree_leaf(tree, i, j));
+      status = add_leaf(b, tree, arc_quadtree_leaf(tree, i, j));
   for (int at = 0; at < tree->count && status == ARC_OK; at++) {
     const quad_cell *leaf = &tree->cell[at];
     if (leaf->child >= 0) continue;

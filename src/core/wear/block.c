@@ -62,8 +62,9 @@ static double along(double stroke, int i, int last) {
  * than the ends. */
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
                                 wear_block *b) {
-  const arc_procedure procedure = wear_choose_procedure(def, model);
-  const int over = wear_over_plate(def, model), back = def->update == ARC_UPDATE_INCREMENT && !over;
+  const arc_procedure procedure = arc_wear_choose_procedure(def, model);
+  const int over = arc_wear_over_plate(def, model),
+            back = def->update == ARC_UPDATE_INCREMENT && !over;
   const int half =
       procedure == ARC_NSP && def->update == ARC_UPDATE_CYCLE ? 1 : def->increments / 2;
   const arc_status status = block_create(b, back ? 2 * half + 1 : half + 1);
@@ -91,12 +92,12 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model,
   }
   b->periodic = from->periodic;
   b->cycles = from->cycles;
-  finish(b, wear_choose_procedure(def, model));
+  finish(b, arc_wear_choose_procedure(def, model));
   return ARC_OK;
 }
 
-arc_status wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
-                              wear_block **block, int *count) {
+arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
+                                  wear_block **block, int *count) {
   *count = def->blocks > 0 ? def->blocks : 1;
   *block = calloc((size_t)*count, sizeof **block);
   if (!*block) return ARC_MEMORY;
@@ -106,7 +107,7 @@ arc_status wear_blocks_create(const arc_wear_def *def, const arc_model_def *mode
     const arc_status status =
         def->blocks > 0 ? given(def, model, &def->loading[b], at) : reciprocating(def, model, at);
     if (status != ARC_OK) {
-      wear_blocks_free(block, *count);
+      arc_wear_blocks_free(block, *count);
       return status;
     }
     at->start_distance = distance;
@@ -117,7 +118,7 @@ arc_status wear_blocks_create(const arc_wear_def *def, const arc_model_def *mode
   return ARC_OK;
 }
 
-void wear_blocks_free(wear_block **block, int count) {
+void arc_wear_blocks_free(wear_block **block, int count) {
   for (int b = 0; *block && b < count; b++) {
     free((*block)[b].x);
     free((*block)[b].place);
@@ -126,12 +127,12 @@ void wear_blocks_free(wear_block **block, int count) {
   *block = NULL;
 }
 
-double wear_block_end(const wear_block *block) {
+double arc_wear_block_end(const wear_block *block) {
   return block->start_distance + block->cycles * block->sliding;
 }
 
 /* Cycles tell blocks apart where distances do not (a generic history may stand still). */
-int wear_block_at(const arc_wear *w, const arc_wear_record *at) {
+int arc_wear_block_at(const arc_wear *w, const arc_wear_record *at) {
   int b = 0;
   while (b + 1 < w->blocks && at->cycle >= w->block[b + 1].start_cycle * (1 - 1e-13)) b++;
   return b;

@@ -66,13 +66,13 @@ static arc_status ask(const arc_wear *w, const char *name, arc_state_fn function
                   *value, state->distance);
 }
 
-int wear_has_state_functions(const arc_wear *w) {
+int arc_wear_has_state_functions(const arc_wear *w) {
   return w->def.k_function || w->def.alpha_function;
 }
 
-arc_status wear_coefficients(const arc_wear *w, double from, double to,
-                             const arc_wear_record *state, double mean[ARC_BODIES],
-                             arc_error *error) {
+arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
+                                 const arc_wear_record *state, double mean[ARC_BODIES],
+                                 arc_error *error) {
   static const arc_series none = {0};
   const arc_wear_def *d = &w->def;
   source k = {d->k_function ? &none : &d->k_series, d->k};
@@ -85,7 +85,7 @@ arc_status wear_coefficients(const arc_wear *w, double from, double to,
   return status;
 }
 
-void wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record) {
+void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record) {
   record->k = k[ARC_CYLINDER] + k[ARC_PLATE];
   record->alpha = record->k > 0 ? k[ARC_CYLINDER] / record->k : record->alpha;
 }
@@ -101,13 +101,13 @@ static double law_factor(const arc_wear_def *d, double p) {
   }
 }
 
-double wear_law_slope(const arc_wear *w, double p, double q) {
+double arc_wear_law_slope(const arc_wear *w, double p, double q) {
   if (!(p > 0)) return law_factor(&w->def, 0);
   return q / p * (w->def.law == ARC_LAW_POWER ? 1 + w->def.law_exponent : 1);
 }
 
-arc_status wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
-                      arc_error *error) {
+arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
+                          arc_error *error) {
   const arc_wear_def *d = &w->def;
   for (int b = 0; b < ARC_BODIES; b++) {
     const shape_side *side = &w->shape->side[b];

@@ -20,21 +20,21 @@ arc_wear_def arc_wear_default(void) {
                         .order = 2};
 }
 
-int wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
+int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
   return def->blocks == 0 && fabs(def->stroke - 2 * model->radius) <= 1e-9 * model->radius;
 }
 
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model) {
-  return wear_over_plate(def, model) ? 1 : 2;
+  return arc_wear_over_plate(def, model) ? 1 : 2;
 }
 
 static int alpha_stays_one(const arc_wear_def *def) {
   return def->alpha == 1 && !def->alpha_function && def->alpha_series.count == 0;
 }
 
-arc_procedure wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model) {
+arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model) {
   if (def->procedure != ARC_AUTO) return def->procedure;
-  return alpha_stays_one(def) || wear_over_plate(def, model) ? ARC_NSP : ARC_SP;
+  return alpha_stays_one(def) || arc_wear_over_plate(def, model) ? ARC_NSP : ARC_SP;
 }
 
 /* --- checks --- */
@@ -134,12 +134,12 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
                     "stroke: expected at most the plate's width 2 radius = %g mm, got %g mm",
                     2 * model->radius, d->stroke);
   const double widest = 1.5 * model->radius; /* the mesher's widest zone less a contact */
-  if (d->blocks == 0 && d->stroke > widest && wear_choose_procedure(d, model) == ARC_SP)
+  if (d->blocks == 0 && d->stroke > widest && arc_wear_choose_procedure(d, model) == ARC_SP)
     return arc_fail(error, ARC_ARGUMENT,
                     "stroke: a sliding plate (SP) takes at most 1.5 radius = %g mm, got %g mm; 2 "
                     "radius = %g mm is the half-reciprocating stroke over the whole plate (NSP)",
                     widest, d->stroke, 2 * model->radius);
-  if (d->procedure == ARC_NSP && !alpha_stays_one(d) && !wear_over_plate(d, model))
+  if (d->procedure == ARC_NSP && !alpha_stays_one(d) && !arc_wear_over_plate(d, model))
     return arc_fail(
         error, ARC_ARGUMENT,
         "procedure: NSP needs a plate that stays flat, alpha = 1 or stroke = 2 radius = %g mm; "
@@ -213,16 +213,16 @@ static arc_status copy_loading(const arc_wear_def *def, arc_wear_def *copy) {
   return ARC_OK;
 }
 
-arc_status wear_def_copy(const arc_wear_def *def, arc_wear_def *copy) {
+arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy) {
   *copy = *def;
   const arc_status k = copy_series(&copy->k_series), alpha = copy_series(&copy->alpha_series);
   const arc_status loading = copy_loading(def, copy);
   if (k == ARC_OK && alpha == ARC_OK && loading == ARC_OK) return ARC_OK;
-  wear_def_free(copy);
+  arc_wear_def_free(copy);
   return ARC_MEMORY;
 }
 
-void wear_def_free(arc_wear_def *def) {
+void arc_wear_def_free(arc_wear_def *def) {
   free((void *)(size_t)def->k_series.distance);
   free((void *)(size_t)def->alpha_series.distance);
   for (int b = 0; b < def->blocks; b++) free((void *)(size_t)def->loading[b].x);
@@ -272,7 +272,7 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
 }
 
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {
-  const int slides = wear_choose_procedure(def, model) == ARC_SP;
+  const int slides = arc_wear_choose_procedure(def, model) == ARC_SP;
   double reach = slides && def->blocks == 0 ? def->stroke / 2 : 0, load = def->load;
   for (int b = 0; b < def->blocks; b++)
     for (int i = 0; i < def->loading[b].count; i++) {

@@ -46,7 +46,7 @@ static arc_status solver_create(implicit_solver *s, const wear_window *window) {
   s->window = *window;
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t at = b == ARC_CYLINDER ? 0 : (size_t)s->w->nc;
-    shape_downward(s->shape, (arc_body)b, s->down + at);
+    arc_shape_downward(s->shape, (arc_body)b, s->down + at);
     s->trial.depth[b] = s->z + at;
     s->trial.down[b] = s->down + at;
   }
@@ -63,7 +63,7 @@ static arc_status evaluate(implicit_solver *s, double *rate, int with_jacobian) 
   s->window.trial = &s->trial;
   s->window.jacobian = with_jacobian ? s->jacobian : NULL;
   const arc_status status =
-      wear_evaluate(s->w, s->shape, &s->window, s->stop, s->context, s->solutions, s->error);
+      arc_wear_evaluate(s->w, s->shape, &s->window, s->stop, s->context, s->solutions, s->error);
   for (int i = 0; i < s->n && status == ARC_OK; i++) rate[i] = k_at(s, i) * s->w->rate.node[0][i];
   return status;
 }
@@ -84,7 +84,7 @@ static arc_status newton_direction(implicit_solver *s, double h, double *x) {
   for (int j = 0; j < n; j++)
     for (int i = 0; i < n; i++)
       s->matrix[dense_at(i, j, n)] = (i == j) + h * k_at(s, i) * s->jacobian[dense_at(i, j, n)];
-  return dense_solve(n, s->matrix, s->pivots, x) ? ARC_NUMERIC : ARC_OK;
+  return arc_dense_solve(n, s->matrix, s->pivots, x) ? ARC_NUMERIC : ARC_OK;
 }
 
 /* Along the step, halved until the residual falls. A contact that leaves its zone on the way counts
@@ -170,7 +170,7 @@ static double worn_mean(const implicit_solver *s, arc_body b, const double *defe
   double sum = 0, width = 0;
   for (int i = 0; i < side->n; i++) {
     if (side->h[i] + s->trial.depth[b][i] < worn * deepest) continue;
-    const double w = shape_width(side, i);
+    const double w = arc_shape_width(side, i);
     sum += w * defect[i] * defect[i];
     width += w;
   }
@@ -210,9 +210,9 @@ static arc_status run(implicit_solver *s, double cycles, double *error_share) {
   return ARC_OK;
 }
 
-arc_status wear_implicit(arc_wear *w, const arc_shape *shape, const wear_window *window,
-                         double cycles, const double k[ARC_BODIES], arc_stop_fn stop, void *context,
-                         int *solutions, double *error_share, arc_error *error) {
+arc_status arc_wear_implicit(arc_wear *w, const arc_shape *shape, const wear_window *window,
+                             double cycles, const double k[ARC_BODIES], arc_stop_fn stop,
+                             void *context, int *solutions, double *error_share, arc_error *error) {
   arc_error why = {0};
   implicit_solver s = {.w = w,
                        .shape = shape,

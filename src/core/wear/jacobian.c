@@ -46,26 +46,27 @@ static void fill_influence(const pose *p, influence *f) {
     for (int q = 0; q < p->width && p->first[k] + q < p->np; q++)
       f->b[dense_at(s, p->first[k] + q - f->first, m)] = p->b[k * p->width + q];
   }
-  dense_cholesky_solve(m, m, p->factor, m, f->c, m);
+  arc_dense_cholesky_solve(m, m, p->factor, m, f->c, m);
   for (int j = 0; j < m; j++)
     for (int i = 0; i < m; i++) f->c[dense_at(i, j, m)] -= p->ones[i] * p->ones[j] / total;
-  dense_multiply(m, span, m, 1, f->c, m, f->b, m, 0, f->cb, m);
-  dense_multiply_transposed(span, span, m, 1, f->b, m, f->cb, m, 0, f->bcb, span);
+  arc_dense_multiply(m, span, m, 1, f->c, m, f->b, m, 0, f->cb, m);
+  arc_dense_multiply_transposed(span, span, m, 1, f->b, m, f->cb, m, 0, f->bcb, span);
 }
 
 /* share * dq/dp / width at a node: from a change of force to one of wear. */
 static double row_scale(const arc_wear *w, const pose *p, const wear_point *point, arc_body b,
                         int node, double share) {
   const double width = b == ARC_CYLINDER ? p->wc[node] : p->wp[node];
-  return share * wear_law_slope(w, point->p[b][node], point->q[b][node]) / width;
+  return share * arc_wear_law_slope(w, point->p[b][node], point->q[b][node]) / width;
 }
 
 static double column_scale(const double *const down[ARC_BODIES], arc_body b, int node) {
   return down ? down[b][node] : 1;
 }
 
-arc_status wear_add_jacobian(const arc_wear *w, const pose *p, const wear_point *point,
-                             double share, const double *const down[ARC_BODIES], double *jacobian) {
+arc_status arc_wear_add_jacobian(const arc_wear *w, const pose *p, const wear_point *point,
+                                 double share, const double *const down[ARC_BODIES],
+                                 double *jacobian) {
   influence f;
   if (influence_create(p, &f) != ARC_OK) return ARC_MEMORY;
   fill_influence(p, &f);
@@ -97,8 +98,8 @@ arc_status wear_add_jacobian(const arc_wear *w, const pose *p, const wear_point 
   return ARC_OK;
 }
 
-double wear_largest_eigenvalue(int nc, int np, const double k[ARC_BODIES], const double *jacobian,
-                               double *work) {
+double arc_wear_largest_eigenvalue(int nc, int np, const double k[ARC_BODIES],
+                                   const double *jacobian, double *work) {
   const int n = nc + np;
   double *v = work, *image = work + n, value = 0;
   /* a sawtooth with a slant: neither symmetric nor antisymmetric, the same every time */
@@ -109,7 +110,7 @@ double wear_largest_eigenvalue(int nc, int np, const double k[ARC_BODIES], const
     length = sqrt(length);
     if (length == 0) return 0;
     for (int i = 0; i < n; i++) v[i] /= length;
-    dense_multiply(n, 1, n, 1, jacobian, n, v, n, 0, image, n);
+    arc_dense_multiply(n, 1, n, 1, jacobian, n, v, n, 0, image, n);
     value = 0;
     for (int i = 0; i < n; i++) {
       v[i] = k[i < nc ? ARC_CYLINDER : ARC_PLATE] * image[i];

@@ -3,11 +3,11 @@
 
 #include <math.h>
 
-double wear_partition(double cylinder, double plate) {
+double arc_wear_partition(double cylinder, double plate) {
   return cylinder + plate > 0 ? cylinder / (cylinder + plate) : (double)NAN;
 }
 
-int wear_closed_form(const arc_wear *w) {
+int arc_wear_closed_form(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   return d->alpha == 0 && !d->alpha_function && d->alpha_series.count == 0 &&
          d->law == ARC_LAW_ARCHARD && !d->local_factor && w->over_plate && w->procedure == ARC_NSP;
@@ -15,7 +15,7 @@ int wear_closed_form(const arc_wear *w) {
 
 /* From unworn surfaces it stays Hertz'. */
 static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
-  return wear_closed_form(w) && arc_shape_depth(shape, ARC_CYLINDER) == 0;
+  return arc_wear_closed_form(w) && arc_shape_depth(shape, ARC_CYLINDER) == 0;
 }
 
 /* The reference pose on a shape, solved under the nominal load. */
@@ -23,12 +23,12 @@ static arc_status solve_reference(arc_wear *w, const arc_shape *shape, arc_error
   pose *p = &w->reference;
   arc_status status = ARC_OK;
   if (w->reference_condensed != shape->condensed) {
-    if ((status = pose_place(p, shape, 0, error)) != ARC_OK) return status;
-    pose_stiffen(p, shape);
+    if ((status = arc_pose_place(p, shape, 0, error)) != ARC_OK) return status;
+    arc_pose_stiffen(p, shape);
     w->reference_condensed = shape->condensed;
   }
-  pose_measure(p, shape);
-  return pose_solve(p, w->def.load / arc_model_definition(w->model)->thickness, error);
+  arc_pose_measure(p, shape);
+  return arc_pose_solve(p, w->def.load / arc_model_definition(w->model)->thickness, error);
 }
 
 static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
@@ -46,7 +46,7 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
   if (status != ARC_OK) return status;
   const pose *p = &w->reference;
   double edges[2];
-  pose_edges(p, shape, edges);
+  arc_pose_edges(p, shape, edges);
   record->half_width = (edges[1] - edges[0]) / 2;
   record->p_center = record->p_max = 0;
   for (int k = 0; k < p->count; k++)
@@ -57,13 +57,13 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
   return ARC_OK;
 }
 
-arc_status wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
-                        arc_error *error) {
+arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
+                            arc_error *error) {
   const arc_status status = measure_contact(w, shape, record, error);
   if (status != ARC_OK) return status;
   record->depth_cylinder = arc_shape_depth(shape, ARC_CYLINDER);
   record->depth_plate = arc_shape_depth(shape, ARC_PLATE);
-  record->depth_partition = wear_partition(record->depth_cylinder, record->depth_plate);
+  record->depth_partition = arc_wear_partition(record->depth_cylinder, record->depth_plate);
   return ARC_OK;
 }
 

@@ -41,8 +41,9 @@ static arc_status automatic_jump(arc_wear *w, const wear_block *block, double *j
                                  arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
   double k[ARC_BODIES], eigenvalue = 0;
-  arc_status status = wear_coefficients(w, now->distance, now->distance, now, k, error);
-  if (status == ARC_OK && !wear_closed_form(w)) status = arc_wear_stability(w, &eigenvalue, error);
+  arc_status status = arc_wear_coefficients(w, now->distance, now->distance, now, k, error);
+  if (status == ARC_OK && !arc_wear_closed_form(w))
+    status = arc_wear_stability(w, &eigenvalue, error);
   if (status != ARC_OK) return status;
   const double bite = fmax(first_bite * natural_depth(w), later_bite * total_depth(w));
   *jump =
@@ -61,7 +62,7 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
     return ARC_OK;
   }
   double k[ARC_BODIES];
-  const arc_status status = wear_coefficients(w, now->distance, now->distance, now, k, error);
+  const arc_status status = arc_wear_coefficients(w, now->distance, now->distance, now, k, error);
   *jump = cycles_for(w, block, k, first_bite * natural_depth(w));
   return status;
 }
@@ -85,8 +86,9 @@ static arc_status choose_jump(arc_wear *w, const wear_block *block, double *jump
 
 /* The distance a step must not pass: the run's limit or the end of its block. */
 static double bound(const arc_wear *w, const wear_block *block, double limit) {
-  return block == &w->block[w->blocks - 1] && block->periodic ? limit
-                                                              : fmin(limit, wear_block_end(block));
+  return block == &w->block[w->blocks - 1] && block->periodic
+             ? limit
+             : fmin(limit, arc_wear_block_end(block));
 }
 
 /* Generic histories go by increments: which one, and how much of it is left before the limit. */
@@ -101,7 +103,7 @@ static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   const double length = fabs(b->x[plan->first + 1] - b->x[plan->first]);
   plan->times = 1 - (done < whole ? 0 : done);
   plan->end = now->distance + plan->times * length;
-  if (plan->first == increments - 1) plan->end = wear_block_end(b);
+  if (plan->first == increments - 1) plan->end = arc_wear_block_end(b);
   if (plan->end > limit && length > 0) {
     plan->times = (limit - now->distance) / length;
     plan->end = limit;
@@ -109,10 +111,10 @@ static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   plan->cycles = plan->times / increments;
 }
 
-arc_status wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
-                          arc_error *error) {
+arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
+                              arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
-  const int index = wear_block_at(w, now);
+  const int index = arc_wear_block_at(w, now);
   plan->block = &w->block[index];
   const int last = index + 1 == w->blocks;
   const double end = bound(w, plan->block, limit),
@@ -121,7 +123,7 @@ arc_status wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved
       !plan->block->periodic && last && now->cycle >= plan->block->start_cycle + 1 - whole;
   *moved = !finished && (limit - now->distance) > rounding * (limit + plan->block->sliding);
   if (!*moved) return ARC_OK;
-  arc_status status = wear_enter_block(w, index, error);
+  arc_status status = arc_wear_enter_block(w, index, error);
   if (status != ARC_OK) return status;
   if (!plan->block->periodic) {
     plan_increment(w, limit, plan);

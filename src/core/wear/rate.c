@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-void wear_leave_block(arc_wear *w) {
-  for (int i = 0; w->pose && i < w->poses; i++) pose_free(&w->pose[i]);
+void arc_wear_leave_block(arc_wear *w) {
+  for (int i = 0; w->pose && i < w->poses; i++) arc_pose_free(&w->pose[i]);
   free(w->pose);
   free(w->condensed);
   w->pose = NULL;
@@ -15,26 +15,26 @@ void wear_leave_block(arc_wear *w) {
   w->poses = 0;
 }
 
-arc_status wear_enter_block(arc_wear *w, int block, arc_error *error) {
+arc_status arc_wear_enter_block(arc_wear *w, int block, arc_error *error) {
   if (block == w->current && w->pose) return ARC_OK;
-  wear_leave_block(w);
+  arc_wear_leave_block(w);
   const int n = w->block[block].poses;
   w->pose = calloc((size_t)n, sizeof *w->pose);
   w->condensed = malloc((size_t)n * sizeof *w->condensed);
   arc_status status = w->pose && w->condensed ? ARC_OK : ARC_MEMORY;
   for (; w->poses < n && status == ARC_OK; w->poses++) {
-    status = pose_create(&w->pose[w->poses], w->model);
+    status = arc_pose_create(&w->pose[w->poses], w->model);
     w->condensed[w->poses] = -1;
   }
   if (status != ARC_OK) {
-    wear_leave_block(w);
+    arc_wear_leave_block(w);
     return arc_fail(error, ARC_MEMORY, "out of memory for %d contact poses", n);
   }
   w->current = block;
   return ARC_OK;
 }
 
-void wear_forget(arc_wear *w) {
+void arc_wear_forget(arc_wear *w) {
   for (int i = 0; i < w->poses; i++)
     if (w->condensed[i] != w->shape->condensed) w->condensed[i] = -1;
   if (w->reference_condensed != w->shape->condensed) w->reference_condensed = -1;
@@ -45,7 +45,7 @@ void wear_forget(arc_wear *w) {
 static void deepen(pose *p, const wear_trial *trial) {
   double *plate = p->work, *below = plate + p->np;
   for (int l = 0; l < p->np; l++) plate[l] = trial->depth[ARC_PLATE][l] * trial->down[ARC_PLATE][l];
-  pose_to_cylinder(p, plate, below);
+  arc_pose_to_cylinder(p, plate, below);
   for (int k = 0; k < p->count; k++) {
     const int i = p->lo + k;
     p->gap[k] += trial->depth[ARC_CYLINDER][i] * trial->down[ARC_CYLINDER][i] + below[i];
@@ -56,12 +56,12 @@ static void deepen(pose *p, const wear_trial *trial) {
  * comes through B. */
 static void relative_displacements(const pose *p, const arc_shape *shape, wear_point *point) {
   double *uc = point->u[ARC_CYLINDER], *up = point->u[ARC_PLATE];
-  pose_tangential(p, shape, uc, up);
+  arc_pose_tangential(p, shape, uc, up);
   double *weighted = p->work, *plate_at_cylinder = weighted + p->nc;
   double *cylinder_at_plate = plate_at_cylinder + p->nc;
-  pose_to_cylinder(p, up, plate_at_cylinder);
+  arc_pose_to_cylinder(p, up, plate_at_cylinder);
   for (int i = 0; i < p->nc; i++) weighted[i] = uc[i] * p->wc[i];
-  pose_to_plate(p, weighted, cylinder_at_plate);
+  arc_pose_to_plate(p, weighted, cylinder_at_plate);
   for (int l = 0; l < p->np; l++) up[l] -= cylinder_at_plate[l] / p->wp[l];
   for (int i = 0; i < p->nc; i++) uc[i] = plate_at_cylinder[i] - uc[i];
 }
@@ -81,17 +81,17 @@ static arc_status solve_point(arc_wear *w, const arc_shape *shape, const wear_wi
   pose *p = &w->pose[index];
   arc_status status = ARC_OK;
   if (w->condensed[index] != shape->condensed || p->x != x) {
-    if ((status = pose_place(p, shape, x, error)) != ARC_OK) return status;
-    pose_stiffen(p, shape);
+    if ((status = arc_pose_place(p, shape, x, error)) != ARC_OK) return status;
+    arc_pose_stiffen(p, shape);
     w->condensed[index] = shape->condensed;
   }
-  pose_measure(p, shape);
+  arc_pose_measure(p, shape);
   if (window->trial) deepen(p, window->trial);
-  if ((status = pose_solve(p, block->line[at], error)) != ARC_OK) return status;
+  if ((status = arc_pose_solve(p, block->line[at], error)) != ARC_OK) return status;
   *solutions += 1;
-  pose_pressures(p, point->p[ARC_CYLINDER], point->p[ARC_PLATE]);
+  arc_pose_pressures(p, point->p[ARC_CYLINDER], point->p[ARC_PLATE]);
   if (w->def.slip == ARC_SLIP_TOTAL) relative_displacements(p, shape, point);
-  return wear_local(w, window->state, point, error);
+  return arc_wear_local(w, window->state, point, error);
 }
 
 /* NSP under a steady load: the next point is the last one again. */
@@ -130,7 +130,8 @@ static double weight(const arc_wear *w, const wear_window *window, int at) {
  * with Archard's law the integral of p is the load. */
 static void add_even(arc_wear *w, const wear_point *point) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
-  for (int l = 0; l < plate->n; l++) w->rate.even += point->q[ARC_PLATE][l] * shape_width(plate, l);
+  for (int l = 0; l < plate->n; l++)
+    w->rate.even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
 static arc_status add_to_jacobian(const arc_wear *w, const wear_window *window, int at,
@@ -138,16 +139,17 @@ static arc_status add_to_jacobian(const arc_wear *w, const wear_window *window, 
   const wear_block *block = &w->block[w->current];
   const double share = weight(w, window, at);
   if (!window->jacobian || share == 0 || block->line[at] == 0) return ARC_OK;
-  return wear_add_jacobian(w, &w->pose[block->place[at]], point, share,
-                           window->trial ? window->trial->down : NULL, window->jacobian);
+  return arc_wear_add_jacobian(w, &w->pose[block->place[at]], point, share,
+                               window->trial ? window->trial->down : NULL, window->jacobian);
 }
 
-arc_status wear_probe(arc_wear *w, const wear_window *window, int *solutions, arc_error *error) {
+arc_status arc_wear_probe(arc_wear *w, const wear_window *window, int *solutions,
+                          arc_error *error) {
   return solve_point(w, w->shape, window, window->first, &w->point[0], solutions, error);
 }
 
-arc_status wear_evaluate(arc_wear *w, const arc_shape *shape, const wear_window *window,
-                         arc_stop_fn stop, void *context, int *solutions, arc_error *error) {
+arc_status arc_wear_evaluate(arc_wear *w, const arc_shape *shape, const wear_window *window,
+                             arc_stop_fn stop, void *context, int *solutions, arc_error *error) {
   const wear_block *block = &w->block[w->current];
   const size_t n = (size_t)(w->nc + w->np);
   memset(w->rate.node[0], 0, n * sizeof(double));

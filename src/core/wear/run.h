@@ -57,42 +57,43 @@ struct arc_wear {
 };
 
 /* --- definition.c, block.c --- */
-arc_procedure wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model);
-int wear_over_plate(const arc_wear_def *def, const arc_model_def *model);
-/* Deep copy of series and loading into *copy; frees with wear_def_free. ARC_MEMORY leaves nothing
- * to free. */
-arc_status wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
-void wear_def_free(arc_wear_def *def);
-/* The blocks of a checked definition: block [count], freed by wear_blocks_free. */
-arc_status wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
-                              wear_block **block, int *count);
-void wear_blocks_free(wear_block **block, int count);
+arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model);
+int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model);
+/* Deep copy of series and loading into *copy; frees with arc_wear_def_free. ARC_MEMORY leaves
+ * nothing to free. */
+arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
+void arc_wear_def_free(arc_wear_def *def);
+/* The blocks of a checked definition: block [count], freed by arc_wear_blocks_free. */
+arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
+                                  wear_block **block, int *count);
+void arc_wear_blocks_free(wear_block **block, int count);
 /* The block that holds the state of a record. */
-int wear_block_at(const arc_wear *w, const arc_wear_record *at);
+int arc_wear_block_at(const arc_wear *w, const arc_wear_record *at);
 /* Where it ends [mm]. */
-double wear_block_end(const wear_block *block);
+double arc_wear_block_end(const wear_block *block);
 
 /* --- coefficient.c --- */
 /* Wear coefficients of both bodies [mm2/N], averaged over distances [from, to]; functions are asked
  * with `state`. */
-arc_status wear_coefficients(const arc_wear *w, double from, double to,
-                             const arc_wear_record *state, double k[ARC_BODIES], arc_error *error);
-int wear_has_state_functions(const arc_wear *w);
+arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
+                                 const arc_wear_record *state, double k[ARC_BODIES],
+                                 arc_error *error);
+int arc_wear_has_state_functions(const arc_wear *w);
 /* k and alpha of a record from the bodies' coefficients. */
-void wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);
+void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);
 /* q from p at a point: law and local factor. */
-arc_status wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
-                      arc_error *error);
+arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
+                          arc_error *error);
 /* dq/dp of the law at a node. */
-double wear_law_slope(const arc_wear *w, double p, double q);
+double arc_wear_law_slope(const arc_wear *w, double p, double q);
 
 /* --- rate.c --- */
 /* Frees the poses of the current block. */
-void wear_leave_block(arc_wear *w);
+void arc_wear_leave_block(arc_wear *w);
 /* Makes poses for a block. ARC_MEMORY. */
-arc_status wear_enter_block(arc_wear *w, int block, arc_error *error);
+arc_status arc_wear_enter_block(arc_wear *w, int block, arc_error *error);
 /* Poses built from a shape that was given up are built anew. */
-void wear_forget(arc_wear *w);
+void arc_wear_forget(arc_wear *w);
 /* Depths beyond those of a shape, at which contact is to be solved. */
 typedef struct wear_trial {
   const double *depth[ARC_BODIES]; /* [surface] along the normals [mm] */
@@ -109,39 +110,40 @@ typedef struct wear_window {
   double *jacobian;
   const arc_wear_record *state; /* for local factors */
 } wear_window;
-arc_status wear_evaluate(arc_wear *w, const arc_shape *shape, const wear_window *window,
-                         arc_stop_fn stop, void *context, int *solutions, arc_error *error);
+arc_status arc_wear_evaluate(arc_wear *w, const arc_shape *shape, const wear_window *window,
+                             arc_stop_fn stop, void *context, int *solutions, arc_error *error);
 
 /* Solves the point window->first only, on the run's shape: can the contact be there? */
-arc_status wear_probe(arc_wear *w, const wear_window *window, int *solutions, arc_error *error);
+arc_status arc_wear_probe(arc_wear *w, const wear_window *window, int *solutions, arc_error *error);
 
 /* --- jacobian.c --- */
 /* Adds share * (-d q / d depth) of a solved pose to jacobian. down as in wear_trial. */
-arc_status wear_add_jacobian(const arc_wear *w, const pose *p, const wear_point *point,
-                             double share, const double *const down[ARC_BODIES], double *jacobian);
+arc_status arc_wear_add_jacobian(const arc_wear *w, const pose *p, const wear_point *point,
+                                 double share, const double *const down[ARC_BODIES],
+                                 double *jacobian);
 /* Largest eigenvalue of diag(k) J. work [2 n]. */
-double wear_largest_eigenvalue(int nc, int np, const double k[ARC_BODIES], const double *jacobian,
-                               double *work);
+double arc_wear_largest_eigenvalue(int nc, int np, const double k[ARC_BODIES],
+                                   const double *jacobian, double *work);
 
 /* --- implicit.c --- */
 /* Depths of an implicit update of `cycles` cycles over a window into w->delta (even wear into
  * w->rate.even, per cycle); error_share: estimated error over tolerance (0 without one).
  * ARC_NOT_CONVERGED: try fewer cycles. */
-arc_status wear_implicit(arc_wear *w, const arc_shape *shape, const wear_window *window,
-                         double cycles, const double k[ARC_BODIES], arc_stop_fn stop, void *context,
-                         int *solutions, double *error_share, arc_error *error);
+arc_status arc_wear_implicit(arc_wear *w, const arc_shape *shape, const wear_window *window,
+                             double cycles, const double k[ARC_BODIES], arc_stop_fn stop,
+                             void *context, int *solutions, double *error_share, arc_error *error);
 
 /* --- measure.c --- */
 /* alpha-tilde (Eq. 29); NaN before any wear. */
-double wear_partition(double cylinder, double plate);
+double arc_wear_partition(double cylinder, double plate);
 /* alpha = 0 over the whole plate: the contact never changes and no solution is needed. */
-int wear_closed_form(const arc_wear *w);
+int arc_wear_closed_form(const arc_wear *w);
 /* Reads the reference configuration of a shape into the record (which holds the rest). */
-arc_status wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
-                        arc_error *error);
+arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
+                            arc_error *error);
 
 /* --- wear.c --- */
-arc_status wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);
+arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);
 
 /* --- step.c --- */
 typedef struct wear_monitor {
@@ -165,6 +167,7 @@ typedef struct wear_plan {
 /* --- plan.c --- */
 /* The next step towards `limit` [mm]; enters its block. *moved: whether there is anything left to
  * do. */
-arc_status wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved, arc_error *error);
+arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
+                              arc_error *error);
 
 #endif

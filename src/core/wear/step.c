@@ -16,7 +16,7 @@ static void add_volumes(const arc_wear *w, const arc_shape *shape,
   double sum[ARC_BODIES] = {0};
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < shape->side[b].n; i++)
-      sum[b] += delta[b][i] * shape_width(&shape->side[b], i);
+      sum[b] += delta[b][i] * arc_shape_width(&shape->side[b], i);
   record->volume_cylinder += sum[ARC_CYLINDER] * md->thickness;
   record->volume_plate += (sum[ARC_PLATE] + even * 2 * md->radius) * md->thickness;
 }
@@ -48,7 +48,7 @@ static arc_wear_record predict(arc_wear *w, const wear_plan *plan, double share,
       *deepest[b] =
           fmax(*deepest[b], w->shape->side[b].h[i] + w->delta[b][i] + (b == ARC_PLATE ? even : 0));
   add_volumes(w, w->shape, delta, even, &state);
-  state.depth_partition = wear_partition(state.depth_cylinder, state.depth_plate);
+  state.depth_partition = arc_wear_partition(state.depth_cylinder, state.depth_plate);
   return state;
 }
 
@@ -60,19 +60,19 @@ static arc_status middle_state(arc_wear *w, const wear_plan *plan, const wear_wi
   const arc_wear_record *before = arc_wear_last(w);
   static const double nothing[ARC_BODIES] = {0};
   double k[ARC_BODIES];
-  *rated = wear_has_state_functions(w) && !wear_closed_form(w);
+  *rated = arc_wear_has_state_functions(w) && !arc_wear_closed_form(w);
   if (!*rated) {
     w->rate.even = 0;
     *middle = predict(w, plan, 0.5, nothing);
     return ARC_OK;
   }
-  arc_status status = wear_coefficients(w, before->distance, plan->end, before, k, error);
+  arc_status status = arc_wear_coefficients(w, before->distance, plan->end, before, k, error);
   if (status == ARC_OK)
-    status = wear_evaluate(w, w->shape, window, plan->monitor->stop, plan->monitor->context,
-                           solutions, error);
+    status = arc_wear_evaluate(w, w->shape, window, plan->monitor->stop, plan->monitor->context,
+                               solutions, error);
   if (status != ARC_OK) return status;
   const arc_wear_record quarter = predict(w, plan, 0.25, k);
-  status = wear_coefficients(w, before->distance, plan->end, &quarter, k, error);
+  status = arc_wear_coefficients(w, before->distance, plan->end, &quarter, k, error);
   if (status == ARC_OK) *middle = predict(w, plan, 0.5, k);
   return status;
 }
@@ -104,11 +104,11 @@ static arc_status update(arc_wear *w, const wear_window *window, double cycles,
   arc_status status;
   double even;
   if (w->def.scheme == ARC_IMPLICIT && !plan->explicit) {
-    status = wear_implicit(w, w->next, window, cycles, k, m->stop, m->context, &solutions,
-                           &record->error, error);
+    status = arc_wear_implicit(w, w->next, window, cycles, k, m->stop, m->context, &solutions,
+                               &record->error, error);
     even = wears_evenly(w) ? cycles * k[ARC_PLATE] * w->rate.even : 0;
   } else {
-    status = wear_evaluate(w, w->next, window, m->stop, m->context, &solutions, error);
+    status = arc_wear_evaluate(w, w->next, window, m->stop, m->context, &solutions, error);
     even = depths_of_rate(w, cycles, k);
   }
   record->solutions += solutions;
@@ -134,7 +134,8 @@ static arc_status quasi_continuous(arc_wear *w, const wear_plan *plan, arc_wear_
     arc_wear_record middle = *record;
     middle.distance = start + gone + part / 2;
     double k[ARC_BODIES];
-    arc_status status = wear_coefficients(w, start + gone, start + gone + part, &middle, k, error);
+    arc_status status =
+        arc_wear_coefficients(w, start + gone, start + gone + part, &middle, k, error);
     const wear_window window = {.first = i, .last = i + 1, .chained = i > 0, .state = &middle};
     if (status == ARC_OK) status = update(w, &window, plan->cycles, k, plan, record, error);
     if (status != ARC_OK) return status;
@@ -142,7 +143,7 @@ static arc_status quasi_continuous(arc_wear *w, const wear_plan *plan, arc_wear_
     record->distance = start + gone;
     record->depth_cylinder = arc_shape_depth(w->next, ARC_CYLINDER);
     record->depth_plate = arc_shape_depth(w->next, ARC_PLATE);
-    wear_note_coefficients(k, record);
+    arc_wear_note_coefficients(k, record);
   }
   return ARC_OK;
 }
@@ -161,10 +162,10 @@ static arc_status whole_update(arc_wear *w, const wear_plan *plan, arc_wear_reco
   arc_status status = middle_state(w, plan, &window, &found, &rated, &solutions, error);
   record->solutions += solutions;
   middle = found;
-  if (status == ARC_OK) status = wear_coefficients(w, from, plan->end, &middle, k, error);
+  if (status == ARC_OK) status = arc_wear_coefficients(w, from, plan->end, &middle, k, error);
   if (status != ARC_OK) return status;
-  wear_note_coefficients(k, record);
-  if (wear_closed_form(w)) return closed_form_update(w, plan->cycles, k, record, error);
+  arc_wear_note_coefficients(k, record);
+  if (arc_wear_closed_form(w)) return closed_form_update(w, plan->cycles, k, record, error);
   /* the explicit rate at the start serves twice, unless local factors see the middle */
   if (rated && (w->def.scheme == ARC_EXPLICIT || plan->explicit) && !w->def.local_factor)
     return apply(w, w->next, depths_of_rate(w, plan->times, k), record, error);
@@ -177,13 +178,13 @@ static arc_status whole_update(arc_wear *w, const wear_plan *plan, arc_wear_reco
  * second difference of what they give at both ends and in the middle, over the share of wear that
  * the step adds. */
 static arc_status add_coefficient_error(arc_wear *w, arc_wear_record *record, arc_error *error) {
-  if (!wear_has_state_functions(w) || w->def.tolerance == 0) return ARC_OK;
+  if (!arc_wear_has_state_functions(w) || w->def.tolerance == 0) return ARC_OK;
   const arc_wear_record *before = arc_wear_last(w);
   double start[ARC_BODIES], end[ARC_BODIES];
   arc_status status =
-      wear_coefficients(w, before->distance, before->distance, before, start, error);
+      arc_wear_coefficients(w, before->distance, before->distance, before, start, error);
   if (status == ARC_OK)
-    status = wear_coefficients(w, record->distance, record->distance, record, end, error);
+    status = arc_wear_coefficients(w, record->distance, record->distance, record, end, error);
   if (status != ARC_OK || !(record->k > 0)) return status;
   const double middle[ARC_BODIES] = {record->k * record->alpha, record->k * (1 - record->alpha)};
   const double gone = record->distance - w->block[0].start_distance;
@@ -202,7 +203,7 @@ static arc_status attempt(arc_wear *w, const wear_plan *plan, arc_wear_record *r
   *record = *arc_wear_last(w);
   record->error = 0;
   arc_shape_destroy(&w->next);
-  wear_forget(w);
+  arc_wear_forget(w);
   arc_status status = arc_shape_clone(w->shape, &w->next, error);
   if (status != ARC_OK) return status;
   const int split =
@@ -213,7 +214,7 @@ static arc_status attempt(arc_wear *w, const wear_plan *plan, arc_wear_record *r
   record->cycle += plan->cycles;
   record->jump = plan->cycles;
   record->distance = plan->end;
-  status = wear_measure(w, w->next, record, error);
+  status = arc_wear_measure(w, w->next, record, error);
   return status == ARC_OK ? add_coefficient_error(w, record, error) : status;
 }
 
@@ -321,18 +322,18 @@ static arc_status step_towards(arc_wear *w, double limit, wear_monitor *monitor,
   wear_plan plan = {.monitor = monitor};
   arc_wear_record record;
   monitor->reached = -1;
-  arc_status status = wear_plan_step(w, limit, &plan, moved, error);
+  arc_status status = arc_wear_plan_step(w, limit, &plan, moved, error);
   if (status != ARC_OK || !*moved) return status;
   status = attempt_with_cuts(w, &plan, &record, error);
   if (status == ARC_OK) status = meet_targets(w, &plan, &record, error);
-  if (status == ARC_OK) status = wear_append(w, &record, error);
+  if (status == ARC_OK) status = arc_wear_append(w, &record, error);
   if (status == ARC_OK) {
     arc_shape *old = w->shape;
     w->shape = w->next;
     w->next = old;
   }
   arc_shape_destroy(&w->next);
-  wear_forget(w);
+  arc_wear_forget(w);
   return status;
 }
 

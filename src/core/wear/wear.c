@@ -28,22 +28,22 @@ static arc_status allocate(arc_wear *w) {
   w->rate.node[ARC_PLATE] = at + w->nc;
   w->delta[ARC_CYLINDER] = at + n;
   w->delta[ARC_PLATE] = at + n + w->nc;
-  return pose_create(&w->reference, w->model);
+  return arc_pose_create(&w->reference, w->model);
 }
 
 /* Takes a copy of a checked definition and what follows from it. */
 static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   const arc_model_def *md = arc_model_definition(w->model);
-  arc_status status = wear_def_copy(def, &w->def);
+  arc_status status = arc_wear_def_copy(def, &w->def);
   if (status != ARC_OK) return status;
-  w->procedure = wear_choose_procedure(&w->def, md);
-  w->over_plate = wear_over_plate(&w->def, md);
-  status = wear_blocks_create(&w->def, md, &w->block, &w->blocks);
+  w->procedure = arc_wear_choose_procedure(&w->def, md);
+  w->over_plate = arc_wear_over_plate(&w->def, md);
+  status = arc_wear_blocks_create(&w->def, md, &w->block, &w->blocks);
   w->current = -1;
   w->reference_condensed = -1;
   /* without a distance: all the blocks of loading */
   if (status == ARC_OK && w->def.distance == 0)
-    w->def.distance = wear_block_end(&w->block[w->blocks - 1]);
+    w->def.distance = arc_wear_block_end(&w->block[w->blocks - 1]);
   return status;
 }
 
@@ -66,7 +66,7 @@ static arc_status create(arc_model *model, const arc_wear_def *def, arc_shape *s
   return ARC_OK;
 }
 
-arc_status wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error) {
+arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error) {
   if (w->records == w->capacity) {
     const size_t capacity = 2 * w->capacity + 16;
     arc_wear_record *grown = realloc(w->history, capacity * sizeof *grown);
@@ -90,14 +90,14 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
       if (block->x[i] < block->x[least]) least = i;
       if (block->x[i] > block->x[most]) most = i;
     }
-    arc_status status = wear_enter_block(w, b, error);
+    arc_status status = arc_wear_enter_block(w, b, error);
     if (status != ARC_OK) return status;
     arc_error why;
     const arc_wear_record unworn = {0};
     const wear_window ends[2] = {{.first = least, .last = least, .state = &unworn},
                                  {.first = most, .last = most, .state = &unworn}};
     for (int e = 0; e < 2 && status == ARC_OK; e++)
-      status = wear_probe(w, &ends[e], &solutions, &why);
+      status = arc_wear_probe(w, &ends[e], &solutions, &why);
     if (status == ARC_OK) continue;
     if (status != ARC_ZONE) return arc_fail(error, status, "%s", why.message);
     double zone[ARC_BODIES];
@@ -116,7 +116,7 @@ static arc_status start_shape(arc_model *model, const arc_wear_def *def, const a
   if (arc_shape_model(start) != model)
     return arc_fail(error, ARC_ARGUMENT, "worn: the starting shape belongs to another model");
   arc_status status = arc_shape_clone(start, shape, error);
-  if (status == ARC_OK) status = shape_set_geometry(*shape, def->geometry, def->refresh, error);
+  if (status == ARC_OK) status = arc_shape_set_geometry(*shape, def->geometry, def->refresh, error);
   if (status != ARC_OK) arc_shape_destroy(shape);
   return status;
 }
@@ -126,12 +126,12 @@ static arc_status first_record(arc_wear *w, arc_error *error) {
   const wear_block *block = &w->block[0];
   arc_wear_record first = {.distance = block->start_distance, .cycle = block->start_cycle};
   double k[ARC_BODIES];
-  arc_status status = wear_measure(w, w->shape, &first, error);
+  arc_status status = arc_wear_measure(w, w->shape, &first, error);
   if (status == ARC_OK)
-    status = wear_coefficients(w, first.distance, first.distance, &first, k, error);
+    status = arc_wear_coefficients(w, first.distance, first.distance, &first, k, error);
   if (status != ARC_OK) return status;
-  wear_note_coefficients(k, &first);
-  return wear_append(w, &first, error);
+  arc_wear_note_coefficients(k, &first);
+  return arc_wear_append(w, &first, error);
 }
 
 arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
@@ -163,7 +163,7 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
   arc_wear *w;
   status = create(model, def, shape, &w, error);
   for (size_t r = 0; r < count && status == ARC_OK; r++)
-    status = wear_append(w, &history[r], error);
+    status = arc_wear_append(w, &history[r], error);
   if (status != ARC_OK) arc_wear_destroy(&w);
   *result = w;
   return status;
@@ -177,10 +177,10 @@ arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *erro
 void arc_wear_destroy(arc_wear **wear) {
   if (!wear || !*wear) return;
   arc_wear *w = *wear;
-  wear_leave_block(w);
-  pose_free(&w->reference);
-  wear_blocks_free(&w->block, w->blocks);
-  wear_def_free(&w->def);
+  arc_wear_leave_block(w);
+  arc_pose_free(&w->reference);
+  arc_wear_blocks_free(&w->block, w->blocks);
+  arc_wear_def_free(&w->def);
   free(w->memory);
   free(w->history);
   arc_shape_destroy(&w->shape);
@@ -254,8 +254,8 @@ const arc_wear_record *arc_wear_last(const arc_wear *w) {
 
 size_t arc_wear_bytes(const arc_wear *w) {
   const size_t n = (size_t)(w->nc + w->np);
-  return (size_t)(w->poses + 1) * pose_bytes(&w->reference) + 8 * n * sizeof(double) +
-         2 * shape_bytes(w->shape) + w->capacity * sizeof(arc_wear_record);
+  return (size_t)(w->poses + 1) * arc_pose_bytes(&w->reference) + 8 * n * sizeof(double) +
+         2 * arc_shape_bytes(w->shape) + w->capacity * sizeof(arc_wear_record);
 }
 
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {
