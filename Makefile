@@ -32,8 +32,9 @@ core_libs = -lcholmod -llapack -lblas -lgomp -lm
 
 core_src  := $(wildcard src/core/*/*.c)
 side_src  := $(wildcard src/plot/*.c src/store/*.c)
-front_src := $(wildcard src/lua/*.c src/cli/*.c)
-scripts   := $(sort $(wildcard scripts/*.lua))
+front_src := $(wildcard src/lua/*/*.c src/cli/*.c)
+# What stands in scripts/tools is run by make; all else is embedded.
+scripts   := $(sort $(filter-out scripts/tools/%,$(wildcard scripts/*/*.lua)))
 obj_of     = $(patsubst %.c,$(OBJ)/%.o,$(1))
 
 core_lib = $(BUILD)/libarchard.a
@@ -81,9 +82,9 @@ $(core_lib): $(call obj_of,$(core_src))
 	$(quiet)$(AR) rcs $@ $^
 
 # The Lua files that ship live inside the binary.
-$(BUILD)/embedded.c: scripts/embed.awk $(scripts)
+$(BUILD)/embedded.c: scripts/tools/embed.awk $(scripts)
 	@mkdir -p $(@D)
-	$(quiet)awk -f scripts/embed.awk $(scripts) > $@
+	$(quiet)awk -f scripts/tools/embed.awk $(scripts) > $@
 
 $(OBJ)/embedded.o: $(BUILD)/embedded.c
 	@mkdir -p $(@D)
@@ -123,21 +124,21 @@ gallery: $(program)
 
 # One BLAS thread from the start: an idle one would spin for its first 50 ms and be counted.
 bench: $(program)
-	OPENBLAS_NUM_THREADS=1 $(program) scripts/bench.lua
+	OPENBLAS_NUM_THREADS=1 $(program) scripts/tools/bench.lua
 
 # The paper's study. What an older program computed is not gone on with.
 study figures: $(program)
 	@for file in $(BUILD)/study.archard $(BUILD)/study-*.archard; do \
 	  [ ! $$file -ot $(program) ] || rm -f $$file; done
-	$(program) scripts/study20.lua --file $(BUILD)/study.archard --figures $(BUILD)/figures \
+	$(program) scripts/tools/study20.lua --file $(BUILD)/study.archard --figures $(BUILD)/figures \
 	  $(if $(filter figures,$@),--converge)
 
 # The reference part of the manual comes from the help entries inside the program.
 man: $(program)
-	$(program) scripts/manpage.lua > man/archard.1
+	$(program) scripts/tools/manpage.lua > man/archard.1
 
 # --- care -------------------------------------------------------------------------------------
-c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/core/*/*.[ch] tests/unit/*.[ch])
+c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch])
 
 format:
 	@clang-format -i $(c_files)

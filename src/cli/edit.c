@@ -4,7 +4,7 @@
 #include "cli/edit.h"
 
 #include "cli/history_file.h"
-#include "lua/interrupt.h"
+#include "lua/base/interrupt.h"
 
 #include <signal.h>
 #include <stdio.h>

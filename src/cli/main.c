@@ -3,10 +3,10 @@
  * input) and signals. */
 #include "archard/base.h"
 #include "cli/repl.h"
-#include "cli/run.h"
+#include "cli/chunk.h"
 #include "cli/signals.h"
-#include "lua/archard.h"
-#include "lua/interrupt.h"
+#include "lua/base/archard.h"
+#include "lua/base/interrupt.h"
 
 #include <getopt.h>
 #include <lauxlib.h>

@@ -1,11 +1,11 @@
 /* Reads chunks, runs them, shows their values. What is a complete chunk and how a value looks is
- * decided by scripts/prompt.lua, what may be completed by scripts/complete.lua; lines come from the
- * line editor or from standard input. */
+ * decided by scripts/lib/prompt.lua, what may be completed by scripts/lib/complete.lua; lines come
+ * from the line editor or from standard input. */
 #include "cli/repl.h"
 
 #include "archard/base.h"
 #include "cli/edit.h"
-#include "lua/interrupt.h"
+#include "lua/base/interrupt.h"
 
 #include <lauxlib.h>
 #include <stdio.h>
@@ -36,7 +36,8 @@ static int pending_add(pending *self, const char *line) {
   return 1;
 }
 
-/* --- the functions of scripts/prompt.lua ------------------------------------------------------ */
+/* --- the functions of scripts/lib/prompt.lua
+ * ------------------------------------------------------ */
 
 static void push_module_function(lua_State *L, const char *module, const char *name) {
   lua_getglobal(L, "require");
@@ -50,7 +51,7 @@ enum { CHUNK_READY, CHUNK_OPEN, CHUNK_WRONG };
 
 /* Compiles the chunk; pushes the function (ready), the message (wrong) or nothing (open). */
 static int compile(lua_State *L, const char *text, const char *name, int line) {
-  push_module_function(L, "archard.prompt", "compile");
+  push_module_function(L, "archard.lib.prompt", "compile");
   lua_pushstring(L, text);
   lua_pushstring(L, name);
   lua_pushinteger(L, line);
@@ -71,7 +72,7 @@ static run_status evaluate(lua_State *L) {
   run_status status = run_call(L, 0, LUA_MULTRET);
   int values = status == RUN_OK ? lua_gettop(L) - base + 1 : 0;
   if (values > 0) {
-    push_module_function(L, "archard.prompt", "show");
+    push_module_function(L, "archard.lib.prompt", "show");
     lua_insert(L, base);
     status = run_call(L, values, 0);
   }
@@ -91,7 +92,7 @@ typedef struct prompt {
 /* (prompt, before) -> a list of words or "files", what follows a word that is the only one */
 static int find_words(lua_State *L) {
   prompt *self = lua_touserdata(L, 1);
-  push_module_function(L, "archard.complete", "words");
+  push_module_function(L, "archard.lib.complete", "words");
   lua_pushfstring(L, "%s\n%s", self->chunk.text ? self->chunk.text : "", lua_tostring(L, 2));
   lua_call(L, 1, 2);
   return 2;
@@ -128,9 +129,9 @@ static void complete(void *context, const char *before, edit_proposal *proposal)
 
 /* --- the prompt ------------------------------------------------------------------------------- */
 
-/* Asks scripts/prompt.lua for a text ("first", "more", "banner"), in colours where allowed. */
+/* Asks scripts/lib/prompt.lua for a text ("first", "more", "banner"), in colours where allowed. */
 static void push_text(lua_State *L, const char *which) {
-  push_module_function(L, "archard.prompt", "text");
+  push_module_function(L, "archard.lib.prompt", "text");
   lua_pushstring(L, which);
   lua_call(L, 1, 1);
 }

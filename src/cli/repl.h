@@ -2,7 +2,7 @@
 #ifndef CLI_REPL_H
 #define CLI_REPL_H
 
-#include "cli/run.h"
+#include "cli/chunk.h"
 
 #include <lua.h>
 

@@ -2,7 +2,7 @@
  * disturb what it interrupts. */
 #include "cli/signals.h"
 
-#include "lua/interrupt.h"
+#include "lua/base/interrupt.h"
 
 #include <errno.h>
 #include <signal.h>

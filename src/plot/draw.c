@@ -12,7 +12,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "archard/plot.h"
+#include "plot/plot.h"
 #include "plot/figure.h"
 #include "plot/tidy.h"
 

@@ -2,7 +2,7 @@
 #ifndef PLOT_FIGURE_H
 #define PLOT_FIGURE_H
 
-#include "archard/plot.h"
+#include "plot/plot.h"
 #include "plot/text.h"
 
 /* The surface a figure is drawn on, as far as its commands depend on it. */

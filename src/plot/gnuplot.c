@@ -9,7 +9,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "archard/plot.h"
+#include "plot/plot.h"
 #include "plot/process.h"
 #include "plot/text.h"
 

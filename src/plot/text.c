@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "archard/plot.h"
+#include "plot/plot.h"
 
 static int make_room(arc_text *text, size_t more) {
   if (text->failed) return 0;

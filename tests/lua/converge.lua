@@ -8,7 +8,7 @@ os.remove(file)
 local coarse = { mesh = { size = 0.04, height = 0.05 } }
 
 -- --- the mesh ------------------------------------------------------------------------------------
-local search = require "archard.converge_search"
+local search = require "archard.study.search"
 local steps, good = search.mesh({}, 0.02)
 ok(good, "a mesh within 2 % of Hertz' pressure is found")
 is(good, steps[#steps - 1], "it is the last but one: the last confirms it")

@@ -1,9 +1,9 @@
 -- The prompt's Lua: what is a complete chunk, how values look, what may be completed.
 package.path = arg[0]:gsub("[^/]*$", "") .. "lib/?.lua;" .. package.path
 local tap = require "tap"
-local pretty = require "archard.pretty"
-local prompt = require "archard.prompt"
-local complete = require "archard.complete"
+local pretty = require "archard.lib.pretty"
+local prompt = require "archard.lib.prompt"
+local complete = require "archard.lib.complete"
 local help = require "archard.help"
 
 -- --- chunks ------------------------------------------------------------------------------------

@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "archard/plot.h"
+#include "plot/plot.h"
 
 static char folder[] = "/tmp/archard-plot-XXXXXX";
 

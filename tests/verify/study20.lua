@@ -116,7 +116,7 @@ for _, each in ipairs{ { s, 6 }, { trials, 3 } } do
     ok(size > 8000 and text:find("</svg>", 1, true), figure.title)
   end
 end
-local page = require "archard.figures_page".html{ title = "A & B", lead = "<i>",
+local page = require "archard.figures.page".html{ title = "A & B", lead = "<i>",
   figures = s:figures{ dir = folder .. "/figures" } }
 holds(page, { "A &amp; B", "&lt;i&gt;", 'src="fig14.svg"', "</html>" }, "a page around them")
 

@@ -1,0 +1,125 @@
+-- study:figures: a study's results as pictures. The paper's studies have the paper's figures
+-- (figures/paper.lua); any other gets final shapes and pressures, and histories. Leans on plot.
+
+local archard = require "archard"
+local check = require "archard.lib.check"
+local parts = require "archard.figures.parts"
+
+local figures = {}
+
+-- --- figures of any study ------------------------------------------------------------------------
+
+local most_curves = 8 -- as many as a picture has colours
+
+local function finished(cases)
+  local curves = {}
+  for _, case in ipairs(cases) do
+    if case.status == "done" and case.last and #curves < most_curves then
+      curves[#curves + 1] = { case = case, title = case.label, series = #curves + 1 }
+    end
+  end
+  return curves
+end
+
+-- "8 of 9 cases" where some are left out or have no results, else nil.
+local function share_of(curves, cases)
+  return #curves < #cases and ("%d of %d cases"):format(#curves, #cases) or nil
+end
+
+-- Half the widest contact, worn or not, with room around it [mm].
+local function reach_of(curves, widen)
+  local reach = 0
+  for _, curve in ipairs(curves) do
+    local case = curve.case
+    local wide = math.max(case.half_width, case.hertz.half_width)
+    if widen then wide = wide + math.min(case.stroke, 10) / 2 end
+    reach = math.max(reach, wide)
+  end
+  return 1.3 * reach
+end
+
+local function final_state(cases)
+  local curves = finished(cases)
+  if #curves == 0 then return nil end
+  local reach, share = reach_of(curves), share_of(curves, cases)
+  return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
+    parts.panel("cylinder", curves, { title = "cylinder", reach = reach, mm = true }),
+    parts.panel("plate", curves, { title = "plate", reach = reach_of(curves, true), mm = true }),
+    parts.panel("pressure", curves, { title = "pressure", reach = reach, mm = true }) } }, share
+end
+
+local function histories(cases)
+  local curves = finished(cases)
+  if #curves == 0 then return nil end
+  local share = share_of(curves, cases)
+  return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
+    parts.course("depth_cylinder", 1e3, "depth of cylinder / µm", curves, {}),
+    parts.course("depth_plate", 1e3, "depth of plate / µm", curves, {}),
+    parts.course("p_center", 1, "pressure at the centre / MPa", curves, { yrange = { 0 } }) } }, share
+end
+
+-- draw(cases) -> the figure or nil, and which share of the cases is in it, if not all.
+local general = {
+  { name = "final", title = "Final state", draw = final_state,
+    caption = "Worn shapes and pressures at the end.", shows = "" },
+  { name = "history", title = "Course", draw = histories,
+    caption = "Depths and pressure at the centre over the travelled distance.", shows = "" },
+}
+
+-- --- drawing -------------------------------------------------------------------------------------
+
+local fields = {
+  dir = check.text,
+  term = { expected = '"svg", "png", "pdf", "dumb" or a list of them', test = function(v)
+    for _, each in ipairs(type(v) == "table" and v or { v }) do
+      if each ~= "svg" and each ~= "png" and each ~= "pdf" and each ~= "dumb" then return false end
+    end
+    return type(v) == "string" or (type(v) == "table" and #v > 0)
+  end },
+}
+
+local function set_of(study)
+  local list = require "archard.figures.paper"
+  return list[study.name] or general
+end
+
+local function draw_one(options, dir, name, term)
+  local copy = {}
+  for key, value in pairs(options) do copy[key] = value end
+  if term == "dumb" then
+    copy.size = nil
+  else
+    copy.file = ("%s/%s.%s"):format(dir, name, term)
+  end
+  archard.plot(copy)
+  return copy.file
+end
+
+local function make_folder(dir)
+  local fine, why = require "archard.process".make_folder(dir)
+  if not fine then check.fail("study:figures", ("%s: %s"):format(dir, why), "IO") end
+end
+
+-- draw(study, { dir=, term= }) -> list of { name=, title=, caption=, shows=, files= } of what was
+-- drawn.
+function figures.draw(study, options)
+  options = options or {}
+  check.fields("study:figures", options, fields)
+  local terms = type(options.term) == "table" and options.term or { options.term or "svg" }
+  local dir = options.dir or "figures"
+  if terms[1] ~= "dumb" then make_folder(dir) end
+  local drawn, cases = {}, study:cases()
+  for _, figure in ipairs(set_of(study)) do
+    local made, share = figure.draw(cases)
+    if made then
+      local files = {}
+      for _, term in ipairs(terms) do files[#files + 1] = draw_one(made, dir, figure.name, term) end
+      drawn[#drawn + 1] = { name = figure.name, title = figure.title,
+        caption = figure.caption .. (share and " " .. share .. "." or ""),
+        shows = figure.shows, files = files }
+    end
+  end
+  return drawn
+end
+
+return figures

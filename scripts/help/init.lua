@@ -1,0 +1,254 @@
+-- help(): what every object, field and method is. The entries are in help/engine.lua,
+-- help/tools.lua and help/study.lua; this file finds them and shows them. Completion asks here for names that no table
+-- holds, the manual page is written from here. Leans on archard.term.
+--
+-- Addresses: "wear" an object, "wear.step" its method or field, "wear{jump}" a field of its
+-- definition table, "wear{loading.x}" one of a table in that table.
+
+local debug, next, print, rawget, select, string, table, type =
+  debug, next, print, rawget, select, string, table, type
+
+local help = {}
+
+local entries     -- by address
+local ordered     -- as written
+
+-- Splits an address: the owner, the name within it, and whether that is in its definition table.
+local function split(address)
+  local owner, option = address:match("^(.-){(.*)}$")
+  if owner then return owner, option, true end
+  owner, option = address:match("^(.*)%.([^.]+)$")
+  if owner then return owner, option, false end
+  return nil, address, false
+end
+
+local function add(list)
+  for _, entry in ipairs(list) do
+    entry.address = entry[1]
+    local in_definition
+    entry.owner, entry.name, in_definition = split(entry.address)
+    if in_definition then
+      entry.kind = entry.kind or "option"
+      entry.path, entry.name = entry.name:match("^(.-)%.?([^.]*)$")
+    end
+    entries[entry.address] = entry
+    ordered[#ordered + 1] = entry
+  end
+end
+
+-- Read on first use: a script that never asks for help does not pay for it.
+local function load_entries()
+  if entries then return end
+  entries, ordered = {}, {}
+  add(require "archard.help.engine")
+  add(require "archard.help.tools")
+  add(require "archard.help.study")
+end
+
+-- --- for completion and the manual ------------------------------------------------------------
+
+-- The entry of an address, or nil. Fields: address, name, owner, kind, type, unit, default, values,
+-- class (of what it holds or returns), takes (the object whose definition's fields it takes too),
+-- use (how it is written), text.
+function help.entry(address)
+  load_entries()
+  return entries[address]
+end
+
+function help.all()
+  load_entries()
+  return ordered
+end
+
+function help.addresses()
+  local list = {}
+  for i, entry in ipairs(help.all()) do list[i] = entry.address end
+  return list
+end
+
+-- The methods and fields of an object.
+function help.members(address)
+  local list = {}
+  for _, entry in ipairs(help.all()) do
+    if entry.owner == address and entry.kind ~= "option" then list[#list + 1] = entry end
+  end
+  return list
+end
+
+-- The fields of the definition table of `address`, or of the table at `path` within it.
+function help.definition(address, path)
+  local list = {}
+  for _, entry in ipairs(help.all()) do
+    if entry.kind == "option" and entry.owner == address and entry.path == (path or "") then
+      list[#list + 1] = entry
+    end
+  end
+  return list
+end
+
+-- Follows a path into tables whose fields are those of another definition: wear{ model={ ... } },
+-- or all of plot{} in plot.pressure(w, { ... }). Returns an address and the path left within it.
+local function follow(address, path)
+  local at = address
+  local rest = ""
+  for name in (path or ""):gmatch("[^.]+") do
+    rest = rest == "" and name or rest .. "." .. name
+    local entry = entries[("%s{%s}"):format(at, rest)]
+    local taken = not entry and entries[at] and entries[at].takes
+    if taken then at, entry = taken, entries[("%s{%s}"):format(taken, rest)] end
+    local other = entry and (entry.takes or entry.class)
+    if other and #help.definition(at, rest) == 0 then at, rest = other, "" end
+  end
+  return at, rest
+end
+
+-- All fields that can stand in that table, taken ones too.
+function help.fields(address, path)
+  if not address then return {} end
+  load_entries()
+  local at, rest = follow(address, path)
+  local list = help.definition(at, rest)
+  local taken = rest == "" and entries[at] and entries[at].takes
+  for _, entry in ipairs(taken and help.definition(taken) or {}) do list[#list + 1] = entry end
+  return list
+end
+
+function help.option(address, path, name)
+  for _, entry in ipairs(help.fields(address, path)) do
+    if entry.name == name then return entry end
+  end
+end
+
+-- --- from a value to its address --------------------------------------------------------------
+
+local function class_name(value)
+  local metatable = debug.getmetatable(value)
+  local name = type(metatable) == "table" and rawget(metatable, "__name")
+  return type(name) == "string" and (name:gsub("^archard%.", "")) or nil
+end
+
+local function find_in(methods, value, prefix)
+  if type(methods) ~= "table" then return nil end
+  for name, member in next, methods do
+    if member == value and type(name) == "string" then return prefix .. "." .. name end
+  end
+end
+
+-- A function that is a method of some class: the registry holds the metatables.
+local function find_method(value)
+  for key, metatable in next, debug.getregistry() do
+    if type(key) == "string" and type(metatable) == "table" then
+      local class = (key:gsub("^archard%.", ""))
+      if entries[class] then
+        local found = find_in(rawget(metatable, "__methods"), value, class)
+          or find_in(rawget(metatable, "__index"), value, class)
+        if found then return found end
+      end
+    end
+  end
+end
+
+-- The address of a global of ours, a function in it, an object or a method; nil for other values.
+function help.address_of(value)
+  load_entries()
+  if value == nil then return nil end
+  local kind = type(value)
+  if kind ~= "function" and kind ~= "table" and kind ~= "userdata" then return nil end
+  local module = package.loaded.archard or {}
+  for name, member in next, module do
+    if rawequal(member, value) and entries[name] then return name end
+  end
+  for name, member in next, module do
+    local found = type(member) == "table" and kind == "function" and find_in(member, value, name)
+    if found and entries[found] then return found end
+  end
+  if kind == "function" then return find_method(value) end
+  local class = class_name(value)
+  return class and entries[class] and class or nil
+end
+
+-- --- finding by name ---------------------------------------------------------------------------
+
+-- How far two names are apart: insertions, deletions, changes.
+local function distance(a, b)
+  local row = {}
+  for j = 0, #b do row[j] = j end
+  for i = 1, #a do
+    local corner = row[0]
+    row[0] = i
+    for j = 1, #b do
+      local cost = a:byte(i) == b:byte(j) and 0 or 1
+      corner, row[j] = row[j], math.min(corner + cost, row[j] + 1, row[j - 1] + 1)
+    end
+  end
+  return row[#b]
+end
+
+-- The known name nearest to `name`, if it is near enough to be a slip of the keys.
+local function nearest(name)
+  local best, least = nil, 1 + #name // 3
+  for _, entry in ipairs(ordered) do
+    for _, known in ipairs { entry.name, entry.address } do
+      local apart = distance(name, known)
+      if apart <= least and (not best or apart < least) then best, least = known, apart end
+    end
+  end
+  return best
+end
+
+local function spoken(name)
+  return (name:gsub("%s+", ""):gsub("%(.*%)$", ""):gsub("[{:]$", ""):gsub(":", "."))
+end
+
+-- "w.step" where w is a global object: "wear.step".
+local function by_object(name)
+  local object, member = name:match("^([%a_][%w_]*)%.(.+)$")
+  local class = object and help.address_of(rawget(_G, object))
+  return class and entries[class .. "." .. member]
+end
+
+-- Every entry a name can mean: its full address first, else all that end in it.
+function help.search(name)
+  load_entries()
+  name = spoken(name)
+  local exact = entries[name] or by_object(name)
+  if exact then return { exact } end
+  local found = {}
+  for _, entry in ipairs(ordered) do
+    if entry.name == name then found[#found + 1] = entry end
+  end
+  return found
+end
+
+-- --- showing -----------------------------------------------------------------------------------
+
+local show = require "archard.help.show"
+
+local function explain_name(name)
+  local found = help.search(name)
+  if #found == 0 then
+    local near = nearest(spoken(name))
+    return ("no help for %q%s; help() lists what there is"):format(name,
+      near and (", did you mean %q?"):format(near) or "")
+  end
+  local texts = {}
+  for i, entry in ipairs(found) do texts[i] = show.entry(help, entry) end
+  return table.concat(texts, "\n\n")
+end
+
+-- The text help(value) prints.
+function help.text(...)
+  load_entries()
+  if select("#", ...) == 0 then return show.overview() end
+  local value = ...
+  if type(value) == "string" then return explain_name(value) end
+  local address = help.address_of(value)
+  if address and entries[address] then return show.entry(help, entries[address]) end
+  if value == nil then return "no help for nil: is the name spelt as you meant it?" end
+  return ("no help for this %s; help() lists what there is"):format(type(value))
+end
+
+return setmetatable(help, {
+  __call = function(_, ...) print(help.text(...)) end,
+  __tostring = function() return show.overview() end,
+})

@@ -1,0 +1,14 @@
+-- The progress of a wear run on a terminal: a function to call with the run after each step, and
+-- with nothing at its end; nil where no terminal would show it. Leans on archard.lib.progress.
+
+local term = require "archard.term"
+
+return function(run, goal)
+  if not term.movable("stderr") then return nil end
+  local progress = require "archard.lib.progress"
+  local bar = progress.new{ total = goal, done = run.distance, label = "wear", unit = "mm" }
+  return function(now)
+    if not now then return bar:close() end
+    bar:update(now.distance, ("cycle %.6g"):format(now.cycle))
+  end
+end

@@ -1,0 +1,155 @@
+-- plot.animate: profiles or pressures redrawn while a run goes on, in the terminal or as a moving
+-- gif. Leans on plot/draw.lua and plot/curves.lua; the run is stepped as a user would step it.
+
+local check = require "archard.lib.check"
+local draw = require "archard.plot.draw"
+local curves = require "archard.plot.curves"
+local term = require "archard.term"
+
+local own = {
+  frames = check.count, every = check.count, delay = check.positive,
+  what = check.one_of { "profile", "pressure", "both" },
+}
+
+-- --- one frame ----------------------------------------------------------------------------------
+
+local function profile_panel(w)
+  local panel = curves.profile_panel({ w }, {}, { "cylinder", "plate" })
+  panel.xlabel, panel.ylabel, panel.ydown = "x / mm", "wear depth / µm", true
+  panel.title = "wear"
+  return panel
+end
+
+local function pressure_panel(w)
+  local pressure = w:pressure("cylinder")
+  return { { x = pressure.x, y = pressure.p }, xlabel = "x / mm", ylabel = "p / MPa",
+    title = "contact pressure" }
+end
+
+-- The first range of a kind is kept, so that the picture does not jump.
+local function hold(panel, limits, name, low, high)
+  limits[name] = limits[name] or { low, high }
+  local range = limits[name]
+  range[1], range[2] = math.min(range[1], low), math.max(range[2], high)
+  return panel
+end
+
+local function span(panel)
+  local low, high = math.huge, -math.huge
+  for _, curve in ipairs(panel) do
+    for i = 1, #curve.y do low, high = math.min(low, curve.y[i]), math.max(high, curve.y[i]) end
+  end
+  return low, high
+end
+
+local function frame_of(w, what, limits)
+  local panels = {}
+  if what ~= "pressure" then
+    local panel = profile_panel(w)
+    local range = panel.xrange or { -1e-9, 1e-9 }
+    hold(panel, limits, "reach", range[1], range[2])
+    hold(panel, limits, "depth", span(panel))
+    panels[#panels + 1] = panel
+  end
+  if what ~= "profile" then
+    local panel = pressure_panel(w)
+    local _, high = span(panel)
+    hold(panel, limits, "pressure", 0, 1.05 * high)
+    panels[#panels + 1] = panel
+  end
+  return panels, curves.summary(w)
+end
+
+-- Panels as options, with the ranges as far as they are known.
+local function options_of(panels, title, limits)
+  for _, panel in ipairs(panels) do
+    local reach = limits.reach
+    panel.xrange = reach and reach[2] > 1e-6 and { reach[1], reach[2] } or nil
+    if panel.title == "contact pressure" then
+      panel.yrange = { limits.pressure[1], limits.pressure[2] }
+    elseif limits.depth[2] > 0 then
+      panel.yrange = { limits.depth[2], 0 } -- downwards
+    end
+  end
+  if #panels == 1 then
+    panels[1].title = title
+    return panels[1]
+  end
+  return { panels = panels, layout = { 1, #panels }, title = title }
+end
+
+-- --- where the frames go ------------------------------------------------------------------------
+
+-- Over the frame before; each line wiped to its end, so that nothing of that stays.
+local function show(options, first)
+  local picture = draw.picture("plot.animate", options)
+  if not picture then return end
+  io.write(first and "\27[H\27[2J" or "\27[H", (picture:gsub("\n", "\27[K\n")), "\27[J")
+  io.flush()
+end
+
+local function film(frames, limits, delay, given)
+  local list = {}
+  for i, frame in ipairs(frames) do list[i] = options_of(frame[1], frame[2], limits) end
+  draw.film("plot.animate", list, delay, given)
+end
+
+-- Updates between two frames, so that about `frames` of them show the rest of the run.
+local function updates_between(w, frames)
+  local cycles, cycle, jump = curves.get(w, "cycles"), curves.get(w, "cycle"),
+    curves.get(w, "jump")
+  if type(jump) ~= "number" or type(cycles) ~= "number" then return 1 end
+  return math.max(1, math.ceil((cycles - cycle) / jump / frames - 1e-9))
+end
+
+-- Steps until the run is at its end, or `frames` times; calls visit() before and after each.
+local function each_frame(w, every, frames, visit)
+  visit()
+  for _ = 1, frames do
+    local before = w.distance
+    w:step(every)
+    if w.distance <= before then return end
+    visit()
+  end
+end
+
+local function pause(seconds)
+  local until_ = term.clock() + seconds
+  while term.clock() < until_ do end
+end
+
+-- plot.animate(w, { frames=30, every=, what="profile", delay=0.1, file="run.gif", ... })
+return function(w, given)
+  local where = "plot.animate"
+  if not (curves.get(w, "step") and curves.get(w, "profile")) then
+    check.fail(where, "expected a wear object as the first argument, got " .. check.shown(w))
+  end
+  local fields = { file = draw.fields.file, size = draw.fields.size, term = draw.fields.term,
+    colour = draw.fields.colour }
+  for name, kind in pairs(own) do fields[name] = kind end
+  given = check.fields(where, given or {}, fields)
+  local what, delay, limits, kept = given.what or "profile", given.delay or 0.1, {}, {}
+  local every = given.every or updates_between(w, given.frames or 30)
+  local in_place = not given.file and term.movable()
+  each_frame(w, every, given.frames or math.huge, function()
+    local panels, title = frame_of(w, what, limits)
+    if in_place then
+      local options = options_of(panels, title, limits)
+      options.term, options.size, options.colour = given.term, given.size, given.colour
+      show(options, not kept[1])
+      pause(delay)
+      kept[1] = kept[1] or true
+    elseif given.file then
+      kept[#kept + 1] = { panels, title }
+    else
+      kept[1] = { panels, title } -- not a screen: the last frame alone
+    end
+  end)
+  if given.file then
+    film(kept, limits, delay, given)
+  elseif not in_place then
+    local options = options_of(kept[1][1], kept[1][2], limits)
+    options.term, options.size, options.colour = given.term, given.size, given.colour
+    draw.draw(where, options)
+  end
+end

@@ -1,0 +1,332 @@
+-- plot.pressure, plot.profile, plot.history: curves of wear and contact objects, several on one
+-- picture, axes with units. Leans on plot/draw.lua; of the objects it uses only what users can.
+
+local archard = require "archard"
+local check = require "archard.lib.check"
+local draw = require "archard.plot.draw"
+
+local curves = {}
+
+local bodies = { "cylinder", "plate" }
+
+-- --- arguments ----------------------------------------------------------------------------------
+
+-- A field of an object, or nil: objects refuse names they do not know.
+local function get(object, name)
+  local ok, value = pcall(function() return object[name] end)
+  if ok then return value end
+end
+
+local own_fields = { scaled = check.flag, body = check.one_of(bodies), titles = check.table,
+  against = check.one_of { "distance", "cycle", "update" } }
+
+-- Splits f(object, ..., word, ..., { options }): objects have the method or field `mark`.
+local function split(where, mark, ...)
+  local objects, words, options = {}, {}, {}
+  for i = 1, select("#", ...) do
+    local value = select(i, ...)
+    if type(value) == "string" then
+      words[#words + 1] = value
+    elseif (type(value) == "table" or type(value) == "userdata") and get(value, mark) then
+      objects[#objects + 1] = value
+    elseif type(value) == "table" and not getmetatable(value) and i == select("#", ...) then
+      options = value
+    else
+      check.fail(where, ("argument %d: expected an object with .%s, a word, or at the end a table "
+        .. "of options, got %s"):format(i, mark, check.shown(value)))
+    end
+  end
+  if #objects == 0 then
+    check.fail(where, ("expected at least one object with .%s, got none"):format(mark))
+  end
+  return objects, words, options
+end
+
+-- The options that are plot's go on, with what this picture says where they are silent.
+local function picture(where, options, own, defaults)
+  local fields = {}
+  for name, kind in pairs(draw.fields) do fields[name] = kind end
+  for _, name in ipairs(own) do fields[name] = own_fields[name] end
+  check.fields(where, options, fields)
+  local given = {}
+  for name, value in pairs(defaults) do given[name] = value end
+  for name, value in pairs(options) do
+    if draw.fields[name] then given[name] = value end
+  end
+  return given
+end
+
+-- --- names of objects ---------------------------------------------------------------------------
+
+-- Field, how its numbers or words are said, and its name where it is neither.
+local settings = {
+  { "alpha", "α = %g", "α" }, { "stroke", "s = %g mm" }, { "load", "load %g N" },
+  { "k", "k = %g", "k" }, { "x", "x = %g mm" }, { "jump", "jump %s", "jump" },
+  { "procedure", "procedure %s" }, { "scheme", "scheme %s" }, { "tolerance", "tolerance %g" },
+  { "increments", "%d increments" }, { "law", "law %s" }, { "law_exponent", "exponent %g" },
+  { "local_factor", "local factor %s", "local factor" }, { "geometry", "%s geometry" },
+  { "slip", "%s slip" }, { "cycle", "%.6g cycles" },
+}
+
+local unnamed = { ["function"] = "%s by function", table = "%s by table" }
+
+local function said(object, setting)
+  local value = get(object, setting[1])
+  local form = setting[3] and unnamed[type(value)]
+  if form then return form:format(setting[3]) end
+  if type(value) == "number" and setting[2]:find("%s", 1, true) then value = ("%g"):format(value) end
+  if type(value) ~= "number" and type(value) ~= "string" then return nil end
+  return setting[2]:format(value)
+end
+
+-- The settings in which the objects differ, for each object.
+local function names_of(where, objects, titles)
+  if titles and #titles ~= #objects then
+    check.fail(where, ("field 'titles': expected one for each of %d objects, got %d"):format(
+      #objects, #titles))
+  end
+  local names = {}
+  for i, object in ipairs(objects) do
+    local parts = {}
+    for _, setting in ipairs(settings) do
+      local mine, differs = said(object, setting), false
+      for _, other in ipairs(objects) do differs = differs or said(other, setting) ~= mine end
+      if differs and mine then parts[#parts + 1] = mine end
+    end
+    names[i] = titles and tostring(titles[i]) or table.concat(parts, ", ")
+    if names[i] == "" then names[i] = tostring(i) end
+  end
+  return names
+end
+
+-- What an object alone on a picture is: its main settings.
+local function summary(object)
+  local parts = {}
+  for _, name in ipairs { "stroke", "alpha", "load", "cycle" } do
+    for _, setting in ipairs(settings) do
+      if setting[1] == name then parts[#parts + 1] = said(object, setting) end
+    end
+  end
+  return table.concat(parts, ", ")
+end
+
+local function title_of(what, objects, options)
+  local about = #objects == 1 and not options.titles and summary(objects[1]) or ""
+  return about == "" and what or what .. ": " .. about
+end
+
+-- --- numbers ------------------------------------------------------------------------------------
+
+local function scaled(list, factor)
+  if factor == 1 then return list end
+  local result = {}
+  for i = 1, #list do result[i] = list[i] * factor end
+  return result
+end
+
+-- Widens reach to show all that is not zero: a little beyond the last such |x|, and the first zero
+-- on either side, where the curve comes down.
+local function reach_of(x, values, reach)
+  for i = 1, #x do
+    local at = math.abs(x[i])
+    if values[i] ~= 0 then
+      reach = math.max(reach, 1.25 * at)
+    elseif (values[i - 1] or 0) ~= 0 or (values[i + 1] or 0) ~= 0 then
+      reach = math.max(reach, 1.05 * at)
+    end
+  end
+  return reach
+end
+
+-- All there is where everything is zero.
+local function range_of(reach) return reach > 0 and { -reach, reach } or nil end
+
+-- Hertz' contact of an object: its own field, or computed from its model and load.
+local function hertz_of(where, object)
+  local known = get(object, "hertz")
+  if known then return known end
+  local model, load = get(object, "model"), get(object, "load")
+  if not (model and load) then
+    check.fail(where, "scaled needs objects with .hertz, or with .model and .load")
+  end
+  return archard.hertz { radius = model.radius, load = load, cylinder = model.cylinder,
+    plate = model.plate, thickness = model.thickness }
+end
+
+local function body_word(where, words, options)
+  local body = options.body
+  for _, word in ipairs(words) do
+    if word ~= "cylinder" and word ~= "plate" then
+      check.fail(where, ("expected \"cylinder\" or \"plate\", got \"%s\""):format(word))
+    end
+    body = word
+  end
+  return body
+end
+
+-- --- the pictures -------------------------------------------------------------------------------
+
+-- plot.pressure(w1, w2, ..., { scaled=, body=, ... })
+function curves.pressure(...)
+  local where = "plot.pressure"
+  local objects, words, options = split(where, "pressure", ...)
+  local body = body_word(where, words, options) or "cylinder"
+  local names = names_of(where, objects, options.titles)
+  local given, reach = {}, 0
+  for i, object in ipairs(objects) do
+    local pressure = object:pressure(body)
+    local a, p_h = 1, 1
+    if options.scaled then
+      local hertz = hertz_of(where, object)
+      a, p_h = hertz.half_width, hertz.p_max
+    end
+    local x, p = scaled(pressure.x, 1 / a), scaled(pressure.p, 1 / p_h)
+    reach = reach_of(x, p, reach)
+    given[i] = { x = x, y = p, title = #objects > 1 and names[i] or nil }
+  end
+  given = picture(where, options, { "scaled", "body", "titles" }, {
+    xlabel = options.scaled and "x / a" or "x / mm",
+    ylabel = options.scaled and "p / p_H" or "p / MPa",
+    xrange = range_of(reach), yrange = { 0 }, title = title_of("contact pressure", objects, options),
+    table.unpack(given),
+  })
+  draw.draw(where, given)
+end
+
+-- One panel of wear depths; depth grows downwards, as the groove does.
+local function profile_panel(objects, names, of_body)
+  local panel, reach = {}, 0
+  for i, object in ipairs(objects) do
+    for _, body in ipairs(of_body) do
+      local profile = object:profile(body)
+      reach = reach_of(profile.x, profile.h, reach)
+      panel[#panel + 1] = { x = profile.x, y = scaled(profile.h, 1000),
+        title = #of_body > 1 and body or #objects > 1 and names[i] or nil }
+    end
+  end
+  panel.xrange, panel.yrange = range_of(reach), { 0 }
+  return panel
+end
+
+-- plot.profile(w1, w2, ..., body, { ... }): both bodies where none is named.
+function curves.profile(...)
+  local where = "plot.profile"
+  local objects, words, options = split(where, "profile", ...)
+  local body = body_word(where, words, options)
+  local names = names_of(where, objects, options.titles)
+  local defaults = { xlabel = "x / mm", ylabel = "wear depth / µm", ydown = true }
+  if body or #objects == 1 then
+    for name, value in pairs(profile_panel(objects, names, body and { body } or bodies)) do
+      defaults[name] = value
+    end
+    defaults.title = title_of(body and "wear of the " .. body or "wear", objects, options)
+  else
+    defaults.panels, defaults.layout = {}, { 1, 2 }
+    for i, each in ipairs(bodies) do
+      defaults.panels[i] = profile_panel(objects, names, { each })
+      defaults.panels[i].title = each
+      defaults.panels[i].xrange = options.xrange or defaults.panels[i].xrange
+      defaults.panels[i].yrange = options.yrange or defaults.panels[i].yrange
+    end
+  end
+  draw.draw(where, picture(where, options, { "body", "titles" }, defaults))
+end
+
+-- --- history ------------------------------------------------------------------------------------
+
+-- Columns that share an axis: pattern of the names, label, factor to its unit.
+local quantities = {
+  { "^p_", "pressure / MPa", 1 },
+  { "^depth_partition$", "wear depth partition", 1 },
+  { "^depth_", "wear depth / µm", 1000 },
+  { "^volume_", "wear volume / mm³", 1 },
+  { "^half_width$", "half width / mm", 1 },
+  { "^k$", "k / (mm²/N)", 1 },
+  { "^alpha$", "α", 1 },
+  { "^jump$", "cycles of an update", 1 },
+  { ".", nil, 1 },
+}
+local spoken = { p_center = "centre", p_max = "largest", depth_cylinder = "cylinder",
+  depth_plate = "plate", volume_cylinder = "cylinder", volume_plate = "plate" }
+local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }
+
+local function quantity_of(name)
+  for _, quantity in ipairs(quantities) do
+    if name:find(quantity[1]) then return quantity[2] or name, quantity[3] end
+  end
+end
+
+local function column_of(where, history, name)
+  local column = get(history, name)
+  if column then return column end
+  local known = {}
+  for word in pairs(history) do known[#known + 1] = word end
+  check.fail(where, ("no column '%s' in the history%s"):format(name, check.hint(name, known)))
+end
+
+-- A panel for each quantity, in the order of the columns.
+local function history_panels(columns)
+  local panels, by_label = {}, {}
+  for _, name in ipairs(columns) do
+    local label, factor = quantity_of(name)
+    local panel = by_label[label]
+    if not panel then
+      panel = { ylabel = label, factor = factor, columns = {} }
+      panels[#panels + 1], by_label[label] = panel, panel
+    end
+    panel.columns[#panel.columns + 1] = name
+  end
+  return panels
+end
+
+local function from_second(list)
+  local result = {}
+  for i = 2, #list do result[i - 1] = list[i] end
+  return result
+end
+
+-- The row before the first update has no jump.
+local function history_curve(where, history, abscissa, column, factor)
+  local x, y = column_of(where, history, abscissa), column_of(where, history, column)
+  if column == "jump" and #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
+  return { x = x, y = scaled(y, factor) }
+end
+
+-- "plate, α = 0.5": what a reader needs to tell the curves of a panel apart.
+local function history_title(column, name, several_columns, several_objects)
+  local parts = {}
+  if several_columns then parts[1] = spoken[column] or column end
+  if several_objects then parts[#parts + 1] = name end
+  return parts[1] and table.concat(parts, ", ") or nil
+end
+
+-- plot.history(w1, ..., "p_center", ..., { against="cycle", ... })
+function curves.history(...)
+  local where = "plot.history"
+  local objects, columns, options = split(where, "history", ...)
+  if not columns[1] then columns = { "p_center" } end
+  local names = names_of(where, objects, options.titles)
+  local abscissa = options.against or "distance"
+  local panels = history_panels(columns)
+  for i, object in ipairs(objects) do
+    local history = object.history
+    for _, panel in ipairs(panels) do
+      for c, column in ipairs(panel.columns) do
+        local curve = history_curve(where, history, abscissa, column, panel.factor)
+        curve.series, curve.dash = #objects > 1 and i or c, #objects > 1 and c or 1
+        curve.title = history_title(column, names[i], #panel.columns > 1, #objects > 1)
+        panel[#panel + 1] = curve
+      end
+    end
+  end
+  for _, panel in ipairs(panels) do panel.factor, panel.columns = nil, nil end
+  local defaults = #panels == 1 and panels[1] or { panels = panels, layout = { #panels, 1 } }
+  defaults.xlabel = against[abscissa] or abscissa
+  defaults.title = title_of("history", objects, options)
+  draw.draw(where, picture(where, options, { "against", "titles" }, defaults))
+end
+
+curves.get, curves.picture, curves.summary = get, picture, summary
+curves.profile_panel, curves.range_of = profile_panel, range_of
+
+return curves

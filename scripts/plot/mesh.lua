@@ -1,0 +1,221 @@
+-- plot.mesh and plot.stress: elements and fields inside the two bodies. Leans on plot/draw.lua; of
+-- the objects it uses only what users can.
+
+local check = require "archard.lib.check"
+local draw = require "archard.plot.draw"
+
+local mesh = {}
+
+local bodies = { "cylinder", "plate" }
+
+-- --- elements -----------------------------------------------------------------------------------
+
+-- x and y of all nodes.
+local function nodes_of(body)
+  local x, y = {}, {}
+  for i = 1, body.nodes do x[i], y[i] = body:node(i) end
+  return x, y
+end
+
+-- Calls f(i, j) for each edge of the elements, and tells how many elements have it.
+local function each_edge(elements, f)
+  local uses, order, stride = {}, {}, 2 ^ 26
+  for e = 1, #elements, 4 do
+    local corners = elements[e + 3] == 0 and 3 or 4
+    for k = 0, corners - 1 do
+      local i, j = elements[e + k], elements[e + (k + 1) % corners]
+      local edge = math.min(i, j) * stride + math.max(i, j)
+      if not uses[edge] then order[#order + 1] = edge end
+      uses[edge] = (uses[edge] or 0) + 1
+    end
+  end
+  for _, edge in ipairs(order) do
+    f(math.tointeger(edge // stride), math.tointeger(edge % stride), uses[edge])
+  end
+end
+
+-- Edges as one broken line; all, or the boundary alone; those that can be seen in the box.
+local function edge_curve(x, y, elements, boundary, box)
+  local curve, n = { x = {}, y = {} }, 0
+  local cx, cy, nan = curve.x, curve.y, 0 / 0
+  each_edge(elements, function(i, j, uses)
+    if boundary and uses > 1 then return end
+    if box and (math.max(x[i], x[j]) < box[1] or math.min(x[i], x[j]) > box[2]
+      or math.max(y[i], y[j]) < box[3] or math.min(y[i], y[j]) > box[4]) then return end
+    cx[n + 1], cy[n + 1] = x[i], y[i]
+    cx[n + 2], cy[n + 2] = x[j], y[j]
+    cx[n + 3], cy[n + 3] = nan, nan
+    n = n + 3
+  end)
+  return n > 0 and curve or nil
+end
+
+-- --- arguments ----------------------------------------------------------------------------------
+
+local function options_of(where, options, own)
+  if options ~= nil and type(options) ~= "table" then
+    check.fail(where, "expected a table of options, got " .. check.shown(options))
+  end
+  local fields = {}
+  for name, kind in pairs(draw.fields) do fields[name] = kind end
+  for name, kind in pairs(own) do fields[name] = kind end
+  return check.fields(where, options or {}, fields)
+end
+
+local function picture(options, defaults)
+  for name, value in pairs(options) do
+    if draw.fields[name] then defaults[name] = value end
+  end
+  return defaults
+end
+
+local function shown_bodies(options) return options.body and { options.body } or bodies end
+
+-- What is handed over for a view: more than it, since equal scales can widen what is shown.
+local function around(box)
+  if not box then return nil end
+  local wide, high = box[2] - box[1], box[4] - box[3]
+  local more = math.max(wide, high)
+  return { box[1] - more, box[2] + more, box[3] - more, box[4] + more }
+end
+
+-- --- mesh ---------------------------------------------------------------------------------------
+
+-- A view about ten elements wide and as high as both wear boxes and a bit more.
+local function wear_box_view(where, model)
+  local depth = 0
+  for _, name in ipairs(bodies) do
+    local body = model.mesh[name]
+    local nodes = body:box()
+    local per_column = body.rows + 1
+    local middle = (#nodes // per_column // 2) * per_column
+    local _, y0 = body:node(nodes[middle + 1])
+    local _, y1 = body:node(nodes[middle + per_column])
+    depth = math.max(depth, math.abs(y1 - y0))
+  end
+  if depth == 0 then check.fail(where, "this model has no wear box") end
+  return { -3 * depth, 3 * depth, -2 * depth, 2 * depth }
+end
+
+local function view_of(where, model, zoom)
+  if zoom == "wear box" then return wear_box_view(where, model) end
+  return type(zoom) == "table" and zoom or nil
+end
+
+local mesh_options = { body = check.one_of(bodies), zoom = check.one_of({ "wear box", "all" },
+  check.box) }
+
+-- plot.mesh(model, { zoom="wear box" or { x0, x1, y0, y1 }, body=, ... })
+function mesh.mesh(model, options)
+  local where = "plot.mesh"
+  local ok, meshes = pcall(function() return model.mesh end)
+  if not ok or not meshes then
+    check.fail(where, "expected a model as the first argument, got " .. check.shown(model))
+  end
+  options = options_of(where, options, mesh_options)
+  local box = view_of(where, model, options.zoom)
+  local defaults = { xlabel = "x / mm", ylabel = "y / mm", equal = true, title = "mesh" }
+  local nodes, count = 0, 0
+  for series, name in ipairs(bodies) do
+    local body = meshes[name]
+    if not options.body or options.body == name then
+      local x, y = nodes_of(body)
+      local elements = body:elements()
+      local curve = edge_curve(x, y, elements, false, around(box))
+      nodes, count = nodes + #x, count + #elements // 4
+      if curve then
+        curve.title, curve.series, curve.width = name, series, 0.5
+        defaults[#defaults + 1] = curve
+      end
+    end
+  end
+  if not defaults[1] then check.fail(where, "no element lies in the part to be shown") end
+  defaults.title = ("mesh: %d nodes, %d elements"):format(nodes, count)
+  if box then defaults.xrange, defaults.yrange = { box[1], box[2] }, { box[3], box[4] } end
+  draw.draw(where, picture(options, defaults))
+end
+
+-- --- stress -------------------------------------------------------------------------------------
+
+local components = { mises = "von Mises stress / MPa", shear = "largest shear stress / MPa",
+  sxx = "σx / MPa", syy = "σy / MPa", szz = "σz / MPa", sxy = "τxy / MPa" }
+local component_names = { "mises", "shear", "sxx", "syy", "szz", "sxy" }
+
+local stress_options = { component = check.one_of(component_names), body = check.one_of(bodies),
+  zoom = check.one_of({ "all" }, check.box), deformed = check.number }
+
+-- Nodes of a body, displaced `factor` times as far as they were.
+local function displaced(body, factor)
+  if factor == 0 then return body.x, body.y end
+  local x, y = {}, {}
+  for i = 1, #body.x do
+    x[i], y[i] = body.x[i] + factor * body.ux[i], body.y[i] + factor * body.uy[i]
+  end
+  return x, y
+end
+
+-- Appends the elements that touch the box as polygons of four corners.
+local function add_polygons(field, x, y, values, elements, box)
+  local fx, fy, fv, n = field.x, field.y, field.value, #field.x
+  for e = 1, #elements, 4 do
+    local a, b, c, d = elements[e], elements[e + 1], elements[e + 2], elements[e + 3]
+    if d == 0 then d = c end
+    local seen = not box or (math.max(x[a], x[b], x[c], x[d]) >= box[1]
+      and math.min(x[a], x[b], x[c], x[d]) <= box[2]
+      and math.max(y[a], y[b], y[c], y[d]) >= box[3]
+      and math.min(y[a], y[b], y[c], y[d]) <= box[4])
+    for _, i in ipairs(seen and { a, b, c, d } or {}) do
+      n = n + 1
+      fx[n], fy[n], fv[n] = x[i], y[i], values[i]
+    end
+  end
+end
+
+-- Three half widths around the contact, unless told otherwise.
+local function stress_view(contact, zoom)
+  if type(zoom) == "table" then return zoom end
+  local ok, a = pcall(function() return contact.half_width end)
+  if zoom == "all" or not ok or not a or a <= 0 then return nil end
+  return { -3 * a, 3 * a, -2.5 * a, 2.5 * a }
+end
+
+-- The stresses of a contact, or what its stress() handed out; and the contact, where it is known.
+local function field_of(where, object)
+  local ok, stress = pcall(function() return object.stress end)
+  if ok and stress then return object:stress(), object end
+  local both = type(object) == "table"
+  for _, name in ipairs(bodies) do
+    both = both and type(object[name]) == "table" and object[name].elements ~= nil
+  end
+  if both then return object, object.contact end
+  check.fail(where, "expected a contact or its stress() as the first argument, got "
+    .. check.shown(object))
+end
+
+-- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... })
+function mesh.stress(object, options)
+  local where = "plot.stress"
+  local stress, contact = field_of(where, object)
+  options = options_of(where, options, stress_options)
+  local component, box = options.component or "mises", stress_view(contact, options.zoom)
+  local field, defaults = { x = {}, y = {}, value = {} }, {}
+  for _, name in ipairs(shown_bodies(options)) do
+    local body = stress[name]
+    local x, y = displaced(body, options.deformed or 0)
+    add_polygons(field, x, y, body[component], body.elements, around(box))
+    local outline = edge_curve(x, y, body.elements, true, around(box))
+    if outline then
+      outline.colour, outline.width = "black", 0.6
+      defaults[#defaults + 1] = outline
+    end
+  end
+  if not field.x[1] then check.fail(where, "no element lies in the part to be shown") end
+  table.insert(defaults, 1, field)
+  defaults.xlabel, defaults.ylabel, defaults.vlabel = "x / mm", "y / mm", components[component]
+  defaults.equal, defaults.levels = true, 9
+  defaults.title = components[component]
+  if box then defaults.xrange, defaults.yrange = { box[1], box[2] }, { box[3], box[4] } end
+  draw.draw(where, picture(options, defaults))
+end
+
+return mesh

@@ -1,0 +1,198 @@
+-- A case of a study: its settings and, once it has run, what a wear object would tell of it, read
+-- from the run file when asked for. It has the methods that plots look for.
+
+local archard = require "archard"
+local check = require "archard.lib.check"
+local settings = require "archard.study.settings"
+
+local case = {}
+
+-- --- what is read on first use -------------------------------------------------------------------
+
+local computed = {}
+
+function computed.history(self) return self.study:store():history(self.id) end
+
+function computed.surfaces(self) return self.study:store():surfaces(self.id) end
+
+function computed.definition(self)
+  return settings.nest(self.study:store():values(self.id, "definition"))
+end
+
+function computed.results(self)
+  return settings.nest(self.study:store():values(self.id, "results"))
+end
+
+-- What the engine warned of in this case, or nil.
+function computed.warning(self)
+  return self.study.file and self.study:store():values(self.id, "results").warning
+end
+
+-- The last row of the history, or nil.
+function computed.last(self)
+  local history = self.history
+  if not history then return nil end
+  local row = {}
+  for name, column in pairs(history) do row[name] = column[#column] end
+  return row
+end
+
+function computed.depth(self)
+  local last = self.last
+  return last and { cylinder = last.depth_cylinder, plate = last.depth_plate }
+end
+
+function computed.volume(self)
+  local last = self.last
+  return last and { cylinder = last.volume_cylinder, plate = last.volume_plate,
+    total = last.volume_cylinder + last.volume_plate }
+end
+
+function computed.model(self)
+  local definition = self.definition
+  return next(definition) and definition.model
+end
+
+function computed.hertz(self)
+  local definition = self.definition
+  if not next(definition) then return nil end
+  local model = definition.model
+  return archard.hertz{ radius = model.radius, thickness = model.thickness,
+    load = definition.load, cylinder = model.cylinder, plate = model.plate }
+end
+
+local measures = {}
+for name in ("update cycle distance p_center p_max half_width depth_partition solutions")
+  :gmatch("%S+") do
+  measures[name] = true
+end
+
+-- --- methods -------------------------------------------------------------------------------------
+
+local methods = {}
+
+-- The stored surface of a body at the last look not after `distance` [mm]; nil: at the end.
+local function surface(self, where, body, distance)
+  body = body or "cylinder"
+  if body ~= "cylinder" and body ~= "plate" then
+    check.fail(where, ('expected "cylinder" or "plate", got "%s"'):format(tostring(body)))
+  end
+  local found
+  for _, each in ipairs(self.surfaces) do
+    if each.body == body and (not distance or each.distance <= distance * (1 + 1e-9)) then
+      found = each
+    end
+  end
+  if not found then
+    check.fail(where, ("case %d (%s) has no stored surface%s: it is %s"):format(self.id,
+      self.label, distance and (" up to %g mm"):format(distance) or "", self.status))
+  end
+  return found
+end
+
+function methods:profile(body, distance)
+  local found = surface(self, "case:profile", body, distance)
+  return { x = found.x, h = found.h, y = found.y, distance = found.distance }
+end
+
+function methods:pressure(body, distance)
+  local found = surface(self, "case:pressure", body, distance)
+  return { x = found.x, p = found.p, distance = found.distance }
+end
+
+-- The distances [mm] at which surfaces are stored.
+function methods:distances()
+  local list = {}
+  for _, each in ipairs(self.surfaces) do
+    if each.body == "cylinder" then list[#list + 1] = each.distance end
+  end
+  return list
+end
+
+-- h at x by straight lines; 0 outside.
+local function depth_at(profile, x)
+  local xs, hs = profile.x, profile.h
+  if x < xs[1] or x > xs[#xs] then return 0 end
+  local low, high = 1, #xs
+  while high - low > 1 do
+    local middle = (low + high) // 2
+    if xs[middle] <= x then low = middle else high = middle end
+  end
+  if xs[high] == x then return hs[high] end
+  return hs[low] + (hs[high] - hs[low]) * (x - xs[low]) / (xs[high] - xs[low])
+end
+
+-- Both depths at the plate's nodes with the plate at x = 0: calls see(x, cylinder's, plate's).
+local function together(self, distance, see)
+  local cylinder, plate = self:profile("cylinder", distance), self:profile("plate", distance)
+  for i, x in ipairs(plate.x) do see(x, depth_at(cylinder, x), plate.h[i]) end
+end
+
+-- The sum of both depths, Eq. (31).
+function methods:combined(distance)
+  local sum = { x = {}, h = {} }
+  together(self, distance, function(x, cylinder, plate)
+    sum.x[#sum.x + 1] = x
+    sum.h[#sum.h + 1] = cylinder + plate
+  end)
+  return sum
+end
+
+-- The cylinder's share of it, Eq. (30), where there is any wear.
+function methods:local_partition(distance)
+  local share = { x = {}, value = {} }
+  together(self, distance, function(x, cylinder, plate)
+    if cylinder + plate <= 0 then return end
+    share.x[#share.x + 1] = x
+    share.value[#share.value + 1] = cylinder / (cylinder + plate)
+  end)
+  return share
+end
+
+-- The run as a wear object, that can go on.
+function methods:wear() return self.study:store():wear(self.id) end
+
+-- --- the object ----------------------------------------------------------------------------------
+
+-- Settings as given come before those of the stored definition, that come with defaults.
+function case.__index(self, name)
+  local value = methods[name]
+  if value ~= nil then return value end
+  if computed[name] then
+    value = computed[name](self)
+  elseif measures[name] then
+    value = self.last and self.last[name]
+  else
+    value = rawget(self, "settings")[name]
+    if value == nil and type(name) == "string" and rawget(self, "study").file then
+      value = self.definition[name]
+    end
+  end
+  if value ~= nil and self.status == "done" then rawset(self, name, value) end
+  return value
+end
+
+case.__name = "case"
+case.__methods = methods
+case.__fields = { "id", "label", "status", "message", "seconds", "settings", "study" }
+for name in pairs(computed) do case.__fields[#case.__fields + 1] = name end
+for name in pairs(measures) do case.__fields[#case.__fields + 1] = name end
+
+function case.__tostring(self)
+  local head = ("case %d: %s, %s"):format(self.id, self.label, self.status)
+  if self.message then return head .. "\n  " .. self.message end
+  if self.warning then head = head .. "\n  warning: " .. self.warning end
+  local last = self.status == "done" and self.last
+  if not last then return head end
+  return ("%s\n  %.6g mm, p centre %.2f MPa, depth %.4f and %.4f um, volume %.4e mm3"):format(head,
+    last.distance, last.p_center, 1e3 * last.depth_cylinder, 1e3 * last.depth_plate,
+    last.volume_cylinder + last.volume_plate)
+end
+
+-- From a row of the store, with its nested settings.
+function case.new(study, row, given)
+  row.study, row.settings = study, given
+  return setmetatable(row, case)
+end
+
+return case

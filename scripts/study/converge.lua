@@ -1,0 +1,225 @@
+-- study.converge: which mesh, which cycles per update and which increments a model needs. One case
+-- is searched here; many are a study of their own whose workers search (search.lua).
+
+local check = require "archard.lib.check"
+local search = require "archard.study.search"
+local settings = require "archard.study.settings"
+local align = require "archard.study.table".align
+
+local where = "study.converge"
+
+-- --- what is given -------------------------------------------------------------------------------
+
+local share = { expected = "a number > 0 and < 1", test = function(v)
+  return type(v) == "number" and v > 0 and v < 1
+end }
+local limit_fields = { pressure = share, smooth = share, symmetric = share, profile = share,
+  updates = { expected = "a whole number from 4 to 1000", test = function(v)
+    return math.tointeger(v) ~= nil and v >= 4 and v <= 1000
+  end }, first_depth = check.positive }
+local run_fields = { file = check.text, workers = check.count,
+  progress = { expected = 'a function, false or "lines"', test = function() return true end } }
+local own_fields = { mesh = check.flag, base = check.table, vary = check.table,
+  cases = check.table, name = check.text }
+for _, fields in ipairs{ limit_fields, run_fields } do
+  for name, kind in pairs(fields) do own_fields[name] = kind end
+end
+
+local function pick(given, fields)
+  local picked = {}
+  for name in pairs(fields) do picked[name] = given[name] end
+  return picked
+end
+
+-- A study object and options, or one table with both; -> flat cases, options, name.
+local function read(study, given, options)
+  local metatable = type(given) == "table" and getmetatable(given)
+  if metatable and metatable.__name == "study" then
+    options = options or {}
+    check.fields(where, options, own_fields)
+    return given.flat, options, given.name
+  end
+  if type(given) ~= "table" then
+    check.fail(where, ("expected a study or a table of named fields, got %s"):format(type(given)))
+  end
+  check.fields(where, given, own_fields)
+  local plain = study{ base = given.base, vary = given.vary, cases = given.cases }
+  return plain.flat, given, given.name or "study"
+end
+
+-- --- the mesh ------------------------------------------------------------------------------------
+
+local function find_mesh(flat, options)
+  local limit = options.pressure or search.limits.pressure
+  local steps, good = search.mesh(settings.nest(flat), limit)
+  if not good then
+    check.fail(where, ("no element size down to %g mm brings the largest pressure within %g %% of "
+      .. "Hertz' and keeps it there"):format(steps[#steps].size, 100 * limit), "NOT_CONVERGED")
+  end
+  return { steps = steps, limit = limit, size = good.size }
+end
+
+local function refuse_loading(flat)
+  for name in pairs(flat) do
+    if name:find("^loading") then
+      check.fail(where, "field 'loading': only reciprocating cases are searched; give a stroke")
+    end
+  end
+end
+
+local function with_mesh(flat, mesh, limits)
+  local copy = {}
+  for name, value in pairs(flat) do copy[name] = value end
+  if mesh then
+    copy["model.mesh.size"], copy["model.mesh.height"] = mesh.size, 1.25 * mesh.size
+  end
+  for name, value in pairs(limits) do copy["converge." .. name] = value end
+  return copy
+end
+
+-- --- searching -----------------------------------------------------------------------------------
+
+local function search_one(flat)
+  return { { label = "the only case", status = "done", settings = settings.nest(flat),
+    found = search(settings.nest(flat), function() end) } }
+end
+
+local function search_many(study, flat, options, name)
+  local given = {}
+  for i, case in ipairs(flat) do given[i] = case end
+  local run = study{ name = name, cases = given, task = "converge", looks = 0 }
+  run:run{ file = options.file or "converge.archard", workers = options.workers,
+    progress = options.progress }
+  local rows = {}
+  for i, case in ipairs(run:cases()) do
+    rows[i] = { label = case.label, status = case.status, message = case.message,
+      settings = case.settings, found = case.status == "done" and case.results or nil }
+  end
+  run:close()
+  return rows
+end
+
+-- --- showing -------------------------------------------------------------------------------------
+
+local function number(format, value)
+  return value and format:format(value) or "-"
+end
+
+local function mesh_lines(mesh)
+  local rows = { { "size [mm]", "across 2a", "p_max [MPa]", "off Hertz", "change" } }
+  for _, step in ipairs(mesh.steps) do
+    rows[#rows + 1] = { ("%g"):format(step.size), ("%.1f"):format(step.elements),
+      ("%.2f"):format(step.p_max), ("%+.2f %%"):format(100 * step.error),
+      step.change and ("%+.2f %%"):format(100 * step.change) or "-" }
+  end
+  align(rows)
+  local lines = { ("element size: %g mm is enough (within %g %% of Hertz' pressure, as is half of it)")
+    :format(mesh.size, 100 * mesh.limit) }
+  for _, row in ipairs(rows) do lines[#lines + 1] = "  " .. table.concat(row, "  ") end
+  return table.concat(lines, "\n")
+end
+
+-- Larger ones were not tried where a tenth of all cycles was good already.
+local function shown_jump(found)
+  return (found.capped and "≥" or "") .. number("%g", found.jump)
+end
+
+local function case_row(row)
+  local found = row.found
+  if not found then return { row.label, row.status, "-", "-", "-", row.message or "" } end
+  return { row.label, shown_jump(found), number("%d", found.increments),
+    number("%.1e", found.roughness), number("%.1e", found.asymmetry),
+    number("%.2f", found.first_depth and 1e3 * found.first_depth) }
+end
+
+local function case_lines(rows)
+  local lines = { { "case", "jump", "increments", "roughness", "asymmetry", "first depth [um]" } }
+  for i, row in ipairs(rows) do lines[i + 1] = case_row(row) end
+  align(lines)
+  for i, line in ipairs(lines) do lines[i] = table.concat(line, "  ") end
+  return table.concat(lines, "\n")
+end
+
+-- A limit of roughness that was not the one asked for is told.
+local function smooth_lines(rows)
+  local lines = {}
+  for _, row in ipairs(rows) do
+    if row.found and row.found.smooth then
+      lines[#lines + 1] = ("%s: roughness up to %.1e was allowed, since the unworn pressure on this "
+        .. "mesh is rough itself; a finer mesh keeps to the limit of %g"):format(row.label,
+        row.found.smooth, row.limit)
+    end
+  end
+  return #lines > 0 and table.concat(lines, "\n") or nil
+end
+
+-- --- the paper's table -----------------------------------------------------------------------------
+
+-- The row of a paper's case, or nil.
+local function row_of(rows, alpha, stroke)
+  for _, row in ipairs(rows) do
+    if row.settings.alpha == alpha and row.settings.stroke == stroke then return row end
+  end
+end
+
+-- Rows of texts: alpha; then for each stroke the paper's jump, ours, our increments.
+local function paper_rows(rows)
+  local paper = require "archard.study.paper"
+  local result = { { "α" } }
+  for _, name in ipairs(paper.stroke_names) do
+    for _, head in ipairs{ name .. ": paper", "ours", "n_c" } do
+      result[1][#result[1] + 1] = head
+    end
+  end
+  for i, alpha in ipairs(paper.alphas) do
+    local line = { ("%g"):format(alpha) }
+    for j, stroke in ipairs(paper.strokes) do
+      local row = row_of(rows, alpha, stroke)
+      local found = row and row.found or {}
+      line[#line + 1] = number("%d", paper.jumps[i][j])
+      line[#line + 1] = shown_jump(found)
+      line[#line + 1] = number("%d", found.increments)
+    end
+    result[#result + 1] = line
+  end
+  return result
+end
+
+local methods = {}
+local class = { __index = methods, __name = "convergence", __methods = methods }
+
+-- The paper's Table 1 with what was found beside it, as rows of texts; nil for other cases.
+function methods:table_1()
+  if not row_of(self.cases, 0.5, 0.11) or #self.cases < 20 then return nil end
+  return paper_rows(self.cases)
+end
+
+function class.__tostring(self)
+  local parts = {}
+  if self.mesh then parts[1] = mesh_lines(self.mesh) end
+  local rows = self:table_1()
+  if rows then
+    align(rows)
+    for i, row in ipairs(rows) do rows[i] = table.concat(row, "  ") end
+    parts[#parts + 1] = "cycles per update (n_c: increments per cycle)\n"
+      .. table.concat(rows, "\n")
+  else
+    parts[#parts + 1] = case_lines(self.cases)
+  end
+  parts[#parts + 1] = smooth_lines(self.cases)
+  return table.concat(parts, "\n\n")
+end
+
+-- (study module, study object or table of fields, options) -> { mesh=, cases= }
+return function(study, given, options)
+  local flat, read_options, name = read(study, given, options)
+  for _, case in ipairs(flat) do refuse_loading(case) end
+  local limits = pick(read_options, limit_fields)
+  local mesh = read_options.mesh ~= false and find_mesh(flat[1], read_options) or nil
+  local wanted = {}
+  for i, case in ipairs(flat) do wanted[i] = with_mesh(case, mesh, limits) end
+  local rows = #wanted == 1 and search_one(wanted[1])
+    or search_many(study, wanted, read_options, name)
+  for _, row in ipairs(rows) do row.limit = limits.smooth or search.limits.smooth end
+  return setmetatable({ mesh = mesh, cases = rows }, class)
+end

@@ -1,0 +1,302 @@
+-- study: many wear runs in one run file. This file makes studies and opens them; the work is in
+-- study/run.lua (computing), study/case.lua (looking), study/table.lua, figures.lua, converge.lua.
+-- Leans on archard.store.
+
+local check = require "archard.lib.check"
+local settings = require "archard.study.settings"
+
+local study = {}
+local methods = {}
+local class = { __index = methods, __name = "study", __methods = methods,
+  __fields = { "name", "file" } }
+
+-- How often the surfaces of a case are kept on the way, unless `looks` says otherwise.
+local usual_looks = 6
+
+local function store_module() return require "archard.store" end
+
+-- Opens a run file; what fails is told of as the call that the user made.
+local function open_file(where, path, mode)
+  local fine, store = pcall(store_module().open, path, mode)
+  if fine then return store end
+  if type(store) == "table" then store.where = where end
+  error(store, 0)
+end
+
+-- --- making ------------------------------------------------------------------------------------
+
+local function any(expected, test) return { expected = expected, test = test } end
+local list_of_tables = any("a list of tables", function(v)
+  if type(v) ~= "table" or #v == 0 then return false end
+  for _, one in ipairs(v) do
+    if type(one) ~= "table" then return false end
+  end
+  return true
+end)
+local whole = any("a whole number >= 0", function(v)
+  return math.tointeger(v) ~= nil and v >= 0
+end)
+local definition_fields = { base = check.table, vary = check.table, cases = list_of_tables,
+  name = check.text, looks = whole, task = check.one_of{ "wear", "converge" } }
+
+-- The flat settings of every case; without either list, base is the one case.
+local function expand(where, given)
+  if given.vary and given.cases then
+    check.fail(where, "fields 'vary' and 'cases': expected one of them, got both")
+  end
+  local cases = given.cases or settings.grid(where, given.vary or {})
+  local flat = {}
+  for i, case in ipairs(cases) do flat[i] = settings.join(where, given.base or {}, case) end
+  return flat
+end
+
+local function new(where, given)
+  if type(given) ~= "table" then
+    check.fail(where, ("expected a table of named fields, got %s"):format(type(given)))
+  end
+  check.fields(where, given, definition_fields)
+  if given[1] ~= nil then check.fail(where, "fields are given by name; found [1]") end
+  local self = { name = given.name or "study", flat = expand(where, given), task = given.task,
+    looks = given.looks or usual_looks }
+  if not given.task then require "archard.study.names"(where, self.flat) end
+  self.varied = settings.varied(self.flat)
+  self.labels = {}
+  for i, case in ipairs(self.flat) do self.labels[i] = settings.label(case, self.varied) end
+  return setmetatable(self, class)
+end
+
+-- The 20 cases of Table 1; other fields of wear{} may be given for all of them.
+function study.paper(base)
+  return new("study.paper", { name = "paper", base = base,
+    cases = require "archard.study.paper".cases() })
+end
+
+-- The runs of the paper's example of convergence (Fig. 8).
+function study.trials(base)
+  return new("study.trials", { name = "trials", base = base, looks = 0,
+    cases = require "archard.study.paper".trial_cases() })
+end
+
+-- --- run files ---------------------------------------------------------------------------------
+
+local function write_definitions(self, store)
+  store:begin()
+  store:set_info("kind", "study")
+  store:set_info("name", self.name)
+  store:set_info("looks", tostring(self.looks))
+  store:set_info("task", self.task)
+  store:set_info("program", "archard " .. require "archard".version)
+  for id, flat in ipairs(self.flat) do
+    store:add(id, self.labels[id])
+    store:set_values(id, "settings", flat)
+  end
+  store:commit()
+end
+
+local function other_study(store, what)
+  check.fail("study:run", ("%s holds another study (%s); name another file, or remove it")
+    :format(store.path, what), "ARGUMENT")
+end
+
+-- Whether the file holds this very study: then it goes on.
+local function compare(self, store)
+  local kind = store:info("kind")
+  if kind ~= "study" then other_study(store, "its kind is " .. tostring(kind)) end
+  local cases = store:cases()
+  if #cases ~= #self.flat then
+    other_study(store, ("it has %d cases, this one %d"):format(#cases, #self.flat))
+  end
+  for id, flat in ipairs(self.flat) do
+    local there = store:values(id, "settings")
+    local name = settings.difference(flat, there)
+    if name then
+      other_study(store, ("case %d has %s = %s there, %s here"):format(id, name,
+        settings.shown(there[name]), settings.shown(flat[name])))
+    end
+  end
+end
+
+local function open_for_run(self, path)
+  local store = open_file("study:run", path, "create")
+  store:check()
+  if #store:cases() == 0 and not store:info("kind") then
+    write_definitions(self, store)
+  else
+    compare(self, store)
+  end
+  return store
+end
+
+-- study.open(path): a study as its run file has it, to look at or to go on with.
+function study.open(path)
+  if type(path) ~= "string" then
+    check.fail("study.open", ("expected the name of a run file, got %s"):format(type(path)))
+  end
+  local store = open_file("study.open", path, "read")
+  store:check()
+  local kind = store:info("kind")
+  if kind ~= "study" then
+    check.fail("study.open", ("%s: expected a run file of kind study, got %s"):format(path,
+      tostring(kind)), "FORMAT")
+  end
+  local flat = {}
+  for i, case in ipairs(store:cases()) do flat[i] = store:values(case.id, "settings") end
+  local self = new("study.open", { name = store:info("name"), cases = { {} },
+    looks = math.tointeger(tonumber(store:info("looks"))), task = store:info("task") })
+  self.flat, self.varied, self.labels = flat, settings.varied(flat), {}
+  for i, case in ipairs(flat) do self.labels[i] = settings.label(case, self.varied) end
+  self.file, self.reading = path, store
+  return self
+end
+
+-- The run file, open for reading.
+function methods:store()
+  if not self.reading then
+    if not self.file then
+      check.fail("study", "nothing has run yet: call run{}, or study.open(file)")
+    end
+    self.reading = open_file("study", self.file, "read")
+  end
+  return self.reading
+end
+
+-- --- running -----------------------------------------------------------------------------------
+
+local shard_kind = any('"i/n" with i from 1 to n', function(v)
+  local i, n = tostring(v):match("^(%d+)/(%d+)$")
+  i, n = tonumber(i), tonumber(n)
+  return type(v) == "string" and i ~= nil and i >= 1 and n >= i
+end)
+local run_fields = {
+  workers = any("a whole number from 1 to 256", function(v)
+    return math.tointeger(v) ~= nil and v >= 1 and v <= 256
+  end),
+  file = check.text, shard = shard_kind,
+  progress = any('a function, false or "lines"', function(v)
+    return type(v) == "function" or v == false or v == "lines"
+  end),
+}
+
+local function read_shard(text)
+  if not text then return nil end
+  local i, n = text:match("(%d+)/(%d+)")
+  return { tonumber(i), tonumber(n) }
+end
+
+-- A value out of range is told before anything starts: by the first case, made here.
+local function try_first(self)
+  if self.task then return end
+  local made, run = pcall(wear, settings.nest(self.flat[1]))
+  if made then return run:close() end
+  if type(run) ~= "table" then error(run, 0) end
+  check.fail("study:run", ("case 1: %s"):format(run.message), run.code)
+end
+
+local most_warnings = 3 -- shown one by one; more become one line
+
+local function report(failed, warned)
+  local function tell(text, ...) io.stderr:write("study: ", text:format(...), "\n") end
+  for _, case in ipairs(failed) do
+    tell("case %d (%s) failed: %s", case.id, case.label, case.message)
+  end
+  table.sort(warned, function(a, b) return a.id < b.id end)
+  for i = 1, #warned <= most_warnings and #warned or 0 do
+    tell("case %d (%s): warning: %s", warned[i].id, warned[i].label, warned[i].message)
+  end
+  if #warned <= most_warnings then return end
+  local ids = {}
+  for i, case in ipairs(warned) do ids[i] = case.id end
+  tell("%d cases (%s) have warnings, as case %d (%s): %s", #warned, table.concat(ids, ", "),
+    warned[1].id, warned[1].label, warned[1].message)
+end
+
+-- run{ workers=, file=, shard="i/n", progress= } -> the study itself. Cases that are done stay as
+-- they are; `failed` of the study lists those that failed, `warned` those that this run warned of.
+function methods:run(options)
+  options = options or {}
+  check.fields("study:run", options, run_fields)
+  local path = options.file or self.file or "study.archard"
+  if self.reading then self.reading:close() end
+  self.reading = nil
+  try_first(self)
+  local store = open_for_run(self, path)
+  self.file = path
+  local workers = options.workers or require "archard.process".processors()
+  self.failed, self.warned = require "archard.study.run"(store, { workers = workers,
+    shard = read_shard(options.shard), progress = options.progress })
+  store:close()
+  report(self.failed, self.warned)
+  return self
+end
+
+-- The cases in their order, with the results of those that have run.
+function methods:cases()
+  local new_case = require "archard.study.case".new
+  local list = {}
+  if not self.file then
+    for id, flat in ipairs(self.flat) do
+      list[id] = new_case(self, { id = id, label = self.labels[id], status = "waiting" },
+        settings.nest(flat))
+    end
+    return list
+  end
+  for i, row in ipairs(self:store():cases()) do
+    list[i] = new_case(self, row, settings.nest(self.flat[i]))
+  end
+  return list
+end
+
+function methods:table(options) return require "archard.study.table".make(self, options) end
+
+function methods:figures(options) return require "archard.figures".draw(self, options) end
+
+-- Closes the run file, if it is open.
+function methods:close()
+  if self.reading then self.reading:close() end
+  self.reading = nil
+end
+
+-- study.converge{...}: the settings that the cases need, found by trial; see converge.lua.
+function study.converge(given, options)
+  return require "archard.study.converge"(study, given, options)
+end
+
+-- --- joining -----------------------------------------------------------------------------------
+
+-- study.merge(file, ..., { file = }): joins the shares of one study into one file, "study.archard"
+-- where none is named; every case must be finished in one of them.
+function study.merge(...)
+  local files = { ... }
+  local options = type(files[#files]) == "table" and table.remove(files) or {}
+  check.fields("study.merge", options, { file = check.text })
+  for _, file in ipairs(options) do files[#files + 1] = file end
+  for i, file in ipairs(files) do
+    if type(file) ~= "string" then
+      check.fail("study.merge", ("argument %d: expected the name of a run file, got %s"):format(i,
+        type(file)))
+    end
+  end
+  if #files == 0 then check.fail("study.merge", "expected the names of run files, got none") end
+  return require "archard.study.merge"(files, options.file or "study.archard", study.open,
+    write_definitions)
+end
+
+-- --- showing -----------------------------------------------------------------------------------
+
+local function count_by_status(self)
+  local count = { waiting = 0, running = 0, done = 0, failed = 0 }
+  for _, case in ipairs(self:cases()) do count[case.status] = count[case.status] + 1 end
+  return count
+end
+
+function class.__tostring(self)
+  local count = count_by_status(self)
+  local lines = { ("study %s: %d cases%s"):format(self.name, #self.flat,
+    self.file and " in " .. self.file or ""),
+    ("  %d done, %d failed, %d to do"):format(count.done, count.failed,
+      count.waiting + count.running) }
+  if #self.varied > 0 then lines[#lines + 1] = "  varied: " .. table.concat(self.varied, ", ") end
+  return table.concat(lines, "\n")
+end
+
+return setmetatable(study, { __call = function(_, given) return new("study", given or {}) end })

@@ -1,0 +1,32 @@
+-- Joins the run files of a study's shares into one. Leans on archard.store, whose merge refuses
+-- files of different studies and cases that are finished twice.
+
+local stores = require "archard.store"
+local check = require "archard.lib.check"
+
+local function missing(store)
+  local ids = {}
+  for _, case in ipairs(store:cases()) do
+    if case.status ~= "done" then ids[#ids + 1] = case.id end
+  end
+  return ids
+end
+
+local function refuse_gaps(path, ids)
+  local shown = table.concat(ids, ", ", 1, math.min(#ids, 12)) .. (#ids > 12 and ", ..." or "")
+  check.fail("study.merge", ("%s: %d cases are finished in none of the files: %s"):format(path,
+    #ids, shown))
+end
+
+-- open(path) reads a study, write(study, store) stores its definitions.
+return function(files, path, open, write)
+  local first = open(files[1])
+  first:close()
+  local store <close> = stores.replace(path, "study")
+  write(first, store)
+  for _, file in ipairs(files) do store:merge(file) end
+  local gaps = missing(store)
+  if #gaps > 0 then refuse_gaps(path, gaps) end
+  store:publish()
+  return open(path)
+end

@@ -1,0 +1,59 @@
+-- The names that settings of a case may have: those of wear{}, model{} and material{} as the help
+-- entries have them. A misspelt one is told before anything runs. Leans on check's hints.
+
+local check = require "archard.lib.check"
+
+local tree -- by name: a table of the names inside, empty where those are not ours to check
+
+-- "mesh.size" -> the place of size in mesh in `at`
+local function plant(at, path)
+  for part in path:gmatch("[^.]+") do
+    at[part] = at[part] or {}
+    at = at[part]
+  end
+end
+
+local function grow()
+  local grown = { wear = {}, model = {}, material = {} }
+  for _, entry in ipairs(require "archard.help.engine") do
+    local class, path = entry[1]:match("^(%a+){([%a_.]+)}$")
+    if grown[class] then plant(grown[class], path) end
+  end
+  grown.model.cylinder, grown.model.plate = grown.material, grown.material
+  grown.wear.model = grown.model
+  return grown.wear
+end
+
+local function refuse(where, at, prefix, name)
+  if at == tree and tree.model[name] then
+    check.fail(where, ("unknown field '%s': it is a field of model{}, as in model = { %s = ... }")
+      :format(name, name))
+  end
+  local known = {}
+  for word in pairs(at) do known[#known + 1] = word end
+  check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, known)))
+end
+
+-- Raises an error for a name like "model.mesh.sise" that nothing has.
+local function refuse_unknown(where, name)
+  local at, prefix = tree, ""
+  for part in name:gmatch("[^.]+") do
+    if next(at) == nil then return end
+    if not math.tointeger(tonumber(part)) then -- a position in a list of blocks
+      if not at[part] then refuse(where, at, prefix, part) end
+      at, prefix = at[part], prefix .. part .. "."
+    end
+  end
+end
+
+-- Checks the flat settings of every case.
+return function(where, cases)
+  tree = tree or grow()
+  local seen = {}
+  for _, case in ipairs(cases) do
+    for name in pairs(case) do
+      if not seen[name] then refuse_unknown(where, name) end
+      seen[name] = true
+    end
+  end
+end

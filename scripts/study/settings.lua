@@ -1,0 +1,218 @@
+-- What a case of a study is set to: nested tables as flat names ("model.mesh.size") for the run
+-- file and back, grids of varied fields, labels. Leans on check for its errors.
+
+local check = require "archard.lib.check"
+
+local settings = {}
+
+-- --- flat and nested ---------------------------------------------------------------------------
+
+local function is_numbers(value)
+  for i = 1, #value do
+    if type(value[i]) ~= "number" then return false end
+  end
+  return next(value) == nil or (#value > 0 and next(value, #value) == nil)
+end
+
+-- Objects as the tables that would make them again.
+local function as_table(where, name, value)
+  local class = (getmetatable(value) or {}).__name
+  if class == "material" then return { E = value.E, nu = value.nu } end
+  if class == "model" then
+    local mesh = value.mesh
+    return { radius = value.radius, thickness = value.thickness,
+      cylinder = { E = value.cylinder.E, nu = value.cylinder.nu },
+      plate = { E = value.plate.E, nu = value.plate.nu },
+      mesh = { size = mesh.size, height = mesh.height, far = mesh.far, rows = mesh.rows,
+        element = mesh.element,
+        zone = { cylinder = mesh.zone.cylinder, plate = mesh.zone.plate } } }
+  end
+  check.fail(where, ("field '%s': a %s cannot be kept in a run file; expected a number, a text, "
+    .. "a boolean, a material, a model or a table of them"):format(name, class or type(value)))
+end
+
+local function flatten(where, into, prefix, given)
+  for key, value in pairs(given) do
+    local name = prefix .. tostring(key)
+    local kind = type(value)
+    if kind == "number" and (value ~= value or math.abs(value) == math.huge) then
+      check.fail(where, ("field '%s': expected a finite number, got %s"):format(name, value))
+    elseif kind == "number" or kind == "string" or kind == "boolean" then
+      into[name] = value
+    elseif kind == "table" and is_numbers(value) then
+      into[name] = value
+    elseif kind == "table" then
+      flatten(where, into, name .. ".", value)
+    else
+      flatten(where, into, name .. ".", as_table(where, name, value))
+    end
+  end
+  return into
+end
+
+-- { model = { radius = 8 } } -> { ["model.radius"] = 8 }
+function settings.flatten(where, given) return flatten(where, {}, "", given) end
+
+-- The table and the key in it that "model.mesh.size" stands for. Parts of names that are whole
+-- numbers are list positions.
+function settings.place(nested, name)
+  local at, last = nested, nil
+  for part in name:gmatch("[^.]+") do
+    if last ~= nil then
+      if type(at[last]) ~= "table" then at[last] = {} end
+      at = at[last]
+    end
+    last = math.tointeger(tonumber(part)) or part
+  end
+  return at, last
+end
+
+-- The way back.
+function settings.nest(flat)
+  local nested = {}
+  for name, value in pairs(flat) do
+    local at, last = settings.place(nested, name)
+    at[last] = value
+  end
+  return nested
+end
+
+-- --- grids -------------------------------------------------------------------------------------
+
+-- Flat names and their lists of values, in the order of names.
+local function axes_of(where, vary)
+  local axes = {}
+  local function visit(prefix, given)
+    for key, list in pairs(given) do
+      local name = prefix .. tostring(key)
+      if type(list) ~= "table" then
+        check.fail(where, ("field 'vary.%s': expected a list of values, got a %s"):format(name,
+          type(list)))
+      elseif #list > 0 then
+        axes[#axes + 1] = { name = name, values = list }
+      elseif next(list) ~= nil then
+        visit(name .. ".", list)
+      else
+        check.fail(where, ("field 'vary.%s': expected a list of values, got an empty one")
+          :format(name))
+      end
+    end
+  end
+  visit("", vary)
+  table.sort(axes, function(a, b) return a.name < b.name end)
+  return axes
+end
+
+-- All combinations; the last name changes fastest.
+function settings.grid(where, vary)
+  local cases = { {} }
+  for _, axis in ipairs(axes_of(where, vary)) do
+    local longer = {}
+    for _, case in ipairs(cases) do
+      for _, value in ipairs(axis.values) do
+        local one = { [axis.name] = value }
+        for name, before in pairs(case) do one[name] = before end
+        longer[#longer + 1] = one
+      end
+    end
+    cases = longer
+  end
+  return cases
+end
+
+local function is_fields(value)
+  return type(value) == "table" and value[1] == nil and next(value) ~= nil
+end
+
+local function sorted_names(given)
+  local names = {}
+  for name in pairs(given) do names[#names + 1] = name end
+  table.sort(names, function(a, b) return tostring(a) < tostring(b) end)
+  return names
+end
+
+-- Tables of fields are joined field by field; what is a list, or a number on one of both sides,
+-- is replaced as a whole. A name with points reaches into what is there.
+local function lay_over(where, base, over)
+  for _, name in ipairs(sorted_names(over)) do
+    local at, last = settings.place(base, tostring(name))
+    local value = over[name]
+    if is_fields(at[last]) and is_fields(value) then
+      lay_over(where, at[last], value)
+    else
+      at[last] = settings.nest(settings.flatten(where, { value = value })).value
+    end
+  end
+end
+
+-- Flat settings of `over` before those of `base`.
+function settings.join(where, base, over)
+  settings.flatten(where, over) -- names what is wrong by its full name
+  local joined = settings.nest(settings.flatten(where, base))
+  lay_over(where, joined, over)
+  return settings.flatten(where, joined)
+end
+
+-- --- comparing and naming ----------------------------------------------------------------------
+
+function settings.same(a, b)
+  if type(a) ~= "table" or type(b) ~= "table" then return a == b end
+  if #a ~= #b then return false end
+  for i = 1, #a do
+    if a[i] ~= b[i] then return false end
+  end
+  return true
+end
+
+function settings.shown(value)
+  if type(value) == "number" then return ("%.6g"):format(value) end
+  if type(value) == "table" then return ("(%d numbers)"):format(#value) end
+  return tostring(value)
+end
+
+-- The first name, in order, in which two flat tables differ; nil where they are the same.
+function settings.difference(a, b)
+  local names = {}
+  for name, value in pairs(a) do
+    if not settings.same(value, b[name]) then names[#names + 1] = name end
+  end
+  for name in pairs(b) do
+    if a[name] == nil then names[#names + 1] = name end
+  end
+  table.sort(names)
+  return names[1]
+end
+
+-- The names whose values are not the same in all cases, those that users vary most first.
+local familiar = { alpha = 1, stroke = 2, load = 3, k = 4 }
+function settings.varied(cases)
+  local found, names = {}, {}
+  for _, case in ipairs(cases) do
+    for name in pairs(case) do found[name] = true end
+  end
+  for name in pairs(found) do
+    for _, case in ipairs(cases) do
+      if not settings.same(case[name], cases[1][name]) then
+        names[#names + 1] = name
+        break
+      end
+    end
+  end
+  table.sort(names, function(a, b)
+    local first, second = familiar[a] or 9, familiar[b] or 9
+    if first ~= second then return first < second end
+    return a < b
+  end)
+  return names
+end
+
+-- "alpha 0.25, stroke 0.11"
+function settings.label(case, names)
+  local parts = {}
+  for _, name in ipairs(names) do
+    if case[name] ~= nil then parts[#parts + 1] = name .. " " .. settings.shown(case[name]) end
+  end
+  return #parts > 0 and table.concat(parts, ", ") or "the only case"
+end
+
+return settings

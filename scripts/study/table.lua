@@ -1,0 +1,210 @@
+-- Tables of a study's results: for the terminal, as CSV, as Markdown. Leans on the cases alone.
+
+local check = require "archard.lib.check"
+local settings = require "archard.study.settings"
+local term = require "archard.term"
+
+local tables = {}
+
+-- --- columns -------------------------------------------------------------------------------------
+
+-- The last row of a case that is done; nil for others.
+local function last_of(case) return case.status == "done" and case.last or nil end
+
+local function of_last(name, factor)
+  return function(case)
+    local last = last_of(case)
+    return last and last[name] * (factor or 1)
+  end
+end
+
+-- Title, unit, format for people, value.
+local measured = {
+  { "updates", "", "%d", of_last "update" },
+  { "p_center", "MPa", "%.2f", of_last "p_center" },
+  { "p_max", "MPa", "%.2f", of_last "p_max" },
+  { "half_width", "mm", "%.4f", of_last "half_width" },
+  { "depth_cylinder", "um", "%.4f", of_last("depth_cylinder", 1e3) },
+  { "depth_plate", "um", "%.4f", of_last("depth_plate", 1e3) },
+  { "volume", "mm3", "%.4e", function(case)
+    local last = last_of(case)
+    return last and last.volume_cylinder + last.volume_plate
+  end },
+  { "alpha_tilde", "", "%.4f", of_last "depth_partition" },
+  { "seconds", "s", "%.2f", function(case) return case.seconds end },
+}
+
+local function columns_of(study)
+  local columns = { { "case", "", "%d", function(case) return case.id end } }
+  for _, name in ipairs(study.varied) do
+    columns[#columns + 1] = { name, "", "%s", function(case)
+      local value = study.flat[case.id][name]
+      return value ~= nil and settings.shown(value) or nil
+    end }
+  end
+  for _, column in ipairs(measured) do columns[#columns + 1] = column end
+  columns[#columns + 1] = { "status", "", "%s", function(case)
+    return case.status .. (case.message and ": " .. case.message or "")
+      .. (case.warning and ", warned: " .. case.warning:match("^[^:]*") or "")
+  end }
+  return columns
+end
+
+local function is_number(value) return type(value) == "number" and value == value end
+
+local function shown(column, value)
+  if value == nil or (type(value) == "number" and value ~= value) then return "-" end
+  if column[3] == "%d" then return ("%d"):format(math.floor(value + 0.5)) end
+  return column[3]:format(value)
+end
+
+-- --- the forms -----------------------------------------------------------------------------------
+
+local function rows_of(study, columns, show)
+  local rows = {}
+  for i, case in ipairs(study:cases()) do
+    rows[i] = {}
+    for c, column in ipairs(columns) do rows[i][c] = show(column, column[4](case)) end
+  end
+  return rows
+end
+
+local function heads(columns, with_unit)
+  local row = {}
+  for c, column in ipairs(columns) do
+    row[c] = column[1] .. (with_unit and column[2] ~= "" and " [" .. column[2] .. "]" or "")
+  end
+  return row
+end
+
+-- Pads to the widest of each column: numbers to the right, the last to the left.
+local function align(rows)
+  local widths = {}
+  for _, row in ipairs(rows) do
+    for c, text in ipairs(row) do widths[c] = math.max(widths[c] or 0, utf8.len(text) or #text) end
+  end
+  for _, row in ipairs(rows) do
+    for c, text in ipairs(row) do
+      local gap = (" "):rep(widths[c] - (utf8.len(text) or #text))
+      row[c] = c == #row and text or gap .. text
+    end
+  end
+  return widths
+end
+
+-- Short heads, the units in a line of their own: to fit a terminal.
+local short = { depth_cylinder = "h_cyl", depth_plate = "h_plate", half_width = "half_w",
+  alpha_tilde = "a~", seconds = "time", updates = "upd." }
+
+local forms = {}
+
+-- What a narrow terminal can do without, first things first.
+local spare = { "half_width", "p_max", "seconds", "updates", "volume", "jump" }
+
+local function without(columns, name)
+  local kept = {}
+  for _, column in ipairs(columns) do
+    if column[1] ~= name then kept[#kept + 1] = column end
+  end
+  return kept
+end
+
+-- What failed or was warned of may be long, and goes over the line's end for no column's sake.
+local widest_status = 20
+
+local function text_of(study, columns)
+  local head, units = {}, {}
+  for c, column in ipairs(columns) do
+    head[c] = short[column[1]] or column[1]
+    units[c] = column[2] ~= "" and "[" .. column[2] .. "]" or ""
+  end
+  local rows = rows_of(study, columns, shown)
+  table.insert(rows, 1, units)
+  table.insert(rows, 1, head)
+  local width, widths = -2, align(rows)
+  widths[#widths] = math.min(widths[#widths], widest_status)
+  for _, each in ipairs(widths) do width = width + each + 2 end
+  local lines = {}
+  for i, row in ipairs(rows) do lines[i] = (table.concat(row, "  "):gsub(" +$", "")) end
+  return table.concat(lines, "\n"), width
+end
+
+function forms.text(study, columns)
+  local room = term.is_terminal("stdout") and term.size("stdout") or 120
+  local text, width = text_of(study, columns)
+  for _, name in ipairs(spare) do
+    if width <= room then break end
+    columns = without(columns, name)
+    text, width = text_of(study, columns)
+  end
+  return text
+end
+
+-- All digits; what holds a comma, a quote or a line's end is quoted.
+local function exact(_, value)
+  if is_number(value) then return ("%.17g"):format(value) end
+  if value == nil or type(value) == "number" then return "" end
+  value = tostring(value)
+  return value:find('[,"\r\n]') and '"' .. value:gsub('"', '""') .. '"' or value
+end
+
+function forms.csv(study, columns)
+  local rows = rows_of(study, columns, exact)
+  table.insert(rows, 1, heads(columns, true))
+  local lines = {}
+  for i, row in ipairs(rows) do lines[i] = table.concat(row, ",") end
+  return table.concat(lines, "\n")
+end
+
+function forms.markdown(study, columns)
+  local rows = rows_of(study, columns, function(column, value)
+    return (shown(column, value):gsub("|", "\\|"))
+  end)
+  local rule = {}
+  for c = 1, #columns do rule[c] = c == #columns and ":--" or "--:" end
+  table.insert(rows, 1, rule)
+  table.insert(rows, 1, heads(columns, true))
+  local lines = {}
+  for i, row in ipairs(rows) do lines[i] = "| " .. table.concat(row, " | ") .. " |" end
+  return table.concat(lines, "\n")
+end
+
+-- --- making --------------------------------------------------------------------------------------
+
+local endings = { csv = "csv", md = "markdown", txt = "text" }
+local fields = { format = check.one_of{ "text", "csv", "markdown" }, file = check.text }
+
+function tables.write(where, path, text)
+  local file, why = io.open(path, "w")
+  if file then
+    local fine
+    fine, why = file:write(text, "\n")
+    local closed, late = file:close()
+    if fine and closed then return end
+    why = why or late
+  end
+  check.fail(where, tostring(why), "IO")
+end
+
+-- make(study, { format=, file= }) -> the table as text that print() shows as it is
+function tables.make(study, options)
+  options = options or {}
+  check.fields("study:table", options, fields)
+  local by_ending = options.file and endings[options.file:match("%.(%w+)$") or ""]
+  local text = forms[options.format or by_ending or "text"](study, columns_of(study))
+  if options.file then tables.write("study:table", options.file, text) end
+  return text
+end
+
+-- The rows as people read them, the head first, without the columns named: for pages.
+function tables.rows(study, omitted)
+  local columns = columns_of(study)
+  for _, name in ipairs(omitted or {}) do columns = without(columns, name) end
+  local rows = rows_of(study, columns, shown)
+  table.insert(rows, 1, heads(columns, true))
+  return rows
+end
+
+tables.align = align
+
+return tables

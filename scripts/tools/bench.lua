@@ -1,0 +1,96 @@
+-- make bench: what archard costs, in one run. CPU seconds of one thread; peak memory as the kernel counts it.
+-- Options after the script's name: "quick" leaves out the half element size.
+
+local strokes = { 0.11, 0.22, 0.44, 20 }
+local alphas = { 0, 0.25, 0.5, 0.75, 1 }
+local jumps = { -- Table 1: N-bar by stroke, then alpha
+  { 75, 100, 100, 100, 100 },
+  { 50, 40, 50, 40, 50 },
+  { 30, 25, 30, 20, 30 },
+  { 1, 1, 1, 1, 1 },
+}
+
+local function peak_memory()
+  local file = io.open("/proc/self/status")
+  local kb = file and file:read("a"):match("VmHWM:%s*(%d+)")
+  if file then file:close() end
+  return kb and tonumber(kb) / 1024
+end
+
+local function timed(f)
+  collectgarbage()
+  local start = os.clock()
+  local result = f()
+  return os.clock() - start, result
+end
+
+local function line(what, value, unit, goal)
+  io.write(string.format("  %-52s %9s %-4s %s\n", what, value, unit, goal and ("goal " .. goal) or ""))
+end
+
+-- Microseconds a solution costs in a long run at frozen geometry, everything around it included.
+local function solution_cost(model)
+  local w = wear{ model = model, geometry = "frozen" }
+  w:run{ distance = 132, progress = false }
+  local before = w.solutions
+  local seconds = timed(function() w:run{ progress = false } end)
+  return 1e6 * seconds / (w.solutions - before)
+end
+
+-- The 20 cases with Table 1's parameters, N-bar divided by `finer` (ripples grow faster on finer meshes).
+local function twenty_cases(model, geometry, finer)
+  local solutions = 0
+  local seconds = timed(function()
+    for i, stroke in ipairs(strokes) do
+      for j, alpha in ipairs(alphas) do
+        local w = wear{ model = model, stroke = stroke, alpha = alpha, jump = jumps[i][j] / finer, geometry = geometry }
+        w:run{ progress = false }
+        solutions = solutions + w.solutions
+      end
+    end
+  end)
+  return seconds, solutions
+end
+
+local function measure(size, finer, goals)
+  local m = model{ mesh = { size = size, height = 1.25 * size } }
+  io.write(string.format("\nelements of %g x %g um at the contact (%d in all), N-bar of Table 1%s\n", 1e3 * size,
+    1.25e3 * size, m.mesh.cylinder.elements_count + m.mesh.plate.elements_count, finer > 1 and " / " .. finer or ""))
+  line("building the model", string.format("%.3f", m.seconds), "s")
+  line("a contact solution, warm", string.format("%.1f", solution_cost(m)), "us", goals and "50")
+  local seconds = timed(function() wear{ model = m, jump = 100 / finer }:run{ progress = false } end)
+  line("the reference case, moving", string.format("%.3f", seconds), "s")
+  for _, geometry in ipairs{ "moving", "frozen" } do
+    local took, solutions = twenty_cases(m, geometry, finer)
+    line(string.format("20 cases, %s, %d contact solutions", geometry, solutions), string.format("%.2f", took), "s",
+      goals and goals[geometry])
+  end
+  line("peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB", goals and "300")
+end
+
+-- Small cases, as in studies of thousands: by the clock, with as many workers as processors.
+local function studies()
+  local term, workers = require "archard.term", require "archard.process".processors()
+  local file, loads = os.tmpname(), {}
+  os.remove(file)
+  for i = 1, 20 do loads[i] = 60 + 3 * i end
+  local s = study{ looks = 2, base = { jump = 80, increments = 20,
+    model = { mesh = { size = 0.04, height = 0.05 } } },
+    vary = { alpha = { 0.1, 0.3, 0.5, 0.7, 0.9 }, stroke = { 0.1, 0.2, 0.4 }, load = loads } }
+  local start = term.clock()
+  s:run{ file = file, workers = workers, progress = false }
+  local minutes = (term.clock() - start) / 60
+  s:close()
+  os.remove(file)
+  io.write("\nstudies of many cases, results stored\n")
+  line(string.format("300 cases at 40 um, %d worker%s, by the clock", workers, workers > 1 and "s" or ""),
+    string.format("%.0f", 300 / minutes), "a minute")
+end
+
+io.write("archard bench: CPU time, one thread\n")
+measure(0.020, 1, { moving = "10", frozen = "2" })
+studies()
+io.write("\n10000 cycles of 100 increments, an update at every increment, geometry frozen\n")
+package.path = arg[0]:match("^.*/") .. "?.lua"
+require "million"(line)
+if (arg and arg[1]) ~= "quick" then measure(0.010, 2) end

@@ -1,0 +1,89 @@
+/* Runs chunks under protection: messages, tracebacks and interrupts are handled here and nowhere
+ * else. Leans on lua/interrupt.h. */
+#include "cli/chunk.h"
+
+#include "lua/base/interrupt.h"
+
+#include <lauxlib.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Replaces the error value, whatever it is, by its text. */
+static int to_text(lua_State *L) {
+  if (lua_type(L, 1) != LUA_TSTRING && luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL)
+    lua_pushfstring(L, "(error value is a %s)", luaL_typename(L, 1));
+  else
+    luaL_tolstring(L, 1, NULL);
+  return 1;
+}
+
+/* The level of the first function of the user's: neither in C nor in a script of the program,
+ * unless that is the chunk that runs. 1 where there is none. */
+static int user_level(lua_State *L) {
+  lua_Debug frame;
+  for (int level = 1; lua_getstack(L, level, &frame); level++) {
+    lua_getinfo(L, "S", &frame);
+    if (strcmp(frame.what, "main") == 0) return level;
+    if (strcmp(frame.what, "Lua") == 0 && strncmp(frame.source, "@scripts/", 9) != 0) return level;
+  }
+  return 1;
+}
+
+/* Is any function but the chunk itself on the stack from `level` on? If not, a traceback says
+ * nothing new. */
+static int has_callers(lua_State *L, int level) {
+  lua_Debug frame;
+  for (; lua_getstack(L, level, &frame); level++) {
+    lua_getinfo(L, "S", &frame);
+    if (strcmp(frame.what, "Lua") == 0) return 1;
+  }
+  return 0;
+}
+
+/* Runs where the error happened: adds the traceback. An interrupt needs none, and the hook is still
+ * armed, so nothing may be called for it here. An error object is about what the user called: the
+ * way from there on, through the program's own scripts, is of no interest. */
+static int describe(lua_State *L) {
+  if (interrupt_pending(NULL)) return 1;
+  const int level = lua_istable(L, 1) ? user_level(L) : 1;
+  to_text(L);
+  if (has_callers(L, level)) luaL_traceback(L, L, lua_tostring(L, -1), level);
+  return 1;
+}
+
+/* Length of `text` without `foot` at its end. */
+static size_t without(const char *text, size_t length, const char *foot) {
+  size_t tail = strlen(foot);
+  return length >= tail && strncmp(text + length - tail, foot, tail) == 0 ? length - tail : length;
+}
+
+/* What stands at the foot of every traceback is ours and of no interest. */
+static size_t without_foot(const char *text) {
+  size_t length = without(text, strlen(text), "\n\t[C]: in ?");
+  return without(text, length, "\n\t(...tail calls...)");
+}
+
+run_status run_refused(lua_State *L) {
+  run_status status = interrupt_pending(NULL) ? RUN_INTERRUPTED : RUN_FAILED;
+  interrupt_clear();
+  lua_pushcfunction(L, to_text);
+  lua_insert(L, -2);
+  lua_pcall(L, 1, 1, 0);
+  const char *text = lua_tostring(L, -1);
+  if (text == NULL) text = "(error without a message)";
+  fflush(stdout);
+  fprintf(stderr, "archard: %.*s\n", (int)without_foot(text), text);
+  lua_pop(L, 1);
+  return status;
+}
+
+run_status run_call(lua_State *L, int arguments, int results) {
+  int base = lua_gettop(L) - arguments;
+  lua_pushcfunction(L, describe);
+  lua_insert(L, base);
+  interrupt_attach(L);
+  int status = lua_pcall(L, arguments, results, base);
+  interrupt_detach(L);
+  lua_remove(L, base);
+  return status == LUA_OK ? RUN_OK : run_refused(L);
+}

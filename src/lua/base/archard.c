@@ -1,0 +1,89 @@
+/* Collects the classes into the module `archard` and its globals. The classes themselves are one
+ * file each; see archard.h for how one joins. */
+#include "lua/base/archard.h"
+
+#include "archard/base.h"
+#include "lua/engine/classes.h"
+#include "lua/base/scripts.h"
+
+#include <lauxlib.h>
+
+/* Classes in C: name of the global, and the function that leaves its value on the stack. */
+static const luaL_Reg classes[] = {
+    {"material", luaopen_archard_material},
+    {"hertz", luaopen_archard_hertz},
+    {"model", luaopen_archard_model},
+    {"contact", luaopen_archard_contact},
+    {"wear", luaopen_archard_wear},
+    {"export", luaopen_archard_export},
+    {NULL, NULL},
+};
+
+/* Modules in C that are no globals: reached by require only. */
+static const luaL_Reg modules[] = {
+    {"archard.term", luaopen_archard_term},         {"archard.gnuplot", luaopen_archard_gnuplot},
+    {"archard.store", luaopen_archard_store},       {"archard.process", luaopen_archard_process},
+    {"archard.warnings", luaopen_archard_warnings}, {NULL, NULL},
+};
+
+/* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
+static const char *const scripted[][2] = {
+    {"help", "archard.help"},   {"plot", "archard.plot"},
+    {"study", "archard.study"}, {"calibrate", "archard.study.calibrate"},
+    {"csv", "archard.lib.csv"},
+};
+enum { SCRIPTED = sizeof scripted / sizeof *scripted };
+
+static void preload_modules(lua_State *L) {
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_PRELOAD_TABLE);
+  luaL_setfuncs(L, modules, 0);
+  lua_pop(L, 1);
+}
+
+/* Pops a value and makes it the field and the global `name`; the module table is on top below it.
+ */
+static void publish(lua_State *L, const char *name) {
+  lua_pushvalue(L, -1);
+  lua_setglobal(L, name);
+  lua_setfield(L, -2, name);
+}
+
+static void open_classes(lua_State *L) {
+  for (const luaL_Reg *class = classes; class->name; class ++) {
+    lua_pushcfunction(L, class->func);
+    lua_pushstring(L, class->name);
+    lua_call(L, 1, 1);
+    publish(L, class->name);
+  }
+}
+
+static void require(lua_State *L, const char *module) {
+  lua_getglobal(L, "require");
+  lua_pushstring(L, module);
+  lua_call(L, 1, 1);
+}
+
+static void open_scripted(lua_State *L) {
+  for (int i = 0; i < SCRIPTED; i++) {
+    require(L, scripted[i][1]);
+    publish(L, scripted[i][0]);
+  }
+}
+
+int luaopen_archard(lua_State *L) {
+  script_preload(L);
+  preload_modules(L);
+  lua_newtable(L);
+  lua_pushliteral(L, ARC_VERSION);
+  lua_setfield(L, -2, "version");
+
+  /* Known before the classes open, so that a script among them may require it. */
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+  lua_pushvalue(L, -2);
+  lua_setfield(L, -2, "archard");
+  lua_pop(L, 1);
+
+  open_classes(L);
+  open_scripted(L);
+  return 1;
+}

@@ -1,0 +1,56 @@
+/* Arrays of numbers: to and from Lua tables, interpolation. */
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+
+#include <lauxlib.h>
+#include <math.h>
+
+void array_push(lua_State *L, const double *values, size_t count) {
+  lua_createtable(L, (int)count, 0);
+  for (size_t i = 0; i < count; i++) {
+    lua_pushnumber(L, values[i]);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+  }
+}
+
+void array_set(lua_State *L, const char *name, const double *values, size_t count) {
+  array_push(L, values, count);
+  lua_setfield(L, -2, name);
+}
+
+double *array_buffer(lua_State *L, size_t count) {
+  return lua_newuserdatauv(L, (count ? count : 1) * sizeof(double), 0);
+}
+
+double *array_read(lua_State *L, args_place place, const char *name, size_t *count) {
+  if (!lua_istable(L, -1)) args_refuse(L, place, name, "an array of numbers");
+  int table = lua_gettop(L);
+  *count = (size_t)luaL_len(L, table);
+  double *values = array_buffer(L, *count);
+  for (size_t i = 0; i < *count; i++) {
+    lua_geti(L, table, (lua_Integer)i + 1);
+    values[i] = lua_tonumber(L, -1);
+    if (lua_type(L, -1) != LUA_TNUMBER || !isfinite(values[i])) {
+      const char *element = lua_pushfstring(L, "%s[%d]", name, (int)i + 1);
+      lua_insert(L, -2);
+      args_refuse(L, place, element, "a finite number");
+    }
+    lua_pop(L, 1);
+  }
+  return values;
+}
+
+double array_interpolate(const double *x, const double *y, size_t count, double at,
+                         double outside) {
+  if (count == 0 || at < x[0] || at > x[count - 1]) return outside;
+  size_t low = 0, high = count - 1;
+  while (high - low > 1) {
+    size_t middle = (low + high) / 2;
+    if (x[middle] <= at)
+      low = middle;
+    else
+      high = middle;
+  }
+  if (x[high] <= at) return y[high];
+  return y[low] + (y[high] - y[low]) * (at - x[low]) / (x[high] - x[low]);
+}

@@ -1,0 +1,23 @@
+/* lua/array.h - arrays of numbers between Lua tables (from 1) and C (from 0). */
+#ifndef LUA_ARRAY_H
+#define LUA_ARRAY_H
+
+#include "lua/base/args.h"
+
+/* Pushes a table of `count` numbers. */
+void array_push(lua_State *L, const double *values, size_t count);
+
+/* array_push as field `name` of the table on top of the stack. */
+void array_set(lua_State *L, const char *name, const double *values, size_t count);
+
+/* Pushes a userdata that the collector frees, and returns its room for `count` doubles. */
+double *array_buffer(lua_State *L, size_t count);
+
+/* Reads the table on top of the stack, a list of finite numbers, into a buffer pushed on the stack
+ * (the table stays below). Errors name the field and the position. */
+double *array_read(lua_State *L, args_place place, const char *name, size_t *count);
+
+/* Value at `at` of the broken line through (x, y), x increasing; `outside` beyond its ends. */
+double array_interpolate(const double *x, const double *y, size_t count, double at, double outside);
+
+#endif

@@ -1,0 +1,13 @@
+/* The Lua files of scripts/, as they stand inside the binary (generated at build time). */
+#ifndef LUA_EMBEDDED_H
+#define LUA_EMBEDDED_H
+
+typedef struct embedded_script {
+  const char *name; /* of the module without "archard.": "plot.draw"; NULL ends the list */
+  const char *path; /* of the file: "scripts/plot/draw.lua" */
+  const char *text;
+} embedded_script;
+
+extern const embedded_script embedded_scripts[];
+
+#endif

@@ -1,0 +1,131 @@
+/* Error objects: their making, their text. Leans on the interrupt flag, to tell a stop the user
+ * asked for from a failure. */
+#include "lua/base/error.h"
+#include "lua/base/interrupt.h"
+
+#include <lauxlib.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char kind[] = "archard.error";
+
+/* Pushes field `name` of the error at index 1 as text; "" where it is not set. */
+static const char *push_text(lua_State *L, const char *name) {
+  if (lua_getfield(L, 1, name) != LUA_TSTRING) {
+    lua_pop(L, 1);
+    lua_pushliteral(L, "");
+  }
+  return lua_tostring(L, -1);
+}
+
+/* "file:line: where: message (update 12)" */
+static int error_tostring(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const char *position = push_text(L, "position");
+  const char *where = push_text(L, "where");
+  const char *message = push_text(L, "message");
+  if (lua_getfield(L, 1, "step") == LUA_TNUMBER)
+    lua_pushfstring(L, "%s%s: %s (update %I)", position, where, message,
+                    (LUAI_UACINT)lua_tointeger(L, -1));
+  else
+    lua_pushfstring(L, "%s%s: %s", position, where, message);
+  return 1;
+}
+
+/* So that "failed: " .. err works as with plain messages. */
+static int error_concat(lua_State *L) {
+  luaL_tolstring(L, 1, NULL);
+  luaL_tolstring(L, 2, NULL);
+  lua_concat(L, 2);
+  return 1;
+}
+
+static void set_text(lua_State *L, const char *name, const char *text) {
+  lua_pushstring(L, text);
+  lua_setfield(L, -2, name);
+}
+
+/* Pushes "file:line: " of the caller outside the program's own scripts; of the first caller, if all
+ * of them look like those. */
+static void push_position(lua_State *L) {
+  lua_Debug frame;
+  int level = 1;
+  while (lua_getstack(L, level, &frame) && lua_getinfo(L, "S", &frame) &&
+         (strncmp(frame.source, "@scripts/", 9) == 0 || strcmp(frame.source, "=[C]") == 0))
+    level++;
+  luaL_where(L, lua_getstack(L, level, &frame) ? level : 1);
+}
+
+/* Pops the message and pushes the error object. */
+static void push_object(lua_State *L, arc_status code, const char *where) {
+  lua_createtable(L, 0, 6);
+  lua_insert(L, -2);
+  lua_setfield(L, -2, "message");
+  set_text(L, "code", arc_status_name(code));
+  set_text(L, "where", where);
+  push_position(L);
+  lua_setfield(L, -2, "position");
+  if (luaL_newmetatable(L, kind)) {
+    lua_pushcfunction(L, error_tostring);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushcfunction(L, error_concat);
+    lua_setfield(L, -2, "__concat");
+  }
+  lua_setmetatable(L, -2);
+}
+
+/* lua_error does not return; its header just does not say so. */
+__attribute__((noreturn)) static void throw(lua_State * L) {
+  lua_error(L);
+  abort();
+}
+
+void error_raise(lua_State *L, arc_status code, const char *where, const char *format, ...) {
+  luaL_checkstack(L, 10, where);
+  va_list arguments;
+  va_start(arguments, format);
+  lua_pushvfstring(L, format, arguments);
+  va_end(arguments);
+  push_object(L, code, where);
+  throw(L);
+}
+
+void error_check(lua_State *L, arc_status status, const arc_error *error, const char *where,
+                 lua_Number step) {
+  if (status == ARC_OK) return;
+  if (status == ARC_STOPPED && interrupt_pending(NULL)) luaL_error(L, "interrupted");
+  luaL_checkstack(L, 10, where);
+  lua_pushstring(L, error->message[0] ? error->message : arc_status_text(status));
+  push_object(L, status, where);
+  if (step >= 0) {
+    lua_pushinteger(L, (lua_Integer)step);
+    lua_setfield(L, -2, "step");
+  }
+  throw(L);
+}
+
+void error_callback(lua_State *L, const char *where, const char *name) {
+  if (interrupt_pending(NULL)) throw(L);
+  int cause = lua_gettop(L);
+  lua_pushfstring(L, "%s failed: %s", name, luaL_tolstring(L, cause, NULL));
+  push_object(L, ARC_CALLBACK, where);
+  lua_pushvalue(L, cause);
+  lua_setfield(L, -2, "cause");
+  throw(L);
+}
+
+/* Text gets a traceback, since it is lost once the function's frames are gone; objects stay. */
+static int add_traceback(lua_State *L) {
+  if (lua_type(L, 1) == LUA_TSTRING) luaL_traceback(L, L, lua_tostring(L, 1), 1);
+  return 1;
+}
+
+int error_pcall(lua_State *L, int arguments, int results) {
+  int function = lua_gettop(L) - arguments;
+  lua_pushcfunction(L, add_traceback);
+  lua_insert(L, function);
+  int status = lua_pcall(L, arguments, results, function);
+  lua_remove(L, function);
+  return status;
+}

@@ -1,0 +1,164 @@
+/* The flag, the hook and the coroutines behind interrupt.h. The hook raises the error
+ * "interrupted" at the next instruction, again and again, until the request is cleared. */
+#include "lua/base/interrupt.h"
+
+#include <lauxlib.h>
+#include <signal.h>
+#include <stdio.h>
+
+/* A signal handler has no other way to reach the state than file scope. */
+static volatile sig_atomic_t requests;
+static lua_State *volatile running;
+
+/* What the error says; set outside of the handler. */
+static const char plain[] = "interrupted";
+static char explained[120];
+
+/* Pushes "file:line: " of the Lua function that runs, or of the one that called a C function. */
+static void push_place(lua_State *L) {
+  luaL_where(L, 0);
+  if (lua_rawlen(L, -1) > 0) return;
+  lua_pop(L, 1);
+  luaL_where(L, 1);
+}
+
+static void stop_hook(lua_State *L, lua_Debug *event) {
+  (void)event;
+  if (!requests) { /* a coroutine that was left armed and is resumed later */
+    lua_sethook(L, NULL, 0, 0);
+    return;
+  }
+  push_place(L);
+  lua_pushstring(L, explained[0] ? explained : plain);
+  lua_concat(L, 2);
+  lua_error(L);
+}
+
+/* lua_sethook is made to be called from signal handlers. */
+static void arm(lua_State *L) {
+  lua_sethook(L, stop_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
+}
+
+int interrupt_request(void) {
+  int before = (int)requests;
+  requests = before + 1;
+  if (running) arm(running);
+  return before;
+}
+
+int interrupt_pending(void *context) {
+  (void)context;
+  return requests != 0;
+}
+
+void interrupt_raise(lua_State *L, const char *stand) {
+  snprintf(explained, sizeof explained, "%s: %s", stand, plain);
+  luaL_error(L, "%s", explained);
+}
+
+void interrupt_clear(void) {
+  requests = 0;
+  explained[0] = '\0';
+}
+
+/* Whoever takes over the processor must carry the hook if a request came before. */
+static void switch_to(lua_State *L) {
+  running = L;
+  if (requests) arm(L);
+}
+
+void interrupt_attach(lua_State *L) {
+  switch_to(L);
+}
+
+void interrupt_detach(lua_State *L) {
+  running = NULL;
+  lua_sethook(L, NULL, 0, 0);
+}
+
+/* Resumes `co` with the `count` values on top of L. Returns the number of results moved to L, or
+ * -1 with the error value on top of co: closing co needs it there. */
+static int resume(lua_State *L, lua_State *co, int count) {
+  if (!lua_checkstack(co, count)) return luaL_error(L, "too many arguments to resume");
+  lua_xmove(L, co, count);
+  int results = 0;
+  switch_to(co);
+  int status = lua_resume(co, L, count, &results);
+  switch_to(L);
+  if (status != LUA_OK && status != LUA_YIELD) return -1;
+  luaL_checkstack(L, results + 1, "too many results to resume");
+  lua_xmove(co, L, results);
+  return results;
+}
+
+static lua_State *check_coroutine(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTHREAD);
+  return lua_tothread(L, 1);
+}
+
+static int tracked_resume(lua_State *L) {
+  lua_State *co = check_coroutine(L);
+  int results = resume(L, co, lua_gettop(L) - 1);
+  int count = results >= 0 ? results : 1;
+  if (results < 0) lua_xmove(co, L, 1);
+  lua_pushboolean(L, results >= 0);
+  lua_insert(L, -(count + 1));
+  return count + 1;
+}
+
+/* A coroutine that failed, not one that merely cannot be resumed, has to be closed. */
+static void close_failed(lua_State *L, lua_State *co) {
+  int status = lua_status(co);
+  if (status == LUA_OK || status == LUA_YIELD) return;
+  switch_to(co);
+  lua_resetthread(co);
+  switch_to(L);
+}
+
+/* Errors of a wrapped coroutine go on in its caller; text gets the caller's position in front. */
+static int call_wrapped(lua_State *L) {
+  lua_State *co = lua_tothread(L, lua_upvalueindex(1));
+  int results = resume(L, co, lua_gettop(L));
+  if (results >= 0) return results;
+  close_failed(L, co);
+  lua_xmove(co, L, 1);
+  if (lua_type(L, -1) == LUA_TSTRING) {
+    luaL_where(L, 1);
+    lua_insert(L, -2);
+    lua_concat(L, 2);
+  }
+  return lua_error(L);
+}
+
+static int tracked_wrap(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TFUNCTION);
+  lua_State *co = lua_newthread(L);
+  lua_pushvalue(L, 1);
+  lua_xmove(L, co, 1);
+  lua_pushcclosure(L, call_wrapped, 1);
+  return 1;
+}
+
+/* The stock function, with the coroutine's pending __close methods running under the hook. */
+static int tracked_close(lua_State *L) {
+  lua_State *co = check_coroutine(L);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  int closable = lua_status(co) != LUA_OK;
+  if (closable) switch_to(co);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  if (closable) switch_to(L);
+  return lua_gettop(L);
+}
+
+void interrupt_install(lua_State *L) {
+  lua_getglobal(L, "coroutine");
+  lua_getfield(L, -1, "close");
+  lua_pushcclosure(L, tracked_close, 1);
+  lua_setfield(L, -2, "close");
+  lua_pushcfunction(L, tracked_resume);
+  lua_setfield(L, -2, "resume");
+  lua_pushcfunction(L, tracked_wrap);
+  lua_setfield(L, -2, "wrap");
+  lua_pop(L, 1);
+}

@@ -1,0 +1,111 @@
+/* lua/classes.h - the classes of the engine, as the files of the binding see each other.
+ *
+ * luaopen_archard_NAME leaves what the global NAME is: the constructor (a function, or a table that
+ * can be called), or for export its table of functions.
+ */
+#ifndef LUA_CLASSES_H
+#define LUA_CLASSES_H
+
+#include "archard/wear.h"
+#include "lua/base/args.h"
+#include "lua/base/box.h"
+
+/* Defines the reader of a computed field that is a number; `expression` may use L. */
+#define NUMBER_FIELD(class, field, expression)                                                     \
+  static int class##_##field(lua_State *L) {                                                       \
+    lua_pushnumber(L, (lua_Number)(expression));                                                   \
+    return 1;                                                                                      \
+  }
+
+int luaopen_archard_material(lua_State *L);
+int luaopen_archard_hertz(lua_State *L);
+int luaopen_archard_model(lua_State *L);
+int luaopen_archard_contact(lua_State *L);
+int luaopen_archard_wear(lua_State *L);
+int luaopen_archard_export(lua_State *L);
+
+extern const box_class model_class;   /* thing: arc_model, one reference */
+extern const box_class mesh_class;    /* thing: arc_model, one reference; tag: arc_body */
+extern const box_class contact_class; /* thing: arc_contact; user value: the model's box */
+extern const box_class wear_class;    /* thing: arc_wear; user value: the model's box */
+
+/* {"cylinder", "plate", NULL} in the order of arc_body. */
+extern const char *const body_names[];
+
+/* The body named at `index`; `otherwise` (-1: none) where nothing stands there. */
+arc_body body_argument(lua_State *L, int index, const char *where, int otherwise);
+
+/* A reader (args.h) of a material: an object, or a table of its fields. Member: arc_material. */
+void material_read(lua_State *L, args_place place, const char *name, void *member);
+
+/* Pushes a material object. */
+void material_push(lua_State *L, arc_material material);
+
+/* --- models (model.c) --- */
+
+/* A model as a field or argument asks for it. */
+typedef struct model_request {
+  arc_model_def def;
+  int zone[ARC_BODIES]; /* whether the zone was given: then it is not touched */
+} model_request;
+
+/* Writes the zones that a contact or run needs on a model of `def`, or says why it cannot be. */
+typedef arc_status (*zones_fn)(const void *asker, const arc_model_def *def, double zone[ARC_BODIES],
+                               arc_error *error);
+
+/* Pushes the box of the model that the field `model` of the definition table at index 1 means: an
+ * object, or one of the table's fields; if there is none, one like that of the worn object at index
+ * `worn`, or the default. Zones that were not given are widened to what `zones` asks for. */
+arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zones,
+                          const void *asker);
+
+/* Warns where half the contact's width [mm] is less than one element of the model: its pressures
+ * are off by a tenth and more. */
+void model_warn_coarse(lua_State *L, const arc_model *model, double half_width);
+
+/* Pushes the box of a model of this definition: one that lives already, or a new one. */
+arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
+
+/* Pushes a mesh object of one body of the model whose box is at `index`. */
+void mesh_push(lua_State *L, int index, arc_body body);
+
+/* Pushes the corners of all elements, four numbers from 1 each; a triangle has 0 as its fourth. */
+void mesh_push_elements(lua_State *L, const arc_mesh *mesh);
+
+/* Gives up one reference: `destroy` of the classes that hold a model. */
+void model_release(void *thing);
+
+/* --- worn shapes (worn.c) --- */
+
+extern const box_class shape_class; /* thing: arc_shape; internal */
+
+/* Checks the field `worn` of the definition table at `index` and pushes it (nil: unworn): a wear
+ * object, or a table by body of functions or { x=, h= }. */
+void worn_check(lua_State *L, int index, const char *where);
+
+/* Pushes a box that holds a new shape on `model`, worn as the value at index `worn` says. */
+arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, arc_geometry geometry,
+                           double refresh, const char *where);
+
+/* The definition of the model that a worn wear object lives on; NULL for anything else. */
+const arc_model_def *worn_model_def(lua_State *L, int worn);
+
+/* --- others --- */
+
+/* Pushes { x=, p= } of a body. */
+void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body);
+
+/* contact:stress() (stress.c). */
+int stress_new(lua_State *L);
+
+/* The contact that the stress object at `index` belongs to; NULL if it is anything else. */
+const arc_contact *stress_contact(lua_State *L, int index, const char *where);
+
+/* Pushes what holds the stresses of one body until it is collected. */
+const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
+                                   const char *where);
+
+/* Pushes { cylinder=, plate= }. */
+void push_by_body(lua_State *L, double cylinder, double plate);
+
+#endif

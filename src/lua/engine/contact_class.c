@@ -1,0 +1,163 @@
+/* Class contact: one contact solution and its pressures; the stresses are in stress.c. */
+#include "archard/contact.h"
+#include "lua/base/array.h"
+#include "lua/engine/classes.h"
+#include "lua/base/error.h"
+
+#include <stdio.h>
+
+/* --- the object ------------------------------------------------------------------------------ */
+
+static void destroy_contact(void *thing) {
+  arc_contact *contact = thing;
+  arc_contact_destroy(&contact);
+}
+
+static arc_contact *self(lua_State *L) {
+  return box_self(L, &contact_class, "contact")->thing;
+}
+
+static arc_contact_result result(lua_State *L) {
+  return arc_contact_get(self(L));
+}
+
+NUMBER_FIELD(contact, load, result(L).load)
+NUMBER_FIELD(contact, x, result(L).x)
+NUMBER_FIELD(contact, p_center, result(L).p_center)
+NUMBER_FIELD(contact, p_max, result(L).p_max)
+NUMBER_FIELD(contact, half_width, result(L).half_width)
+NUMBER_FIELD(contact, approach, result(L).approach)
+
+static int contact_iterations(lua_State *L) {
+  lua_pushinteger(L, result(L).iterations);
+  return 1;
+}
+
+static int contact_edges(lua_State *L) {
+  arc_contact_result solved = result(L);
+  lua_createtable(L, 0, 2);
+  lua_pushnumber(L, solved.left);
+  lua_setfield(L, -2, "left");
+  lua_pushnumber(L, solved.right);
+  lua_setfield(L, -2, "right");
+  return 1;
+}
+
+static int contact_model(lua_State *L) {
+  self(L);
+  lua_getiuservalue(L, 1, 1);
+  return 1;
+}
+
+static int contact_tostring(lua_State *L) {
+  arc_contact_result solved = result(L);
+  char text[360];
+  snprintf(text, sizeof text,
+           "contact: load %.6g N, plate at x = %.6g mm\n"
+           "  pressure  centre %.6g MPa, largest %.6g MPa\n"
+           "  width     half %.6g mm, from %.6g to %.6g mm\n"
+           "  approach  %.6g mm (%d iterations)",
+           solved.load, solved.x, solved.p_center, solved.p_max, solved.half_width, solved.left,
+           solved.right, solved.approach, solved.iterations);
+  lua_pushstring(L, text);
+  return 1;
+}
+
+void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body) {
+  arc_pressure pressure = arc_contact_pressure(contact, body);
+  lua_createtable(L, 0, 2);
+  array_set(L, "x", pressure.x, (size_t)pressure.count);
+  array_set(L, "p", pressure.p, (size_t)pressure.count);
+}
+
+/* contact:pressure(body) -> { x=, p= }; both bodies in the frame of the cylinder */
+static int contact_pressure(lua_State *L) {
+  const arc_contact *contact = self(L);
+  contact_push_pressure(L, contact, body_argument(L, 2, "contact:pressure", ARC_CYLINDER));
+  return 1;
+}
+
+/* --- construction ---------------------------------------------------------------------------- */
+
+typedef struct contact_def {
+  double load, x;
+} contact_def;
+
+static const args_field definition[] = {
+    ARGS_ABOVE(contact_def, "load", load, 0),
+    {.name = "x",
+     .kind = ARGS_NUMBER,
+     .offset = offsetof(contact_def, x),
+     .low = -HUGE_VAL,
+     .high = HUGE_VAL},
+    ARGS_OTHER("model"),
+    ARGS_OTHER("worn"),
+    {.name = NULL},
+};
+
+/* Zones wide enough for a worn contact of twice the Hertz width. */
+static arc_status needed_zones(const void *asker, const arc_model_def *model,
+                               double zone[ARC_BODIES], arc_error *error) {
+  const contact_def *def = asker;
+  arc_hertz hertz = {0};
+  arc_status status =
+      arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, error);
+  if (status == ARC_OK) arc_zone_for(fabs(def->x), 2 * hertz.half_width, model->mesh.size, zone);
+  return status;
+}
+
+/* Pushes what holds the shape; a worn object on the same model lends its own. */
+static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model) {
+  arc_wear_def defaults = arc_wear_default();
+  box *other = box_test(L, worn, &wear_class);
+  if (!other || arc_wear_model(other->thing) != model)
+    return worn_push_shape(L, worn, model, defaults.geometry, defaults.refresh, "contact");
+  lua_pushvalue(L, worn);
+  return arc_wear_shape(other->thing);
+}
+
+/* contact{ model=, load=, x=, worn= } */
+static int contact_new(lua_State *L) {
+  contact_def def = {.load = arc_wear_default().load, .x = 0};
+  arc_error error = {0};
+  lua_settop(L, 1);
+  args_read(L, 1, (args_place){"contact", ""}, definition, &def);
+  worn_check(L, 1, "contact");
+  int worn = lua_gettop(L);
+  arc_model *model = model_argument(L, worn, "contact", needed_zones, &def);
+  int holder = lua_gettop(L);
+  const arc_shape *shape = push_shape(L, worn, model);
+  box *made = box_push(L, &contact_class);
+  box_keep(L, holder);
+  arc_contact *contact = NULL;
+  arc_status status = arc_contact_solve(shape, def.load, def.x, &contact, &error);
+  made->thing = contact;
+  error_check(L, status, &error, "contact", -1);
+  box_weigh(L, arc_contact_bytes(contact));
+  model_warn_coarse(L, model, arc_contact_get(contact).half_width);
+  return 1;
+}
+
+static const luaL_Reg fields[] = {
+    {"load", contact_load},         {"x", contact_x},
+    {"p_center", contact_p_center}, {"p_max", contact_p_max},
+    {"edges", contact_edges},       {"half_width", contact_half_width},
+    {"approach", contact_approach}, {"iterations", contact_iterations},
+    {"model", contact_model},       {NULL, NULL},
+};
+
+static const luaL_Reg methods[] = {
+    {"pressure", contact_pressure}, {"stress", stress_new}, {NULL, NULL}};
+
+const box_class contact_class = {
+    .name = "contact",
+    .methods = methods,
+    .fields = fields,
+    .tostring = contact_tostring,
+    .destroy = destroy_contact,
+};
+
+int luaopen_archard_contact(lua_State *L) {
+  lua_pushcfunction(L, contact_new);
+  return 1;
+}

@@ -1,0 +1,94 @@
+/* Class hertz: the closed-form line contact of a cylinder and a plate. */
+#include "lua/engine/classes.h"
+#include "lua/base/error.h"
+
+#include <stdio.h>
+
+typedef struct hertz_def {
+  double radius, load, thickness;
+  arc_material material[ARC_BODIES];
+} hertz_def;
+
+typedef struct hertz_value {
+  hertz_def def;
+  arc_hertz result;
+} hertz_value;
+
+static const box_class hertz_class;
+
+static const args_field definition[] = {
+    ARGS_ABOVE(hertz_def, "radius", radius, 0),
+    ARGS_ABOVE(hertz_def, "load", load, 0),
+    ARGS_ABOVE(hertz_def, "thickness", thickness, 0),
+    ARGS_READ(hertz_def, "cylinder", material[ARC_CYLINDER], material_read),
+    ARGS_READ(hertz_def, "plate", material[ARC_PLATE], material_read),
+    {.name = NULL},
+};
+
+static const hertz_value *self(lua_State *L) {
+  return box_self(L, &hertz_class, "hertz")->thing;
+}
+
+NUMBER_FIELD(hertz, half_width, self(L)->result.half_width)
+NUMBER_FIELD(hertz, p_max, self(L)->result.p_max)
+NUMBER_FIELD(hertz, E_star, self(L)->result.E_star)
+NUMBER_FIELD(hertz, radius, self(L)->def.radius)
+NUMBER_FIELD(hertz, load, self(L)->def.load)
+NUMBER_FIELD(hertz, thickness, self(L)->def.thickness)
+
+static int hertz_cylinder(lua_State *L) {
+  material_push(L, self(L)->def.material[ARC_CYLINDER]);
+  return 1;
+}
+
+static int hertz_plate(lua_State *L) {
+  material_push(L, self(L)->def.material[ARC_PLATE]);
+  return 1;
+}
+
+static int hertz_tostring(lua_State *L) {
+  const hertz_value *value = self(L);
+  char text[200];
+  snprintf(text, sizeof text,
+           "hertz: radius %.6g mm, load %.6g N, thickness %.6g mm\n"
+           "  half width %.6g mm, largest pressure %.6g MPa, E_star %.6g MPa",
+           value->def.radius, value->def.load, value->def.thickness, value->result.half_width,
+           value->result.p_max, value->result.E_star);
+  lua_pushstring(L, text);
+  return 1;
+}
+
+static const luaL_Reg fields[] = {
+    {"half_width", hertz_half_width}, {"p_max", hertz_p_max}, {"E_star", hertz_E_star},
+    {"radius", hertz_radius},         {"load", hertz_load},   {"thickness", hertz_thickness},
+    {"cylinder", hertz_cylinder},     {"plate", hertz_plate}, {NULL, NULL},
+};
+
+static const box_class hertz_class = {
+    .name = "hertz",
+    .fields = fields,
+    .tostring = hertz_tostring,
+    .value = sizeof(hertz_value),
+};
+
+/* hertz{ radius=, load=, thickness=, cylinder=, plate= } */
+static int hertz_new(lua_State *L) {
+  arc_model_def model = arc_model_default();
+  hertz_def def = {.radius = model.radius,
+                   .load = arc_wear_default().load,
+                   .thickness = model.thickness,
+                   .material = {model.material[ARC_CYLINDER], model.material[ARC_PLATE]}};
+  arc_error error = {0};
+  args_read(L, 1, (args_place){"hertz", ""}, definition, &def);
+  hertz_value *value = box_push(L, &hertz_class)->thing;
+  value->def = def;
+  arc_status status =
+      arc_hertz_solve(def.radius, def.thickness, def.load, def.material, &value->result, &error);
+  error_check(L, status, &error, "hertz", -1);
+  return 1;
+}
+
+int luaopen_archard_hertz(lua_State *L) {
+  lua_pushcfunction(L, hertz_new);
+  return 1;
+}

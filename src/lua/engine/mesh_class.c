@@ -1,0 +1,229 @@
+/* Class mesh: the finite element mesh of one body of a model, read-only. Numbers of nodes and
+ * elements count from 1 here, from 0 in the engine. */
+#include "archard/export.h"
+#include "lua/base/array.h"
+#include "lua/engine/classes.h"
+#include "lua/base/error.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const arc_mesh *self(lua_State *L) {
+  box *opened = box_self(L, &mesh_class, "mesh");
+  return arc_model_mesh(opened->thing, (arc_body)opened->tag);
+}
+
+NUMBER_FIELD(mesh, radius, self(L)->radius)
+
+static int push_count(lua_State *L, int count) {
+  lua_pushinteger(L, count);
+  return 1;
+}
+
+static int mesh_nodes(lua_State *L) {
+  return push_count(L, self(L)->nodes);
+}
+
+static int mesh_quads(lua_State *L) {
+  return push_count(L, self(L)->quads);
+}
+
+static int mesh_triangles(lua_State *L) {
+  return push_count(L, self(L)->triangles);
+}
+
+static int mesh_elements_count(lua_State *L) {
+  return push_count(L, self(L)->elements);
+}
+
+static int mesh_rows(lua_State *L) {
+  return push_count(L, self(L)->rows);
+}
+
+static int mesh_body(lua_State *L) {
+  lua_pushstring(L, body_names[self(L)->body]);
+  return 1;
+}
+
+/* Pushes a list of node numbers, from 0 in C and from 1 in Lua; -1 (no node) becomes 0. */
+static int push_numbers(lua_State *L, const int *numbers, int count) {
+  lua_createtable(L, count, 0);
+  for (int i = 0; i < count; i++) {
+    lua_pushinteger(L, (lua_Integer)numbers[i] + 1);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+  }
+  return 1;
+}
+
+void mesh_push_elements(lua_State *L, const arc_mesh *mesh) {
+  push_numbers(L, mesh->element, 4 * mesh->elements);
+}
+
+/* mesh:elements() -> four node numbers an element, the fourth of a triangle 0 */
+static int mesh_elements(lua_State *L) {
+  mesh_push_elements(L, self(L));
+  return 1;
+}
+
+/* mesh:surface() -> the candidate contact nodes by increasing x */
+static int mesh_surface(lua_State *L) {
+  const arc_mesh *mesh = self(L);
+  return push_numbers(L, mesh->surface_node, mesh->surface);
+}
+
+/* mesh:box() -> the nodes of the wear box, rows + 1 for each surface node, inwards */
+static int mesh_box(lua_State *L) {
+  const arc_mesh *mesh = self(L);
+  return push_numbers(L, mesh->box_node, mesh->surface * (mesh->rows + 1));
+}
+
+/* mesh:outline() -> the boundary, counter-clockwise */
+static int mesh_outline(lua_State *L) {
+  const arc_mesh *mesh = self(L);
+  return push_numbers(L, mesh->outline_node, mesh->outline);
+}
+
+/* mesh:fixed() -> the nodes built in or tied to the rigid base */
+static int mesh_fixed(lua_State *L) {
+  const arc_mesh *mesh = self(L);
+  return push_numbers(L, mesh->fixed_node, mesh->fixed);
+}
+
+/* mesh:node(i) -> x, y */
+static int mesh_node(lua_State *L) {
+  const arc_mesh *mesh = self(L);
+  int valid;
+  lua_settop(L, 2);
+  lua_Integer number = lua_tointegerx(L, 2, &valid);
+  if (!valid || number < 1 || number > mesh->nodes)
+    error_raise(L, ARC_ARGUMENT, "mesh:node", "expected a node number from 1 to %d, got %s",
+                mesh->nodes, luaL_tolstring(L, 2, NULL));
+  lua_pushnumber(L, mesh->xy[2 * (number - 1)]);
+  lua_pushnumber(L, mesh->xy[2 * (number - 1) + 1]);
+  return 2;
+}
+
+/* Pushes coordinate `axis` of all nodes. */
+static void push_axis(lua_State *L, const arc_mesh *mesh, int axis) {
+  lua_createtable(L, mesh->nodes, 0);
+  for (int i = 0; i < mesh->nodes; i++) {
+    lua_pushnumber(L, mesh->xy[2 * i + axis]);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+  }
+}
+
+/* mesh:coordinates() -> { x=, y= } of all nodes */
+static int mesh_coordinates(lua_State *L) {
+  const arc_mesh *mesh = self(L);
+  lua_createtable(L, 0, 2);
+  push_axis(L, mesh, 0);
+  lua_setfield(L, -2, "x");
+  push_axis(L, mesh, 1);
+  lua_setfield(L, -2, "y");
+  return 1;
+}
+
+static void set_number(lua_State *L, const char *name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
+/* mesh:quality() -> the worst of each measure of shape over all elements */
+static int mesh_quality(lua_State *L) {
+  arc_quality quality = arc_mesh_quality(self(L), NULL);
+  lua_createtable(L, 0, 5);
+  set_number(L, "smallest_angle", quality.smallest_angle);
+  set_number(L, "largest_angle", quality.largest_angle);
+  set_number(L, "aspect", quality.aspect);
+  set_number(L, "jacobian_ratio", quality.jacobian_ratio);
+  set_number(L, "smallest_jacobian", quality.smallest_jacobian);
+  return 1;
+}
+
+/* Writes node, x, y as columns. */
+static arc_status write_csv(lua_State *L, const char *path, const arc_mesh *mesh,
+                            arc_error *error) {
+  static const char *const names[] = {"node", "x", "y"};
+  size_t rows = (size_t)mesh->nodes;
+  double *columns = array_buffer(L, 3 * rows);
+  for (size_t i = 0; i < rows; i++) {
+    columns[i] = (double)i + 1;
+    columns[rows + i] = mesh->xy[2 * i];
+    columns[2 * rows + i] = mesh->xy[2 * i + 1];
+  }
+  const double *data[] = {columns, columns + rows, columns + 2 * rows};
+  return arc_export_csv(path, 3, names, data, rows, error);
+}
+
+/* mesh:write(path): the format goes by the ending */
+static int mesh_write(lua_State *L) {
+  static const char where[] = "mesh:write";
+  const arc_mesh *mesh = self(L);
+  lua_settop(L, 2);
+  const char *path = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+  const char *ending = strrchr(path, '.');
+  arc_error error = {0};
+  arc_status status = ARC_OK;
+  if (ending && strcmp(ending, ".vtk") == 0)
+    status = arc_export_vtk(path, mesh, NULL, &error);
+  else if (ending && strcmp(ending, ".inp") == 0)
+    status = arc_export_mesh_inp(path, mesh, &error);
+  else if (ending && strcmp(ending, ".csv") == 0)
+    status = write_csv(L, path, mesh, &error);
+  else
+    args_refuse(L, (args_place){where, ""}, "path", "a file name that ends in .vtk, .inp or .csv");
+  error_check(L, status, &error, where, -1);
+  return 0;
+}
+
+static int mesh_tostring(lua_State *L) {
+  const arc_mesh *mesh = self(L);
+  arc_quality quality = arc_mesh_quality(mesh, NULL);
+  char text[320];
+  snprintf(text, sizeof text,
+           "mesh of the %s: %d nodes, %d quads, %d triangles, %d at the contact\n"
+           "  size     %.6g x %.6g mm at the contact, up to %.6g mm elsewhere\n"
+           "  quality  angles %.3g to %.4g degrees, aspect to %.3g, Jacobian ratio from %.3g",
+           body_names[mesh->body], mesh->nodes, mesh->quads, mesh->triangles, mesh->surface,
+           mesh->def.size, mesh->def.height, mesh->def.far, quality.smallest_angle,
+           quality.largest_angle, quality.aspect, quality.jacobian_ratio);
+  lua_pushstring(L, text);
+  return 1;
+}
+
+static const luaL_Reg fields[] = {
+    {"nodes", mesh_nodes},         {"quads", mesh_quads},
+    {"triangles", mesh_triangles}, {"elements_count", mesh_elements_count},
+    {"rows", mesh_rows},           {"body", mesh_body},
+    {"radius", mesh_radius},       {NULL, NULL},
+};
+
+static const luaL_Reg methods[] = {
+    {"elements", mesh_elements},
+    {"node", mesh_node},
+    {"coordinates", mesh_coordinates},
+    {"surface", mesh_surface},
+    {"box", mesh_box},
+    {"outline", mesh_outline},
+    {"fixed", mesh_fixed},
+    {"quality", mesh_quality},
+    {"write", mesh_write},
+    {NULL, NULL},
+};
+
+const box_class mesh_class = {
+    .name = "mesh",
+    .methods = methods,
+    .fields = fields,
+    .tostring = mesh_tostring,
+    .destroy = model_release,
+};
+
+void mesh_push(lua_State *L, int index, arc_body body) {
+  index = lua_absindex(L, index);
+  box *model = box_check(L, index, &model_class, "mesh");
+  box *made = box_push(L, &mesh_class);
+  made->thing = arc_model_retain(model->thing);
+  made->tag = (int)body;
+  box_keep(L, index);
+}

@@ -1,0 +1,302 @@
+/* Class model: two meshed and condensed bodies. Models of one definition are built once and shared:
+ * a weak table in the registry finds the living ones, and the one asked for last is kept. */
+#include "lua/engine/classes.h"
+#include "lua/base/error.h"
+
+#include <stdio.h>
+
+static const char cache_key = 0, last_key = 0; /* their addresses name the registry's entries */
+
+const char *const body_names[] = {"cylinder", "plate", NULL};
+static const char *const element_names[] = {"CPE4", "CPE4I", NULL};
+
+arc_body body_argument(lua_State *L, int index, const char *where, int otherwise) {
+  args_place place = {where, ""};
+  return (arc_body)args_choice(L, index, place, "body", body_names, otherwise);
+}
+
+void push_by_body(lua_State *L, double cylinder, double plate) {
+  lua_createtable(L, 0, 3);
+  lua_pushnumber(L, cylinder);
+  lua_setfield(L, -2, "cylinder");
+  lua_pushnumber(L, plate);
+  lua_setfield(L, -2, "plate");
+}
+
+/* --- the definition -------------------------------------------------------------------------- */
+
+typedef struct zone_widths {
+  double cylinder, plate;
+} zone_widths;
+
+static const args_field zone_fields[] = {
+    ARGS_ABOVE(zone_widths, "cylinder", cylinder, 0),
+    ARGS_ABOVE(zone_widths, "plate", plate, 0),
+    {.name = NULL},
+};
+
+/* Reads mesh.zone; member: the request. */
+static void read_zone(lua_State *L, args_place place, const char *name, void *member) {
+  model_request *request = member;
+  if (!lua_istable(L, -1)) args_refuse(L, place, name, "a table { cylinder=, plate= }");
+  zone_widths width = {0, 0};
+  args_place inner = {place.where, lua_pushfstring(L, "%szone.", place.prefix)};
+  args_read(L, -2, inner, zone_fields, &width);
+  lua_pop(L, 1);
+  double given[ARC_BODIES] = {width.cylinder, width.plate};
+  for (int body = 0; body < ARC_BODIES; body++) {
+    if (given[body] <= 0) continue;
+    request->def.mesh.zone[body] = given[body];
+    request->zone[body] = 1;
+  }
+}
+
+static const args_field mesh_fields[] = {
+    ARGS_ABOVE(model_request, "size", def.mesh.size, 0),
+    ARGS_ABOVE(model_request, "height", def.mesh.height, 0),
+    ARGS_ABOVE(model_request, "far", def.mesh.far, 0),
+    {.name = "zone", .kind = ARGS_READER, .offset = 0, .read = read_zone},
+    {.name = "rows",
+     .kind = ARGS_WHOLE,
+     .offset = offsetof(model_request, def.mesh.rows),
+     .low = 1,
+     .high = 100},
+    ARGS_NAMED(model_request, "element", def.mesh.element, element_names),
+    {.name = NULL},
+};
+
+/* Reads mesh; member: the request. */
+static void read_mesh(lua_State *L, args_place place, const char *name, void *member) {
+  if (!lua_istable(L, -1))
+    args_refuse(L, place, name, "a table { size=, height=, far=, zone=, rows=, element= }");
+  model_request *request = member;
+  arc_mesh_def *mesh = &request->def.mesh, usual = arc_mesh_default();
+  mesh->height = 0; /* not given */
+  args_place inner = {place.where, lua_pushfstring(L, "%smesh.", place.prefix)};
+  args_read(L, -2, inner, mesh_fields, member);
+  lua_pop(L, 1);
+  /* finer elements keep their shape: both sides of one matter to the pressure */
+  if (mesh->height == 0) mesh->height = usual.height * (mesh->size / usual.size);
+}
+
+static const args_field definition[] = {
+    ARGS_ABOVE(model_request, "radius", def.radius, 0),
+    ARGS_ABOVE(model_request, "thickness", def.thickness, 0),
+    ARGS_READ(model_request, "cylinder", def.material[ARC_CYLINDER], material_read),
+    ARGS_READ(model_request, "plate", def.material[ARC_PLATE], material_read),
+    {.name = "mesh", .kind = ARGS_READER, .offset = 0, .read = read_mesh},
+    {.name = NULL},
+};
+
+/* --- building and sharing -------------------------------------------------------------------- */
+
+/* Pushes a text that is the same for equal definitions, and for them alone. */
+static void push_key(lua_State *L, const arc_model_def *def) {
+  const arc_material *m = def->material;
+  char text[512];
+  snprintf(text, sizeof text, "%a %a %a %a %a %a %a %a %a %a %a %d %d", def->radius, def->thickness,
+           m[0].E, m[0].nu, m[1].E, m[1].nu, def->mesh.size, def->mesh.height, def->mesh.far,
+           def->mesh.zone[0], def->mesh.zone[1], def->mesh.rows, (int)def->mesh.element);
+  lua_pushstring(L, text);
+}
+
+/* Pushes the table from keys to holders: boxes no script sees, each the user value of the boxes
+ * that scripts hold, so that it lives as long as any of them. */
+static void push_cache(lua_State *L) {
+  if (lua_rawgetp(L, LUA_REGISTRYINDEX, &cache_key) == LUA_TTABLE) return;
+  lua_pop(L, 1);
+  lua_newtable(L);
+  lua_createtable(L, 0, 1);
+  lua_pushliteral(L, "v");
+  lua_setfield(L, -2, "__mode");
+  lua_setmetatable(L, -2);
+  lua_pushvalue(L, -1);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &cache_key);
+}
+
+/* Pushes a holder with a new model. */
+static void build_holder(lua_State *L, const arc_model_def *def, const char *where) {
+  arc_error error = {0};
+  arc_model *model = NULL;
+  box *holder = box_push(L, &model_class);
+  arc_status status = arc_model_build(def, &model, &error);
+  holder->thing = model;
+  error_check(L, status, &error, where, -1);
+  box_weigh(L, arc_model_bytes(model));
+}
+
+/* Pushes the holder for a definition. */
+static void push_holder(lua_State *L, const arc_model_def *def, const char *where) {
+  push_cache(L);
+  push_key(L, def);
+  lua_pushvalue(L, -1);
+  if (lua_rawget(L, -3) != LUA_TUSERDATA) {
+    lua_pop(L, 1);
+    build_holder(L, def, where);
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, -5);
+  }
+  lua_replace(L, -3);
+  lua_pop(L, 1);
+}
+
+arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where) {
+  luaL_checkstack(L, 10, where);
+  push_holder(L, def, where);
+  int holder = lua_gettop(L);
+  lua_pushvalue(L, holder);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &last_key);
+  box *made = box_push(L, &model_class);
+  made->thing = arc_model_retain(box_test(L, holder, &model_class)->thing);
+  box_keep(L, holder);
+  lua_remove(L, holder);
+  return made->thing;
+}
+
+/* model{ radius=, cylinder=, plate=, thickness=, mesh={...} } */
+static int model_new(lua_State *L) {
+  model_request request = {.def = arc_model_default(), .zone = {0, 0}};
+  args_read(L, 1, (args_place){"model", ""}, definition, &request);
+  model_push(L, &request.def, "model");
+  return 1;
+}
+
+/* --- as an argument -------------------------------------------------------------------------- */
+
+/* Rounded up, so that runs that differ a little share a model. */
+static double rounded_zone(double needed, const arc_model_def *def) {
+  const double unit = 10 * def->mesh.size;
+  double rounded = ceil(needed / unit - 1e-9) * unit;
+  return rounded < def->radius ? rounded : needed;
+}
+
+static void suit_zones(lua_State *L, model_request *request, const char *where, zones_fn zones,
+                       const void *asker) {
+  double needed[ARC_BODIES], *zone = request->def.mesh.zone;
+  arc_error error = {0};
+  error_check(L, zones(asker, &request->def, needed, &error), &error, where, -1);
+  for (int body = 0; body < ARC_BODIES; body++)
+    if (!request->zone[body]) zone[body] = rounded_zone(needed[body], &request->def);
+}
+
+arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zones,
+                          const void *asker) {
+  args_get(L, 1, "model");
+  if (box_test(L, -1, &model_class)) return box_check(L, -1, &model_class, where)->thing;
+  if (!lua_isnil(L, -1) && !lua_istable(L, -1))
+    args_refuse(L, (args_place){where, ""}, "model", "a model object or a table of its fields");
+  model_request request = {.def = arc_model_default(), .zone = {0, 0}};
+  const arc_model_def *other = lua_isnil(L, -1) ? worn_model_def(L, worn) : NULL;
+  if (other) request.def = *other;
+  args_read(L, -1, (args_place){where, "model."}, definition, &request);
+  lua_pop(L, 1);
+  suit_zones(L, &request, where, zones, asker);
+  return model_push(L, &request.def, where);
+}
+
+/* --- the object ------------------------------------------------------------------------------ */
+
+void model_release(void *thing) {
+  arc_model *model = thing;
+  arc_model_release(&model);
+}
+
+static arc_model *self(lua_State *L) {
+  return box_self(L, &model_class, "model")->thing;
+}
+
+NUMBER_FIELD(model, radius, arc_model_definition(self(L))->radius)
+NUMBER_FIELD(model, thickness, arc_model_definition(self(L))->thickness)
+NUMBER_FIELD(model, seconds, arc_model_seconds(self(L)))
+NUMBER_FIELD(model, bytes, arc_model_bytes(self(L)))
+
+static int model_cylinder(lua_State *L) {
+  material_push(L, arc_model_definition(self(L))->material[ARC_CYLINDER]);
+  return 1;
+}
+
+static int model_plate(lua_State *L) {
+  material_push(L, arc_model_definition(self(L))->material[ARC_PLATE]);
+  return 1;
+}
+
+/* The meshes by body, and their definition beside them. */
+static int model_mesh(lua_State *L) {
+  const arc_mesh_def *def = &arc_model_definition(self(L))->mesh;
+  lua_createtable(L, 0, 8);
+  for (int body = 0; body < ARC_BODIES; body++) {
+    mesh_push(L, 1, (arc_body)body);
+    lua_setfield(L, -2, body_names[body]);
+  }
+  push_by_body(L, def->zone[ARC_CYLINDER], def->zone[ARC_PLATE]);
+  lua_setfield(L, -2, "zone");
+  lua_pushnumber(L, def->size);
+  lua_setfield(L, -2, "size");
+  lua_pushnumber(L, def->height);
+  lua_setfield(L, -2, "height");
+  lua_pushnumber(L, def->far);
+  lua_setfield(L, -2, "far");
+  lua_pushinteger(L, def->rows);
+  lua_setfield(L, -2, "rows");
+  lua_pushstring(L, element_names[def->element]);
+  lua_setfield(L, -2, "element");
+  return 1;
+}
+
+static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
+  const arc_model_def *def = arc_model_definition(model);
+  const arc_mesh *mesh = arc_model_mesh(model, body);
+  char line[160];
+  snprintf(line, sizeof line, "\n  %-8s  E %.6g MPa, nu %.6g, zone %.6g mm; %d nodes, %d elements",
+           body_names[body], def->material[body].E, def->material[body].nu, def->mesh.zone[body],
+           mesh->nodes, mesh->elements);
+  luaL_addstring(text, line);
+}
+
+static int model_tostring(lua_State *L) {
+  const arc_model *model = self(L);
+  const arc_model_def *def = arc_model_definition(model);
+  char line[160];
+  luaL_Buffer text;
+  luaL_buffinit(L, &text);
+  snprintf(line, sizeof line,
+           "model: radius %.6g mm, thickness %.6g mm, %s %.6g x %.6g mm, %.3g MB", def->radius,
+           def->thickness, element_names[def->mesh.element], def->mesh.size, def->mesh.height,
+           (double)arc_model_bytes(model) / 1e6);
+  luaL_addstring(&text, line);
+  add_body(&text, model, ARC_CYLINDER);
+  add_body(&text, model, ARC_PLATE);
+  luaL_pushresult(&text);
+  return 1;
+}
+
+static const luaL_Reg fields[] = {
+    {"radius", model_radius},     {"thickness", model_thickness},
+    {"seconds", model_seconds},   {"bytes", model_bytes},
+    {"cylinder", model_cylinder}, {"plate", model_plate},
+    {"mesh", model_mesh},         {NULL, NULL},
+};
+
+void model_warn_coarse(lua_State *L, const arc_model *model, double half_width) {
+  const double size = arc_model_definition(model)->mesh.size;
+  char text[200];
+  if (!(half_width < size)) return;
+  snprintf(text, sizeof text,
+           "half the contact's width, %.2g mm, is less than an element of %g mm: pressures may be "
+           "far off; use a smaller mesh.size and mesh.height",
+           half_width, size);
+  lua_warning(L, text, 0);
+}
+
+const box_class model_class = {
+    .name = "model",
+    .fields = fields,
+    .tostring = model_tostring,
+    .destroy = model_release,
+};
+
+int luaopen_archard_model(lua_State *L) {
+  lua_pushcfunction(L, model_new);
+  return 1;
+}

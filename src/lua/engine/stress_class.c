@@ -1,0 +1,163 @@
+/* The stress field of a contact: for each body a table of arrays by node. */
+#include "lua/base/array.h"
+#include "lua/engine/classes.h"
+#include "lua/base/error.h"
+
+#include <stdio.h>
+
+static const char kind[] = "archard.stress";
+
+static void destroy_field(void *thing) {
+  arc_field *field = thing;
+  arc_field_destroy(&field);
+}
+
+static int holder_tostring(lua_State *L) {
+  lua_pushliteral(L, "field");
+  return 1;
+}
+
+/* Holds a field of the engine while tables or files are made of it. */
+static const box_class field_class = {
+    .name = "stress of a body", .tostring = holder_tostring, .destroy = destroy_field};
+
+const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
+                                   const char *where) {
+  arc_error error = {0};
+  arc_field *field = NULL;
+  box *holder = box_push(L, &field_class);
+  arc_status status = arc_contact_field(contact, body, &field, &error);
+  holder->thing = field;
+  error_check(L, status, &error, where, -1);
+  return field;
+}
+
+/* Pushes the field of one body as a table of arrays. */
+static void push_field(lua_State *L, const arc_contact *contact, arc_body body) {
+  const arc_field *field = field_push_holder(L, contact, body, "contact:stress");
+  const double *const columns[] = {field->x,   field->y,   field->ux,  field->uy,    field->sxx,
+                                   field->syy, field->szz, field->sxy, field->mises, field->shear};
+  static const char *const names[] = {"x",   "y",   "ux",  "uy",    "sxx",
+                                      "syy", "szz", "sxy", "mises", "shear"};
+  lua_createtable(L, 0, 11);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    array_set(L, names[i], columns[i], (size_t)field->nodes);
+  mesh_push_elements(L, arc_model_mesh(arc_contact_model(contact), body));
+  lua_setfield(L, -2, "elements");
+  box_empty(lua_touserdata(L, -2), &field_class);
+  lua_replace(L, -2);
+}
+
+/* The number at `position` of array `name` of the table on top. */
+static double element_of(lua_State *L, const char *name, lua_Integer position) {
+  lua_getfield(L, -1, name);
+  lua_geti(L, -1, position);
+  double value = lua_tonumber(L, -1);
+  lua_pop(L, 2);
+  return value;
+}
+
+/* The position of the largest number in array `name` of the table on top. */
+static lua_Integer largest_of(lua_State *L, const char *name) {
+  lua_Integer best = 1;
+  double largest = -HUGE_VAL;
+  lua_getfield(L, -1, name);
+  lua_Integer count = lua_istable(L, -1) ? luaL_len(L, -1) : 0;
+  for (lua_Integer i = 1; i <= count; i++) {
+    if (lua_geti(L, -1, i) == LUA_TNUMBER && lua_tonumber(L, -1) > largest) {
+      largest = lua_tonumber(L, -1);
+      best = i;
+    }
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  return best;
+}
+
+/* Pushes a line on the table on top: the largest of one stress and where it is. */
+static void push_largest(lua_State *L, const char *label, const char *stress) {
+  char line[160];
+  lua_Integer at = largest_of(L, stress);
+  snprintf(line, sizeof line, "\n  %-8s  %s up to %.6g MPa at x = %.4g, y = %.4g mm", label, stress,
+           element_of(L, stress, at), element_of(L, "x", at), element_of(L, "y", at));
+  lua_pushstring(L, line);
+}
+
+static int stress_tostring(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_pushliteral(L, "stress: lists by node, of each body");
+  for (int body = 0; body < ARC_BODIES; body++) {
+    if (lua_getfield(L, 1, body_names[body]) != LUA_TTABLE) {
+      lua_pop(L, 1);
+      continue;
+    }
+    push_largest(L, body_names[body], "mises");
+    lua_insert(L, -2);
+    push_largest(L, "", "shear");
+    lua_replace(L, -2);
+    lua_concat(L, 3);
+  }
+  return 1;
+}
+
+/* Pushes the table from stress objects to their contacts, for files made of them. */
+static void push_origins(lua_State *L) {
+  if (!luaL_getsubtable(L, LUA_REGISTRYINDEX, "archard.stress origins")) {
+    lua_createtable(L, 0, 1);
+    lua_pushliteral(L, "k");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+  }
+}
+
+const arc_contact *stress_contact(lua_State *L, int index, const char *where) {
+  lua_pushvalue(L, index);
+  push_origins(L);
+  lua_insert(L, -2);
+  lua_gettable(L, -2);
+  const arc_contact *contact =
+      lua_isnil(L, -1) ? NULL : box_check(L, -1, &contact_class, where)->thing;
+  lua_pop(L, 2); /* the table of origins keeps it */
+  return contact;
+}
+
+/* stress.contact: beside the bodies, so that a loop over the object meets these alone */
+static int stress_index(lua_State *L) {
+  lua_settop(L, 2);
+  lua_pushliteral(L, "contact");
+  if (!lua_rawequal(L, 2, 3)) return 0;
+  push_origins(L);
+  lua_pushvalue(L, 1);
+  lua_gettable(L, -2);
+  return 1;
+}
+
+/* contact:stress() -> { cylinder=, plate= } of nodal arrays */
+int stress_new(lua_State *L) {
+  const arc_contact *contact = box_self(L, &contact_class, "contact:stress")->thing;
+  luaL_checkstack(L, 12, "contact:stress");
+  lua_createtable(L, 0, 2);
+  for (int body = 0; body < ARC_BODIES; body++) {
+    push_field(L, contact, (arc_body)body);
+    lua_setfield(L, -2, body_names[body]);
+  }
+  push_origins(L);
+  lua_pushvalue(L, -2);
+  lua_pushvalue(L, 1);
+  lua_settable(L, -3);
+  lua_pop(L, 1);
+  if (luaL_newmetatable(L, kind)) {
+    lua_pushcfunction(L, stress_tostring);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushcfunction(L, stress_index);
+    lua_setfield(L, -2, "__index");
+    lua_newtable(L);
+    lua_setfield(L, -2, "__methods");
+    lua_createtable(L, 1, 0);
+    lua_pushliteral(L, "contact");
+    lua_rawseti(L, -2, 1);
+    lua_setfield(L, -2, "__fields");
+  }
+  lua_setmetatable(L, -2);
+  return 1;
+}

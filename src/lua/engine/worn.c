@@ -1,0 +1,191 @@
+/* The field `worn` of contacts and wear runs: a wear object, or by body a function x -> depth or a
+ * profile { x=, h= }; turned into a shape of the engine. */
+#include "lua/base/array.h"
+#include "lua/engine/classes.h"
+#include "lua/base/error.h"
+
+#include <stdio.h>
+
+static void destroy_shape(void *thing) {
+  arc_shape *shape = thing;
+  arc_shape_destroy(&shape);
+}
+
+static int shape_tostring(lua_State *L) {
+  lua_pushliteral(L, "worn shape");
+  return 1;
+}
+
+const box_class shape_class = {
+    .name = "shape", .tostring = shape_tostring, .destroy = destroy_shape};
+
+static const args_field by_body[] = {
+    ARGS_OTHER("cylinder"),
+    ARGS_OTHER("plate"),
+    {.name = NULL},
+};
+
+static const char *const prefixes[ARC_BODIES] = {"worn.cylinder.", "worn.plate."};
+
+/* --- profiles given as arrays ---------------------------------------------------------------- */
+
+typedef struct given_profile {
+  const double *x, *h;
+  size_t count;
+} given_profile;
+
+/* Pushes field `name` of the profile at `index` and its numbers. */
+static const double *push_column(lua_State *L, int index, args_place place, const char *name,
+                                 size_t *count) {
+  lua_getfield(L, index, name);
+  return array_read(L, place, name, count);
+}
+
+static void check_profile(lua_State *L, args_place place, given_profile profile) {
+  for (size_t i = 0; i < profile.count; i++) {
+    if (profile.h[i] < 0)
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "field '%sh[%d]': expected a depth >= 0 in mm, got %s", place.prefix, (int)i + 1,
+                  args_show_number(L, profile.h[i]));
+    if (i > 0 && profile.x[i] <= profile.x[i - 1])
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "field '%sx[%d]': expected increasing x, got %s after %s", place.prefix,
+                  (int)i + 1, args_show_number(L, profile.x[i]),
+                  args_show_number(L, profile.x[i - 1]));
+  }
+}
+
+/* Reads and checks { x=, h= } at `index`; leaves what holds the numbers on the stack. */
+static given_profile push_profile(lua_State *L, int index, args_place place) {
+  size_t depths = 0;
+  given_profile profile = {NULL, NULL, 0};
+  index = lua_absindex(L, index);
+  luaL_checkstack(L, 12, place.where);
+  profile.x = push_column(L, index, place, "x", &profile.count);
+  profile.h = push_column(L, index, place, "h", &depths);
+  if (depths != profile.count || depths < 2)
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "fields '%sx' and '%sh': expected two arrays of one length, at least 2, got %d and "
+                "%d numbers",
+                place.prefix, place.prefix, (int)profile.count, (int)depths);
+  check_profile(L, place, profile);
+  return profile;
+}
+
+void worn_check(lua_State *L, int index, const char *where) {
+  args_place place = {where, ""};
+  args_get(L, index, "worn");
+  if (lua_isnil(L, -1)) return;
+  if (box_test(L, -1, &wear_class)) {
+    box_check(L, lua_gettop(L), &wear_class, where);
+    return;
+  }
+  if (!lua_istable(L, -1))
+    args_refuse(L, place, "worn", "a wear object or a table { cylinder=, plate= }");
+  int worn = lua_gettop(L);
+  args_check_names(L, worn, (args_place){where, "worn."}, by_body);
+  for (int body = 0; body < ARC_BODIES; body++) {
+    int type = lua_getfield(L, worn, body_names[body]);
+    if (type == LUA_TTABLE)
+      push_profile(L, -1, (args_place){where, prefixes[body]});
+    else if (type != LUA_TNIL && type != LUA_TFUNCTION)
+      args_refuse(L, (args_place){where, "worn."}, body_names[body],
+                  "a function of x or a table { x=, h= }");
+    lua_settop(L, worn);
+  }
+}
+
+const arc_model_def *worn_model_def(lua_State *L, int worn) {
+  box *other = box_test(L, worn, &wear_class);
+  return other ? arc_model_definition(arc_wear_model(other->thing)) : NULL;
+}
+
+/* --- depths at the nodes --------------------------------------------------------------------- */
+
+/* Depths from the profile at `index`. */
+static void sample_profile(lua_State *L, int index, args_place place, arc_profile nodes,
+                           double *depth) {
+  given_profile profile = push_profile(L, index, place);
+  for (int i = 0; i < nodes.count; i++)
+    depth[i] = array_interpolate(profile.x, profile.h, profile.count, nodes.x[i], 0);
+}
+
+/* The depth at `x` by the function at `index`. */
+static double call_depth(lua_State *L, int index, const char *where, const char *body, double x) {
+  char call[80];
+  snprintf(call, sizeof call, "worn.%s(%.6g)", body, x);
+  lua_pushvalue(L, index);
+  lua_pushnumber(L, x);
+  if (error_pcall(L, 1, 1) != LUA_OK) error_callback(L, where, call);
+  double depth = lua_tonumber(L, -1);
+  if (lua_type(L, -1) != LUA_TNUMBER || !(isfinite(depth) && depth >= 0))
+    error_raise(L, ARC_CALLBACK, where, "%s: expected a depth >= 0 in mm, got %s", call,
+                luaL_tolstring(L, -1, NULL));
+  lua_pop(L, 1);
+  return depth;
+}
+
+/* Depths of the body of another run, from its own nodes; beyond them the depth of its ends, which
+ * is not zero where the plate has worn evenly. */
+static void sample_run(const arc_wear *other, arc_body body, arc_profile nodes, double *depth) {
+  arc_profile from = arc_shape_profile(arc_wear_shape(other), body);
+  size_t count = (size_t)from.count;
+  for (int i = 0; i < nodes.count; i++) {
+    double end = nodes.x[i] < 0 ? from.h[0] : from.h[count - 1];
+    depth[i] = array_interpolate(from.x, from.h, count, nodes.x[i], end);
+  }
+}
+
+/* Fills `depth` for one body; returns 0 where it is not worn. The value stands at `worn`. */
+static int sample(lua_State *L, int worn, arc_body body, arc_profile nodes, double *depth,
+                  const char *where) {
+  const char *name = body_names[body];
+  box *other = box_test(L, worn, &wear_class);
+  if (other) {
+    sample_run(other->thing, body, nodes, depth);
+    return 1;
+  }
+  int type = lua_getfield(L, worn, name), value = lua_gettop(L);
+  if (type == LUA_TTABLE)
+    sample_profile(L, value, (args_place){where, prefixes[body]}, nodes, depth);
+  for (int i = 0; type == LUA_TFUNCTION && i < nodes.count; i++)
+    depth[i] = call_depth(L, value, where, name, nodes.x[i]);
+  return type != LUA_TNIL;
+}
+
+/* Takes the depth that all nodes share off `depth` and returns it. */
+static double split_even(double *depth, int count) {
+  double even = depth[0];
+  for (int i = 1; i < count; i++)
+    if (depth[i] < even) even = depth[i];
+  for (int i = 0; i < count; i++) depth[i] -= even;
+  return even;
+}
+
+static void wear_body(lua_State *L, int worn, arc_shape *shape, arc_body body, const char *where) {
+  int top = lua_gettop(L);
+  arc_profile nodes = arc_shape_profile(shape, body);
+  arc_error error = {0};
+  double *depth = array_buffer(L, (size_t)nodes.count);
+  if (sample(L, worn, body, nodes, depth, where)) {
+    double even = body == ARC_PLATE ? split_even(depth, nodes.count) : 0;
+    if (even > 0) arc_shape_wear_evenly(shape, body, even);
+    error_check(L, arc_shape_wear(shape, body, depth, &error), &error, where, -1);
+  }
+  lua_settop(L, top);
+}
+
+arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, arc_geometry geometry,
+                           double refresh, const char *where) {
+  arc_error error = {0};
+  arc_shape *shape = NULL;
+  worn = lua_absindex(L, worn);
+  luaL_checkstack(L, 12, where);
+  box *holder = box_push(L, &shape_class);
+  arc_status status = arc_shape_create(model, geometry, refresh, &shape, &error);
+  holder->thing = shape;
+  error_check(L, status, &error, where, -1);
+  for (int body = 0; body < ARC_BODIES && !lua_isnil(L, worn); body++)
+    wear_body(L, worn, shape, (arc_body)body, where);
+  return shape;
+}

@@ -1,0 +1,261 @@
+/* The module `archard.store`: run files, exact and plain. study.lua and its kin are what users see.
+ * Leans on archard/store.h. */
+#include "lua/base/archard.h"
+#include "lua/files/store_module.h"
+#include "lua/base/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const char *const mode_names[] = {"read", "write", "create", NULL};
+static const char *const use_names[] = {"settings", "definition", "results", NULL};
+
+static arc_store *self(lua_State *L, const char *where) {
+  return box_self(L, &store_class, where)->thing;
+}
+
+static int id_argument(lua_State *L, int index, const char *where) {
+  static const args_field id = {.name = "id", .kind = ARGS_WHOLE, .low = 1, .high = 1e9};
+  lua_pushvalue(L, index);
+  double value = args_number(L, (args_place){where, ""}, &id);
+  lua_pop(L, 1);
+  return (int)value;
+}
+
+/* --- opening ---------------------------------------------------------------------------------- */
+
+static void close_store(void *thing) {
+  arc_store *store = thing;
+  arc_store_close(&store);
+}
+
+arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const char *where) {
+  arc_error error = {0};
+  arc_store *store = NULL;
+  box *made = box_push(L, &store_class);
+  arc_status status = arc_store_open(path, mode, &store, &error);
+  made->thing = store;
+  error_check(L, status, &error, where, -1);
+  return store;
+}
+
+/* store.open(path, mode) */
+static int store_open(lua_State *L) {
+  const char *path = luaL_checkstring(L, 1);
+  int mode = args_choice(L, 2, (args_place){"store.open", ""}, "mode", mode_names, 0);
+  store_push(L, path, (arc_store_mode)mode, "store.open");
+  return 1;
+}
+
+/* store:publish(): a store that replaces a file takes its place, and is closed */
+static int store_publish(lua_State *L) {
+  box *held = box_self(L, &store_class, "store:publish");
+  arc_error error = {0};
+  arc_store *store = held->thing;
+  held->thing = NULL;
+  error_check(L, arc_store_publish(&store, &error), &error, "store:publish", -1);
+  return 0;
+}
+
+/* store.replace(path, kind) */
+static int store_replace(lua_State *L) {
+  const char *path = luaL_checkstring(L, 1), *kind = luaL_checkstring(L, 2);
+  arc_error error = {0};
+  arc_store *store = NULL;
+  box *made = box_push(L, &store_class);
+  arc_status status = arc_store_replace(path, kind, &store, &error);
+  made->thing = store;
+  error_check(L, status, &error, "store.replace", -1);
+  return 1;
+}
+
+/* --- the file as a whole ---------------------------------------------------------------------- */
+
+/* Defines a method that is one call without arguments. */
+#define PLAIN(name, call)                                                                          \
+  static int store_##name(lua_State *L) {                                                          \
+    arc_error error = {0};                                                                         \
+    arc_store *store = self(L, "store:" #name);                                                    \
+    error_check(L, call(store, &error), &error, "store:" #name, -1);                               \
+    return 0;                                                                                      \
+  }
+PLAIN(begin, arc_store_begin)
+PLAIN(commit, arc_store_commit)
+PLAIN(check, arc_store_check)
+PLAIN(release, arc_store_release)
+
+static int store_rollback(lua_State *L) {
+  arc_store_rollback(self(L, "store:rollback"));
+  return 0;
+}
+
+/* store:info(name) -> text or nil */
+static int store_info(lua_State *L) {
+  arc_error error = {0};
+  char *text = NULL;
+  arc_status status = arc_store_info(self(L, "store:info"), luaL_checkstring(L, 2), &text, &error);
+  error_check(L, status, &error, "store:info", -1);
+  lua_pushstring(L, text); /* NULL becomes nil */
+  free(text);
+  return 1;
+}
+
+/* store:set_info(name, text) */
+static int store_set_info(lua_State *L) {
+  arc_error error = {0};
+  arc_store *store = self(L, "store:set_info");
+  const char *name = luaL_checkstring(L, 2), *text = luaL_optstring(L, 3, NULL);
+  error_check(L, arc_store_set_info(store, name, text, &error), &error, "store:set_info", -1);
+  return 0;
+}
+
+/* store:merge(path) */
+static int store_merge(lua_State *L) {
+  arc_error error = {0};
+  arc_store *store = self(L, "store:merge");
+  error_check(L, arc_store_merge(store, luaL_checkstring(L, 2), &error), &error, "store:merge", -1);
+  return 0;
+}
+
+/* --- cases ------------------------------------------------------------------------------------ */
+
+/* store:add(id, label) */
+static int store_add(lua_State *L) {
+  arc_error error = {0};
+  arc_store *store = self(L, "store:add");
+  int id = id_argument(L, 2, "store:add");
+  error_check(L, arc_store_add(store, id, luaL_checkstring(L, 3), &error), &error, "store:add", -1);
+  return 0;
+}
+
+/* store:mark(id, status, message, seconds) */
+static int store_mark(lua_State *L) {
+  static const char where[] = "store:mark";
+  arc_error error = {0};
+  arc_store *store = self(L, where);
+  int id = id_argument(L, 2, where);
+  int mark = args_choice(L, 3, (args_place){where, ""}, "status", arc_case_status_names, -1);
+  const char *message = luaL_optstring(L, 4, NULL);
+  double seconds = luaL_optnumber(L, 5, (lua_Number)NAN);
+  arc_status status = arc_store_mark(store, id, (arc_case_status)mark, message, seconds, &error);
+  error_check(L, status, &error, where, -1);
+  return 0;
+}
+
+static void push_case(lua_State *L, const arc_case *one) {
+  lua_createtable(L, 0, 5);
+  lua_pushinteger(L, one->id);
+  lua_setfield(L, -2, "id");
+  lua_pushstring(L, one->label);
+  lua_setfield(L, -2, "label");
+  lua_pushstring(L, arc_case_status_names[one->status]);
+  lua_setfield(L, -2, "status");
+  if (one->message[0]) {
+    lua_pushstring(L, one->message);
+    lua_setfield(L, -2, "message");
+  }
+  if (isfinite(one->seconds)) {
+    lua_pushnumber(L, one->seconds);
+    lua_setfield(L, -2, "seconds");
+  }
+}
+
+/* Pushes the list of cases; a light userdata with them is the argument, so that what Lua raises
+ * leaks nothing. */
+static int push_cases(lua_State *L) {
+  const arc_case *cases = lua_touserdata(L, 1);
+  size_t count = (size_t)lua_tointeger(L, 2);
+  lua_createtable(L, (int)count, 0);
+  for (size_t i = 0; i < count; i++) {
+    push_case(L, &cases[i]);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+  }
+  return 1;
+}
+
+/* store:cases() -> list of { id=, label=, status=, message=, seconds= } */
+static int store_cases(lua_State *L) {
+  arc_error error = {0};
+  arc_case *cases;
+  size_t count;
+  arc_status status = arc_store_cases(self(L, "store:cases"), &cases, &count, &error);
+  error_check(L, status, &error, "store:cases", -1);
+  lua_pushcfunction(L, push_cases);
+  lua_pushlightuserdata(L, cases);
+  lua_pushinteger(L, (lua_Integer)count);
+  int failed = lua_pcall(L, 2, 1, 0);
+  free(cases);
+  return failed ? lua_error(L) : 1;
+}
+
+/* store:values(id, use) -> table of names and values */
+static int store_values(lua_State *L) {
+  static const char where[] = "store:values";
+  arc_store *store = self(L, where);
+  int id = id_argument(L, 2, where);
+  int use = args_choice(L, 3, (args_place){where, ""}, "use", use_names, 0);
+  store_push_values(L, store, id, (arc_value_use)use, where);
+  return 1;
+}
+
+/* store:set_values(id, use, table) */
+static int store_set_values(lua_State *L) {
+  static const char where[] = "store:set_values";
+  arc_store *store = self(L, where);
+  int id = id_argument(L, 2, where);
+  int use = args_choice(L, 3, (args_place){where, ""}, "use", use_names, -1);
+  luaL_checktype(L, 4, LUA_TTABLE);
+  store_write_values(L, store, id, (arc_value_use)use, 4, where);
+  return 0;
+}
+
+/* --- the class -------------------------------------------------------------------------------- */
+
+static int store_path(lua_State *L) {
+  lua_pushstring(L, arc_store_path(self(L, "store")));
+  return 1;
+}
+
+static int store_tostring(lua_State *L) {
+  lua_pushfstring(L, "run file %s", arc_store_path(self(L, "store")));
+  return 1;
+}
+
+static const luaL_Reg methods[] = {
+    {"publish", store_publish},
+    {"begin", store_begin},
+    {"commit", store_commit},
+    {"rollback", store_rollback},
+    {"check", store_check},
+    {"release", store_release},
+    {"info", store_info},
+    {"set_info", store_set_info},
+    {"merge", store_merge},
+    {"add", store_add},
+    {"mark", store_mark},
+    {"cases", store_cases},
+    {"values", store_values},
+    {"set_values", store_set_values},
+    {"save", store_save},
+    {"history", store_history},
+    {"surfaces", store_surfaces},
+    {"wear", store_wear},
+    {NULL, NULL},
+};
+
+static const luaL_Reg fields[] = {{"path", store_path}, {NULL, NULL}};
+
+const box_class store_class = {
+    .name = "store",
+    .methods = methods,
+    .fields = fields,
+    .tostring = store_tostring,
+    .destroy = close_store,
+};
+
+int luaopen_archard_store(lua_State *L) {
+  static const luaL_Reg functions[] = {
+      {"open", store_open}, {"replace", store_replace}, {NULL, NULL}};
+  luaL_newlib(L, functions);
+  return 1;
+}

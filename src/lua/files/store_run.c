@@ -1,0 +1,290 @@
+/* Runs in a run file, as Lua sees them; and wear:save, wear.open, which keep one run in a file. */
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+#include "lua/files/store_module.h"
+#include "lua/wear/wear_class.h"
+#include "lua/wear/wear_functions.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static arc_store *self(lua_State *L, const char *where) {
+  return box_self(L, &store_class, where)->thing;
+}
+
+static int id_at(lua_State *L, int index) {
+  return (int)luaL_checkinteger(L, index);
+}
+
+/* --- saving ----------------------------------------------------------------------------------- */
+
+/* A column of the surface table on top of the stack; its numbers go to the list of anchors. */
+static const double *read_column(lua_State *L, int anchors, const char *name, size_t *count) {
+  lua_getfield(L, -1, name);
+  double *values = array_read(L, (args_place){"store:save", "surfaces."}, name, count);
+  lua_rawseti(L, anchors, (lua_Integer)lua_rawlen(L, anchors) + 1);
+  lua_pop(L, 1);
+  return values;
+}
+
+static double read_number(lua_State *L, const char *name) {
+  lua_getfield(L, -1, name);
+  double value = luaL_checknumber(L, -1);
+  lua_pop(L, 1);
+  return value;
+}
+
+/* Reads the table { body=, update=, distance=, x=, h=, y=, p= } on top of the stack. */
+static arc_surface read_surface(lua_State *L, int anchors) {
+  arc_surface surface = {.update = read_number(L, "update"),
+                         .distance = read_number(L, "distance")};
+  const double **column[] = {&surface.x, &surface.h, &surface.y, &surface.p};
+  static const char *const names[] = {"x", "h", "y", "p"};
+  for (int c = 0; c < 4; c++) {
+    size_t count;
+    *column[c] = read_column(L, anchors, names[c], &count);
+    if (c > 0 && count != surface.count)
+      error_raise(L, ARC_ARGUMENT, "store:save", "surfaces.%s: expected %d numbers, got %d",
+                  names[c], (int)surface.count, (int)count);
+    surface.count = count;
+  }
+  lua_getfield(L, -1, "body");
+  surface.body = body_argument(L, lua_gettop(L), "store:save", -1);
+  lua_pop(L, 1);
+  return surface;
+}
+
+/* store:save(id, wear, surfaces) */
+int store_save(lua_State *L) {
+  static const char where[] = "store:save";
+  lua_settop(L, 4);
+  arc_store *store = self(L, where);
+  const arc_wear *wear = box_check(L, 3, &wear_class, where)->thing;
+  size_t count = lua_istable(L, 4) ? (size_t)luaL_len(L, 4) : 0;
+  arc_surface *surfaces = lua_newuserdatauv(L, (count + 1) * sizeof *surfaces, 0);
+  lua_newtable(L);
+  int anchors = lua_gettop(L);
+  for (size_t i = 0; i < count; i++) {
+    lua_geti(L, 4, (lua_Integer)i + 1);
+    surfaces[i] = read_surface(L, anchors);
+    lua_pop(L, 1);
+  }
+  arc_error error = {0};
+  arc_status status = arc_store_save(store, id_at(L, 2), wear, surfaces, count, &error);
+  error_check(L, status, &error, where, -1);
+  return 0;
+}
+
+/* --- looking ---------------------------------------------------------------------------------- */
+
+/* Calls `push` with the block and its length under lua_pcall, frees the block, leaves the value. */
+static int push_and_free(lua_State *L, lua_CFunction push, void *block, size_t count) {
+  lua_pushcfunction(L, push);
+  lua_pushlightuserdata(L, block);
+  lua_pushinteger(L, (lua_Integer)count);
+  int failed = lua_pcall(L, 2, 1, 0);
+  free(block);
+  return failed ? lua_error(L) : 1;
+}
+
+static int push_history(lua_State *L) {
+  const arc_wear_record *records = lua_touserdata(L, 1);
+  records_push_columns(L, records, (size_t)lua_tointeger(L, 2));
+  return 1;
+}
+
+/* store:history(id) -> columns by name; nil where nothing is stored */
+int store_history(lua_State *L) {
+  arc_error error = {0};
+  arc_wear_record *history;
+  size_t count;
+  arc_status status =
+      arc_store_history(self(L, "store:history"), id_at(L, 2), &history, &count, &error);
+  error_check(L, status, &error, "store:history", -1);
+  if (count > 0) return push_and_free(L, push_history, history, count);
+  free(history);
+  return 0;
+}
+
+static void push_surface(lua_State *L, const arc_surface *surface) {
+  lua_createtable(L, 0, 7);
+  lua_pushstring(L, arc_body_name(surface->body));
+  lua_setfield(L, -2, "body");
+  lua_pushnumber(L, surface->update);
+  lua_setfield(L, -2, "update");
+  lua_pushnumber(L, surface->distance);
+  lua_setfield(L, -2, "distance");
+  array_set(L, "x", surface->x, surface->count);
+  array_set(L, "h", surface->h, surface->count);
+  array_set(L, "y", surface->y, surface->count);
+  array_set(L, "p", surface->p, surface->count);
+}
+
+static int push_surfaces(lua_State *L) {
+  const arc_surface *surfaces = lua_touserdata(L, 1);
+  size_t count = (size_t)lua_tointeger(L, 2);
+  lua_createtable(L, (int)count, 0);
+  for (size_t i = 0; i < count; i++) {
+    push_surface(L, &surfaces[i]);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+  }
+  return 1;
+}
+
+/* store:surfaces(id) -> list of { body=, update=, distance=, x=, h=, y=, p= } */
+int store_surfaces(lua_State *L) {
+  arc_error error = {0};
+  arc_surface *surfaces;
+  size_t count;
+  arc_status status =
+      arc_store_surfaces(self(L, "store:surfaces"), id_at(L, 2), &surfaces, &count, &error);
+  error_check(L, status, &error, "store:surfaces", -1);
+  return push_and_free(L, push_surfaces, surfaces, count);
+}
+
+/* --- runs that go on -------------------------------------------------------------------------- */
+
+static void free_stored(void *thing) {
+  arc_stored_run_free(thing);
+  free(thing);
+}
+
+static int stored_tostring(lua_State *L) {
+  lua_pushliteral(L, "a stored definition");
+  return 1;
+}
+
+/* thing: arc_stored_run; internal, so that what Lua raises leaks nothing */
+static const box_class stored_class = {
+    .name = "stored run", .tostring = stored_tostring, .destroy = free_stored};
+
+static arc_stored_run *push_stored(lua_State *L, arc_store *store, int id, const char *where) {
+  arc_error error = {0};
+  box *made = box_push(L, &stored_class);
+  arc_stored_run *run = made->thing = calloc(1, sizeof *run);
+  if (!run) error_raise(L, ARC_MEMORY, where, "out of memory");
+  error_check(L, arc_store_definition(store, id, run, &error), &error, where, -1);
+  return run;
+}
+
+static const args_field functions_again[] = {
+    {.name = "k", .kind = ARGS_ANY},
+    {.name = "alpha", .kind = ARGS_ANY},
+    {.name = "jump", .kind = ARGS_ANY},
+    {.name = "local_factor", .kind = ARGS_ANY},
+    {.name = NULL},
+};
+
+/* Whether a field is among names that are each followed by a blank. */
+static int is_named(const char *names, const char *field) {
+  size_t length = strlen(field);
+  while (*names) {
+    size_t here = strcspn(names, " ");
+    if (here == length && strncmp(names, field, length) == 0) return 1;
+    names += here + 1;
+  }
+  return 0;
+}
+
+/* The fields that were functions must be functions again, and no others. Pushes their holder, or
+ * nil. */
+static void push_functions(lua_State *L, arc_stored_run *run, int given, const char *where) {
+  args_place place = {where, ""};
+  if (given) args_check_names(L, given, place, functions_again);
+  for (const args_field *field = functions_again; field->name; field++) {
+    int was = is_named(run->functions, field->name);
+    int type = args_get(L, given ? given : lua_gettop(L), field->name);
+    if (was && type != LUA_TFUNCTION)
+      args_refuse(L, place, field->name, "the function again that it was when the run was saved");
+    if (!was && type != LUA_TNIL)
+      args_refuse(L, place, field->name, "nothing, as it was stored with the run");
+    lua_pop(L, 1);
+  }
+  lua_pushnil(L);
+  if (run->functions[0]) functions_read(L, given, 0, place, &run->def);
+}
+
+void store_push_wear(lua_State *L, arc_store *store, int id, int given, const char *where) {
+  arc_error error = {0};
+  luaL_checkstack(L, 12, where);
+  arc_stored_run *run = push_stored(L, store, id, where);
+  box *stored = box_test(L, -1, &stored_class);
+  push_functions(L, run, given, where);
+  int holder = lua_gettop(L);
+  arc_model *model = model_push(L, &run->model, where);
+  arc_wear *wear = NULL;
+  box *made = box_push(L, &wear_class);
+  box_keep(L, -2);
+  lua_pushvalue(L, holder);
+  lua_setiuservalue(L, -2, RUN_FUNCTIONS);
+  arc_status status = arc_store_restore(store, id, model, &run->def, &wear, &error);
+  made->thing = wear;
+  box_empty(stored, &stored_class);
+  error_check(L, status, &error, where, -1);
+  box_weigh(L, arc_wear_bytes(wear));
+}
+
+/* store:wear(id, functions) -> a wear object */
+int store_wear(lua_State *L) {
+  int given = lua_istable(L, 3) ? 3 : 0;
+  store_push_wear(L, self(L, "store:wear"), id_at(L, 2), given, "store:wear");
+  return 1;
+}
+
+static arc_status write_run(arc_store *store, const arc_wear *wear, arc_error *error) {
+  arc_status status = arc_store_begin(store, error);
+  if (status == ARC_OK) status = arc_store_add(store, 1, "wear", error);
+  if (status == ARC_OK) status = arc_store_save(store, 1, wear, NULL, 0, error);
+  if (status == ARC_OK) status = arc_store_mark(store, 1, ARC_CASE_DONE, NULL, (double)NAN, error);
+  return status == ARC_OK ? arc_store_commit(store, error) : status;
+}
+
+/* wear:save(path) -> the object itself */
+int wear_save(lua_State *L) {
+  const arc_wear *wear = wear_self(L, "wear:save");
+  const char *path = luaL_checkstring(L, 2);
+  arc_error error = {0};
+  arc_store *store;
+  arc_status status = arc_store_replace(path, "wear", &store, &error);
+  if (status == ARC_OK) status = write_run(store, wear, &error);
+  if (status == ARC_OK) status = arc_store_publish(&store, &error);
+  arc_store_close(&store);
+  error_check(L, status, &error, "wear:save", -1);
+  lua_settop(L, 1);
+  return 1;
+}
+
+/* The case to open where the caller names none: the only one. */
+static int only_case(lua_State *L, arc_store *store) {
+  arc_error error = {0};
+  arc_case *cases;
+  size_t count;
+  error_check(L, arc_store_cases(store, &cases, &count, &error), &error, "wear.open", -1);
+  int id = count == 1 ? cases[0].id : 0;
+  free(cases);
+  if (id > 0) return id;
+  error_raise(L, ARC_ARGUMENT, "wear.open",
+              "%s: expected a file of one run or the number of a case, found %d cases",
+              arc_store_path(store), (int)count);
+}
+
+/* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run; the case may be
+ * left out where there is but one, the table where nothing in the definition was a function */
+int wear_open(lua_State *L) {
+  const char *path = luaL_checkstring(L, 1);
+  lua_settop(L, 3);
+  if (lua_istable(L, 2)) {
+    lua_replace(L, 3);
+    lua_pushnil(L);
+    lua_insert(L, 2);
+    lua_settop(L, 3);
+  }
+  int id = (int)luaL_optinteger(L, 2, 0), given = lua_istable(L, 3) ? 3 : 0;
+  arc_store *store = store_push(L, path, ARC_STORE_READ, "wear.open");
+  box *opened = box_test(L, -1, &store_class);
+  if (id == 0) id = only_case(L, store);
+  store_push_wear(L, store, id, given, "wear.open");
+  box_empty(opened, &store_class);
+  return 1;
+}

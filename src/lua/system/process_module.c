@@ -1,0 +1,390 @@
+/* The module `archard.process`: a pool of copies of this very program, each fed lines and giving
+ * lines back. The one file of the binding that starts programs; leans on POSIX only.
+ *
+ * A worker is started by posix_spawn, so by exec: a bare fork would carry over locks of the
+ * libraries. It has a process group of its own, which keeps a Ctrl-C at the terminal away from it,
+ * and is told by the end of its input that nobody waits for it any more.
+ */
+#include "lua/base/archard.h"
+#include "lua/base/box.h"
+#include "lua/base/error.h"
+#include "lua/base/interrupt.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+/* Longest line a worker may write, and how much of its last words is kept. */
+enum { LINE = 4096, WORDS = 400, MOST_WORKERS = 256 };
+
+typedef struct worker {
+  pid_t process; /* 0: none */
+  int input, output, errors;
+  size_t filled; /* bytes of `line` */
+  char line[LINE];
+  size_t said; /* bytes of `words` */
+  char words[WORDS];
+} worker;
+
+typedef struct pool {
+  int count;
+  char **arguments; /* as execv wants them */
+  char **environment;
+  worker *workers;
+} pool;
+
+/* --- one worker ------------------------------------------------------------------------------- */
+
+static void close_descriptor(int *descriptor) {
+  if (*descriptor >= 0) close(*descriptor);
+  *descriptor = -1;
+}
+
+static void close_pipe(int ends[2]) {
+  close_descriptor(&ends[0]);
+  close_descriptor(&ends[1]);
+}
+
+/* Both ends ours alone until a child is given one. The way to the child is a socket, because that
+ * can be written without SIGPIPE. */
+static int open_pipe(int ends[2], int is_socket) {
+  if ((is_socket ? socketpair(AF_UNIX, SOCK_STREAM, 0, ends) : pipe(ends)) != 0) return 0;
+  return fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0;
+}
+
+/* Signals as at the start of a program, and a process group of its own. */
+static int set_attributes(posix_spawnattr_t *attributes) {
+  sigset_t usual, none;
+  sigemptyset(&none);
+  sigemptyset(&usual);
+  sigaddset(&usual, SIGINT);
+  sigaddset(&usual, SIGPIPE);
+  sigaddset(&usual, SIGTERM);
+  short flags = POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK;
+  int failed = posix_spawnattr_setpgroup(attributes, 0);
+  if (!failed) failed = posix_spawnattr_setsigdefault(attributes, &usual);
+  if (!failed) failed = posix_spawnattr_setsigmask(attributes, &none);
+  if (!failed) failed = posix_spawnattr_setflags(attributes, flags);
+  return failed;
+}
+
+/* 0 or the reason. ends: input, output, errors; the child's are [0] of the first, [1] of others. */
+static int spawn(const pool *p, int ends[3][2], pid_t *process) {
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  int failed = posix_spawn_file_actions_init(&actions);
+  if (failed) return failed;
+  failed = posix_spawnattr_init(&attributes);
+  if (!failed) {
+    for (int i = 0; i < 3 && !failed; i++)
+      failed = posix_spawn_file_actions_adddup2(&actions, ends[i][i == 0 ? 0 : 1], i);
+    if (!failed) failed = set_attributes(&attributes);
+    if (!failed)
+      failed = posix_spawn(process, "/proc/self/exe", &actions, &attributes, p->arguments,
+                           p->environment);
+    posix_spawnattr_destroy(&attributes);
+  }
+  posix_spawn_file_actions_destroy(&actions);
+  return failed;
+}
+
+static int start(const pool *p, worker *w) {
+  int ends[3][2] = {{-1, -1}, {-1, -1}, {-1, -1}};
+  int opened = open_pipe(ends[0], 1) && open_pipe(ends[1], 0) && open_pipe(ends[2], 0);
+  int failed = opened ? spawn(p, ends, &w->process) : errno;
+  if (failed) {
+    w->process = 0;
+    for (int i = 0; i < 3; i++) close_pipe(ends[i]);
+    return failed;
+  }
+  close_descriptor(&ends[0][0]);
+  close_descriptor(&ends[1][1]);
+  close_descriptor(&ends[2][1]);
+  w->input = ends[0][1];
+  w->output = ends[1][0];
+  w->errors = ends[2][0];
+  fcntl(w->output, F_SETFL, O_NONBLOCK);
+  fcntl(w->errors, F_SETFL, O_NONBLOCK);
+  w->filled = w->said = 0;
+  return 0;
+}
+
+static void close_worker(worker *w) {
+  close_descriptor(&w->input);
+  close_descriptor(&w->output);
+  close_descriptor(&w->errors);
+  w->process = 0;
+}
+
+/* Ends it, whatever it does, and waits until it has gone. */
+static void end_worker(worker *w) {
+  if (w->process > 0) {
+    kill(-w->process, SIGKILL);
+    while (waitpid(w->process, NULL, 0) < 0 && errno == EINTR) continue;
+  }
+  close_worker(w);
+}
+
+static void end_all(pool *p) {
+  for (int i = 0; p->workers && i < p->count; i++) end_worker(&p->workers[i]);
+}
+
+static void free_list(char **list) {
+  for (char **text = list; text && *text; text++) free(*text);
+  free(list);
+}
+
+static void destroy_pool(void *thing) {
+  pool *p = thing;
+  end_all(p);
+  free(p->workers);
+  free_list(p->arguments);
+  free_list(p->environment);
+  free(p);
+}
+
+/* --- the pool --------------------------------------------------------------------------------- */
+
+static int pool_send(lua_State *L);
+static int pool_wait(lua_State *L);
+
+static int pool_tostring(lua_State *L) {
+  lua_pushliteral(L, "a pool of worker processes");
+  return 1;
+}
+
+static const luaL_Reg methods[] = {{"send", pool_send}, {"wait", pool_wait}, {NULL, NULL}};
+
+static const box_class pool_class = {
+    .name = "pool", .methods = methods, .tostring = pool_tostring, .destroy = destroy_pool};
+
+/* BLAS and OpenMP look at these before main. */
+static const char *const single_threaded[] = {"OMP_THREAD_LIMIT=1", "OPENBLAS_NUM_THREADS=1"};
+enum { ADDED = 2 };
+
+static int is_replaced(const char *variable) {
+  for (int i = 0; i < ADDED; i++) {
+    size_t name = strcspn(single_threaded[i], "=") + 1;
+    if (strncmp(variable, single_threaded[i], name) == 0) return 1;
+  }
+  return 0;
+}
+
+static char **make_environment(void) {
+  size_t count = 0, kept = 0;
+  while (environ[count]) count++;
+  char **list = calloc(count + ADDED + 1, sizeof *list);
+  int short_of = !list;
+  for (size_t i = 0; i < count && !short_of; i++)
+    if (!is_replaced(environ[i])) short_of = !(list[kept++] = strdup(environ[i]));
+  for (int i = 0; i < ADDED && !short_of; i++)
+    short_of = !(list[kept++] = strdup(single_threaded[i]));
+  if (!short_of) return list;
+  free_list(list);
+  return NULL;
+}
+
+/* The program's name, then the texts of the list at `index`, which have been checked. */
+static char **make_arguments(lua_State *L, int index) {
+  lua_Integer count = (lua_Integer)lua_rawlen(L, index);
+  char **list = calloc((size_t)count + 2, sizeof *list);
+  int short_of = !list || !(list[0] = strdup("archard"));
+  for (lua_Integer i = 1; i <= count && !short_of; i++) {
+    lua_rawgeti(L, index, i);
+    short_of = !(list[i] = strdup(lua_tostring(L, -1)));
+    lua_pop(L, 1);
+  }
+  if (!short_of) return list;
+  free_list(list);
+  return NULL;
+}
+
+static void check_arguments(lua_State *L, int index) {
+  luaL_checktype(L, index, LUA_TTABLE);
+  for (lua_Integer i = 1; i <= (lua_Integer)lua_rawlen(L, index); i++) {
+    if (lua_rawgeti(L, index, i) != LUA_TSTRING)
+      luaL_error(L, "process.pool: argument %d is no text", (int)i);
+    lua_pop(L, 1);
+  }
+}
+
+/* process.pool(count, arguments): the program will run with these arguments, `count` times */
+static int process_pool(lua_State *L) {
+  lua_Integer count = luaL_checkinteger(L, 1);
+  luaL_argcheck(L, count >= 1 && count <= MOST_WORKERS, 1, "expected from 1 to 256 workers");
+  check_arguments(L, 2);
+  box *made = box_push(L, &pool_class);
+  pool *p = made->thing = calloc(1, sizeof *p);
+  if (!p) luaL_error(L, "out of memory");
+  p->workers = calloc((size_t)count, sizeof *p->workers);
+  p->arguments = make_arguments(L, 2);
+  p->environment = make_environment();
+  if (!p->workers || !p->arguments || !p->environment) luaL_error(L, "out of memory");
+  p->count = (int)count;
+  for (int i = 0; i < p->count; i++)
+    p->workers[i].input = p->workers[i].output = p->workers[i].errors = -1;
+  return 1;
+}
+
+/* pool:send(worker, line): starts the worker unless it runs. What it does with the line comes back
+ * from wait, also if it is dead by then. */
+static int pool_send(lua_State *L) {
+  pool *p = box_self(L, &pool_class, "pool:send")->thing;
+  lua_Integer which = luaL_checkinteger(L, 2);
+  size_t length;
+  const char *line = luaL_checklstring(L, 3, &length);
+  luaL_argcheck(L, which >= 1 && which <= p->count, 2, "no such worker");
+  luaL_argcheck(L, length < 1000 && !strchr(line, '\n'), 3, "expected one short line");
+  worker *w = &p->workers[which - 1];
+  int failed = w->process ? 0 : start(p, w);
+  if (failed)
+    error_raise(L, ARC_IO, "pool:send", "a worker process cannot be started: %s", strerror(failed));
+  char text[1001];
+  memcpy(text, line, length);
+  text[length] = '\n';
+  ssize_t sent = send(w->input, text, length + 1, MSG_NOSIGNAL); /* fits in one go */
+  (void)sent;
+  return 0;
+}
+
+/* --- waiting ---------------------------------------------------------------------------------- */
+
+/* Takes in what there is; 0 at the end of the stream. */
+static int read_some(int descriptor, char *to, size_t room, size_t *count) {
+  ssize_t got = read(descriptor, to, room);
+  *count = got > 0 ? (size_t)got : 0;
+  return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
+}
+
+/* The end of what it said on standard error is what tells most. */
+static void hear(worker *w) {
+  char text[WORDS];
+  size_t count;
+  if (w->errors < 0) return;
+  while (read_some(w->errors, text, sizeof text, &count) && count > 0) {
+    size_t kept = w->said + count > WORDS ? WORDS - count : w->said;
+    memmove(w->words, w->words + (w->said - kept), kept);
+    memcpy(w->words + kept, text, count);
+    w->said = kept + count;
+  }
+}
+
+/* Adds { worker=, line= } to the list on top of the stack. */
+static void add_line(lua_State *L, int which, const char *line, size_t length) {
+  lua_createtable(L, 0, 2);
+  lua_pushinteger(L, which + 1);
+  lua_setfield(L, -2, "worker");
+  lua_pushlstring(L, line, length);
+  lua_setfield(L, -2, "line");
+  lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+}
+
+static void split_lines(lua_State *L, int which, worker *w) {
+  char *from = w->line, *end;
+  size_t left = w->filled;
+  while ((end = memchr(from, '\n', left)) != NULL) {
+    add_line(L, which, from, (size_t)(end - from));
+    left -= (size_t)(end - from) + 1;
+    from = end + 1;
+  }
+  if (left == LINE) left = 0; /* no line of ours is that long */
+  memmove(w->line, from, left);
+  w->filled = left;
+}
+
+/* Adds { worker=, ended=, words= } for a worker whose output has ended. */
+static void add_end(lua_State *L, int which, worker *w) {
+  int status = 0;
+  hear(w);
+  kill(-w->process, SIGKILL);
+  while (waitpid(w->process, &status, 0) < 0 && errno == EINTR) continue;
+  lua_createtable(L, 0, 3);
+  lua_pushinteger(L, which + 1);
+  lua_setfield(L, -2, "worker");
+  if (WIFSIGNALED(status))
+    lua_pushfstring(L, "signal %d (%s)", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  else
+    lua_pushfstring(L, "exit status %d", WEXITSTATUS(status));
+  lua_setfield(L, -2, "ended");
+  lua_pushlstring(L, w->words, w->said);
+  lua_setfield(L, -2, "words");
+  lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+  close_worker(w);
+}
+
+static void attend(lua_State *L, int which, worker *w) {
+  size_t count;
+  hear(w);
+  int open = read_some(w->output, w->line + w->filled, LINE - w->filled, &count);
+  w->filled += count;
+  split_lines(L, which, w);
+  if (!open) add_end(L, which, w);
+}
+
+/* An interrupt ends the workers here, since no Lua code runs after it that could. */
+static void check_interrupt(lua_State *L, pool *p) {
+  if (!interrupt_pending(NULL)) return;
+  end_all(p);
+  luaL_error(L, "interrupted");
+}
+
+/* pool:wait(seconds) -> list of { worker=, line= } and { worker=, ended=, words= }; empty when the
+ * time is over */
+static int pool_wait(lua_State *L) {
+  pool *p = box_self(L, &pool_class, "pool:wait")->thing;
+  double seconds = luaL_checknumber(L, 2);
+  struct pollfd ready[2 * MOST_WORKERS];
+  check_interrupt(L, p);
+  for (int i = 0; i < p->count; i++) { /* poll passes over descriptors below zero */
+    ready[2 * i] = (struct pollfd){.fd = p->workers[i].output, .events = POLLIN};
+    ready[2 * i + 1] = (struct pollfd){.fd = p->workers[i].errors, .events = POLLIN};
+  }
+  int found = poll(ready, 2 * (nfds_t)p->count, (int)(1000 * seconds));
+  check_interrupt(L, p);
+  lua_newtable(L);
+  for (int i = 0; found > 0 && i < p->count; i++) {
+    if (ready[2 * i + 1].revents) hear(&p->workers[i]);
+    if (ready[2 * i].revents) attend(L, i, &p->workers[i]);
+  }
+  return 1;
+}
+
+/* process.processors() -> how many processors this machine has ready */
+static int process_processors(lua_State *L) {
+  long count = sysconf(_SC_NPROCESSORS_ONLN);
+  lua_pushinteger(L, count > 0 ? count : 1);
+  return 1;
+}
+
+/* process.make_folder(path) -> true, or nil and the reason; one that is there already is fine */
+static int process_make_folder(lua_State *L) {
+  const char *path = luaL_checkstring(L, 1);
+  struct stat there;
+  if (mkdir(path, 0777) == 0 ||
+      (errno == EEXIST && stat(path, &there) == 0 && S_ISDIR(there.st_mode))) {
+    lua_pushboolean(L, 1);
+    return 1;
+  }
+  lua_pushnil(L);
+  lua_pushstring(L, strerror(errno));
+  return 2;
+}
+
+int luaopen_archard_process(lua_State *L) {
+  static const luaL_Reg functions[] = {{"pool", process_pool},
+                                       {"processors", process_processors},
+                                       {"make_folder", process_make_folder},
+                                       {NULL, NULL}};
+  luaL_newlib(L, functions);
+  return 1;
+}

@@ -1,0 +1,89 @@
+/* The module `archard.term`: what the terminal is and can do. Leans on POSIX alone; a script asks
+ * here instead of guessing from the environment. */
+#include "lua/base/archard.h"
+
+#include <langinfo.h>
+#include <lauxlib.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <time.h>
+#include <unistd.h>
+
+static const char *const stream_names[] = {"stdin", "stdout", "stderr", NULL};
+
+/* The stream a function is asked about: "stdin", "stdout" (default) or "stderr". */
+static int check_stream(lua_State *L) {
+  return luaL_checkoption(L, 1, "stdout", stream_names);
+}
+
+static int term_is_terminal(lua_State *L) {
+  lua_pushboolean(L, isatty(check_stream(L)));
+  return 1;
+}
+
+/* The environment's number, or `otherwise` where it holds none. */
+static int environment_number(const char *name, int otherwise) {
+  const char *text = getenv(name);
+  long number = text ? strtol(text, NULL, 10) : 0;
+  return number > 0 && number < 10000 ? (int)number : otherwise;
+}
+
+/* size(stream) -> columns, lines: of the terminal; of COLUMNS and LINES, or 80 by 24, elsewhere. */
+static int term_size(lua_State *L) {
+  struct winsize size = {0};
+  int columns = 0, lines = 0;
+  if (ioctl(check_stream(L), TIOCGWINSZ, &size) == 0) {
+    columns = size.ws_col;
+    lines = size.ws_row;
+  }
+  lua_pushinteger(L, columns > 0 ? columns : environment_number("COLUMNS", 80));
+  lua_pushinteger(L, lines > 0 ? lines : environment_number("LINES", 24));
+  return 2;
+}
+
+static int is_dumb(void) {
+  const char *name = getenv("TERM");
+  return name == NULL || *name == '\0' || strcmp(name, "dumb") == 0;
+}
+
+/* movable(stream): may the cursor be moved, lines erased and redrawn? */
+static int term_movable(lua_State *L) {
+  lua_pushboolean(L, isatty(check_stream(L)) && !is_dumb());
+  return 1;
+}
+
+static int term_colour(lua_State *L) {
+  const char *no_color = getenv("NO_COLOR");
+  int refused = no_color != NULL && *no_color != '\0';
+  lua_pushboolean(L, isatty(check_stream(L)) && !is_dumb() && !refused);
+  return 1;
+}
+
+/* True in a UTF-8 locale; the program calls setlocale(LC_CTYPE, "") at its start. */
+static int term_utf8(lua_State *L) {
+  lua_pushboolean(L, strcmp(nl_langinfo(CODESET), "UTF-8") == 0);
+  return 1;
+}
+
+/* Seconds of a clock that only goes forward. */
+static int term_clock(lua_State *L) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  lua_pushnumber(L, (lua_Number)now.tv_sec + (lua_Number)now.tv_nsec * 1e-9);
+  return 1;
+}
+
+int luaopen_archard_term(lua_State *L) {
+  static const luaL_Reg functions[] = {
+      {"is_terminal", term_is_terminal},
+      {"size", term_size},
+      {"movable", term_movable},
+      {"colour", term_colour},
+      {"utf8", term_utf8},
+      {"clock", term_clock},
+      {NULL, NULL},
+  };
+  luaL_newlib(L, functions);
+  return 1;
+}

@@ -1,0 +1,49 @@
+/* The module `archard.warnings`: for a worker, whose standard error nobody reads. What Lua and the
+ * binding warn of is kept until asked for, instead of shown. Leans on nothing. */
+#include "lua/base/archard.h"
+
+#include <lauxlib.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Warnings come in the midst of calls that must not raise an error: so this is of fixed size. */
+static struct {
+  char text[1000];
+  int continued, full;
+} kept;
+
+static void append(const char *text) {
+  const size_t used = strlen(kept.text), room = sizeof kept.text - used;
+  if (!kept.full) kept.full = snprintf(kept.text + used, room, "%s", text) >= (int)room;
+}
+
+static void keep_warning(void *ignored, const char *message, int to_be_continued) {
+  (void)ignored;
+  if (!kept.continued && !to_be_continued && message[0] == '@') return;
+  if (!kept.continued && kept.text[0]) append("; ");
+  append(message);
+  kept.continued = to_be_continued;
+}
+
+/* keep(): from now on */
+static int warnings_keep(lua_State *L) {
+  lua_setwarnf(L, keep_warning, NULL);
+  return 0;
+}
+
+/* take() -> what was warned of since the last call, joined by "; ", or nil */
+static int warnings_take(lua_State *L) {
+  if (kept.text[0])
+    lua_pushstring(L, kept.text);
+  else
+    lua_pushnil(L);
+  memset(&kept, 0, sizeof kept);
+  return 1;
+}
+
+int luaopen_archard_warnings(lua_State *L) {
+  static const luaL_Reg functions[] = {
+      {"keep", warnings_keep}, {"take", warnings_take}, {NULL, NULL}};
+  luaL_newlib(L, functions);
+  return 1;
+}

@@ -1,0 +1,86 @@
+/* The state that a user's function is called with: one object, used again for every call, that
+ * reads the record at hand. Shows nothing once the call is over. */
+#include "lua/base/error.h"
+#include "lua/wear/wear_class.h"
+#include "lua/wear/wear_functions.h"
+
+static const char kind[] = "archard.state";
+
+enum { DEPTH = HISTORY_COLUMNS, VOLUME };
+
+#define COLUMN_FIELD(name, unit, text) ARGS_OTHER(#name),
+static const args_field known[] = {
+    ARC_WEAR_COLUMNS(COLUMN_FIELD) ARGS_OTHER("depth"), ARGS_OTHER("volume"), {.name = NULL}};
+
+static const arc_wear_record *record_of(lua_State *L) {
+  const arc_wear_record *const *state = luaL_checkudata(L, 1, kind);
+  if (!*state)
+    error_raise(L, ARC_ARGUMENT, "state",
+                "it can be read during the call of your function only; keep the numbers you need");
+  return *state;
+}
+
+static void push_volume(lua_State *L, const arc_wear_record *record) {
+  push_by_body(L, record->volume_cylinder, record->volume_plate);
+  lua_pushnumber(L, record->volume_cylinder + record->volume_plate);
+  lua_setfield(L, -2, "total");
+}
+
+/* state.NAME; the upvalue tells the column of a name. */
+static int state_index(lua_State *L) {
+  const arc_wear_record *record = record_of(L);
+  lua_settop(L, 2);
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNUMBER)
+    args_unknown(L, (args_place){"state", ""}, known, luaL_tolstring(L, 2, NULL));
+  const int column = (int)lua_tointeger(L, -1);
+  if (column == DEPTH)
+    push_by_body(L, record->depth_cylinder, record->depth_plate);
+  else if (column == VOLUME)
+    push_volume(L, record);
+  else
+    lua_pushnumber(L, ((const double *)(const void *)record)[column]);
+  return 1;
+}
+
+static int state_newindex(lua_State *L) {
+  error_raise(L, ARC_ARGUMENT, "state", "field '%s' cannot be set: the state is read-only",
+              luaL_tolstring(L, 2, NULL));
+}
+
+static int state_tostring(lua_State *L) {
+  const arc_wear_record *const *state = luaL_checkudata(L, 1, kind);
+  if (*state)
+    record_push_line(L, *state);
+  else
+    lua_pushliteral(L, "state (of a call that is over)");
+  return 1;
+}
+
+/* Pushes the columns' numbers by name. */
+static void push_columns(lua_State *L) {
+  lua_createtable(L, 0, HISTORY_COLUMNS + 2);
+  for (int column = 0; known[column].name; column++) {
+    lua_pushinteger(L, column);
+    lua_setfield(L, -2, known[column].name);
+  }
+}
+
+static void push_metatable(lua_State *L) {
+  if (!luaL_newmetatable(L, kind)) return;
+  push_columns(L);
+  lua_pushcclosure(L, state_index, 1);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, state_newindex);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushcfunction(L, state_tostring);
+  lua_setfield(L, -2, "__tostring");
+}
+
+const arc_wear_record **state_push(lua_State *L) {
+  const arc_wear_record **state = lua_newuserdatauv(L, sizeof *state, 0);
+  *state = NULL;
+  push_metatable(L);
+  lua_setmetatable(L, -2);
+  return state;
+}

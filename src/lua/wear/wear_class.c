@@ -1,0 +1,173 @@
+/* Class wear: construction, cloning, and the list of what the other wear_*.c files do. */
+#include "lua/wear/wear_class.h"
+#include "lua/base/error.h"
+#include "lua/wear/wear_functions.h"
+
+/* --- construction ---------------------------------------------------------------------------- */
+
+static arc_status needed_zones(const void *asker, const arc_model_def *model,
+                               double zone[ARC_BODIES], arc_error *error) {
+  arc_wear_def def = wear_request_settle(asker, model);
+  arc_status status = arc_wear_check(&def, model, error);
+  if (status == ARC_OK) arc_wear_zones(&def, model, zone);
+  return status;
+}
+
+/* Pushes what holds the shape to start from; NULL: unworn. */
+static const arc_shape *push_start(lua_State *L, int worn, arc_model *model,
+                                   const arc_wear_def *def) {
+  box *other = box_test(L, worn, &wear_class);
+  lua_pushvalue(L, worn);
+  if (lua_isnil(L, worn)) return NULL;
+  if (other && arc_wear_model(other->thing) == model &&
+      arc_wear_definition(other->thing)->geometry == def->geometry)
+    return arc_wear_shape(other->thing);
+  return worn_push_shape(L, worn, model, def->geometry, def->refresh, "wear");
+}
+
+/* Makes the holder of functions at `index` the user value of the box on top of the stack. */
+static void keep_functions(lua_State *L, int index) {
+  lua_pushvalue(L, index);
+  lua_setiuservalue(L, -2, RUN_FUNCTIONS);
+}
+
+/* Fills the box on top of the stack with a new run. */
+static void create_run(lua_State *L, box *made, arc_model *model, const wear_request *request,
+                       const arc_shape *start) {
+  arc_error error = {0};
+  arc_wear *wear = NULL;
+  arc_wear_def def = wear_request_settle(request, arc_model_definition(model));
+  const int top = lua_gettop(L);
+  functions_call call = functions_enter(L, request->functions, NULL);
+  arc_status status = arc_wear_create(model, &def, start, &wear, &error);
+  made->thing = wear;
+  functions_leave(L, &call, "wear");
+  lua_settop(L, top);
+  error_check(L, status, &error, "wear", -1);
+  box_weigh(L, arc_wear_bytes(wear));
+}
+
+/* wear{ model=, k=, alpha=, load=, stroke=, ... }; called as a method of the table `wear`. */
+static int wear_new(lua_State *L) {
+  lua_remove(L, 1);
+  lua_settop(L, 1);
+  wear_request request = wear_request_read(L, 1, 0);
+  worn_check(L, 1, "wear");
+  int worn = lua_gettop(L);
+  arc_model *model = model_argument(L, worn, "wear", needed_zones, &request);
+  int holder = lua_gettop(L);
+  const arc_shape *start = push_start(L, worn, model, &request.def);
+  box *made = box_push(L, &wear_class);
+  box_keep(L, holder);
+  keep_functions(L, request.functions);
+  create_run(L, made, model, &request, start);
+  return 1;
+}
+
+/* wear:clone() -> an independent copy on the same model */
+static int wear_clone(lua_State *L) {
+  const arc_wear *wear = wear_self(L, "wear:clone");
+  arc_error error = {0};
+  arc_wear *copy = NULL;
+  lua_settop(L, 1);
+  lua_getiuservalue(L, 1, RUN_MODEL);
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  box *made = box_push(L, &wear_class);
+  box_keep(L, 2);
+  keep_functions(L, 3);
+  arc_status status = arc_wear_clone(wear, &copy, &error);
+  made->thing = copy;
+  error_check(L, status, &error, "wear:clone", -1);
+  box_weigh(L, arc_wear_bytes(copy));
+  return 1;
+}
+
+/* What the request has kept of the run's own arrays, taken from the run as it is now: functions
+ * that were called on the way may have changed it. */
+static void keep_arrays(arc_wear_def *def, const arc_wear_def *before, const arc_wear_def *now) {
+  if (def->k_series.distance == before->k_series.distance) def->k_series = now->k_series;
+  if (def->alpha_series.distance == before->alpha_series.distance)
+    def->alpha_series = now->alpha_series;
+  if (def->loading != before->loading || def->blocks == 0) return;
+  def->loading = now->loading;
+  def->blocks = now->blocks;
+}
+
+/* wear:set{ load=, alpha=, ... } -> the object itself; what is not given stays as it is */
+static int wear_set(lua_State *L) {
+  static const char where[] = "wear:set";
+  arc_error error = {0};
+  lua_settop(L, 2);
+  box *made = box_self_idle(L, &wear_class, where);
+  const arc_wear_def before = *arc_wear_definition(made->thing);
+  wear_request request = wear_request_read(L, 2, 1);
+  made = box_self_idle(L, &wear_class, where);
+  keep_arrays(&request.def, &before, arc_wear_definition(made->thing));
+  arc_wear_def def =
+      wear_request_settle(&request, arc_model_definition(arc_wear_model(made->thing)));
+  functions_call call = functions_enter(L, request.functions, made);
+  made->busy = RUN_BUSY;
+  arc_status status = arc_wear_set(made->thing, &def, &error);
+  made->busy = RUN_IDLE;
+  functions_leave(L, &call, where);
+  error_check(L, status, &error, where, -1);
+  lua_pushvalue(L, request.functions);
+  lua_setiuservalue(L, 1, RUN_FUNCTIONS);
+  lua_settop(L, 1);
+  return 1;
+}
+
+/* --- the class ------------------------------------------------------------------------------- */
+
+static void destroy_wear(void *thing) {
+  arc_wear *wear = thing;
+  arc_wear_destroy(&wear);
+}
+
+arc_wear *wear_self(lua_State *L, const char *where) {
+  return box_self(L, &wear_class, where)->thing;
+}
+
+static const luaL_Reg methods[] = {
+    {"step", wear_step},
+    {"run", wear_run},
+    {"set", wear_set},
+    {"clone", wear_clone},
+    {"save", wear_save},
+    {"contact", wear_contact},
+    {"profile", wear_profile},
+    {"pressure", wear_pressure},
+    {"combined", wear_combined},
+    {"local_partition", wear_local_partition},
+    {"roughness", wear_roughness},
+    {"stability", wear_stability},
+    {NULL, NULL},
+};
+
+const box_class wear_class = {
+    .name = "wear",
+    .methods = methods,
+    .fields = wear_fields,
+    .tostring = wear_tostring,
+    .destroy = destroy_wear,
+    .setter = "w:set{ field = value }",
+};
+
+static int class_tostring(lua_State *L) {
+  lua_pushliteral(L, "wear: wear{ alpha=0.5, stroke=0.11 } makes a run; help(wear) says more");
+  return 1;
+}
+
+/* A table that can be called, with room for functions beside the constructor. */
+int luaopen_archard_wear(lua_State *L) {
+  lua_newtable(L);
+  lua_createtable(L, 0, 1);
+  lua_pushcfunction(L, wear_new);
+  lua_setfield(L, -2, "__call");
+  lua_pushcfunction(L, class_tostring);
+  lua_setfield(L, -2, "__tostring");
+  lua_setmetatable(L, -2);
+  lua_pushcfunction(L, wear_open);
+  lua_setfield(L, -2, "open");
+  return 1;
+}

@@ -1,0 +1,298 @@
+/* The user's functions in a run: how they are kept, called, and how their errors come back. Leans
+ * on wear_called.c for the state they get, and on error.h. */
+#include "lua/wear/wear_functions.h"
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Places in the holder, and in this order on the stack of a call. */
+enum { K = 1, ALPHA, JUMP, LOCAL, STATE, ERROR, PLACES = ERROR };
+
+static const char *const fields[] = {NULL, "k", "alpha", "jump", "local_factor"};
+
+typedef struct wear_functions {
+  functions_place now;
+  const arc_wear_record **state;
+  int given[STATE]; /* which of them there are */
+  int vector;       /* local_factor takes all nodes at once */
+  char what[200];   /* the call that failed, in words */
+} wear_functions;
+
+static const char kind[] = "archard.functions";
+
+/* --- calls ----------------------------------------------------------------------------------- */
+
+static lua_State *begin(wear_functions *f, const arc_wear_record *state,
+                        const arc_wear_record **before) {
+  *before = *f->state;
+  *f->state = state;
+  if (f->now.run) f->now.run->busy = RUN_IN_STEP;
+  return f->now.L;
+}
+
+static void end(wear_functions *f, int top, const arc_wear_record *before) {
+  *f->state = before;
+  if (f->now.run) f->now.run->busy = RUN_BUSY;
+  lua_settop(f->now.L, top);
+}
+
+/* Keeps the error value on top of the stack. */
+static arc_status fail(wear_functions *f) {
+  lua_setiuservalue(f->now.L, f->now.at, ERROR);
+  f->now.failed = 1;
+  return ARC_CALLBACK;
+}
+
+static void name_call(wear_functions *f, const char *name, const arc_wear_record *state) {
+  snprintf(f->what, sizeof f->what, "%s(state at distance %.6g mm, cycle %.6g)", name,
+           state->distance, state->cycle);
+}
+
+/* Calls a function of the state that gives a number. */
+static arc_status ask(void *context, int place, const arc_wear_record *state, double *value) {
+  wear_functions *f = context;
+  const arc_wear_record *before;
+  lua_State *L = begin(f, state, &before);
+  const int top = lua_gettop(L);
+  arc_status status = ARC_OK;
+  lua_pushvalue(L, f->now.at + place);
+  lua_pushvalue(L, f->now.at + STATE);
+  int called = error_pcall(L, 1, 1);
+  if (called != LUA_OK || lua_type(L, -1) != LUA_TNUMBER) {
+    name_call(f, fields[place], state);
+    if (called == LUA_OK) lua_pushfstring(L, "expected a number, got %s", luaL_typename(L, -1));
+    status = fail(f);
+  } else {
+    *value = lua_tonumber(L, -1);
+  }
+  end(f, top, before);
+  return status;
+}
+
+static arc_status ask_k(void *context, const arc_wear_record *state, double *value) {
+  return ask(context, K, state, value);
+}
+
+static arc_status ask_alpha(void *context, const arc_wear_record *state, double *value) {
+  return ask(context, ALPHA, state, value);
+}
+
+static arc_status ask_jump(void *context, const arc_wear_record *state, double *value) {
+  return ask(context, JUMP, state, value);
+}
+
+/* --- local factors --------------------------------------------------------------------------- */
+
+typedef struct local_call {
+  wear_functions *held;
+  arc_body body;
+  int n, at; /* nodes; the one at hand, -1: all of them */
+  const double *x, *p;
+  double *factor;
+} local_call;
+
+/* Function, state -> factors node by node. Nodes without pressure do not wear: they are left out.
+ */
+static int each_node(lua_State *L) {
+  local_call *call = lua_touserdata(L, 3);
+  lua_pushstring(L, body_names[call->body]);
+  for (int i = 0; i < call->n; i++) {
+    if (!(call->p[i] > 0)) continue;
+    call->at = i;
+    lua_pushvalue(L, 1);
+    lua_pushvalue(L, 4);
+    lua_pushnumber(L, call->x[i]);
+    lua_pushnumber(L, call->p[i]);
+    lua_pushvalue(L, 2);
+    lua_call(L, 4, 1);
+    if (lua_type(L, -1) != LUA_TNUMBER)
+      return luaL_error(L, "expected a number, got %s", luaL_typename(L, -1));
+    call->factor[i] = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+  }
+  return 0;
+}
+
+/* Pushes the values at the nodes under pressure. */
+static void push_loaded(lua_State *L, const local_call *call, const double *values) {
+  lua_Integer count = 0;
+  int loaded = 0;
+  for (int i = 0; i < call->n; i++) loaded += call->p[i] > 0;
+  lua_createtable(L, loaded, 0);
+  for (int i = 0; i < call->n; i++) {
+    if (!(call->p[i] > 0)) continue;
+    lua_pushnumber(L, values[i]);
+    lua_rawseti(L, -2, ++count);
+  }
+}
+
+/* The same by one call for all nodes under pressure. */
+static int all_nodes(lua_State *L) {
+  local_call *call = lua_touserdata(L, 3);
+  lua_pushvalue(L, 1);
+  lua_pushstring(L, body_names[call->body]);
+  push_loaded(L, call, call->x);
+  push_loaded(L, call, call->p);
+  lua_pushvalue(L, 2);
+  lua_call(L, 4, 1);
+  if (!lua_istable(L, -1))
+    return luaL_error(L, "expected an array of factors, got %s", luaL_typename(L, -1));
+  lua_Integer at = 0;
+  for (int i = 0; i < call->n; i++) {
+    if (!(call->p[i] > 0)) continue;
+    if (lua_geti(L, -1, ++at) != LUA_TNUMBER)
+      return luaL_error(L, "expected a number for every x, got %s for x[%d]", luaL_typename(L, -1),
+                        (int)at);
+    call->factor[i] = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+  }
+  return 0;
+}
+
+static void name_local_call(const local_call *call, const arc_wear_record *state) {
+  wear_functions *f = call->held;
+  if (call->at < 0)
+    snprintf(f->what, sizeof f->what,
+             "local_factor.vector(\"%s\", xs, ps, state at distance %.6g mm)",
+             body_names[call->body], state->distance);
+  else
+    snprintf(f->what, sizeof f->what,
+             "local_factor(\"%s\", x = %.6g mm, p = %.6g MPa, state at distance %.6g mm)",
+             body_names[call->body], call->x[call->at], call->p[call->at], state->distance);
+}
+
+static arc_status ask_local(void *context, arc_body body, int n, const double *x, const double *p,
+                            const arc_wear_record *state, double *factor) {
+  wear_functions *f = context;
+  local_call call = {f, body, n, -1, x, p, factor};
+  const arc_wear_record *before;
+  lua_State *L = begin(f, state, &before);
+  const int top = lua_gettop(L);
+  arc_status status = ARC_OK;
+  lua_pushcfunction(L, f->vector ? all_nodes : each_node);
+  lua_pushvalue(L, f->now.at + LOCAL);
+  lua_pushvalue(L, f->now.at + STATE);
+  lua_pushlightuserdata(L, &call);
+  if (error_pcall(L, 3, 0) != LUA_OK) {
+    name_local_call(&call, state);
+    status = fail(f);
+  }
+  end(f, top, before);
+  return status;
+}
+
+/* --- around a call of the engine ------------------------------------------------------------- */
+
+functions_call functions_enter(lua_State *L, int holder, box *run) {
+  wear_functions *f = lua_touserdata(L, holder);
+  functions_call call = {f, {0}};
+  if (!f) return call;
+  luaL_checkstack(L, PLACES + 20, "functions of a run");
+  lua_pushvalue(L, holder);
+  call.outer = f->now;
+  f->now = (functions_place){L, run, lua_gettop(L), 0};
+  for (int place = 1; place <= STATE; place++) lua_getiuservalue(L, f->now.at, place);
+  return call;
+}
+
+void functions_leave(lua_State *L, functions_call *call, const char *where) {
+  wear_functions *f = call->held;
+  if (!f) return;
+  const int failed = f->now.failed;
+  if (failed) {
+    lua_getiuservalue(L, f->now.at, ERROR);
+    lua_pushnil(L);
+    lua_setiuservalue(L, f->now.at, ERROR);
+  }
+  f->now = call->outer;
+  if (failed) error_callback(L, where, f->what);
+}
+
+/* --- the holder ------------------------------------------------------------------------------ */
+
+static wear_functions *push_holder(lua_State *L) {
+  wear_functions *f = lua_newuserdatauv(L, sizeof *f, PLACES);
+  memset(f, 0, sizeof *f);
+  luaL_newmetatable(L, kind);
+  lua_setmetatable(L, -2);
+  f->state = state_push(L);
+  lua_setiuservalue(L, -2, STATE);
+  return f;
+}
+
+/* local_factor = { vector = f }: pushes f in place of nothing, else refuses. */
+static void push_vector(lua_State *L, args_place place) {
+  static const args_field names[] = {ARGS_OTHER("vector"), {.name = NULL}};
+  char prefix[60];
+  snprintf(prefix, sizeof prefix, "%slocal_factor.", place.prefix);
+  args_place inside = {place.where, prefix};
+  args_check_names(L, -1, inside, names);
+  if (lua_getfield(L, -1, "vector") != LUA_TFUNCTION)
+    args_refuse(L, inside, "vector", "a function(body, xs, ps, state)");
+}
+
+/* Pushes the function that the table gives for a place, or nil; returns whether the table says
+ * anything about it. */
+static int push_given(lua_State *L, int index, int at, args_place place, int *vector) {
+  int type = args_get(L, index, fields[at]);
+  if (type == LUA_TNIL || type == LUA_TFUNCTION) return type != LUA_TNIL;
+  if (at == LOCAL && type == LUA_TTABLE) {
+    push_vector(L, place);
+    *vector = 1;
+  } else if (at == LOCAL && !(type == LUA_TBOOLEAN && !lua_toboolean(L, -1))) {
+    args_refuse(L, place, fields[at], "a function(body, x, p, state) or { vector = function }");
+  } else {
+    lua_pushnil(L);
+  }
+  return 1;
+}
+
+void functions_read(lua_State *L, int index, int previous, args_place place, arc_wear_def *def) {
+  const wear_functions *before = previous ? lua_touserdata(L, previous) : NULL;
+  luaL_checkstack(L, 16, place.where);
+  wear_functions *f = push_holder(L);
+  int holder = lua_gettop(L), any = 0;
+  for (int at = K; at < STATE; at++) {
+    int vector = 0;
+    if (!push_given(L, index, at, place, &vector) && before) {
+      lua_getiuservalue(L, previous, at);
+      vector = before->vector;
+    }
+    f->given[at] = lua_isfunction(L, -1);
+    if (at == LOCAL) f->vector = vector;
+    any = any || f->given[at];
+    lua_setiuservalue(L, holder, at);
+    lua_settop(L, holder);
+  }
+  def->k_function = f->given[K] ? ask_k : NULL;
+  def->alpha_function = f->given[ALPHA] ? ask_alpha : NULL;
+  def->jump_function = f->given[JUMP] ? ask_jump : NULL;
+  def->local_factor = f->given[LOCAL] ? ask_local : NULL;
+  def->context = any ? f : NULL;
+  if (any) return;
+  lua_pop(L, 1);
+  lua_pushnil(L);
+}
+
+void functions_push(lua_State *L, int holder, const char *field) {
+  int at = LOCAL;
+  while (at > 0 && strcmp(fields[at], field) != 0) at--;
+  if (at > 0 && lua_touserdata(L, holder))
+    lua_getiuservalue(L, holder, at);
+  else
+    lua_pushnil(L);
+}
+
+void functions_push_names(lua_State *L, const arc_wear_def *def) {
+  const int given[STATE] = {0, def->k_function != NULL, def->alpha_function != NULL,
+                            def->jump_function != NULL, def->local_factor != NULL};
+  int count = 0;
+  lua_createtable(L, LOCAL, 0);
+  for (int at = K; at < STATE; at++) {
+    if (!given[at]) continue;
+    lua_pushstring(L, fields[at]);
+    lua_rawseti(L, -2, ++count);
+  }
+}

@@ -1,0 +1,139 @@
+/* What ends a wear run: a distance or number of cycles, measures that reach a value, a function. */
+#include "lua/base/error.h"
+#include "lua/wear/wear_class.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char where[] = "wear:run";
+
+typedef struct run_def {
+  double distance, cycles;
+} run_def;
+
+static const args_field definition[] = {
+    ARGS_ABOVE(run_def, "distance", distance, 0),
+    ARGS_ABOVE(run_def, "cycles", cycles, 0),
+    ARGS_OTHER("depth"),
+    ARGS_OTHER("volume"),
+    ARGS_OTHER("p_center"),
+    ARGS_OTHER("p_max"),
+    ARGS_OTHER("half_width"),
+    ARGS_OTHER("stop_when"),
+    ARGS_OTHER("progress"),
+    {.name = NULL},
+};
+
+/* --- the distance ---------------------------------------------------------------------------- */
+
+static void refuse_behind(lua_State *L, double covered, double wanted) {
+  if (wanted < covered)
+    error_raise(L, ARC_ARGUMENT, where,
+                "the run is at %s mm already, beyond %s mm (both counted from its start)",
+                args_show_number(L, covered), args_show_number(L, wanted));
+}
+
+/* The distance of a number of cycles in all; those of loading have no common length. */
+static double distance_of_cycles(lua_State *L, const arc_wear *wear, double cycles) {
+  const arc_wear_def *def = arc_wear_definition(wear);
+  const double length = arc_wear_strokes(wear) * def->stroke;
+  const double from = def->start_distance, before = def->start_cycle;
+  if (def->blocks > 0)
+    error_raise(L, ARC_ARGUMENT, where, "field 'cycles': a run with loading takes a distance");
+  return from + (cycles - before) * length;
+}
+
+static double read_distance(lua_State *L, const arc_wear *wear) {
+  run_def run = {0, 0};
+  args_read(L, 2, (args_place){where, ""}, definition, &run);
+  if (run.distance > 0 && run.cycles > 0)
+    error_raise(L, ARC_ARGUMENT, where,
+                "fields 'distance' and 'cycles': expected one of them, got both");
+  if (run.cycles > 0) run.distance = distance_of_cycles(L, wear, run.cycles);
+  if (run.distance <= 0) return arc_wear_definition(wear)->distance;
+  refuse_behind(L, arc_wear_last(wear)->distance, run.distance);
+  return run.distance;
+}
+
+/* --- measures -------------------------------------------------------------------------------- */
+
+typedef struct measure {
+  const char *group, *name; /* field and, where it is a table, name in it */
+  size_t column;
+  int grows; /* never falls: a value below the present one lies behind */
+} measure;
+
+#define COLUMN(name) offsetof(arc_wear_record, name)
+static const measure measures[] = {
+    {"depth", "cylinder", COLUMN(depth_cylinder), 1},
+    {"depth", "plate", COLUMN(depth_plate), 1},
+    {"volume", "cylinder", COLUMN(volume_cylinder), 1},
+    {"volume", "plate", COLUMN(volume_plate), 1},
+    {"volume", "total", ARC_WEAR_TOTAL_VOLUME, 1},
+    {"p_center", NULL, COLUMN(p_center), 0},
+    {"p_max", NULL, COLUMN(p_max), 0},
+    {"half_width", NULL, COLUMN(half_width), 0},
+    {NULL, NULL, 0, 0},
+};
+
+static double value_of(const arc_wear_record *record, size_t column) {
+  if (column == ARC_WEAR_TOTAL_VOLUME) return record->volume_cylinder + record->volume_plate;
+  return *(const double *)(const void *)((const char *)record + column);
+}
+
+/* Adds the number on top of the stack as the value to reach. */
+static void add_target(lua_State *L, const arc_wear *wear, const measure *m, args_place place,
+                       wear_goals *goals) {
+  const args_field range = {
+      .name = m->name ? m->name : m->group, .high = HUGE_VAL, .open = ARGS_LOW_OPEN};
+  const double value = args_number(L, place, &range);
+  const double now = value_of(arc_wear_last(wear), m->column);
+  if (m->grows && value <= now)
+    error_raise(L, ARC_ARGUMENT, where, "field '%s%s': the run is at %s already, beyond %s",
+                place.prefix, range.name, args_show_number(L, now), args_show_number(L, value));
+  goals->target[goals->count] = (arc_wear_target){m->column, value};
+  snprintf(goals->name[goals->count], sizeof goals->name[0], "%s%s", place.prefix, range.name);
+  goals->count++;
+}
+
+static void check_group(lua_State *L, const char *group) {
+  static const args_field bodies[] = {ARGS_OTHER("cylinder"), ARGS_OTHER("plate"), {.name = NULL}};
+  static const args_field all[] = {
+      ARGS_OTHER("cylinder"), ARGS_OTHER("plate"), ARGS_OTHER("total"), {.name = NULL}};
+  const int volume = strcmp(group, "volume") == 0;
+  const int type = args_get(L, 2, group);
+  if (type != LUA_TNIL && type != LUA_TTABLE)
+    args_refuse(L, (args_place){where, ""}, group,
+                volume ? "a table { cylinder=, plate=, total= }" : "a table { cylinder=, plate= }");
+  if (type == LUA_TTABLE)
+    args_check_names(L, -1, (args_place){where, volume ? "volume." : "depth."},
+                     volume ? all : bodies);
+  lua_pop(L, 1);
+}
+
+static void read_targets(lua_State *L, const arc_wear *wear, wear_goals *goals) {
+  check_group(L, "depth");
+  check_group(L, "volume");
+  for (const measure *m = measures; m->group; m++) {
+    const int top = lua_gettop(L);
+    args_place place = {where, ""};
+    int type = args_get(L, 2, m->group);
+    if (m->name && type == LUA_TTABLE) {
+      type = lua_getfield(L, -1, m->name);
+      place.prefix = strcmp(m->group, "volume") == 0 ? "volume." : "depth.";
+    }
+    if (type != LUA_TNIL) add_target(L, wear, m, place, goals);
+    lua_settop(L, top);
+  }
+}
+
+wear_goals wear_goals_read(lua_State *L, const arc_wear *wear) {
+  wear_goals goals = {.distance = read_distance(L, wear)};
+  read_targets(L, wear, &goals);
+  const int type = args_get(L, 2, "stop_when");
+  if (type == LUA_TFUNCTION)
+    goals.stop_when = lua_gettop(L);
+  else if (type != LUA_TNIL)
+    args_refuse(L, (args_place){where, ""}, "stop_when", "a function of the wear object");
+  return goals;
+}

@@ -1,0 +1,241 @@
+/* The field `loading` of a run: blocks of plate position and load over a cycle, given as functions
+ * of t, as arrays or as numbers; sampled once, here. */
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+#include "lua/wear/wear_class.h"
+
+#include <stdio.h>
+
+typedef struct block_def {
+  int increments; /* 0: not given */
+  double cycles;  /* 0: not given */
+} block_def;
+
+static const args_field definition[] = {
+    {.name = "increments",
+     .kind = ARGS_WHOLE,
+     .offset = offsetof(block_def, increments),
+     .low = 1,
+     .high = 1e6},
+    ARGS_ABOVE(block_def, "cycles", cycles, 0),
+    ARGS_OTHER("t"),
+    ARGS_OTHER("x"),
+    ARGS_OTHER("load"),
+    ARGS_OTHER("periodic"),
+    {.name = NULL},
+};
+
+/* One block while it is read; what holds its numbers is on the stack. */
+typedef struct reading {
+  lua_State *L;
+  int table; /* index of its definition */
+  args_place place;
+  size_t given, count;    /* times that came with the arrays, and those it is sampled at */
+  const double *from, *t; /* both from 0 to 1 */
+} reading;
+
+enum { usual_increments = 100 };
+
+/* --- times ----------------------------------------------------------------------------------- */
+
+static const double *push_uniform(lua_State *L, size_t count) {
+  double *t = array_buffer(L, count);
+  for (size_t i = 0; i < count; i++) t[i] = (double)i / (double)(count - 1);
+  return t;
+}
+
+/* Pushes the field `t`, scaled to 0 ... 1. */
+static const double *push_times(const reading *r, size_t *count) {
+  lua_State *L = r->L;
+  double *t = array_read(L, r->place, "t", count);
+  if (*count < 2)
+    error_raise(L, ARC_ARGUMENT, r->place.where, "field '%st': expected at least 2 times, got %d",
+                r->place.prefix, (int)*count);
+  for (size_t i = 1; i < *count; i++)
+    if (!(t[i] > t[i - 1]))
+      error_raise(L, ARC_ARGUMENT, r->place.where,
+                  "field '%st[%d]': expected increasing times, got %s after %s", r->place.prefix,
+                  (int)i + 1, args_show_number(L, t[i]), args_show_number(L, t[i - 1]));
+  const double start = t[0], length = t[*count - 1] - start;
+  for (size_t i = 0; i < *count; i++) t[i] = (t[i] - start) / length;
+  return t;
+}
+
+/* Number of values in the array `name`, 0 where it is none. */
+static size_t array_length(const reading *r, const char *name) {
+  lua_State *L = r->L;
+  size_t length = 0;
+  if (lua_getfield(L, r->table, name) == LUA_TTABLE) length = (size_t)luaL_len(L, -1);
+  lua_pop(L, 1);
+  return length;
+}
+
+/* Decides at which times the block is sampled: as given by t or the arrays, unless increments are
+ * asked for. */
+static void find_times(reading *r, int increments) {
+  lua_State *L = r->L;
+  const size_t x = array_length(r, "x"), load = array_length(r, "load"), values = x ? x : load;
+  const int timed = lua_getfield(L, r->table, "t") != LUA_TNIL;
+  if (timed)
+    r->from = push_times(r, &r->given);
+  else if (values > 1)
+    r->from = push_uniform(L, r->given = values);
+  if (timed && increments > 0 && !values)
+    error_raise(L, ARC_ARGUMENT, r->place.where,
+                "fields '%st' and '%sincrements': expected one of them where x and load are "
+                "functions, got both",
+                r->place.prefix, r->place.prefix);
+  r->count = r->given;
+  r->t = r->from;
+  if (r->given > 0 && increments == 0) return;
+  r->count = (size_t)(increments > 0 ? increments : usual_increments) + 1;
+  r->t = push_uniform(L, r->count);
+}
+
+/* --- values ---------------------------------------------------------------------------------- */
+
+static void sample_array(const reading *r, const char *name, double *value) {
+  lua_State *L = r->L;
+  size_t count;
+  const double *given = array_read(L, r->place, name, &count);
+  if (count != r->given || count < 2)
+    error_raise(L, ARC_ARGUMENT, r->place.where,
+                "field '%s%s': expected %d numbers, as many as there are times, and at least 2; "
+                "got %d",
+                r->place.prefix, name, (int)r->given, (int)count);
+  for (size_t i = 0; i < r->count; i++)
+    value[i] =
+        r->t == r->from ? given[i] : array_interpolate(r->from, given, count, r->t[i], given[0]);
+}
+
+/* Calls the function on top of the stack for every time. */
+static void sample_function(const reading *r, const char *name, double *value) {
+  lua_State *L = r->L;
+  char call[80];
+  for (size_t i = 0; i < r->count; i++) {
+    snprintf(call, sizeof call, "%s%s(%.6g)", r->place.prefix, name, r->t[i]);
+    lua_pushvalue(L, -1);
+    lua_pushnumber(L, r->t[i]);
+    if (error_pcall(L, 1, 1) != LUA_OK) error_callback(L, r->place.where, call);
+    value[i] = lua_tonumber(L, -1);
+    if (lua_type(L, -1) != LUA_TNUMBER || !isfinite(value[i])) {
+      const char *got = lua_type(L, -1) == LUA_TSTRING
+                            ? lua_pushfstring(L, "\"%s\"", lua_tostring(L, -1))
+                            : luaL_tolstring(L, -1, NULL);
+      error_raise(L, ARC_CALLBACK, r->place.where, "%s: expected a finite number, got %s", call,
+                  got);
+    }
+    lua_pop(L, 1);
+  }
+}
+
+/* Pushes what holds the values of `name` at the block's times, into the holder's list. A number
+ * (`constant` if nothing is given and it is not NaN) holds all the time. */
+static const double *sample(const reading *r, int holder, const char *name, double constant) {
+  lua_State *L = r->L;
+  const int top = lua_gettop(L);
+  double *value = array_buffer(L, r->count);
+  lua_rawseti(L, holder, luaL_len(L, holder) + 1);
+  int type = lua_getfield(L, r->table, name);
+  if (type == LUA_TFUNCTION)
+    sample_function(r, name, value);
+  else if (type == LUA_TTABLE)
+    sample_array(r, name, value);
+  else if (!isnan(constant) && (type == LUA_TNUMBER || type == LUA_TNIL))
+    for (size_t i = 0; i < r->count; i++)
+      value[i] = type == LUA_TNUMBER ? lua_tonumber(L, -1) : constant;
+  else
+    args_refuse(L, r->place, name,
+                isnan(constant) ? "a function of t or an array"
+                                : "a number, a function of t or an array");
+  lua_settop(L, top);
+  return value;
+}
+
+/* --- blocks ---------------------------------------------------------------------------------- */
+
+static int read_periodic(const reading *r) {
+  lua_State *L = r->L;
+  int type = lua_getfield(L, r->table, "periodic");
+  if (type != LUA_TNIL && type != LUA_TBOOLEAN)
+    args_refuse(L, r->place, "periodic", "true or false");
+  int periodic = type == LUA_TNIL || lua_toboolean(L, -1);
+  lua_pop(L, 1);
+  return periodic;
+}
+
+/* The block on top of the stack. */
+static arc_loading read_block(lua_State *L, int holder, args_place place, double load) {
+  const int top = lua_gettop(L);
+  block_def def = {0};
+  reading r = {.L = L, .table = top, .place = place};
+  luaL_checkstack(L, 20, place.where);
+  if (!lua_istable(L, top)) args_refuse(L, place, "", "a table { x=, load=, ... }");
+  args_read(L, top, place, definition, &def);
+  find_times(&r, def.increments);
+  arc_loading block = {.count = (int)r.count, .periodic = read_periodic(&r)};
+  block.x = sample(&r, holder, "x", NAN);
+  block.load = sample(&r, holder, "load", load);
+  block.cycles = def.cycles > 0 ? def.cycles : block.periodic ? (double)INFINITY : 1;
+  lua_settop(L, top);
+  return block;
+}
+
+/* A table whose first element is a table is a list of blocks, any other one is a block. */
+static int is_list(lua_State *L, int index) {
+  int list = lua_rawgeti(L, index, 1) != LUA_TNIL;
+  lua_pop(L, 1);
+  return list;
+}
+
+double loading_largest(const arc_wear_def *def) {
+  double largest = 0;
+  for (int b = 0; b < def->blocks; b++)
+    for (int i = 0; i < def->loading[b].count; i++)
+      largest = fmax(largest, def->loading[b].load[i]);
+  return largest;
+}
+
+int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def) {
+  int type = args_get(L, index, "loading");
+  if (type == LUA_TBOOLEAN && !lua_toboolean(L, -1)) def->blocks = 0;
+  if (type == LUA_TNIL || (type == LUA_TBOOLEAN && !lua_toboolean(L, -1))) return 0;
+  if (type != LUA_TTABLE)
+    args_refuse(L, place, "loading", "a block { x=, load= } or a list of them");
+  const int loading = lua_gettop(L), list = is_list(L, loading);
+  const lua_Integer count = list ? luaL_len(L, loading) : 1;
+  lua_newtable(L);
+  const int holder = lua_gettop(L);
+  arc_loading *blocks = lua_newuserdatauv(L, (size_t)count * sizeof *blocks, 0);
+  for (int b = 0; b < count; b++) {
+    char prefix[40] = "loading.";
+    if (list) {
+      lua_geti(L, loading, b + 1);
+      snprintf(prefix, sizeof prefix, "loading[%d].", b + 1);
+    } else {
+      lua_pushvalue(L, loading);
+    }
+    blocks[b] = read_block(L, holder, (args_place){place.where, prefix}, def->load);
+    lua_pop(L, 1);
+  }
+  def->blocks = (int)count;
+  def->loading = blocks;
+  return 1;
+}
+
+void loading_push(lua_State *L, const arc_wear_def *def) {
+  lua_createtable(L, def->blocks, 0);
+  for (int b = 0; b < def->blocks; b++) {
+    const arc_loading *block = &def->loading[b];
+    lua_createtable(L, 0, 4);
+    array_set(L, "x", block->x, (size_t)block->count);
+    array_set(L, "load", block->load, (size_t)block->count);
+    if (isfinite(block->cycles)) {
+      lua_pushnumber(L, block->cycles);
+      lua_setfield(L, -2, "cycles");
+    }
+    lua_pushboolean(L, block->periodic);
+    lua_setfield(L, -2, "periodic");
+    lua_rawseti(L, -2, b + 1);
+  }
+}

@@ -1,0 +1,120 @@
+/* Class wear: profiles, pressures and what is computed from them. */
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+#include "lua/wear/wear_class.h"
+#include "lua/wear/wear_functions.h"
+
+/* wear:profile(body) -> { x=, h=, y= } */
+int wear_profile(lua_State *L) {
+  const arc_wear *wear = wear_self(L, "wear:profile");
+  arc_body body = body_argument(L, 2, "wear:profile", ARC_CYLINDER);
+  arc_profile profile = arc_shape_profile(arc_wear_shape(wear), body);
+  lua_createtable(L, 0, 3);
+  array_set(L, "x", profile.x, (size_t)profile.count);
+  array_set(L, "h", profile.h, (size_t)profile.count);
+  array_set(L, "y", profile.y, (size_t)profile.count);
+  return 1;
+}
+
+/* Pushes the contact of a run in the reference configuration. */
+static const arc_contact *push_contact(lua_State *L, const arc_wear *wear, const char *where) {
+  arc_error error = {0};
+  arc_contact *contact = NULL;
+  lua_getiuservalue(L, 1, 1);
+  box *made = box_push(L, &contact_class);
+  box_keep(L, -2);
+  arc_status status = arc_wear_contact(wear, &contact, &error);
+  made->thing = contact;
+  error_check(L, status, &error, where, (lua_Number)arc_wear_last(wear)->update);
+  box_weigh(L, arc_contact_bytes(contact));
+  return contact;
+}
+
+/* wear:contact() -> the contact with the plate at x = 0 under the nominal load */
+int wear_contact(lua_State *L) {
+  push_contact(L, wear_self(L, "wear:contact"), "wear:contact");
+  return 1;
+}
+
+/* wear:pressure(body) -> { x=, p= } of that contact */
+int wear_pressure(lua_State *L) {
+  const arc_wear *wear = wear_self(L, "wear:pressure");
+  arc_body body = body_argument(L, 2, "wear:pressure", ARC_CYLINDER);
+  contact_push_pressure(L, push_contact(L, wear, "wear:pressure"), body);
+  return 1;
+}
+
+/* --- both bodies together: at the plate's nodes, plate at x = 0 so that the maxima meet --------
+ */
+
+static double cylinder_depth(arc_profile cylinder, double x) {
+  return array_interpolate(cylinder.x, cylinder.h, (size_t)cylinder.count, x, 0);
+}
+
+/* wear:combined() -> { x=, h= }, the sum of both depths (Eq. 31) */
+int wear_combined(lua_State *L) {
+  const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:combined"));
+  arc_profile cylinder = arc_shape_profile(shape, ARC_CYLINDER);
+  arc_profile plate = arc_shape_profile(shape, ARC_PLATE);
+  size_t count = (size_t)plate.count;
+  double *sum = array_buffer(L, count);
+  for (size_t i = 0; i < count; i++) sum[i] = cylinder_depth(cylinder, plate.x[i]) + plate.h[i];
+  lua_createtable(L, 0, 2);
+  array_set(L, "x", plate.x, count);
+  array_set(L, "h", sum, count);
+  return 1;
+}
+
+/* wear:local_partition() -> { x=, value= }, the cylinder's share of the sum (Eq. 30), where there
+ * is any wear */
+int wear_local_partition(lua_State *L) {
+  const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:local_partition"));
+  arc_profile cylinder = arc_shape_profile(shape, ARC_CYLINDER);
+  arc_profile plate = arc_shape_profile(shape, ARC_PLATE);
+  size_t worn = 0;
+  double *x = array_buffer(L, (size_t)plate.count);
+  double *value = array_buffer(L, (size_t)plate.count);
+  for (int i = 0; i < plate.count; i++) {
+    double depth = cylinder_depth(cylinder, plate.x[i]);
+    if (depth + plate.h[i] <= 0) continue;
+    x[worn] = plate.x[i];
+    value[worn++] = depth / (depth + plate.h[i]);
+  }
+  lua_createtable(L, 0, 2);
+  array_set(L, "x", x, worn);
+  array_set(L, "value", value, worn);
+  return 1;
+}
+
+/* --- smoothness ------------------------------------------------------------------------------ */
+
+/* wear:roughness(body) -> sawtooth part of the profile, as a share of the depth */
+int wear_roughness(lua_State *L) {
+  const arc_wear *wear = wear_self(L, "wear:roughness");
+  arc_body body = body_argument(L, 2, "wear:roughness", ARC_CYLINDER);
+  lua_pushnumber(L, arc_wear_roughness(wear, body));
+  return 1;
+}
+
+/* wear:stability() -> { eigenvalue=, jump_limit= }: ripples grow where jump exceeds the limit */
+int wear_stability(lua_State *L) {
+  static const char where[] = "wear:stability";
+  lua_settop(L, 1);
+  box *made = box_self_idle(L, &wear_class, where);
+  arc_wear *wear = made->thing;
+  arc_error error = {0};
+  double eigenvalue = 0;
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  functions_call call = functions_enter(L, 2, made);
+  made->busy = RUN_BUSY;
+  arc_status status = arc_wear_stability(wear, &eigenvalue, &error);
+  made->busy = RUN_IDLE;
+  functions_leave(L, &call, where);
+  error_check(L, status, &error, where, (lua_Number)arc_wear_last(wear)->update);
+  lua_createtable(L, 0, 2);
+  lua_pushnumber(L, eigenvalue);
+  lua_setfield(L, -2, "eigenvalue");
+  lua_pushnumber(L, 2 / eigenvalue);
+  lua_setfield(L, -2, "jump_limit");
+  return 1;
+}

@@ -1,0 +1,96 @@
+/* Rows of a run's history: as tables, as aligned lines, as columns. */
+#include "lua/base/error.h"
+#include "lua/wear/wear_class.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const char kind[] = "archard.record";
+
+#define COLUMN_NAME(name, unit, text) #name,
+const char *const history_columns[] = {ARC_WEAR_COLUMNS(COLUMN_NAME) NULL};
+
+/* A record is nothing but its columns, each a double. */
+static double column_of(const arc_wear_record *record, int column) {
+  return ((const double *)(const void *)record)[column];
+}
+
+static int record_tostring(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_getfield(L, 1, "text");
+  return 1;
+}
+
+void record_push(lua_State *L, const arc_wear_record *record) {
+  lua_createtable(L, 0, HISTORY_COLUMNS + 1);
+  lua_insert(L, -2);
+  lua_setfield(L, -2, "text");
+  for (int i = 0; i < HISTORY_COLUMNS; i++) {
+    lua_pushnumber(L, column_of(record, i));
+    lua_setfield(L, -2, history_columns[i]);
+  }
+  if (luaL_newmetatable(L, kind)) {
+    lua_pushcfunction(L, record_tostring);
+    lua_setfield(L, -2, "__tostring");
+  }
+  lua_setmetatable(L, -2);
+}
+
+/* Writes alpha-tilde, or "-" before there is any wear. */
+static const char *show_partition(const arc_wear_record *record, char *text, size_t size) {
+  if (isfinite(record->depth_partition))
+    snprintf(text, size, "%5.3f", record->depth_partition);
+  else
+    snprintf(text, size, "-");
+  return text;
+}
+
+void record_push_line(lua_State *L, const arc_wear_record *record) {
+  char line[200], partition[20];
+  snprintf(line, sizeof line,
+           "cycle %5.6g %7.1f mm  p %5.1f MPa  h %5.3f %5.3f um  V %9.3e mm3  a~ %s", record->cycle,
+           record->distance, record->p_center, 1e3 * record->depth_cylinder,
+           1e3 * record->depth_plate, record->volume_cylinder + record->volume_plate,
+           show_partition(record, partition, sizeof partition));
+  lua_pushstring(L, line);
+}
+
+static void add_row(luaL_Buffer *text, const arc_wear_record *record) {
+  char line[200], partition[20];
+  snprintf(line, sizeof line, "\n%7.6g %9.1f %9.2f %9.4f %8.4f %11.3e %10.3e %7s", record->cycle,
+           record->distance, record->p_center, 1e3 * record->depth_cylinder,
+           1e3 * record->depth_plate, record->volume_cylinder, record->volume_plate,
+           show_partition(record, partition, sizeof partition));
+  luaL_addstring(text, line);
+}
+
+/* Many rows are thinned: at most twenty lines, the last row always among them. */
+void record_push_lines(lua_State *L, const arc_wear_record *records, size_t count) {
+  luaL_Buffer text;
+  luaL_buffinit(L, &text);
+  luaL_addstring(&text,
+                 "  cycle  distance  p_center        depth [um]         volume [mm3]    alpha-\n"
+                 "             [mm]     [MPa]  cylinder    plate    cylinder      plate   tilde");
+  size_t every = (count + 19) / 20;
+  for (size_t i = 0; i < count; i++)
+    if ((count - 1 - i) % every == 0) add_row(&text, records + i);
+  luaL_pushresult(&text);
+}
+
+void records_push_columns(lua_State *L, const arc_wear_record *records, size_t count) {
+  lua_createtable(L, 0, HISTORY_COLUMNS);
+  for (int column = 0; column < HISTORY_COLUMNS; column++) {
+    lua_createtable(L, (int)count, 0);
+    for (size_t i = 0; i < count; i++) {
+      lua_pushnumber(L, column_of(records + i, column));
+      lua_rawseti(L, -2, (lua_Integer)i + 1);
+    }
+    lua_setfield(L, -2, history_columns[column]);
+  }
+}
+
+void history_push(lua_State *L, const arc_wear *wear) {
+  size_t count;
+  const arc_wear_record *records = arc_wear_history(wear, &count);
+  records_push_columns(L, records, count);
+}

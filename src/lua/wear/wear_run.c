@@ -1,0 +1,226 @@
+/* Class wear: stepping, running, progress and interruption. */
+#include "lua/base/error.h"
+#include "lua/base/interrupt.h"
+#include "lua/wear/wear_class.h"
+#include "lua/wear/wear_functions.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static lua_Number next_update(const arc_wear *wear) {
+  return (lua_Number)arc_wear_last(wear)->update + 1;
+}
+
+/* --- what explicit runs should know ---------------------------------------------------------- */
+
+/* Warns where a fixed explicit jump is past the stability limit: its ripples grow until the results
+ * mean nothing. Stands between functions_enter and functions_leave. */
+static void warn_unstable(lua_State *L, arc_wear *wear) {
+  const arc_wear_def *def = arc_wear_definition(wear);
+  double eigenvalue;
+  if (def->scheme != ARC_EXPLICIT || def->jump_auto || def->jump_function) return;
+  if (arc_wear_last(wear)->distance >= def->distance) return;
+  if (arc_wear_stability(wear, &eigenvalue, NULL) != ARC_OK) return; /* the step will tell */
+  const double limit = 2 / eigenvalue;
+  if (def->jump <= limit) return;
+  char text[200];
+  snprintf(text, sizeof text,
+           "jump = %g cycles is past the stability limit of %.*g: ripples will grow; use jump = "
+           "\"auto\" or scheme = \"implicit\"",
+           def->jump, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit));
+  lua_warning(L, text, 0);
+}
+
+/* Before the first step: is the mesh fine enough for the contact it begins with? */
+static void warn_coarse(lua_State *L, const arc_wear *wear) {
+  const arc_wear_record *last = arc_wear_last(wear);
+  if (last->update == 0) model_warn_coarse(L, arc_wear_model(wear), last->half_width);
+}
+
+/* --- interruption ---------------------------------------------------------------------------- */
+
+/* Ctrl-C ended a step or a run: says where it stands now, since a progress bar is gone. */
+static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
+  char text[80];
+  const arc_wear_record *last = arc_wear_last(wear);
+  snprintf(text, sizeof text, "cycle %.10g, %.6g of %.6g mm", last->cycle, last->distance,
+           arc_wear_definition(wear)->distance);
+  interrupt_raise(L, text);
+}
+
+static void check_ended(lua_State *L, const arc_wear *wear, arc_status status,
+                        const arc_error *error, const char *where) {
+  if (status == ARC_STOPPED && interrupt_pending(NULL)) refuse_interrupted(L, wear);
+  error_check(L, status, error, where, next_update(wear));
+}
+
+/* --- step ------------------------------------------------------------------------------------ */
+
+static int count_argument(lua_State *L, int index, const char *where) {
+  static const args_field count = {.name = "n", .kind = ARGS_WHOLE, .low = 1, .high = 1e9};
+  if (lua_isnoneornil(L, index)) return 1;
+  lua_settop(L, index);
+  double value = args_number(L, (args_place){where, ""}, &count);
+  if (value != floor(value)) args_refuse(L, (args_place){where, ""}, "n", "a whole number");
+  return (int)value;
+}
+
+/* Pushes the record after `steps` updates from row `first` of the history on. */
+static void push_progress(lua_State *L, const arc_wear *wear, size_t first) {
+  size_t count;
+  const arc_wear_record *records = arc_wear_history(wear, &count);
+  if (count - first > 1)
+    record_push_lines(L, records + first, count - first);
+  else
+    record_push_line(L, arc_wear_last(wear));
+  record_push(L, arc_wear_last(wear));
+}
+
+/* One step of the engine, with the functions of the run at index 1. */
+static void step_once(lua_State *L, box *made, const char *where) {
+  arc_wear *wear = made->thing;
+  arc_error error = {0};
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  functions_call call = functions_enter(L, lua_gettop(L), made);
+  made->busy = RUN_BUSY;
+  warn_coarse(L, wear);
+  if (arc_wear_last(wear)->update == 0) warn_unstable(L, wear);
+  arc_status status = arc_wear_step(wear, interrupt_pending, NULL, &error);
+  made->busy = RUN_IDLE;
+  functions_leave(L, &call, where);
+  check_ended(L, wear, status, &error, where);
+  lua_settop(L, 2);
+}
+
+/* wear:step(n) -> the last record; nothing happens at the end of the distance */
+int wear_step(lua_State *L) {
+  static const char where[] = "wear:step";
+  lua_settop(L, 2);
+  box *made = box_self_idle(L, &wear_class, where);
+  arc_wear *wear = made->thing;
+  int steps = count_argument(L, 2, where);
+  size_t first;
+  arc_wear_history(wear, &first);
+  for (int i = 0; i < steps; i++) {
+    double before = arc_wear_last(wear)->cycle;
+    step_once(L, made, where);
+    if (arc_wear_last(wear)->cycle <= before) break;
+    if (interrupt_pending(NULL)) refuse_interrupted(L, wear);
+  }
+  push_progress(L, wear, first);
+  return 1;
+}
+
+/* --- run ------------------------------------------------------------------------------------- */
+
+/* What the engine hands back to after_step. The run's object stands at index 1. */
+typedef struct run_call {
+  lua_State *L;
+  int progress, stop_when; /* indices of the functions; 0: none */
+  const char *asked;       /* the one that asked to stop */
+  const char *failed;      /* the one that raised the error on top of the stack */
+} run_call;
+
+/* Calls a function with the run; whether the run is to end. */
+static int ask_user(run_call *call, int function, const char *name) {
+  lua_State *L = call->L;
+  if (!function) return 0;
+  lua_pushvalue(L, function);
+  lua_pushvalue(L, 1);
+  if (error_pcall(L, 1, 1) != LUA_OK) {
+    call->failed = name;
+    return 1;
+  }
+  if (lua_toboolean(L, -1)) call->asked = name;
+  lua_pop(L, 1);
+  return call->asked != NULL;
+}
+
+static int after_step(void *context, const arc_wear *wear) {
+  (void)wear;
+  run_call *call = context;
+  const int progress = ask_user(call, call->progress, "progress");
+  if (call->failed) return 1;
+  return ask_user(call, call->stop_when, "stop_when") || progress;
+}
+
+/* Pushes what draws the progress of a run to `goal`, or nil: archard.lib.run_progress decides. */
+static void push_display(lua_State *L, double goal) {
+  lua_getglobal(L, "require");
+  lua_pushliteral(L, "archard.lib.run_progress");
+  if (lua_pcall(L, 1, 1, 0) == LUA_OK) {
+    lua_pushvalue(L, 1);
+    lua_pushnumber(L, goal);
+    if (lua_pcall(L, 2, 1, 0) == LUA_OK) return;
+  }
+  lua_pop(L, 1);
+  lua_pushnil(L); /* a run does not fail for want of a display */
+}
+
+/* Pushes the progress function; returns its index, or 0 where there is none. */
+static int push_progress_function(lua_State *L, double goal) {
+  int type = args_get(L, 2, "progress");
+  if (type == LUA_TFUNCTION) return lua_gettop(L);
+  if (type != LUA_TNIL && type != LUA_TBOOLEAN)
+    args_refuse(L, (args_place){"wear:run", ""}, "progress",
+                "a function of the wear object, true or false");
+  if (type == LUA_TBOOLEAN && !lua_toboolean(L, -1)) return 0;
+  push_display(L, goal);
+  return lua_isfunction(L, -1) ? lua_gettop(L) : 0;
+}
+
+/* Calls the function on top of the stack, even where an interrupt is about to end everything: its
+ * hook rests meanwhile. */
+static void call_undisturbed(lua_State *L) {
+  lua_Hook hook = lua_gethook(L);
+  int mask = lua_gethookmask(L), count = lua_gethookcount(L);
+  if (hook) lua_sethook(L, NULL, 0, 0);
+  lua_pcall(L, 0, 0, 0);
+  if (hook) lua_sethook(L, hook, mask, count);
+}
+
+/* A display of our own is told that the run is over, however it ended. */
+static void end_display(lua_State *L, const run_call *call) {
+  int top = lua_gettop(L);
+  if (call->progress && args_get(L, 2, "progress") != LUA_TFUNCTION) {
+    lua_pushvalue(L, call->progress);
+    call_undisturbed(L);
+  }
+  lua_settop(L, top);
+}
+
+/* Pushes the object, and what ended the run if there was a choice. */
+static int push_outcome(lua_State *L, const wear_goals *goals, const run_call *call, int reached) {
+  lua_pushvalue(L, 1);
+  if (goals->count == 0 && !goals->stop_when) return 1;
+  lua_pushstring(L, reached >= 0 ? goals->name[reached] : call->asked ? call->asked : "distance");
+  return 2;
+}
+
+/* wear:run{ distance=, cycles=, depth=, volume=, ..., stop_when=, progress= } -> the object itself,
+ * and what ended the run where that is not the distance alone */
+int wear_run(lua_State *L) {
+  static const char where[] = "wear:run";
+  arc_error error = {0};
+  lua_settop(L, 2);
+  box *made = box_self_idle(L, &wear_class, where);
+  arc_wear *wear = made->thing;
+  int reached = -1;
+  const wear_goals goals = wear_goals_read(L, wear);
+  run_call call = {.L = L, .stop_when = goals.stop_when};
+  call.progress = push_progress_function(L, goals.distance);
+  luaL_checkstack(L, 20, where);
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  functions_call functions = functions_enter(L, lua_gettop(L), made);
+  made->busy = RUN_BUSY;
+  warn_coarse(L, wear);
+  warn_unstable(L, wear);
+  arc_status status = arc_wear_run_until(wear, goals.distance, goals.target, goals.count,
+                                         interrupt_pending, after_step, &call, &reached, &error);
+  made->busy = RUN_IDLE;
+  end_display(L, &call);
+  functions_leave(L, &functions, where);
+  if (call.failed && !interrupt_pending(NULL)) error_callback(L, where, call.failed);
+  if (!(status == ARC_STOPPED && call.asked)) check_ended(L, wear, status, &error, where);
+  return push_outcome(L, &goals, &call, reached);
+}

@@ -1,0 +1,338 @@
+/* Class wear: its fields (state, measures, definition) and its summary in words. */
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+#include "lua/wear/wear_class.h"
+#include "lua/wear/wear_functions.h"
+
+#include <stdio.h>
+
+static arc_wear *self(lua_State *L) {
+  return wear_self(L, "wear");
+}
+
+static const arc_wear_record *last(lua_State *L) {
+  return arc_wear_last(self(L));
+}
+
+static const arc_wear_def *def(lua_State *L) {
+  return arc_wear_definition(self(L));
+}
+
+/* --- the state ------------------------------------------------------------------------------- */
+
+NUMBER_FIELD(wear, distance, last(L)->distance)
+NUMBER_FIELD(wear, cycle, last(L)->cycle)
+NUMBER_FIELD(wear, p_center, last(L)->p_center)
+NUMBER_FIELD(wear, p_max, last(L)->p_max)
+NUMBER_FIELD(wear, half_width, last(L)->half_width)
+NUMBER_FIELD(wear, depth_partition, last(L)->depth_partition)
+
+static int wear_update(lua_State *L) {
+  lua_pushinteger(L, (lua_Integer)last(L)->update);
+  return 1;
+}
+
+static int wear_solutions(lua_State *L) {
+  lua_pushinteger(L, (lua_Integer)last(L)->solutions);
+  return 1;
+}
+
+static int wear_depth(lua_State *L) {
+  push_by_body(L, last(L)->depth_cylinder, last(L)->depth_plate);
+  return 1;
+}
+
+static int wear_vector_depth(lua_State *L) {
+  const arc_shape *shape = arc_wear_shape(self(L));
+  push_by_body(L, arc_shape_vector_depth(shape, ARC_CYLINDER),
+               arc_shape_vector_depth(shape, ARC_PLATE));
+  return 1;
+}
+
+static int wear_volume(lua_State *L) {
+  const arc_wear_record *record = last(L);
+  push_by_body(L, record->volume_cylinder, record->volume_plate);
+  lua_pushnumber(L, record->volume_cylinder + record->volume_plate);
+  lua_setfield(L, -2, "total");
+  return 1;
+}
+
+static int wear_history(lua_State *L) {
+  history_push(L, self(L));
+  return 1;
+}
+
+static int wear_done(lua_State *L) {
+  lua_pushboolean(L, last(L)->distance >= def(L)->distance);
+  return 1;
+}
+
+/* --- the definition -------------------------------------------------------------------------- */
+
+NUMBER_FIELD(wear, load, def(L)->load)
+NUMBER_FIELD(wear, stroke, def(L)->stroke)
+NUMBER_FIELD(wear, total_distance, def(L)->distance)
+NUMBER_FIELD(wear, law_pressure, def(L)->law_pressure)
+NUMBER_FIELD(wear, law_exponent, def(L)->law_exponent)
+NUMBER_FIELD(wear, tolerance, def(L)->tolerance)
+NUMBER_FIELD(wear, refresh, def(L)->refresh)
+NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
+NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
+
+/* Pushes the function of a field; returns 0 where it is none. */
+static int push_function(lua_State *L, const char *field) {
+  lua_settop(L, 1);
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  functions_push(L, 2, field);
+  return lua_isfunction(L, -1);
+}
+
+/* Pushes a number, its function, or { distance=, value= }, as it is given. */
+static int push_coefficient(lua_State *L, const char *field, double number,
+                            const arc_series *series) {
+  if (push_function(L, field)) return 1;
+  if (series->count == 0) {
+    lua_pushnumber(L, number);
+    return 1;
+  }
+  lua_createtable(L, 0, 2);
+  array_set(L, "distance", series->distance, (size_t)series->count);
+  array_set(L, "value", series->value, (size_t)series->count);
+  return 1;
+}
+
+static int wear_k(lua_State *L) {
+  const arc_wear_def *settings = def(L);
+  return push_coefficient(L, "k", settings->k, &settings->k_series);
+}
+
+static int wear_alpha(lua_State *L) {
+  const arc_wear_def *settings = def(L);
+  return push_coefficient(L, "alpha", settings->alpha, &settings->alpha_series);
+}
+
+static int wear_jump(lua_State *L) {
+  const arc_wear_def *settings = def(L);
+  if (push_function(L, "jump")) return 1;
+  if (settings->jump_auto)
+    lua_pushliteral(L, "auto");
+  else
+    lua_pushnumber(L, settings->jump);
+  return 1;
+}
+
+static int wear_local_factor(lua_State *L) {
+  self(L);
+  if (!push_function(L, "local_factor")) lua_pushboolean(L, 0);
+  return 1;
+}
+
+/* The fields that are functions: what no file can hold. */
+static int wear_functions_given(lua_State *L) {
+  functions_push_names(L, def(L));
+  return 1;
+}
+
+/* The blocks of loading as sampled; false for the plain stroke. */
+static int wear_loading(lua_State *L) {
+  const arc_wear_def *settings = def(L);
+  if (settings->blocks == 0)
+    lua_pushboolean(L, 0);
+  else
+    loading_push(L, settings);
+  return 1;
+}
+
+static int wear_order(lua_State *L) {
+  lua_pushinteger(L, def(L)->order);
+  return 1;
+}
+
+static int wear_increments(lua_State *L) {
+  lua_pushinteger(L, def(L)->increments);
+  return 1;
+}
+
+static int push_name(lua_State *L, const char *name) {
+  lua_pushstring(L, name);
+  return 1;
+}
+
+static int wear_procedure(lua_State *L) {
+  return push_name(L, procedure_names[arc_wear_procedure(self(L))]);
+}
+
+static int wear_scheme(lua_State *L) {
+  return push_name(L, scheme_names[def(L)->scheme]);
+}
+
+static int wear_slip(lua_State *L) {
+  return push_name(L, slip_names[def(L)->slip]);
+}
+
+static int wear_rule(lua_State *L) {
+  return push_name(L, rule_names[def(L)->rule]);
+}
+
+static int wear_geometry(lua_State *L) {
+  return push_name(L, geometry_names[def(L)->geometry]);
+}
+
+static int wear_law(lua_State *L) {
+  return push_name(L, law_names[def(L)->law]);
+}
+
+static int wear_update_at(lua_State *L) {
+  return push_name(L, update_names[def(L)->update]);
+}
+
+static int wear_model(lua_State *L) {
+  self(L);
+  lua_getiuservalue(L, 1, RUN_MODEL);
+  return 1;
+}
+
+const luaL_Reg wear_fields[] = {
+    {"distance", wear_distance},
+    {"cycle", wear_cycle},
+    {"update", wear_update},
+    {"solutions", wear_solutions},
+    {"p_center", wear_p_center},
+    {"p_max", wear_p_max},
+    {"half_width", wear_half_width},
+    {"depth", wear_depth},
+    {"vector_depth", wear_vector_depth},
+    {"volume", wear_volume},
+    {"depth_partition", wear_depth_partition},
+    {"history", wear_history},
+    {"done", wear_done},
+    {"k", wear_k},
+    {"alpha", wear_alpha},
+    {"load", wear_load},
+    {"stroke", wear_stroke},
+    {"total_distance", wear_total_distance},
+    {"jump", wear_jump},
+    {"refresh", wear_refresh},
+    {"strokes", wear_strokes},
+    {"cycles", wear_cycles},
+    {"increments", wear_increments},
+    {"procedure", wear_procedure},
+    {"scheme", wear_scheme},
+    {"slip", wear_slip},
+    {"rule", wear_rule},
+    {"geometry", wear_geometry},
+    {"law", wear_law},
+    {"law_pressure", wear_law_pressure},
+    {"law_exponent", wear_law_exponent},
+    {"order", wear_order},
+    {"tolerance", wear_tolerance},
+    {"update_at", wear_update_at},
+    {"local_factor", wear_local_factor},
+    {"loading", wear_loading},
+    {"functions", wear_functions_given},
+    {"model", wear_model},
+    {NULL, NULL},
+};
+
+/* --- in words -------------------------------------------------------------------------------- */
+
+/* "0.5", "by distance" for a series, "by function". */
+static const char *show_coefficient(double number, const arc_series *series, int function,
+                                    char *text, size_t size) {
+  if (function) return "by function";
+  if (series->count > 0) return "by distance";
+  snprintf(text, size, "%.6g", number);
+  return text;
+}
+
+/* "stroke 0.11 mm", or "loading of 3 blocks". */
+static void show_motion(const arc_wear_def *settings, char *text, size_t size) {
+  if (settings->blocks == 0)
+    snprintf(text, size, "stroke %.6g mm", settings->stroke);
+  else
+    snprintf(text, size, "loading of %d block%s", settings->blocks,
+             settings->blocks == 1 ? "" : "s");
+}
+
+/* "jump 100", "jump auto", "tolerance 0.001": what the length of a step goes by. */
+static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
+  if (settings->tolerance > 0)
+    snprintf(text, size, "tolerance %.6g", settings->tolerance);
+  else if (settings->jump_auto)
+    snprintf(text, size, "jump auto");
+  else if (settings->jump_function)
+    snprintf(text, size, "jump by function");
+  else
+    snprintf(text, size, "jump %.6g", settings->jump);
+}
+
+/* Where k is not one number everywhere: law and local factor, a line only where they are used. */
+static void add_law(luaL_Buffer *text, const arc_wear_def *settings) {
+  char line[120];
+  if (settings->law == ARC_LAW_ARCHARD && !settings->local_factor) return;
+  snprintf(line, sizeof line, "  law       %s", law_names[settings->law]);
+  luaL_addstring(text, line);
+  if (settings->law == ARC_LAW_POWER)
+    snprintf(line, sizeof line, ", (p / %.6g MPa)^%.6g", settings->law_pressure,
+             settings->law_exponent);
+  else if (settings->law == ARC_LAW_THRESHOLD)
+    snprintf(line, sizeof line, ", above %.6g MPa", settings->law_pressure);
+  else
+    line[0] = '\0';
+  luaL_addstring(text, line);
+  luaL_addstring(text, settings->local_factor ? ", with a local factor\n" : "\n");
+}
+
+/* "1e-08 mm2/N", "by function". */
+static const char *show_k(const arc_wear_def *settings, char *text, size_t size) {
+  if (settings->k_function) return "by function";
+  if (settings->k_series.count > 0) return "by distance";
+  snprintf(text, size, "%.6g mm2/N", settings->k);
+  return text;
+}
+
+static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
+  const arc_wear_def *settings = arc_wear_definition(wear);
+  char line[400], motion[60], k[40], alpha[40], steps[40];
+  show_motion(settings, motion, sizeof motion);
+  show_steps(settings, steps, sizeof steps);
+  snprintf(line, sizeof line,
+           "wear: %s, load %.6g N, k %s, alpha %s\n"
+           "  settings  %s %s, %s, increments %d, %s, %s slip, %s\n",
+           motion, settings->load, show_k(settings, k, sizeof k),
+           show_coefficient(settings->alpha, &settings->alpha_series,
+                            settings->alpha_function != NULL, alpha, sizeof alpha),
+           procedure_names[arc_wear_procedure(wear)], scheme_names[settings->scheme], steps,
+           settings->increments, geometry_names[settings->geometry], slip_names[settings->slip],
+           rule_names[settings->rule]);
+  luaL_addstring(text, line);
+  add_law(text, settings);
+}
+
+static void add_state(luaL_Buffer *text, const arc_wear *wear) {
+  const arc_wear_record *record = arc_wear_last(wear);
+  char line[600], partition[40] = "none yet";
+  if (isfinite(record->depth_partition))
+    snprintf(partition, sizeof partition, "%.4f", record->depth_partition);
+  snprintf(line, sizeof line,
+           "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f update%s\n"
+           "  pressure  centre %.2f MPa, largest %.2f MPa, half width %.6g mm\n"
+           "  depth     cylinder %.4e mm, plate %.4e mm; alpha-tilde %s\n"
+           "  volume    cylinder %.4e mm3, plate %.4e mm3, total %.4e mm3",
+           record->cycle, arc_wear_cycles(wear), record->distance,
+           arc_wear_definition(wear)->distance, record->update, record->update == 1 ? "" : "s",
+           record->p_center, record->p_max, record->half_width, record->depth_cylinder,
+           record->depth_plate, partition, record->volume_cylinder, record->volume_plate,
+           record->volume_cylinder + record->volume_plate);
+  luaL_addstring(text, line);
+}
+
+int wear_tostring(lua_State *L) {
+  const arc_wear *wear = self(L);
+  luaL_Buffer text;
+  luaL_buffinit(L, &text);
+  add_settings(&text, wear);
+  add_state(&text, wear);
+  luaL_pushresult(&text);
+  return 1;
+}
