@@ -1,72 +1,27 @@
 -- What a user hands to a plot function, checked: names with the nearest known one, kinds of values.
 -- Errors are those of every class, placed where the user's own text called. Leans on
--- archard.gnuplot for the error objects.
+-- archard.gnuplot for the error objects, on archard.names for the words.
 
 local gnuplot = require "archard.gnuplot"
+local names = require "archard.names"
 
 local check = {}
 
--- "file:line: " of the first caller outside the program's own scripts.
-local function user_position()
-  local level = 2
-  local info = debug.getinfo(level, "Sl")
-  while info and info.source:find("^@scripts/") do
-    level = level + 1
-    info = debug.getinfo(level, "Sl")
-  end
-  return info and info.currentline > 0 and ("%s:%d: "):format(info.short_src, info.currentline)
-    or ""
-end
-
 -- Raises an error object; the code is a status name, "ARGUMENT" where left out.
 function check.fail(where, message, code)
-  local _, object = pcall(gnuplot.raise, where, code or "ARGUMENT", (message:gsub("%z", " ")))
-  if type(object) == "table" then object.position = user_position() end
-  error(object, 0)
-end
-
--- How far two names are apart: insertions, deletions, changes, neighbours swapped.
-local function distance(a, b)
-  local before, row
-  local last = {}
-  for j = 0, #b do last[j] = j end
-  for i = 1, #a do
-    row = { [0] = i }
-    for j = 1, #b do
-      local cost = a:byte(i) == b:byte(j) and 0 or 1
-      row[j] = math.min(last[j - 1] + cost, last[j] + 1, row[j - 1] + 1)
-      if before and j > 1 and a:byte(i) == b:byte(j - 1) and a:byte(i - 1) == b:byte(j) then
-        row[j] = math.min(row[j], before[j - 2] + 1)
-      end
-    end
-    before, last = last, row
-  end
-  return last[#b]
+  gnuplot.raise(where, code or "ARGUMENT", (message:gsub("%z", " ")))
 end
 
 -- " (did you mean 'title'?)", or the list of what is known.
 function check.hint(name, known)
-  local best, least = nil, 1 + #name // 3
-  local sorted = {}
-  for _, word in ipairs(known) do sorted[#sorted + 1] = word end
+  local sorted = table.move(known, 1, #known, 1, {})
   table.sort(sorted)
-  for _, word in ipairs(sorted) do
-    local apart = distance(name, word)
-    if apart < least or (apart == least and not best) then best, least = word, apart end
-  end
+  local best = names.nearest(name, sorted)
   if best then return (" (did you mean '%s'?)"):format(best) end
   return (" (known: %s)"):format(table.concat(sorted, ", "))
 end
 
--- A value in a message: "dumb", 3, a wear object, a table.
-function check.shown(value)
-  if type(value) == "string" then return ('"%s"'):format(value) end
-  if type(value) == "number" or type(value) == "boolean" then return tostring(value) end
-  if value == nil then return "nil" end
-  local class = type(value) == "userdata" and (debug.getmetatable(value) or {}).__name
-  class = type(class) == "string" and class:match("^archard%.(.*)") or class
-  return type(class) == "string" and ("a %s object"):format(class) or "a " .. type(value)
-end
+check.shown = names.shown -- a value in a message: "dumb", 3, a wear object, a table
 
 -- --- kinds of values: { test, what is expected } ----------------------------------------------
 

@@ -1,6 +1,7 @@
-/* The checks of definition tables, and the search for the name the user may have meant. */
+/* The checks of definition tables. Leans on names.c for the name the user may have meant. */
 #include "lua/base/args.h"
 #include "lua/base/error.h"
+#include "lua/base/names.h"
 
 #include <lauxlib.h>
 #include <math.h>
@@ -15,25 +16,8 @@ const char *args_show_number(lua_State *L, double value) {
   return lua_pushstring(L, text);
 }
 
-/* Pushes a short description of the value at `index`: numbers and text as they are. */
-static const char *push_shown(lua_State *L, int index) {
-  switch (lua_type(L, index)) {
-  case LUA_TNUMBER:
-    return luaL_tolstring(L, index, NULL);
-  case LUA_TSTRING:
-    return lua_pushfstring(L, "\"%s\"", lua_tostring(L, index));
-  case LUA_TBOOLEAN:
-    return lua_pushstring(L, lua_toboolean(L, index) ? "true" : "false");
-  default:
-    break;
-  }
-  if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING)
-    return lua_pushfstring(L, "a %s object", lua_tostring(L, -1));
-  return lua_pushfstring(L, lua_isnil(L, index) ? "%s" : "a %s", luaL_typename(L, index));
-}
-
 void args_refuse(lua_State *L, args_place place, const char *name, const char *expected) {
-  const char *shown = push_shown(L, lua_gettop(L));
+  const char *shown = names_push_shown(L, lua_gettop(L));
   error_raise(L, ARC_ARGUMENT, place.where, "field '%s%s': expected %s, got %s", place.prefix, name,
               expected, shown);
 }
@@ -65,43 +49,7 @@ static const char *push_choices(lua_State *L, const char *const *choices) {
   return lua_tostring(L, -1);
 }
 
-/* --- the nearest known name ------------------------------------------------------------------ */
-
-enum { LONGEST = 31 };
-
-static int least(int a, int b, int c) {
-  int low = a < b ? a : b;
-  return low < c ? low : c;
-}
-
-/* Letters to change, add, drop or swap to come from `a` to `b`; LONGEST for long names. */
-static int distance_of(const char *a, const char *b) {
-  int la = (int)strlen(a), lb = (int)strlen(b), cost[LONGEST + 1][LONGEST + 1];
-  if (la > LONGEST || lb > LONGEST) return LONGEST;
-  for (int i = 0; i <= la; i++) cost[i][0] = i;
-  for (int j = 0; j <= lb; j++) cost[0][j] = j;
-  for (int i = 1; i <= la; i++)
-    for (int j = 1; j <= lb; j++) {
-      int change = cost[i - 1][j - 1] + (a[i - 1] != b[j - 1]);
-      cost[i][j] = least(cost[i - 1][j] + 1, cost[i][j - 1] + 1, change);
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        cost[i][j] = least(cost[i][j], cost[i - 2][j - 2] + 1, cost[i][j]);
-    }
-  return cost[la][lb];
-}
-
-/* The known name nearest to `name`, or NULL where none is near. */
-static const char *nearest(const char *name, const args_field *fields) {
-  const char *best = NULL;
-  int limit = 1 + (int)strlen(name) / 4;
-  for (; fields->name; fields++) {
-    int distance = distance_of(name, fields->name);
-    if (distance > limit) continue;
-    best = fields->name;
-    limit = distance - 1;
-  }
-  return best;
-}
+/* --- names ------------------------------------------------------------------------------------ */
 
 static const char *push_known(lua_State *L, const args_field *fields) {
   luaL_Buffer text;
@@ -115,10 +63,11 @@ static const char *push_known(lua_State *L, const args_field *fields) {
 }
 
 void args_unknown(lua_State *L, args_place place, const args_field *fields, const char *name) {
-  const char *meant = nearest(name, fields);
-  if (meant)
+  names_search search = names_begin(name);
+  for (const args_field *field = fields; field->name; field++) names_offer(&search, field->name);
+  if (search.best)
     error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (did you mean '%s'?)",
-                place.prefix, name, meant);
+                place.prefix, name, search.best);
   static const char *const of_model[] = {"radius", "thickness", "cylinder", "plate", "mesh", NULL};
   for (int i = 0; of_model[i] && place.prefix[0] == '\0'; i++)
     if (strcmp(name, of_model[i]) == 0)
@@ -212,7 +161,7 @@ void args_read(lua_State *L, int index, args_place place, const args_field *fiel
   index = lua_absindex(L, index);
   if (!lua_istable(L, index))
     error_raise(L, ARC_ARGUMENT, place.where, "expected a table of named fields, got %s",
-                push_shown(L, index));
+                names_push_shown(L, index));
   args_check_names(L, index, place, fields);
   for (const args_field *field = fields; field->name; field++) {
     if (lua_getfield(L, index, field->name) != LUA_TNIL)

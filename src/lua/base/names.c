@@ -1,0 +1,91 @@
+/* What values and misspelt names are called in messages, for C and, as the module `archard.names`,
+ * for scripts. Leans on nothing. */
+#include "lua/base/names.h"
+#include "lua/base/archard.h"
+
+#include <lauxlib.h>
+#include <string.h>
+
+/* --- the nearest known name ------------------------------------------------------------------ */
+
+enum { LONGEST = 31 };
+
+static int least(int a, int b, int c) {
+  int low = a < b ? a : b;
+  return low < c ? low : c;
+}
+
+/* Letters to change, add, drop or swap to come from `a` to `b`; LONGEST for long names. */
+static int distance_of(const char *a, const char *b) {
+  int la = (int)strlen(a), lb = (int)strlen(b), cost[LONGEST + 1][LONGEST + 1];
+  if (la > LONGEST || lb > LONGEST) return LONGEST;
+  for (int i = 0; i <= la; i++) cost[i][0] = i;
+  for (int j = 0; j <= lb; j++) cost[0][j] = j;
+  for (int i = 1; i <= la; i++)
+    for (int j = 1; j <= lb; j++) {
+      int change = cost[i - 1][j - 1] + (a[i - 1] != b[j - 1]);
+      cost[i][j] = least(cost[i - 1][j] + 1, cost[i][j - 1] + 1, change);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        cost[i][j] = least(cost[i][j], cost[i - 2][j - 2] + 1, cost[i][j]);
+    }
+  return cost[la][lb];
+}
+
+names_search names_begin(const char *name) {
+  const size_t length = strlen(name);
+  return (names_search){name, NULL, length > LONGEST ? 0 : 1 + (int)length / 4};
+}
+
+void names_offer(names_search *search, const char *known) {
+  int distance = distance_of(search->name, known);
+  if (distance > search->limit) return;
+  search->best = known;
+  search->limit = distance - 1;
+}
+
+/* nearest(name, list of known names) -> the nearest, or nil where none is near */
+static int names_nearest(lua_State *L) {
+  names_search search = names_begin(luaL_checkstring(L, 1));
+  luaL_checktype(L, 2, LUA_TTABLE);
+  lua_settop(L, 2);
+  for (lua_Integer i = 1; lua_rawgeti(L, 2, i) == LUA_TSTRING; i++) { /* the list keeps the text */
+    names_offer(&search, lua_tostring(L, -1));
+    lua_pop(L, 1);
+  }
+  lua_pushstring(L, search.best); /* nil for NULL */
+  return 1;
+}
+
+/* --- values ---------------------------------------------------------------------------------- */
+
+const char *names_push_shown(lua_State *L, int index) {
+  switch (lua_type(L, index)) {
+  case LUA_TNUMBER:
+    return luaL_tolstring(L, index, NULL);
+  case LUA_TSTRING:
+    return lua_pushfstring(L, "\"%s\"", lua_tostring(L, index));
+  case LUA_TBOOLEAN:
+    return lua_pushstring(L, lua_toboolean(L, index) ? "true" : "false");
+  default:
+    break;
+  }
+  if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
+    const char *class = lua_tostring(L, -1);
+    return lua_pushfstring(L, "a %s object", class + (strncmp(class, "archard.", 8) == 0 ? 8 : 0));
+  }
+  return lua_pushfstring(L, lua_isnil(L, index) ? "%s" : "a %s", luaL_typename(L, index));
+}
+
+/* shown(value) -> 3, "text", a wear object, a table */
+static int names_shown(lua_State *L) {
+  lua_settop(L, 1);
+  names_push_shown(L, 1);
+  return 1;
+}
+
+int luaopen_archard_names(lua_State *L) {
+  static const luaL_Reg functions[] = {
+      {"nearest", names_nearest}, {"shown", names_shown}, {NULL, NULL}};
+  luaL_newlib(L, functions);
+  return 1;
+}

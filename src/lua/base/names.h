@@ -1,0 +1,22 @@
+/* lua/names.h - what things are called in messages: a value that came, and the known name nearest
+ * to one that is not known. Lua scripts have the same as the module `archard.names`.
+ */
+#ifndef LUA_NAMES_H
+#define LUA_NAMES_H
+
+#include <lua.h>
+
+/* A search for the known name nearest to `name`. */
+typedef struct names_search {
+  const char *name;
+  const char *best; /* NULL where none is near; of those equally near the first */
+  int limit;        /* letters that may differ */
+} names_search;
+
+names_search names_begin(const char *name);
+void names_offer(names_search *search, const char *known);
+
+/* Pushes a short description of the value at `index`: numbers and text as they are. */
+const char *names_push_shown(lua_State *L, int index);
+
+#endif
