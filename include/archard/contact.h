@@ -11,7 +11,11 @@
 
 /* Whether wear moves the nodes (and so the stiffness of the wear box), or enters through the gap
  * alone. */
-typedef enum arc_geometry { ARC_MOVING = 0, ARC_FROZEN = 1 } arc_geometry;
+#define ARC_GEOMETRY_LIST(X)                                                                       \
+  X(MOVING, "moving")                                                                              \
+  X(FROZEN, "frozen")
+typedef enum arc_geometry { ARC_GEOMETRY_LIST(ARC_CHOICE_ENUM) } arc_geometry;
+extern const char *const arc_geometry_names[];
 
 /* The worn surfaces of both bodies on one model. Opaque; keeps its model alive. */
 typedef struct arc_shape arc_shape;
@@ -67,6 +71,24 @@ arc_surface_state arc_shape_state(const arc_shape *shape, arc_body body);
 arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double refresh,
                              const arc_surface_state state[ARC_BODIES], arc_shape **shape,
                              arc_error *error);
+
+/* One contact problem. */
+#define ARC_CONTACT_SETTINGS(NUMBER, OTHER)                                                        \
+  NUMBER(load, "N", 100, ARC_ABOVE(0), 0, "Normal load L_N.")                                      \
+  NUMBER(x, "mm", 0, ARC_ANY, 0, "Position of the plate.")                                         \
+  OTHER(model, "a model object or a table of its fields", "model", 0,                              \
+        "The bodies. One is built where none is given.")                                           \
+  OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", 0,                         \
+        "Shape of the surfaces: that of a wear run; or for each body a function f(x) that gives "  \
+        "the depth, or a measured profile { x={...}, h={...} }, in mm. Left out: unworn.")
+
+typedef struct arc_contact_def {
+  ARC_CONTACT_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_OTHER)
+} arc_contact_def;
+
+extern const arc_setting arc_contact_settings[];
+
+arc_contact_def arc_contact_default(void);
 
 /* What a contact solution yields. */
 typedef struct arc_contact arc_contact;

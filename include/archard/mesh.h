@@ -7,7 +7,7 @@
 #ifndef ARCHARD_MESH_H
 #define ARCHARD_MESH_H
 
-#include "archard/base.h"
+#include "archard/setting.h"
 
 typedef enum arc_body { ARC_CYLINDER = 0, ARC_PLATE = 1 } arc_body;
 #define ARC_BODIES 2
@@ -17,20 +17,34 @@ const char *arc_body_name(arc_body body);
 
 /* Quadrilateral formulation: CPE4 fully integrated bilinear; CPE4I with incompatible modes (bends
  * freely). */
-typedef enum arc_element { ARC_CPE4 = 0, ARC_CPE4I = 1 } arc_element;
+#define ARC_ELEMENT_LIST(X)                                                                        \
+  X(CPE4, "CPE4")                                                                                  \
+  X(CPE4I, "CPE4I")
+typedef enum arc_element { ARC_ELEMENT_LIST(ARC_CHOICE_ENUM) } arc_element;
+extern const char *const arc_element_names[];
 
 /* What to mesh. The plate is 2 radius wide and radius high. */
+#define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
+  NUMBER(size, "mm", 0.020, ARC_ABOVE(0), 0, "Width of the elements at the contact.")              \
+  NUMBER(height, "mm", 0.025, ARC_ABOVE(0), 0,                                                     \
+         "Height of the elements at the contact; 1.25 size where only the size is given.")         \
+  NUMBER(far, "mm", 1.0, ARC_ABOVE(0), 0, "Largest size of the elements far from the contact.")    \
+  WHOLE(rows, "", 3, ARC_WITHIN(1, 100), 0,                                                        \
+        "Element rows of the wear box: its nodes move with the worn surface.")                     \
+  CHOICE(                                                                                          \
+      element, element, ARC_CPE4, 0,                                                               \
+      "Quadrilateral formulation: fully integrated bilinear, or with incompatible modes, which "   \
+      "bend freely. Triangles are CPE3.")
+
 typedef struct arc_mesh_def {
-  double size;   /* [mm] element width at the contact, 0.020 */
-  double height; /* [mm] element height at the contact, 0.025 */
-  double far;    /* [mm] largest element size away from the contact, 1.0 */
+  ARC_MESH_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE)
   double
       zone[ARC_BODIES]; /* [mm] full width of the fine candidate contact zone, 1.0 and 1.2;
                            the cylinder's is the measure of the contact: depths and margins of the
                            two nested partitions scale with it, the plate's adds the stroke */
-  int rows;             /* element rows of the wear box, 3 */
-  arc_element element;  /* ARC_CPE4 */
 } arc_mesh_def;
+
+extern const arc_setting arc_mesh_settings[];
 
 /* The defaults above. */
 arc_mesh_def arc_mesh_default(void);

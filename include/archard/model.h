@@ -9,10 +9,23 @@
 
 #include "archard/mesh.h"
 
+#define ARC_MATERIAL_SETTINGS(NUMBER)                                                              \
+  NUMBER(E, "MPa", 200e3, ARC_ABOVE(0), 0, "Young's modulus.")                                     \
+  NUMBER(nu, "", 0.3, ARC_BETWEEN(-1, 0.5), 0, "Poisson's ratio.")
+
 typedef struct arc_material {
-  double E;  /* [MPa] Young's modulus, > 0 */
-  double nu; /* [-] Poisson's ratio, -1 < nu < 0.5 */
+  ARC_MATERIAL_SETTINGS(ARC_MEMBER_NUMBER)
 } arc_material;
+
+extern const arc_setting arc_material_settings[];
+
+/* A material as a setting of another definition, whose member `material` is by body. */
+#define ARC_MATERIAL_SETTING(owner, body, name_, text_)                                            \
+  {                                                                                                \
+    .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_material_settings,                  \
+    .offset = offsetof(owner, material[body]), .class_name = "material",                           \
+    .usual_text = "material{}", .type = "a material object or a table { E=, nu= }", .text = text_  \
+  }
 
 /* Steel of the reference case: 200e3 MPa, 0.3. */
 arc_material arc_material_default(void);
@@ -26,12 +39,19 @@ double arc_contact_modulus(const arc_material material[ARC_BODIES]);
 /* Checks ranges; ARC_ARGUMENT names field, expectation and value. */
 arc_status arc_material_check(arc_material material, arc_error *error);
 
+#define ARC_MODEL_SETTINGS(NUMBER)                                                                 \
+  NUMBER(radius, "mm", 10, ARC_ABOVE(0), 0,                                                        \
+         "Radius R of the cylinder; it sets the size of the plate too.")                           \
+  NUMBER(thickness, "mm", 1, ARC_ABOVE(0), 0,                                                      \
+         "Thickness of both bodies; forces are those on the whole of it.")
+
 typedef struct arc_model_def {
-  double radius;                     /* [mm] 10 */
-  double thickness;                  /* [mm] 1 */
-  arc_material material[ARC_BODIES]; /* by arc_body */
+  ARC_MODEL_SETTINGS(ARC_MEMBER_NUMBER)
+  arc_material material[ARC_BODIES]; /* by arc_body; settings "cylinder" and "plate" */
   arc_mesh_def mesh;
 } arc_model_def;
+
+extern const arc_setting arc_model_settings[];
 
 arc_model_def arc_model_default(void);
 
@@ -41,6 +61,21 @@ typedef struct arc_hertz {
   double p_max;      /* [MPa] p_H = 2 L / (pi a t) */
   double E_star;     /* [MPa] 1 / (1/E*_c + 1/E*_p), the contact modulus */
 } arc_hertz;
+
+#define ARC_HERTZ_SETTINGS(NUMBER)                                                                 \
+  NUMBER(radius, "mm", 10, ARC_ABOVE(0), 0, "Radius of the cylinder.")                             \
+  NUMBER(load, "N", 100, ARC_ABOVE(0), 0, "Normal load L_N over the whole thickness.")             \
+  NUMBER(thickness, "mm", 1, ARC_ABOVE(0), 0,                                                      \
+         "Thickness of both bodies; the load per thickness counts.")
+
+typedef struct arc_hertz_def {
+  ARC_HERTZ_SETTINGS(ARC_MEMBER_NUMBER)
+  arc_material material[ARC_BODIES]; /* by arc_body; settings "cylinder" and "plate" */
+} arc_hertz_def;
+
+extern const arc_setting arc_hertz_settings[];
+
+arc_hertz_def arc_hertz_default(void);
 
 /* load [N] > 0, radius and thickness [mm] > 0, else ARC_ARGUMENT. */
 arc_status arc_hertz_solve(double radius, double thickness, double load,

@@ -144,9 +144,9 @@ arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
 /* The definition of a stored run. */
 typedef struct arc_stored_run {
   arc_model_def model;
-  arc_wear_def def;   /* its functions are NULL */
-  char functions[64]; /* names of the fields that were functions, each followed by a blank */
-  void *memory;       /* the arrays `def` points to */
+  arc_wear_def def;                        /* its functions are NULL */
+  char functions[ARC_WEAR_SETTINGS_COUNT]; /* whether the setting in this place was a function */
+  void *memory;                            /* the arrays `def` points to */
 } arc_stored_run;
 
 /* Reads it. ARC_ARGUMENT: nothing of this case is stored. ARC_FORMAT: a field or value this program

@@ -12,36 +12,57 @@
 
 /* Fig. 7: SP simulates the sliding plate; NSP does not (alpha = 1, or a stroke over the whole
  * plate). */
-typedef enum arc_procedure { ARC_AUTO = 0, ARC_SP = 1, ARC_NSP = 2 } arc_procedure;
+#define ARC_PROCEDURE_LIST(X)                                                                      \
+  X(AUTO, "auto")                                                                                  \
+  X(SP, "SP")                                                                                      \
+  X(NSP, "NSP")
+#define ARC_SCHEME_LIST(X)                                                                         \
+  X(EXPLICIT, "explicit")                                                                          \
+  X(IMPLICIT, "implicit")
 /* Sliding distance of an increment: rigid plate motion, or with the elastic part (Abaqus' CSLIP).
  */
-typedef enum arc_slip { ARC_SLIP_RIGID = 0, ARC_SLIP_TOTAL = 1 } arc_slip;
+#define ARC_SLIP_LIST(X)                                                                           \
+  X(SLIP_RIGID, "rigid")                                                                           \
+  X(SLIP_TOTAL, "total")
 /* Integration over increments: Eq. (4) or Eq. (5). */
-typedef enum arc_rule { ARC_TRAPEZOID = 0, ARC_SIMPLE = 1 } arc_rule;
-typedef enum arc_scheme { ARC_EXPLICIT = 0, ARC_IMPLICIT = 1 } arc_scheme;
+#define ARC_RULE_LIST(X)                                                                           \
+  X(TRAPEZOID, "trapezoid")                                                                        \
+  X(SIMPLE, "simple")
 /* When the geometry is updated: after `jump` cycles together, or at every increment
  * (quasi-continuous). */
-typedef enum arc_update { ARC_UPDATE_CYCLE = 0, ARC_UPDATE_INCREMENT = 1 } arc_update;
-/* Wear law, as a factor on k: Archard 1; power (p / p0)^m; threshold: 1 where p > p0, else 0. */
-typedef enum arc_law { ARC_LAW_ARCHARD = 0, ARC_LAW_POWER = 1, ARC_LAW_THRESHOLD = 2 } arc_law;
+#define ARC_UPDATE_LIST(X)                                                                         \
+  X(UPDATE_CYCLE, "cycle")                                                                         \
+  X(UPDATE_INCREMENT, "increment")
+/* Wear laws, each a factor on k at a node under the pressure p [MPa], and the growth d ln(p factor)
+ * / d ln p that implicit steps ask for; d is the arc_wear_def, law_pressure is p0. */
+#define ARC_LAW_LIST(X)                                                                            \
+  X(LAW_ARCHARD, "archard", 1, 1)                                                                  \
+  X(LAW_POWER, "power", p > 0 ? pow(p / d->law_pressure, d->law_exponent) : 0,                     \
+    1 + d->law_exponent)                                                                           \
+  X(LAW_THRESHOLD, "threshold", p > d->law_pressure, 1)
+
+typedef enum arc_procedure { ARC_PROCEDURE_LIST(ARC_CHOICE_ENUM) } arc_procedure;
+typedef enum arc_scheme { ARC_SCHEME_LIST(ARC_CHOICE_ENUM) } arc_scheme;
+typedef enum arc_slip { ARC_SLIP_LIST(ARC_CHOICE_ENUM) } arc_slip;
+typedef enum arc_rule { ARC_RULE_LIST(ARC_CHOICE_ENUM) } arc_rule;
+typedef enum arc_update { ARC_UPDATE_LIST(ARC_CHOICE_ENUM) } arc_update;
+typedef enum arc_law { ARC_LAW_LIST(ARC_CHOICE_ENUM) } arc_law;
+extern const char *const arc_procedure_names[],
+    *const arc_scheme_names[], *const arc_slip_names[], *const arc_rule_names[],
+                                                            *const arc_update_names[],
+                                                                *const arc_law_names[];
 
 typedef struct arc_wear_record arc_wear_record;
 
-/* A quantity that depends on the state of the run (k, alpha, jump). Anything but ARC_OK refuses the
- * step. */
-typedef arc_status (*arc_state_fn)(void *context, const arc_wear_record *state, double *value);
+/* A quantity that depends on the state of the run: `what` is its setting. Anything but ARC_OK
+ * refuses the step. */
+typedef arc_status (*arc_state_fn)(void *context, const arc_setting *what,
+                                   const arc_wear_record *state, double *value);
 
 /* A factor on k at each of the n nodes of one body: x [mm] own (unworn) position, p [MPa] at one
  * increment, to factor [n]. Anything but ARC_OK refuses the step. */
 typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const double *x,
                                    const double *p, const arc_wear_record *state, double *factor);
-
-/* A quantity by travelled distance: linear between points, constant outside; distance [mm]
- * increases. */
-typedef struct arc_series {
-  int count; /* 0: none */
-  const double *distance, *value;
-} arc_series;
 
 /* One block of loading: plate position and load at count >= 2 points of a cycle; both strokes are
  * simulated as they are. A load of 0 is a lift-off: no contact and no wear there. */
@@ -54,42 +75,98 @@ typedef struct arc_loading {
                    a step */
 } arc_loading;
 
+#define ARC_WEAR_SETTINGS(NUMBER, WHOLE, CHOICE, QUANTITY, FUNCTION, OTHER)                        \
+  CHOICE(scheme, scheme, ARC_EXPLICIT, 0,                                                          \
+         "Pressures of an update: those of the geometry it begins with, or those of the geometry " \
+         "it ends in, which takes longer steps.")                                                  \
+  QUANTITY(                                                                                        \
+      k, "mm2/N", 1e-8, ARC_FROM(0), ARC_FUNCTION | ARC_SERIES,                                    \
+      "Wear coefficient k of the couple: volume = k L_N d (Eq. 1). A function gets the state "     \
+      "in the middle of the update, see help \"state\"; a table is interpolated over the "         \
+      "distance.")                                                                                 \
+  QUANTITY(alpha, "", 0.5, ARC_WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                            \
+           "Wear partition factor k_c / k (Eq. 19): the share of the volume that the cylinder "    \
+           "loses. 0: only the plate wears, 1: only the cylinder.")                                \
+  NUMBER(load, "N", 100, ARC_ABOVE(0), 0,                                                          \
+         "Normal load L_N; with loading, that of the reference configuration.")                    \
+  NUMBER(stroke, "mm", 0.11, ARC_ABOVE(0), 0,                                                      \
+         "Stroke s_t, the plate's way from one end to the other. The reference cases are a, 2a, "  \
+         "4a (0.11, 0.22, 0.44) and 2R (20): the last slides over the whole plate, one way only "  \
+         "(r = 1 instead of 2).")                                                                  \
+  NUMBER(distance, "mm", 1320, ARC_ABOVE(0), ARC_OPTIONAL,                                         \
+         "Travelled distance d_t to simulate. Give this or cycles; with loading, none means all "  \
+         "its blocks.")                                                                            \
+  OTHER(cycles, "a number > 0 cycles", NULL, 0,                                                    \
+        "Loading cycles to simulate, N = d_t / (r s_t) (Eq. 21). Give this or distance.")          \
+  QUANTITY(jump, "cycles", 100, ARC_ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                        \
+           "Cycles from one geometry update to the next (N-bar). Pressures are kept meanwhile. "   \
+           "Too large a jump makes explicit updates rough; \"auto\" stays below that limit. A "    \
+           "function gets the state before the update.")                                           \
+  WHOLE(increments, "", 100, ARC_EVEN(2, 100000), 0,                                               \
+        "Increments n_c of a full cycle. Half of them are simulated, the way back being like the " \
+        "way out (Eq. 22).")                                                                       \
+  NUMBER(refresh, "", 0.005, ARC_FROM(0), 0,                                                       \
+         "With moving geometry: the stiffness is renewed once a node has moved by more than this " \
+         "share of an element's height; 0: at every update.")                                      \
+  CHOICE(procedure, procedure, ARC_AUTO, 0,                                                        \
+         "SP simulates the sliding plate (Eq. 22); NSP solves one contact an update, right where " \
+         "the plate stays flat: alpha = 1, or a stroke of 2 radius (Eqs. 24-27). \"auto\" "        \
+         "chooses.")                                                                               \
+  CHOICE(slip, slip, ARC_SLIP_RIGID, 0,                                                            \
+         "Sliding distance of an increment: the motion of the plate, or with the elastic part "    \
+         "added. With the rigid one the volume is k L_N d to rounding.")                           \
+  CHOICE(rule, rule, ARC_TRAPEZOID, 0, "Integration over the increments: Eq. (4) or Eq. (5).")     \
+  CHOICE(geometry, geometry, ARC_MOVING, ARC_FIXED,                                                \
+         "Whether the worn nodes change the stiffness of the surface layer, or the gap alone.")    \
+  CHOICE(update, update, ARC_UPDATE_CYCLE, 0,                                                      \
+         "When the geometry is updated: after jump cycles together, or at every increment "        \
+         "(quasi-continuous).")                                                                    \
+  CHOICE(law, law, ARC_LAW_ARCHARD, 0,                                                             \
+         "Wear law, as a factor on k: 1; (p / p0)^m; or 1 where p > p0 and 0 elsewhere.")          \
+  NUMBER(law_pressure, "MPa", 100, ARC_ABOVE(0), 0, "Pressure p0 of the law.")                     \
+  NUMBER(law_exponent, "", 1, ARC_ABOVE_TO(-1, 10), 0, "Exponent m of the power law.")             \
+  WHOLE(order, "", 2, ARC_WITHIN(1, 2), 0,                                                         \
+        "Order of the implicit scheme: pressures of the end of the update, or midway.")            \
+  NUMBER(tolerance, "", 0, ARC_BETWEEN(0, 1), ARC_OPTIONAL,                                        \
+         "Relative error an implicit run may make in the depth; it then chooses its own steps. "   \
+         "None: steps of jump.")                                                                   \
+  OTHER(model, "a model object or a table of its fields", "model", ARC_FIXED,                      \
+        "The bodies. Without it one is built on first use whose contact zones suit the stroke.")   \
+  OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", ARC_FIXED,                 \
+        "Shape of the surfaces to start from: that of a wear run; or for each body a function "    \
+        "f(x) that gives the depth, or a measured profile { x={...}, h={...} }, in mm. Depths "    \
+        "and alpha-tilde count from the unworn shape, volumes from this one.")                     \
+  OTHER(loading, "a block { x=, load= } or a list of them", NULL, 0,                               \
+        "A cycle of your own instead of stroke and load: x and load as functions of t, which "     \
+        "goes from 0 to 1 over the cycle, or as sampled lists. Both strokes are simulated as "     \
+        "they are. Functions are called once, when the run is made. Several blocks in a list "     \
+        "follow each other, each with its cycles. Without a distance the run ends with the last "  \
+        "block; where that has no cycles, it goes on to the end of the distance. The pressures "   \
+        "and widths that a run tells are those under load, which by default is the largest of "    \
+        "the loading. \n\ncsv.read(path) reads measured lists.")                                   \
+  FUNCTION(                                                                                        \
+      local_factor, "a function(body, x, p, state) or { vector = function }", arc_local_fn, 0,     \
+      "Factor on k at each node, for cross-shear and the like. body is \"cylinder\" or "           \
+      "\"plate\", x the node's own position in mm, p its pressure in MPa; the result is 0 or "     \
+      "above. Nodes without pressure are not asked: they do not wear. It is called at every "      \
+      "increment.")
+
 typedef struct arc_wear_def {
-  double k;      /* [mm2/N] wear coefficient of the couple, 1e-8, >= 0 */
-  double alpha;  /* [-] wear partition factor, 0.5, in [0, 1] */
-  double load;   /* [N] 100, > 0, whole thickness; with `loading`: of the reference configuration */
-  double stroke; /* [mm] 0.11, > 0; 2 radius: half-reciprocating over the whole plate (r = 1) */
-  double distance; /* [mm] travelled distance to simulate, 1320, > 0; with `loading`: 0 means all
-                      its blocks */
-  double jump;     /* [cycles] cycles per geometry update (N-bar), 100, > 0 */
-  int increments;  /* increments of a full cycle (n_c), 100, even, >= 2; half of them are simulated
-                    */
-  arc_procedure procedure;
-  arc_scheme scheme;
-  arc_slip slip;
-  arc_rule rule;
-  arc_geometry geometry;
-  double refresh; /* [-] see arc_shape_create */
-  arc_update update;
-
-  arc_state_fn k_function, alpha_function,
-      jump_function;                 /* instead of the numbers, where not NULL */
-  arc_series k_series, alpha_series; /* instead of the numbers, where count > 0 */
-  int jump_auto; /* non-zero: the largest stable and accurate jump, found anew at every update */
-  arc_law law;
-  double law_pressure;       /* [MPa] p0, > 0 for a law that needs it */
-  double law_exponent;       /* [-] m of the power law, > -1 */
-  arc_local_fn local_factor; /* NULL: 1 */
-  void *context;             /* handed to every function above */
-
-  int order;        /* of the implicit scheme: 1 (backward Euler) or 2 (default) */
-  double tolerance; /* [-] of the implicit scheme: error of depth per step, relative; 0: steps of
-                       `jump` */
-
+  ARC_WEAR_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_QUANTITY,
+                    ARC_MEMBER_FUNCTION, ARC_MEMBER_OTHER)
+  void *context;                      /* handed to every function above */
   int blocks;                         /* 0: reciprocating by `stroke` under `load` */
   const arc_loading *loading;         /* [blocks], in this order; copied by the run */
   double start_distance, start_cycle; /* where the loading begins; set by arc_wear_set */
 } arc_wear_def;
+
+extern const arc_setting arc_wear_settings[];
+
+/* Where each stands in the list: ARC_AT_k, ARC_AT_alpha, ... */
+enum {
+  ARC_WEAR_SETTINGS(ARC_POSITION, ARC_POSITION, ARC_POSITION, ARC_POSITION, ARC_POSITION,
+                    ARC_POSITION) ARC_WEAR_SETTINGS_COUNT
+};
 
 arc_wear_def arc_wear_default(void);
 
@@ -116,8 +193,8 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(depth_plate, "mm", "largest wear depth of the plate")                                          \
   X(volume_cylinder, "mm3", "wear volume of the cylinder")                                         \
   X(volume_plate, "mm3", "wear volume of the plate")                                               \
-  X(depth_partition, "", "wear depth partition factor alpha-tilde; NaN before any wear")           \
-  X(error, "", "estimated error of an adaptive step, as a share of the tolerance")                 \
+  X(depth_partition, "", "depth partition factor alpha-tilde; NaN before any wear")                \
+  X(error, "", "estimated error of an adaptive step, over its tolerance")                          \
   X(solutions, "", "contact solutions so far")
 
 struct arc_wear_record {

@@ -40,7 +40,7 @@ end
 local function load_entries()
   if entries then return end
   entries, ordered = {}, {}
-  add(require "archard.help.engine")
+  add(require "archard.help.settings"(require "archard.help.engine"))
   add(require "archard.help.tools")
   add(require "archard.help.study")
 end
@@ -102,14 +102,17 @@ local function follow(address, path)
   return at, rest
 end
 
--- All fields that can stand in that table, taken ones too.
+-- All fields that can stand in that table, taken ones too, but for those that only a new object
+-- can have.
 function help.fields(address, path)
   if not address then return {} end
   load_entries()
   local at, rest = follow(address, path)
   local list = help.definition(at, rest)
   local taken = rest == "" and entries[at] and entries[at].takes
-  for _, entry in ipairs(taken and help.definition(taken) or {}) do list[#list + 1] = entry end
+  for _, entry in ipairs(taken and help.definition(taken) or {}) do
+    if not entry.fixed then list[#list + 1] = entry end
+  end
   return list
 end
 

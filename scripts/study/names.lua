@@ -15,8 +15,8 @@ end
 
 local function grow()
   local grown = { wear = {}, model = {}, material = {} }
-  for _, entry in ipairs(require "archard.help.engine") do
-    local class, path = entry[1]:match("^(%a+){([%a_.]+)}$")
+  for _, entry in ipairs(require "archard.help".all()) do
+    local class, path = entry.address:match("^(%a+){([%a_.]+)}$")
     if grown[class] then plant(grown[class], path) end
   end
   grown.model.cylinder, grown.model.plate = grown.material, grown.material

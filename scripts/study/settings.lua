@@ -2,6 +2,7 @@
 -- file and back, grids of varied fields, labels. Leans on check for its errors.
 
 local check = require "archard.lib.check"
+local known = require "archard.settings"
 
 local settings = {}
 
@@ -14,21 +15,24 @@ local function is_numbers(value)
   return next(value) == nil or (#value > 0 and next(value, #value) == nil)
 end
 
--- Objects as the tables that would make them again.
+-- The value at "mesh.zone.plate" in an object.
+local function value_at(object, path)
+  for name in path:gmatch("[^.]+") do object = object[name] end
+  return object
+end
+
+-- Objects as the flat settings that would make them again.
 local function as_table(where, name, value)
   local class = (getmetatable(value) or {}).__name
-  if class == "material" then return { E = value.E, nu = value.nu } end
-  if class == "model" then
-    local mesh = value.mesh
-    return { radius = value.radius, thickness = value.thickness,
-      cylinder = { E = value.cylinder.E, nu = value.cylinder.nu },
-      plate = { E = value.plate.E, nu = value.plate.nu },
-      mesh = { size = mesh.size, height = mesh.height, far = mesh.far, rows = mesh.rows,
-        element = mesh.element,
-        zone = { cylinder = mesh.zone.cylinder, plate = mesh.zone.plate } } }
+  if class ~= "material" and class ~= "model" then
+    check.fail(where, ("field '%s': a %s cannot be kept in a run file; expected a number, a text, "
+      .. "a boolean, a material, a model or a table of them"):format(name, class or type(value)))
   end
-  check.fail(where, ("field '%s': a %s cannot be kept in a run file; expected a number, a text, "
-    .. "a boolean, a material, a model or a table of them"):format(name, class or type(value)))
+  local flat = {}
+  for _, setting in ipairs(known[class]) do
+    if not setting.group or setting.class then flat[setting.path] = value_at(value, setting.path) end
+  end
+  return flat
 end
 
 local function flatten(where, into, prefix, given)

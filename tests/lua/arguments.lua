@@ -25,14 +25,14 @@ fails(function() wear{ alpha = 1.5 } end, "field 'alpha': expected a number in [
   "above the range")
 fails(function() wear{ alpha = -0.1 } end, "got -0.1", "below the range")
 fails(function() wear{ alpha = 0 / 0 } end, { "field 'alpha'", "nan" }, "not a number")
-fails(function() wear{ k = math.huge } end, "field 'k': expected a number >= 0, got inf", "infinite")
-fails(function() wear{ load = 0 } end, "field 'load': expected a number > 0, got 0", "open end")
-fails(function() wear{ load = "100" } end, [[field 'load': expected a number > 0, got "100"]],
+fails(function() wear{ k = math.huge } end, "field 'k': expected a number >= 0 mm2/N, got inf", "infinite")
+fails(function() wear{ load = 0 } end, "field 'load': expected a number > 0 N, got 0", "open end")
+fails(function() wear{ load = "100" } end, [[field 'load': expected a number > 0 N, got "100"]],
   "text is no number")
 fails(function() wear{ stroke = true } end, "got true", "boolean")
 fails(function() wear{ stroke = {} } end, "got a table", "table")
 fails(function() wear{ load = material{} } end, "got a material object", "object")
-fails(function() wear{ increments = 10.5 } end, "field 'increments': expected a whole number",
+fails(function() wear{ increments = 10.5 } end, "field 'increments': expected an even number",
   "fraction")
 fails(function() wear{ increments = 7 } end, { "increments", "even", "7" }, "odd increments")
 fails(function() material{ nu = 0.5 } end, "field 'nu': expected a number in (-1, 0.5), got 0.5",
@@ -43,7 +43,7 @@ fails(function() model{ mesh = 3 } end, "field 'mesh': expected a table", "numbe
 fails(function() model{ cylinder = 3 } end, "field 'cylinder': expected a material object", "material")
 fails(function() wear{ model = 3 } end, "field 'model': expected a model object", "model")
 fails(function() wear{ worn = 3 } end, "field 'worn': expected a wear object or a table", "worn")
-fails(function() contact{ x = "left" } end, [[field 'x': expected a number, got "left"]],
+fails(function() contact{ x = "left" } end, [[field 'x': expected a number in mm, got "left"]],
   "number without a range")
 
 -- enumerations
@@ -57,12 +57,12 @@ fails(function() wear{}:profile("pin") end,
 -- what excludes each other
 fails(function() wear{ distance = 10, cycles = 10 } end, "expected one of them, got both",
   "distance and cycles")
-fails(function() wear{ jump = "often" } end, [[field 'jump': expected a number > 0, "auto" or a function of the state, got "often"]],
+fails(function() wear{ jump = "often" } end, [[field 'jump': expected a number > 0 cycles, "auto" or a function of the state, got "often"]],
   "other text for jump")
 fails(function() wear{ k = { distance = { 0, 0 }, value = { 1, 1 } } } end,
   { "k.distance[2]", "increasing" }, "a series by distance: distances increase")
 fails(function() wear{ alpha = { distance = { 0, 1 }, value = { 0, 2 } } } end,
-  { "alpha.value[2]", "from 0 to 1" }, "its values are in the range")
+  { "alpha.value[2]", "in [0, 1], got 2" }, "its values are in the range")
 fails(function() wear{ alpha = { distance = { 0, 1 }, value = { 0 } } } end, "one length, got 2 and 1",
   "and as many as distances")
 fails(function() wear{ alpha = { distanc = {} } } end,

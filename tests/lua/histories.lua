@@ -71,16 +71,16 @@ err = untouched(run_of{ k = function(s) return s.distance > 30 and error{ answer
   "an error that is a table")
 is(err.cause.answer, 42, "is handed on as the cause")
 untouched(run_of{ alpha = after_30(1.5) },
-  { "wear:step: alpha: expected from 0 to 1, its function gave 1.5 at distance 33 mm" }, "alpha above 1")
-untouched(run_of{ alpha = after_30(0 / 0) }, "alpha: expected from 0 to 1", "alpha NaN")
+  { "wear:step: field 'alpha': expected a number in [0, 1], got 1.5 from its function at distance 33 mm" }, "alpha above 1")
+untouched(run_of{ alpha = after_30(0 / 0) }, "field 'alpha': expected a number in [0, 1]", "alpha NaN")
 untouched(run_of{ alpha = after_30("much") }, { "alpha(state", "expected a number, got string" }, "alpha a text")
-untouched(run_of{ k = function(s) return s.distance > 30 and -1 or 1e-8 end }, { "k: expected from 0", "its function gave -1" }, "k negative")
+untouched(run_of{ k = function(s) return s.distance > 30 and -1 or 1e-8 end }, { "field 'k': expected a number >= 0 mm2/N, got -1 from its function" }, "k negative")
 untouched(run_of{ jump = function(s) return s.distance > 30 and 0 or 100 end },
-  { "jump: expected above 0 cycles, its function gave 0 at distance 44 mm" }, "jump zero")
+  { "field 'jump': expected a number > 0 cycles, got 0 from its function at distance 44 mm" }, "jump zero")
 untouched(run_of{ scheme = "implicit", alpha = function(s) return s.distance > 30 and error("no alpha") or 0.5 end },
   { "alpha(state", "no alpha" }, "an error in alpha of an implicit run")
 fails(function() run_of{ k = "much" } end,
-  [[field 'k': expected a number >= 0, a function of the state or a table { distance=, value= }, got "much"]],
+  [[field 'k': expected a number >= 0 mm2/N, a function of the state or a table { distance=, value= }, got "much"]],
   "k a text")
 fails(function() run_of{ alpha = true } end, "a function of the state or a table", "alpha a boolean")
 
@@ -165,7 +165,7 @@ untouched(run_of{ local_factor = function(_, x, _, s) return s.distance > 30 and
   { 'local_factor("cylinder", x = -', "MPa, state at distance", "expected a number, got table" },
   "a local factor that is a table")
 untouched(run_of{ local_factor = function(_, _, _, s) return s.distance > 30 and -1 or 1 end },
-  { "local_factor: expected 0 or above, got -1 for the cylinder at x = -" }, "a negative local factor")
+  { "field 'local_factor': expected a number >= 0, got -1 for the cylinder at x = -" }, "a negative local factor")
 err = fails(function() run_of{ local_factor = function() return -1 end } end, "got -1 for the cylinder", "a negative one at once")
 is(tostring(err):find "mesh.zone", nil, "of which the zones of the mesh are innocent")
 fails(function() run_of{ local_factor = { vector = function() return { 1 } end } } end,
@@ -214,8 +214,8 @@ bad({ x = { 0, 0.1, "a" } }, [[field 'loading.x[3]': expected a finite number, g
 bad({ x = { 0, 0 / 0 } }, "field 'loading.x[2]': expected a finite number", "NaN in x")
 bad({ x = { 0, 0.1, 0 }, load = { 1, 2 } }, "field 'loading.load': expected 3 numbers", "too few loads")
 bad({ x = { 0 } }, "at least 2", "one point")
-bad({ x = { 0, 0.1 }, load = { 1, -2 } }, "load[2]: expected above 0 N, or 0 for a lift-off, got -2 N", "negative load")
-bad({ x = { 0, 0 } }, "the plate does not move", "no motion")
+bad({ x = { 0, 0.1 }, load = { 1, -2 } }, "field 'loading[1].load[2]': expected a number > 0 N, or 0 for a lift-off, got -2", "negative load")
+bad({ x = { 0, 0 } }, "expected a plate that moves", "no motion")
 bad({ load = 3 }, "field 'loading.x': expected a function of t or an array, got nil", "no x")
 bad({ x = 3 }, "expected a function of t or an array, got 3", "x a number")
 bad({ x = { 0, 1, 0 }, t = { 0, 1, 1 } }, "field 'loading.t[3]': expected increasing times, got 1 after 1", "equal times")
@@ -224,10 +224,10 @@ bad({ x = position, t = { 0, 1 }, increments = 3 }, "expected one of them", "t a
 bad({ x = position, increments = 0 }, "field 'loading.increments': expected a whole number in", "no increments")
 bad({ x = position, cycles = -1 }, "field 'loading.cycles': expected a number > 0", "negative cycles")
 bad({ x = position, periodic = 1 }, "field 'loading.periodic': expected true or false, got 1", "periodic a number")
-bad({ x = position, periodic = false, cycles = 2 }, "a history that is not periodic runs once", "twice a history")
+bad({ x = position, periodic = false, cycles = 2 }, "expected 1 for a history that is not periodic, got 2", "twice a history")
 bad({ x = position, period = 1 }, "unknown field 'loading.period' (did you mean 'periodic'?)", "misspelt field")
 bad({ { x = position, cycles = 1 }, { x = position, lod = 1 } }, "unknown field 'loading[2].lod'", "in the second block")
-bad({ { x = position }, { x = position } }, "block 1: cycles: expected above 0 and finite", "endless first block")
+bad({ { x = position }, { x = position } }, "field 'loading[1].cycles': expected a number > 0 and finite", "endless first block")
 bad({ { x = position }, 3 }, "loading[2].", "a number for a block")
 bad(3, "field 'loading': expected a block { x=, load= } or a list of them, got 3", "loading a number")
 bad({ x = function(t) return t < 0.5 and 0 end, increments = 4 },

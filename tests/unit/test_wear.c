@@ -271,30 +271,30 @@ static void test_refused_numbers(void **state) {
   for (int k = 0; k < 4; k++) {
     arc_wear_def def = arc_wear_default();
     def.load = bad[k];
-    refuse(&def, ARC_ARGUMENT, "load:");
+    refuse(&def, ARC_ARGUMENT, "'load'");
     def = arc_wear_default();
     def.stroke = bad[k];
-    refuse(&def, ARC_ARGUMENT, "stroke:");
+    refuse(&def, ARC_ARGUMENT, "'stroke'");
     def = arc_wear_default();
     def.distance = bad[k];
-    refuse(&def, ARC_ARGUMENT, "distance:");
+    refuse(&def, ARC_ARGUMENT, "'distance'");
     def = arc_wear_default();
     def.jump = bad[k];
-    refuse(&def, ARC_ARGUMENT, "jump:");
+    refuse(&def, ARC_ARGUMENT, "'jump'");
     if (bad[k] == 0) continue;
     def = arc_wear_default();
     def.k = bad[k];
-    refuse(&def, ARC_ARGUMENT, "k:");
+    refuse(&def, ARC_ARGUMENT, "'k'");
     def = arc_wear_default();
     def.alpha = bad[k];
-    refuse(&def, ARC_ARGUMENT, "alpha:");
+    refuse(&def, ARC_ARGUMENT, "'alpha'");
   }
   arc_wear_def def = arc_wear_default();
   def.alpha = 1.0000001;
-  refuse(&def, ARC_ARGUMENT, "alpha:");
+  refuse(&def, ARC_ARGUMENT, "'alpha'");
   def = arc_wear_default();
   def.refresh = NAN;
-  refuse(&def, ARC_ARGUMENT, "refresh:");
+  refuse(&def, ARC_ARGUMENT, "'refresh'");
 }
 
 static void test_refused_combinations(void **state) {
@@ -303,14 +303,14 @@ static void test_refused_combinations(void **state) {
   for (int k = 0; k < 5; k++) {
     arc_wear_def def = arc_wear_default();
     def.increments = odd[k];
-    refuse(&def, ARC_ARGUMENT, "increments:");
+    refuse(&def, ARC_ARGUMENT, "'increments'");
   }
   arc_wear_def def = arc_wear_default();
   def.procedure = ARC_NSP;
-  refuse(&def, ARC_ARGUMENT, "procedure:");
+  refuse(&def, ARC_ARGUMENT, "'procedure'");
   def = arc_wear_default();
   def.stroke = 20.1;
-  refuse(&def, ARC_ARGUMENT, "stroke:");
+  refuse(&def, ARC_ARGUMENT, "'stroke'");
   def = arc_wear_default();
   def.load = 5000;
   refuse(&def, ARC_ZONE, "zone");

@@ -5,6 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define ARC_SETTING_OF arc_contact_def
+const arc_setting arc_contact_settings[] = {
+    ARC_CONTACT_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_OTHER){.name = NULL},
+};
+#undef ARC_SETTING_OF
+
+arc_contact_def arc_contact_default(void) {
+  arc_contact_def def;
+  arc_settings_default(arc_contact_settings, &def);
+  return def;
+}
+
 static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
 }
@@ -51,13 +63,12 @@ static void read_result(arc_contact *c, double load, double x) {
 arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_contact **result,
                              arc_error *error) {
   *result = NULL;
-  if (!(load > 0) || !isfinite(load))
-    return arc_fail(error, ARC_ARGUMENT, "load: expected above 0 N, got %g N", load);
-  if (!isfinite(x))
-    return arc_fail(error, ARC_ARGUMENT, "x: expected a plate position in mm, got %g", x);
+  const arc_contact_def def = {load, x};
+  arc_status status = arc_settings_check(arc_contact_settings, "", &def, error);
+  if (status != ARC_OK) return status;
   arc_contact *c = calloc(1, sizeof *c);
   if (!c) return out_of_memory(error);
-  arc_status status = arc_shape_clone(shape, &c->shape, error);
+  status = arc_shape_clone(shape, &c->shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
   if (status == ARC_OK) status = arc_pose_place(&c->pose, c->shape, x, error);
   if (status == ARC_OK) {

@@ -3,22 +3,27 @@
 
 #include <math.h>
 
-static arc_status check(const char *field, const char *unit, double value, arc_error *error) {
-  if (value > 0 && isfinite(value)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT, "%s: expected above 0 %s, got %g %s", field, unit, value,
-                  unit);
+#define ARC_SETTING_OF arc_hertz_def
+const arc_setting arc_hertz_settings[] = {
+    ARC_HERTZ_SETTINGS(ARC_SETTING_NUMBER)
+        ARC_MATERIAL_SETTING(arc_hertz_def, ARC_CYLINDER, "cylinder", "Material of the cylinder."),
+    ARC_MATERIAL_SETTING(arc_hertz_def, ARC_PLATE, "plate", "Material of the plate."),
+    {.name = NULL},
+};
+#undef ARC_SETTING_OF
+
+arc_hertz_def arc_hertz_default(void) {
+  arc_hertz_def def;
+  arc_settings_default(arc_hertz_settings, &def);
+  return def;
 }
 
 arc_status arc_hertz_solve(double radius, double thickness, double load,
                            const arc_material material[ARC_BODIES], arc_hertz *hertz,
                            arc_error *error) {
-  arc_status status;
-  if ((status = check("radius", "mm", radius, error)) ||
-      (status = check("thickness", "mm", thickness, error)) ||
-      (status = check("load", "N", load, error)) ||
-      (status = arc_material_check(material[ARC_CYLINDER], error)) ||
-      (status = arc_material_check(material[ARC_PLATE], error)))
-    return status;
+  const arc_hertz_def def = {radius, load, thickness, {material[0], material[1]}};
+  const arc_status status = arc_settings_check(arc_hertz_settings, "", &def, error);
+  if (status != ARC_OK) return status;
   const double pi = acos(-1), line = load / thickness;
   hertz->E_star = arc_contact_modulus(material);
   hertz->half_width = sqrt(4 * line * radius / (pi * hertz->E_star));

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const arc_geometry_names[] = {ARC_GEOMETRY_LIST(ARC_CHOICE_NAME) NULL};
+
 /* An element of the wear box may lose this share of its height before the mesh counts as used up.
  */
 static const double thinnest = 0.1;

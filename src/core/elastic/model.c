@@ -12,8 +12,31 @@ struct arc_model {
   double seconds;
 };
 
+#define ARC_SETTING_OF arc_material
+const arc_setting arc_material_settings[] = {
+    ARC_MATERIAL_SETTINGS(ARC_SETTING_NUMBER){.name = NULL}};
+#undef ARC_SETTING_OF
+
+#define ARC_SETTING_OF arc_model_def
+const arc_setting arc_model_settings[] = {
+    ARC_MODEL_SETTINGS(ARC_SETTING_NUMBER)
+        ARC_MATERIAL_SETTING(arc_model_def, ARC_CYLINDER, "cylinder", "Material of the cylinder."),
+    ARC_MATERIAL_SETTING(arc_model_def, ARC_PLATE, "plate", "Material of the plate."),
+    {.name = "mesh",
+     .unit = "",
+     .kind = ARC_GROUP,
+     .group = arc_mesh_settings,
+     .offset = offsetof(arc_model_def, mesh),
+     .text = "How fine the meshes are.",
+     .type = "a table { size=, height=, far=, zone=, rows=, element= }"},
+    {.name = NULL},
+};
+#undef ARC_SETTING_OF
+
 arc_material arc_material_default(void) {
-  return (arc_material){200e3, 0.3};
+  arc_material material;
+  arc_settings_default(arc_material_settings, &material);
+  return material;
 }
 
 double arc_material_E_star(arc_material m) {
@@ -26,30 +49,13 @@ double arc_contact_modulus(const arc_material material[ARC_BODIES]) {
 }
 
 arc_status arc_material_check(arc_material m, arc_error *error) {
-  if (!(m.E > 0) || !isfinite(m.E))
-    return arc_fail(error, ARC_ARGUMENT, "E: expected above 0 MPa, got %g MPa", m.E);
-  if (!(m.nu > -1 && m.nu < 0.5))
-    return arc_fail(error, ARC_ARGUMENT, "nu: expected above -1 and below 0.5, got %g", m.nu);
-  return ARC_OK;
+  return arc_settings_check(arc_material_settings, "", &m, error);
 }
 
 arc_model_def arc_model_default(void) {
-  return (arc_model_def){.radius = 10,
-                         .thickness = 1,
-                         .material = {arc_material_default(), arc_material_default()},
-                         .mesh = arc_mesh_default()};
-}
-
-static arc_status check(const arc_model_def *def, arc_error *error) {
-  if (!(def->thickness > 0) || !isfinite(def->thickness))
-    return arc_fail(error, ARC_ARGUMENT, "thickness: expected above 0 mm, got %g mm",
-                    def->thickness);
-  for (int b = 0; b < ARC_BODIES; b++) {
-    arc_error why;
-    if (arc_material_check(def->material[b], &why) != ARC_OK)
-      return arc_fail(error, ARC_ARGUMENT, "%s.%s", arc_body_name((arc_body)b), why.message);
-  }
-  return ARC_OK;
+  arc_model_def def;
+  arc_settings_default(arc_model_settings, &def);
+  return def;
 }
 
 static double now(void) {
@@ -60,7 +66,7 @@ static double now(void) {
 
 arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_error *error) {
   *result = NULL;
-  arc_status status = check(def, error);
+  arc_status status = arc_settings_check(arc_model_settings, "", def, error);
   if (status != ARC_OK) return status;
   arc_model *m = calloc(1, sizeof *m);
   if (!m) return arc_fail(error, ARC_MEMORY, "out of memory for a model");

@@ -13,13 +13,46 @@ const char *arc_body_name(arc_body body) {
   return body == ARC_CYLINDER ? "cylinder" : "plate";
 }
 
+const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
+
+static const arc_setting zone_settings[] = {
+    {.name = "cylinder",
+     .unit = "mm",
+     .usual_text = "1.0",
+     .usual = 1.0,
+     ARC_ABOVE(0),
+     .text = "Full width of the fine contact zone of the cylinder."},
+    {.name = "plate",
+     .unit = "mm",
+     .usual_text = "1.2",
+     .usual = 1.2,
+     ARC_ABOVE(0),
+     .offset = sizeof(double),
+     .text = "Full width of the fine contact zone of the plate; it holds the contact at both ends "
+             "of the stroke."},
+    {.name = NULL},
+};
+
+#define ARC_SETTING_OF arc_mesh_def
+const arc_setting arc_mesh_settings[] = {
+    ARC_MESH_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_WHOLE, ARC_SETTING_CHOICE){
+        .name = "zone",
+        .unit = "mm",
+        .kind = ARC_GROUP,
+        .offset = offsetof(arc_mesh_def, zone),
+        .group = zone_settings,
+        .type = "a table { cylinder=, plate= }",
+        .text = "Full width of the fine contact zone of each body. Depth and margins of the finer "
+                "parts scale with the cylinder's. Contact cannot be found outside; an error then "
+                "names the zone it needs."},
+    {.name = NULL},
+};
+#undef ARC_SETTING_OF
+
 arc_mesh_def arc_mesh_default(void) {
-  return (arc_mesh_def){.size = 0.020,
-                        .height = 0.025,
-                        .far = 1.0,
-                        .zone = {1.0, 1.2},
-                        .rows = 3,
-                        .element = ARC_CPE4};
+  arc_mesh_def def = {0};
+  arc_settings_default(arc_mesh_settings, &def);
+  return def;
 }
 
 /* The two nested partitions, half widths and depths [mm]: 1 x 0.5 in 4 x 1 mm for the cylinder, 1.2
@@ -86,15 +119,15 @@ static arc_status check(const arc_mesh_def *def, arc_body body, double radius, a
   if (!(aspect > 0.05 && aspect < 20))
     return arc_fail(
         error, ARC_ARGUMENT,
-        "mesh.height: expected between size / 20 and 20 size, got %g mm at a size of %g mm",
+        "field 'mesh.height': expected between size / 20 and 20 size, got %g mm at a size of %g mm",
         def->height, def->size);
   if (def->far < fmax(def->size, def->height))
     return arc_fail(error, ARC_ARGUMENT,
-                    "mesh.far: expected at least the element size %g mm, got %g mm",
+                    "field 'mesh.far': expected at least the element size %g mm, got %g mm",
                     fmax(def->size, def->height), def->far);
   if (def->rows < 1 || def->rows * def->height > radius / 4)
     return arc_fail(error, ARC_ARGUMENT,
-                    "mesh.rows: expected from 1 to radius / 4 / height = %d, got %d",
+                    "field 'mesh.rows': expected from 1 to radius / 4 / height = %d, got %d",
                     (int)(radius / 4 / def->height), def->rows);
   if ((status = check_zone(def, body, radius, error))) return status;
   const partitions p = partitions_of(def, body, radius);

@@ -53,17 +53,16 @@ static void average(const source *k, const source *alpha, double from, double to
   }
 }
 
-/* Asks a function; its own error message stays. */
-static arc_status ask(const arc_wear *w, const char *name, arc_state_fn function,
-                      const arc_wear_record *state, double most, double *value, arc_error *error) {
-  const arc_status status = function(w->def.context, state, value);
+arc_status arc_wear_ask(const arc_wear *w, const arc_setting *what, arc_state_fn function,
+                        const arc_wear_record *state, double *value, arc_error *error) {
+  arc_error why;
+  const arc_status status = function(w->def.context, what, state, value);
   if (status != ARC_OK)
-    return arc_fail(error, status, "the function for %s failed at distance %g mm", name,
+    return arc_fail(error, status, "the function for %s failed at distance %g mm", what->name,
                     state->distance);
-  if (*value >= 0 && *value <= most && isfinite(*value)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "%s: expected from 0 to %g, its function gave %g at distance %g mm", name, most,
-                  *value, state->distance);
+  if (arc_setting_check_number(what, "", *value, &why) == ARC_OK) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT, "%s from its function at distance %g mm", why.message,
+                  state->distance);
 }
 
 int arc_wear_has_state_functions(const arc_wear *w) {
@@ -78,9 +77,12 @@ arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
   source k = {d->k_function ? &none : &d->k_series, d->k};
   source alpha = {d->alpha_function ? &none : &d->alpha_series, d->alpha};
   arc_status status = ARC_OK;
-  if (d->k_function) status = ask(w, "k", d->k_function, state, HUGE_VAL, &k.constant, error);
+  if (d->k_function)
+    status =
+        arc_wear_ask(w, &arc_wear_settings[ARC_AT_k], d->k_function, state, &k.constant, error);
   if (status == ARC_OK && d->alpha_function)
-    status = ask(w, "alpha", d->alpha_function, state, 1, &alpha.constant, error);
+    status = arc_wear_ask(w, &arc_wear_settings[ARC_AT_alpha], d->alpha_function, state,
+                          &alpha.constant, error);
   if (status == ARC_OK) average(&k, &alpha, from, to, mean);
   return status;
 }
@@ -90,20 +92,30 @@ void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *rec
   record->alpha = record->k > 0 ? k[ARC_CYLINDER] / record->k : record->alpha;
 }
 
+/* The laws as the list has them: a factor on k, and how p times it grows with p. */
 static double law_factor(const arc_wear_def *d, double p) {
   switch (d->law) {
-  case ARC_LAW_POWER:
-    return p > 0 ? pow(p / d->law_pressure, d->law_exponent) : 0;
-  case ARC_LAW_THRESHOLD:
-    return p > d->law_pressure;
-  default:
-    return 1;
+#define LAW_FACTOR(name, text, factor, growth)                                                     \
+  case ARC_##name:                                                                                 \
+    return factor;
+    ARC_LAW_LIST(LAW_FACTOR)
   }
+  return 1;
+}
+
+static double law_growth(const arc_wear_def *d) {
+  switch (d->law) {
+#define LAW_GROWTH(name, text, factor, growth)                                                     \
+  case ARC_##name:                                                                                 \
+    return growth;
+    ARC_LAW_LIST(LAW_GROWTH)
+  }
+  return 1;
 }
 
 double arc_wear_law_slope(const arc_wear *w, double p, double q) {
   if (!(p > 0)) return law_factor(&w->def, 0);
-  return q / p * (w->def.law == ARC_LAW_POWER ? 1 + w->def.law_exponent : 1);
+  return q / p * law_growth(&w->def);
 }
 
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
@@ -123,10 +135,10 @@ arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_
     }
     for (int i = 0; i < side->n; i++) {
       if (!(q[i] >= 0) || !isfinite(q[i]))
-        return arc_fail(
-            error, ARC_ARGUMENT,
-            "local_factor: expected 0 or above, got %g for the %s at x = %g mm, p = %g MPa", q[i],
-            arc_body_name((arc_body)b), side->x0[i], p[i]);
+        return arc_fail(error, ARC_ARGUMENT,
+                        "field 'local_factor': expected a number >= 0, got %g for the %s at x = %g "
+                        "mm, p = %g MPa",
+                        q[i], arc_body_name((arc_body)b), side->x0[i], p[i]);
       q[i] *= p[i] * law_factor(d, p[i]);
     }
   }

@@ -6,18 +6,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const arc_procedure_names[] = {ARC_PROCEDURE_LIST(ARC_CHOICE_NAME) NULL};
+const char *const arc_scheme_names[] = {ARC_SCHEME_LIST(ARC_CHOICE_NAME) NULL};
+const char *const arc_slip_names[] = {ARC_SLIP_LIST(ARC_CHOICE_NAME) NULL};
+const char *const arc_rule_names[] = {ARC_RULE_LIST(ARC_CHOICE_NAME) NULL};
+const char *const arc_update_names[] = {ARC_UPDATE_LIST(ARC_CHOICE_NAME) NULL};
+const char *const arc_law_names[] = {ARC_LAW_LIST(ARC_CHOICE_NAME) NULL};
+
+#define ARC_SETTING_OF arc_wear_def
+const arc_setting arc_wear_settings[] = {
+    ARC_WEAR_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_WHOLE, ARC_SETTING_CHOICE,
+                      ARC_SETTING_QUANTITY, ARC_SETTING_FUNCTION, ARC_SETTING_OTHER){.name = NULL},
+};
+#undef ARC_SETTING_OF
+
 arc_wear_def arc_wear_default(void) {
-  return (arc_wear_def){.k = 1e-8,
-                        .alpha = 0.5,
-                        .load = 100,
-                        .stroke = 0.11,
-                        .distance = 1320,
-                        .jump = 100,
-                        .increments = 100,
-                        .refresh = 0.005,
-                        .law_pressure = 100,
-                        .law_exponent = 1,
-                        .order = 2};
+  arc_wear_def def = {0};
+  arc_settings_default(arc_wear_settings, &def);
+  return def;
 }
 
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
@@ -39,22 +45,17 @@ arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model
 
 /* --- checks --- */
 
-static arc_status positive(const char *field, const char *unit, double value, arc_error *error) {
-  if (value > 0 && isfinite(value)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT, "%s: expected above 0 %s, got %g %s", field, unit, value,
-                  unit);
-}
-
-static arc_status check_series(const char *field, const arc_series *s, double most,
-                               arc_error *error) {
-  for (int i = 0; i < s->count; i++) {
-    if (!isfinite(s->distance[i]) || (i > 0 && !(s->distance[i] > s->distance[i - 1])))
+static arc_status check_points(const arc_loading *l, int number, arc_error *error) {
+  for (int i = 0; i < l->count; i++) {
+    if (!isfinite(l->x[i]))
       return arc_fail(error, ARC_ARGUMENT,
-                      "%s.distance[%d]: expected increasing distances, got %g mm", field, i + 1,
-                      s->distance[i]);
-    if (!(s->value[i] >= 0 && s->value[i] <= most) || !isfinite(s->value[i]))
-      return arc_fail(error, ARC_ARGUMENT, "%s.value[%d]: expected from 0 to %g, got %g", field,
-                      i + 1, most, s->value[i]);
+                      "field 'loading[%d].x[%d]': expected a finite position in mm, got %g", number,
+                      i + 1, l->x[i]);
+    if (!(l->load[i] >= 0) || !isfinite(l->load[i]))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field 'loading[%d].load[%d]': expected a number > 0 N, or 0 for a lift-off, "
+                      "got %g",
+                      number, i + 1, l->load[i]);
   }
   return ARC_OK;
 }
@@ -62,29 +63,25 @@ static arc_status check_series(const char *field, const arc_series *s, double mo
 static arc_status check_block(const arc_loading *l, int number, int last, arc_error *error) {
   double sliding = 0;
   if (l->count < 2)
-    return arc_fail(error, ARC_ARGUMENT, "loading block %d: expected at least 2 points, got %d",
+    return arc_fail(error, ARC_ARGUMENT, "field 'loading[%d]': expected at least 2 points, got %d",
                     number, l->count);
-  for (int i = 0; i < l->count; i++) {
-    if (!isfinite(l->x[i]))
-      return arc_fail(error, ARC_ARGUMENT, "loading block %d: x[%d] is not a finite position (%g)",
-                      number, i + 1, l->x[i]);
-    if (!(l->load[i] >= 0) || !isfinite(l->load[i]))
-      return arc_fail(
-          error, ARC_ARGUMENT,
-          "loading block %d: load[%d]: expected above 0 N, or 0 for a lift-off, got %g N", number,
-          i + 1, l->load[i]);
-    if (i > 0) sliding += fabs(l->x[i] - l->x[i - 1]);
-  }
+  const arc_status status = check_points(l, number, error);
+  if (status != ARC_OK) return status;
+  for (int i = 1; i < l->count; i++) sliding += fabs(l->x[i] - l->x[i - 1]);
   if (!(sliding > 0))
-    return arc_fail(error, ARC_ARGUMENT, "loading block %d: the plate does not move, x stays %g mm",
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'loading[%d].x': expected a plate that moves, got %g mm all the time",
                     number, l->x[0]);
   if (!(l->cycles > 0) || (!last && !isfinite(l->cycles)))
-    return arc_fail(error, ARC_ARGUMENT, "loading block %d: cycles: expected above 0%s, got %g",
-                    number, last ? "" : " and finite (only the last block may go on)", l->cycles);
-  if (!l->periodic && l->cycles != 1)
     return arc_fail(error, ARC_ARGUMENT,
-                    "loading block %d: a history that is not periodic runs once, got %g cycles",
-                    number, l->cycles);
+                    "field 'loading[%d].cycles': expected a number > 0%s, got %g", number,
+                    last ? "" : " and finite (only the last block may go on)", l->cycles);
+  if (!l->periodic && l->cycles != 1)
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'loading[%d].cycles': expected 1 for a history that is not periodic, got "
+        "%g",
+        number, l->cycles);
   return ARC_OK;
 }
 
@@ -93,84 +90,56 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
     const arc_status status = check_block(&d->loading[b], b + 1, b + 1 == d->blocks, error);
     if (status != ARC_OK) return status;
   }
-  if (d->blocks > 0 && d->distance == 0 && !isfinite(d->loading[d->blocks - 1].cycles))
+  if (d->distance == 0 && !(d->blocks > 0 && isfinite(d->loading[d->blocks - 1].cycles)))
     return arc_fail(error, ARC_ARGUMENT,
-                    "distance: needed where the last block of loading has no cycles");
-  return ARC_OK;
-}
-
-static arc_status check_law(const arc_wear_def *d, arc_error *error) {
-  if (d->law != ARC_LAW_ARCHARD && !(d->law_pressure > 0))
-    return arc_fail(error, ARC_ARGUMENT, "law_pressure: expected above 0 MPa, got %g MPa",
-                    d->law_pressure);
-  if (d->law == ARC_LAW_POWER && !(d->law_exponent > -1 && d->law_exponent <= 10))
-    return arc_fail(error, ARC_ARGUMENT, "law_exponent: expected above -1 and at most 10, got %g",
-                    d->law_exponent);
+                    "field 'distance': expected a number > 0 mm, needed where no block of loading "
+                    "ends the run, got 0");
   return ARC_OK;
 }
 
 static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
-  if (!(d->tolerance >= 0 && d->tolerance < 1))
-    return arc_fail(error, ARC_ARGUMENT, "tolerance: expected from 0 to 1, got %g", d->tolerance);
   if (d->tolerance > 0 && d->scheme != ARC_IMPLICIT)
-    return arc_fail(error, ARC_ARGUMENT, "tolerance: needs scheme = \"implicit\"");
+    return arc_fail(error, ARC_ARGUMENT, "field 'tolerance': needs scheme = \"implicit\"");
   if (d->tolerance > 0 && d->law == ARC_LAW_THRESHOLD)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "tolerance: no step is short enough for law = \"threshold\", which jumps; use "
-                    "scheme = \"explicit\" with jump = \"auto\"");
-  if (d->order != 1 && d->order != 2)
-    return arc_fail(error, ARC_ARGUMENT, "order: expected 1 or 2, got %d", d->order);
-  if (d->jump_auto && d->scheme == ARC_IMPLICIT)
     return arc_fail(
         error, ARC_ARGUMENT,
-        "jump: \"auto\" is for scheme = \"explicit\"; give the implicit scheme a tolerance");
+        "field 'tolerance': no step is short enough for law = \"threshold\", which jumps; use "
+        "scheme = \"explicit\" with jump = \"auto\"");
+  if (d->jump_auto && d->scheme == ARC_IMPLICIT)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'jump': \"auto\" is for scheme = \"explicit\"; give the implicit scheme "
+                    "a tolerance");
   return ARC_OK;
 }
 
 static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *model,
                                   arc_error *error) {
   if (d->blocks == 0 && d->stroke > 2 * model->radius * (1 + 1e-9))
-    return arc_fail(error, ARC_ARGUMENT,
-                    "stroke: expected at most the plate's width 2 radius = %g mm, got %g mm",
-                    2 * model->radius, d->stroke);
-  const double widest = 1.5 * model->radius; /* the mesher's widest zone less a contact */
-  if (d->blocks == 0 && d->stroke > widest && arc_wear_choose_procedure(d, model) == ARC_SP)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "stroke: a sliding plate (SP) takes at most 1.5 radius = %g mm, got %g mm; 2 "
-                    "radius = %g mm is the half-reciprocating stroke over the whole plate (NSP)",
-                    widest, d->stroke, 2 * model->radius);
-  if (d->procedure == ARC_NSP && !alpha_stays_one(d) && !arc_wear_over_plate(d, model))
     return arc_fail(
         error, ARC_ARGUMENT,
-        "procedure: NSP needs a plate that stays flat, alpha = 1 or stroke = 2 radius = %g mm; "
-        "got alpha = %g, stroke = %g mm",
-        2 * model->radius, d->alpha, d->stroke);
+        "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm",
+        2 * model->radius, d->stroke);
+  const double widest = 1.5 * model->radius; /* the mesher's widest zone less a contact */
+  if (d->blocks == 0 && d->stroke > widest && arc_wear_choose_procedure(d, model) == ARC_SP)
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'stroke': a sliding plate (SP) takes at most 1.5 radius = %g mm, got %g mm; 2 "
+        "radius = %g mm is the half-reciprocating stroke over the whole plate (NSP)",
+        widest, d->stroke, 2 * model->radius);
+  if (d->procedure == ARC_NSP && !alpha_stays_one(d) && !arc_wear_over_plate(d, model))
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'procedure': NSP needs a plate that stays flat, alpha = 1 or stroke = 2 "
+                    "radius = %g mm; "
+                    "got alpha = %g, stroke = %g mm",
+                    2 * model->radius, d->alpha, d->stroke);
   return ARC_OK;
 }
 
 arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
-  arc_status status;
-  if (!(d->k >= 0) || !isfinite(d->k))
-    return arc_fail(error, ARC_ARGUMENT, "k: expected 0 mm2/N or above, got %g mm2/N", d->k);
-  if (!(d->alpha >= 0 && d->alpha <= 1))
-    return arc_fail(error, ARC_ARGUMENT, "alpha: expected from 0 to 1, got %g", d->alpha);
-  if ((status = positive("load", "N", d->load, error)) ||
-      (status = positive("stroke", "mm", d->stroke, error)) ||
-      (d->blocks == 0 && (status = positive("distance", "mm", d->distance, error))) ||
-      (status = positive("jump", "cycles", d->jump, error)))
-    return status;
-  if (!(d->distance >= 0) || !isfinite(d->distance))
-    return arc_fail(error, ARC_ARGUMENT, "distance: expected above 0 mm, got %g mm", d->distance);
-  if (d->increments < 2 || d->increments % 2 || d->increments > 100000)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "increments: expected an even number from 2 to 100000, got %d", d->increments);
-  if (!(d->refresh >= 0))
-    return arc_fail(error, ARC_ARGUMENT, "refresh: expected 0 or above, got %g", d->refresh);
-  if ((status = check_procedure(d, model, error)) || (status = check_law(d, error)) ||
-      (status = check_scheme(d, error)) || (status = check_loading(d, error)) ||
-      (status = check_series("k", &d->k_series, HUGE_VAL, error)))
-    return status;
-  return check_series("alpha", &d->alpha_series, 1, error);
+  arc_status status = arc_settings_check(arc_wear_settings, "", d, error);
+  if (status == ARC_OK) status = check_procedure(d, model, error);
+  if (status == ARC_OK) status = check_scheme(d, error);
+  return status == ARC_OK ? check_loading(d, error) : status;
 }
 
 /* --- copies --- */
@@ -184,15 +153,22 @@ static double *copy_pair(int n, const double *first, const double *second) {
   return block;
 }
 
-static arc_status copy_series(arc_series *s) {
-  if (s->count == 0) return ARC_OK;
-  double *block = copy_pair(s->count, s->distance, s->value);
-  if (!block) {
-    *s = (arc_series){0};
-    return ARC_MEMORY;
+static arc_series *series_of(const arc_setting *s, arc_wear_def *def) {
+  return (arc_series *)(void *)((char *)def + s->series);
+}
+
+/* Own copies of all series; those that could not be made are empty. */
+static arc_status copy_series(arc_wear_def *def) {
+  arc_status status = ARC_OK;
+  for (const arc_setting *s = arc_wear_settings; s->name; s++) {
+    const arc_series from = arc_setting_series(s, def);
+    if (from.count == 0) continue;
+    double *block = copy_pair(from.count, from.distance, from.value);
+    if (!block) status = ARC_MEMORY;
+    *series_of(s, def) =
+        block ? (arc_series){from.count, block, block + from.count} : (arc_series){0};
   }
-  *s = (arc_series){s->count, block, block + s->count};
-  return ARC_OK;
+  return status;
 }
 
 static arc_status copy_loading(const arc_wear_def *def, arc_wear_def *copy) {
@@ -215,16 +191,15 @@ static arc_status copy_loading(const arc_wear_def *def, arc_wear_def *copy) {
 
 arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy) {
   *copy = *def;
-  const arc_status k = copy_series(&copy->k_series), alpha = copy_series(&copy->alpha_series);
-  const arc_status loading = copy_loading(def, copy);
-  if (k == ARC_OK && alpha == ARC_OK && loading == ARC_OK) return ARC_OK;
+  const arc_status series = copy_series(copy), loading = copy_loading(def, copy);
+  if (series == ARC_OK && loading == ARC_OK) return ARC_OK;
   arc_wear_def_free(copy);
   return ARC_MEMORY;
 }
 
 void arc_wear_def_free(arc_wear_def *def) {
-  free((void *)(size_t)def->k_series.distance);
-  free((void *)(size_t)def->alpha_series.distance);
+  for (const arc_setting *s = arc_wear_settings; s->name; s++)
+    if (arc_setting_series(s, def).count > 0) free((void *)(size_t)series_of(s, def)->distance);
   for (int b = 0; b < def->blocks; b++) free((void *)(size_t)def->loading[b].x);
   free((void *)(size_t)def->loading);
   *def = (arc_wear_def){0};

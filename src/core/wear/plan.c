@@ -75,13 +75,7 @@ static arc_status choose_jump(arc_wear *w, const wear_block *block, double *jump
   if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
     return adaptive_jump(w, block, jump, error);
   if (!w->def.jump_function) return ARC_OK;
-  const arc_status status = w->def.jump_function(w->def.context, now, jump);
-  if (status != ARC_OK)
-    return arc_fail(error, status, "the function for jump failed at distance %g mm", now->distance);
-  if (*jump > 0 && !isnan(*jump)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "jump: expected above 0 cycles, its function gave %g at distance %g mm", *jump,
-                  now->distance);
+  return arc_wear_ask(w, &arc_wear_settings[ARC_AT_jump], w->def.jump_function, now, jump, error);
 }
 
 /* The distance a step must not pass: the run's limit or the end of its block. */

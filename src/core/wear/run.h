@@ -78,6 +78,9 @@ double arc_wear_block_end(const wear_block *block);
 arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
                                  const arc_wear_record *state, double k[ARC_BODIES],
                                  arc_error *error);
+/* Asks a function for a quantity, and refuses what is out of its range. */
+arc_status arc_wear_ask(const arc_wear *w, const arc_setting *what, arc_state_fn function,
+                        const arc_wear_record *state, double *value, arc_error *error);
 int arc_wear_has_state_functions(const arc_wear *w);
 /* k and alpha of a record from the bodies' coefficients. */
 void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);

@@ -39,4 +39,7 @@ int luaopen_archard_warnings(lua_State *L);
 /* The module `archard.names`: what values and misspelt names are called in messages. */
 int luaopen_archard_names(lua_State *L);
 
+/* The module `archard.settings`: what can be set and what is recorded. */
+int luaopen_archard_settings(lua_State *L);
+
 #endif

@@ -1,5 +1,6 @@
 /* The checks of definition tables. Leans on names.c for the name the user may have meant. */
 #include "lua/base/args.h"
+#include "lua/base/box.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 
@@ -22,49 +23,20 @@ void args_refuse(lua_State *L, args_place place, const char *name, const char *e
               expected, shown);
 }
 
-/* Pushes "a number in [0, 1]" and the like. */
-static const char *push_range(lua_State *L, const args_field *field) {
-  const char *kind = field->kind == ARGS_WHOLE ? "a whole number" : "a number";
-  int low_open = field->open & ARGS_LOW_OPEN, high_open = field->open & ARGS_HIGH_OPEN;
-  char text[80] = "";
-  if (isfinite(field->low) && isfinite(field->high))
-    snprintf(text, sizeof text, " in %c%.14g, %.14g%c", low_open ? '(' : '[', field->low,
-             field->high, high_open ? ')' : ']');
-  else if (isfinite(field->low))
-    snprintf(text, sizeof text, " %s %.14g", low_open ? ">" : ">=", field->low);
-  return lua_pushfstring(L, "%s%s", kind, text);
-}
-
-/* Pushes `"a", "b" or "c"`. */
-static const char *push_choices(lua_State *L, const char *const *choices) {
+static const char *push_known(lua_State *L, const arc_setting *list) {
   luaL_Buffer text;
   luaL_buffinit(L, &text);
-  for (int i = 0; choices[i]; i++) {
-    if (i > 0) luaL_addstring(&text, choices[i + 1] ? ", " : " or ");
-    luaL_addchar(&text, '"');
-    luaL_addstring(&text, choices[i]);
-    luaL_addchar(&text, '"');
-  }
-  luaL_pushresult(&text);
-  return lua_tostring(L, -1);
-}
-
-/* --- names ------------------------------------------------------------------------------------ */
-
-static const char *push_known(lua_State *L, const args_field *fields) {
-  luaL_Buffer text;
-  luaL_buffinit(L, &text);
-  for (const args_field *field = fields; field->name; field++) {
-    if (field != fields) luaL_addstring(&text, ", ");
+  for (const arc_setting *field = list; field->name; field++) {
+    if (field != list) luaL_addstring(&text, ", ");
     luaL_addstring(&text, field->name);
   }
   luaL_pushresult(&text);
   return lua_tostring(L, -1);
 }
 
-void args_unknown(lua_State *L, args_place place, const args_field *fields, const char *name) {
+void args_unknown(lua_State *L, args_place place, const arc_setting *list, const char *name) {
   names_search search = names_begin(name);
-  for (const args_field *field = fields; field->name; field++) names_offer(&search, field->name);
+  for (const arc_setting *field = list; field->name; field++) names_offer(&search, field->name);
   if (search.best)
     error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (did you mean '%s'?)",
                 place.prefix, name, search.best);
@@ -75,75 +47,104 @@ void args_unknown(lua_State *L, args_place place, const args_field *fields, cons
                   "unknown field '%s': it is a field of model{}, as in model = { %s = ... }", name,
                   name);
   error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (known: %s)", place.prefix, name,
-              push_known(L, fields));
+              push_known(L, list));
 }
 
-void args_check_names(lua_State *L, int index, args_place place, const args_field *fields) {
+void args_check_names(lua_State *L, int index, args_place place, const arc_setting *list) {
   index = lua_absindex(L, index);
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING)
       error_raise(L, ARC_ARGUMENT, place.where, "fields are given by name; found [%s]%s%s",
                   luaL_tolstring(L, -2, NULL), place.prefix[0] ? " in " : "", place.prefix);
     const char *name = lua_tostring(L, -2);
-    const args_field *field = fields;
-    while (field->name && strcmp(field->name, name) != 0) field++;
-    if (!field->name) args_unknown(L, place, fields, name);
+    if (!arc_setting_find(list, name)) args_unknown(L, place, list, name);
   }
 }
 
 /* --- reading --------------------------------------------------------------------------------- */
 
-static int in_range(double value, const args_field *field) {
-  int above = field->open & ARGS_LOW_OPEN ? value > field->low : value >= field->low;
-  int below = field->open & ARGS_HIGH_OPEN ? value < field->high : value <= field->high;
-  return isfinite(value) && above && below;
+enum { LONGEST_TEXT = 240 }; /* of what a setting can be */
+
+static void refuse(lua_State *L, args_place place, const arc_setting *s) __attribute__((noreturn));
+
+static void refuse(lua_State *L, args_place place, const arc_setting *s) {
+  char expected[LONGEST_TEXT];
+  args_refuse(L, place, s->name, arc_setting_expected(s, expected, sizeof expected));
 }
 
-double args_number(lua_State *L, args_place place, const args_field *field) {
-  if (lua_type(L, -1) == LUA_TNUMBER && in_range(lua_tonumber(L, -1), field))
-    return lua_tonumber(L, -1);
-  const char *range = push_range(L, field);
-  lua_insert(L, -2);
-  args_refuse(L, place, field->name, range);
+double args_number(lua_State *L, args_place place, const arc_setting *s) {
+  arc_error error = {0};
+  if (lua_type(L, -1) != LUA_TNUMBER) refuse(L, place, s);
+  const double value = lua_tonumber(L, -1);
+  error_check(L, arc_setting_check_number(s, place.prefix, value, &error), &error, place.where, -1);
+  return value;
 }
 
-static int read_whole(lua_State *L, args_place place, const args_field *field) {
-  double value = args_number(L, place, field);
-  if (value == floor(value) && fabs(value) <= 1e9) return (int)value;
-  args_refuse(L, place, field->name, "a whole number");
+/* The position of the text at `index` in a list of names, or -1. */
+static int find_choice(lua_State *L, int index, const char *const *choices) {
+  if (lua_type(L, index) == LUA_TSTRING)
+    for (int i = 0; choices[i]; i++)
+      if (strcmp(choices[i], lua_tostring(L, index)) == 0) return i;
+  return -1;
 }
 
 int args_choice(lua_State *L, int index, args_place place, const char *name,
                 const char *const *choices, int otherwise) {
   if (lua_isnoneornil(L, index) && otherwise >= 0) return otherwise;
-  if (lua_type(L, index) == LUA_TSTRING)
-    for (int i = 0; choices[i]; i++)
-      if (strcmp(choices[i], lua_tostring(L, index)) == 0) return i;
+  const int found = find_choice(L, index, choices);
+  if (found >= 0) return found;
   if (lua_isnone(L, index))
     lua_pushnil(L);
   else
     lua_pushvalue(L, index);
-  const char *expected = push_choices(L, choices);
-  lua_insert(L, -2);
-  args_refuse(L, place, name, expected);
+  refuse(L, place, &(arc_setting){.name = name, .kind = ARC_CHOICE, .choices = choices});
+}
+
+/* Whether the value on top of the stack is one of the other forms; "auto" is taken at once. */
+static int other_form(lua_State *L, const arc_setting *s, void *definition) {
+  const int type = lua_type(L, -1);
+  int automatic = 0;
+  if (s->forms & ARC_AUTOMATIC && type == LUA_TSTRING)
+    automatic = strcmp(lua_tostring(L, -1), "auto") == 0;
+  if (s->automatic) *(int *)(void *)((char *)definition + s->automatic) = automatic;
+  return automatic || (s->forms & ARC_FUNCTION && type == LUA_TFUNCTION) ||
+         (s->forms & ARC_SERIES && type == LUA_TTABLE);
+}
+
+static void read_number(lua_State *L, args_place place, const arc_setting *s, void *definition) {
+  void *member = arc_setting_member(s, definition);
+  if (other_form(L, s, definition)) return;
+  const double value = args_number(L, place, s);
+  if (s->kind == ARC_WHOLE)
+    *(int *)member = (int)value;
+  else
+    *(double *)member = value;
+}
+
+/* A group from a table of its fields, or from an object of its class. */
+static void read_group(lua_State *L, args_place place, const arc_setting *s, void *definition) {
+  void *member = arc_setting_member(s, definition);
+  if (s->class_name && box_copy_value(L, -1, s->class_name, member)) return;
+  if (!lua_istable(L, -1)) refuse(L, place, s);
+  args_place inside = {place.where, lua_pushfstring(L, "%s%s.", place.prefix, s->name)};
+  args_read(L, -2, inside, s->group, member);
+  lua_pop(L, 1);
 }
 
 /* Reads the value on top of the stack. */
-static void read_field(lua_State *L, args_place place, const args_field *field, char *member) {
-  switch (field->kind) {
-  case ARGS_NUMBER:
-    *(double *)(void *)member = args_number(L, place, field);
+static void read_value(lua_State *L, args_place place, const arc_setting *s, void *definition) {
+  switch (s->kind) {
+  case ARC_NUMBER:
+  case ARC_WHOLE:
+    read_number(L, place, s, definition);
     break;
-  case ARGS_WHOLE:
-    *(int *)(void *)member = read_whole(L, place, field);
+  case ARC_CHOICE:
+    *(int *)arc_setting_member(s, definition) = args_choice(L, -1, place, s->name, s->choices, -1);
     break;
-  case ARGS_CHOICE:
-    *(int *)(void *)member = args_choice(L, -1, place, field->name, field->choices, -1);
+  case ARC_GROUP:
+    read_group(L, place, s, definition);
     break;
-  case ARGS_READER:
-    field->read(L, place, field->name, member);
-    break;
-  case ARGS_ANY:
+  case ARC_OTHER:
     break;
   }
 }
@@ -154,7 +155,13 @@ int args_get(lua_State *L, int index, const char *name) {
   return LUA_TNIL;
 }
 
-void args_read(lua_State *L, int index, args_place place, const args_field *fields,
+int args_given(lua_State *L, int index, const char *name) {
+  const int type = args_get(L, index, name);
+  lua_pop(L, 1);
+  return type != LUA_TNIL;
+}
+
+void args_read(lua_State *L, int index, args_place place, const arc_setting *list,
                void *definition) {
   if (lua_isnoneornil(L, index)) return;
   luaL_checkstack(L, 12, place.where);
@@ -162,10 +169,9 @@ void args_read(lua_State *L, int index, args_place place, const args_field *fiel
   if (!lua_istable(L, index))
     error_raise(L, ARC_ARGUMENT, place.where, "expected a table of named fields, got %s",
                 names_push_shown(L, index));
-  args_check_names(L, index, place, fields);
-  for (const args_field *field = fields; field->name; field++) {
-    if (lua_getfield(L, index, field->name) != LUA_TNIL)
-      read_field(L, place, field, (char *)definition + field->offset);
+  args_check_names(L, index, place, list);
+  for (const arc_setting *s = list; s->name; s++) {
+    if (lua_getfield(L, index, s->name) != LUA_TNIL) read_value(L, place, s, definition);
     lua_pop(L, 1);
   }
 }

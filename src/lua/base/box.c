@@ -1,6 +1,7 @@
 /* Boxes: metatables made on first use, reading of methods and fields, closing. */
 #include "lua/base/box.h"
 #include "lua/base/error.h"
+#include "lua/base/settings.h"
 
 #include <stdalign.h>
 #include <stdint.h>
@@ -10,14 +11,25 @@ static const box_class *class_upvalue(lua_State *L) {
   return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* __index(object, name): a method, or the value of a computed field, or nil. Upvalues: class,
- * methods, fields. */
+/* A setting that the class shows, by the name at index 2; nil where there is none. */
+static int push_setting(lua_State *L) {
+  const box_class *class = class_upvalue(L);
+  const arc_setting *setting = class->settings && lua_type(L, 2) == LUA_TSTRING
+                                   ? arc_setting_find(class->settings, lua_tostring(L, 2))
+                                   : NULL;
+  if (!setting || setting->kind == ARC_OTHER) return lua_pushnil(L), 1;
+  settings_push(L, setting, class->definition(L));
+  return 1;
+}
+
+/* __index(object, name): a method, the value of a computed field or of a setting, or nil. Upvalues:
+ * class, methods, fields. */
 static int class_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) return 1;
   lua_pushvalue(L, 2);
-  if (lua_rawget(L, lua_upvalueindex(3)) == LUA_TNIL) return 1;
+  if (lua_rawget(L, lua_upvalueindex(3)) == LUA_TNIL) return push_setting(L);
   lua_pushvalue(L, 1);
   lua_call(L, 1, 1);
   return 1;
@@ -95,6 +107,11 @@ static void push_field_names(lua_State *L, const box_class *class) {
   int count = 0;
   for (const luaL_Reg *field = class->fields; field && field->name; field++) {
     lua_pushstring(L, field->name);
+    lua_rawseti(L, -2, ++count);
+  }
+  for (const arc_setting *s = class->settings; s && s->name; s++) {
+    if (s->kind == ARC_OTHER) continue;
+    lua_pushstring(L, s->name);
     lua_rawseti(L, -2, ++count);
   }
 }
@@ -197,6 +214,20 @@ box *box_self_idle(lua_State *L, const box_class *class, const char *where) {
 void box_keep(lua_State *L, int parent) {
   lua_pushvalue(L, parent);
   lua_setiuservalue(L, -2, 1);
+}
+
+int box_copy_value(lua_State *L, int index, const char *class_name, void *value) {
+  const box *found = lua_touserdata(L, index);
+  if (lua_type(L, index) != LUA_TUSERDATA || !lua_getmetatable(L, index)) return 0;
+  lua_pushfstring(L, "archard.%s", class_name);
+  lua_rawget(L, LUA_REGISTRYINDEX);
+  const int same = lua_rawequal(L, -1, -2);
+  lua_pop(L, 2);
+  if (same) {
+    const size_t head = (size_t)((const char *)found->thing - (const char *)found);
+    memcpy(value, found->thing, lua_rawlen(L, index) - head);
+  }
+  return same;
 }
 
 void box_weigh(lua_State *L, size_t bytes) {

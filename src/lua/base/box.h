@@ -10,6 +10,8 @@
 #ifndef LUA_BOX_H
 #define LUA_BOX_H
 
+#include "archard/setting.h"
+
 #include <lauxlib.h>
 #include <lua.h>
 #include <stddef.h>
@@ -23,6 +25,8 @@ typedef struct box_class {
   lua_CFunction tostring;       /* a few readable lines */
   void (*destroy)(void *thing); /* NULL: the box holds a value */
   size_t value;                 /* [bytes] of that value */
+  const arc_setting *settings;  /* fields too, unless one above has the name; may be NULL */
+  const void *(*definition)(lua_State *L); /* of the object at index 1 */
   const char *setter; /* how to change a field instead, "w:set{ ... }"; NULL: not at all */
 } box_class;
 
@@ -38,6 +42,10 @@ box *box_push(lua_State *L, const box_class *class);
 
 /* The box at `index`, or NULL if it is anything else. */
 box *box_test(lua_State *L, int index, const box_class *class);
+
+/* Copies the value in the box at `index` where that is of the class with this name and holds a
+ * value; returns whether it did. */
+int box_copy_value(lua_State *L, int index, const char *class_name, void *value);
 
 /* The box at `index` of the stack, full. Raises an error that names `where` for anything else. */
 box *box_check(lua_State *L, int index, const box_class *class, const char *where);

@@ -9,6 +9,7 @@
 #include "archard/wear.h"
 #include "lua/base/args.h"
 #include "lua/base/box.h"
+#include "lua/base/settings.h"
 
 /* Defines the reader of a computed field that is a number; `expression` may use L. */
 #define NUMBER_FIELD(class, field, expression)                                                     \
@@ -34,9 +35,6 @@ extern const char *const body_names[];
 
 /* The body named at `index`; `otherwise` (-1: none) where nothing stands there. */
 arc_body body_argument(lua_State *L, int index, const char *where, int otherwise);
-
-/* A reader (args.h) of a material: an object, or a table of its fields. Member: arc_material. */
-void material_read(lua_State *L, args_place place, const char *name, void *member);
 
 /* Pushes a material object. */
 void material_push(lua_State *L, arc_material material);

@@ -79,26 +79,10 @@ static int contact_pressure(lua_State *L) {
 
 /* --- construction ---------------------------------------------------------------------------- */
 
-typedef struct contact_def {
-  double load, x;
-} contact_def;
-
-static const args_field definition[] = {
-    ARGS_ABOVE(contact_def, "load", load, 0),
-    {.name = "x",
-     .kind = ARGS_NUMBER,
-     .offset = offsetof(contact_def, x),
-     .low = -HUGE_VAL,
-     .high = HUGE_VAL},
-    ARGS_OTHER("model"),
-    ARGS_OTHER("worn"),
-    {.name = NULL},
-};
-
 /* Zones wide enough for a worn contact of twice the Hertz width. */
 static arc_status needed_zones(const void *asker, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
-  const contact_def *def = asker;
+  const arc_contact_def *def = asker;
   arc_hertz hertz = {0};
   arc_status status =
       arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, error);
@@ -118,10 +102,10 @@ static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model) {
 
 /* contact{ model=, load=, x=, worn= } */
 static int contact_new(lua_State *L) {
-  contact_def def = {.load = arc_wear_default().load, .x = 0};
+  arc_contact_def def = arc_contact_default();
   arc_error error = {0};
   lua_settop(L, 1);
-  args_read(L, 1, (args_place){"contact", ""}, definition, &def);
+  args_read(L, 1, (args_place){"contact", ""}, arc_contact_settings, &def);
   worn_check(L, 1, "contact");
   int worn = lua_gettop(L);
   arc_model *model = model_argument(L, worn, "contact", needed_zones, &def);

@@ -4,26 +4,12 @@
 
 #include <stdio.h>
 
-typedef struct hertz_def {
-  double radius, load, thickness;
-  arc_material material[ARC_BODIES];
-} hertz_def;
-
 typedef struct hertz_value {
-  hertz_def def;
+  arc_hertz_def def;
   arc_hertz result;
 } hertz_value;
 
 static const box_class hertz_class;
-
-static const args_field definition[] = {
-    ARGS_ABOVE(hertz_def, "radius", radius, 0),
-    ARGS_ABOVE(hertz_def, "load", load, 0),
-    ARGS_ABOVE(hertz_def, "thickness", thickness, 0),
-    ARGS_READ(hertz_def, "cylinder", material[ARC_CYLINDER], material_read),
-    ARGS_READ(hertz_def, "plate", material[ARC_PLATE], material_read),
-    {.name = NULL},
-};
 
 static const hertz_value *self(lua_State *L) {
   return box_self(L, &hertz_class, "hertz")->thing;
@@ -32,9 +18,6 @@ static const hertz_value *self(lua_State *L) {
 NUMBER_FIELD(hertz, half_width, self(L)->result.half_width)
 NUMBER_FIELD(hertz, p_max, self(L)->result.p_max)
 NUMBER_FIELD(hertz, E_star, self(L)->result.E_star)
-NUMBER_FIELD(hertz, radius, self(L)->def.radius)
-NUMBER_FIELD(hertz, load, self(L)->def.load)
-NUMBER_FIELD(hertz, thickness, self(L)->def.thickness)
 
 static int hertz_cylinder(lua_State *L) {
   material_push(L, self(L)->def.material[ARC_CYLINDER]);
@@ -60,26 +43,27 @@ static int hertz_tostring(lua_State *L) {
 
 static const luaL_Reg fields[] = {
     {"half_width", hertz_half_width}, {"p_max", hertz_p_max}, {"E_star", hertz_E_star},
-    {"radius", hertz_radius},         {"load", hertz_load},   {"thickness", hertz_thickness},
     {"cylinder", hertz_cylinder},     {"plate", hertz_plate}, {NULL, NULL},
 };
+
+static const void *definition(lua_State *L) {
+  return &self(L)->def;
+}
 
 static const box_class hertz_class = {
     .name = "hertz",
     .fields = fields,
     .tostring = hertz_tostring,
     .value = sizeof(hertz_value),
+    .settings = arc_hertz_settings,
+    .definition = definition,
 };
 
 /* hertz{ radius=, load=, thickness=, cylinder=, plate= } */
 static int hertz_new(lua_State *L) {
-  arc_model_def model = arc_model_default();
-  hertz_def def = {.radius = model.radius,
-                   .load = arc_wear_default().load,
-                   .thickness = model.thickness,
-                   .material = {model.material[ARC_CYLINDER], model.material[ARC_PLATE]}};
+  arc_hertz_def def = arc_hertz_default();
   arc_error error = {0};
-  args_read(L, 1, (args_place){"hertz", ""}, definition, &def);
+  args_read(L, 1, (args_place){"hertz", ""}, arc_hertz_settings, &def);
   hertz_value *value = box_push(L, &hertz_class)->thing;
   value->def = def;
   arc_status status =

@@ -8,7 +8,6 @@
 static const char cache_key = 0, last_key = 0; /* their addresses name the registry's entries */
 
 const char *const body_names[] = {"cylinder", "plate", NULL};
-static const char *const element_names[] = {"CPE4", "CPE4I", NULL};
 
 arc_body body_argument(lua_State *L, int index, const char *where, int otherwise) {
   args_place place = {where, ""};
@@ -25,79 +24,40 @@ void push_by_body(lua_State *L, double cylinder, double plate) {
 
 /* --- the definition -------------------------------------------------------------------------- */
 
-typedef struct zone_widths {
-  double cylinder, plate;
-} zone_widths;
-
-static const args_field zone_fields[] = {
-    ARGS_ABOVE(zone_widths, "cylinder", cylinder, 0),
-    ARGS_ABOVE(zone_widths, "plate", plate, 0),
-    {.name = NULL},
-};
-
-/* Reads mesh.zone; member: the request. */
-static void read_zone(lua_State *L, args_place place, const char *name, void *member) {
-  model_request *request = member;
-  if (!lua_istable(L, -1)) args_refuse(L, place, name, "a table { cylinder=, plate= }");
-  zone_widths width = {0, 0};
-  args_place inner = {place.where, lua_pushfstring(L, "%szone.", place.prefix)};
-  args_read(L, -2, inner, zone_fields, &width);
-  lua_pop(L, 1);
-  double given[ARC_BODIES] = {width.cylinder, width.plate};
+/* Reads the table at `index` over what the request has. Of a mesh, height and zones are 0 while
+ * they are not given. Finer elements keep their shape: both sides of one matter to the pressure. */
+static void read_request(lua_State *L, int index, args_place place, model_request *request) {
+  arc_mesh_def *mesh = &request->def.mesh, usual = arc_mesh_default();
+  const arc_mesh_def before = *mesh;
+  const int meshed = !lua_isnil(L, index) && args_given(L, index, "mesh");
+  if (meshed) mesh->height = 0;
+  for (int body = 0; body < ARC_BODIES; body++) mesh->zone[body] = 0;
+  args_read(L, index, place, arc_model_settings, &request->def);
+  if (meshed && mesh->height == 0) mesh->height = usual.height * (mesh->size / usual.size);
   for (int body = 0; body < ARC_BODIES; body++) {
-    if (given[body] <= 0) continue;
-    request->def.mesh.zone[body] = given[body];
-    request->zone[body] = 1;
+    request->zone[body] = mesh->zone[body] > 0;
+    if (!request->zone[body]) mesh->zone[body] = before.zone[body];
   }
 }
 
-static const args_field mesh_fields[] = {
-    ARGS_ABOVE(model_request, "size", def.mesh.size, 0),
-    ARGS_ABOVE(model_request, "height", def.mesh.height, 0),
-    ARGS_ABOVE(model_request, "far", def.mesh.far, 0),
-    {.name = "zone", .kind = ARGS_READER, .offset = 0, .read = read_zone},
-    {.name = "rows",
-     .kind = ARGS_WHOLE,
-     .offset = offsetof(model_request, def.mesh.rows),
-     .low = 1,
-     .high = 100},
-    ARGS_NAMED(model_request, "element", def.mesh.element, element_names),
-    {.name = NULL},
-};
-
-/* Reads mesh; member: the request. */
-static void read_mesh(lua_State *L, args_place place, const char *name, void *member) {
-  if (!lua_istable(L, -1))
-    args_refuse(L, place, name, "a table { size=, height=, far=, zone=, rows=, element= }");
-  model_request *request = member;
-  arc_mesh_def *mesh = &request->def.mesh, usual = arc_mesh_default();
-  mesh->height = 0; /* not given */
-  args_place inner = {place.where, lua_pushfstring(L, "%smesh.", place.prefix)};
-  args_read(L, -2, inner, mesh_fields, member);
-  lua_pop(L, 1);
-  /* finer elements keep their shape: both sides of one matter to the pressure */
-  if (mesh->height == 0) mesh->height = usual.height * (mesh->size / usual.size);
-}
-
-static const args_field definition[] = {
-    ARGS_ABOVE(model_request, "radius", def.radius, 0),
-    ARGS_ABOVE(model_request, "thickness", def.thickness, 0),
-    ARGS_READ(model_request, "cylinder", def.material[ARC_CYLINDER], material_read),
-    ARGS_READ(model_request, "plate", def.material[ARC_PLATE], material_read),
-    {.name = "mesh", .kind = ARGS_READER, .offset = 0, .read = read_mesh},
-    {.name = NULL},
-};
-
 /* --- building and sharing -------------------------------------------------------------------- */
+
+static int add_to_key(void *context, const char *path, const arc_setting *s, void *member,
+                      const void *def) {
+  char text[40];
+  (void)path, (void)def;
+  snprintf(text, sizeof text, "%a ",
+           s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member);
+  luaL_addstring(context, text);
+  return 0;
+}
 
 /* Pushes a text that is the same for equal definitions, and for them alone. */
 static void push_key(lua_State *L, const arc_model_def *def) {
-  const arc_material *m = def->material;
-  char text[512];
-  snprintf(text, sizeof text, "%a %a %a %a %a %a %a %a %a %a %a %d %d", def->radius, def->thickness,
-           m[0].E, m[0].nu, m[1].E, m[1].nu, def->mesh.size, def->mesh.height, def->mesh.far,
-           def->mesh.zone[0], def->mesh.zone[1], def->mesh.rows, (int)def->mesh.element);
-  lua_pushstring(L, text);
+  luaL_Buffer text;
+  luaL_buffinit(L, &text);
+  arc_settings_walk(arc_model_settings, "", def, add_to_key, &text);
+  luaL_pushresult(&text);
 }
 
 /* Pushes the table from keys to holders: boxes no script sees, each the user value of the boxes
@@ -157,7 +117,7 @@ arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where)
 /* model{ radius=, cylinder=, plate=, thickness=, mesh={...} } */
 static int model_new(lua_State *L) {
   model_request request = {.def = arc_model_default(), .zone = {0, 0}};
-  args_read(L, 1, (args_place){"model", ""}, definition, &request);
+  read_request(L, 1, (args_place){"model", ""}, &request);
   model_push(L, &request.def, "model");
   return 1;
 }
@@ -189,7 +149,7 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zo
   model_request request = {.def = arc_model_default(), .zone = {0, 0}};
   const arc_model_def *other = lua_isnil(L, -1) ? worn_model_def(L, worn) : NULL;
   if (other) request.def = *other;
-  args_read(L, -1, (args_place){where, "model."}, definition, &request);
+  read_request(L, lua_gettop(L), (args_place){where, "model."}, &request);
   lua_pop(L, 1);
   suit_zones(L, &request, where, zones, asker);
   return model_push(L, &request.def, where);
@@ -206,8 +166,6 @@ static arc_model *self(lua_State *L) {
   return box_self(L, &model_class, "model")->thing;
 }
 
-NUMBER_FIELD(model, radius, arc_model_definition(self(L))->radius)
-NUMBER_FIELD(model, thickness, arc_model_definition(self(L))->thickness)
 NUMBER_FIELD(model, seconds, arc_model_seconds(self(L)))
 NUMBER_FIELD(model, bytes, arc_model_bytes(self(L)))
 
@@ -223,24 +181,11 @@ static int model_plate(lua_State *L) {
 
 /* The meshes by body, and their definition beside them. */
 static int model_mesh(lua_State *L) {
-  const arc_mesh_def *def = &arc_model_definition(self(L))->mesh;
-  lua_createtable(L, 0, 8);
+  settings_push(L, arc_setting_find(arc_model_settings, "mesh"), arc_model_definition(self(L)));
   for (int body = 0; body < ARC_BODIES; body++) {
     mesh_push(L, 1, (arc_body)body);
     lua_setfield(L, -2, body_names[body]);
   }
-  push_by_body(L, def->zone[ARC_CYLINDER], def->zone[ARC_PLATE]);
-  lua_setfield(L, -2, "zone");
-  lua_pushnumber(L, def->size);
-  lua_setfield(L, -2, "size");
-  lua_pushnumber(L, def->height);
-  lua_setfield(L, -2, "height");
-  lua_pushnumber(L, def->far);
-  lua_setfield(L, -2, "far");
-  lua_pushinteger(L, def->rows);
-  lua_setfield(L, -2, "rows");
-  lua_pushstring(L, element_names[def->element]);
-  lua_setfield(L, -2, "element");
   return 1;
 }
 
@@ -262,7 +207,7 @@ static int model_tostring(lua_State *L) {
   luaL_buffinit(L, &text);
   snprintf(line, sizeof line,
            "model: radius %.6g mm, thickness %.6g mm, %s %.6g x %.6g mm, %.3g MB", def->radius,
-           def->thickness, element_names[def->mesh.element], def->mesh.size, def->mesh.height,
+           def->thickness, arc_element_names[def->mesh.element], def->mesh.size, def->mesh.height,
            (double)arc_model_bytes(model) / 1e6);
   luaL_addstring(&text, line);
   add_body(&text, model, ARC_CYLINDER);
@@ -272,10 +217,8 @@ static int model_tostring(lua_State *L) {
 }
 
 static const luaL_Reg fields[] = {
-    {"radius", model_radius},     {"thickness", model_thickness},
-    {"seconds", model_seconds},   {"bytes", model_bytes},
-    {"cylinder", model_cylinder}, {"plate", model_plate},
-    {"mesh", model_mesh},         {NULL, NULL},
+    {"seconds", model_seconds}, {"bytes", model_bytes}, {"cylinder", model_cylinder},
+    {"plate", model_plate},     {"mesh", model_mesh},   {NULL, NULL},
 };
 
 void model_warn_coarse(lua_State *L, const arc_model *model, double half_width) {
@@ -289,9 +232,15 @@ void model_warn_coarse(lua_State *L, const arc_model *model, double half_width) 
   lua_warning(L, text, 0);
 }
 
+static const void *definition(lua_State *L) {
+  return arc_model_definition(self(L));
+}
+
 const box_class model_class = {
     .name = "model",
     .fields = fields,
+    .settings = arc_model_settings,
+    .definition = definition,
     .tostring = model_tostring,
     .destroy = model_release,
 };

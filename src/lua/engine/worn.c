@@ -19,7 +19,7 @@ static int shape_tostring(lua_State *L) {
 const box_class shape_class = {
     .name = "shape", .tostring = shape_tostring, .destroy = destroy_shape};
 
-static const args_field by_body[] = {
+static const arc_setting by_body[] = {
     ARGS_OTHER("cylinder"),
     ARGS_OTHER("plate"),
     {.name = NULL},

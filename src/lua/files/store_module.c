@@ -15,7 +15,7 @@ static arc_store *self(lua_State *L, const char *where) {
 }
 
 static int id_argument(lua_State *L, int index, const char *where) {
-  static const args_field id = {.name = "id", .kind = ARGS_WHOLE, .low = 1, .high = 1e9};
+  static const arc_setting id = {.name = "id", .kind = ARC_WHOLE, .low = 1, .high = 1e9};
   lua_pushvalue(L, index);
   double value = args_number(L, (args_place){where, ""}, &id);
   lua_pop(L, 1);

@@ -168,41 +168,35 @@ static arc_stored_run *push_stored(lua_State *L, arc_store *store, int id, const
   return run;
 }
 
-static const args_field functions_again[] = {
-    {.name = "k", .kind = ARGS_ANY},
-    {.name = "alpha", .kind = ARGS_ANY},
-    {.name = "jump", .kind = ARGS_ANY},
-    {.name = "local_factor", .kind = ARGS_ANY},
-    {.name = NULL},
-};
-
-/* Whether a field is among names that are each followed by a blank. */
-static int is_named(const char *names, const char *field) {
-  size_t length = strlen(field);
-  while (*names) {
-    size_t here = strcspn(names, " ");
-    if (here == length && strncmp(names, field, length) == 0) return 1;
-    names += here + 1;
-  }
-  return 0;
+/* The settings that may be functions, as a list. */
+static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
+  int count = 0;
+  for (const arc_setting *s = arc_wear_settings; s->name; s++)
+    if (s->forms & ARC_FUNCTION) list[count++] = *s;
+  list[count] = (arc_setting){.name = NULL};
 }
 
 /* The fields that were functions must be functions again, and no others. Pushes their holder, or
  * nil. */
 static void push_functions(lua_State *L, arc_stored_run *run, int given, const char *where) {
   args_place place = {where, ""};
-  if (given) args_check_names(L, given, place, functions_again);
-  for (const args_field *field = functions_again; field->name; field++) {
-    int was = is_named(run->functions, field->name);
-    int type = args_get(L, given ? given : lua_gettop(L), field->name);
+  arc_setting again[ARC_WEAR_SETTINGS_COUNT + 1];
+  list_functions(again);
+  if (given) args_check_names(L, given, place, again);
+  int any = 0;
+  for (const arc_setting *s = again; s->name; s++) {
+    const int was =
+        run->functions[arc_setting_find(arc_wear_settings, s->name) - arc_wear_settings];
+    const int type = args_get(L, given ? given : lua_gettop(L), s->name);
     if (was && type != LUA_TFUNCTION)
-      args_refuse(L, place, field->name, "the function again that it was when the run was saved");
+      args_refuse(L, place, s->name, "the function again that it was when the run was saved");
     if (!was && type != LUA_TNIL)
-      args_refuse(L, place, field->name, "nothing, as it was stored with the run");
+      args_refuse(L, place, s->name, "nothing, as it was stored with the run");
     lua_pop(L, 1);
+    any = any || was;
   }
   lua_pushnil(L);
-  if (run->functions[0]) functions_read(L, given, 0, place, &run->def);
+  if (any) functions_read(L, given, 0, place, &run->def);
 }
 
 void store_push_wear(lua_State *L, arc_store *store, int id, int given, const char *where) {

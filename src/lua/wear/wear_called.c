@@ -9,7 +9,7 @@ static const char kind[] = "archard.state";
 enum { DEPTH = HISTORY_COLUMNS, VOLUME };
 
 #define COLUMN_FIELD(name, unit, text) ARGS_OTHER(#name),
-static const args_field known[] = {
+static const arc_setting known[] = {
     ARC_WEAR_COLUMNS(COLUMN_FIELD) ARGS_OTHER("depth"), ARGS_OTHER("volume"), {.name = NULL}};
 
 static const arc_wear_record *record_of(lua_State *L) {

@@ -85,9 +85,10 @@ static int wear_clone(lua_State *L) {
 /* What the request has kept of the run's own arrays, taken from the run as it is now: functions
  * that were called on the way may have changed it. */
 static void keep_arrays(arc_wear_def *def, const arc_wear_def *before, const arc_wear_def *now) {
-  if (def->k_series.distance == before->k_series.distance) def->k_series = now->k_series;
-  if (def->alpha_series.distance == before->alpha_series.distance)
-    def->alpha_series = now->alpha_series;
+  for (const arc_setting *s = arc_wear_settings; s->name; s++)
+    if (s->forms & ARC_SERIES &&
+        arc_setting_series(s, def).distance == arc_setting_series(s, before).distance)
+      *(arc_series *)(void *)((char *)def + s->series) = arc_setting_series(s, now);
   if (def->loading != before->loading || def->blocks == 0) return;
   def->loading = now->loading;
   def->blocks = now->blocks;
@@ -144,8 +145,14 @@ static const luaL_Reg methods[] = {
     {NULL, NULL},
 };
 
+static const void *definition(lua_State *L) {
+  return arc_wear_definition(wear_self(L, "wear"));
+}
+
 const box_class wear_class = {
     .name = "wear",
+    .settings = arc_wear_settings,
+    .definition = definition,
     .methods = methods,
     .fields = wear_fields,
     .tostring = wear_tostring,

@@ -7,15 +7,6 @@
 /* The run at index 1. */
 arc_wear *wear_self(lua_State *L, const char *where);
 
-/* Names of the enumerations, in their order; NULL ends a list. */
-extern const char *const procedure_names[];
-extern const char *const scheme_names[];
-extern const char *const slip_names[];
-extern const char *const rule_names[];
-extern const char *const geometry_names[];
-extern const char *const update_names[];
-extern const char *const law_names[];
-
 /* --- wear_def.c: the definition table --- */
 
 typedef struct wear_request {

@@ -7,17 +7,24 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Places in the holder, and in this order on the stack of a call. */
-enum { K = 1, ALPHA, JUMP, LOCAL, STATE, ERROR, PLACES = ERROR };
+/* Places in the holder, and in this order on the stack of a call: one for each setting of a run, by
+ * its position in the list, from 1. */
+enum {
+  LOCAL = ARC_AT_local_factor + 1,
+  STATE = ARC_WEAR_SETTINGS_COUNT + 1,
+  ERROR,
+  PLACES = ERROR
+};
 
-static const char *const fields[] = {NULL, "k", "alpha", "jump", "local_factor"};
+static int place_of(const arc_setting *setting) {
+  return (int)(setting - arc_wear_settings) + 1;
+}
 
 typedef struct wear_functions {
   functions_place now;
   const arc_wear_record **state;
-  int given[STATE]; /* which of them there are */
-  int vector;       /* local_factor takes all nodes at once */
-  char what[200];   /* the call that failed, in words */
+  int vector;     /* local_factor takes all nodes at once */
+  char what[200]; /* the call that failed, in words */
 } wear_functions;
 
 static const char kind[] = "archard.functions";
@@ -51,17 +58,18 @@ static void name_call(wear_functions *f, const char *name, const arc_wear_record
 }
 
 /* Calls a function of the state that gives a number. */
-static arc_status ask(void *context, int place, const arc_wear_record *state, double *value) {
+static arc_status ask(void *context, const arc_setting *what, const arc_wear_record *state,
+                      double *value) {
   wear_functions *f = context;
   const arc_wear_record *before;
   lua_State *L = begin(f, state, &before);
   const int top = lua_gettop(L);
   arc_status status = ARC_OK;
-  lua_pushvalue(L, f->now.at + place);
+  lua_pushvalue(L, f->now.at + place_of(what));
   lua_pushvalue(L, f->now.at + STATE);
   int called = error_pcall(L, 1, 1);
   if (called != LUA_OK || lua_type(L, -1) != LUA_TNUMBER) {
-    name_call(f, fields[place], state);
+    name_call(f, what->name, state);
     if (called == LUA_OK) lua_pushfstring(L, "expected a number, got %s", luaL_typename(L, -1));
     status = fail(f);
   } else {
@@ -69,18 +77,6 @@ static arc_status ask(void *context, int place, const arc_wear_record *state, do
   }
   end(f, top, before);
   return status;
-}
-
-static arc_status ask_k(void *context, const arc_wear_record *state, double *value) {
-  return ask(context, K, state, value);
-}
-
-static arc_status ask_alpha(void *context, const arc_wear_record *state, double *value) {
-  return ask(context, ALPHA, state, value);
-}
-
-static arc_status ask_jump(void *context, const arc_wear_record *state, double *value) {
-  return ask(context, JUMP, state, value);
 }
 
 /* --- local factors --------------------------------------------------------------------------- */
@@ -224,7 +220,7 @@ static wear_functions *push_holder(lua_State *L) {
 
 /* local_factor = { vector = f }: pushes f in place of nothing, else refuses. */
 static void push_vector(lua_State *L, args_place place) {
-  static const args_field names[] = {ARGS_OTHER("vector"), {.name = NULL}};
+  static const arc_setting names[] = {ARGS_OTHER("vector"), {.name = NULL}};
   char prefix[60];
   snprintf(prefix, sizeof prefix, "%slocal_factor.", place.prefix);
   args_place inside = {place.where, prefix};
@@ -233,20 +229,30 @@ static void push_vector(lua_State *L, args_place place) {
     args_refuse(L, inside, "vector", "a function(body, xs, ps, state)");
 }
 
-/* Pushes the function that the table gives for a place, or nil; returns whether the table says
+/* Pushes the function that the table gives for a setting, or nil; returns whether the table says
  * anything about it. */
-static int push_given(lua_State *L, int index, int at, args_place place, int *vector) {
-  int type = args_get(L, index, fields[at]);
+static int push_given(lua_State *L, int index, const arc_setting *s, args_place place,
+                      int *vector) {
+  const int type = args_get(L, index, s->name), local = place_of(s) == LOCAL;
   if (type == LUA_TNIL || type == LUA_TFUNCTION) return type != LUA_TNIL;
-  if (at == LOCAL && type == LUA_TTABLE) {
+  if (local && type == LUA_TTABLE) {
     push_vector(L, place);
     *vector = 1;
-  } else if (at == LOCAL && !(type == LUA_TBOOLEAN && !lua_toboolean(L, -1))) {
-    args_refuse(L, place, fields[at], "a function(body, x, p, state) or { vector = function }");
+  } else if (local && !(type == LUA_TBOOLEAN && !lua_toboolean(L, -1))) {
+    char expected[160];
+    args_refuse(L, place, s->name, arc_setting_expected(s, expected, sizeof expected));
   } else {
     lua_pushnil(L);
   }
   return 1;
+}
+
+/* Puts the pointer that calls a setting's function, or none, into the definition. */
+static void set_pointer(const arc_setting *s, int given, arc_wear_def *def) {
+  if (place_of(s) == LOCAL)
+    def->local_factor = given ? ask_local : NULL;
+  else
+    *(arc_state_fn *)(void *)((char *)def + s->function) = given ? ask : NULL;
 }
 
 void functions_read(lua_State *L, int index, int previous, args_place place, arc_wear_def *def) {
@@ -254,22 +260,20 @@ void functions_read(lua_State *L, int index, int previous, args_place place, arc
   luaL_checkstack(L, 16, place.where);
   wear_functions *f = push_holder(L);
   int holder = lua_gettop(L), any = 0;
-  for (int at = K; at < STATE; at++) {
+  for (const arc_setting *s = arc_wear_settings; s->name; s++) {
+    if (!(s->forms & ARC_FUNCTION)) continue;
     int vector = 0;
-    if (!push_given(L, index, at, place, &vector) && before) {
-      lua_getiuservalue(L, previous, at);
+    if (!push_given(L, index, s, place, &vector) && before) {
+      lua_getiuservalue(L, previous, place_of(s));
       vector = before->vector;
     }
-    f->given[at] = lua_isfunction(L, -1);
-    if (at == LOCAL) f->vector = vector;
-    any = any || f->given[at];
-    lua_setiuservalue(L, holder, at);
+    const int given = lua_isfunction(L, -1);
+    if (place_of(s) == LOCAL) f->vector = vector;
+    any = any || given;
+    set_pointer(s, given, def);
+    lua_setiuservalue(L, holder, place_of(s));
     lua_settop(L, holder);
   }
-  def->k_function = f->given[K] ? ask_k : NULL;
-  def->alpha_function = f->given[ALPHA] ? ask_alpha : NULL;
-  def->jump_function = f->given[JUMP] ? ask_jump : NULL;
-  def->local_factor = f->given[LOCAL] ? ask_local : NULL;
   def->context = any ? f : NULL;
   if (any) return;
   lua_pop(L, 1);
@@ -277,22 +281,19 @@ void functions_read(lua_State *L, int index, int previous, args_place place, arc
 }
 
 void functions_push(lua_State *L, int holder, const char *field) {
-  int at = LOCAL;
-  while (at > 0 && strcmp(fields[at], field) != 0) at--;
-  if (at > 0 && lua_touserdata(L, holder))
-    lua_getiuservalue(L, holder, at);
+  const arc_setting *s = arc_setting_find(arc_wear_settings, field);
+  if (s && lua_touserdata(L, holder))
+    lua_getiuservalue(L, holder, place_of(s));
   else
     lua_pushnil(L);
 }
 
 void functions_push_names(lua_State *L, const arc_wear_def *def) {
-  const int given[STATE] = {0, def->k_function != NULL, def->alpha_function != NULL,
-                            def->jump_function != NULL, def->local_factor != NULL};
   int count = 0;
-  lua_createtable(L, LOCAL, 0);
-  for (int at = K; at < STATE; at++) {
-    if (!given[at]) continue;
-    lua_pushstring(L, fields[at]);
+  lua_newtable(L);
+  for (const arc_setting *s = arc_wear_settings; s->name; s++) {
+    if (!arc_setting_has_function(s, def)) continue;
+    lua_pushstring(L, s->name);
     lua_rawseti(L, -2, ++count);
   }
 }

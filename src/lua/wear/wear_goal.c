@@ -11,9 +11,9 @@ typedef struct run_def {
   double distance, cycles;
 } run_def;
 
-static const args_field definition[] = {
-    ARGS_ABOVE(run_def, "distance", distance, 0),
-    ARGS_ABOVE(run_def, "cycles", cycles, 0),
+static const arc_setting definition[] = {
+    ARGS_ABOVE_0(run_def, distance),
+    ARGS_ABOVE_0(run_def, cycles),
     ARGS_OTHER("depth"),
     ARGS_OTHER("volume"),
     ARGS_OTHER("p_center"),
@@ -84,8 +84,8 @@ static double value_of(const arc_wear_record *record, size_t column) {
 /* Adds the number on top of the stack as the value to reach. */
 static void add_target(lua_State *L, const arc_wear *wear, const measure *m, args_place place,
                        wear_goals *goals) {
-  const args_field range = {
-      .name = m->name ? m->name : m->group, .high = HUGE_VAL, .open = ARGS_LOW_OPEN};
+  const arc_setting range = {
+      .name = m->name ? m->name : m->group, .high = HUGE_VAL, .open = ARC_LOW_OPEN};
   const double value = args_number(L, place, &range);
   const double now = value_of(arc_wear_last(wear), m->column);
   if (m->grows && value <= now)
@@ -97,8 +97,8 @@ static void add_target(lua_State *L, const arc_wear *wear, const measure *m, arg
 }
 
 static void check_group(lua_State *L, const char *group) {
-  static const args_field bodies[] = {ARGS_OTHER("cylinder"), ARGS_OTHER("plate"), {.name = NULL}};
-  static const args_field all[] = {
+  static const arc_setting bodies[] = {ARGS_OTHER("cylinder"), ARGS_OTHER("plate"), {.name = NULL}};
+  static const arc_setting all[] = {
       ARGS_OTHER("cylinder"), ARGS_OTHER("plate"), ARGS_OTHER("total"), {.name = NULL}};
   const int volume = strcmp(group, "volume") == 0;
   const int type = args_get(L, 2, group);

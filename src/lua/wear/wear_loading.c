@@ -11,13 +11,13 @@ typedef struct block_def {
   double cycles;  /* 0: not given */
 } block_def;
 
-static const args_field definition[] = {
+static const arc_setting definition[] = {
     {.name = "increments",
-     .kind = ARGS_WHOLE,
+     .kind = ARC_WHOLE,
      .offset = offsetof(block_def, increments),
      .low = 1,
      .high = 1e6},
-    ARGS_ABOVE(block_def, "cycles", cycles, 0),
+    ARGS_ABOVE_0(block_def, cycles),
     ARGS_OTHER("t"),
     ARGS_OTHER("x"),
     ARGS_OTHER("load"),

@@ -57,7 +57,7 @@ static void check_ended(lua_State *L, const arc_wear *wear, arc_status status,
 /* --- step ------------------------------------------------------------------------------------ */
 
 static int count_argument(lua_State *L, int index, const char *where) {
-  static const args_field count = {.name = "n", .kind = ARGS_WHOLE, .low = 1, .high = 1e9};
+  static const arc_setting count = {.name = "n", .kind = ARC_WHOLE, .low = 1, .high = 1e9};
   if (lua_isnoneornil(L, index)) return 1;
   lua_settop(L, index);
   double value = args_number(L, (args_place){where, ""}, &count);

@@ -69,13 +69,7 @@ static int wear_done(lua_State *L) {
 
 /* --- the definition -------------------------------------------------------------------------- */
 
-NUMBER_FIELD(wear, load, def(L)->load)
-NUMBER_FIELD(wear, stroke, def(L)->stroke)
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
-NUMBER_FIELD(wear, law_pressure, def(L)->law_pressure)
-NUMBER_FIELD(wear, law_exponent, def(L)->law_exponent)
-NUMBER_FIELD(wear, tolerance, def(L)->tolerance)
-NUMBER_FIELD(wear, refresh, def(L)->refresh)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
 NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
 
@@ -87,38 +81,23 @@ static int push_function(lua_State *L, const char *field) {
   return lua_isfunction(L, -1);
 }
 
-/* Pushes a number, its function, or { distance=, value= }, as it is given. */
-static int push_coefficient(lua_State *L, const char *field, double number,
-                            const arc_series *series) {
-  if (push_function(L, field)) return 1;
-  if (series->count == 0) {
-    lua_pushnumber(L, number);
-    return 1;
-  }
-  lua_createtable(L, 0, 2);
-  array_set(L, "distance", series->distance, (size_t)series->count);
-  array_set(L, "value", series->value, (size_t)series->count);
+/* A quantity as it is given: its function, or what the definition holds. */
+static int push_quantity(lua_State *L, const arc_setting *s) {
+  const arc_wear_def *settings = def(L);
+  if (!push_function(L, s->name)) settings_push(L, s, settings);
   return 1;
 }
 
 static int wear_k(lua_State *L) {
-  const arc_wear_def *settings = def(L);
-  return push_coefficient(L, "k", settings->k, &settings->k_series);
+  return push_quantity(L, &arc_wear_settings[ARC_AT_k]);
 }
 
 static int wear_alpha(lua_State *L) {
-  const arc_wear_def *settings = def(L);
-  return push_coefficient(L, "alpha", settings->alpha, &settings->alpha_series);
+  return push_quantity(L, &arc_wear_settings[ARC_AT_alpha]);
 }
 
 static int wear_jump(lua_State *L) {
-  const arc_wear_def *settings = def(L);
-  if (push_function(L, "jump")) return 1;
-  if (settings->jump_auto)
-    lua_pushliteral(L, "auto");
-  else
-    lua_pushnumber(L, settings->jump);
-  return 1;
+  return push_quantity(L, &arc_wear_settings[ARC_AT_jump]);
 }
 
 static int wear_local_factor(lua_State *L) {
@@ -143,47 +122,16 @@ static int wear_loading(lua_State *L) {
   return 1;
 }
 
-static int wear_order(lua_State *L) {
-  lua_pushinteger(L, def(L)->order);
-  return 1;
-}
-
-static int wear_increments(lua_State *L) {
-  lua_pushinteger(L, def(L)->increments);
-  return 1;
-}
-
-static int push_name(lua_State *L, const char *name) {
-  lua_pushstring(L, name);
-  return 1;
-}
-
+/* The one chosen, where the definition says "auto". */
 static int wear_procedure(lua_State *L) {
-  return push_name(L, procedure_names[arc_wear_procedure(self(L))]);
+  lua_pushstring(L, arc_procedure_names[arc_wear_procedure(self(L))]);
+  return 1;
 }
 
-static int wear_scheme(lua_State *L) {
-  return push_name(L, scheme_names[def(L)->scheme]);
-}
-
-static int wear_slip(lua_State *L) {
-  return push_name(L, slip_names[def(L)->slip]);
-}
-
-static int wear_rule(lua_State *L) {
-  return push_name(L, rule_names[def(L)->rule]);
-}
-
-static int wear_geometry(lua_State *L) {
-  return push_name(L, geometry_names[def(L)->geometry]);
-}
-
-static int wear_law(lua_State *L) {
-  return push_name(L, law_names[def(L)->law]);
-}
-
+/* w.update is the number of updates. */
 static int wear_update_at(lua_State *L) {
-  return push_name(L, update_names[def(L)->update]);
+  lua_pushstring(L, arc_update_names[def(L)->update]);
+  return 1;
 }
 
 static int wear_model(lua_State *L) {
@@ -208,24 +156,11 @@ const luaL_Reg wear_fields[] = {
     {"done", wear_done},
     {"k", wear_k},
     {"alpha", wear_alpha},
-    {"load", wear_load},
-    {"stroke", wear_stroke},
     {"total_distance", wear_total_distance},
     {"jump", wear_jump},
-    {"refresh", wear_refresh},
     {"strokes", wear_strokes},
     {"cycles", wear_cycles},
-    {"increments", wear_increments},
     {"procedure", wear_procedure},
-    {"scheme", wear_scheme},
-    {"slip", wear_slip},
-    {"rule", wear_rule},
-    {"geometry", wear_geometry},
-    {"law", wear_law},
-    {"law_pressure", wear_law_pressure},
-    {"law_exponent", wear_law_exponent},
-    {"order", wear_order},
-    {"tolerance", wear_tolerance},
     {"update_at", wear_update_at},
     {"local_factor", wear_local_factor},
     {"loading", wear_loading},
@@ -266,21 +201,51 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
     snprintf(text, size, "jump %.6g", settings->jump);
 }
 
-/* Where k is not one number everywhere: law and local factor, a line only where they are used. */
-static void add_law(luaL_Buffer *text, const arc_wear_def *settings) {
+/* Settings that the first lines tell. */
+static int told_already(const arc_setting *s) {
+  static const int told[] = {ARC_AT_scheme, ARC_AT_k,        ARC_AT_alpha,     ARC_AT_load,
+                             ARC_AT_stroke, ARC_AT_distance, ARC_AT_jump,      ARC_AT_increments,
+                             ARC_AT_slip,   ARC_AT_rule,     ARC_AT_procedure, ARC_AT_geometry,
+                             ARC_AT_update, ARC_AT_tolerance};
+  for (size_t i = 0; i < sizeof told / sizeof *told; i++)
+    if (s == &arc_wear_settings[told[i]]) return 1;
+  return 0;
+}
+
+static int is_usual(const arc_setting *s, const arc_wear_def *settings) {
+  const void *member = arc_setting_member(s, settings);
+  const double value = s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member;
+  return value == s->usual;
+}
+
+/* "law_pressure 50 MPa" */
+static void add_setting(luaL_Buffer *text, const arc_setting *s, const arc_wear_def *settings) {
+  const void *member = arc_setting_member(s, settings);
   char line[120];
-  if (settings->law == ARC_LAW_ARCHARD && !settings->local_factor) return;
-  snprintf(line, sizeof line, "  law       %s", law_names[settings->law]);
-  luaL_addstring(text, line);
-  if (settings->law == ARC_LAW_POWER)
-    snprintf(line, sizeof line, ", (p / %.6g MPa)^%.6g", settings->law_pressure,
-             settings->law_exponent);
-  else if (settings->law == ARC_LAW_THRESHOLD)
-    snprintf(line, sizeof line, ", above %.6g MPa", settings->law_pressure);
+  if (s->kind == ARC_CHOICE)
+    snprintf(line, sizeof line, "%s %s", s->name, s->choices[*(const int *)member]);
   else
-    line[0] = '\0';
+    snprintf(line, sizeof line, "%s %.6g%s%s", s->name,
+             s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member,
+             s->unit[0] ? " " : "", s->unit);
   luaL_addstring(text, line);
-  luaL_addstring(text, settings->local_factor ? ", with a local factor\n" : "\n");
+}
+
+/* A line of what else is not as usual, where anything is. */
+static void add_others(luaL_Buffer *text, const arc_wear_def *settings) {
+  const char *before = "  besides   ";
+  for (const arc_setting *s = arc_wear_settings; s->name; s++) {
+    if (s->kind == ARC_OTHER || told_already(s) || is_usual(s, settings)) continue;
+    luaL_addstring(text, before);
+    add_setting(text, s, settings);
+    before = ", ";
+  }
+  if (settings->local_factor) {
+    luaL_addstring(text, before);
+    luaL_addstring(text, "a local factor");
+    before = ", ";
+  }
+  if (before[0] == ',') luaL_addchar(text, '\n');
 }
 
 /* "1e-08 mm2/N", "by function". */
@@ -302,11 +267,11 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
            motion, settings->load, show_k(settings, k, sizeof k),
            show_coefficient(settings->alpha, &settings->alpha_series,
                             settings->alpha_function != NULL, alpha, sizeof alpha),
-           procedure_names[arc_wear_procedure(wear)], scheme_names[settings->scheme], steps,
-           settings->increments, geometry_names[settings->geometry], slip_names[settings->slip],
-           rule_names[settings->rule]);
+           arc_procedure_names[arc_wear_procedure(wear)], arc_scheme_names[settings->scheme], steps,
+           settings->increments, arc_geometry_names[settings->geometry],
+           arc_slip_names[settings->slip], arc_rule_names[settings->rule]);
   luaL_addstring(text, line);
-  add_law(text, settings);
+  add_others(text, settings);
 }
 
 static void add_state(luaL_Buffer *text, const arc_wear *wear) {

@@ -1,0 +1,112 @@
+-- Help entries of what can be set and recorded, made from the engine's own lists (archard.settings)
+-- and joined with the written ones: a new setting or column of the history explains itself.
+
+local settings = require "archard.settings"
+
+-- "a number > 0" -> "number > 0"
+local function bare(text) return (text:gsub("^an? ", "")) end
+
+local function option_of(class, setting)
+  local choice = setting.choice
+  return { ("%s{%s}"):format(class, setting.path), values = setting.values, class = setting.class,
+    type = not choice and bare(setting.type) or nil, unit = setting.unit, fixed = setting.fixed,
+    default = setting.default and choice and ("%q"):format(setting.default) or setting.default,
+    text = setting.text }
+end
+
+-- The two lists of a quantity that is given over the distance.
+local function series_of(class, setting)
+  local address = ("%s{%s."):format(class, setting.path)
+  return {
+    { address .. "distance}", type = "list", unit = "mm",
+      text = ("Increasing distances of a table of %s; linear between them."):format(setting.name) },
+    { address .. "value}", type = "list", unit = setting.unit, text = "Its values there." },
+  }
+end
+
+local function options_of(class)
+  local list = {}
+  for _, setting in ipairs(settings[class]) do
+    list[#list + 1] = option_of(class, setting)
+    for _, entry in ipairs(setting.series and series_of(class, setting) or {}) do
+      list[#list + 1] = entry
+    end
+  end
+  return list
+end
+
+-- Settings read back from an object.
+local function fields_of(class)
+  local list = {}
+  for _, setting in ipairs(settings[class]) do
+    if setting.plain and setting.path == setting.name then
+      list[#list + 1] = { class .. "." .. setting.name, kind = "field", unit = setting.unit,
+        class = setting.class, text = setting.text }
+    end
+  end
+  return list
+end
+
+local function unit_of(column) return column.unit ~= "" and column.unit or nil end
+
+local function sentence(text) return text:sub(1, 1):upper() .. text:sub(2) .. "." end
+
+local function history()
+  local keys, lines = {}, { "Columns by name, one value for each update from 0 on. Each holds:", "" }
+  for _, column in ipairs(settings.columns) do
+    keys[#keys + 1] = column.name
+    lines[#lines + 1] = ("  %-16s %s%s"):format(column.name,
+      column.unit ~= "" and "[" .. column.unit .. "] " or "", column.text)
+  end
+  return { "wear.history", kind = "field", keys = keys, text = table.concat(lines, "\n") }
+end
+
+local function state()
+  local list = {}
+  for _, column in ipairs(settings.columns) do
+    list[#list + 1] = { "state." .. column.name, kind = "field", unit = unit_of(column),
+      text = sentence(column.text) }
+  end
+  return list
+end
+
+-- Options written by hand that lie inside another one: "wear{loading.x}" in "wear{loading}".
+local function inside(written, option)
+  local start = option:sub(1, -2) .. "."
+  local list = {}
+  for _, entry in ipairs(written) do
+    if entry[1]:sub(1, #start) == start then list[#list + 1] = entry end
+  end
+  return list
+end
+
+local made = { wear = { history() }, state = state() }
+
+-- What belongs behind the entry of a class: its options, each with what is written inside it, and
+-- its fields.
+local function behind(class, written)
+  local list = {}
+  for _, option in ipairs(settings[class] and options_of(class) or {}) do
+    list[#list + 1] = option
+    for _, entry in ipairs(inside(written, option[1])) do list[#list + 1] = entry end
+  end
+  for _, entry in ipairs(made[class] or {}) do list[#list + 1] = entry end
+  for _, entry in ipairs(settings[class] and fields_of(class) or {}) do list[#list + 1] = entry end
+  return list
+end
+
+-- join(written) -> all entries; what is written by hand goes before what is made.
+return function(written)
+  local known, joined, placed = {}, {}, {}
+  for _, entry in ipairs(written) do known[entry[1]] = true end
+  for _, entry in ipairs(written) do
+    if not placed[entry] then joined[#joined + 1] = entry end
+    for _, other in ipairs(behind(entry[1], written)) do
+      if known[other[1]] ~= true or other.kind == nil then
+        joined[#joined + 1] = other
+        placed[other] = true
+      end
+    end
+  end
+  return joined
+end

@@ -1,0 +1,220 @@
+/* Lists of settings: defaults, ranges and their messages, walks. Every definition and every reader
+ * of one leans on this file. */
+#include "archard/setting.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- members ---------------------------------------------------------------------------------- */
+
+void *arc_setting_member(const arc_setting *s, const void *def) {
+  return (char *)(size_t)def + s->offset;
+}
+
+static const void *at(const void *def, size_t offset) {
+  return (const char *)def + offset;
+}
+
+int arc_setting_has_function(const arc_setting *s, const void *def) {
+  void (*function)(void) = NULL;
+  if (s->function) memcpy(&function, at(def, s->function), sizeof function);
+  return function != NULL;
+}
+
+int arc_setting_is_auto(const arc_setting *s, const void *def) {
+  return s->automatic && *(const int *)at(def, s->automatic) != 0;
+}
+
+arc_series arc_setting_series(const arc_setting *s, const void *def) {
+  return s->series ? *(const arc_series *)at(def, s->series) : (arc_series){0};
+}
+
+static double value_of(const arc_setting *s, const void *def) {
+  const void *member = arc_setting_member(s, def);
+  return s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member;
+}
+
+const arc_setting *arc_setting_find(const arc_setting *list, const char *name) {
+  while (list->name && strcmp(list->name, name) != 0) list++;
+  return list->name ? list : NULL;
+}
+
+/* --- in words --------------------------------------------------------------------------------- */
+
+/* Text of bounded length under construction. */
+typedef struct phrase {
+  char *text;
+  size_t size, length;
+} phrase;
+
+__attribute__((format(printf, 2, 3))) static void say(phrase *p, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  const int length = vsnprintf(p->text + p->length, p->size - p->length, format, arguments);
+  va_end(arguments);
+  p->length += (size_t)length;
+  if (p->length >= p->size) p->length = p->size - 1;
+}
+
+static void say_range(phrase *p, const arc_setting *s) {
+  const char *kind = s->kind == ARC_NUMBER ? "a number" : "a whole number";
+  say(p, "%s", s->multiple == 2 ? "an even number" : kind);
+  if (isfinite(s->low) && isfinite(s->high))
+    say(p, " in %c%.14g, %.14g%c", s->open & ARC_LOW_OPEN ? '(' : '[', s->low, s->high,
+        s->open & ARC_HIGH_OPEN ? ')' : ']');
+  else if (isfinite(s->low))
+    say(p, " %s %.14g", s->open & ARC_LOW_OPEN ? ">" : ">=", s->low);
+  if (s->unit && s->unit[0]) say(p, " %s%s", isfinite(s->low) ? "" : "in ", s->unit);
+}
+
+static void say_choices(phrase *p, const char *const *choices) {
+  for (int i = 0; choices[i]; i++)
+    say(p, "%s\"%s\"", i == 0 ? "" : choices[i + 1] ? ", " : " or ", choices[i]);
+}
+
+/* Other forms, separated by commas and an "or" before the last. */
+static void say_forms(phrase *p, unsigned forms) {
+  static const struct {
+    unsigned form;
+    const char *text;
+  } known[] = {{ARC_AUTOMATIC, "\"auto\""},
+               {ARC_FUNCTION, "a function of the state"},
+               {ARC_SERIES, "a table { distance=, value= }"}};
+  unsigned left = forms & (ARC_AUTOMATIC | ARC_FUNCTION | ARC_SERIES);
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+    if (!(left & known[i].form)) continue;
+    left &= ~known[i].form;
+    say(p, "%s%s", left ? ", " : " or ", known[i].text);
+  }
+}
+
+const char *arc_setting_expected(const arc_setting *s, char *text, size_t size) {
+  phrase p = {text, size, 0};
+  text[0] = '\0';
+  if (s->type)
+    say(&p, "%s", s->type);
+  else if (s->kind == ARC_CHOICE)
+    say_choices(&p, s->choices);
+  else
+    say_range(&p, s);
+  say_forms(&p, s->type ? 0 : s->forms);
+  return text;
+}
+
+const char *arc_setting_usual(const arc_setting *s) {
+  if (s->kind == ARC_CHOICE) return s->choices[(int)s->usual];
+  return s->usual_text && !(s->forms & ARC_OPTIONAL && s->usual == 0) ? s->usual_text : "";
+}
+
+/* --- defaults and checks ---------------------------------------------------------------------- */
+
+void arc_settings_default(const arc_setting *list, void *def) {
+  for (const arc_setting *s = list; s->name; s++) {
+    void *member = arc_setting_member(s, def);
+    if (s->kind == ARC_GROUP)
+      arc_settings_default(s->group, member);
+    else if (s->kind == ARC_NUMBER)
+      *(double *)member = s->usual;
+    else if (s->kind != ARC_OTHER)
+      *(int *)member = (int)s->usual;
+  }
+}
+
+static int within(const arc_setting *s, double value) {
+  const int above = s->open & ARC_LOW_OPEN ? value > s->low : value >= s->low;
+  const int below = s->open & ARC_HIGH_OPEN ? value < s->high : value <= s->high;
+  const int whole = s->kind == ARC_NUMBER || value == floor(value);
+  return isfinite(value) && above && below && whole &&
+         (s->multiple == 0 || fmod(value, s->multiple) == 0);
+}
+
+/* Of a number that came nothing but the range is told. */
+static arc_status refuse_number(const arc_setting *s, const char *prefix, const char *place,
+                                double value, arc_error *error) {
+  char expected[160];
+  arc_setting plain = *s;
+  plain.forms = 0;
+  return arc_fail(error, ARC_ARGUMENT, "field '%s%s%s': expected %s, got %.14g", prefix, s->name,
+                  place, arc_setting_expected(&plain, expected, sizeof expected), value);
+}
+
+arc_status arc_setting_check_number(const arc_setting *s, const char *prefix, double value,
+                                    arc_error *error) {
+  return within(s, value) ? ARC_OK : refuse_number(s, prefix, "", value, error);
+}
+
+static arc_status check_series(const arc_setting *s, const char *prefix, arc_series series,
+                               arc_error *error) {
+  for (int i = 0; i < series.count; i++) {
+    const double d = series.distance[i];
+    char place[40];
+    snprintf(place, sizeof place, ".value[%d]", i + 1);
+    if (!isfinite(d) || (i > 0 && !(d > series.distance[i - 1])))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field '%s%s.distance[%d]': expected increasing distances in mm, got %.14g",
+                      prefix, s->name, i + 1, d);
+    if (!within(s, series.value[i])) return refuse_number(s, prefix, place, series.value[i], error);
+  }
+  return ARC_OK;
+}
+
+static int in_choices(const arc_setting *s, int value) {
+  int count = 0;
+  while (s->choices[count]) count++;
+  return value >= 0 && value < count;
+}
+
+static arc_status check_choice(const arc_setting *s, const char *prefix, int value,
+                               arc_error *error) {
+  char expected[160];
+  if (in_choices(s, value)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT, "field '%s%s': expected %s, got the number %d", prefix,
+                  s->name, arc_setting_expected(s, expected, sizeof expected), value);
+}
+
+static arc_status check_group(const arc_setting *s, const char *prefix, const void *def,
+                              arc_error *error) {
+  char inside[80];
+  snprintf(inside, sizeof inside, "%s%s.", prefix, s->name);
+  return arc_settings_check(s->group, inside, arc_setting_member(s, def), error);
+}
+
+static arc_status check_value(const arc_setting *s, const char *prefix, const void *def,
+                              arc_error *error) {
+  const arc_series series = arc_setting_series(s, def);
+  if (s->kind == ARC_OTHER || arc_setting_has_function(s, def) || arc_setting_is_auto(s, def))
+    return ARC_OK;
+  if (s->kind == ARC_GROUP) return check_group(s, prefix, def, error);
+  if (series.count > 0) return check_series(s, prefix, series, error);
+  const double value = value_of(s, def);
+  if (s->forms & ARC_OPTIONAL && value == 0) return ARC_OK;
+  if (s->kind == ARC_CHOICE) return check_choice(s, prefix, (int)value, error);
+  return arc_setting_check_number(s, prefix, value, error);
+}
+
+arc_status arc_settings_check(const arc_setting *list, const char *prefix, const void *def,
+                              arc_error *error) {
+  for (const arc_setting *s = list; s->name; s++) {
+    const arc_status status = check_value(s, prefix, def, error);
+    if (status != ARC_OK) return status;
+  }
+  return ARC_OK;
+}
+
+/* --- walks ------------------------------------------------------------------------------------ */
+
+int arc_settings_walk(const arc_setting *list, const char *prefix, const void *def,
+                      arc_setting_fn see, void *context) {
+  int ended = 0;
+  for (const arc_setting *s = list; s->name && !ended; s++) {
+    char path[96];
+    snprintf(path, sizeof path, "%s%s%s", prefix, s->name, s->kind == ARC_GROUP ? "." : "");
+    if (s->kind == ARC_GROUP)
+      ended = arc_settings_walk(s->group, path, arc_setting_member(s, def), see, context);
+    else if (s->kind != ARC_OTHER)
+      ended = see(context, path, s, arc_setting_member(s, def), def);
+  }
+  return ended;
+}

@@ -1,0 +1,38 @@
+/* Settings as scripts see them. Leans on array.c. */
+#include "lua/base/settings.h"
+#include "lua/base/array.h"
+
+#include <lauxlib.h>
+
+static void push_series(lua_State *L, arc_series series) {
+  lua_createtable(L, 0, 2);
+  array_set(L, "distance", series.distance, (size_t)series.count);
+  array_set(L, "value", series.value, (size_t)series.count);
+}
+
+static void push_group(lua_State *L, const arc_setting *group, const void *member) {
+  lua_newtable(L);
+  for (const arc_setting *s = group; s->name; s++) {
+    settings_push(L, s, member);
+    lua_setfield(L, -2, s->name);
+  }
+}
+
+void settings_push(lua_State *L, const arc_setting *s, const void *definition) {
+  const void *member = arc_setting_member(s, definition);
+  const arc_series series = arc_setting_series(s, definition);
+  if (arc_setting_is_auto(s, definition))
+    lua_pushliteral(L, "auto");
+  else if (series.count > 0)
+    push_series(L, series);
+  else if (s->kind == ARC_NUMBER)
+    lua_pushnumber(L, *(const double *)member);
+  else if (s->kind == ARC_WHOLE)
+    lua_pushinteger(L, *(const int *)member);
+  else if (s->kind == ARC_CHOICE)
+    lua_pushstring(L, s->choices[*(const int *)member]);
+  else if (s->kind == ARC_GROUP)
+    push_group(L, s->group, member);
+  else
+    lua_pushnil(L);
+}
