@@ -123,21 +123,10 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
 
 /* --- runs ------------------------------------------------------------------------------------- */
 
-/* The surface of one body after an update: wear and pressure in the reference configuration. */
-typedef struct arc_surface {
-  arc_body body;
-  double update;
-  double distance; /* [mm] */
-  size_t count;    /* nodes */
-  const double *x; /* [count] unworn position [mm] */
-  const double *h; /* [count] wear depth [mm] */
-  const double *y; /* [count] present height [mm] */
-  const double *p; /* [count] pressure [MPa] */
-} arc_surface;
-
 /* Stores a run under a case that is there, in place of what was stored of it: definition, history,
- * state, its present surfaces, and `count` earlier surfaces. One transaction (its own, or the one
- * begun). Of a field that is a function only that is stored: it must be given again to go on. */
+ * state, and `count` surfaces, the present ones (arc_wear_surfaces) among them; of two of one body
+ * and update the later counts. One transaction (its own, or the one begun). Of a field that is a
+ * function only that is stored: it must be given again to go on. */
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
                           const arc_surface *surfaces, size_t count, arc_error *error);
 

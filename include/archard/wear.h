@@ -269,6 +269,22 @@ size_t arc_wear_bytes(const arc_wear *wear);
 /* The contact in the reference configuration on the present shape; a new object each call. */
 arc_status arc_wear_contact(const arc_wear *wear, arc_contact **contact, arc_error *error);
 
+/* The surface of one body after an update: wear and pressure in the reference configuration. */
+typedef struct arc_surface {
+  arc_body body;
+  double update;
+  double distance; /* [mm] */
+  size_t count;    /* nodes */
+  const double *x; /* [count] unworn position [mm] */
+  const double *h; /* [count] wear depth [mm] */
+  const double *y; /* [count] present height [mm] */
+  const double *p; /* [count] pressure [MPa] */
+} arc_surface;
+
+/* The present surfaces, cylinder before plate; *surfaces [ARC_BODIES], one block with all its
+ * arrays, is to be freed with free(). Errors: those of arc_wear_contact. */
+arc_status arc_wear_surfaces(const arc_wear *wear, arc_surface **surfaces, arc_error *error);
+
 /* Growth rate of ripples: largest eigenvalue of the wear of one cycle per unit of depth, linearised
  * about the present state [1/cycle], by power iteration. Explicit updates are stable while jump *
  * eigenvalue < 2. */

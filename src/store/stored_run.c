@@ -54,26 +54,6 @@ static arc_status save_surface(arc_store *store, int id, const arc_surface *surf
   return status;
 }
 
-static arc_status save_present(arc_store *store, int id, const arc_wear *wear, arc_error *error) {
-  arc_contact *contact;
-  arc_status status = arc_wear_contact(wear, &contact, error);
-  const arc_wear_record *last = arc_wear_last(wear);
-  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
-    arc_profile profile = arc_shape_profile(arc_wear_shape(wear), (arc_body)b);
-    arc_surface surface = {.body = (arc_body)b,
-                           .update = last->update,
-                           .distance = last->distance,
-                           .count = (size_t)profile.count,
-                           .x = profile.x,
-                           .h = profile.h,
-                           .y = profile.y,
-                           .p = arc_contact_pressure(contact, (arc_body)b).p};
-    status = save_surface(store, id, &surface, error);
-  }
-  arc_contact_destroy(&contact);
-  return status;
-}
-
 static arc_status save_state(arc_store *store, int id, const arc_wear *wear, arc_error *error) {
   query *q;
   arc_status status = arc_store_query(
@@ -113,7 +93,6 @@ arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
   if (status == ARC_OK) status = save_history(store, id, wear, error);
   for (size_t i = 0; i < count && status == ARC_OK; i++)
     status = save_surface(store, id, &surfaces[i], error);
-  if (status == ARC_OK) status = save_present(store, id, wear, error);
   if (status == ARC_OK) status = save_state(store, id, wear, error);
   return arc_store_leave(store, own, status, error);
 }

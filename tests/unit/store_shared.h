@@ -125,11 +125,20 @@ __attribute__((unused)) static void assert_same_runs(const arc_wear *a, const ar
   }
 }
 
+/* Stores a run with its present surfaces. */
+__attribute__((unused)) static void save_run(arc_store *store, int id, const arc_wear *wear) {
+  arc_error error = {0};
+  arc_surface *present;
+  must(arc_wear_surfaces(wear, &present, &error), &error);
+  must(arc_store_save(store, id, wear, present, ARC_BODIES, &error), &error);
+  free(present);
+}
+
 __attribute__((unused)) static void save_as(const char *name, int id, const arc_wear *wear) {
   arc_error error = {0};
   arc_store *store = opened(name, ARC_STORE_CREATE);
   must(arc_store_add(store, id, "run", &error), &error);
-  must(arc_store_save(store, id, wear, NULL, 0, &error), &error);
+  save_run(store, id, wear);
   arc_store_close(&store);
 }
 

@@ -310,11 +310,13 @@ static void test_surfaces(void **state) {
   arc_model *model = coarse_model();
   arc_wear *wear = short_run(model, 110);
   double x[3] = {-1, -0.0, 1}, h[3] = {0, 0.5, 0}, y[3] = {1, 2, 3}, p[3] = {0, 1.0 / 3, 0};
-  arc_surface early = {ARC_PLATE, 2, 44, 3, x, h, y, p};
+  arc_surface given[3] = {{ARC_PLATE, 2, 44, 3, x, h, y, p}}, *present;
+  must(arc_wear_surfaces(wear, &present, &error), &error);
+  memcpy(given + 1, present, 2 * sizeof *present);
   arc_store *store = opened("surfaces", ARC_STORE_CREATE);
   must(arc_store_add(store, 1, "run", &error), &error);
-  must(arc_store_save(store, 1, wear, &early, 1, &error), &error);
-  must(arc_store_save(store, 1, wear, &early, 1, &error), &error); /* replaces */
+  must(arc_store_save(store, 1, wear, given, 3, &error), &error);
+  must(arc_store_save(store, 1, wear, given, 3, &error), &error); /* replaces */
 
   arc_surface *surfaces;
   size_t count;
@@ -329,7 +331,9 @@ static void test_surfaces(void **state) {
   assert_int_equal(surfaces[1].body, ARC_CYLINDER);
   assert_int_equal(surfaces[1].count, profile.count);
   assert_memory_equal(surfaces[1].h, profile.h, (size_t)profile.count * sizeof(double));
+  assert_memory_equal(surfaces[2].p, present[1].p, present[1].count * sizeof(double));
   free(surfaces);
+  free(present);
 
   must(arc_store_surfaces(store, 2, &surfaces, &count, &error), &error);
   assert_int_equal(count, 0);

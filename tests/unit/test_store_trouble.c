@@ -100,7 +100,7 @@ static void test_turned_bits(void **state) {
   arc_wear *wear = short_run(model, 44);
   arc_store *store = opened("bits", ARC_STORE_CREATE);
   must(arc_store_add(store, 1, "one", &error), &error);
-  must(arc_store_save(store, 1, wear, NULL, 0, &error), &error);
+  save_run(store, 1, wear);
   must(arc_store_mark(store, 1, ARC_CASE_DONE, NULL, 1, &error), &error);
   arc_store_close(&store);
   size_t rows, count;
@@ -264,7 +264,7 @@ static void make_share(const char *name, int done, double alpha, const arc_wear 
     must(arc_store_set_values(store, id, ARC_SETTINGS, &value, 1, &error), &error);
   }
   if (done > 0) {
-    must(arc_store_save(store, done, wear, NULL, 0, &error), &error);
+    save_run(store, done, wear);
     must(arc_store_mark(store, done, ARC_CASE_DONE, NULL, 2.5, &error), &error);
   }
   arc_store_close(&store);

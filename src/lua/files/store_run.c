@@ -55,6 +55,18 @@ static arc_surface read_surface(lua_State *L, int anchors) {
   return surface;
 }
 
+/* Stores a run with `count` earlier surfaces, which leave room for the present ones behind them. */
+static arc_status save(arc_store *store, int id, const arc_wear *wear, arc_surface *surfaces,
+                       size_t count, arc_error *error) {
+  arc_surface *present;
+  arc_status status = arc_wear_surfaces(wear, &present, error);
+  if (status != ARC_OK) return status;
+  memcpy(surfaces + count, present, ARC_BODIES * sizeof *present);
+  status = arc_store_save(store, id, wear, surfaces, count + ARC_BODIES, error);
+  free(present);
+  return status;
+}
+
 /* store:save(id, wear, surfaces) */
 int store_save(lua_State *L) {
   static const char where[] = "store:save";
@@ -62,7 +74,7 @@ int store_save(lua_State *L) {
   arc_store *store = self(L, where);
   const arc_wear *wear = box_check(L, 3, &wear_class, where)->thing;
   size_t count = lua_istable(L, 4) ? (size_t)luaL_len(L, 4) : 0;
-  arc_surface *surfaces = lua_newuserdatauv(L, (count + 1) * sizeof *surfaces, 0);
+  arc_surface *surfaces = lua_newuserdatauv(L, (count + ARC_BODIES) * sizeof *surfaces, 0);
   lua_newtable(L);
   int anchors = lua_gettop(L);
   for (size_t i = 0; i < count; i++) {
@@ -71,7 +83,7 @@ int store_save(lua_State *L) {
     lua_pop(L, 1);
   }
   arc_error error = {0};
-  arc_status status = arc_store_save(store, id_at(L, 2), wear, surfaces, count, &error);
+  arc_status status = save(store, id_at(L, 2), wear, surfaces, count, &error);
   error_check(L, status, &error, where, -1);
   return 0;
 }
@@ -227,9 +239,10 @@ int store_wear(lua_State *L) {
 }
 
 static arc_status write_run(arc_store *store, const arc_wear *wear, arc_error *error) {
+  arc_surface surfaces[ARC_BODIES];
   arc_status status = arc_store_begin(store, error);
   if (status == ARC_OK) status = arc_store_add(store, 1, "wear", error);
-  if (status == ARC_OK) status = arc_store_save(store, 1, wear, NULL, 0, error);
+  if (status == ARC_OK) status = save(store, 1, wear, surfaces, 0, error);
   if (status == ARC_OK) status = arc_store_mark(store, 1, ARC_CASE_DONE, NULL, (double)NAN, error);
   return status == ARC_OK ? arc_store_commit(store, error) : status;
 }
