@@ -2,9 +2,11 @@
  * has run, its definition, history, profiles and the state to go on from.
  *
  * A file is either whole or refused: it carries an application id and the number of its format, and
- * a newer, foreign or damaged file is left as it is. Everything that belongs together is written in
- * one transaction, synchronously: a killed program loses what it was computing, never what it
- * stored. Several processes may have one file open; they take turns.
+ * a newer, foreign or damaged file is left as it is. One of an older format is brought to this one
+ * when it is opened for writing; a reader leaves it as it is and works on a temporary copy.
+ * Everything that belongs together is written in one transaction, synchronously: a killed program
+ * loses what it was computing, never what it stored. Several processes may have one file open; they
+ * take turns.
  *
  * The tables are described in archard(1). All doubles come back to the same bits (a NaN as a NaN).
  */
@@ -13,7 +15,8 @@
 
 #include "archard/wear.h"
 
-#define ARC_STORE_FORMAT 1 /* the file's user_version */
+/* The file's user_version. One more whenever a table changes; see src/store/schema.c. */
+#define ARC_STORE_FORMAT 2
 
 typedef struct arc_store arc_store;
 

@@ -27,7 +27,9 @@ arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error 
   if (status == ARC_OK && found)
     status = arc_fail(error, ARC_ARGUMENT, "%s: there is a case %d already", store->path, id);
   if (status == ARC_OK)
-    status = arc_store_query(store, "INSERT INTO cases (id, label) VALUES (?1, ?2)", id, &q, error);
+    status = arc_store_query(
+        store, "INSERT INTO cases (id, label, created) VALUES (?1, ?2, " ARC_STORE_NOW ")", id, &q,
+        error);
   if (status == ARC_OK) {
     arc_query_set_text(q, 2, label);
     status = arc_query_run(q, error);
@@ -96,8 +98,10 @@ static arc_status write_mark(arc_store *store, int id, arc_case_status mark, con
                              double seconds, arc_error *error) {
   query *q;
   arc_status status = arc_store_query(
-      store, "UPDATE cases SET status = ?2, message = ?3, seconds = ?4 WHERE id = ?1", id, &q,
-      error);
+      store,
+      "UPDATE cases SET status = ?2, message = ?3, seconds = ?4, finished = CASE WHEN ?2 IN "
+      "('done', 'failed') THEN " ARC_STORE_NOW " END WHERE id = ?1",
+      id, &q, error);
   if (status != ARC_OK) return status;
   arc_query_set_text(q, 2, arc_case_status_names[mark]);
   arc_query_set_text(q, 3, message);

@@ -67,6 +67,9 @@ static arc_status fail(const database *db, int code, arc_error *error) {
 static arc_status configure(database *db, arc_error *error) {
   sqlite3_extended_result_codes(db->handle, 1);
   sqlite3_busy_timeout(db->handle, PATIENCE);
+  /* a misspelt column in double quotes is an error, not a text */
+  sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DDL, 0, NULL);
+  sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DML, 0, NULL);
   /* a rollback journal rather than a log: one file when idle, and network file systems manage */
   return arc_database_run(db, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON", error);
 }
@@ -95,6 +98,46 @@ void arc_database_close(database **db) {
   free((*db)->path);
   free(*db);
   *db = NULL;
+}
+
+/* Copies all of `from`, as it is at one moment, into a schema of `to`. */
+static arc_status copy(database *to, const char *schema, const database *from, arc_error *error) {
+  sqlite3_backup *backup = sqlite3_backup_init(to->handle, schema, from->handle, "main");
+  if (backup) sqlite3_backup_step(backup, -1);
+  int code = backup ? sqlite3_backup_finish(backup) : sqlite3_errcode(to->handle);
+  const database told = {.handle = to->handle, .path = from->path};
+  return code == SQLITE_OK ? ARC_OK : fail(&told, code, error);
+}
+
+/* SQLite keeps what has no name in memory while it is small, then in a file that nobody sees. */
+arc_status arc_database_copy(database *db, arc_error *error) {
+  database *made;
+  arc_status status = arc_database_open("", 1, 1, &made, error);
+  if (status != ARC_OK) return status;
+  status = copy(made, "main", db, error);
+  if (status == ARC_OK) {
+    sqlite3 *original = db->handle;
+    db->handle = made->handle;
+    made->handle = original;
+  }
+  arc_database_close(&made);
+  return status;
+}
+
+/* The path goes in as a parameter: it may hold any character. A temporary copy has none. */
+arc_status arc_database_attach(database *db, const database *other, arc_error *error) {
+  const char *path = sqlite3_db_filename(other->handle, "main");
+  query *q;
+  arc_status status = arc_query_open(db, "ATTACH ?1 AS other", &q, error);
+  if (status != ARC_OK) return status;
+  arc_query_set_text(q, 1, path);
+  status = arc_query_run(q, error);
+  arc_query_close(&q);
+  if (status == ARC_OK && !*path) {
+    status = copy(db, "other", other, error);
+    if (status != ARC_OK) arc_database_run(db, "DETACH other", NULL);
+  }
+  return status;
 }
 
 const char *arc_database_path(const database *db) {

@@ -12,6 +12,10 @@ typedef struct query query;
 arc_status arc_database_open(const char *path, int writable, int create, database **db,
                              arc_error *error);
 void arc_database_close(database **db);
+/* From now on the database is a temporary copy of itself, which goes when it is closed. */
+arc_status arc_database_copy(database *db, arc_error *error);
+/* Makes the tables of another database those of the schema "other" here. */
+arc_status arc_database_attach(database *db, const database *other, arc_error *error);
 const char *arc_database_path(const database *db);
 
 /* Runs statements without results. */

@@ -14,7 +14,7 @@ static const char *const parts[] = {
     "SELECT name, value FROM definition WHERE case_id = ?1 ORDER BY name",
     "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name",
     "SELECT * FROM history WHERE case_id = ?1 ORDER BY step",
-    "SELECT * FROM surfaces WHERE case_id = ?1 ORDER BY \"update\", body, node",
+    "SELECT * FROM surfaces WHERE case_id = ?1 ORDER BY updates, body, node",
     "SELECT * FROM state WHERE case_id = ?1 ORDER BY body"};
 
 static uint64_t add_bytes(uint64_t sum, const void *bytes, size_t count) {
@@ -76,7 +76,7 @@ static arc_status seal(arc_store *store, int id, arc_error *error) {
   query *q;
   arc_status status = digest_of(store, id, text, error);
   if (status != ARC_OK) return status;
-  status = arc_store_query(store, "UPDATE cases SET digest = ?2 WHERE id = ?1", id, &q, error);
+  status = arc_store_query(store, "UPDATE cases SET checksum = ?2 WHERE id = ?1", id, &q, error);
   if (status == ARC_OK) {
     arc_query_set_text(q, 2, text);
     status = arc_query_run(q, error);
@@ -100,12 +100,12 @@ static arc_status first_case(arc_store *store, const char *sql, int after, int *
 
 arc_status arc_store_open_seal(arc_store *store, int id, arc_error *error) {
   store->verified = 0;
-  return arc_store_run(store, "UPDATE cases SET digest = NULL WHERE id = ?1", id, error);
+  return arc_store_run(store, "UPDATE cases SET checksum = NULL WHERE id = ?1", id, error);
 }
 
 arc_status arc_store_seal_finished(arc_store *store, arc_error *error) {
   static const char unsealed[] =
-      "SELECT id FROM cases WHERE status = 'done' AND digest IS NULL AND "
+      "SELECT id FROM cases WHERE status = 'done' AND checksum IS NULL AND "
       "id > ?1 ORDER BY id LIMIT 1";
   int id = 0;
   arc_status status;
@@ -120,7 +120,7 @@ arc_status arc_store_verify(arc_store *store, int id, arc_error *error) {
   int row = 0;
   char found[17], expected[17] = "";
   arc_status status = arc_store_query(
-      store, "SELECT digest FROM cases WHERE id = ?1 AND digest IS NOT NULL", id, &q, error);
+      store, "SELECT checksum FROM cases WHERE id = ?1 AND checksum IS NOT NULL", id, &q, error);
   if (status == ARC_OK) status = arc_query_step(q, &row, error);
   if (status == ARC_OK && row) snprintf(expected, sizeof expected, "%s", arc_query_text(q, 0));
   arc_query_close(&q);
@@ -134,9 +134,21 @@ arc_status arc_store_verify(arc_store *store, int id, arc_error *error) {
   return status;
 }
 
+static const char sealed[] =
+    "SELECT id FROM cases WHERE checksum IS NOT NULL AND id > ?1 ORDER BY id LIMIT 1";
+
+arc_status arc_store_unseal_sound(arc_store *store, arc_error *error) {
+  int id = 0;
+  arc_status status;
+  while ((status = first_case(store, sealed, id, &id, error)) == ARC_OK && id > 0) {
+    status = arc_store_verify(store, id, error);
+    if (status == ARC_OK) status = arc_store_open_seal(store, id, error);
+    if (status != ARC_OK && status != ARC_FORMAT) return status;
+  }
+  return status;
+}
+
 arc_status arc_store_verify_all(arc_store *store, arc_error *error) {
-  static const char sealed[] =
-      "SELECT id FROM cases WHERE digest IS NOT NULL AND id > ?1 ORDER BY id LIMIT 1";
   int id = 0;
   arc_status status;
   while ((status = first_case(store, sealed, id, &id, error)) == ARC_OK && id > 0)

@@ -1,19 +1,6 @@
 /* Joining run files: the shares of a study computed apart. */
 #include "store/store.h"
 
-#include <stdlib.h>
-
-/* Attaching needs the path as a parameter: it may hold any character. */
-static arc_status attach(arc_store *store, const char *from, arc_error *error) {
-  query *q;
-  arc_status status = arc_query_open(store->db, "ATTACH ?1 AS other", &q, error);
-  if (status != ARC_OK) return status;
-  arc_query_set_text(q, 1, from);
-  status = arc_query_run(q, error);
-  arc_query_close(&q);
-  return status;
-}
-
 /* Fails with `what` and the case of the first row that `sql` finds. */
 static arc_status expect_none(arc_store *store, const char *sql, const char *from, const char *what,
                               arc_error *error) {
@@ -28,6 +15,8 @@ static arc_status expect_none(arc_store *store, const char *sql, const char *fro
   return status;
 }
 
+#define VALUES "case_id, name, value"
+
 static arc_status check_same_study(arc_store *store, const char *from, arc_error *error) {
   arc_status status = expect_none(
       store,
@@ -36,12 +25,13 @@ static arc_status check_same_study(arc_store *store, const char *from, arc_error
       "FROM main.cases)) ORDER BY id LIMIT 1",
       from, "is not the same in both: they hold different studies", error);
   if (status != ARC_OK) return status;
-  return expect_none(
-      store,
-      "SELECT case_id FROM (SELECT * FROM main.settings EXCEPT SELECT * FROM other.settings "
-      "UNION ALL SELECT * FROM (SELECT * FROM other.settings EXCEPT SELECT * FROM main.settings)) "
-      "ORDER BY case_id LIMIT 1",
-      from, "has other settings: they hold different studies", error);
+  return expect_none(store,
+                     "SELECT case_id FROM (SELECT " VALUES
+                     " FROM main.settings EXCEPT SELECT " VALUES
+                     " FROM other.settings UNION ALL SELECT " VALUES " FROM (SELECT " VALUES
+                     " FROM other.settings EXCEPT SELECT " VALUES " FROM main.settings)) "
+                     "ORDER BY case_id LIMIT 1",
+                     from, "has other settings: they hold different studies", error);
 }
 
 static arc_status check_none_double(arc_store *store, const char *from, arc_error *error) {
@@ -51,20 +41,25 @@ static arc_status check_none_double(arc_store *store, const char *from, arc_erro
                      from, "is finished in both", error);
 }
 
-#define FINISHED " WHERE case_id IN (SELECT id FROM other.cases WHERE status = 'done')"
+#define COPY(table, columns)                                                                       \
+  "INSERT INTO main." table " (" columns ") SELECT " columns " FROM other." table                  \
+  " WHERE case_id IN (SELECT id FROM other.cases WHERE status = 'done')"
 
+/* Columns may stand in another order in either file: checksums are written anew. */
 static arc_status copy_finished(arc_store *store, arc_error *error) {
-  return arc_database_run(
-      store->db,
-      "INSERT INTO main.definition SELECT * FROM other.definition" FINISHED ";"
-      "INSERT INTO main.results SELECT * FROM other.results" FINISHED ";"
-      "INSERT INTO main.history SELECT * FROM other.history" FINISHED ";"
-      "INSERT INTO main.surfaces SELECT * FROM other.surfaces" FINISHED ";"
-      "INSERT INTO main.state SELECT * FROM other.state" FINISHED ";"
-      "UPDATE main.cases SET (status, message, seconds, digest) ="
-      "  (SELECT status, message, seconds, digest FROM other.cases o WHERE o.id = main.cases.id)"
-      "  WHERE status <> 'done' AND id IN (SELECT id FROM other.cases WHERE status <> 'waiting');",
-      error);
+  static const char *const steps[] = {
+      COPY("definition", VALUES),
+      COPY("results", VALUES),
+      COPY("history", "case_id, step@columns"),
+      COPY("surfaces", "case_id, updates, distance_mm, body, node, x_mm, h_mm, y_mm, p_MPa"),
+      COPY("state", "case_id, body, condensed, even, h, xy, settled"),
+      "UPDATE main.cases SET (status, message, seconds, finished, checksum) ="
+      "  (SELECT status, message, seconds, finished, NULL FROM other.cases o WHERE o.id = cases.id)"
+      "  WHERE status <> 'done' AND id IN (SELECT id FROM other.cases WHERE status <> 'waiting')"};
+  arc_status status = ARC_OK;
+  for (size_t i = 0; i < sizeof steps / sizeof *steps && status == ARC_OK; i++)
+    status = arc_store_script(store, steps[i], error);
+  return status;
 }
 
 static arc_status merge_attached(arc_store *store, const char *from, arc_error *error) {
@@ -76,18 +71,18 @@ static arc_status merge_attached(arc_store *store, const char *from, arc_error *
   return arc_store_leave(store, 1, status, error);
 }
 
-/* Opened once by itself, so that a foreign file is refused in plain words. */
-static arc_status check_source(const char *from, arc_error *error) {
+/* Opened by itself first, so that a foreign file is refused in plain words. */
+static arc_status attach(arc_store *store, const char *from, arc_error *error) {
   arc_store *other = NULL;
   arc_status status = arc_store_open(from, ARC_STORE_READ, &other, error);
   if (status == ARC_OK) status = arc_store_check(other, error);
+  if (status == ARC_OK) status = arc_database_attach(store->db, other->db, error);
   arc_store_close(&other);
   return status;
 }
 
 arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error) {
-  arc_status status = check_source(from, error);
-  if (status == ARC_OK) status = attach(store, from, error);
+  arc_status status = attach(store, from, error);
   if (status != ARC_OK) return status;
   status = merge_attached(store, from, error);
   arc_status detached =

@@ -1,5 +1,5 @@
 /* Run files as files: which are ours, making them, replacing them, transactions, notes. Leans on
- * the database. */
+ * the database, and on schema.c for what stands in them. */
 #include "store/store.h"
 
 #include <errno.h>
@@ -8,42 +8,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-/* "arch", at byte 68 of the file. */
-enum { APPLICATION = 0x61726368 };
-
-/* Numbers that must come back to the same bits stand in columns without a type: those of type REAL
- * would lose the sign of zero. */
-static const char schema[] =
-    "PRAGMA page_size = 4096;"
-    "PRAGMA application_id = 1634886504;"
-    "BEGIN IMMEDIATE;"
-    "CREATE TABLE info (name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;"
-    "CREATE TABLE cases (id INTEGER PRIMARY KEY, label TEXT NOT NULL,"
-    "  status TEXT NOT NULL DEFAULT 'waiting', message TEXT, seconds REAL, digest TEXT);"
-    "CREATE TABLE settings (case_id INTEGER NOT NULL REFERENCES cases, name TEXT NOT NULL, value,"
-    "  PRIMARY KEY (case_id, name)) WITHOUT ROWID;"
-    "CREATE TABLE definition (case_id INTEGER NOT NULL REFERENCES cases, name TEXT NOT NULL, value,"
-    "  PRIMARY KEY (case_id, name)) WITHOUT ROWID;"
-    "CREATE TABLE results (case_id INTEGER NOT NULL REFERENCES cases, name TEXT NOT NULL, value,"
-    "  PRIMARY KEY (case_id, name)) WITHOUT ROWID;"
-#define COLUMN(name, unit, text) ", \"" #name "\""
-    "CREATE TABLE history (case_id INTEGER NOT NULL REFERENCES cases, step INTEGER NOT "
-    "NULL" ARC_WEAR_COLUMNS(
-        COLUMN) ", PRIMARY KEY (case_id, step)) WITHOUT ROWID;"
-#undef COLUMN
-                "CREATE TABLE surfaces (case_id INTEGER NOT NULL REFERENCES cases, \"update\", "
-                "distance,"
-                "  body TEXT NOT NULL, node INTEGER NOT NULL, x, h, y, p,"
-                "  PRIMARY KEY (case_id, \"update\", body, node)) WITHOUT ROWID;"
-                "CREATE TABLE state (case_id INTEGER NOT NULL REFERENCES cases, body TEXT NOT NULL,"
-                "  condensed INTEGER NOT NULL, even, h BLOB NOT NULL, xy BLOB NOT NULL, settled "
-                "BLOB NOT NULL,"
-                "  PRIMARY KEY (case_id, body)) WITHOUT ROWID;"
-                "PRAGMA user_version = 1;"
-                "COMMIT;";
-
-_Static_assert(APPLICATION == 1634886504 && ARC_STORE_FORMAT == 1, "the schema says both again");
 
 /* --- which files are ours --------------------------------------------------------------------- */
 
@@ -71,18 +35,15 @@ static arc_status check_header(const char *path, const unsigned char *header, si
     return arc_fail(error, ARC_FORMAT, "%s: not a run file of archard (its first bytes are %s)",
                     path, size == 0 ? "missing: it is empty" : "those of something else");
   long long application = big_endian(header + 68), format = big_endian(header + 60);
-  if (application != APPLICATION)
+  if (application != ARC_STORE_APPLICATION)
     return arc_fail(error, ARC_FORMAT,
                     "%s: not a run file of archard but another program's database (its application "
                     "id is %lld, expected %d)",
-                    path, application, APPLICATION);
-  if (format < 1 || format > ARC_STORE_FORMAT)
-    return arc_fail(error, ARC_FORMAT,
-                    "%s: format %lld is newer than this program, which knows up to %d", path,
-                    format, ARC_STORE_FORMAT);
-  if (is_cut_off(path, header))
+                    path, application, ARC_STORE_APPLICATION);
+  arc_status status = arc_schema_check(path, format, error);
+  if (status == ARC_OK && is_cut_off(path, header))
     return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: it has been cut off", path);
-  return ARC_OK;
+  return status;
 }
 
 /* Looks at the first bytes before SQLite does, which may write to a file it takes for its own. */
@@ -128,7 +89,7 @@ static arc_status make_beside(arc_store *store, arc_error *error) {
   sprintf(store->beside, "%s.new-%ld", store->path, (long)getpid());
   unlink(store->beside);
   arc_status status = arc_database_open(store->beside, 1, 1, &store->db, error);
-  return status == ARC_OK ? arc_database_run(store->db, schema, error) : status;
+  return status == ARC_OK ? arc_schema_make(store, error) : status;
 }
 
 static arc_status move_into_place(arc_store *store, arc_error *error) {
@@ -146,11 +107,22 @@ static arc_status create(arc_store *store, arc_error *error) {
   return status == ARC_OK ? arc_database_open(store->path, 1, 0, &store->db, error) : status;
 }
 
+/* A file of an older format is brought up to date: in place for a writer, as a copy for a reader.
+ */
+static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_error *error) {
+  long long format;
+  arc_status status = arc_schema_format(store, &format, error);
+  if (status != ARC_OK || format == ARC_STORE_FORMAT) return status;
+  if (mode == ARC_STORE_READ) status = arc_database_copy(store->db, error);
+  return status == ARC_OK ? arc_schema_update(store, error) : status;
+}
+
 /* A reader opens for writing too where it may: what a killed program left in mid-change can only be
  * put right that way. It writes nothing of its own. */
 static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error *error) {
   int writable = mode != ARC_STORE_READ || access(store->path, W_OK) == 0;
   arc_status status = arc_database_open(store->path, writable, 0, &store->db, error);
+  if (status == ARC_OK) status = bring_up_to_date(store, mode, error);
   if (status == ARC_OK && mode == ARC_STORE_READ)
     status = arc_database_run(store->db, "PRAGMA query_only = ON", error);
   return status;
@@ -222,8 +194,14 @@ arc_status arc_store_check(arc_store *store, arc_error *error) {
 
 /* --- transactions ----------------------------------------------------------------------------- */
 
+/* A newer program may have changed the tables since the file was opened. */
 arc_status arc_store_begin(arc_store *store, arc_error *error) {
-  return arc_database_run(store->db, "BEGIN IMMEDIATE", error);
+  long long format;
+  arc_status status = arc_database_run(store->db, "BEGIN IMMEDIATE", error);
+  if (status != ARC_OK) return status;
+  status = arc_schema_format(store, &format, error);
+  if (status != ARC_OK) arc_store_rollback(store);
+  return status;
 }
 
 arc_status arc_store_commit(arc_store *store, arc_error *error) {
@@ -252,8 +230,20 @@ arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_err
 }
 
 arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error) {
-  arc_status status = arc_query_open(store->db, sql, q, error);
+  *q = NULL;
+  char *text = arc_columns_sql(sql);
+  if (!text) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+  arc_status status = arc_query_open(store->db, text, q, error);
   if (status == ARC_OK) arc_query_set_whole(*q, 1, id);
+  free(text);
+  return status;
+}
+
+arc_status arc_store_script(arc_store *store, const char *sql, arc_error *error) {
+  char *text = arc_columns_sql(sql);
+  if (!text) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+  arc_status status = arc_database_run(store->db, text, error);
+  free(text);
   return status;
 }
 

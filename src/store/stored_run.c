@@ -14,17 +14,12 @@ static arc_status out_of_memory(const arc_store *store, arc_error *error) {
 
 /* --- saving ----------------------------------------------------------------------------------- */
 
-/* "?1, ?2, ... ?count" */
-#define PARAMETER(name, unit, text) ", ?"
-static const char insert_record[] =
-    "INSERT INTO history VALUES (?1, ?2" ARC_WEAR_COLUMNS(PARAMETER) ")";
-#undef PARAMETER
-
 static arc_status save_history(arc_store *store, int id, const arc_wear *wear, arc_error *error) {
   size_t count;
   const arc_wear_record *history = arc_wear_history(wear, &count);
   query *q;
-  arc_status status = arc_store_query(store, insert_record, id, &q, error);
+  arc_status status = arc_store_query(
+      store, "INSERT INTO history (case_id, step@columns) VALUES (?1, ?2@values)", id, &q, error);
   for (size_t row = 0; row < count && status == ARC_OK; row++) {
     const double *column = (const double *)(const void *)&history[row];
     arc_query_set_whole(q, 2, (long long)row);
@@ -39,8 +34,10 @@ static arc_status save_surface(arc_store *store, int id, const arc_surface *surf
                                arc_error *error) {
   query *q;
   arc_status status = arc_store_query(
-      store, "INSERT OR REPLACE INTO surfaces VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9)", id, &q,
-      error);
+      store,
+      "INSERT OR REPLACE INTO surfaces (case_id, updates, distance_mm, body, node, x_mm, h_mm, "
+      "y_mm, p_MPa) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9)",
+      id, &q, error);
   for (size_t i = 0; i < surface->count && status == ARC_OK; i++) {
     const double *const column[] = {surface->x, surface->h, surface->y, surface->p};
     arc_query_set_number(q, 2, surface->update);
@@ -56,8 +53,11 @@ static arc_status save_surface(arc_store *store, int id, const arc_surface *surf
 
 static arc_status save_state(arc_store *store, int id, const arc_wear *wear, arc_error *error) {
   query *q;
-  arc_status status = arc_store_query(
-      store, "INSERT INTO state VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)", id, &q, error);
+  arc_status status =
+      arc_store_query(store,
+                      "INSERT INTO state (case_id, body, condensed, even, h, xy, settled) "
+                      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)",
+                      id, &q, error);
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
     arc_surface_state state = arc_shape_state(arc_wear_shape(wear), (arc_body)b);
     size_t n = (size_t)state.count;
@@ -112,24 +112,11 @@ static arc_status count_rows(arc_store *store, const char *sql, int id, size_t *
 
 static void read_record(query *q, arc_wear_record *record) {
   double *column = (double *)(void *)record;
-  for (int i = 0; i < COLUMNS; i++) column[i] = arc_query_number(q, i);
-}
-
-static const char select_history[] =
-#define COLUMN(name, unit, text) ", \"" #name "\""
-    "SELECT" /* the first comma is dropped below */
-    ARC_WEAR_COLUMNS(COLUMN) " FROM history WHERE case_id = ?1 ORDER BY step";
-#undef COLUMN
-
-/* "SELECT, a, b" without the comma that the list of columns begins with. */
-static void write_select(char *sql, size_t size) {
-  static const char head[] = "SELECT,";
-  snprintf(sql, size, "SELECT %s", select_history + sizeof head - 1);
+  for (int i = 0; i < COLUMNS; i++) column[i] = arc_query_number(q, 1 + i);
 }
 
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
                              arc_error *error) {
-  char sql[sizeof select_history];
   query *q = NULL;
   size_t rows = 0;
   int row = 0;
@@ -141,8 +128,8 @@ arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history
   if (status != ARC_OK) return status;
   *history = malloc((rows + 1) * sizeof **history);
   if (!*history) return out_of_memory(store, error);
-  write_select(sql, sizeof sql);
-  status = arc_store_query(store, sql, id, &q, error);
+  status = arc_store_query(
+      store, "SELECT step@columns FROM history WHERE case_id = ?1 ORDER BY step", id, &q, error);
   while (status == ARC_OK && *count < rows && (status = arc_query_step(q, &row, error)) == ARC_OK &&
          row)
     read_record(q, &(*history)[(*count)++]);
@@ -204,10 +191,11 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_surface **surfaces, 
   if (status != ARC_OK) return status;
   *surfaces = allocate_surfaces(rows, column);
   if (!*surfaces) return out_of_memory(store, error);
-  status = arc_store_query(store,
-                           "SELECT \"update\", distance, body, x, h, y, p FROM surfaces "
-                           "WHERE case_id = ?1 ORDER BY \"update\", body, node",
-                           id, &q, error);
+  status =
+      arc_store_query(store,
+                      "SELECT updates, distance_mm, body, x_mm, h_mm, y_mm, p_MPa FROM surfaces "
+                      "WHERE case_id = ?1 ORDER BY updates, body, node",
+                      id, &q, error);
   while (status == ARC_OK && at < rows && (status = arc_query_step(q, &row, error)) == ARC_OK &&
          row)
     read_node(q, at++, column, *surfaces, count);
