@@ -206,14 +206,42 @@ Studies and saved runs are kept in SQLite databases, which
 can read as well.
 Their application id is 1634886504, the letters
 .Dq arch ;
-user_version is the number of the format, now 1.
+user_version is the number of the format, now 2.
 A file of another program, of a newer format or with damage is refused and left
 as it is.
+One of an older format becomes one of today's when it is written to; what only
+reads it leaves it as it is.
 Each case is written in one transaction, synchronously: a program that is killed
 loses what it was computing and nothing that it stored.
 Several processes may use a file at once.
 .Pp
-The tables:
+What to look at:
+.Bl -tag -width "case_results" -compact
+.It Li case_results
+A row for each case: case_id, label, status, message, warning, created, finished,
+seconds, its settings
+.Pq Li load_N , stroke_mm No and so on
+and the last row of its history
+.Pq Li p_center_MPa , depth_plate_mm , volume_total_mm3 No and so on .
+A setting without a value is the default
+.Pq of a case that has not run ,
+or varies on the way.
+.It Li history_of
+case_id, label, step and a column for each column of
+.Li w.history .
+.It Li surfaces
+case_id, updates, distance_mm, body, node, x_mm (unworn position), h_mm (wear
+depth), y_mm (present height), p_MPa (pressure with the plate at x = 0).
+The last update is the final state.
+.It Li units
+name, unit and text of these columns.
+.El
+.Pp
+Names end in the unit.
+The number of updates is called updates, since update is a word of SQL.
+Times are UTC.
+.Pp
+What these rest on:
 .Bl -tag -width "definition" -compact
 .It Li info
 Notes on the whole, by name: kind
@@ -222,9 +250,9 @@ name, looks, task, program.
 .It Li cases
 id, label, status
 .Pq Li waiting , running , done No or Li failed ,
-message, seconds, digest: a checksum
+message, seconds, created, finished, checksum
 .Pq FNV-1a, 64 bit
-of all that a finished case holds; one that does not match is refused.
+of all that a finished case holds: one that does not match is refused.
 A case left running by a killed program waits again at the next start.
 .It Li settings
 case_id, name, value: the fields of
@@ -237,12 +265,7 @@ Likewise all fields of the run and its model, as the engine had them.
 .It Li results
 Likewise what another task than a run has found.
 .It Li history
-case_id, step and a column for each column of
-.Li w.history .
-.It Li surfaces
-case_id, update, distance, body, node, x (unworn position, mm), h (wear depth,
-mm), y (present height, mm), p (pressure with the plate at x = 0, MPa).
-The last update is the final state.
+case_id, step and the columns of history_of.
 .It Li state
 case_id, body, condensed, even, h, xy, settled: what a run needs to go on to the
 same bits.
@@ -252,9 +275,10 @@ Values are numbers (REAL), texts, flags (INTEGER 0 or 1) or lists of numbers
 (BLOB: doubles of this machine).
 A NaN is stored as NULL.
 .Bd -literal -offset indent
-$ sqlite3 study.archard 'select id, label, status from cases'
-$ sqlite3 -csv study.archard 'select x, h from surfaces
-    where case_id = 9 and body = "plate" and "update" = 60'
+$ sqlite3 -box study.archard "select label, p_center_MPa, depth_plate_mm
+    from case_results"
+$ sqlite3 -csv study.archard "select x_mm, h_mm from surfaces
+    where case_id = 9 and body = 'plate' and updates = 60"
 .Ed
 .Sh ENVIRONMENT
 .Bl -tag -width XDG_STATE_HOME
