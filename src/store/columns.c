@@ -77,7 +77,10 @@ static void put_name(FILE *to, const column *c) {
 
 static void put_text(FILE *to, const char *text) {
   fputc('\'', to);
-  for (; *text; text++) fprintf(to, *text == '\'' ? "''" : "%c", *text);
+  for (; *text; text++) {
+    if (*text == '\'') fputc('\'', to);
+    fputc(*text, to);
+  }
   fputc('\'', to);
 }
 
