@@ -238,11 +238,21 @@ int store_wear(lua_State *L) {
   return 1;
 }
 
+/* The results of a plain run: its last record. */
+static arc_status write_results(arc_store *store, const arc_wear_record *last, arc_error *error) {
+  const arc_value values[] = {
+#define RESULT(column, unit, text)                                                                 \
+  {.kind = ARC_VALUE_NUMBER, .name = #column, .number = last->column},
+      ARC_WEAR_COLUMNS(RESULT)};
+  return arc_store_set_values(store, 1, ARC_RESULTS, values, sizeof values / sizeof *values, error);
+}
+
 static arc_status write_run(arc_store *store, const arc_wear *wear, arc_error *error) {
   arc_surface surfaces[ARC_BODIES];
   arc_status status = arc_store_begin(store, error);
   if (status == ARC_OK) status = arc_store_add(store, 1, "wear", error);
   if (status == ARC_OK) status = save(store, 1, wear, surfaces, 0, error);
+  if (status == ARC_OK) status = write_results(store, arc_wear_last(wear), error);
   if (status == ARC_OK) status = arc_store_mark(store, 1, ARC_CASE_DONE, NULL, (double)NAN, error);
   return status == ARC_OK ? arc_store_commit(store, error) : status;
 }
