@@ -125,15 +125,28 @@ typedef struct arc_pressure {
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
 
-/* Displacements and stresses by back-substitution; arrays of `nodes` (nodal averages), owned by the
- * field. */
+/* The columns of a field, in the order of files: first where the nodes are, then what is there
+ * (stresses are nodal averages). X(name, unit, text). */
+#define ARC_FIELD_STRESSES(X)                                                                      \
+  X(sxx, "MPa", "stress along the surface")                                                        \
+  X(syy, "MPa", "stress across the surface")                                                       \
+  X(szz, "MPa", "stress out of the plane: plane strain, nu (sxx + syy)")                           \
+  X(sxy, "MPa", "shear stress")                                                                    \
+  X(mises, "MPa", "von Mises stress")                                                              \
+  X(shear, "MPa", "largest shear stress in the plane")
+#define ARC_FIELD_COLUMNS(X)                                                                       \
+  X(x, "mm", "node as worn")                                                                       \
+  X(y, "mm", "node as worn")                                                                       \
+  X(ux, "mm", "displacement along the surface")                                                    \
+  X(uy, "mm", "displacement across the surface")                                                   \
+  ARC_FIELD_STRESSES(X)
+
+/* Displacements and stresses by back-substitution; arrays of `nodes`, owned by the field. */
 typedef struct arc_field {
   int nodes;
-  double *x, *y;                 /* [mm] nodes as worn */
-  double *ux, *uy;               /* [mm] displacements */
-  double *sxx, *syy, *szz, *sxy; /* [MPa] plane strain: szz = nu (sxx + syy) */
-  double *mises;                 /* [MPa] */
-  double *shear;                 /* [MPa] largest in-plane shear */
+#define ARC_FIELD_MEMBER(name, unit, text) double *name;
+  ARC_FIELD_COLUMNS(ARC_FIELD_MEMBER)
+#undef ARC_FIELD_MEMBER
 } arc_field;
 arc_status arc_contact_field(const arc_contact *contact, arc_body body, arc_field **field,
                              arc_error *error);

@@ -94,7 +94,7 @@ return {
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
     text = "A stress inside both bodies in colours, with contour lines and outlines; of a contact, or "
       .. "of a field f = c:stress(). Takes the options of plot{} too." },
-  { "plot.stress{component}", values = { "mises", "shear", "sxx", "syy", "szz", "sxy" },
+  { "plot.stress{component}", values = require "archard.plot.mesh".components,
     default = '"mises"', text = "Which stress; shear is the largest in the plane." },
   { "plot.stress{zoom}", type = "table { x0, x1, y0, y1 }", values = { "all" },
     text = "What part to show; three half widths of the contact where left out." },

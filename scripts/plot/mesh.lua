@@ -137,11 +137,11 @@ end
 
 -- --- stress -------------------------------------------------------------------------------------
 
-local components = { mises = "von Mises stress / MPa", shear = "largest shear stress / MPa",
+mesh.components = { "mises", "shear", "sxx", "syy", "szz", "sxy" }
+local labels = { mises = "von Mises stress / MPa", shear = "largest shear stress / MPa",
   sxx = "σx / MPa", syy = "σy / MPa", szz = "σz / MPa", sxy = "τxy / MPa" }
-local component_names = { "mises", "shear", "sxx", "syy", "szz", "sxy" }
 
-local stress_options = { component = check.one_of(component_names), body = check.one_of(bodies),
+local stress_options = { component = check.one_of(mesh.components), body = check.one_of(bodies),
   zoom = check.one_of({ "all" }, check.box), deformed = check.number }
 
 -- Nodes of a body, displaced `factor` times as far as they were.
@@ -211,9 +211,9 @@ function mesh.stress(object, options)
   end
   if not field.x[1] then check.fail(where, "no element lies in the part to be shown") end
   table.insert(defaults, 1, field)
-  defaults.xlabel, defaults.ylabel, defaults.vlabel = "x / mm", "y / mm", components[component]
+  defaults.xlabel, defaults.ylabel, defaults.vlabel = "x / mm", "y / mm", labels[component]
   defaults.equal, defaults.levels = true, 9
-  defaults.title = components[component]
+  defaults.title = labels[component]
   if box then defaults.xrange, defaults.yrange = { box[1], box[2] }, { box[3], box[4] } end
   draw.draw(where, picture(options, defaults))
 end

@@ -9,10 +9,14 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a stress field");
 }
 
+#define ADDRESS(name, unit, text) &field->name,
+#define AND_ONE(name, unit, text) +1
+enum { COLUMNS = 0 ARC_FIELD_COLUMNS(AND_ONE) };
+
 static arc_status field_create(arc_field **result, int nodes) {
   const size_t n = (size_t)nodes;
   arc_field *field = calloc(1, sizeof *field);
-  double *block = calloc(10 * n, sizeof *block);
+  double *block = calloc(COLUMNS * n, sizeof *block);
   *result = field;
   if (!field || !block) {
     free(field);
@@ -20,9 +24,8 @@ static arc_status field_create(arc_field **result, int nodes) {
     *result = NULL;
     return ARC_MEMORY;
   }
-  double **member[] = {&field->x,   &field->y,   &field->ux,  &field->uy,    &field->sxx,
-                       &field->syy, &field->szz, &field->sxy, &field->mises, &field->shear};
-  for (int m = 0; m < 10; m++) *member[m] = block + (size_t)m * n;
+  double **member[] = {ARC_FIELD_COLUMNS(ADDRESS)};
+  for (int m = 0; m < COLUMNS; m++) *member[m] = block + (size_t)m * n;
   field->nodes = nodes;
   return ARC_OK;
 }

@@ -4,12 +4,16 @@
 
 enum { vtk_triangle = 5, vtk_quad = 9 };
 
+static void write_vector(FILE *out, double x, double y) {
+  fprintf(out, "%s %s 0\n", arc_number_to_text(x).text, arc_number_to_text(y).text);
+}
+
 static void write_grid(FILE *out, const arc_mesh *mesh, const double *x, const double *y) {
   fprintf(out, "# vtk DataFile Version 3.0\narchard: %s, lengths in mm, stresses in MPa\nASCII\n",
           arc_body_name(mesh->body));
   fprintf(out, "DATASET UNSTRUCTURED_GRID\nPOINTS %d double\n", mesh->nodes);
   for (int n = 0; n < mesh->nodes; n++)
-    fprintf(out, "%.17g %.17g 0\n", x ? x[n] : mesh->xy[2 * n], y ? y[n] : mesh->xy[2 * n + 1]);
+    write_vector(out, x ? x[n] : mesh->xy[2 * n], y ? y[n] : mesh->xy[2 * n + 1]);
   fprintf(out, "CELLS %d %d\n", mesh->elements, 5 * mesh->quads + 4 * mesh->triangles);
   for (int e = 0; e < mesh->elements; e++) {
     const int *c = &mesh->element[4 * e];
@@ -25,18 +29,14 @@ static void write_grid(FILE *out, const arc_mesh *mesh, const double *x, const d
 
 static void write_scalar(FILE *out, const char *name, int count, const double *value) {
   fprintf(out, "SCALARS %s double 1\nLOOKUP_TABLE default\n", name);
-  for (int n = 0; n < count; n++) fprintf(out, "%.17g\n", value[n]);
+  for (int n = 0; n < count; n++) fprintf(out, "%s\n", arc_number_to_text(value[n]).text);
 }
 
 static void write_field(FILE *out, const arc_field *f) {
   fprintf(out, "POINT_DATA %d\nVECTORS displacement double\n", f->nodes);
-  for (int n = 0; n < f->nodes; n++) fprintf(out, "%.17g %.17g 0\n", f->ux[n], f->uy[n]);
-  write_scalar(out, "sxx", f->nodes, f->sxx);
-  write_scalar(out, "syy", f->nodes, f->syy);
-  write_scalar(out, "szz", f->nodes, f->szz);
-  write_scalar(out, "sxy", f->nodes, f->sxy);
-  write_scalar(out, "mises", f->nodes, f->mises);
-  write_scalar(out, "shear", f->nodes, f->shear);
+  for (int n = 0; n < f->nodes; n++) write_vector(out, f->ux[n], f->uy[n]);
+#define SCALAR(name, unit, text) write_scalar(out, #name, f->nodes, f->name);
+  ARC_FIELD_STRESSES(SCALAR)
 }
 
 arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_field *field,

@@ -35,13 +35,9 @@ const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc
 /* Pushes the field of one body as a table of arrays. */
 static void push_field(lua_State *L, const arc_contact *contact, arc_body body) {
   const arc_field *field = field_push_holder(L, contact, body, "contact:stress");
-  const double *const columns[] = {field->x,   field->y,   field->ux,  field->uy,    field->sxx,
-                                   field->syy, field->szz, field->sxy, field->mises, field->shear};
-  static const char *const names[] = {"x",   "y",   "ux",  "uy",    "sxx",
-                                      "syy", "szz", "sxy", "mises", "shear"};
-  lua_createtable(L, 0, 11);
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    array_set(L, names[i], columns[i], (size_t)field->nodes);
+#define SET_COLUMN(name, unit, text) array_set(L, #name, field->name, (size_t)field->nodes);
+  lua_newtable(L);
+  ARC_FIELD_COLUMNS(SET_COLUMN)
   mesh_push_elements(L, arc_model_mesh(arc_contact_model(contact), body));
   lua_setfield(L, -2, "elements");
   box_empty(lua_touserdata(L, -2), &field_class);

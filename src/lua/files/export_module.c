@@ -2,6 +2,7 @@
 #include "archard/export.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/base/names.h"
 #include "lua/wear/wear_class.h"
 
 #include <string.h>
@@ -89,25 +90,20 @@ static const char *push_path(lua_State *L, const char *path, arc_body body, cons
 
 /* The fields of both bodies, one file each; leaves the names of the files on the stack. */
 static int write_stress(lua_State *L, const char *path, const arc_contact *contact) {
-  static const char *const names[] = {"x",   "y",   "ux",  "uy",    "sxx",
-                                      "syy", "szz", "sxy", "mises", "shear"};
+#define NAME(name, unit, text)   #name,
+#define COLUMN(name, unit, text) f->name,
+  static const char *const names[] = {ARC_FIELD_COLUMNS(NAME)};
+  const size_t count = sizeof names / sizeof *names;
   for (int body = 0; body < ARC_BODIES; body++) {
     const char *file = push_path(L, path, (arc_body)body, ".csv");
     const arc_field *f = field_push_holder(L, contact, (arc_body)body, csv_where);
-    const double *const columns[] = {f->x,   f->y,   f->ux,  f->uy,    f->sxx,
-                                     f->syy, f->szz, f->sxy, f->mises, f->shear};
+    const double *const columns[] = {ARC_FIELD_COLUMNS(COLUMN)};
     arc_error error = {0};
-    arc_status status = arc_export_csv(file, 10, names, columns, (size_t)f->nodes, &error);
+    arc_status status = arc_export_csv(file, count, names, columns, (size_t)f->nodes, &error);
     error_check(L, status, &error, csv_where, -1);
     lua_pop(L, 1);
   }
   return ARC_BODIES;
-}
-
-/* What stands at an index, by its class or type: whole objects make long messages. */
-static const char *kind_of(lua_State *L, int index) {
-  if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) return lua_tostring(L, -1);
-  return luaL_typename(L, index);
 }
 
 /* The order of columns of a plain table: positions first, then by name. */
@@ -184,7 +180,7 @@ static int export_csv(lua_State *L) {
   else
     error_raise(L, ARC_ARGUMENT, csv_where,
                 "expected a wear or contact object, a stress or a table of arrays, got %s",
-                kind_of(L, 1));
+                names_push_shown(L, 1));
   return 0;
 }
 
@@ -227,9 +223,9 @@ static int export_vtk(lua_State *L) {
     return write_bodies(L, path, box_check(L, 1, &model_class, vtk_where)->thing, NULL);
   const arc_contact *contact = stress_contact(L, 1, vtk_where);
   if (!contact && !box_test(L, 1, &contact_class))
-    error_raise(L, ARC_ARGUMENT, vtk_where,
-                "expected a contact, its stress, a model or a mesh, got %s%s", kind_of(L, 1),
-                box_test(L, 1, &wear_class) ? " (its contact is w:contact())" : "");
+    error_raise(
+        L, ARC_ARGUMENT, vtk_where, "expected a contact, its stress, a model or a mesh, got %s%s",
+        names_push_shown(L, 1), box_test(L, 1, &wear_class) ? " (its contact is w:contact())" : "");
   if (!contact) contact = box_check(L, 1, &contact_class, vtk_where)->thing;
   return write_bodies(L, path, arc_contact_model(contact), contact);
 }
