@@ -1,4 +1,5 @@
-/* Statuses and error messages. */
+/* Statuses and error messages, measures of plain arrays. */
+#include "archard/measure.h"
 #include "check.h"
 
 static const arc_status all[] = {
@@ -64,11 +65,55 @@ static void test_one_thread(void **state) {
   assert_ptr_equal(first, second);
 }
 
+/* --- measures --------------------------------------------------------------------------------- */
+
+static void test_interpolate(void **state) {
+  (void)state;
+  static const double x[] = {0, 1, 3}, y[] = {2, 4, 0};
+  assert_true(arc_measure_interpolate(x, y, 3, 0.5, -1) == 3);
+  assert_true(arc_measure_interpolate(x, y, 3, 1, -1) == 4);
+  assert_true(arc_measure_interpolate(x, y, 3, 2, -1) == 2);
+  assert_true(arc_measure_interpolate(x, y, 3, 3, -1) == 0);
+  assert_true(arc_measure_interpolate(x, y, 3, 3.5, -1) == -1);
+  assert_true(arc_measure_interpolate(x, y, 3, -0.5, -1) == -1);
+  assert_true(arc_measure_interpolate(x, y, 1, 0, -1) == 2);
+  assert_true(arc_measure_interpolate(NULL, NULL, 0, 0, -1) == -1);
+}
+
+/* A cubic has no sawtooth part; one of amplitude 0.5 on top of it is all that is seen. */
+static void test_sawtooth(void **state) {
+  (void)state;
+  double x[21], y[21];
+  for (int i = 0; i < 21; i++) x[i] = i - 10, y[i] = x[i] * x[i] * (x[i] + 2);
+  check_near(arc_measure_sawtooth(x, y, 21, -10, 10), 0, 1e-12);
+  for (int i = 0; i < 21; i++) y[i] += i % 2 ? 0.5 : -0.5;
+  check_near(arc_measure_sawtooth(x, y, 21, -10, 10), 0.5, 1e-12);
+  check_near(arc_measure_sawtooth(x, y, 21, -1, 1), 0.5, 1e-12);
+  assert_true(arc_measure_sawtooth(x, y, 21, 11, 12) == 0);
+  assert_true(arc_measure_sawtooth(x, y, 3, -10, 10) == 0);
+}
+
+static void test_partition(void **state) {
+  (void)state;
+  static const double xc[] = {-1, 1}, hc[] = {3, 3}, xp[] = {-2, -1, 0, 2}, hp[] = {0, 1, 0, 2};
+  const arc_depths cylinder = {2, xc, hc}, plate = {4, xp, hp};
+  double sum[4], x[4], share[4];
+  assert_true(arc_depth_partition(1, 3) == 0.25);
+  assert_true(isnan(arc_depth_partition(0, 0)));
+  arc_measure_combined(cylinder, plate, sum);
+  assert_true(sum[0] == 0 && sum[1] == 4 && sum[2] == 3 && sum[3] == 2);
+  assert_int_equal(arc_measure_local_partition(cylinder, plate, x, share), 3);
+  assert_true(x[0] == -1 && x[1] == 0 && x[2] == 2);
+  assert_true(share[0] == 0.75 && share[1] == 1 && share[2] == 0);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_texts),        cmocka_unit_test(test_unknown_status),
       cmocka_unit_test(test_signs),        cmocka_unit_test(test_fail),
       cmocka_unit_test(test_long_message), cmocka_unit_test(test_one_thread),
+      cmocka_unit_test(test_interpolate),  cmocka_unit_test(test_sawtooth),
+      cmocka_unit_test(test_partition),
   };
   return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

@@ -136,9 +136,7 @@ arc_status arc_wear_implicit(arc_wear *w, const arc_shape *shape, const wear_win
                              double cycles, const double k[ARC_BODIES], arc_stop_fn stop,
                              void *context, int *solutions, double *error_share, arc_error *error);
 
-/* --- measure.c --- */
-/* alpha-tilde (Eq. 29); NaN before any wear. */
-double arc_wear_partition(double cylinder, double plate);
+/* --- reference.c --- */
 /* alpha = 0 over the whole plate: the contact never changes and no solution is needed. */
 int arc_wear_closed_form(const arc_wear *w);
 /* Reads the reference configuration of a shape into the record (which holds the rest). */

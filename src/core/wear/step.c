@@ -1,5 +1,6 @@
 /* One step of a run: how far, with which coefficients, by which scheme; then all of it or nothing.
  */
+#include "archard/measure.h"
 #include "core/wear/run.h"
 
 #include <math.h>
@@ -48,7 +49,7 @@ static arc_wear_record predict(arc_wear *w, const wear_plan *plan, double share,
       *deepest[b] =
           fmax(*deepest[b], w->shape->side[b].h[i] + w->delta[b][i] + (b == ARC_PLATE ? even : 0));
   add_volumes(w, w->shape, delta, even, &state);
-  state.depth_partition = arc_wear_partition(state.depth_cylinder, state.depth_plate);
+  state.depth_partition = arc_depth_partition(state.depth_cylinder, state.depth_plate);
   return state;
 }
 

@@ -1,4 +1,4 @@
-/* Arrays of numbers: to and from Lua tables, interpolation. */
+/* Arrays of numbers: to and from Lua tables. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 
@@ -38,19 +38,4 @@ double *array_read(lua_State *L, args_place place, const char *name, size_t *cou
     lua_pop(L, 1);
   }
   return values;
-}
-
-double array_interpolate(const double *x, const double *y, size_t count, double at,
-                         double outside) {
-  if (count == 0 || at < x[0] || at > x[count - 1]) return outside;
-  size_t low = 0, high = count - 1;
-  while (high - low > 1) {
-    size_t middle = (low + high) / 2;
-    if (x[middle] <= at)
-      low = middle;
-    else
-      high = middle;
-  }
-  if (x[high] <= at) return y[high];
-  return y[low] + (y[high] - y[low]) * (at - x[low]) / (x[high] - x[low]);
 }

@@ -17,7 +17,4 @@ double *array_buffer(lua_State *L, size_t count);
  * (the table stays below). Errors name the field and the position. */
 double *array_read(lua_State *L, args_place place, const char *name, size_t *count);
 
-/* Value at `at` of the broken line through (x, y), x increasing; `outside` beyond its ends. */
-double array_interpolate(const double *x, const double *y, size_t count, double at, double outside);
-
 #endif

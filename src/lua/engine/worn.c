@@ -1,5 +1,6 @@
 /* The field `worn` of contacts and wear runs: a wear object, or by body a function x -> depth or a
  * profile { x=, h= }; turned into a shape of the engine. */
+#include "archard/measure.h"
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
@@ -107,7 +108,7 @@ static void sample_profile(lua_State *L, int index, args_place place, arc_profil
                            double *depth) {
   given_profile profile = push_profile(L, index, place);
   for (int i = 0; i < nodes.count; i++)
-    depth[i] = array_interpolate(profile.x, profile.h, profile.count, nodes.x[i], 0);
+    depth[i] = arc_measure_interpolate(profile.x, profile.h, profile.count, nodes.x[i], 0);
 }
 
 /* The depth at `x` by the function at `index`. */
@@ -132,7 +133,7 @@ static void sample_run(const arc_wear *other, arc_body body, arc_profile nodes, 
   size_t count = (size_t)from.count;
   for (int i = 0; i < nodes.count; i++) {
     double end = nodes.x[i] < 0 ? from.h[0] : from.h[count - 1];
-    depth[i] = array_interpolate(from.x, from.h, count, nodes.x[i], end);
+    depth[i] = arc_measure_interpolate(from.x, from.h, count, nodes.x[i], end);
   }
 }
 

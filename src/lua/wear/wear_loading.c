@@ -1,5 +1,6 @@
 /* The field `loading` of a run: blocks of plate position and load over a cycle, given as functions
  * of t, as arrays or as numbers; sampled once, here. */
+#include "archard/measure.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
@@ -104,8 +105,8 @@ static void sample_array(const reading *r, const char *name, double *value) {
                 "got %d",
                 r->place.prefix, name, (int)r->given, (int)count);
   for (size_t i = 0; i < r->count; i++)
-    value[i] =
-        r->t == r->from ? given[i] : array_interpolate(r->from, given, count, r->t[i], given[0]);
+    value[i] = r->t == r->from ? given[i]
+                               : arc_measure_interpolate(r->from, given, count, r->t[i], given[0]);
 }
 
 /* Calls the function on top of the stack for every time. */

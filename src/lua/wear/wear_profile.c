@@ -1,4 +1,5 @@
 /* Class wear: profiles, pressures and what is computed from them. */
+#include "archard/measure.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
@@ -47,21 +48,20 @@ int wear_pressure(lua_State *L) {
 /* --- both bodies together: at the plate's nodes, plate at x = 0 so that the maxima meet --------
  */
 
-static double cylinder_depth(arc_profile cylinder, double x) {
-  return array_interpolate(cylinder.x, cylinder.h, (size_t)cylinder.count, x, 0);
+static arc_depths depths_of(const arc_shape *shape, arc_body body) {
+  const arc_profile profile = arc_shape_profile(shape, body);
+  return (arc_depths){(size_t)profile.count, profile.x, profile.h};
 }
 
 /* wear:combined() -> { x=, h= }, the sum of both depths (Eq. 31) */
 int wear_combined(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:combined"));
-  arc_profile cylinder = arc_shape_profile(shape, ARC_CYLINDER);
-  arc_profile plate = arc_shape_profile(shape, ARC_PLATE);
-  size_t count = (size_t)plate.count;
-  double *sum = array_buffer(L, count);
-  for (size_t i = 0; i < count; i++) sum[i] = cylinder_depth(cylinder, plate.x[i]) + plate.h[i];
+  const arc_depths plate = depths_of(shape, ARC_PLATE);
+  double *sum = array_buffer(L, plate.count);
+  arc_measure_combined(depths_of(shape, ARC_CYLINDER), plate, sum);
   lua_createtable(L, 0, 2);
-  array_set(L, "x", plate.x, count);
-  array_set(L, "h", sum, count);
+  array_set(L, "x", plate.x, plate.count);
+  array_set(L, "h", sum, plate.count);
   return 1;
 }
 
@@ -69,17 +69,9 @@ int wear_combined(lua_State *L) {
  * is any wear */
 int wear_local_partition(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:local_partition"));
-  arc_profile cylinder = arc_shape_profile(shape, ARC_CYLINDER);
-  arc_profile plate = arc_shape_profile(shape, ARC_PLATE);
-  size_t worn = 0;
-  double *x = array_buffer(L, (size_t)plate.count);
-  double *value = array_buffer(L, (size_t)plate.count);
-  for (int i = 0; i < plate.count; i++) {
-    double depth = cylinder_depth(cylinder, plate.x[i]);
-    if (depth + plate.h[i] <= 0) continue;
-    x[worn] = plate.x[i];
-    value[worn++] = depth / (depth + plate.h[i]);
-  }
+  const arc_depths plate = depths_of(shape, ARC_PLATE);
+  double *x = array_buffer(L, plate.count), *value = array_buffer(L, plate.count);
+  const size_t worn = arc_measure_local_partition(depths_of(shape, ARC_CYLINDER), plate, x, value);
   lua_createtable(L, 0, 2);
   array_set(L, "x", x, worn);
   array_set(L, "value", value, worn);

@@ -1,11 +1,8 @@
 /* What is measured after each update, in the reference configuration. */
+#include "archard/measure.h"
 #include "core/wear/run.h"
 
 #include <math.h>
-
-double arc_wear_partition(double cylinder, double plate) {
-  return cylinder + plate > 0 ? cylinder / (cylinder + plate) : (double)NAN;
-}
 
 int arc_wear_closed_form(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
@@ -63,24 +60,15 @@ arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record
   if (status != ARC_OK) return status;
   record->depth_cylinder = arc_shape_depth(shape, ARC_CYLINDER);
   record->depth_plate = arc_shape_depth(shape, ARC_PLATE);
-  record->depth_partition = arc_wear_partition(record->depth_cylinder, record->depth_plate);
+  record->depth_partition = arc_depth_partition(record->depth_cylinder, record->depth_plate);
   return ARC_OK;
 }
 
-/* Sawtooth part of a profile: fourth differences over 16 (a pure sawtooth of amplitude 1 gives 1),
- * root mean square over the middle of the contact, as a share of the largest depth. */
 double arc_wear_roughness(const arc_wear *w, arc_body body) {
   const arc_profile profile = arc_shape_profile(w->shape, body);
   const double deepest = arc_shape_depth(w->shape, body);
-  const double reach = 0.8 * arc_wear_last(w)->half_width;
-  double sum = 0;
-  int count = 0;
-  for (int i = 2; i < profile.count - 2; i++) {
-    if (fabs(profile.x[i]) > reach) continue;
-    const double *h = profile.h;
-    const double saw = (h[i - 2] - 4 * h[i - 1] + 6 * h[i] - 4 * h[i + 1] + h[i + 2]) / 16;
-    sum += saw * saw;
-    count++;
-  }
-  return deepest > 0 && count > 0 ? sqrt(sum / count) / deepest : 0;
+  const double reach = 0.8 * arc_wear_last(w)->half_width; /* the middle of the contact */
+  const double saw =
+      arc_measure_sawtooth(profile.x, profile.h, (size_t)profile.count, -reach, reach);
+  return deepest > 0 ? saw / deepest : 0;
 }
