@@ -3,6 +3,7 @@
 
 local archard = require "archard"
 local check = require "archard.lib.check"
+local measure = require "archard.measure"
 local settings = require "archard.study.settings"
 
 local case = {}
@@ -109,44 +110,15 @@ function methods:distances()
   return list
 end
 
--- h at x by straight lines; 0 outside.
-local function depth_at(profile, x)
-  local xs, hs = profile.x, profile.h
-  if x < xs[1] or x > xs[#xs] then return 0 end
-  local low, high = 1, #xs
-  while high - low > 1 do
-    local middle = (low + high) // 2
-    if xs[middle] <= x then low = middle else high = middle end
-  end
-  if xs[high] == x then return hs[high] end
-  return hs[low] + (hs[high] - hs[low]) * (x - xs[low]) / (xs[high] - xs[low])
-end
-
--- Both depths at the plate's nodes with the plate at x = 0: calls see(x, cylinder's, plate's).
-local function together(self, distance, see)
-  local cylinder, plate = self:profile("cylinder", distance), self:profile("plate", distance)
-  for i, x in ipairs(plate.x) do see(x, depth_at(cylinder, x), plate.h[i]) end
-end
-
 -- The sum of both depths, Eq. (31).
 function methods:combined(distance)
-  local sum = { x = {}, h = {} }
-  together(self, distance, function(x, cylinder, plate)
-    sum.x[#sum.x + 1] = x
-    sum.h[#sum.h + 1] = cylinder + plate
-  end)
-  return sum
+  return measure.combined(self:profile("cylinder", distance), self:profile("plate", distance))
 end
 
 -- The cylinder's share of it, Eq. (30), where there is any wear.
 function methods:local_partition(distance)
-  local share = { x = {}, value = {} }
-  together(self, distance, function(x, cylinder, plate)
-    if cylinder + plate <= 0 then return end
-    share.x[#share.x + 1] = x
-    share.value[#share.value + 1] = cylinder / (cylinder + plate)
-  end)
-  return share
+  return measure.local_partition(self:profile("cylinder", distance),
+    self:profile("plate", distance))
 end
 
 -- The run as a wear object, that can go on.

@@ -3,6 +3,8 @@
 -- the surfaces are after some updates. Returns search(given, on_progress); `given` holds the fields
 -- of wear{} and, as `converge`, limits to replace those below.
 
+local measure = require "archard.measure"
+
 local limits = {
   pressure = 0.01,     -- mesh: largest pressure against Hertz' [share]
   smooth = 0.005,      -- sawtooth in the pressure of the contact's middle [share of p_center]
@@ -62,24 +64,10 @@ end
 
 -- --- smoothness and symmetry -----------------------------------------------------------------------
 
--- Fourth differences over 16, root mean square over |x| <= reach: 1 for a sawtooth of amplitude 1,
--- next to nothing for what is smooth on the scale of the nodes.
-local function sawtooth(x, values, reach)
-  local sum, count = 0, 0
-  for i = 3, #x - 2 do
-    if math.abs(x[i]) <= reach then
-      local saw = (values[i - 2] - 4 * values[i - 1] + 6 * values[i] - 4 * values[i + 1]
-        + values[i + 2]) / 16
-      sum, count = sum + saw * saw, count + 1
-    end
-  end
-  return count > 0 and math.sqrt(sum / count) or 0
-end
-
--- Peaks at the contact's edges are physics: only the middle counts.
+-- Of the pressure, whose peaks at the contact's edges are physics: only the middle counts.
 local function roughness(run)
   local pressure = run:pressure("cylinder")
-  local value = sawtooth(pressure.x, pressure.p, 0.6 * run.half_width) / run.p_center
+  local value = measure.sawtooth(pressure.x, pressure.p, 0.6 * run.half_width) / run.p_center
   return value == value and math.min(value, 1) or 1
 end
 

@@ -1,7 +1,7 @@
 /* Class wear: profiles, pressures and what is computed from them. */
-#include "archard/measure.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/engine/measure_module.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
@@ -56,26 +56,14 @@ static arc_depths depths_of(const arc_shape *shape, arc_body body) {
 /* wear:combined() -> { x=, h= }, the sum of both depths (Eq. 31) */
 int wear_combined(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:combined"));
-  const arc_depths plate = depths_of(shape, ARC_PLATE);
-  double *sum = array_buffer(L, plate.count);
-  arc_measure_combined(depths_of(shape, ARC_CYLINDER), plate, sum);
-  lua_createtable(L, 0, 2);
-  array_set(L, "x", plate.x, plate.count);
-  array_set(L, "h", sum, plate.count);
-  return 1;
+  return measure_push_combined(L, depths_of(shape, ARC_CYLINDER), depths_of(shape, ARC_PLATE));
 }
 
 /* wear:local_partition() -> { x=, value= }, the cylinder's share of the sum (Eq. 30), where there
  * is any wear */
 int wear_local_partition(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:local_partition"));
-  const arc_depths plate = depths_of(shape, ARC_PLATE);
-  double *x = array_buffer(L, plate.count), *value = array_buffer(L, plate.count);
-  const size_t worn = arc_measure_local_partition(depths_of(shape, ARC_CYLINDER), plate, x, value);
-  lua_createtable(L, 0, 2);
-  array_set(L, "x", x, worn);
-  array_set(L, "value", value, worn);
-  return 1;
+  return measure_push_partition(L, depths_of(shape, ARC_CYLINDER), depths_of(shape, ARC_PLATE));
 }
 
 /* --- smoothness ------------------------------------------------------------------------------ */

@@ -1,0 +1,82 @@
+/* The module `archard.measure`: what profiles tell, for scripts that have them as columns; and the
+ * pushing of such measures, for classes that have them as arrays. */
+#include "lua/engine/measure_module.h"
+#include "lua/base/archard.h"
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+
+#include <lauxlib.h>
+
+int measure_push_combined(lua_State *L, arc_depths cylinder, arc_depths plate) {
+  double *sum = array_buffer(L, plate.count);
+  arc_measure_combined(cylinder, plate, sum);
+  lua_createtable(L, 0, 2);
+  array_set(L, "x", plate.x, plate.count);
+  array_set(L, "h", sum, plate.count);
+  return 1;
+}
+
+int measure_push_partition(lua_State *L, arc_depths cylinder, arc_depths plate) {
+  double *x = array_buffer(L, plate.count), *value = array_buffer(L, plate.count);
+  const size_t worn = arc_measure_local_partition(cylinder, plate, x, value);
+  lua_createtable(L, 0, 2);
+  array_set(L, "x", x, worn);
+  array_set(L, "value", value, worn);
+  return 1;
+}
+
+/* Two columns of one length out of the tables at the indices, kept on the stack. */
+static arc_depths read_columns(lua_State *L, args_place place, int x, int y) {
+  arc_depths read;
+  size_t count;
+  lua_pushvalue(L, x);
+  read.x = array_read(L, place, "x", &read.count);
+  lua_pushvalue(L, y);
+  read.h = array_read(L, place, "y", &count);
+  if (count != read.count)
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "expected arrays of one length, got %d and %d numbers", (int)read.count,
+                (int)count);
+  return read;
+}
+
+/* The profile { x=, h= } at an index. */
+static arc_depths read_profile(lua_State *L, const char *where, int index) {
+  luaL_checktype(L, index, LUA_TTABLE);
+  luaL_checkstack(L, 12, where);
+  lua_getfield(L, index, "x");
+  lua_getfield(L, index, "h");
+  const int top = lua_gettop(L);
+  return read_columns(L, (args_place){where, ""}, top - 1, top);
+}
+
+/* combined(cylinder, plate) -> { x=, h= }, the sum of two profiles (Eq. 31) */
+static int measure_combined(lua_State *L) {
+  static const char where[] = "measure.combined";
+  const arc_depths cylinder = read_profile(L, where, 1);
+  return measure_push_combined(L, cylinder, read_profile(L, where, 2));
+}
+
+/* local_partition(cylinder, plate) -> { x=, value= }, the cylinder's share of it (Eq. 30) */
+static int measure_local_partition(lua_State *L) {
+  static const char where[] = "measure.local_partition";
+  const arc_depths cylinder = read_profile(L, where, 1);
+  return measure_push_partition(L, cylinder, read_profile(L, where, 2));
+}
+
+/* sawtooth(x, y, reach) -> root mean square of the sawtooth part of y over |x| <= reach */
+static int measure_sawtooth(lua_State *L) {
+  const double reach = luaL_checknumber(L, 3);
+  const arc_depths y = read_columns(L, (args_place){"measure.sawtooth", ""}, 1, 2);
+  lua_pushnumber(L, arc_measure_sawtooth(y.x, y.h, y.count, -reach, reach));
+  return 1;
+}
+
+int luaopen_archard_measure(lua_State *L) {
+  static const luaL_Reg functions[] = {{"combined", measure_combined},
+                                       {"local_partition", measure_local_partition},
+                                       {"sawtooth", measure_sawtooth},
+                                       {NULL, NULL}};
+  luaL_newlib(L, functions);
+  return 1;
+}

@@ -1,0 +1,14 @@
+/* lua/measure_module.h - measures of two profiles as Lua tables. */
+#ifndef LUA_MEASURE_MODULE_H
+#define LUA_MEASURE_MODULE_H
+
+#include "archard/measure.h"
+
+#include <lua.h>
+
+/* Push { x=, h= }, the sum of both depths (Eq. 31), and { x=, value= }, the cylinder's share of it
+ * (Eq. 30), at the plate's points; below it are left what buffers they needed. Return 1. */
+int measure_push_combined(lua_State *L, arc_depths cylinder, arc_depths plate);
+int measure_push_partition(lua_State *L, arc_depths cylinder, arc_depths plate);
+
+#endif
