@@ -22,4 +22,14 @@ arc_status arc_export_inp(const char *path, const arc_model *model, arc_error *e
 /* The same of one body alone: nodes, elements, surface, boundary sets. */
 arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error *error);
 
+/* A text of `length` bytes as it is. */
+arc_status arc_export_text(const char *path, const char *text, size_t length, arc_error *error);
+
+/* The shortest text that reads back to the same bits: 0.3, not 0.29999999999999999. NaN and zero
+ * have no sign. All files have their numbers so. */
+typedef struct arc_number_text {
+  char text[32];
+} arc_number_text;
+arc_number_text arc_number_to_text(double value);
+
 #endif

@@ -1,7 +1,7 @@
 -- One HTML page around the figures of a study: what each shows, what to look at, how to make it
 -- again. Stands by itself: no file but the pictures beside it.
 
-local tables = require "archard.study.table"
+local files = require "archard.files"
 
 local page = {}
 
@@ -106,6 +106,6 @@ function page.html(content)
     "</main>", "</body>", "</html>" }, "\n")
 end
 
-function page.write(path, content) tables.write("figures", path, page.html(content)) end
+function page.write(path, content) files.write("figures", path, page.html(content) .. "\n") end
 
 return page

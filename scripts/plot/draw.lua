@@ -1,6 +1,7 @@
 -- From a table of options to a picture: what plot{...} may be given, the figure made of it, and
 -- where that is drawn. Leans on archard.gnuplot to draw, on archard.term for the terminal.
 
+local files = require "archard.files"
 local gnuplot = require "archard.gnuplot"
 local term = require "archard.term"
 local check = require "archard.lib.check"
@@ -253,7 +254,7 @@ end
 local function save(where, figure, file, options)
   local output = to_output(where, figure, { file = file, size = options.size, term = options.term })
   run(where, gnuplot.draw, figure, output)
-  csv.write(where, (file:gsub("%.[^./]*$", "")) .. ".csv", figure)
+  files.write(where, file:gsub("%.[^./]*$", "") .. ".csv", csv(figure))
   last = figure
 end
 

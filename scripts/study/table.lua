@@ -1,6 +1,8 @@
 -- Tables of a study's results: for the terminal, as CSV, as Markdown. Leans on the cases alone.
 
 local check = require "archard.lib.check"
+local csv_text = require "archard.lib.csv_text"
+local files = require "archard.files"
 local settings = require "archard.study.settings"
 local term = require "archard.term"
 
@@ -49,8 +51,6 @@ local function columns_of(study)
   end }
   return columns
 end
-
-local function is_number(value) return type(value) == "number" and value == value end
 
 local function shown(column, value)
   if value == nil or (type(value) == "number" and value ~= value) then return "-" end
@@ -140,20 +140,12 @@ function forms.text(study, columns)
   return text
 end
 
--- All digits; what holds a comma, a quote or a line's end is quoted.
-local function exact(_, value)
-  if is_number(value) then return ("%.17g"):format(value) end
-  if value == nil or type(value) == "number" then return "" end
-  value = tostring(value)
-  return value:find('[,"\r\n]') and '"' .. value:gsub('"', '""') .. '"' or value
-end
-
 function forms.csv(study, columns)
-  local rows = rows_of(study, columns, exact)
+  local rows = rows_of(study, columns, function(_, value)
+    if value == value then return value end
+  end)
   table.insert(rows, 1, heads(columns, true))
-  local lines = {}
-  for i, row in ipairs(rows) do lines[i] = table.concat(row, ",") end
-  return table.concat(lines, "\n")
+  return (csv_text(rows, #columns):gsub("\n$", ""))
 end
 
 function forms.markdown(study, columns)
@@ -174,25 +166,13 @@ end
 local endings = { csv = "csv", md = "markdown", txt = "text" }
 local fields = { format = check.one_of{ "text", "csv", "markdown" }, file = check.text }
 
-function tables.write(where, path, text)
-  local file, why = io.open(path, "w")
-  if file then
-    local fine
-    fine, why = file:write(text, "\n")
-    local closed, late = file:close()
-    if fine and closed then return end
-    why = why or late
-  end
-  check.fail(where, tostring(why), "IO")
-end
-
 -- make(study, { format=, file= }) -> the table as text that print() shows as it is
 function tables.make(study, options)
   options = options or {}
   check.fields("study:table", options, fields)
   local by_ending = options.file and endings[options.file:match("%.(%w+)$") or ""]
   local text = forms[options.format or by_ending or "text"](study, columns_of(study))
-  if options.file then tables.write("study:table", options.file, text) end
+  if options.file then files.write("study:table", options.file, text .. "\n") end
   return text
 end
 

@@ -199,7 +199,7 @@ do
   ok(read("s.png"), "plot.save draws")
   ok(lines[1] == 'squares: x / mm,squares: y,"a ""b"", c: x / mm","a ""b"", c: y"',
     "and names the columns")
-  ok(lines[2] == "0,0,1,0.10000000000000001", "numbers to the last bit")
+  ok(lines[2] == "0,0,1,0.1", "the shortest numbers that read back to the same bits")
   ok(lines[3] == "1,1,2,nan" and lines[5] == "3,9,,", "nan, and shorter columns end early")
   plot { { x = { 7, 8 }, y = { 1, 2 } }, file = folder .. "/shown.txt" }
   plot.save(folder .. "/again.svg")

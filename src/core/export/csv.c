@@ -1,5 +1,4 @@
 /* Comma-separated columns. */
-#include "archard/export.h"
 #include "core/export/file.h"
 
 arc_status arc_export_csv(const char *path, size_t columns, const char *const names[],

@@ -16,8 +16,8 @@ static void forget(output_file *file) {
   *file = (output_file){0};
 }
 
-number_text arc_number_to_text(double value) {
-  number_text result = {"nan"};
+arc_number_text arc_number_to_text(double value) {
+  arc_number_text result = {"nan"};
   for (int digits = 15; digits <= 17 && !isnan(value); digits++) {
     snprintf(result.text, sizeof result.text, "%.*g", digits, value == 0 ? 0.0 : value);
     if (strtod(result.text, NULL) == value) break;
@@ -55,4 +55,12 @@ arc_status arc_output_close(output_file *file, arc_error *error) {
   }
   forget(file);
   return status;
+}
+
+arc_status arc_export_text(const char *path, const char *text, size_t length, arc_error *error) {
+  output_file file;
+  const arc_status status = arc_output_open(&file, path, error);
+  if (status != ARC_OK) return status;
+  fwrite(text, 1, length, file.stream);
+  return arc_output_close(&file, error);
 }

@@ -2,7 +2,7 @@
 #ifndef EXPORT_FILE_H
 #define EXPORT_FILE_H
 
-#include "archard/base.h"
+#include "archard/export.h"
 
 #include <stdio.h>
 
@@ -15,12 +15,5 @@ typedef struct output_file {
 arc_status arc_output_open(output_file *file, const char *path, arc_error *error);
 /* Flushes, closes and renames; on any write error removes the temporary file and returns ARC_IO. */
 arc_status arc_output_close(output_file *file, arc_error *error);
-
-/* The shortest text that reads back to the same bits: 0.3, not 0.29999999999999999. NaN and zero
- * have no sign. */
-typedef struct number_text {
-  char text[32];
-} number_text;
-number_text arc_number_to_text(double value);
 
 #endif

@@ -1,6 +1,5 @@
 /* Abaqus and CalculiX input deck: both bodies as one mesh with sets, surfaces and materials. The
  * plate's nodes and elements follow the cylinder's; numbers start at 1. */
-#include "archard/export.h"
 #include "core/export/file.h"
 
 typedef struct numbering {

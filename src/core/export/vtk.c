@@ -1,5 +1,4 @@
 /* Legacy VTK text: an unstructured grid, with displacements and stresses at its nodes. */
-#include "archard/export.h"
 #include "core/export/file.h"
 
 enum { vtk_triangle = 5, vtk_quad = 9 };

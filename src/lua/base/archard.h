@@ -36,6 +36,9 @@ int luaopen_archard_process(lua_State *L);
 /* The module `archard.warnings`: keeps warnings for whoever asks, instead of showing them. */
 int luaopen_archard_warnings(lua_State *L);
 
+/* The module `archard.files`: writes texts and numbers as every export does. */
+int luaopen_archard_files(lua_State *L);
+
 /* The module `archard.measure`: what profiles tell. */
 int luaopen_archard_measure(lua_State *L);
 

@@ -1,5 +1,7 @@
-/* The table export: files for other tools, out of objects and of plain tables. */
+/* The table export: files for other tools, out of objects and of plain tables; and for scripts the
+ * module `archard.files`, the writing of texts and numbers below it. */
 #include "archard/export.h"
+#include "lua/base/archard.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
@@ -246,6 +248,31 @@ static int export_inp(lua_State *L) {
 int luaopen_archard_export(lua_State *L) {
   static const luaL_Reg functions[] = {
       {"csv", export_csv}, {"vtk", export_vtk}, {"inp", export_inp}, {NULL, NULL}};
+  luaL_newlib(L, functions);
+  return 1;
+}
+
+/* --- for scripts ----------------------------------------------------------------------------- */
+
+/* write(where, path, text): the file is whole, or not there and an error of `where` is raised */
+static int files_write(lua_State *L) {
+  size_t length;
+  const char *where = luaL_checkstring(L, 1), *path = luaL_checkstring(L, 2);
+  const char *text = luaL_checklstring(L, 3, &length);
+  arc_error error = {0};
+  error_check(L, arc_export_text(path, text, length, &error), &error, where, -1);
+  return 0;
+}
+
+/* number(value) -> its shortest text */
+static int files_number(lua_State *L) {
+  lua_pushstring(L, arc_number_to_text(luaL_checknumber(L, 1)).text);
+  return 1;
+}
+
+int luaopen_archard_files(lua_State *L) {
+  static const luaL_Reg functions[] = {
+      {"write", files_write}, {"number", files_number}, {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

@@ -1,0 +1,22 @@
+-- Rows of values as CSV text: the one way scripts write it. Leans on archard.files for numbers.
+
+local files = require "archard.files"
+
+-- What holds a comma, a quote or a line's end is quoted; a row stays one line.
+local function cell(value)
+  if value == nil then return "" end
+  if type(value) == "number" then return files.number(value) end
+  value = tostring(value)
+  if not value:find('[",\r\n]') then return value end
+  return '"' .. value:gsub('"', '""'):gsub("[\r\n]+", " ") .. '"'
+end
+
+-- (rows, columns) -> text; nil in a row is an empty cell
+return function(rows, columns)
+  local lines, cells = {}, {}
+  for i, row in ipairs(rows) do
+    for c = 1, columns do cells[c] = cell(row[c]) end
+    lines[i] = table.concat(cells, ",")
+  end
+  return table.concat(lines, "\n") .. "\n"
+end
