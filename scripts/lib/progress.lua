@@ -26,12 +26,19 @@ function progress.new(definition)
   return setmetatable(self, progress)
 end
 
-local function duration(seconds)
+-- "4:05", or "1:04:05"; what nobody can wait for is "-:--".
+function progress.duration(seconds)
   if seconds ~= seconds or seconds > 359999 then return "-:--" end
   local whole = math.floor(seconds + 0.5)
   local hours, minutes = whole // 3600, whole // 60 % 60
   if hours > 0 then return ("%d:%02d:%02d"):format(hours, minutes, whole % 60) end
   return ("%d:%02d"):format(minutes, whole % 60)
+end
+
+-- "[###.......]", `width` between the brackets
+function progress.bar(share, width)
+  local full = math.floor(math.max(0, math.min(1, share)) * width + 0.5)
+  return "[" .. ("#"):rep(full) .. ("."):rep(width - full) .. "]"
 end
 
 -- The line without its bar: what must be said comes first, the bar gets what room is left.
@@ -41,7 +48,7 @@ function progress:parts(done, note, now)
   local left = rate > 0 and (self.total - done) / rate or math.huge
   local head = ("%s%3.0f %%"):format(self.label ~= "" and self.label .. " " or "", 100 * share)
   local tail = ("%.4g/%.4g %s  %.3g %s/s  %s left"):format(done, self.total, self.unit, rate,
-    self.unit, duration(left))
+    self.unit, progress.duration(left))
   if note then tail = note .. "  " .. tail end
   return share, head, tail
 end
@@ -51,10 +58,7 @@ function progress:line(done, note, now, width)
   local share, head, tail = self:parts(done, note, now)
   local room = width - #head - #tail - 6
   if room < 6 then return (head .. "  " .. tail):sub(1, math.max(width - 1, 0)) end
-  room = math.min(room, 30)
-  local full = math.floor(share * room + 0.5)
-  local bar = ("#"):rep(full) .. ("."):rep(room - full)
-  return ("%s [%s] %s"):format(head, bar, tail)
+  return ("%s %s %s"):format(head, progress.bar(share, math.min(room, 30)), tail)
 end
 
 function progress:update(done, note)

@@ -1,7 +1,11 @@
 -- How a study goes: on a terminal one line for each running case and one for all, redrawn in place;
--- elsewhere nothing, or a line per finished case where that is asked for. Leans on archard.term.
+-- elsewhere nothing, or a line per finished case where that is asked for. Leans on
+-- archard.lib.progress for bars and times, on archard.term.
 
+local one_run = require "archard.lib.progress"
 local term = require "archard.term"
+
+local bar, duration = one_run.bar, one_run.duration
 
 local progress = {}
 progress.__index = progress
@@ -33,20 +37,6 @@ function progress:finish(i, case, failure)
   elseif type(self.mode) == "function" then
     self.mode{ case = case, failure = failure, done = self.done, total = self.total }
   end
-end
-
-local function duration(seconds)
-  if seconds ~= seconds or seconds > 359999 then return "-:--" end
-  local whole = math.floor(seconds + 0.5)
-  if whole >= 3600 then
-    return ("%d:%02d:%02d"):format(whole // 3600, whole // 60 % 60, whole % 60)
-  end
-  return ("%d:%02d"):format(whole // 60, whole % 60)
-end
-
-local function bar(share, width)
-  local full = math.floor(math.max(0, math.min(1, share)) * width + 0.5)
-  return "[" .. ("#"):rep(full) .. ("."):rep(width - full) .. "]"
 end
 
 local function fitted(text, width) return text:sub(1, math.max(width - 1, 1)) end
