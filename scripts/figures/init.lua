@@ -70,12 +70,12 @@ local general = {
 
 local fields = {
   dir = check.text,
-  term = { expected = '"svg", "png", "pdf", "dumb" or a list of them', test = function(v)
+  term = check.kind('"svg", "png", "pdf", "dumb" or a list of them', function(v)
     for _, each in ipairs(type(v) == "table" and v or { v }) do
       if each ~= "svg" and each ~= "png" and each ~= "pdf" and each ~= "dumb" then return false end
     end
     return type(v) == "string" or (type(v) == "table" and #v > 0)
-  end },
+  end),
 }
 
 local function set_of(study)

@@ -1,4 +1,5 @@
--- What a user hands to a plot function, checked: names with the nearest known one, kinds of values.
+-- What a user hands to a function of a script, checked: names with the nearest known one, kinds of
+-- values, in the words of the classes written in C.
 -- Errors are those of every class, placed where the user's own text called. Leans on
 -- archard.gnuplot for the error objects, on archard.names for the words.
 
@@ -23,42 +24,54 @@ end
 
 check.shown = names.shown -- a value in a message: "dumb", 3, a wear object, a table
 
--- --- kinds of values: { test, what is expected } ----------------------------------------------
+-- --- kinds of values: { test, what is expected }, ------------------------------------------------
 
-local function kind(expected, test) return { expected = expected, test = test } end
+function check.kind(expected, test) return { expected = expected, test = test } end
+local kind = check.kind
 
 local function finite(value)
   return type(value) == "number" and value == value and math.abs(value) < math.huge
 end
 
+local function whole(value, low, high)
+  return finite(value) and value % 1 == 0 and value >= low and value <= high
+end
+
 check.text = kind("a string", function(v) return type(v) == "string" end)
 check.flag = kind("true or false", function(v) return type(v) == "boolean" end)
-check.number = kind("a finite number", finite)
+check.number = kind("a number", finite)
 check.positive = kind("a number > 0", function(v) return finite(v) and v > 0 end)
+check.share = kind("a number in (0, 1)", function(v) return finite(v) and v > 0 and v < 1 end)
 check.list = kind("a list of numbers", function(v)
   return type(v) == "table" or type(v) == "userdata"
 end)
 check.table = kind("a table", function(v) return type(v) == "table" end)
-check.count = kind("a whole number from 1 to 100000", function(v)
-  return math.type(v) and v >= 1 and v <= 100000 and v == math.floor(v)
+check.progress = kind('a function, false or "lines"', function(v)
+  return type(v) == "function" or v == false or v == "lines"
 end)
+
+-- A whole number; without `high` as large as it likes.
+function check.whole(low, high)
+  return kind(high and ("a whole number in [%d, %d]"):format(low, high)
+    or ("a whole number >= %d"):format(low), function(v) return whole(v, low, high or v) end)
+end
+
+check.count = check.whole(1, 100000)
+
+-- Whatever the caller has checked, or another one will.
+function check.any(expected) return kind(expected, function() return true end) end
+
+local function pair(names, low, high)
+  return kind(("{ %s }, two whole numbers in [%d, %d]"):format(names, low, high), function(v)
+    return type(v) == "table" and whole(v[1], low, high) and whole(v[2], low, high)
+  end)
+end
+
+check.size = pair("width, height", 10, 20000)
+check.grid = pair("rows, columns", 1, 50)
 check.range = kind("{ low, high }, two different finite numbers, or one of them", function(v)
   if type(v) ~= "table" or (v[1] == nil and v[2] == nil) then return false end
   return (v[1] == nil or finite(v[1])) and (v[2] == nil or finite(v[2])) and v[1] ~= v[2]
-end)
-check.size = kind("{ width, height }, two whole numbers from 10 to 20000", function(v)
-  if type(v) ~= "table" then return false end
-  for i = 1, 2 do
-    if not (finite(v[i]) and v[i] >= 10 and v[i] <= 20000 and v[i] % 1 == 0) then return false end
-  end
-  return true
-end)
-check.grid = kind("{ rows, columns }, two whole numbers from 1 to 50", function(v)
-  if type(v) ~= "table" then return false end
-  for i = 1, 2 do
-    if not (finite(v[i]) and v[i] >= 1 and v[i] <= 50 and v[i] % 1 == 0) then return false end
-  end
-  return true
 end)
 check.box = kind("{ x0, x1, y0, y1 }", function(v)
   return type(v) == "table" and finite(v[1]) and finite(v[2]) and finite(v[3]) and finite(v[4])
@@ -67,15 +80,23 @@ end)
 
 -- One of these words; `also` is a kind whose values are taken too.
 function check.one_of(words, also)
-  local quoted = {}
-  for i, word in ipairs(words) do quoted[i] = '"' .. word .. '"' end
-  local expected = table.concat(quoted, ", ") .. (also and ", or " .. also.expected or "")
-  return kind(expected, function(v)
+  local expected = {}
+  for i, word in ipairs(words) do expected[i] = '"' .. word .. '"' end
+  if also then expected[#expected + 1] = also.expected end
+  local last = #expected > 1 and " or " .. table.remove(expected) or ""
+  return kind(table.concat(expected, ", ") .. last, function(v)
     for _, word in ipairs(words) do
       if v == word then return true end
     end
     return also ~= nil and also.test(v)
   end)
+end
+
+-- --- fields ---------------------------------------------------------------------------------------
+
+-- Raises the error for a field whose value is not what is expected.
+function check.refuse(where, name, expected, value)
+  check.fail(where, ("field '%s': expected %s, got %s"):format(name, expected, check.shown(value)))
 end
 
 -- Every named field of `given` must be in `fields` (name = kind). List items are the caller's.
@@ -89,12 +110,21 @@ function check.fields(where, given, fields, prefix)
         for word in pairs(fields) do known[#known + 1] = word end
         check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, known)))
       elseif not wanted.test(value) then
-        check.fail(where, ("field '%s%s': expected %s, got %s"):format(prefix, name,
-          wanted.expected, check.shown(value)))
+        check.refuse(where, prefix .. name, wanted.expected, value)
       end
     end
   end
   return given
+end
+
+-- The same of a table that holds nothing else; `or_else` is what might stand in its place.
+function check.definition(where, given, fields, or_else)
+  if type(given) ~= "table" then
+    check.fail(where, ("expected %sa table of named fields, got %s"):format(or_else or "",
+      check.shown(given)))
+  end
+  if given[1] ~= nil then check.fail(where, "fields are given by name; found [1]") end
+  return check.fields(where, given, fields)
 end
 
 return check

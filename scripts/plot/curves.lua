@@ -157,7 +157,7 @@ local function body_word(where, words, options)
   local body = options.body
   for _, word in ipairs(words) do
     if word ~= "cylinder" and word ~= "plate" then
-      check.fail(where, ("expected \"cylinder\" or \"plate\", got \"%s\""):format(word))
+      check.refuse(where, "body", '"cylinder" or "plate"', word)
     end
     body = word
   end

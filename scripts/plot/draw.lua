@@ -61,8 +61,7 @@ local function to_curve(where, given, number, panel)
       check.shown(given)))
   end
   check.fields(where, given, curve_fields, prefix)
-  if not given.y then check.fail(where, ("field '%sy': expected a list of numbers, got nil")
-    :format(prefix)) end
+  if not given.y then check.refuse(where, prefix .. "y", check.list.expected, nil) end
   return {
     x = given.x or counted(given.y), y = given.y, title = words(given.title),
     style = given.style or panel.style, colour = words(given.colour), series = given.series,
@@ -267,7 +266,7 @@ function draw.save(where, given, options)
     save(where, last, given, check.fields(where, options or {}, output_fields))
   else
     check.fail(where, "expected the name of a file, or the table of plot{} with file=, got "
-      .. (type(given) == "table" and "a table without file" or type(given)))
+      .. (type(given) == "table" and "a table without file" or check.shown(given)))
   end
 end
 

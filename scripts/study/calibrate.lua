@@ -7,17 +7,14 @@ local where = "calibrate"
 
 -- --- what is given -------------------------------------------------------------------------------
 
-local pair = { expected = "a table { cylinder=, plate= } of numbers or lists of numbers",
-  test = function(v) return type(v) == "table" end }
-local accuracy = { expected = "a number > 0 and < 1", test = function(v)
-  return type(v) == "number" and v > 0 and v < 1
-end }
+local pair = check.kind("a table { cylinder=, plate= } of numbers or lists of numbers",
+  check.table.test)
 local fields = { volume = pair, depth = pair, load = check.positive, distance = check.positive,
-  accuracy = accuracy }
+  accuracy = check.share }
 -- Fields of wear{} that a search by depth may have.
 for name in ("model k stroke jump increments cycles scheme procedure slip geometry refresh rule")
   :gmatch("%S+") do
-  fields[name] = { expected = "a field of wear{}", test = function() return true end }
+  fields[name] = check.any "a field of wear{}"
 end
 
 local function measurements(name, given)
@@ -29,8 +26,7 @@ local function measurements(name, given)
   for i = 1, math.max(#list, 1) do
     local value = list[i]
     if type(value) ~= "number" or value ~= value or value < 0 or value == math.huge then
-      check.fail(where, ("field '%s': expected a number >= 0 or a list of them, got %s"):format(name,
-        type(value) == "number" and tostring(value) or type(value)))
+      check.refuse(where, name, "a number >= 0 or a list of them", value)
     end
   end
   return list
@@ -39,8 +35,8 @@ end
 -- Both bodies' measurements, as many of one as of the other: each pair is of one test. A plain 0
 -- stands for a body whose wear was too little to measure in all of them.
 local function read_pair(name, given)
-  check.fields(where, given, { cylinder = { expected = "numbers", test = function() return true end },
-    plate = { expected = "numbers", test = function() return true end } }, name .. ".")
+  check.fields(where, given, { cylinder = check.any "numbers", plate = check.any "numbers" },
+    name .. ".")
   local cylinder = measurements(name .. ".cylinder", given.cylinder)
   local plate = measurements(name .. ".plate", given.plate)
   if #cylinder ~= #plate and given.cylinder ~= 0 and given.plate ~= 0 then
@@ -191,10 +187,7 @@ end
 -- calibrate{ volume={cylinder=,plate=}, load=, distance= } -> k, k_cylinder, k_plate, alpha
 -- calibrate{ depth={cylinder=,plate=}, stroke=, ... fields of wear{} } -> alpha
 return function(given)
-  if type(given) ~= "table" then
-    check.fail(where, ("expected a table of named fields, got %s"):format(type(given)))
-  end
-  check.fields(where, given, fields)
+  check.definition(where, given, fields)
   if (given.volume == nil) == (given.depth == nil) then
     check.fail(where, "fields 'volume' and 'depth': expected one of them, got "
       .. (given.volume and "both" or "neither"))

@@ -76,7 +76,7 @@ local methods = {}
 local function surface(self, where, body, distance)
   body = body or "cylinder"
   if body ~= "cylinder" and body ~= "plate" then
-    check.fail(where, ('expected "cylinder" or "plate", got "%s"'):format(tostring(body)))
+    check.refuse(where, "body", '"cylinder" or "plate"', body)
   end
   local found
   for _, each in ipairs(self.surfaces) do

@@ -10,15 +10,10 @@ local where = "study.converge"
 
 -- --- what is given -------------------------------------------------------------------------------
 
-local share = { expected = "a number > 0 and < 1", test = function(v)
-  return type(v) == "number" and v > 0 and v < 1
-end }
+local share = check.share
 local limit_fields = { pressure = share, smooth = share, symmetric = share, profile = share,
-  updates = { expected = "a whole number from 4 to 1000", test = function(v)
-    return math.tointeger(v) ~= nil and v >= 4 and v <= 1000
-  end }, first_depth = check.positive }
-local run_fields = { file = check.text, workers = check.count,
-  progress = { expected = 'a function, false or "lines"', test = function() return true end } }
+  updates = check.whole(4, 1000), first_depth = check.positive }
+local run_fields = { file = check.text, workers = check.count, progress = check.progress }
 local own_fields = { mesh = check.flag, base = check.table, vary = check.table,
   cases = check.table, name = check.text }
 for _, fields in ipairs{ limit_fields, run_fields } do
@@ -39,10 +34,7 @@ local function read(study, given, options)
     check.fields(where, options, own_fields)
     return given.flat, options, given.name
   end
-  if type(given) ~= "table" then
-    check.fail(where, ("expected a study or a table of named fields, got %s"):format(type(given)))
-  end
-  check.fields(where, given, own_fields)
+  check.definition(where, given, own_fields, "a study or ")
   local plain = study{ base = given.base, vary = given.vary, cases = given.cases }
   return plain.flat, given, given.name or "study"
 end

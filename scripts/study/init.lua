@@ -25,19 +25,15 @@ end
 
 -- --- making ------------------------------------------------------------------------------------
 
-local function any(expected, test) return { expected = expected, test = test } end
-local list_of_tables = any("a list of tables", function(v)
+local list_of_tables = check.kind("a list of tables", function(v)
   if type(v) ~= "table" or #v == 0 then return false end
   for _, one in ipairs(v) do
     if type(one) ~= "table" then return false end
   end
   return true
 end)
-local whole = any("a whole number >= 0", function(v)
-  return math.tointeger(v) ~= nil and v >= 0
-end)
 local definition_fields = { base = check.table, vary = check.table, cases = list_of_tables,
-  name = check.text, looks = whole, task = check.one_of{ "wear", "converge" } }
+  name = check.text, looks = check.whole(0), task = check.one_of{ "wear", "converge" } }
 
 -- The flat settings of every case; without either list, base is the one case.
 local function expand(where, given)
@@ -51,11 +47,7 @@ local function expand(where, given)
 end
 
 local function new(where, given)
-  if type(given) ~= "table" then
-    check.fail(where, ("expected a table of named fields, got %s"):format(type(given)))
-  end
-  check.fields(where, given, definition_fields)
-  if given[1] ~= nil then check.fail(where, "fields are given by name; found [1]") end
+  check.definition(where, given, definition_fields)
   local self = { name = given.name or "study", flat = expand(where, given), task = given.task,
     looks = given.looks or usual_looks }
   if not given.task then require "archard.study.names"(where, self.flat) end
@@ -130,7 +122,7 @@ end
 -- study.open(path): a study as its run file has it, to look at or to go on with.
 function study.open(path)
   if type(path) ~= "string" then
-    check.fail("study.open", ("expected the name of a run file, got %s"):format(type(path)))
+    check.fail("study.open", ("expected the name of a run file, got %s"):format(check.shown(path)))
   end
   local store = open_file("study.open", path, "read")
   store:check()
@@ -162,19 +154,13 @@ end
 
 -- --- running -----------------------------------------------------------------------------------
 
-local shard_kind = any('"i/n" with i from 1 to n', function(v)
+local shard_kind = check.kind('"i/n" with i from 1 to n', function(v)
   local i, n = tostring(v):match("^(%d+)/(%d+)$")
   i, n = tonumber(i), tonumber(n)
   return type(v) == "string" and i ~= nil and i >= 1 and n >= i
 end)
 local run_fields = {
-  workers = any("a whole number from 1 to 256", function(v)
-    return math.tointeger(v) ~= nil and v >= 1 and v <= 256
-  end),
-  file = check.text, shard = shard_kind,
-  progress = any('a function, false or "lines"', function(v)
-    return type(v) == "function" or v == false or v == "lines"
-  end),
+  workers = check.whole(1, 256), file = check.text, shard = shard_kind, progress = check.progress,
 }
 
 local function read_shard(text)
@@ -273,7 +259,7 @@ function study.merge(...)
   for i, file in ipairs(files) do
     if type(file) ~= "string" then
       check.fail("study.merge", ("argument %d: expected the name of a run file, got %s"):format(i,
-        type(file)))
+        check.shown(file)))
     end
   end
   if #files == 0 then check.fail("study.merge", "expected the names of run files, got none") end

@@ -40,7 +40,7 @@ local function flatten(where, into, prefix, given)
     local name = prefix .. tostring(key)
     local kind = type(value)
     if kind == "number" and (value ~= value or math.abs(value) == math.huge) then
-      check.fail(where, ("field '%s': expected a finite number, got %s"):format(name, value))
+      check.refuse(where, name, "a finite number", value)
     elseif kind == "number" or kind == "string" or kind == "boolean" then
       into[name] = value
     elseif kind == "table" and is_numbers(value) then
@@ -90,8 +90,7 @@ local function axes_of(where, vary)
     for key, list in pairs(given) do
       local name = prefix .. tostring(key)
       if type(list) ~= "table" then
-        check.fail(where, ("field 'vary.%s': expected a list of values, got a %s"):format(name,
-          type(list)))
+        check.refuse(where, "vary." .. name, "a list of values", list)
       elseif #list > 0 then
         axes[#axes + 1] = { name = name, values = list }
       elseif next(list) ~= nil then
