@@ -24,7 +24,7 @@ end
 
 check.shown = names.shown -- a value in a message: "dumb", 3, a wear object, a table
 
--- --- kinds of values: { test, what is expected }, ------------------------------------------------
+-- --- kinds of values: { test, what is expected } -------------------------------------------------
 
 function check.kind(expected, test) return { expected = expected, test = test } end
 local kind = check.kind

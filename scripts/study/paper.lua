@@ -23,6 +23,7 @@ function paper.first_depth(jump, k, p, stroke)
   return jump * k * p * strokes * stroke
 end
 
+-- The settings of the twenty cases.
 function paper.cases()
   local cases = {}
   for row, alpha in ipairs(paper.alphas) do

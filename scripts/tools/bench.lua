@@ -1,15 +1,6 @@
 -- make bench: what archard costs, in one run. CPU seconds of one thread; peak memory as the kernel counts it.
 -- Options after the script's name: "quick" leaves out the half element size.
 
-local strokes = { 0.11, 0.22, 0.44, 20 }
-local alphas = { 0, 0.25, 0.5, 0.75, 1 }
-local jumps = { -- Table 1: N-bar by stroke, then alpha
-  { 75, 100, 100, 100, 100 },
-  { 50, 40, 50, 40, 50 },
-  { 30, 25, 30, 20, 30 },
-  { 1, 1, 1, 1, 1 },
-}
-
 local function peak_memory()
   local file = io.open("/proc/self/status")
   local kb = file and file:read("a"):match("VmHWM:%s*(%d+)")
@@ -41,12 +32,11 @@ end
 local function twenty_cases(model, geometry, finer)
   local solutions = 0
   local seconds = timed(function()
-    for i, stroke in ipairs(strokes) do
-      for j, alpha in ipairs(alphas) do
-        local w = wear{ model = model, stroke = stroke, alpha = alpha, jump = jumps[i][j] / finer, geometry = geometry }
-        w:run{ progress = false }
-        solutions = solutions + w.solutions
-      end
+    for _, case in ipairs(require "archard.study.paper".cases()) do
+      case.model, case.geometry, case.jump = model, geometry, case.jump / finer
+      local w = wear(case)
+      w:run{ progress = false }
+      solutions = solutions + w.solutions
     end
   end)
   return seconds, solutions

@@ -4,12 +4,12 @@
 -- The reference of a case is extrapolated from explicit runs with a fifth and a tenth of Table 1's
 -- N-bar, scaled with the element size (ripples grow faster on finer meshes).
 
-local cases = {
-  { name = "a, 0.5", stroke = 0.11, alpha = 0.5, jump = 100 },
-  { name = "2a, 0.25", stroke = 0.22, alpha = 0.25, jump = 40 },
-  { name = "4a, 0.75", stroke = 0.44, alpha = 0.75, jump = 20 },
-  { name = "2R, 0.5", stroke = 20, alpha = 0.5, jump = 1 },
-}
+local paper = require "archard.study.paper"
+local cases = {}
+for stroke, alpha in ipairs{ 3, 2, 4, 3 } do -- positions in Table 1
+  cases[stroke] = { name = ("%s, %g"):format(paper.stroke_names[stroke], paper.alphas[alpha]),
+    stroke = paper.strokes[stroke], alpha = paper.alphas[alpha], jump = paper.jumps[alpha][stroke] }
+end
 local schemes = {
   { "explicit, N-bar of Table 1", function(jump) return { jump = jump } end },
   { 'explicit, jump = "auto"', function() return { jump = "auto" } end },

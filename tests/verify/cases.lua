@@ -1,25 +1,20 @@
 -- The 20 cases of the study with its N-bar: volumes, symmetry, smoothness for all; final values of some
 -- against an independent solution; and what was found of them.
-local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local paper = require "archard.study.paper"
+local here = arg[0]:match("^(.*)/") or "."
+local figures = dofile(here .. "/lib/figures.lua")
 local within, about, below, ok = figures.within, figures.about, figures.below, figures.ok
 
-local alphas, strokes = { 0, 0.25, 0.5, 0.75, 1 }, { 0.11, 0.22, 0.44, 20 }
-local jumps = {
-  [0] = { 75, 50, 30, 1 }, [0.25] = { 100, 40, 25, 1 }, [0.5] = { 100, 50, 30, 1 },
-  [0.75] = { 100, 40, 20, 1 }, [1] = { 100, 50, 30, 1 },
-}
 local load, k, distance = 100, 1e-8, 1320
 
 local function name(alpha, stroke) return ("s = %g, alpha = %g"):format(stroke, alpha) end
 
 local case = {}
-for _, alpha in ipairs(alphas) do
-  case[alpha] = {}
-  for i, stroke in ipairs(strokes) do
-    local w = wear{ alpha = alpha, stroke = stroke, jump = jumps[alpha][i], increments = 100 }
-    w:run()
-    case[alpha][stroke] = w
-  end
+for _, settings in ipairs(paper.cases()) do
+  local w = wear(settings)
+  w:run()
+  case[settings.alpha] = case[settings.alpha] or {}
+  case[settings.alpha][settings.stroke] = w
 end
 
 -- All of them -------------------------------------------------------------------------------------
@@ -46,8 +41,8 @@ local function carried(w, body)
   return sum
 end
 
-for _, alpha in ipairs(alphas) do
-  for _, stroke in ipairs(strokes) do
+for _, alpha in ipairs(paper.alphas) do
+  for _, stroke in ipairs(paper.strokes) do
     local w, what = case[alpha][stroke], name(alpha, stroke)
     ok(w.distance == distance, what .. ": distance met exactly")
     below(off_volume(w, alpha), 1e-9, what .. ": volumes off by, of k L d")
@@ -64,17 +59,6 @@ for _, alpha in ipairs(alphas) do
 end
 
 -- Final values -------------------------------------------------------------------------------------
--- stroke, alpha, depths [um], centre pressure [MPa], depth partition first, mean, last
-
-local finals = {
-  { 0.11, 0, 0, 3.4265, 235.3 },
-  { 0.11, 0.25, 0.9461, 2.5410, 202.1, 0.259, 0.268, 0.271 },
-  { 0.11, 0.5, 1.8269, 1.6945, 188.0, 0.512, 0.517, 0.519 },
-  { 0.22, 0.25, 1.0728, 2.2418, 253.7, 0.303, 0.322, 0.324 },
-  { 0.44, 0.25, 1.2079, 1.7517, 290.7, 0.464, 0.427, 0.408 },
-  { 20, 0.25, 1.3199, 0.0495, 298.3, 0.975, 0.969, 0.964 },
-}
-for _, stroke in ipairs(strokes) do finals[#finals + 1] = { stroke, 1, 3.5408, 0, 185.0 } end
 
 local function depth(got, expected, what)
   if expected == 0 then
@@ -84,7 +68,7 @@ local function depth(got, expected, what)
   end
 end
 
-for _, row in ipairs(finals) do
+for _, row in ipairs(dofile(here .. "/lib/finals.lua")) do
   local stroke, alpha, h_c, h_p, p, first, mean, last = table.unpack(row)
   local w, what = case[alpha][stroke], name(alpha, stroke)
   depth(w.depth.cylinder, h_c, what .. ": depth of the cylinder")
