@@ -31,7 +31,7 @@ all_ldflags = $(if $(SANITIZER),-fsanitize=$(SANITIZER)) $(LDFLAGS)
 core_libs = -lcholmod -llapack -lblas -lgomp -lm
 
 core_src  := $(wildcard src/core/*/*.c)
-side_src  := $(wildcard src/plot/*.c src/store/*.c)
+side_src  := $(wildcard src/system/*.c src/plot/*.c src/store/*.c)
 front_src := $(wildcard src/lua/*/*.c src/cli/*.c)
 # What stands in scripts/tools is run by make; all else is embedded.
 scripts   := $(sort $(filter-out scripts/tools/%,$(wildcard scripts/*/*.lua)))

@@ -1,23 +1,19 @@
-/* A child process and the talk with it: the one file that starts a program for plotting. Leans on
- * POSIX only.
+/* A child process and the talk with it. Leans on system/child.c to start it.
  *
- * Its own process group keeps a Ctrl-C at the terminal away from it. Input and output are one
- * socket, because a socket can be written without SIGPIPE: the caller's signals stay untouched.
+ * Input and output are one socket, because a socket can be written without SIGPIPE: the caller's
+ * signals stay untouched.
  */
 #include "plot/process.h"
+#include "system/child.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
-#include <spawn.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-
-extern char **environ;
 
 static double seconds(void) {
   struct timespec now;
@@ -25,85 +21,29 @@ static double seconds(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static void close_descriptor(int *descriptor) {
-  if (*descriptor >= 0) close(*descriptor);
-  *descriptor = -1;
-}
-
 /* --- start ------------------------------------------------------------------------------------ */
 
-static int private_descriptor(int descriptor) {
-  return fcntl(descriptor, F_SETFD, FD_CLOEXEC) == 0;
-}
-
-/* talk[0], errors[0] are ours; talk[1], errors[1] the child's. */
-static int open_channels(int talk[2], int errors[2]) {
-  if (socketpair(AF_UNIX, SOCK_STREAM, 0, talk) != 0) return 0;
-  if (pipe(errors) != 0) return 0;
-  return private_descriptor(talk[0]) && private_descriptor(talk[1]) &&
-         private_descriptor(errors[0]) && private_descriptor(errors[1]) &&
-         fcntl(errors[0], F_SETFL, O_NONBLOCK) == 0;
-}
-
-static int set_attributes(posix_spawnattr_t *attributes) {
-  sigset_t all, none;
-  sigfillset(&all);
-  sigdelset(&all, SIGKILL);
-  sigdelset(&all, SIGSTOP);
-  sigemptyset(&none);
-  short flags = POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK;
-  int failed = posix_spawnattr_setpgroup(attributes, 0);
-  if (!failed) failed = posix_spawnattr_setsigdefault(attributes, &all);
-  if (!failed) failed = posix_spawnattr_setsigmask(attributes, &none);
-  if (!failed) failed = posix_spawnattr_setflags(attributes, flags);
-  return failed;
-}
-
-static int set_actions(posix_spawn_file_actions_t *actions, int talk, int errors) {
-  int failed = posix_spawn_file_actions_adddup2(actions, talk, STDIN_FILENO);
-  if (!failed) failed = posix_spawn_file_actions_adddup2(actions, talk, STDOUT_FILENO);
-  if (!failed) failed = posix_spawn_file_actions_adddup2(actions, errors, STDERR_FILENO);
-  return failed;
-}
-
-/* Returns an errno value. */
-static int spawn(pid_t *pid, char *const argv[], int talk, int errors) {
-  posix_spawnattr_t attributes;
-  posix_spawn_file_actions_t actions;
-  int failed = posix_spawnattr_init(&attributes);
-  if (failed) return failed;
-  failed = posix_spawn_file_actions_init(&actions);
-  if (!failed) {
-    failed = set_attributes(&attributes);
-    if (!failed) failed = set_actions(&actions, talk, errors);
-    if (!failed) failed = posix_spawnp(pid, argv[0], &actions, &attributes, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
-  }
-  posix_spawnattr_destroy(&attributes);
-  return failed;
-}
-
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error) {
-  int talk[2] = {-1, -1}, errors[2] = {-1, -1};
-  arc_status status = ARC_OK;
+  int talk[2] = {-1, -1}, errors[2] = {-1, -1}; /* [0] is ours, [1] the child's */
   pid_t pid = 0;
-  if (!open_channels(talk, errors)) {
-    status = arc_fail(error, ARC_IO, "no channel to '%s': %s", argv[0], strerror(errno));
-  } else {
-    int failed = spawn(&pid, argv, talk[1], errors[1]);
-    if (failed)
-      status = arc_fail(error, failed == ENOENT ? ARC_MISSING : ARC_IO, "cannot start '%s': %s",
-                        argv[0], strerror(failed));
+  int opened = arc_child_channel(talk, 1), failed = opened;
+  if (!failed) failed = opened = arc_child_channel(errors, 0);
+  if (!failed && fcntl(errors[0], F_SETFL, O_NONBLOCK) != 0) failed = opened = errno;
+  if (!failed) {
+    arc_child_def def = {argv[0], argv, NULL, {talk[1], talk[1], errors[1]}};
+    failed = arc_child_start(&def, &pid);
   }
-  close_descriptor(&talk[1]);
-  close_descriptor(&errors[1]);
-  if (status != ARC_OK) {
-    close_descriptor(&talk[0]);
-    close_descriptor(&errors[0]);
-    return status;
+  arc_child_close(&talk[1]);
+  arc_child_close(&errors[1]);
+  if (!failed) {
+    *process = (arc_process){pid, talk[0], errors[0]};
+    return ARC_OK;
   }
-  *process = (arc_process){pid, talk[0], errors[0]};
-  return ARC_OK;
+  arc_child_close(&talk[0]);
+  arc_child_close(&errors[0]);
+  if (opened) return arc_fail(error, ARC_IO, "no channel to '%s': %s", argv[0], strerror(opened));
+  return arc_fail(error, failed == ENOENT ? ARC_MISSING : ARC_IO, "cannot start '%s': %s", argv[0],
+                  strerror(failed));
 }
 
 /* --- talk ------------------------------------------------------------------------------------- */
@@ -143,7 +83,7 @@ static long one_round(arc_process *process, arc_exchange *exchange, size_t *sent
   if (poll(watched, 2, 100) <= 0) return arc_process_alive(process) ? 0 : -1;
   if (watched[1].revents) {
     ssize_t got = take(process->errors, &exchange->errors);
-    if (got < 0) close_descriptor(&process->errors);
+    if (got < 0) arc_child_close(&process->errors);
     moved += got > 0 ? (long)got : 0;
   }
   if (watched[0].revents & (POLLIN | POLLHUP | POLLERR)) {
@@ -216,12 +156,10 @@ static int wait_for(pid_t pid, double patience, int *how) {
 
 int arc_process_end(arc_process *process, double patience) {
   int how = -1;
-  close_descriptor(&process->talk);
-  if (process->pid > 0 && !wait_for(process->pid, patience, &how)) {
-    kill(-process->pid, SIGKILL);
-    wait_for(process->pid, 5.0, &how);
-  }
-  close_descriptor(&process->errors);
+  arc_child_close(&process->talk);
+  if (process->pid > 0 && !wait_for(process->pid, patience, &how))
+    how = arc_child_kill(process->pid);
+  arc_child_close(&process->errors);
   *process = ARC_PROCESS_NONE;
   return how;
 }

@@ -16,8 +16,7 @@ typedef struct arc_process {
 
 #define ARC_PROCESS_NONE ((arc_process){0, -1, -1})
 
-/* Starts `argv[0]`, looked up in PATH, in a process group of its own, with no signal blocked or
- * ignored, and no descriptor but its three. Errors: ARC_MISSING when there is no such program,
+/* Starts `argv[0]` as arc_child_start() does. Errors: ARC_MISSING when there is no such program,
  * ARC_IO otherwise; nothing is left over then. */
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error);
 

@@ -1,20 +1,16 @@
 /* The module `archard.process`: a pool of copies of this very program, each fed lines and giving
- * lines back. The one file of the binding that starts programs; leans on POSIX only.
- *
- * A worker is started by posix_spawn, so by exec: a bare fork would carry over locks of the
- * libraries. It has a process group of its own, which keeps a Ctrl-C at the terminal away from it,
- * and is told by the end of its input that nobody waits for it any more.
+ * lines back. Leans on system/child.c to start and end them. A worker is told by the end of its
+ * input that nobody waits for it any more.
  */
 #include "lua/base/archard.h"
 #include "lua/base/box.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
+#include "system/child.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
@@ -45,71 +41,27 @@ typedef struct pool {
 
 /* --- one worker ------------------------------------------------------------------------------- */
 
-static void close_descriptor(int *descriptor) {
-  if (*descriptor >= 0) close(*descriptor);
-  *descriptor = -1;
-}
-
-static void close_pipe(int ends[2]) {
-  close_descriptor(&ends[0]);
-  close_descriptor(&ends[1]);
-}
-
-/* Both ends ours alone until a child is given one. The way to the child is a socket, because that
- * can be written without SIGPIPE. */
-static int open_pipe(int ends[2], int is_socket) {
-  if ((is_socket ? socketpair(AF_UNIX, SOCK_STREAM, 0, ends) : pipe(ends)) != 0) return 0;
-  return fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0;
-}
-
-/* Signals as at the start of a program, and a process group of its own. */
-static int set_attributes(posix_spawnattr_t *attributes) {
-  sigset_t usual, none;
-  sigemptyset(&none);
-  sigemptyset(&usual);
-  sigaddset(&usual, SIGINT);
-  sigaddset(&usual, SIGPIPE);
-  sigaddset(&usual, SIGTERM);
-  short flags = POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK;
-  int failed = posix_spawnattr_setpgroup(attributes, 0);
-  if (!failed) failed = posix_spawnattr_setsigdefault(attributes, &usual);
-  if (!failed) failed = posix_spawnattr_setsigmask(attributes, &none);
-  if (!failed) failed = posix_spawnattr_setflags(attributes, flags);
-  return failed;
-}
-
 /* 0 or the reason. ends: input, output, errors; the child's are [0] of the first, [1] of others. */
-static int spawn(const pool *p, int ends[3][2], pid_t *process) {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  int failed = posix_spawn_file_actions_init(&actions);
+static int connect_and_start(const pool *p, int ends[3][2], pid_t *process) {
+  int failed = 0;
+  for (int i = 0; i < 3 && !failed; i++) failed = arc_child_channel(ends[i], i == 0);
   if (failed) return failed;
-  failed = posix_spawnattr_init(&attributes);
-  if (!failed) {
-    for (int i = 0; i < 3 && !failed; i++)
-      failed = posix_spawn_file_actions_adddup2(&actions, ends[i][i == 0 ? 0 : 1], i);
-    if (!failed) failed = set_attributes(&attributes);
-    if (!failed)
-      failed = posix_spawn(process, "/proc/self/exe", &actions, &attributes, p->arguments,
-                           p->environment);
-    posix_spawnattr_destroy(&attributes);
-  }
-  posix_spawn_file_actions_destroy(&actions);
-  return failed;
+  arc_child_def def = {
+      "/proc/self/exe", p->arguments, p->environment, {ends[0][0], ends[1][1], ends[2][1]}};
+  return arc_child_start(&def, process);
 }
 
 static int start(const pool *p, worker *w) {
   int ends[3][2] = {{-1, -1}, {-1, -1}, {-1, -1}};
-  int opened = open_pipe(ends[0], 1) && open_pipe(ends[1], 0) && open_pipe(ends[2], 0);
-  int failed = opened ? spawn(p, ends, &w->process) : errno;
+  const int failed = connect_and_start(p, ends, &w->process);
+  for (int i = 0; i < 3; i++) {
+    arc_child_close(&ends[i][i != 0]);
+    if (failed) arc_child_close(&ends[i][i == 0]);
+  }
   if (failed) {
     w->process = 0;
-    for (int i = 0; i < 3; i++) close_pipe(ends[i]);
     return failed;
   }
-  close_descriptor(&ends[0][0]);
-  close_descriptor(&ends[1][1]);
-  close_descriptor(&ends[2][1]);
   w->input = ends[0][1];
   w->output = ends[1][0];
   w->errors = ends[2][0];
@@ -119,20 +71,14 @@ static int start(const pool *p, worker *w) {
   return 0;
 }
 
-static void close_worker(worker *w) {
-  close_descriptor(&w->input);
-  close_descriptor(&w->output);
-  close_descriptor(&w->errors);
+/* Ends it, whatever it does, and waits until it has gone. Returns how it ended. */
+static int end_worker(worker *w) {
+  const int how = w->process > 0 ? arc_child_kill(w->process) : 0;
+  arc_child_close(&w->input);
+  arc_child_close(&w->output);
+  arc_child_close(&w->errors);
   w->process = 0;
-}
-
-/* Ends it, whatever it does, and waits until it has gone. */
-static void end_worker(worker *w) {
-  if (w->process > 0) {
-    kill(-w->process, SIGKILL);
-    while (waitpid(w->process, NULL, 0) < 0 && errno == EINTR) continue;
-  }
-  close_worker(w);
+  return how;
 }
 
 static void end_all(pool *p) {
@@ -304,10 +250,8 @@ static void split_lines(lua_State *L, int which, worker *w) {
 
 /* Adds { worker=, ended=, words= } for a worker whose output has ended. */
 static void add_end(lua_State *L, int which, worker *w) {
-  int status = 0;
   hear(w);
-  kill(-w->process, SIGKILL);
-  while (waitpid(w->process, &status, 0) < 0 && errno == EINTR) continue;
+  const int status = end_worker(w);
   lua_createtable(L, 0, 3);
   lua_pushinteger(L, which + 1);
   lua_setfield(L, -2, "worker");
@@ -319,7 +263,6 @@ static void add_end(lua_State *L, int which, worker *w) {
   lua_pushlstring(L, w->words, w->said);
   lua_setfield(L, -2, "words");
   lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
-  close_worker(w);
 }
 
 static void attend(lua_State *L, int which, worker *w) {
