@@ -1,4 +1,5 @@
-/* How curves look, and the key that several panels share. Leans on text.c. */
+/* How curves look, a user's words among the commands, and the key that several panels share. Leans
+ * on text.c. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,6 +22,12 @@ void arc_look_series(arc_writer *w) {
       arc_text_format(
           w->out, "set linetype %d linecolor rgb '%s' linewidth 1.6 pointtype %d pointsize 0.7\n",
           i + 1, pixel_colours[i], (int[]){7, 5, 9, 11, 13, 6, 4, 8}[i]);
+}
+
+void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after) {
+  arc_text_word(w->out, before);
+  arc_text_quoted(w->out, words, w->canvas->ascii);
+  arc_text_word(w->out, after);
 }
 
 /* --- titles ----------------------------------------------------------------------------------- */

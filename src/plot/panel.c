@@ -1,5 +1,5 @@
 /* One panel as gnuplot commands: settings, data, plot. Leans on look.c for curves, on data.c and
- * field.c for numbers.
+ * contours.c for numbers.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -12,12 +12,6 @@ enum { LEVELS = 9 };
 static const char level_marks[LEVELS + 1] = ".,:;oxO#@";
 static const char *const level_colours[LEVELS] = {"blue",  "blue",   "cyan",   "cyan", "green",
                                                   "green", "yellow", "yellow", "red"};
-
-void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after) {
-  arc_text_word(w->out, before);
-  arc_text_quoted(w->out, words, w->canvas->ascii);
-  arc_text_word(w->out, after);
-}
 
 /* --- axes, heading, key ----------------------------------------------------------------------- */
 
