@@ -3,6 +3,7 @@
 
 local archard = require "archard"
 local check = require "archard.lib.check"
+local merged = require "archard.lib.merged"
 local parts = require "archard.figures.parts"
 
 local figures = {}
@@ -84,15 +85,11 @@ local function set_of(study)
 end
 
 local function draw_one(options, dir, name, term)
-  local copy = {}
-  for key, value in pairs(options) do copy[key] = value end
-  if term == "dumb" then
-    copy.size = nil
-  else
-    copy.file = ("%s/%s.%s"):format(dir, name, term)
-  end
+  local file = term ~= "dumb" and ("%s/%s.%s"):format(dir, name, term) or nil
+  local copy = merged(options, { file = file })
+  if not file then copy.size = nil end
   archard.plot(copy)
-  return copy.file
+  return file
 end
 
 local function make_folder(dir)

@@ -1,16 +1,14 @@
 -- What a user hands to a function of a script, checked: names with the nearest known one, kinds of
--- values, in the words of the classes written in C.
--- Errors are those of every class, placed where the user's own text called. Leans on
--- archard.gnuplot for the error objects, on archard.names for the words.
+-- values, in the words of the classes written in C. Errors are those of every class, placed where
+-- the user's own text called. Leans on archard.names for both.
 
-local gnuplot = require "archard.gnuplot"
 local names = require "archard.names"
 
 local check = {}
 
 -- Raises an error object; the code is a status name, "ARGUMENT" where left out.
 function check.fail(where, message, code)
-  gnuplot.raise(where, code or "ARGUMENT", (message:gsub("%z", " ")))
+  names.raise(where, code or "ARGUMENT", (message:gsub("%z", " ")))
 end
 
 -- " (did you mean 'title'?)", or the list of what is known.

@@ -7,7 +7,8 @@ local curves = require "archard.plot.curves"
 local term = require "archard.term"
 
 local own = {
-  frames = check.count, every = check.count, delay = check.positive,
+  file = draw.fields.file, size = draw.fields.size, term = draw.fields.term,
+  colour = draw.fields.colour, frames = check.count, every = check.count, delay = check.positive,
   what = check.one_of { "profile", "pressure", "both" },
 }
 
@@ -124,10 +125,7 @@ return function(w, given)
   if not (curves.get(w, "step") and curves.get(w, "profile")) then
     check.fail(where, "expected a wear object as the first argument, got " .. check.shown(w))
   end
-  local fields = { file = draw.fields.file, size = draw.fields.size, term = draw.fields.term,
-    colour = draw.fields.colour }
-  for name, kind in pairs(own) do fields[name] = kind end
-  given = check.fields(where, given or {}, fields)
+  given = check.fields(where, given or {}, own)
   local what, delay, limits, kept = given.what or "profile", given.delay or 0.1, {}, {}
   local every = given.every or updates_between(w, given.frames or 30)
   local in_place = not given.file and term.movable()

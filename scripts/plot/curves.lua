@@ -1,9 +1,9 @@
 -- plot.pressure, plot.profile, plot.history: curves of wear and contact objects, several on one
 -- picture, axes with units. Leans on plot/draw.lua; of the objects it uses only what users can.
 
-local archard = require "archard"
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
+local hertz_of = require "archard.lib.hertz_of"
 
 local curves = {}
 
@@ -17,11 +17,11 @@ local function get(object, name)
   if ok then return value end
 end
 
-local own_fields = { scaled = check.flag, body = check.one_of(bodies), titles = check.table,
-  against = check.one_of { "distance", "cycle", "update" } }
+local body_kind = check.one_of(bodies)
 
--- Splits f(object, ..., word, ..., { options }): objects have the method or field `mark`.
-local function split(where, mark, ...)
+-- Splits f(object, ..., word, ..., { options }): objects have the method or field `mark`, options
+-- are plot's and `own`.
+local function split(where, mark, own, ...)
   local objects, words, options = {}, {}, {}
   for i = 1, select("#", ...) do
     local value = select(i, ...)
@@ -39,21 +39,7 @@ local function split(where, mark, ...)
   if #objects == 0 then
     check.fail(where, ("expected at least one object with .%s, got none"):format(mark))
   end
-  return objects, words, options
-end
-
--- The options that are plot's go on, with what this picture says where they are silent.
-local function picture(where, options, own, defaults)
-  local fields = {}
-  for name, kind in pairs(draw.fields) do fields[name] = kind end
-  for _, name in ipairs(own) do fields[name] = own_fields[name] end
-  check.fields(where, options, fields)
-  local given = {}
-  for name, value in pairs(defaults) do given[name] = value end
-  for name, value in pairs(options) do
-    if draw.fields[name] then given[name] = value end
-  end
-  return given
+  return objects, words, draw.options(where, options, own)
 end
 
 -- --- names of objects ---------------------------------------------------------------------------
@@ -142,15 +128,14 @@ end
 local function range_of(reach) return reach > 0 and { -reach, reach } or nil end
 
 -- Hertz' contact of an object: its own field, or computed from its model and load.
-local function hertz_of(where, object)
+local function scale_of(where, object)
   local known = get(object, "hertz")
   if known then return known end
   local model, load = get(object, "model"), get(object, "load")
   if not (model and load) then
     check.fail(where, "scaled needs objects with .hertz, or with .model and .load")
   end
-  return archard.hertz { radius = model.radius, load = load, cylinder = model.cylinder,
-    plate = model.plate, thickness = model.thickness }
+  return hertz_of(model, load)
 end
 
 local function body_word(where, words, options)
@@ -169,7 +154,8 @@ end
 -- plot.pressure(w1, w2, ..., { scaled=, body=, ... })
 function curves.pressure(...)
   local where = "plot.pressure"
-  local objects, words, options = split(where, "pressure", ...)
+  local objects, words, options = split(where, "pressure", { scaled = check.flag, body = body_kind,
+    titles = check.table }, ...)
   local body = body_word(where, words, options) or "cylinder"
   local names = names_of(where, objects, options.titles)
   local given, reach = {}, 0
@@ -177,19 +163,19 @@ function curves.pressure(...)
     local pressure = object:pressure(body)
     local a, p_h = 1, 1
     if options.scaled then
-      local hertz = hertz_of(where, object)
+      local hertz = scale_of(where, object)
       a, p_h = hertz.half_width, hertz.p_max
     end
     local x, p = scaled(pressure.x, 1 / a), scaled(pressure.p, 1 / p_h)
     reach = reach_of(x, p, reach)
     given[i] = { x = x, y = p, title = #objects > 1 and names[i] or nil }
   end
-  given = picture(where, options, { "scaled", "body", "titles" }, {
+  given = draw.over({
     xlabel = options.scaled and "x / a" or "x / mm",
     ylabel = options.scaled and "p / p_H" or "p / MPa",
     xrange = range_of(reach), yrange = { 0 }, title = title_of("contact pressure", objects, options),
     table.unpack(given),
-  })
+  }, options)
   draw.draw(where, given)
 end
 
@@ -211,7 +197,8 @@ end
 -- plot.profile(w1, w2, ..., body, { ... }): both bodies where none is named.
 function curves.profile(...)
   local where = "plot.profile"
-  local objects, words, options = split(where, "profile", ...)
+  local objects, words, options = split(where, "profile", { body = body_kind,
+    titles = check.table }, ...)
   local body = body_word(where, words, options)
   local names = names_of(where, objects, options.titles)
   local defaults = { xlabel = "x / mm", ylabel = "wear depth / µm", ydown = true }
@@ -229,7 +216,7 @@ function curves.profile(...)
       defaults.panels[i].yrange = options.yrange or defaults.panels[i].yrange
     end
   end
-  draw.draw(where, picture(where, options, { "body", "titles" }, defaults))
+  draw.draw(where, draw.over(defaults, options))
 end
 
 -- --- history ------------------------------------------------------------------------------------
@@ -303,7 +290,8 @@ end
 -- plot.history(w1, ..., "p_center", ..., { against="cycle", ... })
 function curves.history(...)
   local where = "plot.history"
-  local objects, columns, options = split(where, "history", ...)
+  local objects, columns, options = split(where, "history", { titles = check.table,
+    against = check.one_of { "distance", "cycle", "update" } }, ...)
   if not columns[1] then columns = { "p_center" } end
   local names = names_of(where, objects, options.titles)
   local abscissa = options.against or "distance"
@@ -323,10 +311,10 @@ function curves.history(...)
   local defaults = #panels == 1 and panels[1] or { panels = panels, layout = { #panels, 1 } }
   defaults.xlabel = against[abscissa] or abscissa
   defaults.title = title_of("history", objects, options)
-  draw.draw(where, picture(where, options, { "against", "titles" }, defaults))
+  draw.draw(where, draw.over(defaults, options))
 end
 
-curves.get, curves.picture, curves.summary = get, picture, summary
+curves.get, curves.summary = get, summary
 curves.profile_panel, curves.range_of = profile_panel, range_of
 
 return curves

@@ -6,6 +6,7 @@ local gnuplot = require "archard.gnuplot"
 local term = require "archard.term"
 local check = require "archard.lib.check"
 local csv = require "archard.plot.csv"
+local merged = require "archard.lib.merged"
 
 local draw = {}
 
@@ -37,11 +38,25 @@ local panel_fields = {
 local output_fields = {
   term = check.one_of(terms), file = check.text, size = check.size, colour = check.flag,
 }
-local figure_fields = { panels = check.table, layout = check.grid }
-for _, fields in ipairs { panel_fields, output_fields } do
-  for name, kind in pairs(fields) do figure_fields[name] = kind end
-end
+local figure_fields = merged(panel_fields, output_fields,
+  { panels = check.table, layout = check.grid })
 draw.fields = figure_fields -- for functions that take these options and more
+
+-- Checks the options of a picture that takes those of plot{} and its own.
+function draw.options(where, options, own)
+  if options ~= nil and type(options) ~= "table" then
+    check.fail(where, "expected a table of options, got " .. check.shown(options))
+  end
+  return check.fields(where, options or {}, merged(figure_fields, own))
+end
+
+-- A picture as its function means it, with the options of plot{} before what it says itself.
+function draw.over(defaults, options)
+  for name, value in pairs(options) do
+    if figure_fields[name] then defaults[name] = value end
+  end
+  return defaults
+end
 
 -- --- from options to a figure -------------------------------------------------------------------
 
@@ -109,12 +124,11 @@ end
 
 -- A panel takes from the figure what it does not say itself, but the title.
 local function inherit(panel, figure)
-  local merged = {}
+  local taken = {}
   for name in pairs(panel_fields) do
-    if name ~= "title" and name ~= "x" and name ~= "y" then merged[name] = figure[name] end
+    if name ~= "title" and name ~= "x" and name ~= "y" then taken[name] = figure[name] end
   end
-  for name, value in pairs(panel) do merged[name] = value end
-  return merged
+  return merged(taken, panel)
 end
 
 local function to_figure(where, given)

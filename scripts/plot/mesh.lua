@@ -52,23 +52,6 @@ end
 
 -- --- arguments ----------------------------------------------------------------------------------
 
-local function options_of(where, options, own)
-  if options ~= nil and type(options) ~= "table" then
-    check.fail(where, "expected a table of options, got " .. check.shown(options))
-  end
-  local fields = {}
-  for name, kind in pairs(draw.fields) do fields[name] = kind end
-  for name, kind in pairs(own) do fields[name] = kind end
-  return check.fields(where, options or {}, fields)
-end
-
-local function picture(options, defaults)
-  for name, value in pairs(options) do
-    if draw.fields[name] then defaults[name] = value end
-  end
-  return defaults
-end
-
 local function shown_bodies(options) return options.body and { options.body } or bodies end
 
 -- What is handed over for a view: more than it, since equal scales can widen what is shown.
@@ -112,7 +95,7 @@ function mesh.mesh(model, options)
   if not ok or not meshes then
     check.fail(where, "expected a model as the first argument, got " .. check.shown(model))
   end
-  options = options_of(where, options, mesh_options)
+  options = draw.options(where, options, mesh_options)
   local box = view_of(where, model, options.zoom)
   local defaults = { xlabel = "x / mm", ylabel = "y / mm", equal = true, title = "mesh" }
   local nodes, count = 0, 0
@@ -132,7 +115,7 @@ function mesh.mesh(model, options)
   if not defaults[1] then check.fail(where, "no element lies in the part to be shown") end
   defaults.title = ("mesh: %d nodes, %d elements"):format(nodes, count)
   if box then defaults.xrange, defaults.yrange = { box[1], box[2] }, { box[3], box[4] } end
-  draw.draw(where, picture(options, defaults))
+  draw.draw(where, draw.over(defaults, options))
 end
 
 -- --- stress -------------------------------------------------------------------------------------
@@ -196,7 +179,7 @@ end
 function mesh.stress(object, options)
   local where = "plot.stress"
   local stress, contact = field_of(where, object)
-  options = options_of(where, options, stress_options)
+  options = draw.options(where, options, stress_options)
   local component, box = options.component or "mises", stress_view(contact, options.zoom)
   local field, defaults = { x = {}, y = {}, value = {} }, {}
   for _, name in ipairs(shown_bodies(options)) do
@@ -215,7 +198,7 @@ function mesh.stress(object, options)
   defaults.equal, defaults.levels = true, 9
   defaults.title = labels[component]
   if box then defaults.xrange, defaults.yrange = { box[1], box[2] }, { box[3], box[4] } end
-  draw.draw(where, picture(options, defaults))
+  draw.draw(where, draw.over(defaults, options))
 end
 
 return mesh

@@ -1,8 +1,8 @@
 -- A case of a study: its settings and, once it has run, what a wear object would tell of it, read
 -- from the run file when asked for. It has the methods that plots look for.
 
-local archard = require "archard"
 local check = require "archard.lib.check"
+local hertz_of = require "archard.lib.hertz_of"
 local measure = require "archard.measure"
 local settings = require "archard.study.settings"
 
@@ -57,9 +57,7 @@ end
 function computed.hertz(self)
   local definition = self.definition
   if not next(definition) then return nil end
-  local model = definition.model
-  return archard.hertz{ radius = model.radius, thickness = model.thickness,
-    load = definition.load, cylinder = model.cylinder, plate = model.plate }
+  return hertz_of(definition.model, definition.load)
 end
 
 local measures = {}

@@ -2,6 +2,7 @@
 -- is searched here; many are a study of their own whose workers search (search.lua).
 
 local check = require "archard.lib.check"
+local merged = require "archard.lib.merged"
 local search = require "archard.study.search"
 local settings = require "archard.study.settings"
 local align = require "archard.study.table".align
@@ -14,11 +15,8 @@ local share = check.share
 local limit_fields = { pressure = share, smooth = share, symmetric = share, profile = share,
   updates = check.whole(4, 1000), first_depth = check.positive }
 local run_fields = { file = check.text, workers = check.count, progress = check.progress }
-local own_fields = { mesh = check.flag, base = check.table, vary = check.table,
-  cases = check.table, name = check.text }
-for _, fields in ipairs{ limit_fields, run_fields } do
-  for name, kind in pairs(fields) do own_fields[name] = kind end
-end
+local own_fields = merged(limit_fields, run_fields, { mesh = check.flag, base = check.table,
+  vary = check.table, cases = check.table, name = check.text })
 
 local function pick(given, fields)
   local picked = {}
@@ -60,8 +58,7 @@ local function refuse_loading(flat)
 end
 
 local function with_mesh(flat, mesh, limits)
-  local copy = {}
-  for name, value in pairs(flat) do copy[name] = value end
+  local copy = merged(flat)
   if mesh then
     copy["model.mesh.size"], copy["model.mesh.height"] = mesh.size, 1.25 * mesh.size
   end
@@ -77,9 +74,7 @@ local function search_one(flat)
 end
 
 local function search_many(study, flat, options, name)
-  local given = {}
-  for i, case in ipairs(flat) do given[i] = case end
-  local run = study{ name = name, cases = given, task = "converge", looks = 0 }
+  local run = study{ name = name, cases = flat, task = "converge", looks = 0 }
   run:run{ file = options.file or "converge.archard", workers = options.workers,
     progress = options.progress }
   local rows = {}

@@ -3,7 +3,9 @@
 -- the surfaces are after some updates. Returns search(given, on_progress); `given` holds the fields
 -- of wear{} and, as `converge`, limits to replace those below.
 
+local hertz_of = require "archard.lib.hertz_of"
 local measure = require "archard.measure"
+local merged = require "archard.lib.merged"
 
 local limits = {
   pressure = 0.01,     -- mesh: largest pressure against Hertz' [share]
@@ -25,12 +27,9 @@ local function rounded(value)
 end
 
 local function with_size(model_given, size)
-  local copy, mesh = {}, {}
-  for name, value in pairs(model_given or {}) do copy[name] = value end
-  for name, value in pairs(copy.mesh or {}) do mesh[name] = value end
-  mesh.size, mesh.height = size, 1.25 * size
-  copy.mesh = mesh
-  return copy
+  local model = merged(model_given)
+  model.mesh = merged(model.mesh, { size = size, height = 1.25 * size })
+  return model
 end
 
 local fewest_elements = 8 -- across the contact: fewer are near Hertz' pressure by luck alone
@@ -42,8 +41,7 @@ local fewest_elements = 8 -- across the contact: fewer are near Hertz' pressure 
 -- Hertz' pressure.
 function search.mesh(given, limit, on_step)
   local m = given.model or {}
-  local h = hertz{ radius = m.radius, thickness = m.thickness, load = given.load,
-    cylinder = m.cylinder, plate = m.plate }
+  local h = hertz_of(m, given.load)
   local size, steps = rounded(0.75 * h.half_width), {}
   for i = 1, 7 do
     local c = contact{ model = with_size(m, size), load = given.load }
@@ -108,9 +106,7 @@ local function new_trial(given, limit, on_progress)
   local self = setmetatable({ given = given, limit = limit, model = first.model, count = 0,
     strokes = first.strokes, cycles = first.cycles, procedure = first.procedure,
     stroke = first.stroke, k = first.k, tell = on_progress, jumps = {}, roughnesses = {} }, trial)
-  local m = first.model
-  self.p_hertz = hertz{ radius = m.radius, thickness = m.thickness, load = first.load,
-    cylinder = m.cylinder, plate = m.plate }.p_max
+  self.p_hertz = hertz_of(first.model, first.load).p_max
   -- on a coarse mesh the unworn pressure itself is not smooth from node to node
   self.allowed = math.max(limit.smooth, 1.5 * roughness(first))
   first:close()
@@ -119,10 +115,8 @@ end
 
 -- A run of some updates, and the worst roughness of its later half.
 function trial:run(jump, increments)
-  local fields = {}
-  for name, value in pairs(self.given) do fields[name] = value end
-  fields.model, fields.jump, fields.increments = self.model, jump, increments
-  local run, worst = wear(fields), 0
+  local run = wear(merged(self.given, { model = self.model, jump = jump, increments = increments }))
+  local worst = 0
   for i = 1, self.limit.updates do
     run:step()
     if 2 * i >= self.limit.updates then worst = math.max(worst, roughness(run)) end
@@ -192,18 +186,9 @@ end
 
 -- --- the search ------------------------------------------------------------------------------------
 
-local function limits_of(given)
-  local merged = {}
-  for name, value in pairs(limits) do merged[name] = value end
-  for name, value in pairs(given or {}) do merged[name] = value end
-  return merged
-end
-
 local function without_limits(given)
-  local copy = {}
-  for name, value in pairs(given) do
-    if name ~= "converge" and name ~= "jump" and name ~= "increments" then copy[name] = value end
-  end
+  local copy = merged(given)
+  copy.converge, copy.jump, copy.increments = nil, nil, nil
   return copy
 end
 
@@ -213,7 +198,7 @@ end
 -- the profiles by these increments), first_depth [mm], trials, and what was tried as lists jumps and
 -- roughnesses.
 local function find(given, on_progress)
-  local self = new_trial(without_limits(given), limits_of(given.converge), on_progress or print)
+  local self = new_trial(without_limits(given), merged(limits, given.converge), on_progress or print)
   local slides = self.procedure == "SP"
   local found = { trials = 0 }
   local jump, capped = self:largest_jump(200)

@@ -3,6 +3,7 @@
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
+local merged = require "archard.lib.merged"
 
 local settings = {}
 
@@ -113,9 +114,7 @@ function settings.grid(where, vary)
     local longer = {}
     for _, case in ipairs(cases) do
       for _, value in ipairs(axis.values) do
-        local one = { [axis.name] = value }
-        for name, before in pairs(case) do one[name] = before end
-        longer[#longer + 1] = one
+        longer[#longer + 1] = merged(case, { [axis.name] = value })
       end
     end
     cases = longer

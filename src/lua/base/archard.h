@@ -42,7 +42,8 @@ int luaopen_archard_files(lua_State *L);
 /* The module `archard.measure`: what profiles tell. */
 int luaopen_archard_measure(lua_State *L);
 
-/* The module `archard.names`: what values and misspelt names are called in messages. */
+/* The module `archard.names`: what values and misspelt names are called in messages, and the
+ * raising of errors. */
 int luaopen_archard_names(lua_State *L);
 
 /* The module `archard.settings`: what can be set and what is recorded. */

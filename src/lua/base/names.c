@@ -1,7 +1,8 @@
 /* What values and misspelt names are called in messages, for C and, as the module `archard.names`,
- * for scripts. Leans on nothing. */
+ * for scripts, which raise their errors through it too. Leans on error.c. */
 #include "lua/base/names.h"
 #include "lua/base/archard.h"
+#include "lua/base/error.h"
 
 #include <lauxlib.h>
 #include <string.h>
@@ -83,9 +84,22 @@ static int names_shown(lua_State *L) {
   return 1;
 }
 
+/* --- errors ---------------------------------------------------------------------------------- */
+
+/* raise(where, status, message): an error object as every class raises it. */
+static int names_raise(lua_State *L) {
+  const char *where = luaL_checkstring(L, 1), *name = luaL_checkstring(L, 2);
+  const char *message = luaL_checkstring(L, 3);
+#define RAISE_IF_NAMED(status, value, text)                                                        \
+  if (strcmp(name, #status) == 0) error_raise(L, ARC_##status, where, "%s", message);
+  ARC_STATUS_LIST(RAISE_IF_NAMED)
+#undef RAISE_IF_NAMED
+  return luaL_error(L, "no status '%s'", name);
+}
+
 int luaopen_archard_names(lua_State *L) {
   static const luaL_Reg functions[] = {
-      {"nearest", names_nearest}, {"shown", names_shown}, {NULL, NULL}};
+      {"nearest", names_nearest}, {"shown", names_shown}, {"raise", names_raise}, {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

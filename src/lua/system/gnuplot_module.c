@@ -6,7 +6,6 @@
  * error in the middle leaks nothing.
  */
 #include "lua/base/archard.h"
-#include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 
 #include "plot/plot.h"
@@ -310,17 +309,6 @@ static int gnuplot_animate(lua_State *L) {
   return 1;
 }
 
-/* raise(where, status, message): an error object as every class raises it. */
-static int gnuplot_raise(lua_State *L) {
-  const char *where = luaL_checkstring(L, 1), *name = luaL_checkstring(L, 2);
-  const char *message = luaL_checkstring(L, 3);
-#define RAISE_IF_NAMED(status, value, text)                                                        \
-  if (strcmp(name, #status) == 0) error_raise(L, ARC_##status, where, "%s", message);
-  ARC_STATUS_LIST(RAISE_IF_NAMED)
-#undef RAISE_IF_NAMED
-  return luaL_error(L, "no status '%s'", name);
-}
-
 /* about() -> version, terminals; nil, message, status */
 static int gnuplot_about(lua_State *L) {
   arc_gnuplot *session = session_of(L);
@@ -354,9 +342,11 @@ static int session_gc(lua_State *L) {
 }
 
 int luaopen_archard_gnuplot(lua_State *L) {
-  static const luaL_Reg functions[] = {{"draw", gnuplot_draw},   {"animate", gnuplot_animate},
-                                       {"about", gnuplot_about}, {"use", gnuplot_use},
-                                       {"raise", gnuplot_raise}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"draw", gnuplot_draw},
+                                       {"animate", gnuplot_animate},
+                                       {"about", gnuplot_about},
+                                       {"use", gnuplot_use},
+                                       {NULL, NULL}};
   luaL_newlibtable(L, functions);
   arc_gnuplot **box = lua_newuserdatauv(L, sizeof *box, 0);
   *box = NULL;

@@ -1,0 +1,8 @@
+-- (table, ...) -> a new table with the fields of all, later ones before earlier ones; nil adds none.
+return function(...)
+  local all = {}
+  for i = 1, select("#", ...) do
+    for name, value in pairs((select(i, ...)) or {}) do all[name] = value end
+  end
+  return all
+end
