@@ -1,7 +1,8 @@
 /* Runs chunks under protection: messages, tracebacks and interrupts are handled here and nowhere
- * else. Leans on lua/interrupt.h. */
+ * else. Leans on lua/interrupt.h, on lua/error.h. */
 #include "cli/chunk.h"
 
+#include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 
 #include <lauxlib.h>
@@ -14,18 +15,6 @@ static int to_text(lua_State *L) {
     lua_pushfstring(L, "(error value is a %s)", luaL_typename(L, 1));
   else
     luaL_tolstring(L, 1, NULL);
-  return 1;
-}
-
-/* The level of the first function of the user's: neither in C nor in a script of the program,
- * unless that is the chunk that runs. 1 where there is none. */
-static int user_level(lua_State *L) {
-  lua_Debug frame;
-  for (int level = 1; lua_getstack(L, level, &frame); level++) {
-    lua_getinfo(L, "S", &frame);
-    if (strcmp(frame.what, "main") == 0) return level;
-    if (strcmp(frame.what, "Lua") == 0 && strncmp(frame.source, "@scripts/", 9) != 0) return level;
-  }
   return 1;
 }
 
@@ -45,7 +34,7 @@ static int has_callers(lua_State *L, int level) {
  * way from there on, through the program's own scripts, is of no interest. */
 static int describe(lua_State *L) {
   if (interrupt_pending(NULL)) return 1;
-  const int level = lua_istable(L, 1) ? user_level(L) : 1;
+  const int level = lua_istable(L, 1) ? error_user_level(L) : 1;
   to_text(L);
   if (has_callers(L, level)) luaL_traceback(L, L, lua_tostring(L, -1), level);
   return 1;

@@ -46,15 +46,14 @@ static void set_text(lua_State *L, const char *name, const char *text) {
   lua_setfield(L, -2, name);
 }
 
-/* Pushes "file:line: " of the caller outside the program's own scripts; of the first caller, if all
- * of them look like those. */
-static void push_position(lua_State *L) {
+int error_user_level(lua_State *L) {
   lua_Debug frame;
-  int level = 1;
-  while (lua_getstack(L, level, &frame) && lua_getinfo(L, "S", &frame) &&
-         (strncmp(frame.source, "@scripts/", 9) == 0 || strcmp(frame.source, "=[C]") == 0))
-    level++;
-  luaL_where(L, lua_getstack(L, level, &frame) ? level : 1);
+  for (int level = 1; lua_getstack(L, level, &frame); level++) {
+    lua_getinfo(L, "S", &frame);
+    if (strcmp(frame.what, "main") == 0) return level;
+    if (strcmp(frame.what, "Lua") == 0 && strncmp(frame.source, "@scripts/", 9) != 0) return level;
+  }
+  return 1;
 }
 
 /* Pops the message and pushes the error object. */
@@ -64,7 +63,7 @@ static void push_object(lua_State *L, arc_status code, const char *where) {
   lua_setfield(L, -2, "message");
   set_text(L, "code", arc_status_name(code));
   set_text(L, "where", where);
-  push_position(L);
+  luaL_where(L, error_user_level(L));
   lua_setfield(L, -2, "position");
   if (luaL_newmetatable(L, kind)) {
     lua_pushcfunction(L, error_tostring);
