@@ -22,8 +22,7 @@ return {
     text = "In the list part: a field, polygons with four corners each in x, y and value; a "
       .. "triangle repeats its last." },
   { "plot{title}", type = "string", text = "Title of the plot; in a curve, its name in the key." },
-  { "plot{term}", values = { "dumb", "sixel", "window", "qt", "wxt", "x11", "png", "svg", "pdf",
-    "eps", "gif", "txt", "gp" },
+  { "plot{term}", values = require "archard.plot.draw".terms,
     text = "Where to draw; the terminal in characters where left out. sixel is a picture in "
       .. "terminals that know it, window the first of qt, wxt and x11 that gnuplot has." },
   { "plot{file}", type = "string",
@@ -42,9 +41,9 @@ return {
   { "plot{xdown}", type = "boolean", default = false, text = "x grows to the left." },
   { "plot{ydown}", type = "boolean", default = false, text = "y grows downwards." },
   { "plot{key}", type = "string or boolean", default = '"below"',
-    values = { "below", "right", "top left", "top right", "bottom left", "bottom right", "none" },
+    values = require "archard.gnuplot".keys,
     text = "Place of the key; false for none. Panels share one below where none is named." },
-  { "plot{style}", values = { "lines", "points", "linespoints", "steps", "filled", "impulses" },
+  { "plot{style}", values = require "archard.gnuplot".styles,
     default = '"lines"', text = "How curves are drawn; also of one curve." },
   { "plot{colour}", type = "string or boolean",
     text = 'In a curve: "#rrggbb" or the name of a colour. Of the plot: true or false for colours '

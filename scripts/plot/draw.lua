@@ -15,13 +15,14 @@ draw.default = {}
 
 -- --- what may be given --------------------------------------------------------------------------
 
-local styles = { "lines", "points", "linespoints", "steps", "filled", "impulses" }
-local keys = { "below", "right", "top left", "top right", "bottom left", "bottom right", "none" }
-local file_kinds = { png = true, svg = true, pdf = true, eps = true, gif = true, txt = true,
-  gp = true }
+local styles, keys = gnuplot.styles, gnuplot.keys
 local windows = { window = true, qt = true, wxt = true, x11 = true }
-local terms = { "dumb", "sixel", "window", "qt", "wxt", "x11", "png", "svg", "pdf", "eps", "gif",
-  "txt", "gp" }
+local terms = { "dumb", "sixel", "window", "qt", "wxt", "x11" }
+local file_kinds = {}
+for ending in gnuplot.endings:gmatch("%S+") do
+  terms[#terms + 1], file_kinds[ending] = ending, true
+end
+draw.terms = terms
 
 local curve_fields = {
   x = check.list, y = check.list, value = check.list, title = check.text,
@@ -187,7 +188,7 @@ local function to_file(where, file, kind)
   local ending = file:match("%.([^./]+)$") or ""
   if not file_kinds[ending:lower()] or (kind and kind ~= ending:lower()) then
     check.fail(where, ("field 'file': expected a name that ends in .%s, got \"%s\""):format(
-      kind or table.concat({ "png", "svg", "pdf", "eps", "gif", "txt or .gp" }, ", ."), file))
+      kind or gnuplot.endings:gsub(" ", ", ."):gsub(", (%S+)$", " or %1"), file))
   end
   if file:find("%z") then check.fail(where, "field 'file': a zero byte in the name") end
   return { medium = "file", file = file, ascii = false }

@@ -6,12 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *const arc_plot_style_names[ARC_PLOT_STYLE_COUNT] = {
-#define ARC_PLOT_STYLE_NAME(name, text) text,
-    ARC_PLOT_STYLE_LIST(ARC_PLOT_STYLE_NAME)
-#undef ARC_PLOT_STYLE_NAME
-};
-
 arc_plot_axis arc_plot_axis_default(void) {
   return (arc_plot_axis){.label = NULL, .min = NAN, .max = NAN, .log = 0, .reverse = 0};
 }

@@ -66,6 +66,7 @@ char *arc_plot_quote(const char *text, int ascii);
 
 /* --- a figure --------------------------------------------------------------------------------- */
 
+/* X(name, what a user types) */
 #define ARC_PLOT_STYLE_LIST(X)                                                                     \
   X(LINES, "lines")                                                                                \
   X(POINTS, "points")                                                                              \
@@ -80,9 +81,6 @@ typedef enum arc_plot_style {
 #undef ARC_PLOT_STYLE_ENUM
       ARC_PLOT_STYLE_COUNT
 } arc_plot_style;
-
-/* The names a user types for the styles, in their order. */
-extern const char *const arc_plot_style_names[ARC_PLOT_STYLE_COUNT];
 
 /* The names of colours, separated by blanks. */
 #define ARC_PLOT_COLOURS                                                                           \
@@ -114,14 +112,20 @@ typedef struct arc_plot_axis {
   int reverse;       /* grows downwards or leftwards; not where both ends are given */
 } arc_plot_axis;
 
+/* X(name, what a user types); those in corners stand inside, over the curves. */
+#define ARC_PLOT_KEY_LIST(X)                                                                       \
+  X(BELOW, "below")                                                                                \
+  X(RIGHT, "right")                                                                                \
+  X(TOP_LEFT, "top left")                                                                          \
+  X(TOP_RIGHT, "top right")                                                                        \
+  X(BOTTOM_LEFT, "bottom left")                                                                    \
+  X(BOTTOM_RIGHT, "bottom right")                                                                  \
+  X(NONE, "none")
+
 typedef enum arc_plot_key {
-  ARC_PLOT_KEY_BELOW,
-  ARC_PLOT_KEY_RIGHT,
-  ARC_PLOT_KEY_TOP_LEFT, /* the last four stand inside, over the curves */
-  ARC_PLOT_KEY_TOP_RIGHT,
-  ARC_PLOT_KEY_BOTTOM_LEFT,
-  ARC_PLOT_KEY_BOTTOM_RIGHT,
-  ARC_PLOT_KEY_NONE
+#define ARC_PLOT_KEY_ENUM(name, text) ARC_PLOT_KEY_##name,
+  ARC_PLOT_KEY_LIST(ARC_PLOT_KEY_ENUM)
+#undef ARC_PLOT_KEY_ENUM
 } arc_plot_key;
 
 typedef struct arc_plot_panel {

@@ -17,6 +17,10 @@
 
 static const char session_name[] = "archard.gnuplot session";
 
+#define WORD(name, text) text,
+static const char *const styles[] = {ARC_PLOT_STYLE_LIST(WORD) NULL};
+static const char *const keys[] = {ARC_PLOT_KEY_LIST(WORD) NULL};
+
 /* What a reader carries: where memory is anchored, and what it reads, for messages. */
 typedef struct reader {
   lua_State *L;
@@ -118,11 +122,6 @@ static void same_length(reader *r, const char *name, size_t count, size_t expect
  */
 
 static void read_curve(reader *r, arc_plot_curve *curve) {
-  static const char *const styles[] = {
-#define STYLE_WORD(name, text) text,
-      ARC_PLOT_STYLE_LIST(STYLE_WORD)
-#undef STYLE_WORD
-          NULL};
   size_t count;
   curve->x = read_column(r, "x", &curve->count);
   curve->y = read_column(r, "y", &count);
@@ -167,8 +166,6 @@ static arc_plot_axis read_axis(reader *r, const char *name) {
 }
 
 static void read_panel(reader *r, arc_plot_panel *panel) {
-  static const char *const keys[] = {"below",       "right",        "top left", "top right",
-                                     "bottom left", "bottom right", "none",     NULL};
   *panel = arc_plot_panel_default();
   panel->title = read_string(r, "title");
   panel->x = read_axis(r, "x");
@@ -341,6 +338,17 @@ static int session_gc(lua_State *L) {
   return 0;
 }
 
+/* Sets a list of words in the table on top of the stack. */
+static void set_words(lua_State *L, const char *name, const char *const *words) {
+  lua_newtable(L);
+  for (int i = 0; words[i]; i++) {
+    lua_pushstring(L, words[i]);
+    lua_rawseti(L, -2, i + 1);
+  }
+  lua_setfield(L, -2, name);
+}
+
+/* Beside the functions: the styles, the places of keys, the endings of files. */
 int luaopen_archard_gnuplot(lua_State *L) {
   static const luaL_Reg functions[] = {{"draw", gnuplot_draw},
                                        {"animate", gnuplot_animate},
@@ -358,7 +366,7 @@ int luaopen_archard_gnuplot(lua_State *L) {
   luaL_setfuncs(L, functions, 1);
   lua_pushliteral(L, ARC_PLOT_FILE_ENDINGS);
   lua_setfield(L, -2, "endings");
-  lua_pushliteral(L, ARC_PLOT_COLOURS);
-  lua_setfield(L, -2, "colours");
+  set_words(L, "styles", styles);
+  set_words(L, "keys", keys);
   return 1;
 }
