@@ -1,12 +1,14 @@
 -- help(): what every object, field and method is. The entries are in help/engine.lua,
 -- help/tools.lua and help/study.lua; this file finds them and shows them. Completion asks here for names that no table
--- holds, the manual page is written from here. Leans on archard.term.
+-- holds, the manual page is written from here. Leans on archard.term and archard.names.
 --
 -- Addresses: "wear" an object, "wear.step" its method or field, "wear{jump}" a field of its
 -- definition table, "wear{loading.x}" one of a table in that table.
 
 local debug, next, print, rawget, select, string, table, type =
   debug, next, print, rawget, select, string, table, type
+
+local names = require "archard.names"
 
 local help = {}
 
@@ -172,31 +174,14 @@ end
 
 -- --- finding by name ---------------------------------------------------------------------------
 
--- How far two names are apart: insertions, deletions, changes.
-local function distance(a, b)
-  local row = {}
-  for j = 0, #b do row[j] = j end
-  for i = 1, #a do
-    local corner = row[0]
-    row[0] = i
-    for j = 1, #b do
-      local cost = a:byte(i) == b:byte(j) and 0 or 1
-      corner, row[j] = row[j], math.min(corner + cost, row[j] + 1, row[j - 1] + 1)
-    end
-  end
-  return row[#b]
-end
-
--- The known name nearest to `name`, if it is near enough to be a slip of the keys.
+-- The known name nearest to `name`, or to its last part, if one is near enough to be a slip of the
+-- keys.
 local function nearest(name)
-  local best, least = nil, 1 + #name // 3
+  local known = {}
   for _, entry in ipairs(ordered) do
-    for _, known in ipairs { entry.name, entry.address } do
-      local apart = distance(name, known)
-      if apart <= least and (not best or apart < least) then best, least = known, apart end
-    end
+    known[#known + 1], known[#known + 2] = entry.name, entry.address
   end
-  return best
+  return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
 end
 
 local function spoken(name)
