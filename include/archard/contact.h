@@ -74,8 +74,8 @@ arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double ref
 
 /* One contact problem. */
 #define ARC_CONTACT_SETTINGS(NUMBER, OTHER)                                                        \
-  NUMBER(load, "N", 100, ARC_ABOVE(0), 0, "Normal load L_N.")                                      \
-  NUMBER(x, "mm", 0, ARC_ANY, 0, "Position of the plate.")                                         \
+  NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N.")                                          \
+  NUMBER(x, "mm", 0, ANY, 0, "Position of the plate.")                                             \
   OTHER(model, "a model object or a table of its fields", "model", 0,                              \
         "The bodies. One is built where none is given.")                                           \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", 0,                         \

@@ -25,11 +25,11 @@ extern const char *const arc_element_names[];
 
 /* What to mesh. The plate is 2 radius wide and radius high. */
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
-  NUMBER(size, "mm", 0.020, ARC_ABOVE(0), 0, "Width of the elements at the contact.")              \
-  NUMBER(height, "mm", 0.025, ARC_ABOVE(0), 0,                                                     \
+  NUMBER(size, "mm", 0.020, ABOVE(0), 0, "Width of the elements at the contact.")                  \
+  NUMBER(height, "mm", 0.025, ABOVE(0), 0,                                                         \
          "Height of the elements at the contact; 1.25 size where only the size is given.")         \
-  NUMBER(far, "mm", 1.0, ARC_ABOVE(0), 0, "Largest size of the elements far from the contact.")    \
-  WHOLE(rows, "", 3, ARC_WITHIN(1, 100), 0,                                                        \
+  NUMBER(far, "mm", 1.0, ABOVE(0), 0, "Largest size of the elements far from the contact.")        \
+  WHOLE(rows, "", 3, WITHIN(1, 100), 0,                                                            \
         "Element rows of the wear box: its nodes move with the worn surface.")                     \
   CHOICE(                                                                                          \
       element, element, ARC_CPE4, 0,                                                               \

@@ -10,8 +10,8 @@
 #include "archard/mesh.h"
 
 #define ARC_MATERIAL_SETTINGS(NUMBER)                                                              \
-  NUMBER(E, "MPa", 200e3, ARC_ABOVE(0), 0, "Young's modulus.")                                     \
-  NUMBER(nu, "", 0.3, ARC_BETWEEN(-1, 0.5), 0, "Poisson's ratio.")
+  NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
+  NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")
 
 typedef struct arc_material {
   ARC_MATERIAL_SETTINGS(ARC_MEMBER_NUMBER)
@@ -40,9 +40,9 @@ double arc_contact_modulus(const arc_material material[ARC_BODIES]);
 arc_status arc_material_check(arc_material material, arc_error *error);
 
 #define ARC_MODEL_SETTINGS(NUMBER)                                                                 \
-  NUMBER(radius, "mm", 10, ARC_ABOVE(0), 0,                                                        \
+  NUMBER(radius, "mm", 10, ABOVE(0), 0,                                                            \
          "Radius R of the cylinder; it sets the size of the plate too.")                           \
-  NUMBER(thickness, "mm", 1, ARC_ABOVE(0), 0,                                                      \
+  NUMBER(thickness, "mm", 1, ABOVE(0), 0,                                                          \
          "Thickness of both bodies; forces are those on the whole of it.")
 
 typedef struct arc_model_def {
@@ -63,9 +63,9 @@ typedef struct arc_hertz {
 } arc_hertz;
 
 #define ARC_HERTZ_SETTINGS(NUMBER)                                                                 \
-  NUMBER(radius, "mm", 10, ARC_ABOVE(0), 0, "Radius of the cylinder.")                             \
-  NUMBER(load, "N", 100, ARC_ABOVE(0), 0, "Normal load L_N over the whole thickness.")             \
-  NUMBER(thickness, "mm", 1, ARC_ABOVE(0), 0,                                                      \
+  NUMBER(radius, "mm", 10, ABOVE(0), 0, "Radius of the cylinder.")                                 \
+  NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N over the whole thickness.")                 \
+  NUMBER(thickness, "mm", 1, ABOVE(0), 0,                                                          \
          "Thickness of both bodies; the load per thickness counts.")
 
 typedef struct arc_hertz_def {

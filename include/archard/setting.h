@@ -68,15 +68,15 @@ typedef struct arc_series {
 
 /* --- what lists are made of ------------------------------------------------------------------- */
 
-/* Ranges. */
-#define ARC_ANY                 .low = -HUGE_VAL, .high = HUGE_VAL
-#define ARC_ABOVE(bound)        .low = (bound), .high = HUGE_VAL, .open = ARC_LOW_OPEN
-#define ARC_FROM(bound)         .low = (bound), .high = HUGE_VAL
-#define ARC_WITHIN(least, most) .low = (least), .high = (most)
-#define ARC_BETWEEN(least, most)                                                                   \
+/* Ranges; rows name them without ARC_RANGE_, as ABOVE(0). */
+#define ARC_RANGE_ANY                 .low = -HUGE_VAL, .high = HUGE_VAL
+#define ARC_RANGE_ABOVE(bound)        .low = (bound), .high = HUGE_VAL, .open = ARC_LOW_OPEN
+#define ARC_RANGE_FROM(bound)         .low = (bound), .high = HUGE_VAL
+#define ARC_RANGE_WITHIN(least, most) .low = (least), .high = (most)
+#define ARC_RANGE_BETWEEN(least, most)                                                             \
   .low = (least), .high = (most), .open = ARC_LOW_OPEN | ARC_HIGH_OPEN
-#define ARC_ABOVE_TO(least, most) .low = (least), .high = (most), .open = ARC_LOW_OPEN
-#define ARC_EVEN(least, most)     .low = (least), .high = (most), .multiple = 2
+#define ARC_RANGE_ABOVE_TO(least, most) .low = (least), .high = (most), .open = ARC_LOW_OPEN
+#define ARC_RANGE_EVEN(least, most)     .low = (least), .high = (most), .multiple = 2
 
 /* Members of a struct, as the rows of its list make them. */
 #define ARC_MEMBER_NUMBER(name, unit, usual, range, forms, text) double name;
@@ -100,7 +100,7 @@ typedef struct arc_series {
    .forms = forms_,                                                                                \
    .offset = offsetof(ARC_SETTING_OF, name_),                                                      \
    .usual = usual_,                                                                                \
-   range},
+   ARC_RANGE_##range},
 #define ARC_SETTING_WHOLE(name_, unit_, usual_, range, forms_, text_)                              \
   {.name = #name_,                                                                                 \
    .unit = unit_,                                                                                  \
@@ -110,7 +110,7 @@ typedef struct arc_series {
    .forms = forms_,                                                                                \
    .offset = offsetof(ARC_SETTING_OF, name_),                                                      \
    .usual = usual_,                                                                                \
-   range},
+   ARC_RANGE_##range},
 #define ARC_SETTING_CHOICE(name_, type_, usual_, forms_, text_)                                    \
   {.name = #name_,                                                                                 \
    .unit = "",                                                                                     \
@@ -132,7 +132,7 @@ typedef struct arc_series {
    .function = offsetof(ARC_SETTING_OF, name_##_function),                                         \
    .series = offsetof(ARC_SETTING_OF, name_##_series),                                             \
    .automatic = offsetof(ARC_SETTING_OF, name_##_auto),                                            \
-   range},
+   ARC_RANGE_##range},
 #define ARC_SETTING_FUNCTION(name_, type_, pointer, forms_, text_)                                 \
   {.name = #name_,                                                                                 \
    .unit = "",                                                                                     \

@@ -80,32 +80,32 @@ typedef struct arc_loading {
          "Pressures of an update: those of the geometry it begins with, or those of the geometry " \
          "it ends in, which takes longer steps.")                                                  \
   QUANTITY(                                                                                        \
-      k, "mm2/N", 1e-8, ARC_FROM(0), ARC_FUNCTION | ARC_SERIES,                                    \
+      k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                        \
       "Wear coefficient k of the couple: volume = k L_N d (Eq. 1). A function gets the state "     \
       "in the middle of the update, see help \"state\"; a table is interpolated over the "         \
       "distance.")                                                                                 \
-  QUANTITY(alpha, "", 0.5, ARC_WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                            \
+  QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19): the share of the volume that the cylinder "    \
            "loses. 0: only the plate wears, 1: only the cylinder.")                                \
-  NUMBER(load, "N", 100, ARC_ABOVE(0), 0,                                                          \
+  NUMBER(load, "N", 100, ABOVE(0), 0,                                                              \
          "Normal load L_N; with loading, that of the reference configuration.")                    \
-  NUMBER(stroke, "mm", 0.11, ARC_ABOVE(0), 0,                                                      \
+  NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
          "Stroke s_t, the plate's way from one end to the other. The reference cases are a, 2a, "  \
          "4a (0.11, 0.22, 0.44) and 2R (20): the last slides over the whole plate, one way only "  \
          "(r = 1 instead of 2).")                                                                  \
-  NUMBER(distance, "mm", 1320, ARC_ABOVE(0), ARC_OPTIONAL,                                         \
+  NUMBER(distance, "mm", 1320, ABOVE(0), ARC_OPTIONAL,                                             \
          "Travelled distance d_t to simulate. Give this or cycles; with loading, none means all "  \
          "its blocks.")                                                                            \
   OTHER(cycles, "a number > 0 cycles", NULL, 0,                                                    \
         "Loading cycles to simulate, N = d_t / (r s_t) (Eq. 21). Give this or distance.")          \
-  QUANTITY(jump, "cycles", 100, ARC_ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                        \
+  QUANTITY(jump, "cycles", 100, ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                            \
            "Cycles from one geometry update to the next (N-bar). Pressures are kept meanwhile. "   \
            "Too large a jump makes explicit updates rough; \"auto\" stays below that limit. A "    \
            "function gets the state before the update.")                                           \
-  WHOLE(increments, "", 100, ARC_EVEN(2, 100000), 0,                                               \
+  WHOLE(increments, "", 100, EVEN(2, 100000), 0,                                                   \
         "Increments n_c of a full cycle. Half of them are simulated, the way back being like the " \
         "way out (Eq. 22).")                                                                       \
-  NUMBER(refresh, "", 0.005, ARC_FROM(0), 0,                                                       \
+  NUMBER(refresh, "", 0.005, FROM(0), 0,                                                           \
          "With moving geometry: the stiffness is renewed once a node has moved by more than this " \
          "share of an element's height; 0: at every update.")                                      \
   CHOICE(procedure, procedure, ARC_AUTO, 0,                                                        \
@@ -123,11 +123,11 @@ typedef struct arc_loading {
          "(quasi-continuous).")                                                                    \
   CHOICE(law, law, ARC_LAW_ARCHARD, 0,                                                             \
          "Wear law, as a factor on k: 1; (p / p0)^m; or 1 where p > p0 and 0 elsewhere.")          \
-  NUMBER(law_pressure, "MPa", 100, ARC_ABOVE(0), 0, "Pressure p0 of the law.")                     \
-  NUMBER(law_exponent, "", 1, ARC_ABOVE_TO(-1, 10), 0, "Exponent m of the power law.")             \
-  WHOLE(order, "", 2, ARC_WITHIN(1, 2), 0,                                                         \
+  NUMBER(law_pressure, "MPa", 100, ABOVE(0), 0, "Pressure p0 of the law.")                         \
+  NUMBER(law_exponent, "", 1, ABOVE_TO(-1, 10), 0, "Exponent m of the power law.")                 \
+  WHOLE(order, "", 2, WITHIN(1, 2), 0,                                                             \
         "Order of the implicit scheme: pressures of the end of the update, or midway.")            \
-  NUMBER(tolerance, "", 0, ARC_BETWEEN(0, 1), ARC_OPTIONAL,                                        \
+  NUMBER(tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                            \
          "Relative error an implicit run may make in the depth; it then chooses its own steps. "   \
          "None: steps of jump.")                                                                   \
   OTHER(model, "a model object or a table of its fields", "model", ARC_FIXED,                      \

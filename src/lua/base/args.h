@@ -18,7 +18,7 @@ typedef struct args_place {
 
 /* Rows for what only scripts can set: a number above 0, a name that whoever made the list reads. */
 #define ARGS_ABOVE_0(owner, member)                                                                \
-  { .name = #member, .offset = offsetof(owner, member), ARC_ABOVE(0) }
+  { .name = #member, .offset = offsetof(owner, member), ARC_RANGE_ABOVE(0) }
 #define ARGS_OTHER(field)                                                                          \
   { .name = (field), .kind = ARC_OTHER }
 

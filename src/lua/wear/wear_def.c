@@ -130,7 +130,7 @@ static void list_settings(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1], int cha
 }
 
 static void read_cycles(lua_State *L, int index, args_place place, wear_request *request) {
-  static const arc_setting cycles = {.name = "cycles", .unit = "cycles", ARC_ABOVE(0)};
+  static const arc_setting cycles = {.name = "cycles", .unit = "cycles", ARC_RANGE_ABOVE(0)};
   if (args_get(L, index, cycles.name) != LUA_TNIL) request->cycles = args_number(L, place, &cycles);
   lua_pop(L, 1);
 }
