@@ -113,7 +113,7 @@ function help.fields(address, path)
   local list = help.definition(at, rest)
   local taken = rest == "" and entries[at] and entries[at].takes
   for _, entry in ipairs(taken and help.definition(taken) or {}) do
-    if not entry.fixed then list[#list + 1] = entry end
+    if not (entry.fixed and entries[at].kind == "method") then list[#list + 1] = entry end
   end
   return list
 end

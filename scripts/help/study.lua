@@ -121,7 +121,7 @@ return {
     text = "The paper's Table 1 with what was found beside it, as rows of texts." },
 
   -- --- calibrate ------------------------------------------------------------------------------
-  { "calibrate", kind = "function", class = "calibration",
+  { "calibrate", kind = "function", class = "calibration", takes = "wear",
     use = "calibrate{ volume={ cylinder={...}, plate={...} }, load=100, distance=1320 }",
     text = "From measured wear to the model's numbers. Volumes give k, k_cylinder, k_plate and alpha "
       .. "(Eq. 12) with the spread of repeated measurements. Depths give the alpha whose simulated "
@@ -136,18 +136,6 @@ return {
   { "calibrate{distance}", type = "number", unit = "mm", text = "Travelled distance of the test." },
   { "calibrate{accuracy}", type = "number", default = 1e-4,
     text = "How near the simulated alpha-tilde must come." },
-  { "calibrate{model}", class = "model", text = "As in wear{}; for depths, like all below." },
-  { "calibrate{k}", type = "number", unit = "mm2/N", text = "As in wear{}." },
-  { "calibrate{stroke}", type = "number", unit = "mm", text = "As in wear{}." },
-  { "calibrate{jump}", type = "number", text = "As in wear{}." },
-  { "calibrate{increments}", type = "whole number", text = "As in wear{}." },
-  { "calibrate{cycles}", type = "number", text = "As in wear{}." },
-  { "calibrate{scheme}", type = "string", text = "As in wear{}." },
-  { "calibrate{procedure}", type = "string", text = "As in wear{}." },
-  { "calibrate{slip}", type = "string", text = "As in wear{}." },
-  { "calibrate{geometry}", type = "string", text = "As in wear{}." },
-  { "calibrate{refresh}", type = "number", text = "As in wear{}." },
-  { "calibrate{rule}", type = "string", text = "As in wear{}." },
   { "calibration", kind = "object", use = "calibrate{...}",
     text = "The numbers found and, as spread, their standard deviations; print shows them." },
   { "calibration.alpha", kind = "field", text = "Wear partition factor." },

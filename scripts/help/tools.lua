@@ -1,5 +1,8 @@
 -- Help entries of what stands around the engine: plot, export, help. Form: help.lua.
 
+local columns = {}
+for i, column in ipairs(require "archard.settings".columns) do columns[i] = column.name end
+
 return {
   -- --- csv ------------------------------------------------------------------------------------
   { "csv", kind = "object", use = 'csv.read("measured.csv")',
@@ -78,8 +81,7 @@ return {
   { "plot.profile{body}", values = { "cylinder", "plate" }, text = "Which body's profile." },
   { "plot.profile{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.history", kind = "function", takes = "plot", use = 'plot.history(w, "p_center", ...)',
-    values = { "p_center", "p_max", "half_width", "depth_cylinder", "depth_plate",
-      "volume_cylinder", "volume_plate", "depth_partition", "jump", "k", "alpha" },
+    values = columns,
     text = "Columns of w.history against the travelled distance, a panel for each quantity. Takes "
       .. "the options of plot{} too." },
   { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance"',

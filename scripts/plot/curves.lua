@@ -2,6 +2,7 @@
 -- picture, axes with units. Leans on plot/draw.lua; of the objects it uses only what users can.
 
 local check = require "archard.lib.check"
+local known = require "archard.settings"
 local draw = require "archard.plot.draw"
 local hertz_of = require "archard.lib.hertz_of"
 
@@ -53,6 +54,16 @@ local settings = {
   { "local_factor", "local factor %s", "local factor" }, { "geometry", "%s geometry" },
   { "slip", "%s slip" }, { "cycle", "%.6g cycles" },
 }
+
+-- What has no words of its own is told by its name.
+local worded = {}
+for _, setting in ipairs(settings) do worded[setting[1]] = true end
+for _, setting in ipairs(known.wear) do
+  if setting.plain and not worded[setting.name] then
+    local unit = setting.unit and " " .. setting.unit or ""
+    settings[#settings + 1] = { setting.name, setting.name .. " %s" .. unit }
+  end
+end
 
 local unnamed = { ["function"] = "%s by function", table = "%s by table" }
 
@@ -231,8 +242,11 @@ local quantities = {
   { "^k$", "k / (mm²/N)", 1 },
   { "^alpha$", "α", 1 },
   { "^jump$", "cycles of an update", 1 },
-  { ".", nil, 1 },
 }
+for _, column in ipairs(known.columns) do
+  local unit = column.unit ~= "" and " / " .. column.unit or ""
+  quantities[#quantities + 1] = { "^" .. column.name .. "$", column.name .. unit, 1 }
+end
 local spoken = { p_center = "centre", p_max = "largest", depth_cylinder = "cylinder",
   depth_plate = "plate", volume_cylinder = "cylinder", volume_plate = "plate" }
 local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }

@@ -11,11 +11,12 @@ local pair = check.kind("a table { cylinder=, plate= } of numbers or lists of nu
   check.table.test)
 local fields = { volume = pair, depth = pair, load = check.positive, distance = check.positive,
   accuracy = check.share }
--- Fields of wear{} that a search by depth may have.
-for name in ("model k stroke jump increments cycles scheme procedure slip geometry refresh rule")
-  :gmatch("%S+") do
-  fields[name] = check.any "a field of wear{}"
+-- A search by depth may have the fields of wear{}, but not the one it looks for, another load, or a
+-- shape to start from.
+for _, setting in ipairs(require "archard.settings".wear) do
+  fields[setting.name] = fields[setting.name] or check.any "a field of wear{}"
 end
+fields.alpha, fields.loading, fields.worn = nil, nil, nil
 
 local function measurements(name, given)
   if given == nil then
