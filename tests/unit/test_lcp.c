@@ -17,12 +17,14 @@ static pose room(int n) {
   p.f = calloc((size_t)n, sizeof(double));
   p.open = calloc((size_t)n, sizeof(double));
   p.ones = calloc((size_t)n, sizeof(double));
+  p.joined = calloc((size_t)n, sizeof(int));
   p.work = calloc(4 * (size_t)(2 * n), sizeof(double));
   return p;
 }
 
 static void room_free(pose *p) {
   free(p->set);
+  free(p->joined);
   free(p->a);
   free(p->factor);
   free(p->gap);

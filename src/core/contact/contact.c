@@ -46,12 +46,12 @@ static void read_pressures(arc_contact *c) {
 }
 
 static void read_result(arc_contact *c, double load, double x) {
-  double edges[2], largest = 0;
+  double edges[2], center, largest;
   arc_pose_edges(&c->pose, c->shape, edges);
-  for (int i = 0; i < c->count[ARC_CYLINDER]; i++) largest = fmax(largest, c->p[ARC_CYLINDER][i]);
+  arc_pose_peaks(&c->pose, &center, &largest);
   c->result = (arc_contact_result){.load = load,
                                    .x = x,
-                                   .p_center = c->p[ARC_CYLINDER][c->count[ARC_CYLINDER] / 2],
+                                   .p_center = center,
                                    .p_max = largest,
                                    .left = edges[0],
                                    .right = edges[1],
@@ -70,12 +70,9 @@ arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_
   if (!c) return out_of_memory(error);
   status = arc_shape_clone(shape, &c->shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
-  if (status == ARC_OK) status = arc_pose_place(&c->pose, c->shape, x, error);
-  if (status == ARC_OK) {
-    arc_pose_stiffen(&c->pose, c->shape);
-    arc_pose_measure(&c->pose, c->shape);
+  if (status == ARC_OK) status = arc_pose_update(&c->pose, c->shape, x, error);
+  if (status == ARC_OK)
     status = arc_pose_solve(&c->pose, load / arc_model_definition(shape->model)->thickness, error);
-  }
   if (status == ARC_OK) {
     read_pressures(c);
     read_result(c, load, x);

@@ -1,4 +1,5 @@
-/* The contact problem: f >= 0, g = gap - approach + A f >= 0, f'g = 0, sum f = load.
+/* The contact problem: f >= 0, g = gap - approach + A f >= 0, f'g = 0, sum f = line, the load per
+ * thickness.
  *
  * A primal-dual active set (semismooth Newton) from the last set: one factorisation where the set
  * is still right. Should it cycle, a primal active-set method on the equivalent convex problem, min
@@ -25,9 +26,9 @@ static int factorise(pose *p) {
   return 0;
 }
 
-/* Forces on the set that close its gaps under the load: fs [active] and the approach. Non-zero: A
- * is not definite. */
-static int solve_on_set(pose *p, double load, double *fs) {
+/* Forces on the set that close its gaps under the load `line`: fs [active] and the approach.
+ * Non-zero: A is not definite. */
+static int solve_on_set(pose *p, double line, double *fs) {
   if (factorise(p)) return 1;
   double sum = 0, total = 0;
   for (int k = 0; k < p->active; k++) fs[k] = p->gap[p->set[k]];
@@ -36,7 +37,7 @@ static int solve_on_set(pose *p, double load, double *fs) {
     sum += fs[k];
     total += p->ones[k];
   }
-  p->approach = (load + sum) / total;
+  p->approach = (line + sum) / total;
   for (int k = 0; k < p->active; k++) fs[k] = p->approach * p->ones[k] - fs[k];
   return 0;
 }
@@ -63,10 +64,10 @@ static int update_set(pose *p) {
     const int is = was ? p->f[k] > 0 : p->open[k] < 0;
     s += was;
     same = same && was == is;
-    if (is) p->work[n++] = k;
+    if (is) p->joined[n++] = k;
   }
   if (same) return 0;
-  for (int k = 0; k < n; k++) p->set[k] = (int)p->work[k];
+  memcpy(p->set, p->joined, (size_t)n * sizeof *p->set);
   p->active = n;
   p->factored = 0;
   return 1;
@@ -79,11 +80,11 @@ static void all_active(pose *p) {
 }
 
 /* 1 solved, 0 gave up, -1 broke down. */
-static int newton(pose *p, double load, double *fs) {
+static int newton(pose *p, double line, double *fs) {
   if (p->active == 0) all_active(p);
   for (int i = 0; i < newton_limit; i++) {
     p->iterations++;
-    if (solve_on_set(p, load, fs)) return -1;
+    if (solve_on_set(p, line, fs)) return -1;
     spread(p, fs);
     if (!update_set(p)) return 1;
     if (p->active == 0) return 0;
@@ -107,8 +108,8 @@ static void drop(pose *p, int at) {
 /* From the feasible forces f towards those of the set, as far as they stay non-negative; drops a
  * node that blocks. Returns 1 where the way was free, 0 where a node was dropped, -1 on breakdown.
  */
-static int advance(pose *p, double load, double *f, double *fs) {
-  if (solve_on_set(p, load, fs)) return -1;
+static int advance(pose *p, double line, double *f, double *fs) {
+  if (solve_on_set(p, line, fs)) return -1;
   double step = 1;
   int blocking = -1;
   for (int s = 0; s < p->active; s++) {
@@ -131,19 +132,19 @@ static int most_penetrating(const pose *p) {
   return worst;
 }
 
-static int descend(pose *p, double load, double *fs) {
+static int descend(pose *p, double line, double *fs) {
   double *f = p->work + p->nc;
   int start = 0;
   for (int k = 1; k < p->count; k++)
     if (p->gap[k] < p->gap[start]) start = k;
   memset(f, 0, (size_t)p->count * sizeof *f);
-  f[start] = load;
+  f[start] = line;
   p->active = 0;
   insert(p, start);
   for (int guard = 0; guard < 100 * p->count; guard++) {
     p->iterations++;
     int free_way;
-    while ((free_way = advance(p, load, f, fs)) == 0) p->iterations++;
+    while ((free_way = advance(p, line, f, fs)) == 0) p->iterations++;
     if (free_way < 0) return -1;
     spread(p, fs);
     const int worst = most_penetrating(p);
@@ -153,10 +154,10 @@ static int descend(pose *p, double load, double *fs) {
   return 0;
 }
 
-arc_status arc_lcp_solve(pose *p, double load) {
+arc_status arc_lcp_solve(pose *p, double line) {
   double *fs = p->work + 2 * (p->nc + p->np);
   p->iterations = 0;
-  int solved = newton(p, load, fs);
-  if (solved == 0) solved = descend(p, load, fs);
+  int solved = newton(p, line, fs);
+  if (solved == 0) solved = descend(p, line, fs);
   return solved == 1 ? ARC_OK : ARC_NUMERIC;
 }

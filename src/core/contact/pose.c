@@ -2,6 +2,7 @@
 #include "core/contact/pose.h"
 #include "core/base/dense.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,10 +13,11 @@ arc_status arc_pose_create(pose *p, const arc_model *model) {
   *p = (pose){.nc = (int)nc, .np = (int)np};
   p->first = malloc(nc * sizeof(int));
   p->set = malloc(nc * sizeof(int));
+  p->joined = malloc(nc * sizeof(int));
   p->a = malloc(nc * nc * sizeof(double));
   p->factor = malloc(nc * nc * sizeof(double));
   p->wc = calloc(5 * nc + np + 4 * (nc + np), sizeof(double)); /* one block for the small arrays */
-  if (!p->first || !p->set || !p->a || !p->factor || !p->wc) {
+  if (!p->first || !p->set || !p->joined || !p->a || !p->factor || !p->wc) {
     arc_pose_free(p);
     return ARC_MEMORY;
   }
@@ -31,6 +33,7 @@ arc_status arc_pose_create(pose *p, const arc_model *model) {
 void arc_pose_free(pose *p) {
   free(p->first);
   free(p->set);
+  free(p->joined);
   free(p->a);
   free(p->factor);
   free(p->wc);
@@ -41,7 +44,20 @@ void arc_pose_free(pose *p) {
 size_t arc_pose_bytes(const pose *p) {
   const size_t nc = (size_t)p->nc, np = (size_t)p->np, width = (size_t)p->width;
   return sizeof *p + (2 * nc * nc + nc * width + 9 * nc + 5 * np) * sizeof(double) +
-         2 * nc * sizeof(int);
+         3 * nc * sizeof(int);
+}
+
+arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error *error) {
+  assert(shape->version > 0);
+  if (p->version != shape->version || p->x != x) {
+    p->version = 0;
+    const arc_status status = arc_pose_place(p, shape, x, error);
+    if (status != ARC_OK) return status;
+    arc_pose_stiffen(p, shape);
+    p->version = shape->version;
+  }
+  arc_pose_measure(p, shape);
+  return ARC_OK;
 }
 
 /* The zone that would have held the contact, in words. */
@@ -57,8 +73,9 @@ static arc_status edge_reached(pose *p, int left, arc_error *error) {
       cylinder ? "cylinder" : "plate");
 }
 
-arc_status arc_pose_solve(pose *p, double load, arc_error *error) {
-  if (arc_lcp_solve(p, load) != ARC_OK) {
+arc_status arc_pose_solve(pose *p, double line, arc_error *error) {
+  assert(p->version > 0);
+  if (arc_lcp_solve(p, line) != ARC_OK) {
     p->active = p->factored = 0;
     return arc_fail(error, ARC_NUMERIC,
                     "the contact solution broke down with the plate at x = %g mm", p->x);
@@ -93,6 +110,16 @@ void arc_pose_pressures(const pose *p, double *pc, double *pp) {
   push_only(pp, p->np);
   for (int i = 0; i < p->nc; i++) pc[i] /= p->wc[i];
   for (int l = 0; l < p->np; l++) pp[l] /= p->wp[l];
+}
+
+void arc_pose_peaks(const pose *p, double *center, double *largest) {
+  const int middle = p->nc / 2 - p->lo;
+  *center = *largest = 0;
+  for (int k = 0; k < p->count; k++) {
+    const double pressure = p->f[k] / p->wc[p->lo + k];
+    *largest = fmax(*largest, pressure);
+    if (k == middle) *center = pressure;
+  }
 }
 
 void arc_pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up) {

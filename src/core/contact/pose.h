@@ -12,6 +12,7 @@
 
 typedef struct pose {
   double x;        /* [mm] plate position */
+  long version;    /* of the compliance it was placed on, see arc_shape; 0: none */
   int nc, np;      /* surface nodes of cylinder and plate */
   int lo, count;   /* candidates: cylinder nodes lo .. lo + count - 1 */
   int width;       /* row length of B */
@@ -20,13 +21,13 @@ typedef struct pose {
   double *wc, *wp; /* [nc], [np] tributary widths [mm] */
   double *a;       /* [count x count] A [mm2/N] */
   double *gap;     /* [nc] initial gap of the candidates [mm] */
-  double *
-      f; /* [nc] solution: nodal forces [N/mm], by candidate; also closed gaps below zero on work */
+  double *f;       /* [nc] solution: nodal forces [N/mm], by candidate */
   double *open;    /* [nc] solution: gap left [mm], by candidate */
   double approach; /* [mm] */
   int iterations;  /* of the last solution; all of them count */
   int active;      /* size of the active set */
   int *set;        /* [nc] the active candidates in increasing order */
+  int *joined;     /* [nc] work: the next set */
   double *factor;  /* [active x active] Cholesky factor of A on the set */
   double *ones;    /* [nc] (A_set)^-1 1 */
   int factored;    /* factor and ones belong to set and A */
@@ -39,21 +40,28 @@ void arc_pose_free(pose *p);
 /* Bytes of one pose. */
 size_t arc_pose_bytes(const pose *p);
 
-/* B and tributary widths for the plate at x [mm], from where the nodes stood along x at the last
- * condensation: coupling and compliance always belong together. ARC_ZONE where fewer than three
- * candidates remain, ARC_MEMORY. */
+/* Brings a pose up to date with a shape and the plate at x [mm]: places and stiffens it anew where
+ * the compliance or the position is another one, and measures the gaps. ARC_ZONE and ARC_MEMORY as
+ * arc_pose_place: the pose is then out of date. */
+arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error *error);
+
+/* What it consists of. B and tributary widths for the plate at x [mm], from where the nodes stood
+ * along x at the last condensation: coupling and compliance always belong together. ARC_ZONE where
+ * fewer than three candidates remain, ARC_MEMORY. */
 arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *error);
 /* Contact matrix from the shape's present compliance. */
 void arc_pose_stiffen(pose *p, const arc_shape *shape);
 /* Initial gaps from the shape's present heights. */
 void arc_pose_measure(pose *p, const arc_shape *shape);
 
-/* Solves for a load per thickness [N/mm]. On ARC_ZONE (contact at the edge of the candidates) and
- * ARC_NUMERIC the warm start is dropped, nothing else changes. */
-arc_status arc_pose_solve(pose *p, double load, arc_error *error);
+/* Solves for `line`, the load per thickness [N/mm]. On ARC_ZONE (contact at the edge of the
+ * candidates) and ARC_NUMERIC the warm start is dropped, nothing else changes. */
+arc_status arc_pose_solve(pose *p, double line, arc_error *error);
 
 /* Pressures [MPa] of the solution at all surface nodes: pc [nc], pp [np]. */
 void arc_pose_pressures(const pose *p, double *pc, double *pp);
+/* Pressure [MPa] at the cylinder's lowest node, and the largest at any of its nodes. */
+void arc_pose_peaks(const pose *p, double *center, double *largest);
 /* Elastic displacement along x of the solution [mm]: at cylinder nodes uc [nc], plate nodes up
  * [np]. */
 void arc_pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up);
@@ -65,8 +73,8 @@ void arc_pose_to_plate(const pose *p, const double *v, double *result);
  */
 void arc_pose_edges(const pose *p, const arc_shape *shape, double edges[2]);
 
-/* The complementarity problem (lcp.c): finds p's set, factor, ones, f, approach for a load, from
- * the set as a warm start. */
-arc_status arc_lcp_solve(pose *p, double load);
+/* The complementarity problem (lcp.c): finds p's set, factor, ones, f, approach for a load
+ * per thickness [N/mm], from the set as a warm start. */
+arc_status arc_lcp_solve(pose *p, double line);
 
 #endif

@@ -55,6 +55,7 @@ arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refr
   shape->model = arc_model_retain(model);
   shape->geometry = geometry;
   shape->refresh = refresh;
+  shape->version = ARC_UNWORN_VERSION;
   for (int b = 0; b < ARC_BODIES; b++) {
     if (allocate_side(&shape->side[b], arc_model_body(model, (arc_body)b)) != ARC_OK) {
       arc_shape_destroy(&shape);
@@ -88,7 +89,7 @@ arc_status arc_shape_clone(const arc_shape *shape, arc_shape **result, arc_error
     if (status != ARC_OK) out_of_memory(error);
   }
   if (status == ARC_OK)
-    copy->condensed = shape->condensed;
+    copy->version = shape->version;
   else
     arc_shape_destroy(&copy);
   *result = copy;
@@ -230,7 +231,7 @@ static void settle(arc_shape *shape, shape_side *side, compliance renewed) {
   arc_compliance_free(&side->own);
   side->own = renewed;
   memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
-  shape->condensed++;
+  shape->version = arc_model_next_version(shape->model);
 }
 
 arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error) {
@@ -302,12 +303,12 @@ static arc_status restore_side(arc_shape *shape, arc_body body, const arc_surfac
   memcpy(side->h, state->h, n);
   memcpy(side->xy, state->xy, 2 * n);
   memcpy(side->settled, state->settled, 2 * n);
+  shape->version = arc_model_next_version(shape->model);
   side->even = state->even;
   for (int i = 0; i < side->n; i++) side->y[i] = side->xy[2 * i + 1] + inward(side) * side->even;
   if (!state->condensed) return ARC_OK;
   const arc_status status = check_box(side, side->settled, error);
   if (status != ARC_OK) return status;
-  shape->condensed++;
   return condense(side, side->settled, &side->own, error);
 }
 

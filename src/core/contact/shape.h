@@ -20,7 +20,8 @@ struct arc_shape {
   arc_model *model;
   arc_geometry geometry;
   double refresh;
-  long condensed; /* counts changes of compliance, so that others know when theirs is stale */
+  long version; /* of both compliances: those of one version are the same bits, on all shapes of a
+                   model */
   shape_side side[ARC_BODIES];
 };
 

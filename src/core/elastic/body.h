@@ -60,4 +60,13 @@ arc_status arc_body_displacements(const elastic_body *body, const double *box_xy
 /* The model's body (not public: contact and wear lean on it). */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
+/* Numbers for compliances, so that what was made from one knows when it is stale. The model counts
+ * them: a number means the same bits on whatever shape it stands. The unworn compliance has the
+ * first one; none is 0. */
+enum { ARC_UNWORN_VERSION = 1 };
+long arc_model_next_version(arc_model *model);
+
+/* Room for the edge peaks of worn contacts, in half widths. */
+#define ARC_CONTACT_ROOM 1.3
+
 #endif

@@ -10,6 +10,7 @@ struct arc_model {
   arc_model_def def;
   elastic_body *body[ARC_BODIES];
   double seconds;
+  long version; /* the last number given to a compliance */
 };
 
 #define ARC_SETTING_OF arc_material
@@ -71,6 +72,7 @@ arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_err
   arc_model *m = calloc(1, sizeof *m);
   if (!m) return arc_fail(error, ARC_MEMORY, "out of memory for a model");
   m->references = 1;
+  m->version = ARC_UNWORN_VERSION;
   m->def = *def;
   m->seconds = -now();
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
@@ -111,6 +113,17 @@ double arc_model_seconds(const arc_model *model) {
   return model->seconds;
 }
 
+long arc_model_next_version(arc_model *model) {
+  return ++model->version;
+}
+
 const elastic_body *arc_model_body(const arc_model *model, arc_body which) {
   return model->body[which];
+}
+
+void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
+  const arc_mesh_def usual = arc_mesh_default();
+  const double contact = ARC_CONTACT_ROOM * half_width, scale = size / usual.size;
+  zone[ARC_CYLINDER] = fmax(scale * usual.zone[ARC_CYLINDER], 2 * contact);
+  zone[ARC_PLATE] = fmax(scale * usual.zone[ARC_PLATE], 2 * (reach + contact));
 }

@@ -207,16 +207,6 @@ void arc_wear_def_free(arc_wear_def *def) {
 
 /* --- zones --- */
 
-/* Room for the edge peaks of worn contacts, in half widths. */
-static const double contact_room = 1.3;
-
-void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
-  const arc_mesh_def usual = arc_mesh_default();
-  const double contact = contact_room * half_width, scale = size / usual.size;
-  zone[ARC_CYLINDER] = fmax(scale * usual.zone[ARC_CYLINDER], 2 * contact);
-  zone[ARC_PLATE] = fmax(scale * usual.zone[ARC_PLATE], 2 * (reach + contact));
-}
-
 /* Travelled distance of the whole run [mm]; blocks of loading may be all that tells. */
 static double whole_distance(const arc_wear_def *def) {
   double sum = def->distance;
@@ -243,7 +233,7 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
   const double widest = fmax(hertz.half_width, hertz.half_width / 2 + scar);
   /* on coarse meshes the room beside it is counted in elements: one under the edge, two that stay
    * open */
-  return fmax(widest, (widest + 3 * model->mesh.size) / contact_room);
+  return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_ROOM);
 }
 
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {

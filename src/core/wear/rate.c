@@ -9,9 +9,7 @@
 void arc_wear_leave_block(arc_wear *w) {
   for (int i = 0; w->pose && i < w->poses; i++) arc_pose_free(&w->pose[i]);
   free(w->pose);
-  free(w->condensed);
   w->pose = NULL;
-  w->condensed = NULL;
   w->poses = 0;
 }
 
@@ -20,24 +18,15 @@ arc_status arc_wear_enter_block(arc_wear *w, int block, arc_error *error) {
   arc_wear_leave_block(w);
   const int n = w->block[block].poses;
   w->pose = calloc((size_t)n, sizeof *w->pose);
-  w->condensed = malloc((size_t)n * sizeof *w->condensed);
-  arc_status status = w->pose && w->condensed ? ARC_OK : ARC_MEMORY;
-  for (; w->poses < n && status == ARC_OK; w->poses++) {
+  arc_status status = w->pose ? ARC_OK : ARC_MEMORY;
+  for (; w->poses < n && status == ARC_OK; w->poses++)
     status = arc_pose_create(&w->pose[w->poses], w->model);
-    w->condensed[w->poses] = -1;
-  }
   if (status != ARC_OK) {
     arc_wear_leave_block(w);
     return arc_fail(error, ARC_MEMORY, "out of memory for %d contact poses", n);
   }
   w->current = block;
   return ARC_OK;
-}
-
-void arc_wear_forget(arc_wear *w) {
-  for (int i = 0; i < w->poses; i++)
-    if (w->condensed[i] != w->shape->condensed) w->condensed[i] = -1;
-  if (w->reference_condensed != w->shape->condensed) w->reference_condensed = -1;
 }
 
 /* Initial gaps deeper by the trial's depths along the normals, of which `down` is the vertical
@@ -79,13 +68,8 @@ static arc_status solve_point(arc_wear *w, const arc_shape *shape, const wear_wi
   const int index = block->place[at];
   const double x = w->procedure == ARC_NSP ? 0 : block->x[at];
   pose *p = &w->pose[index];
-  arc_status status = ARC_OK;
-  if (w->condensed[index] != shape->condensed || p->x != x) {
-    if ((status = arc_pose_place(p, shape, x, error)) != ARC_OK) return status;
-    arc_pose_stiffen(p, shape);
-    w->condensed[index] = shape->condensed;
-  }
-  arc_pose_measure(p, shape);
+  arc_status status = arc_pose_update(p, shape, x, error);
+  if (status != ARC_OK) return status;
   if (window->trial) deepen(p, window->trial);
   if ((status = arc_pose_solve(p, block->line[at], error)) != ARC_OK) return status;
   *solutions += 1;

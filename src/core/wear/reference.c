@@ -17,15 +17,9 @@ static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
 
 /* The reference pose on a shape, solved under the nominal load. */
 static arc_status solve_reference(arc_wear *w, const arc_shape *shape, arc_error *error) {
-  pose *p = &w->reference;
-  arc_status status = ARC_OK;
-  if (w->reference_condensed != shape->condensed) {
-    if ((status = arc_pose_place(p, shape, 0, error)) != ARC_OK) return status;
-    arc_pose_stiffen(p, shape);
-    w->reference_condensed = shape->condensed;
-  }
-  arc_pose_measure(p, shape);
-  return arc_pose_solve(p, w->def.load / arc_model_definition(w->model)->thickness, error);
+  const double line = w->def.load / arc_model_definition(w->model)->thickness;
+  const arc_status status = arc_pose_update(&w->reference, shape, 0, error);
+  return status == ARC_OK ? arc_pose_solve(&w->reference, line, error) : status;
 }
 
 static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
@@ -45,11 +39,7 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
   double edges[2];
   arc_pose_edges(p, shape, edges);
   record->half_width = (edges[1] - edges[0]) / 2;
-  record->p_center = record->p_max = 0;
-  for (int k = 0; k < p->count; k++)
-    record->p_max = fmax(record->p_max, p->f[k] / p->wc[p->lo + k]);
-  const int centre = p->nc / 2 - p->lo;
-  if (centre >= 0 && centre < p->count) record->p_center = p->f[centre] / p->wc[p->nc / 2];
+  arc_pose_peaks(p, &record->p_center, &record->p_max);
   record->solutions += 1;
   return ARC_OK;
 }

@@ -45,10 +45,8 @@ struct arc_wear {
   int poses;               /* of the current block */
   pose *pose;              /* [poses] */
   pose reference;          /* plate at x = 0, nominal load */
-  long *condensed;         /* [poses] state of the compliance a pose was built from, -1: none */
-  long reference_condensed;
-  int nc, np;          /* surface nodes */
-  wear_point point[2]; /* the last two points of the path */
+  int nc, np;              /* surface nodes */
+  wear_point point[2];     /* the last two points of the path */
   wear_rate rate;
   double *delta[ARC_BODIES]; /* [surface] depths of the update at hand; one block, cylinder first */
   double *memory;            /* holds the arrays of points, rate and delta */
@@ -95,8 +93,6 @@ double arc_wear_law_slope(const arc_wear *w, double p, double q);
 void arc_wear_leave_block(arc_wear *w);
 /* Makes poses for a block. ARC_MEMORY. */
 arc_status arc_wear_enter_block(arc_wear *w, int block, arc_error *error);
-/* Poses built from a shape that was given up are built anew. */
-void arc_wear_forget(arc_wear *w);
 /* Depths beyond those of a shape, at which contact is to be solved. */
 typedef struct wear_trial {
   const double *depth[ARC_BODIES]; /* [surface] along the normals [mm] */

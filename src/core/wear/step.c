@@ -204,7 +204,6 @@ static arc_status attempt(arc_wear *w, const wear_plan *plan, arc_wear_record *r
   *record = *arc_wear_last(w);
   record->error = 0;
   arc_shape_destroy(&w->next);
-  arc_wear_forget(w);
   arc_status status = arc_shape_clone(w->shape, &w->next, error);
   if (status != ARC_OK) return status;
   const int split =
@@ -334,7 +333,6 @@ static arc_status step_towards(arc_wear *w, double limit, wear_monitor *monitor,
     w->next = old;
   }
   arc_shape_destroy(&w->next);
-  arc_wear_forget(w);
   return status;
 }
 

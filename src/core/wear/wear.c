@@ -40,7 +40,6 @@ static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   w->over_plate = arc_wear_over_plate(&w->def, md);
   status = arc_wear_blocks_create(&w->def, md, &w->block, &w->blocks);
   w->current = -1;
-  w->reference_condensed = -1;
   /* without a distance: all the blocks of loading */
   if (status == ARC_OK && w->def.distance == 0)
     w->def.distance = arc_wear_block_end(&w->block[w->blocks - 1]);
