@@ -52,6 +52,19 @@ arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...
 /* Asked now and then by long computations; non-zero stops them with ARC_STOPPED. */
 typedef int (*arc_stop_fn)(void *context);
 
+/* Whom long computations ask and tell on their way. Any member may be NULL, and so may a pointer to
+ * all of them. They must return, and leave alone what is being computed. */
+struct arc_wear;
+typedef struct arc_callbacks {
+  /* Asked between contact solutions; non-zero stops with ARC_STOPPED. */
+  arc_stop_fn stop;
+  /* Told, in one line, why results may mean little; the computation goes on. */
+  void (*warn)(void *context, const char *text);
+  /* Called after each step of a run; non-zero stops it with ARC_STOPPED (the step stays). */
+  int (*progress)(void *context, const struct arc_wear *wear);
+  void *context; /* handed to each */
+} arc_callbacks;
+
 /* Runs BLAS and OpenMP of this process on one thread: at these sizes more threads only cost, and
  * a child of fork() would hang. Programs call it once at start; returns the BLAS' own description
  * or NULL where it has none. */

@@ -203,6 +203,20 @@ struct arc_wear_record {
 #undef ARC_WEAR_MEMBER
 };
 
+/* The columns by number, in this order, and one more: the sum of both volumes. */
+enum {
+#define ARC_WEAR_COLUMN(name, unit, text) ARC_WEAR_COLUMN_##name,
+  ARC_WEAR_COLUMNS(ARC_WEAR_COLUMN)
+#undef ARC_WEAR_COLUMN
+      ARC_WEAR_COLUMN_COUNT,
+  ARC_WEAR_TOTAL_VOLUME = ARC_WEAR_COLUMN_COUNT
+};
+
+/* The value in a column, or the total volume. */
+double arc_wear_record_get(const arc_wear_record *record, int column);
+/* The name of a column, "p_center". */
+const char *arc_wear_column_name(int column);
+
 /* A running simulation. Opaque; keeps its model alive. */
 typedef struct arc_wear arc_wear;
 
@@ -223,33 +237,27 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
 /* The zones a model needs for this run, to build one that suits (see arc_mesh_def.zone). */
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]);
 
-/* One geometry update: `jump` cycles, or fewer where the definition's distance ends before. `stop`
- * (may be NULL) is asked between contact solutions: ARC_STOPPED. At the end of the distance: ARC_OK
- * and nothing happens. Anything but ARC_OK leaves the run as it was. */
-arc_status arc_wear_step(arc_wear *wear, arc_stop_fn stop, void *context, arc_error *error);
-
-/* Called after each step; non-zero stops the run with ARC_STOPPED (the step stays). */
-typedef int (*arc_wear_progress_fn)(void *context, const arc_wear *wear);
+/* One geometry update: `jump` cycles, or fewer where the definition's distance ends before. At
+ * the end of the distance: ARC_OK and nothing happens. Anything but ARC_OK leaves the run as it
+ * was; ARC_STOPPED where the callbacks asked for it. They do not hear of progress. */
+arc_status arc_wear_step(arc_wear *wear, const arc_callbacks *callbacks, arc_error *error);
 
 /* Steps until `distance` [mm] (in total, met exactly by a shorter last step; may exceed the
  * definition's, and then becomes it). */
-arc_status arc_wear_run(arc_wear *wear, double distance, arc_stop_fn stop,
-                        arc_wear_progress_fn progress, void *context, arc_error *error);
+arc_status arc_wear_run(arc_wear *wear, double distance, const arc_callbacks *callbacks,
+                        arc_error *error);
 
 /* A quantity of the record that ends a run where it is reached, exactly, by a shorter last step. */
 typedef struct arc_wear_target {
-  size_t column; /* offsetof(arc_wear_record, ...), or ARC_WEAR_TOTAL_VOLUME */
+  int column; /* ARC_WEAR_COLUMN_..., or ARC_WEAR_TOTAL_VOLUME */
   double value;
 } arc_wear_target;
-
-/* In place of a column: the sum of both volumes. */
-#define ARC_WEAR_TOTAL_VOLUME sizeof(arc_wear_record)
 
 /* As arc_wear_run, and ends earlier where one of `count` targets is reached (to 1e-9 relative);
  * *reached is its index, or -1. A target that cannot be met within a step is passed. */
 arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_target *targets,
-                              size_t count, arc_stop_fn stop, arc_wear_progress_fn progress,
-                              void *context, int *reached, arc_error *error);
+                              size_t count, const arc_callbacks *callbacks, int *reached,
+                              arc_error *error);
 
 /* Changes the definition between steps (load, k, alpha, stroke, jump, loading, ...); the worn shape
  * and the history stay. The loading begins here, unless it is arc_wear_definition's own array: then

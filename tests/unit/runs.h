@@ -38,7 +38,7 @@ UNUSED static arc_wear *start(const arc_wear_def *def) {
 
 UNUSED static arc_wear *run(const arc_wear_def *def) {
   arc_wear *wear = start(def);
-  check_ok(arc_wear_run(wear, def->distance, NULL, NULL, NULL, why));
+  check_ok(arc_wear_run(wear, def->distance, NULL, why));
   return wear;
 }
 

@@ -96,7 +96,7 @@ __attribute__((unused)) static arc_wear *short_run(arc_model *model, double dist
   def.increments = 20;
   def.alpha = 0.3;
   must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
-  must(arc_wear_run(wear, distance, NULL, NULL, NULL, &error), &error);
+  must(arc_wear_run(wear, distance, NULL, &error), &error);
   return wear;
 }
 

@@ -77,7 +77,7 @@ static int set_up_all(void **state) {
   free(depth);
   check_ok(arc_contact_solve(shape, 100, 0, &contact, why));
   check_ok(arc_wear_create(model, &definition, NULL, &wear, why));
-  check_ok(arc_wear_step(wear, NULL, NULL, why));
+  check_ok(arc_wear_step(wear, NULL, why));
   return 0;
 }
 
@@ -234,7 +234,7 @@ static void test_shape_wear(void **state) {
 typedef arc_status (*wear_call)(arc_wear *run);
 
 static arc_status step(arc_wear *run) {
-  return arc_wear_step(run, NULL, NULL, NULL);
+  return arc_wear_step(run, NULL, NULL);
 }
 static arc_status stability(arc_wear *run) {
   double eigenvalue;
@@ -245,7 +245,7 @@ static arc_status stability(arc_wear *run) {
 static void check_run_survives(const arc_wear_def *def, wear_call call) {
   arc_wear *whole = start(def), *run_ = start(def), *before = NULL;
   for (int steps = 0; steps < 2; steps++) {
-    check_ok(arc_wear_step(whole, NULL, NULL, why));
+    check_ok(arc_wear_step(whole, NULL, why));
     check_ok(arc_wear_clone(run_, &before, why));
     arc_status status = ARC_MEMORY;
     for (long n = 0; status != ARC_OK; n++) {
@@ -255,7 +255,7 @@ static void check_run_survives(const arc_wear_def *def, wear_call call) {
       assert_true(status == ARC_OK || status == ARC_MEMORY);
       if (status != ARC_OK) check_same(run_, before);
     }
-    if (call != step) check_ok(arc_wear_step(run_, NULL, NULL, why));
+    if (call != step) check_ok(arc_wear_step(run_, NULL, why));
     check_same(run_, whole);
     arc_wear_destroy(&before);
   }

@@ -11,14 +11,14 @@ static void test_last_step(void **state) {
   arc_wear *wear = start(&def);
   static const double distance[] = {37.4, 74.8, 112.2, 132, 132};
   for (int step = 0; step < 5; step++) {
-    check_ok(arc_wear_step(wear, NULL, NULL, why));
+    check_ok(arc_wear_step(wear, NULL, why));
     check_share(arc_wear_last(wear)->distance, distance[step], 1e-14);
   }
   assert_true(arc_wear_last(wear)->distance == 132);
   assert_true(arc_wear_last(wear)->update == 4);
   check_share(arc_wear_last(wear)->jump, 90, 1e-12);
   check_share(arc_wear_last(wear)->cycle, 600, 1e-12);
-  check_ok(arc_wear_run(wear, 200, NULL, NULL, NULL, why));
+  check_ok(arc_wear_run(wear, 200, NULL, why));
   assert_true(arc_wear_last(wear)->distance == 200);
   assert_true(arc_wear_definition(wear)->distance == 200);
   check_volumes(wear);
@@ -84,9 +84,10 @@ static void check_stops(const arc_wear_def *def, int step_length) {
   int stops = 0;
   for (int patience = 0; arc_wear_last(wear)->distance < 132; patience++) {
     int left = patience % step_length;
+    const arc_callbacks callbacks = {.stop = count_down, .context = &left};
     arc_wear_destroy(&before);
     check_ok(arc_wear_clone(wear, &before, why));
-    const arc_status status = arc_wear_step(wear, count_down, &left, NULL);
+    const arc_status status = arc_wear_step(wear, &callbacks, NULL);
     assert_true(status == ARC_OK || status == ARC_STOPPED);
     if (status == ARC_OK) continue;
     stops++;
@@ -123,10 +124,11 @@ static void test_progress(void **state) {
   const arc_wear_def def = quick(0.11, 0.5);
   arc_wear *wear = start(&def);
   progress_calls = 0;
-  check_refused(arc_wear_run(wear, 132, NULL, stop_at_three, NULL, why), ARC_STOPPED, "stopped");
+  check_refused(arc_wear_run(wear, 132, &(arc_callbacks){.progress = stop_at_three}, why),
+                ARC_STOPPED, "stopped");
   assert_int_equal(progress_calls, 3);
   assert_true(arc_wear_last(wear)->update == 3);
-  check_ok(arc_wear_run(wear, 132, NULL, NULL, NULL, why));
+  check_ok(arc_wear_run(wear, 132, NULL, why));
   arc_wear *whole = run(&def);
   check_same(wear, whole);
   arc_wear_destroy(&wear);
@@ -148,7 +150,7 @@ static void test_failing_step(void **state) {
     arc_model *model = build_model(&md);
     arc_wear *wear = NULL, *before = NULL;
     check_ok(arc_wear_create(model, &def, NULL, &wear, why));
-    check_ok(arc_wear_step(wear, NULL, NULL, why));
+    check_ok(arc_wear_step(wear, NULL, why));
     arc_wear_def worse = def;
     worse.k = hopeless[c].k;
     worse.jump = 100 * def.jump;
@@ -158,7 +160,7 @@ static void test_failing_step(void **state) {
     arc_wear *failing = NULL;
     check_ok(arc_wear_clone(before, &failing, why));
     for (int twice = 0; twice < 2; twice++) {
-      check_refused(arc_wear_step(failing, NULL, NULL, why), ARC_GEOMETRY, "wear box");
+      check_refused(arc_wear_step(failing, NULL, why), ARC_GEOMETRY, "wear box");
       check_same(failing, before);
     }
     arc_wear_destroy(&failing);
@@ -172,7 +174,7 @@ static void test_failing_step(void **state) {
 
 static void check_goes_on(const arc_wear_def *def) {
   arc_wear *whole = run(def), *wear = start(def), *copy = NULL, *stored = NULL;
-  for (int step = 0; step < 3; step++) check_ok(arc_wear_step(wear, NULL, NULL, why));
+  for (int step = 0; step < 3; step++) check_ok(arc_wear_step(wear, NULL, why));
   check_ok(arc_wear_clone(wear, &copy, why));
   check_same(wear, copy);
   arc_surface_state surface[ARC_BODIES];
@@ -185,8 +187,8 @@ static void check_goes_on(const arc_wear_def *def) {
   check_ok(arc_wear_restore(coarse, def, shape, history, count, &stored, why));
   arc_shape_destroy(&shape);
   arc_wear_destroy(&wear);
-  check_ok(arc_wear_run(copy, def->distance, NULL, NULL, NULL, why));
-  check_ok(arc_wear_run(stored, def->distance, NULL, NULL, NULL, why));
+  check_ok(arc_wear_run(copy, def->distance, NULL, why));
+  check_ok(arc_wear_run(stored, def->distance, NULL, why));
   check_same(copy, whole);
   check_same(stored, whole);
   arc_wear_destroy(&whole);
@@ -211,10 +213,10 @@ static void test_copies_apart(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.11, 0.5);
   arc_wear *wear = start(&def), *copy = NULL, *other = NULL;
-  check_ok(arc_wear_step(wear, NULL, NULL, why));
+  check_ok(arc_wear_step(wear, NULL, why));
   check_ok(arc_wear_clone(wear, &copy, why));
   check_ok(arc_wear_clone(wear, &other, why));
-  check_ok(arc_wear_step(wear, NULL, NULL, why));
+  check_ok(arc_wear_step(wear, NULL, why));
   check_same(copy, other);
   arc_wear_destroy(&wear);
   check_same(copy, other);
@@ -231,7 +233,7 @@ static void test_worn_start(void **state) {
   check_same_shape(arc_wear_shape(first), arc_wear_shape(second));
   assert_true(arc_wear_last(second)->distance == 0 && arc_wear_last(second)->volume_plate == 0);
   check_share(arc_wear_last(second)->p_center, arc_wear_last(first)->p_center, 1e-12);
-  check_ok(arc_wear_step(second, NULL, NULL, why));
+  check_ok(arc_wear_step(second, NULL, why));
   check_volumes(second);
   arc_model *other = coarse_model();
   arc_wear *foreign = first;

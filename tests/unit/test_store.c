@@ -161,8 +161,8 @@ static void test_run_goes_on(void **state) {
   assert_same_runs(half, again);
   assert_true(arc_wear_definition(again)->alpha == 0.3);
   assert_int_equal(arc_wear_definition(again)->increments, 20);
-  must(arc_wear_run(half, 330, NULL, NULL, NULL, &error), &error);
-  must(arc_wear_run(again, 330, NULL, NULL, NULL, &error), &error);
+  must(arc_wear_run(half, 330, NULL, &error), &error);
+  must(arc_wear_run(again, 330, NULL, &error), &error);
   assert_same_runs(half, again);
   assert_true(arc_wear_last(unbroken)->distance == arc_wear_last(again)->distance);
   arc_wear_destroy(&unbroken);
@@ -231,7 +231,7 @@ static void test_definition(void **state) {
   arc_stored_run back;
   arc_wear *wear;
   must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
-  must(arc_wear_step(wear, NULL, NULL, &error), &error);
+  must(arc_wear_step(wear, NULL, &error), &error);
   save_as("definition", 1, wear);
   arc_store *store = opened("definition", ARC_STORE_READ);
   must(arc_store_definition(store, 1, &back, &error), &error);
@@ -243,8 +243,8 @@ static void test_definition(void **state) {
   arc_model *second_model;
   arc_wear *again = restored("definition", 1, &second_model);
   for (int i = 0; i < 3; i++) {
-    must(arc_wear_step(wear, NULL, NULL, &error), &error);
-    must(arc_wear_step(again, NULL, NULL, &error), &error);
+    must(arc_wear_step(wear, NULL, &error), &error);
+    must(arc_wear_step(again, NULL, &error), &error);
   }
   assert_same_runs(wear, again);
   arc_wear_destroy(&wear);

@@ -42,7 +42,7 @@ static void test_thickness(void **state) {
   arc_wear *thin = run(&def), *wide = NULL;
   def.load *= 4;
   check_ok(arc_wear_create(thick, &def, NULL, &wide, why));
-  check_ok(arc_wear_run(wide, def.distance, NULL, NULL, NULL, why));
+  check_ok(arc_wear_run(wide, def.distance, NULL, why));
   check_volumes(wide);
   check_share(arc_wear_last(wide)->depth_cylinder, arc_wear_last(thin)->depth_cylinder, 1e-12);
   check_share(arc_wear_last(wide)->p_center, arc_wear_last(thin)->p_center, 1e-12);
@@ -231,7 +231,7 @@ static void test_stability(void **state) {
   for (int k = 0; k < 2; k++) {
     def.jump = (k ? 1.3 : 0.9) * 2 / eigenvalue;
     check_ok(arc_wear_create(model, &def, NULL, &wear, why));
-    check_ok(arc_wear_run(wear, def.distance, NULL, NULL, NULL, why));
+    check_ok(arc_wear_run(wear, def.distance, NULL, why));
     rough[k] = fmax(arc_wear_roughness(wear, ARC_CYLINDER), arc_wear_roughness(wear, ARC_PLATE));
     arc_wear_destroy(&wear);
   }
@@ -250,7 +250,7 @@ static void test_stability_is_a_question(void **state) {
   double eigenvalue;
   while (arc_wear_last(wear)->distance < def.distance) {
     check_ok(arc_wear_stability(wear, &eigenvalue, why));
-    check_ok(arc_wear_step(wear, NULL, NULL, why));
+    check_ok(arc_wear_step(wear, NULL, why));
   }
   check_same(wear, whole);
   arc_wear_destroy(&whole);
@@ -327,7 +327,7 @@ static void test_zone(void **state) {
   arc_model *wide = build_model(&md);
   arc_wear *wear = NULL;
   check_ok(arc_wear_create(wide, &def, NULL, &wear, why));
-  check_ok(arc_wear_run(wear, def.distance, NULL, NULL, NULL, why));
+  check_ok(arc_wear_run(wear, def.distance, NULL, why));
   check_volumes(wear);
   arc_wear_destroy(&wear);
   arc_model_release(&wide);
@@ -359,7 +359,7 @@ static void test_zones_are_enough(void **state) {
     arc_wear *wear = NULL;
     def.scheme = ARC_IMPLICIT; /* so few steps would make explicit ones rough */
     check_ok(arc_wear_create(model, &def, NULL, &wear, why));
-    check_ok(arc_wear_run(wear, def.distance, NULL, NULL, NULL, why));
+    check_ok(arc_wear_run(wear, def.distance, NULL, why));
     check_volumes(wear);
     arc_wear_destroy(&wear);
     arc_model_release(&model);

@@ -15,7 +15,7 @@ static arc_status block_create(wear_block *b, int count) {
   b->place = malloc(n * sizeof(int));
   if (!b->x || !b->place) return ARC_MEMORY;
   b->line = b->x + n;
-  b->position = b->line + n;
+  b->pose_x = b->line + n;
   return ARC_OK;
 }
 
@@ -24,31 +24,37 @@ static int compare(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Equal positions share a pose. NSP looks at the flat plate at x = 0 only. */
-static void find_positions(wear_block *b, arc_procedure procedure) {
+/* NSP looks at the flat plate at x = 0 only. */
+static void one_pose(wear_block *b) {
+  b->poses = 1;
+  memset(b->pose_x, 0, (size_t)b->count * sizeof *b->pose_x);
+  memset(b->place, 0, (size_t)b->count * sizeof *b->place);
+}
+
+/* Equal positions share a pose. */
+static void find_poses(wear_block *b) {
+  double *position = b->pose_x; /* sorted, each once */
   int n = 0;
-  if (procedure == ARC_NSP) {
-    b->poses = 1;
-    b->position[0] = 0;
-    memset(b->place, 0, (size_t)b->count * sizeof *b->place);
-    return;
-  }
-  memcpy(b->position, b->x, (size_t)b->count * sizeof *b->x);
-  qsort(b->position, (size_t)b->count, sizeof *b->position, compare);
+  memcpy(position, b->x, (size_t)b->count * sizeof *b->x);
+  qsort(position, (size_t)b->count, sizeof *position, compare);
   for (int i = 0; i < b->count; i++)
-    if (n == 0 || b->position[i] != b->position[n - 1]) b->position[n++] = b->position[i];
+    if (n == 0 || position[i] != position[n - 1]) position[n++] = position[i];
   for (int i = 0; i < b->count; i++) {
-    const double *at = bsearch(&b->x[i], b->position, (size_t)n, sizeof *b->position, compare);
-    b->place[i] = n > most_poses ? 0 : (int)(at - b->position);
+    const double *at = bsearch(&b->x[i], position, (size_t)n, sizeof *position, compare);
+    b->place[i] = n > most_poses ? 0 : (int)(at - position);
   }
   b->poses = n > most_poses ? 1 : n;
+  memcpy(b->pose_x, b->x, (size_t)b->count * sizeof *b->x);
 }
 
 static void finish(wear_block *b, arc_procedure procedure) {
   double once = 0;
   for (int i = 1; i < b->count; i++) once += fabs(b->x[i] - b->x[i - 1]);
   b->sliding = b->repeat * once;
-  find_positions(b, procedure);
+  if (procedure == ARC_NSP)
+    one_pose(b);
+  else
+    find_poses(b);
 }
 
 /* The plate's position at point i of `last` along a stroke from -s/2 to s/2: symmetric to the bit.
@@ -132,8 +138,8 @@ double arc_wear_block_end(const wear_block *block) {
 }
 
 /* Cycles tell blocks apart where distances do not (a generic history may stand still). */
-int arc_wear_block_at(const arc_wear *w, const arc_wear_record *at) {
+const wear_block *arc_wear_block_at(const arc_wear *w, double cycle) {
   int b = 0;
-  while (b + 1 < w->blocks && at->cycle >= w->block[b + 1].start_cycle * (1 - 1e-13)) b++;
-  return b;
+  while (b + 1 < w->blocks && cycle >= w->block[b + 1].start_cycle * (1 - 1e-13)) b++;
+  return &w->block[b];
 }

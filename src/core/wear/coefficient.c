@@ -87,6 +87,11 @@ arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
   return status;
 }
 
+arc_status arc_wear_coefficients_now(const arc_wear *w, double k[ARC_BODIES], arc_error *error) {
+  const arc_wear_record *now = arc_wear_last(w);
+  return arc_wear_coefficients(w, now->distance, now->distance, now, k, error);
+}
+
 void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record) {
   record->k = k[ARC_CYLINDER] + k[ARC_PLATE];
   record->alpha = record->k > 0 ? k[ARC_CYLINDER] / record->k : record->alpha;

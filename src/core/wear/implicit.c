@@ -3,7 +3,7 @@
  * depths of both surfaces; each contact solution brings its own Jacobian. The depths that result
  * are made of pressures actually solved for, so that volumes stay exact. */
 #include "core/base/dense.h"
-#include "core/wear/run.h"
+#include "core/wear/step.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,21 +18,19 @@ static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
 typedef struct implicit_solver {
   arc_wear *w;
-  const arc_shape *shape;
-  wear_window window;
+  wear_window window; /* with `trial`, and `jacobian` where it is wanted */
   wear_trial trial;
-  arc_stop_fn stop;
-  void *context;
-  int *solutions;
-  const double *k;
-  arc_error *error;
+  wear_watch *watch;
+  wear_dose dose;
+  arc_error error;
   int n;
+  double even;                                          /* rate of the last evaluation */
   double *z, *residual, *step, *known, *down, *rate[3]; /* [n] each */
   double *jacobian, *matrix;                            /* [n x n] each */
   int *pivots;
 } implicit_solver;
 
-static arc_status solver_create(implicit_solver *s, const wear_window *window) {
+static arc_status solver_create(implicit_solver *s) {
   const size_t n = (size_t)s->n;
   double *block = calloc(8 * n + 2 * n * n, sizeof *block);
   s->pivots = malloc(n * sizeof(int));
@@ -43,10 +41,10 @@ static arc_status solver_create(implicit_solver *s, const wear_window *window) {
   for (int m = 0; m < 8; m++) *member[m] = block + (size_t)m * n;
   s->jacobian = block + 8 * n;
   s->matrix = s->jacobian + n * n;
-  s->window = *window;
+  s->window.trial = &s->trial;
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t at = b == ARC_CYLINDER ? 0 : (size_t)s->w->nc;
-    arc_shape_downward(s->shape, (arc_body)b, s->down + at);
+    arc_shape_downward(s->window.shape, (arc_body)b, s->down + at);
     s->trial.depth[b] = s->z + at;
     s->trial.down[b] = s->down + at;
   }
@@ -54,18 +52,19 @@ static arc_status solver_create(implicit_solver *s, const wear_window *window) {
 }
 
 static double k_at(const implicit_solver *s, int i) {
-  return s->k[i < s->w->nc ? ARC_CYLINDER : ARC_PLATE];
+  return s->dose.k[i < s->w->nc ? ARC_CYLINDER : ARC_PLATE];
 }
 
 /* Wear per cycle [mm] at depths z beyond the shape's into `rate`; the Jacobian with it if asked
  * for. */
 static arc_status evaluate(implicit_solver *s, double *rate, int with_jacobian) {
-  s->window.trial = &s->trial;
+  wear_rate here = {.node = {rate, rate + s->w->nc}};
   s->window.jacobian = with_jacobian ? s->jacobian : NULL;
-  const arc_status status =
-      arc_wear_evaluate(s->w, s->shape, &s->window, s->stop, s->context, s->solutions, s->error);
-  for (int i = 0; i < s->n && status == ARC_OK; i++) rate[i] = k_at(s, i) * s->w->rate.node[0][i];
-  return status;
+  const arc_status status = arc_wear_evaluate(s->w, &s->window, s->watch, &here, &s->error);
+  if (status != ARC_OK) return status;
+  for (int i = 0; i < s->n; i++) rate[i] *= k_at(s, i);
+  s->even = here.even;
+  return ARC_OK;
 }
 
 /* residual = z - known - h rate; its largest entry. */
@@ -117,8 +116,8 @@ static arc_status solve_stage(implicit_solver *s, double h, double *rate) {
     return ARC_NOT_CONVERGED; /* the guess went too far */
   if (status != ARC_OK) return status;
   double size = residual_of(s, h, rate);
-  const double depth =
-      fmax(arc_shape_depth(s->shape, ARC_CYLINDER), arc_shape_depth(s->shape, ARC_PLATE));
+  const double depth = fmax(arc_shape_depth(s->window.shape, ARC_CYLINDER),
+                            arc_shape_depth(s->window.shape, ARC_PLATE));
   for (int it = 0; it < newton_limit; it++) {
     if (size <= newton_tolerance * (depth + largest_of(s->z, s->n))) return ARC_OK;
     memcpy(s->step, s->residual, (size_t)s->n * sizeof(double));
@@ -166,7 +165,7 @@ static arc_status second_order(implicit_solver *s, double cycles, double *defect
 static double worn_mean(const implicit_solver *s, arc_body b, const double *defect,
                         double deepest) {
   static const double worn = 0.01; /* of the deepest node */
-  const shape_side *side = &s->shape->side[b];
+  const shape_side *side = &s->window.shape->side[b];
   double sum = 0, width = 0;
   for (int i = 0; i < side->n; i++) {
     if (side->h[i] + s->trial.depth[b][i] < worn * deepest) continue;
@@ -185,8 +184,8 @@ static double share_of_tolerance(implicit_solver *s, double h, double *defect) {
   double share = 0;
   for (int b = 0; b < ARC_BODIES; b++) {
     double deepest = 0;
-    for (int i = 0; i < s->shape->side[b].n; i++)
-      deepest = fmax(deepest, s->shape->side[b].h[i] + s->trial.depth[b][i]);
+    for (int i = 0; i < s->window.shape->side[b].n; i++)
+      deepest = fmax(deepest, s->window.shape->side[b].h[i] + s->trial.depth[b][i]);
     const double *own = b == ARC_CYLINDER ? defect : defect + s->w->nc;
     if (deepest > 0)
       share = fmax(share, worn_mean(s, (arc_body)b, own, deepest) / (allowed * deepest));
@@ -194,7 +193,8 @@ static double share_of_tolerance(implicit_solver *s, double h, double *defect) {
   return share;
 }
 
-static arc_status run(implicit_solver *s, double cycles, double *error_share) {
+static arc_status run(implicit_solver *s, wear_depths *depth) {
+  const double cycles = s->dose.cycles;
   arc_status status = evaluate(s, s->rate[0], 0); /* z = 0: at the start */
   if (status != ARC_OK) return status;
   double *defect = s->known;
@@ -205,37 +205,35 @@ static arc_status run(implicit_solver *s, double cycles, double *error_share) {
     status = second_order(s, cycles, s->step);
   if (status != ARC_OK) return status;
   memcpy(defect, s->step, (size_t)s->n * sizeof(double));
-  *error_share = share_of_tolerance(s, first ? cycles : gamma2 * cycles, defect);
-  memcpy(s->w->delta[0], s->z, (size_t)s->n * sizeof(double));
+  depth->error = share_of_tolerance(s, first ? cycles : gamma2 * cycles, defect);
+  memcpy(depth->node[0], s->z, (size_t)s->n * sizeof(double));
   return ARC_OK;
 }
 
-arc_status arc_wear_implicit(arc_wear *w, const arc_shape *shape, const wear_window *window,
-                             double cycles, const double k[ARC_BODIES], arc_stop_fn stop,
-                             void *context, int *solutions, double *error_share, arc_error *error) {
-  arc_error why = {0};
-  implicit_solver s = {.w = w,
-                       .shape = shape,
-                       .stop = stop,
-                       .context = context,
-                       .solutions = solutions,
-                       .error = &why,
-                       .n = w->nc + w->np};
+static arc_status tell(const implicit_solver *s, arc_status status, arc_error *error) {
+  if (status != ARC_NOT_CONVERGED) {
+    if (status != ARC_OK && error) *error = s->error;
+    return status;
+  }
+  const char *why = s->error.message;
+  return arc_fail(error, status, "the implicit step did not converge for %g cycles%s%s",
+                  s->dose.cycles, why[0] ? "; on the way " : "", why);
+}
+
+arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_dose *dose,
+                             wear_watch *watch, wear_depths *depth, arc_error *error) {
+  implicit_solver s = {.w = w, .window = *window, .watch = watch, .dose = *dose};
+  s.n = w->nc + w->np;
   /* under even wear the plate's nodes do not move against each other */
-  const double own[ARC_BODIES] = {k[ARC_CYLINDER], w->procedure == ARC_NSP ? 0 : k[ARC_PLATE]};
-  s.k = own;
-  *error_share = 0;
-  arc_status status = solver_create(&s, window);
+  if (w->procedure == ARC_NSP) s.dose.k[ARC_PLATE] = 0;
+  depth->error = 0;
+  arc_status status = solver_create(&s);
   if (status != ARC_OK)
-    arc_fail(&why, status, "out of memory for an implicit step");
+    arc_fail(&s.error, status, "out of memory for an implicit step");
   else
-    status = run(&s, cycles, error_share);
-  if (status == ARC_NOT_CONVERGED)
-    arc_fail(error, status, "the implicit step did not converge for %g cycles%s%s", cycles,
-             why.message[0] ? "; on the way " : "", why.message);
-  else if (status != ARC_OK && error)
-    *error = why;
+    status = run(&s, depth);
+  depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * s.even : 0;
   free(s.z);
   free(s.pivots);
-  return status;
+  return tell(&s, status, error);
 }

@@ -1,11 +1,9 @@
 /* The wear of a cycle as a linear map of both surfaces' depths, from the active sets of its contact
  * solutions. */
 #include "core/base/dense.h"
-#include "core/wear/run.h"
+#include "core/wear/rate.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* What one pose contributes. With C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1) on the active set (m
  * nodes) and B's rows there (plate nodes first .. first + span - 1), deeper surfaces h change the
@@ -96,28 +94,4 @@ arc_status arc_wear_add_jacobian(const arc_wear *w, const pose *p, const wear_po
   }
   free(f.c);
   return ARC_OK;
-}
-
-double arc_wear_largest_eigenvalue(int nc, int np, const double k[ARC_BODIES],
-                                   const double *jacobian, double *work) {
-  const int n = nc + np;
-  double *v = work, *image = work + n, value = 0;
-  /* a sawtooth with a slant: neither symmetric nor antisymmetric, the same every time */
-  for (int i = 0; i < n; i++) v[i] = (i % 2 ? 1.0 : -1.0) * (1 + (double)i / n);
-  for (int it = 0; it < 1000; it++) {
-    double length = 0, before = value;
-    for (int i = 0; i < n; i++) length += v[i] * v[i];
-    length = sqrt(length);
-    if (length == 0) return 0;
-    for (int i = 0; i < n; i++) v[i] /= length;
-    arc_dense_multiply(n, 1, n, 1, jacobian, n, v, n, 0, image, n);
-    value = 0;
-    for (int i = 0; i < n; i++) {
-      v[i] = k[i < nc ? ARC_CYLINDER : ARC_PLATE] * image[i];
-      value += v[i] * v[i];
-    }
-    value = sqrt(value);
-    if (value == 0 || fabs(value - before) < 1e-6 * value) break;
-  }
-  return value;
 }

@@ -1,5 +1,5 @@
 /* How far a step goes: to the end of its jump, its block or its limit, whichever comes first. */
-#include "core/wear/run.h"
+#include "core/wear/step.h"
 
 #include <math.h>
 
@@ -39,9 +39,8 @@ static double total_depth(const arc_wear *w) {
 /* The largest explicit update that neither amplifies ripples nor wears too much at once. */
 static arc_status automatic_jump(arc_wear *w, const wear_block *block, double *jump,
                                  arc_error *error) {
-  const arc_wear_record *now = arc_wear_last(w);
   double k[ARC_BODIES], eigenvalue = 0;
-  arc_status status = arc_wear_coefficients(w, now->distance, now->distance, now, k, error);
+  arc_status status = arc_wear_coefficients_now(w, k, error);
   if (status == ARC_OK && !arc_wear_closed_form(w))
     status = arc_wear_stability(w, &eigenvalue, error);
   if (status != ARC_OK) return status;
@@ -62,7 +61,7 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
     return ARC_OK;
   }
   double k[ARC_BODIES];
-  const arc_status status = arc_wear_coefficients(w, now->distance, now->distance, now, k, error);
+  const arc_status status = arc_wear_coefficients_now(w, k, error);
   *jump = cycles_for(w, block, k, first_bite * natural_depth(w));
   return status;
 }
@@ -108,16 +107,15 @@ static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
 arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
                               arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
-  const int index = arc_wear_block_at(w, now);
-  plan->block = &w->block[index];
-  const int last = index + 1 == w->blocks;
+  plan->block = arc_wear_block_at(w, now->cycle);
+  const int last = plan->block == &w->block[w->blocks - 1];
   const double end = bound(w, plan->block, limit),
                left = (end - now->distance) / plan->block->sliding;
   const int finished =
       !plan->block->periodic && last && now->cycle >= plan->block->start_cycle + 1 - whole;
   *moved = !finished && (limit - now->distance) > rounding * (limit + plan->block->sliding);
   if (!*moved) return ARC_OK;
-  arc_status status = arc_wear_enter_block(w, index, error);
+  arc_status status = arc_path_enter(&w->path, plan->block, w->model, error);
   if (status != ARC_OK) return status;
   if (!plan->block->periodic) {
     plan_increment(w, limit, plan);

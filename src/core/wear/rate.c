@@ -1,33 +1,11 @@
 /* The wear of a cycle, or of a part of it, on a given shape: contact at every point of the path,
  * integrated by Eq. (4) or (5), as often as the block says (Eqs. 22, 26 and 27). */
-#include "core/wear/run.h"
+#include "core/wear/rate.h"
+#include "core/base/callbacks.h"
 
+#include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-void arc_wear_leave_block(arc_wear *w) {
-  for (int i = 0; w->pose && i < w->poses; i++) arc_pose_free(&w->pose[i]);
-  free(w->pose);
-  w->pose = NULL;
-  w->poses = 0;
-}
-
-arc_status arc_wear_enter_block(arc_wear *w, int block, arc_error *error) {
-  if (block == w->current && w->pose) return ARC_OK;
-  arc_wear_leave_block(w);
-  const int n = w->block[block].poses;
-  w->pose = calloc((size_t)n, sizeof *w->pose);
-  arc_status status = w->pose ? ARC_OK : ARC_MEMORY;
-  for (; w->poses < n && status == ARC_OK; w->poses++)
-    status = arc_pose_create(&w->pose[w->poses], w->model);
-  if (status != ARC_OK) {
-    arc_wear_leave_block(w);
-    return arc_fail(error, ARC_MEMORY, "out of memory for %d contact poses", n);
-  }
-  w->current = block;
-  return ARC_OK;
-}
 
 /* Initial gaps deeper by the trial's depths along the normals, of which `down` is the vertical
  * share. */
@@ -55,105 +33,102 @@ static void relative_displacements(const pose *p, const arc_shape *shape, wear_p
   for (int i = 0; i < p->nc; i++) uc[i] = plate_at_cylinder[i] - uc[i];
 }
 
-static void clear_point(const arc_wear *w, wear_point *point) {
-  memset(point->p[0], 0, (size_t)(3 * (w->nc + w->np)) * sizeof(double));
-}
-
-/* Solves point `at` of the current block into `point`. */
-static arc_status solve_point(arc_wear *w, const arc_shape *shape, const wear_window *window,
-                              int at, wear_point *point, int *solutions, arc_error *error) {
-  const wear_block *block = &w->block[w->current];
-  clear_point(w, point);
+/* Solves point `at` of the block at hand into `point`. */
+static arc_status solve_point(arc_wear *w, const wear_window *window, int at, wear_watch *watch,
+                              wear_point *point, arc_error *error) {
+  const wear_block *block = w->path.block;
+  arc_path_clear(&w->path, point);
   if (block->line[at] == 0) return ARC_OK; /* lifted off */
-  const int index = block->place[at];
-  const double x = w->procedure == ARC_NSP ? 0 : block->x[at];
-  pose *p = &w->pose[index];
-  arc_status status = arc_pose_update(p, shape, x, error);
+  pose *p = &w->path.pose[block->place[at]];
+  arc_status status = arc_pose_update(p, window->shape, block->pose_x[at], error);
   if (status != ARC_OK) return status;
   if (window->trial) deepen(p, window->trial);
   if ((status = arc_pose_solve(p, block->line[at], error)) != ARC_OK) return status;
-  *solutions += 1;
+  watch->solutions++;
   arc_pose_pressures(p, point->p[ARC_CYLINDER], point->p[ARC_PLATE]);
-  if (w->def.slip == ARC_SLIP_TOTAL) relative_displacements(p, shape, point);
+  if (w->def.slip == ARC_SLIP_TOTAL) relative_displacements(p, window->shape, point);
   return arc_wear_local(w, window->state, point, error);
 }
 
 /* NSP under a steady load: the next point is the last one again. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
-  const wear_block *block = &w->block[w->current];
-  return w->procedure == ARC_NSP && at > window->first && block->line[at] == block->line[at - 1];
+  const double *line = w->path.block->line;
+  return w->procedure == ARC_NSP && at > window->first && line[at] == line[at - 1];
 }
 
-static void copy_point(const arc_wear *w, const wear_point *from, wear_point *to) {
-  memcpy(to->p[0], from->p[0], (size_t)(3 * (w->nc + w->np)) * sizeof(double));
+/* The solved point `at` of a window, from the one before it. */
+static arc_status reach_point(arc_wear *w, const wear_window *window, int at, wear_watch *watch,
+                              arc_error *error) {
+  wear_point *now = &w->path.point[at % 2];
+  if (callbacks_stop(watch->callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
+  if (window->chained && at == window->first) return ARC_OK;
+  if (!same_as_before(w, window, at)) return solve_point(w, window, at, watch, now, error);
+  arc_path_copy(&w->path, &w->path.point[(at + 1) % 2], now);
+  return ARC_OK;
 }
 
-static void add_increment(arc_wear *w, const wear_point *before, const wear_point *now,
-                          double rigid) {
-  const double repeat = w->block[w->current].repeat;
+/* Wear of the increment that ends at `at`. */
+static void add_increment(const arc_wear *w, int at, wear_rate *rate) {
+  const wear_block *block = w->path.block;
+  const wear_point *now = &w->path.point[at % 2], *before = &w->path.point[(at + 1) % 2];
+  const double rigid = block->x[at] - block->x[at - 1];
   const int mean = w->def.rule == ARC_TRAPEZOID, total = w->def.slip == ARC_SLIP_TOTAL;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    double *rate = w->rate.node[b];
+  for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < w->shape->side[b].n; i++) {
       const double q = mean ? (now->q[b][i] + before->q[b][i]) / 2 : now->q[b][i];
       const double slip = total ? fabs(rigid + now->u[b][i] - before->u[b][i]) : fabs(rigid);
-      rate[i] += repeat * q * slip;
+      rate->node[b][i] += block->repeat * q * slip;
     }
-  }
+}
+
+/* Eq. (27): under a stroke over the whole plate each of its nodes passes under the whole profile;
+ * with Archard's law the integral of p is the load. */
+static void add_even(const arc_wear *w, const wear_point *point, wear_rate *rate) {
+  const shape_side *plate = &w->shape->side[ARC_PLATE];
+  for (int l = 0; l < plate->n; l++)
+    rate->even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
 /* Share of point `at` in the integral over the window [mm of sliding]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
-  const wear_block *b = &w->block[w->current];
+  const wear_block *b = w->path.block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
   const double after = at < window->last ? fabs(b->x[at + 1] - b->x[at]) : 0;
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
 }
 
-/* Eq. (27): under a stroke over the whole plate each of its nodes passes under the whole profile;
- * with Archard's law the integral of p is the load. */
-static void add_even(arc_wear *w, const wear_point *point) {
-  const shape_side *plate = &w->shape->side[ARC_PLATE];
-  for (int l = 0; l < plate->n; l++)
-    w->rate.even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
-}
-
 static arc_status add_to_jacobian(const arc_wear *w, const wear_window *window, int at,
-                                  const wear_point *point) {
-  const wear_block *block = &w->block[w->current];
+                                  arc_error *error) {
+  const wear_block *block = w->path.block;
   const double share = weight(w, window, at);
   if (!window->jacobian || share == 0 || block->line[at] == 0) return ARC_OK;
-  return arc_wear_add_jacobian(w, &w->pose[block->place[at]], point, share,
-                               window->trial ? window->trial->down : NULL, window->jacobian);
+  const arc_status status =
+      arc_wear_add_jacobian(w, &w->path.pose[block->place[at]], &w->path.point[at % 2], share,
+                            window->trial ? window->trial->down : NULL, window->jacobian);
+  if (status == ARC_OK) return ARC_OK;
+  return arc_fail(error, ARC_MEMORY, "out of memory for the wear's Jacobian");
 }
 
-arc_status arc_wear_probe(arc_wear *w, const wear_window *window, int *solutions,
-                          arc_error *error) {
-  return solve_point(w, w->shape, window, window->first, &w->point[0], solutions, error);
+arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error) {
+  wear_watch nobody = {0};
+  return solve_point(w, window, window->first, &nobody, &w->path.point[0], error);
 }
 
-arc_status arc_wear_evaluate(arc_wear *w, const arc_shape *shape, const wear_window *window,
-                             arc_stop_fn stop, void *context, int *solutions, arc_error *error) {
-  const wear_block *block = &w->block[w->current];
+arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
+                             wear_rate *rate, arc_error *error) {
   const size_t n = (size_t)(w->nc + w->np);
-  memset(w->rate.node[0], 0, n * sizeof(double));
-  w->rate.even = 0;
+  assert(0 <= window->first && window->last < w->path.block->count);
+  memset(rate->node[0], 0, n * sizeof(double));
+  rate->even = 0;
   if (window->jacobian) memset(window->jacobian, 0, n * n * sizeof(double));
   for (int at = window->first; at <= window->last; at++) {
-    wear_point *now = &w->point[at % 2], *before = &w->point[(at + 1) % 2];
-    arc_status status = ARC_OK;
-    if (stop && stop(context)) return arc_fail(error, ARC_STOPPED, "stopped on request");
-    if (same_as_before(w, window, at))
-      copy_point(w, before, now);
-    else if (!(window->chained && at == window->first))
-      status = solve_point(w, shape, window, at, now, solutions, error);
-    if (status == ARC_OK && add_to_jacobian(w, window, at, now) != ARC_OK)
-      status = arc_fail(error, ARC_MEMORY, "out of memory for the wear's Jacobian");
+    arc_status status = reach_point(w, window, at, watch, error);
+    if (status == ARC_OK) status = add_to_jacobian(w, window, at, error);
     if (status != ARC_OK) return status;
     if (at > window->first)
-      add_increment(w, before, now, block->x[at] - block->x[at - 1]);
-    else if (w->over_plate && w->procedure == ARC_NSP)
-      add_even(w, now);
+      add_increment(w, at, rate);
+    else if (wears_evenly(w))
+      add_even(w, &w->path.point[at % 2], rate);
   }
   return ARC_OK;
 }

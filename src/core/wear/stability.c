@@ -1,26 +1,58 @@
-/* Stability of explicit updates. */
-#include "core/wear/run.h"
+/* Stability of explicit updates: how fast ripples grow. */
+#include "core/base/dense.h"
+#include "core/wear/rate.h"
 
+#include <math.h>
 #include <stdlib.h>
 
+static double normalise(int n, double *v) {
+  double sum = 0;
+  for (int i = 0; i < n; i++) sum += v[i] * v[i];
+  const double length = sqrt(sum);
+  for (int i = 0; i < n && length > 0; i++) v[i] /= length;
+  return length;
+}
+
+/* Largest eigenvalue of diag(k) J by power iteration. work [2 n]. */
+static double largest_eigenvalue(const arc_wear *w, const double k[ARC_BODIES],
+                                 const double *jacobian, double *work) {
+  const int n = w->nc + w->np;
+  double *v = work, *image = work + n, value = 0;
+  /* a sawtooth with a slant: neither symmetric nor antisymmetric, the same every time */
+  for (int i = 0; i < n; i++) v[i] = (i % 2 ? 1.0 : -1.0) * (1 + (double)i / n);
+  for (int it = 0; it < 1000; it++) {
+    const double before = value;
+    if (normalise(n, v) == 0) return 0;
+    arc_dense_multiply(n, 1, n, 1, jacobian, n, v, n, 0, image, n);
+    value = 0;
+    for (int i = 0; i < n; i++) {
+      v[i] = k[i < w->nc ? ARC_CYLINDER : ARC_PLATE] * image[i];
+      value += v[i] * v[i];
+    }
+    value = sqrt(value);
+    if (value == 0 || fabs(value - before) < 1e-6 * value) break;
+  }
+  return value;
+}
+
 arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error) {
-  *eigenvalue = 0;
   const arc_wear_record *now = arc_wear_last(w);
+  const wear_block *block = arc_wear_block_at(w, now->cycle);
   double k[ARC_BODIES];
-  arc_status status = arc_wear_enter_block(w, arc_wear_block_at(w, now), error);
-  if (status == ARC_OK)
-    status = arc_wear_coefficients(w, now->distance, now->distance, now, k, error);
+  *eigenvalue = 0;
+  arc_status status = arc_path_enter(&w->path, block, w->model, error);
+  if (status == ARC_OK) status = arc_wear_coefficients_now(w, k, error);
   if (status != ARC_OK) return status;
   if (w->procedure == ARC_NSP) k[ARC_PLATE] = 0; /* its even wear feels nothing */
   if (k[ARC_CYLINDER] == 0 && k[ARC_PLATE] == 0) return ARC_OK;
   const size_t n = (size_t)(w->nc + w->np);
   double *jacobian = malloc((n * n + 2 * n) * sizeof *jacobian);
   if (!jacobian) return arc_fail(error, ARC_MEMORY, "out of memory for the stability limit");
-  const wear_window window = {0, w->block[w->current].count - 1, 0, NULL, jacobian, now};
-  int solutions = 0;
-  status = arc_wear_evaluate(w, w->shape, &window, NULL, NULL, &solutions, error);
-  if (status == ARC_OK)
-    *eigenvalue = arc_wear_largest_eigenvalue(w->nc, w->np, k, jacobian, jacobian + n * n);
+  const wear_window cycle = {
+      .shape = w->shape, .last = block->count - 1, .state = now, .jacobian = jacobian};
+  wear_watch nobody = {0};
+  status = arc_wear_evaluate(w, &cycle, &nobody, &w->work.rate, error);
+  if (status == ARC_OK) *eigenvalue = largest_eigenvalue(w, k, jacobian, jacobian + n * n);
   free(jacobian);
   return status;
 }

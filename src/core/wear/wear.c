@@ -1,5 +1,5 @@
 /* A wear run as an object: creation, restoring, change of definition, what it tells. */
-#include "core/wear/run.h"
+#include "core/wear/rate.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,25 +9,21 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a wear run");
 }
 
-/* One block of doubles for two points, the rate and the update's depths. */
+static arc_status work_create(wear_work *work, int nc, int np) {
+  double *block = calloc(2 * (size_t)(nc + np), sizeof *block);
+  if (!block) return ARC_MEMORY;
+  work->rate.node[ARC_CYLINDER] = block;
+  work->rate.node[ARC_PLATE] = block + nc;
+  work->depth.node[ARC_CYLINDER] = block + nc + np;
+  work->depth.node[ARC_PLATE] = block + nc + np + nc;
+  return ARC_OK;
+}
+
 static arc_status allocate(arc_wear *w) {
   w->nc = arc_model_mesh(w->model, ARC_CYLINDER)->surface;
   w->np = arc_model_mesh(w->model, ARC_PLATE)->surface;
-  const int n = w->nc + w->np;
-  w->memory = calloc((size_t)(8 * n), sizeof *w->memory);
-  if (!w->memory) return ARC_MEMORY;
-  double *at = w->memory;
-  for (int k = 0; k < 2; k++) {
-    double **part[] = {w->point[k].p, w->point[k].q, w->point[k].u};
-    for (int m = 0; m < 3; m++, at += n) {
-      part[m][ARC_CYLINDER] = at;
-      part[m][ARC_PLATE] = at + w->nc;
-    }
-  }
-  w->rate.node[ARC_CYLINDER] = at;
-  w->rate.node[ARC_PLATE] = at + w->nc;
-  w->delta[ARC_CYLINDER] = at + n;
-  w->delta[ARC_PLATE] = at + n + w->nc;
+  if (arc_path_create(&w->path, w->model) != ARC_OK) return ARC_MEMORY;
+  if (work_create(&w->work, w->nc, w->np) != ARC_OK) return ARC_MEMORY;
   return arc_pose_create(&w->reference, w->model);
 }
 
@@ -39,7 +35,6 @@ static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   w->procedure = arc_wear_choose_procedure(&w->def, md);
   w->over_plate = arc_wear_over_plate(&w->def, md);
   status = arc_wear_blocks_create(&w->def, md, &w->block, &w->blocks);
-  w->current = -1;
   /* without a distance: all the blocks of loading */
   if (status == ARC_OK && w->def.distance == 0)
     w->def.distance = arc_wear_block_end(&w->block[w->blocks - 1]);
@@ -65,45 +60,40 @@ static arc_status create(arc_model *model, const arc_wear_def *def, arc_shape *s
   return ARC_OK;
 }
 
-arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error) {
-  if (w->records == w->capacity) {
-    const size_t capacity = 2 * w->capacity + 16;
-    arc_wear_record *grown = realloc(w->history, capacity * sizeof *grown);
-    if (!grown) return out_of_memory(error);
-    w->history = grown;
-    w->capacity = capacity;
+/* Points of a block where the plate stands farthest to either side. */
+static void find_ends(const wear_block *block, int end[2]) {
+  end[0] = end[1] = 0;
+  for (int i = 1; i < block->count; i++) {
+    if (block->x[i] < block->x[end[0]]) end[0] = i;
+    if (block->x[i] > block->x[end[1]]) end[1] = i;
   }
-  w->history[w->records++] = *record;
-  return ARC_OK;
+}
+
+/* What went wrong at an end of a path; for want of room, with the zones that would do. */
+static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_error *error) {
+  if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
+  double zone[ARC_BODIES];
+  arc_wear_zones(&w->def, arc_model_definition(w->model), zone);
+  return arc_fail(error, ARC_ZONE,
+                  "%s (this run needs mesh.zone = {cylinder = %.2f, plate = %.2f} mm)",
+                  why->message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
 }
 
 /* The outermost positions must find the contact: said at creation rather than in the middle of a
  * run. */
 static arc_status check_reach(arc_wear *w, arc_error *error) {
-  if (w->procedure != ARC_SP) return ARC_OK;
-  int solutions = 0;
-  for (int b = 0; b < w->blocks; b++) {
-    const wear_block *block = &w->block[b];
-    int least = 0, most = 0;
-    for (int i = 1; i < block->count; i++) {
-      if (block->x[i] < block->x[least]) least = i;
-      if (block->x[i] > block->x[most]) most = i;
-    }
-    arc_status status = arc_wear_enter_block(w, b, error);
+  const arc_wear_record unworn = {0};
+  arc_error why = {0};
+  for (int b = 0; b < w->blocks && w->procedure == ARC_SP; b++) {
+    int end[2];
+    find_ends(&w->block[b], end);
+    const arc_status status = arc_path_enter(&w->path, &w->block[b], w->model, error);
     if (status != ARC_OK) return status;
-    arc_error why;
-    const arc_wear_record unworn = {0};
-    const wear_window ends[2] = {{.first = least, .last = least, .state = &unworn},
-                                 {.first = most, .last = most, .state = &unworn}};
-    for (int e = 0; e < 2 && status == ARC_OK; e++)
-      status = arc_wear_probe(w, &ends[e], &solutions, &why);
-    if (status == ARC_OK) continue;
-    if (status != ARC_ZONE) return arc_fail(error, status, "%s", why.message);
-    double zone[ARC_BODIES];
-    arc_wear_zones(&w->def, arc_model_definition(w->model), zone);
-    return arc_fail(error, status,
-                    "%s (this run needs mesh.zone = {cylinder = %.2f, plate = %.2f} mm)",
-                    why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
+    for (int e = 0; e < 2; e++) {
+      const wear_window point = {
+          .shape = w->shape, .first = end[e], .last = end[e], .state = &unworn};
+      if (arc_wear_probe(w, &point, &why) != ARC_OK) return refuse_reach(w, &why, error);
+    }
   }
   return ARC_OK;
 }
@@ -133,32 +123,14 @@ static arc_status first_record(arc_wear *w, arc_error *error) {
   return arc_wear_append(w, &first, error);
 }
 
-arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
-                           arc_wear **result, arc_error *error) {
+/* A run of a checked definition on a copy of a shape, with a history. */
+static arc_status take_up(arc_model *model, const arc_wear_def *def, const arc_shape *stored,
+                          const arc_wear_record *history, size_t count, arc_wear **result,
+                          arc_error *error) {
   *result = NULL;
-  arc_status status = arc_wear_check(def, arc_model_definition(model), error);
-  if (status != ARC_OK) return status;
   arc_shape *shape;
-  if ((status = start_shape(model, def, start, &shape, error)) != ARC_OK) return status;
-  arc_wear *w;
-  if ((status = create(model, def, shape, &w, error)) != ARC_OK) return status;
-  status = check_reach(w, error);
-  if (status == ARC_OK) status = first_record(w, error);
-  if (status != ARC_OK) arc_wear_destroy(&w);
-  *result = w;
-  return status;
-}
-
-arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc_shape *stored,
-                            const arc_wear_record *history, size_t count, arc_wear **result,
-                            arc_error *error) {
-  *result = NULL;
-  arc_status status = arc_wear_check(def, arc_model_definition(model), error);
-  if (status == ARC_OK && (count < 1 || !history))
-    status = arc_fail(error, ARC_ARGUMENT, "history: expected at least one record, got %zu", count);
+  arc_status status = start_shape(model, def, stored, &shape, error);
   if (status != ARC_OK) return status;
-  arc_shape *shape;
-  if ((status = start_shape(model, def, stored, &shape, error)) != ARC_OK) return status;
   arc_wear *w;
   status = create(model, def, shape, &w, error);
   for (size_t r = 0; r < count && status == ARC_OK; r++)
@@ -168,22 +140,42 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
   return status;
 }
 
-arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error) {
-  return arc_wear_restore(wear->model, &wear->def, wear->shape, wear->history, wear->records, copy,
-                          error);
+arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
+                           arc_wear **result, arc_error *error) {
+  *result = NULL;
+  arc_status status = arc_wear_check(def, arc_model_definition(model), error);
+  if (status == ARC_OK) status = take_up(model, def, start, NULL, 0, result, error);
+  if (status == ARC_OK) status = check_reach(*result, error);
+  if (status == ARC_OK) status = first_record(*result, error);
+  if (status != ARC_OK) arc_wear_destroy(result);
+  return status;
+}
+
+arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc_shape *shape,
+                            const arc_wear_record *history, size_t count, arc_wear **result,
+                            arc_error *error) {
+  *result = NULL;
+  const arc_status status = arc_wear_check(def, arc_model_definition(model), error);
+  if (status != ARC_OK) return status;
+  if (count < 1 || !history)
+    return arc_fail(error, ARC_ARGUMENT, "history: expected at least one record, got %zu", count);
+  return take_up(model, def, shape, history, count, result, error);
+}
+
+arc_status arc_wear_clone(const arc_wear *w, arc_wear **copy, arc_error *error) {
+  return take_up(w->model, &w->def, w->shape, w->history, w->records, copy, error);
 }
 
 void arc_wear_destroy(arc_wear **wear) {
   if (!wear || !*wear) return;
   arc_wear *w = *wear;
-  arc_wear_leave_block(w);
+  arc_path_free(&w->path);
   arc_pose_free(&w->reference);
   arc_wear_blocks_free(&w->block, w->blocks);
   arc_wear_def_free(&w->def);
-  free(w->memory);
+  free(w->work.rate.node[0]);
   free(w->history);
   arc_shape_destroy(&w->shape);
-  arc_shape_destroy(&w->next);
   arc_model_release(&w->model);
   free(w);
   *wear = NULL;
@@ -198,7 +190,7 @@ arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, arc_error *erro
   arc_status status = arc_wear_check(&def, arc_model_definition(w->model), error);
   if (status != ARC_OK) return status;
   arc_wear *changed;
-  status = arc_wear_restore(w->model, &def, w->shape, w->history, w->records, &changed, error);
+  status = take_up(w->model, &def, w->shape, w->history, w->records, &changed, error);
   if (status == ARC_OK) status = check_reach(changed, error);
   if (status == ARC_OK) {
     const arc_wear old = *w;
@@ -242,18 +234,9 @@ arc_model *arc_wear_model(const arc_wear *w) {
   return w->model;
 }
 
-const arc_wear_record *arc_wear_history(const arc_wear *w, size_t *count) {
-  if (count) *count = w->records;
-  return w->history;
-}
-
-const arc_wear_record *arc_wear_last(const arc_wear *w) {
-  return &w->history[w->records - 1];
-}
-
 size_t arc_wear_bytes(const arc_wear *w) {
   const size_t n = (size_t)(w->nc + w->np);
-  return (size_t)(w->poses + 1) * arc_pose_bytes(&w->reference) + 8 * n * sizeof(double) +
+  return (size_t)(w->path.poses + 1) * arc_pose_bytes(&w->reference) + 8 * n * sizeof(double) +
          2 * arc_shape_bytes(w->shape) + w->capacity * sizeof(arc_wear_record);
 }
 

@@ -43,13 +43,12 @@ static void write_columns(lua_State *L, const char *path, csv_table table) {
 }
 
 static void write_history(lua_State *L, const char *path, const arc_wear *wear) {
-  csv_table table = push_columns(L, HISTORY_COLUMNS);
+  csv_table table = push_columns(L, ARC_WEAR_COLUMN_COUNT);
   const arc_wear_record *records = arc_wear_history(wear, &table.rows);
-  for (size_t column = 0; column < HISTORY_COLUMNS; column++) {
+  for (int column = 0; column < ARC_WEAR_COLUMN_COUNT; column++) {
     double *values = array_buffer(L, table.rows);
-    for (size_t i = 0; i < table.rows; i++)
-      values[i] = ((const double *)(const void *)(records + i))[column];
-    table.names[column] = history_columns[column];
+    for (size_t i = 0; i < table.rows; i++) values[i] = arc_wear_record_get(records + i, column);
+    table.names[column] = arc_wear_column_name(column);
     table.data[column] = values;
   }
   write_columns(L, path, table);
@@ -170,7 +169,7 @@ static void write_table(lua_State *L, const char *path, int index) {
 static int export_csv(lua_State *L) {
   lua_settop(L, 2);
   const char *path = path_argument(L, 2, csv_where);
-  luaL_checkstack(L, 2 * HISTORY_COLUMNS + 12, csv_where);
+  luaL_checkstack(L, 2 * ARC_WEAR_COLUMN_COUNT + 12, csv_where);
   if (box_test(L, 1, &wear_class))
     write_history(L, path, box_check(L, 1, &wear_class, csv_where)->thing);
   else if (box_test(L, 1, &contact_class))

@@ -6,7 +6,7 @@
 
 static const char kind[] = "archard.state";
 
-enum { DEPTH = HISTORY_COLUMNS, VOLUME };
+enum { DEPTH = ARC_WEAR_COLUMN_COUNT, VOLUME };
 
 #define COLUMN_FIELD(name, unit, text) ARGS_OTHER(#name),
 static const arc_setting known[] = {
@@ -39,7 +39,7 @@ static int state_index(lua_State *L) {
   else if (column == VOLUME)
     push_volume(L, record);
   else
-    lua_pushnumber(L, ((const double *)(const void *)record)[column]);
+    lua_pushnumber(L, arc_wear_record_get(record, column));
   return 1;
 }
 
@@ -59,7 +59,7 @@ static int state_tostring(lua_State *L) {
 
 /* Pushes the columns' numbers by name. */
 static void push_columns(lua_State *L) {
-  lua_createtable(L, 0, HISTORY_COLUMNS + 2);
+  lua_createtable(L, 0, ARC_WEAR_COLUMN_COUNT + 2);
   for (int column = 0; known[column].name; column++) {
     lua_pushinteger(L, column);
     lua_setfield(L, -2, known[column].name);

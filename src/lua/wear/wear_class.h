@@ -88,8 +88,4 @@ void record_push_lines(lua_State *L, const arc_wear_record *records, size_t coun
 void history_push(lua_State *L, const arc_wear *wear);
 void records_push_columns(lua_State *L, const arc_wear_record *records, size_t count);
 
-/* Names of the columns of the history, in the order of arc_wear_record's members. */
-extern const char *const history_columns[];
-enum { HISTORY_COLUMNS = sizeof(arc_wear_record) / sizeof(double) };
-
 #endif

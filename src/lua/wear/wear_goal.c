@@ -59,11 +59,11 @@ static double read_distance(lua_State *L, const arc_wear *wear) {
 
 typedef struct measure {
   const char *group, *name; /* field and, where it is a table, name in it */
-  size_t column;
+  int column;
   int grows; /* never falls: a value below the present one lies behind */
 } measure;
 
-#define COLUMN(name) offsetof(arc_wear_record, name)
+#define COLUMN(name) ARC_WEAR_COLUMN_##name
 static const measure measures[] = {
     {"depth", "cylinder", COLUMN(depth_cylinder), 1},
     {"depth", "plate", COLUMN(depth_plate), 1},
@@ -76,18 +76,13 @@ static const measure measures[] = {
     {NULL, NULL, 0, 0},
 };
 
-static double value_of(const arc_wear_record *record, size_t column) {
-  if (column == ARC_WEAR_TOTAL_VOLUME) return record->volume_cylinder + record->volume_plate;
-  return *(const double *)(const void *)((const char *)record + column);
-}
-
 /* Adds the number on top of the stack as the value to reach. */
 static void add_target(lua_State *L, const arc_wear *wear, const measure *m, args_place place,
                        wear_goals *goals) {
   const arc_setting range = {
       .name = m->name ? m->name : m->group, .high = HUGE_VAL, .open = ARC_LOW_OPEN};
   const double value = args_number(L, place, &range);
-  const double now = value_of(arc_wear_last(wear), m->column);
+  const double now = arc_wear_record_get(arc_wear_last(wear), m->column);
   if (m->grows && value <= now)
     error_raise(L, ARC_ARGUMENT, where, "field '%s%s': the run is at %s already, beyond %s",
                 place.prefix, range.name, args_show_number(L, now), args_show_number(L, value));

@@ -7,14 +7,6 @@
 
 static const char kind[] = "archard.record";
 
-#define COLUMN_NAME(name, unit, text) #name,
-const char *const history_columns[] = {ARC_WEAR_COLUMNS(COLUMN_NAME) NULL};
-
-/* A record is nothing but its columns, each a double. */
-static double column_of(const arc_wear_record *record, int column) {
-  return ((const double *)(const void *)record)[column];
-}
-
 static int record_tostring(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_getfield(L, 1, "text");
@@ -22,12 +14,12 @@ static int record_tostring(lua_State *L) {
 }
 
 void record_push(lua_State *L, const arc_wear_record *record) {
-  lua_createtable(L, 0, HISTORY_COLUMNS + 1);
+  lua_createtable(L, 0, ARC_WEAR_COLUMN_COUNT + 1);
   lua_insert(L, -2);
   lua_setfield(L, -2, "text");
-  for (int i = 0; i < HISTORY_COLUMNS; i++) {
-    lua_pushnumber(L, column_of(record, i));
-    lua_setfield(L, -2, history_columns[i]);
+  for (int i = 0; i < ARC_WEAR_COLUMN_COUNT; i++) {
+    lua_pushnumber(L, arc_wear_record_get(record, i));
+    lua_setfield(L, -2, arc_wear_column_name(i));
   }
   if (luaL_newmetatable(L, kind)) {
     lua_pushcfunction(L, record_tostring);
@@ -78,14 +70,14 @@ void record_push_lines(lua_State *L, const arc_wear_record *records, size_t coun
 }
 
 void records_push_columns(lua_State *L, const arc_wear_record *records, size_t count) {
-  lua_createtable(L, 0, HISTORY_COLUMNS);
-  for (int column = 0; column < HISTORY_COLUMNS; column++) {
+  lua_createtable(L, 0, ARC_WEAR_COLUMN_COUNT);
+  for (int column = 0; column < ARC_WEAR_COLUMN_COUNT; column++) {
     lua_createtable(L, (int)count, 0);
     for (size_t i = 0; i < count; i++) {
-      lua_pushnumber(L, column_of(records + i, column));
+      lua_pushnumber(L, arc_wear_record_get(records + i, column));
       lua_rawseti(L, -2, (lua_Integer)i + 1);
     }
-    lua_setfield(L, -2, history_columns[column]);
+    lua_setfield(L, -2, arc_wear_column_name(column));
   }
 }
 

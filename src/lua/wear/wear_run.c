@@ -79,13 +79,14 @@ static void push_progress(lua_State *L, const arc_wear *wear, size_t first) {
 /* One step of the engine, with the functions of the run at index 1. */
 static void step_once(lua_State *L, box *made, const char *where) {
   arc_wear *wear = made->thing;
+  const arc_callbacks callbacks = {.stop = interrupt_pending};
   arc_error error = {0};
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   functions_call call = functions_enter(L, lua_gettop(L), made);
   made->busy = RUN_BUSY;
   warn_coarse(L, wear);
   if (arc_wear_last(wear)->update == 0) warn_unstable(L, wear);
-  arc_status status = arc_wear_step(wear, interrupt_pending, NULL, &error);
+  arc_status status = arc_wear_step(wear, &callbacks, &error);
   made->busy = RUN_IDLE;
   functions_leave(L, &call, where);
   check_ended(L, wear, status, &error, where);
@@ -208,6 +209,8 @@ int wear_run(lua_State *L) {
   int reached = -1;
   const wear_goals goals = wear_goals_read(L, wear);
   run_call call = {.L = L, .stop_when = goals.stop_when};
+  const arc_callbacks callbacks = {
+      .stop = interrupt_pending, .progress = after_step, .context = &call};
   call.progress = push_progress_function(L, goals.distance);
   luaL_checkstack(L, 20, where);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
@@ -216,7 +219,7 @@ int wear_run(lua_State *L) {
   warn_coarse(L, wear);
   warn_unstable(L, wear);
   arc_status status = arc_wear_run_until(wear, goals.distance, goals.target, goals.count,
-                                         interrupt_pending, after_step, &call, &reached, &error);
+                                         &callbacks, &reached, &error);
   made->busy = RUN_IDLE;
   end_display(L, &call);
   functions_leave(L, &functions, where);

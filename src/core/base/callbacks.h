@@ -1,0 +1,15 @@
+/* What the engine asks and tells its caller; no callbacks, or none of a kind, is fine. */
+#ifndef BASE_CALLBACKS_H
+#define BASE_CALLBACKS_H
+
+#include "archard/base.h"
+
+static inline int callbacks_stop(const arc_callbacks *c) {
+  return c && c->stop && c->stop(c->context);
+}
+
+static inline int callbacks_progress(const arc_callbacks *c, const struct arc_wear *wear) {
+  return c && c->progress && c->progress(c->context, wear);
+}
+
+#endif

@@ -1,0 +1,58 @@
+/* The way the plate goes: blocks of loading as they are simulated, and the poses of contact that
+ * belong to one of them. */
+#ifndef WEAR_PATH_H
+#define WEAR_PATH_H
+
+#include "archard/wear.h"
+#include "core/contact/pose.h"
+
+/* A block of loading: points, which of them share a pose, how often. */
+typedef struct wear_block {
+  int count;      /* points; increments between them */
+  double *x;      /* [count] plate position [mm] */
+  double *line;   /* [count] load per thickness [N/mm], 0: lifted off */
+  double *pose_x; /* [count] plate position of the contact [mm]: x, or 0 for NSP */
+  int *place;     /* [count] which pose a point belongs to */
+  int poses;
+  int periodic;
+  double repeat;                      /* 2 where a half cycle stands for a whole one, else 1 */
+  double sliding;                     /* travelled distance of a cycle [mm] */
+  double cycles;                      /* how often, may be INFINITY for the last */
+  double start_distance, start_cycle; /* of the run, where this block begins */
+} wear_block;
+
+/* The blocks of a checked definition: block [count], freed by arc_wear_blocks_free. */
+arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
+                                  wear_block **block, int *count);
+void arc_wear_blocks_free(wear_block **block, int count);
+/* Where it ends [mm]. */
+double arc_wear_block_end(const wear_block *block);
+
+/* One point of the path, solved. Arrays by body; one block. */
+typedef struct wear_point {
+  double *p[ARC_BODIES]; /* pressure [MPa] */
+  double *q[ARC_BODIES]; /* p times the local factor of the wear law [MPa] */
+  double *u[ARC_BODIES]; /* elastic displacement along x, plate against cylinder [mm] */
+} wear_point;
+
+/* The block at hand, its poses (which know themselves whether they are up to date) and the last two
+ * points that were solved: point i in point[i % 2]. */
+typedef struct wear_path {
+  const wear_block *block; /* NULL: none yet */
+  int poses;
+  pose *pose; /* [poses] */
+  int nodes;  /* surface nodes of both bodies */
+  wear_point point[2];
+} wear_path;
+
+/* Room for the points; ARC_MEMORY leaves nothing to free. */
+arc_status arc_path_create(wear_path *path, const arc_model *model);
+void arc_path_free(wear_path *path);
+/* Makes poses for a block, unless it is the one at hand. ARC_MEMORY: no block is at hand. */
+arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_model *model,
+                          arc_error *error);
+/* Zeroes a point: lifted off. */
+void arc_path_clear(const wear_path *path, wear_point *point);
+void arc_path_copy(const wear_path *path, const wear_point *from, wear_point *to);
+
+#endif

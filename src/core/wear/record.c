@@ -1,0 +1,48 @@
+/* The history of a run and its rows. */
+#include "core/wear/run.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+double arc_wear_record_get(const arc_wear_record *record, int column) {
+  switch (column) {
+#define COLUMN_CASE(name, unit, text)                                                              \
+  case ARC_WEAR_COLUMN_##name:                                                                     \
+    return record->name;
+    ARC_WEAR_COLUMNS(COLUMN_CASE)
+#undef COLUMN_CASE
+  default:
+    assert(column == ARC_WEAR_TOTAL_VOLUME);
+    return record->volume_cylinder + record->volume_plate;
+  }
+}
+
+const char *arc_wear_column_name(int column) {
+#define COLUMN_NAME(name, unit, text) #name,
+  static const char *const names[] = {ARC_WEAR_COLUMNS(COLUMN_NAME)};
+#undef COLUMN_NAME
+  assert(0 <= column && column < ARC_WEAR_COLUMN_COUNT);
+  return names[column];
+}
+
+arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error) {
+  if (w->records == w->capacity) {
+    const size_t capacity = 2 * w->capacity + 16;
+    arc_wear_record *grown = realloc(w->history, capacity * sizeof *grown);
+    if (!grown) return arc_fail(error, ARC_MEMORY, "out of memory for a wear run");
+    w->history = grown;
+    w->capacity = capacity;
+  }
+  w->history[w->records++] = *record;
+  return ARC_OK;
+}
+
+const arc_wear_record *arc_wear_history(const arc_wear *w, size_t *count) {
+  if (count) *count = w->records;
+  return w->history;
+}
+
+const arc_wear_record *arc_wear_last(const arc_wear *w) {
+  assert(w->records > 0);
+  return &w->history[w->records - 1];
+}
