@@ -96,8 +96,9 @@ typedef struct arc_contact arc_contact;
 /* Solves for load [N] > 0 (whole thickness) with the plate at x [mm]. The solution keeps what it
  * needs and does not follow later changes of the shape. Errors: ARC_ARGUMENT (load), ARC_ZONE (the
  * contact reaches the edge of a candidate zone, the message names the zone it needs), ARC_MEMORY,
- * ARC_NUMERIC. */
-arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_contact **contact,
+ * ARC_NUMERIC. Warns where the contact is narrower than two elements. */
+arc_status arc_contact_solve(const arc_shape *shape, double load, double x,
+                             const arc_callbacks *callbacks, arc_contact **contact,
                              arc_error *error);
 void arc_contact_destroy(arc_contact **contact);
 /* Bytes held by the contact, for a garbage collector. */

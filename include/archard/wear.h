@@ -239,7 +239,9 @@ void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double 
 
 /* One geometry update: `jump` cycles, or fewer where the definition's distance ends before. At
  * the end of the distance: ARC_OK and nothing happens. Anything but ARC_OK leaves the run as it
- * was; ARC_STOPPED where the callbacks asked for it. They do not hear of progress. */
+ * was; ARC_STOPPED where the callbacks asked for it. They do not hear of progress.
+ * Before the first step of a definition they are warned of a mesh too coarse for the contact and of
+ * a fixed explicit jump past the limit of arc_wear_stability. */
 arc_status arc_wear_step(arc_wear *wear, const arc_callbacks *callbacks, arc_error *error);
 
 /* Steps until `distance` [mm] (in total, met exactly by a shorter last step; may exceed the

@@ -257,6 +257,49 @@ static void test_stability_is_a_question(void **state) {
   arc_wear_destroy(&wear);
 }
 
+static int warnings;
+static char warning[600];
+
+static void hear(void *context, const char *text) {
+  (void)context;
+  warnings++;
+  snprintf(warning, sizeof warning, "%s", text);
+}
+
+/* A jump past the limit is told of once for a definition, before its first step; asking costs no
+ * bits. */
+static void test_warnings(void **state) {
+  (void)state;
+  static const arc_callbacks callbacks = {.warn = hear};
+  arc_wear_def def = quick(0.11, 0.5);
+  double eigenvalue;
+  arc_wear *wear = start(&def);
+  check_ok(arc_wear_stability(wear, &eigenvalue, why));
+  arc_wear_destroy(&wear);
+  def.jump = 1.01 * 2 / eigenvalue;
+  def.distance = 5 * def.jump * 2 * def.stroke;
+  arc_wear *whole = run(&def);
+  wear = start(&def);
+  warnings = 0;
+  check_ok(arc_wear_step(wear, &callbacks, why));
+  assert_int_equal(warnings, 1);
+  assert_non_null(strstr(warning, "past the stability limit"));
+  check_ok(arc_wear_step(wear, &callbacks, why));
+  check_ok(arc_wear_run(wear, def.distance, &callbacks, why));
+  assert_int_equal(warnings, 1);
+  check_same(wear, whole);
+  def.distance *= 2;
+  check_ok(arc_wear_set(wear, &def, why));
+  check_ok(arc_wear_step(wear, &callbacks, why));
+  assert_int_equal(warnings, 2);
+  def.jump /= 1.2;
+  check_ok(arc_wear_set(wear, &def, why));
+  check_ok(arc_wear_step(wear, &callbacks, why));
+  assert_int_equal(warnings, 2);
+  arc_wear_destroy(&wear);
+  arc_wear_destroy(&whole);
+}
+
 /* --- refusals --------------------------------------------------------------------------------- */
 
 static void refuse(const arc_wear_def *def, arc_status status, const char *part) {
@@ -396,6 +439,7 @@ int main(void) {
       cmocka_unit_test(test_symmetric),
       cmocka_unit_test(test_stability),
       cmocka_unit_test(test_stability_is_a_question),
+      cmocka_unit_test(test_warnings),
       cmocka_unit_test(test_refused_numbers),
       cmocka_unit_test(test_refused_combinations),
       cmocka_unit_test(test_zone),

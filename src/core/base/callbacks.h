@@ -12,4 +12,8 @@ static inline int callbacks_progress(const arc_callbacks *c, const struct arc_we
   return c && c->progress && c->progress(c->context, wear);
 }
 
+/* Tells why results may mean little, in a printf-style line. */
+void arc_warn(const arc_callbacks *callbacks, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
 #endif

@@ -1,5 +1,5 @@
-/* Status texts and error messages. */
-#include "archard/base.h"
+/* Status texts, error messages and warnings. */
+#include "core/base/callbacks.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -35,4 +35,14 @@ arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...
     va_end(arguments);
   }
   return status;
+}
+
+void arc_warn(const arc_callbacks *callbacks, const char *format, ...) {
+  char text[512];
+  if (!callbacks || !callbacks->warn) return;
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  callbacks->warn(callbacks->context, text);
 }

@@ -60,7 +60,8 @@ static void read_result(arc_contact *c, double load, double x) {
                                    .iterations = c->pose.iterations};
 }
 
-arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_contact **result,
+arc_status arc_contact_solve(const arc_shape *shape, double load, double x,
+                             const arc_callbacks *callbacks, arc_contact **result,
                              arc_error *error) {
   *result = NULL;
   const arc_contact_def def = {load, x};
@@ -76,6 +77,7 @@ arc_status arc_contact_solve(const arc_shape *shape, double load, double x, arc_
   if (status == ARC_OK) {
     read_pressures(c);
     read_result(c, load, x);
+    arc_model_warn_coarse(shape->model, c->result.half_width, callbacks);
   } else {
     arc_contact_destroy(&c);
   }

@@ -60,6 +60,11 @@ arc_status arc_body_displacements(const elastic_body *body, const double *box_xy
 /* The model's body (not public: contact and wear lean on it). */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
+/* Warns where half a contact's width [mm] is less than one element of the model: its pressures are
+ * off by a tenth and more. */
+void arc_model_warn_coarse(const arc_model *model, double half_width,
+                           const arc_callbacks *callbacks);
+
 /* Numbers for compliances, so that what was made from one knows when it is stale. The model counts
  * them: a number means the same bits on whatever shape it stands. The unworn compliance has the
  * first one; none is 0. */

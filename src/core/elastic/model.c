@@ -1,4 +1,5 @@
 /* A model: two condensed bodies, reference counted. */
+#include "core/base/callbacks.h"
 #include "core/elastic/body.h"
 
 #include <math.h>
@@ -111,6 +112,16 @@ size_t arc_model_bytes(const arc_model *model) {
 
 double arc_model_seconds(const arc_model *model) {
   return model->seconds;
+}
+
+void arc_model_warn_coarse(const arc_model *model, double half_width,
+                           const arc_callbacks *callbacks) {
+  const double size = model->def.mesh.size;
+  if (half_width < size)
+    arc_warn(callbacks,
+             "half the contact's width, %.2g mm, is less than an element of %g mm: pressures may "
+             "be far off; use a smaller mesh.size and mesh.height",
+             half_width, size);
 }
 
 long arc_model_next_version(arc_model *model) {

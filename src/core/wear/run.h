@@ -43,6 +43,7 @@ struct arc_wear {
   wear_path path;
   pose reference; /* plate at x = 0, nominal load */
   wear_work work;
+  int warned; /* the callbacks know what speaks against this definition */
 };
 
 /* The plate stays flat, and wears everywhere alike. */

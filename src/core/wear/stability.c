@@ -1,6 +1,7 @@
-/* Stability of explicit updates: how fast ripples grow. */
+/* Stability of explicit updates: how fast ripples grow, and a warning before they do. */
+#include "core/base/callbacks.h"
 #include "core/base/dense.h"
-#include "core/wear/rate.h"
+#include "core/wear/step.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,4 +56,35 @@ arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error)
   if (status == ARC_OK) *eigenvalue = largest_eigenvalue(w, k, jacobian, jacobian + n * n);
   free(jacobian);
   return status;
+}
+
+/* --- warnings --- */
+
+/* Under constant coefficients it changes by a hundredth or two over a run. */
+static int limit_varies(const arc_wear *w) {
+  const arc_wear_def *d = &w->def;
+  return d->k_function || d->alpha_function || d->k_series.count > 0 || d->alpha_series.count > 0 ||
+         d->law != ARC_LAW_ARCHARD || d->local_factor || w->blocks > 1;
+}
+
+/* A fixed explicit jump past the limit: its ripples grow until the results mean nothing. */
+static void warn_unstable(arc_wear *w, const arc_callbacks *callbacks) {
+  const arc_wear_def *d = &w->def;
+  double eigenvalue;
+  if (d->scheme != ARC_EXPLICIT || d->jump_auto || d->jump_function) return;
+  if (arc_wear_stability(w, &eigenvalue, NULL) != ARC_OK) return; /* the step will tell */
+  const double limit = 2 / eigenvalue;
+  if (d->jump <= limit) return;
+  arc_warn(callbacks,
+           "jump = %g cycles is past the stability limit of %.*g: ripples will grow; use jump = "
+           "\"auto\" or scheme = \"implicit\"",
+           d->jump, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit));
+}
+
+void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks) {
+  const arc_wear_record *last = arc_wear_last(w);
+  if (!callbacks || !callbacks->warn || last->distance >= w->def.distance) return;
+  if (!w->warned && last->update == 0) arc_model_warn_coarse(w->model, last->half_width, callbacks);
+  if (!w->warned || limit_varies(w)) warn_unstable(w, callbacks);
+  w->warned = 1;
 }

@@ -174,6 +174,7 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
 arc_status arc_wear_step(arc_wear *w, const arc_callbacks *callbacks, arc_error *error) {
   wear_targets none = {0};
   int moved;
+  if (!w->warned) arc_wear_warn(w, callbacks);
   return step_towards(w, w->def.distance, callbacks, &none, &moved, error);
 }
 
@@ -185,6 +186,7 @@ arc_status arc_wear_run_until(arc_wear *w, double distance, const arc_wear_targe
   if (!(distance > 0) || !isfinite(distance))
     return arc_fail(error, ARC_ARGUMENT, "distance: expected above 0 mm, got %g mm", distance);
   if (distance > w->def.distance) w->def.distance = distance;
+  arc_wear_warn(w, callbacks);
   while (targets.reached < 0) {
     int moved;
     const arc_status status = step_towards(w, distance, callbacks, &targets, &moved, error);

@@ -46,4 +46,9 @@ arc_status arc_wear_update(arc_wear *w, const wear_plan *plan, wear_watch *watch
 /* Every increment of a cycle is an update of its own. */
 int arc_wear_is_split(const arc_wear *w, const wear_plan *plan);
 
+/* --- stability.c --- */
+/* Tells what speaks against this run before it goes on: once for a definition, and whenever the
+ * limit of stability may have changed, since to find it costs a cycle of contact solutions. */
+void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);
+
 #endif

@@ -241,5 +241,5 @@ size_t arc_wear_bytes(const arc_wear *w) {
 }
 
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {
-  return arc_contact_solve(w->shape, w->def.load, 0, contact, error);
+  return arc_contact_solve(w->shape, w->def.load, 0, NULL, contact, error);
 }

@@ -57,10 +57,6 @@ typedef arc_status (*zones_fn)(const void *asker, const arc_model_def *def, doub
 arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zones,
                           const void *asker);
 
-/* Warns where half the contact's width [mm] is less than one element of the model: its pressures
- * are off by a tenth and more. */
-void model_warn_coarse(lua_State *L, const arc_model *model, double half_width);
-
 /* Pushes the box of a model of this definition: one that lives already, or a new one. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
 

@@ -100,6 +100,10 @@ static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model) {
   return arc_wear_shape(other->thing);
 }
 
+static void warn(void *context, const char *text) {
+  lua_warning(context, text, 0);
+}
+
 /* contact{ model=, load=, x=, worn= } */
 static int contact_new(lua_State *L) {
   arc_contact_def def = arc_contact_default();
@@ -113,12 +117,12 @@ static int contact_new(lua_State *L) {
   const arc_shape *shape = push_shape(L, worn, model);
   box *made = box_push(L, &contact_class);
   box_keep(L, holder);
+  const arc_callbacks callbacks = {.warn = warn, .context = L};
   arc_contact *contact = NULL;
-  arc_status status = arc_contact_solve(shape, def.load, def.x, &contact, &error);
+  arc_status status = arc_contact_solve(shape, def.load, def.x, &callbacks, &contact, &error);
   made->thing = contact;
   error_check(L, status, &error, "contact", -1);
   box_weigh(L, arc_contact_bytes(contact));
-  model_warn_coarse(L, model, arc_contact_get(contact).half_width);
   return 1;
 }
 

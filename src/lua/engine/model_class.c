@@ -221,17 +221,6 @@ static const luaL_Reg fields[] = {
     {"plate", model_plate},     {"mesh", model_mesh},   {NULL, NULL},
 };
 
-void model_warn_coarse(lua_State *L, const arc_model *model, double half_width) {
-  const double size = arc_model_definition(model)->mesh.size;
-  char text[200];
-  if (!(half_width < size)) return;
-  snprintf(text, sizeof text,
-           "half the contact's width, %.2g mm, is less than an element of %g mm: pressures may be "
-           "far off; use a smaller mesh.size and mesh.height",
-           half_width, size);
-  lua_warning(L, text, 0);
-}
-
 static const void *definition(lua_State *L) {
   return arc_model_definition(self(L));
 }

@@ -11,32 +11,6 @@ static lua_Number next_update(const arc_wear *wear) {
   return (lua_Number)arc_wear_last(wear)->update + 1;
 }
 
-/* --- what explicit runs should know ---------------------------------------------------------- */
-
-/* Warns where a fixed explicit jump is past the stability limit: its ripples grow until the results
- * mean nothing. Stands between functions_enter and functions_leave. */
-static void warn_unstable(lua_State *L, arc_wear *wear) {
-  const arc_wear_def *def = arc_wear_definition(wear);
-  double eigenvalue;
-  if (def->scheme != ARC_EXPLICIT || def->jump_auto || def->jump_function) return;
-  if (arc_wear_last(wear)->distance >= def->distance) return;
-  if (arc_wear_stability(wear, &eigenvalue, NULL) != ARC_OK) return; /* the step will tell */
-  const double limit = 2 / eigenvalue;
-  if (def->jump <= limit) return;
-  char text[200];
-  snprintf(text, sizeof text,
-           "jump = %g cycles is past the stability limit of %.*g: ripples will grow; use jump = "
-           "\"auto\" or scheme = \"implicit\"",
-           def->jump, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit));
-  lua_warning(L, text, 0);
-}
-
-/* Before the first step: is the mesh fine enough for the contact it begins with? */
-static void warn_coarse(lua_State *L, const arc_wear *wear) {
-  const arc_wear_record *last = arc_wear_last(wear);
-  if (last->update == 0) model_warn_coarse(L, arc_wear_model(wear), last->half_width);
-}
-
 /* --- interruption ---------------------------------------------------------------------------- */
 
 /* Ctrl-C ended a step or a run: says where it stands now, since a progress bar is gone. */
@@ -76,16 +50,18 @@ static void push_progress(lua_State *L, const arc_wear *wear, size_t first) {
   record_push(L, arc_wear_last(wear));
 }
 
+static void warn(void *context, const char *text) {
+  lua_warning(context, text, 0);
+}
+
 /* One step of the engine, with the functions of the run at index 1. */
 static void step_once(lua_State *L, box *made, const char *where) {
   arc_wear *wear = made->thing;
-  const arc_callbacks callbacks = {.stop = interrupt_pending};
+  const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
   arc_error error = {0};
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   functions_call call = functions_enter(L, lua_gettop(L), made);
   made->busy = RUN_BUSY;
-  warn_coarse(L, wear);
-  if (arc_wear_last(wear)->update == 0) warn_unstable(L, wear);
   arc_status status = arc_wear_step(wear, &callbacks, &error);
   made->busy = RUN_IDLE;
   functions_leave(L, &call, where);
@@ -135,6 +111,10 @@ static int ask_user(run_call *call, int function, const char *name) {
   if (lua_toboolean(L, -1)) call->asked = name;
   lua_pop(L, 1);
   return call->asked != NULL;
+}
+
+static void warn_of_run(void *context, const char *text) {
+  lua_warning(((run_call *)context)->L, text, 0);
 }
 
 static int after_step(void *context, const arc_wear *wear) {
@@ -210,14 +190,12 @@ int wear_run(lua_State *L) {
   const wear_goals goals = wear_goals_read(L, wear);
   run_call call = {.L = L, .stop_when = goals.stop_when};
   const arc_callbacks callbacks = {
-      .stop = interrupt_pending, .progress = after_step, .context = &call};
+      .stop = interrupt_pending, .warn = warn_of_run, .progress = after_step, .context = &call};
   call.progress = push_progress_function(L, goals.distance);
   luaL_checkstack(L, 20, where);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   functions_call functions = functions_enter(L, lua_gettop(L), made);
   made->busy = RUN_BUSY;
-  warn_coarse(L, wear);
-  warn_unstable(L, wear);
   arc_status status = arc_wear_run_until(wear, goals.distance, goals.target, goals.count,
                                          &callbacks, &reached, &error);
   made->busy = RUN_IDLE;
