@@ -29,7 +29,7 @@ typedef struct wear_watch {
 } wear_watch;
 
 /* --- rate.c --- */
-/* The wear of a window. Whether increments go through a whole cycle is the window's affair. */
+/* The wear of a window. */
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
                              wear_rate *rate, arc_error *error);
 /* Solves the point window->first only: can the contact be there? */

@@ -11,8 +11,7 @@ static arc_status add_coefficient_error(arc_wear *w, arc_wear_record *record, ar
   if (!arc_wear_has_state_functions(w) || w->def.tolerance == 0) return ARC_OK;
   const arc_wear_record *before = arc_wear_last(w);
   double start[ARC_BODIES], end[ARC_BODIES];
-  arc_status status =
-      arc_wear_coefficients(w, before->distance, before->distance, before, start, error);
+  arc_status status = arc_wear_coefficients_now(w, start, error);
   if (status == ARC_OK)
     status = arc_wear_coefficients(w, record->distance, record->distance, record, end, error);
   if (status != ARC_OK || !(record->k > 0)) return status;
@@ -39,7 +38,6 @@ static arc_status attempt(arc_wear *w, const wear_plan *plan, const arc_callback
   arc_status status = arc_shape_clone(w->shape, &out->shape, error);
   if (status == ARC_OK) status = arc_wear_update(w, plan, &watch, out, error);
   if (status != ARC_OK) return status;
-  record->update += arc_wear_is_split(w, plan) ? plan->block->count - 1 : 1;
   record->cycle += plan->cycles;
   record->jump = plan->cycles;
   record->distance = plan->end;

@@ -40,11 +40,9 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
 
 /* --- update.c --- */
 /* Wears the shape of an outcome, a copy of the run's, as planned. Its record, that of the run at
- * first, gains volumes, coefficients and error. */
+ * first, gains updates, volumes, coefficients and error. */
 arc_status arc_wear_update(arc_wear *w, const wear_plan *plan, wear_watch *watch, wear_outcome *out,
                            arc_error *error);
-/* Every increment of a cycle is an update of its own. */
-int arc_wear_is_split(const arc_wear *w, const wear_plan *plan);
 
 /* --- stability.c --- */
 /* Tells what speaks against this run before it goes on: once for a definition, and whenever the

@@ -177,12 +177,12 @@ static arc_status whole_update(arc_wear *w, const wear_plan *plan, wear_watch *w
   return status == ARC_OK ? apply(w, depth, out, error) : status;
 }
 
-int arc_wear_is_split(const arc_wear *w, const wear_plan *plan) {
-  return w->def.update == ARC_UPDATE_INCREMENT && plan->block->periodic && w->procedure == ARC_SP;
-}
-
 arc_status arc_wear_update(arc_wear *w, const wear_plan *plan, wear_watch *watch, wear_outcome *out,
                            arc_error *error) {
-  return arc_wear_is_split(w, plan) ? split_update(w, plan, watch, out, error)
-                                    : whole_update(w, plan, watch, out, error);
+  const int split =
+      w->def.update == ARC_UPDATE_INCREMENT && plan->block->periodic && w->procedure == ARC_SP;
+  const arc_status status =
+      split ? split_update(w, plan, watch, out, error) : whole_update(w, plan, watch, out, error);
+  out->record.update += split ? plan->block->count - 1 : 1;
+  return status;
 }

@@ -9,21 +9,14 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a wear run");
 }
 
-static arc_status work_create(wear_work *work, int nc, int np) {
-  double *block = calloc(2 * (size_t)(nc + np), sizeof *block);
-  if (!block) return ARC_MEMORY;
-  work->rate.node[ARC_CYLINDER] = block;
-  work->rate.node[ARC_PLATE] = block + nc;
-  work->depth.node[ARC_CYLINDER] = block + nc + np;
-  work->depth.node[ARC_PLATE] = block + nc + np + nc;
-  return ARC_OK;
-}
-
 static arc_status allocate(arc_wear *w) {
-  w->nc = arc_model_mesh(w->model, ARC_CYLINDER)->surface;
-  w->np = arc_model_mesh(w->model, ARC_PLATE)->surface;
+  const int nc = w->nc = arc_model_mesh(w->model, ARC_CYLINDER)->surface;
+  const int np = w->np = arc_model_mesh(w->model, ARC_PLATE)->surface;
+  double *rate = calloc(2 * (size_t)(nc + np), sizeof *rate);
+  if (!rate) return ARC_MEMORY;
+  double *depth = rate + nc + np;
+  w->work = (wear_work){.rate.node = {rate, rate + nc}, .depth.node = {depth, depth + nc}};
   if (arc_path_create(&w->path, w->model) != ARC_OK) return ARC_MEMORY;
-  if (work_create(&w->work, w->nc, w->np) != ARC_OK) return ARC_MEMORY;
   return arc_pose_create(&w->reference, w->model);
 }
 
@@ -39,25 +32,6 @@ static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   if (status == ARC_OK && w->def.distance == 0)
     w->def.distance = arc_wear_block_end(&w->block[w->blocks - 1]);
   return status;
-}
-
-/* A run with everything but history; `shape` is taken over, whatever happens. */
-static arc_status create(arc_model *model, const arc_wear_def *def, arc_shape *shape,
-                         arc_wear **result, arc_error *error) {
-  *result = NULL;
-  arc_wear *w = calloc(1, sizeof *w);
-  if (!w) {
-    arc_shape_destroy(&shape);
-    return out_of_memory(error);
-  }
-  w->model = arc_model_retain(model);
-  w->shape = shape;
-  if (take_definition(w, def) != ARC_OK || allocate(w) != ARC_OK) {
-    arc_wear_destroy(&w);
-    return out_of_memory(error);
-  }
-  *result = w;
-  return ARC_OK;
 }
 
 /* Points of a block where the plate stands farthest to either side. */
@@ -124,19 +98,18 @@ static arc_status first_record(arc_wear *w, arc_error *error) {
 }
 
 /* A run of a checked definition on a copy of a shape, with a history. */
-static arc_status take_up(arc_model *model, const arc_wear_def *def, const arc_shape *stored,
+static arc_status take_up(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                           const arc_wear_record *history, size_t count, arc_wear **result,
                           arc_error *error) {
-  *result = NULL;
-  arc_shape *shape;
-  arc_status status = start_shape(model, def, stored, &shape, error);
-  if (status != ARC_OK) return status;
-  arc_wear *w;
-  status = create(model, def, shape, &w, error);
+  arc_wear *w = *result = calloc(1, sizeof *w);
+  if (!w) return out_of_memory(error);
+  w->model = arc_model_retain(model);
+  arc_status status = start_shape(model, def, start, &w->shape, error);
+  if (status == ARC_OK && (take_definition(w, def) != ARC_OK || allocate(w) != ARC_OK))
+    status = out_of_memory(error);
   for (size_t r = 0; r < count && status == ARC_OK; r++)
     status = arc_wear_append(w, &history[r], error);
-  if (status != ARC_OK) arc_wear_destroy(&w);
-  *result = w;
+  if (status != ARC_OK) arc_wear_destroy(result);
   return status;
 }
 
