@@ -183,6 +183,52 @@ static void test_apart(void **state) {
   arc_model_release(&model);
 }
 
+/* The same bits as a pose made for this shape and position. */
+static void check_fresh(const pose *p, const arc_shape *shape, double x) {
+  pose fresh;
+  assert_int_equal(arc_pose_create(&fresh, arc_shape_model(shape)), ARC_OK);
+  check_ok(arc_pose_update(&fresh, shape, x, why));
+  const size_t n = (size_t)p->count;
+  assert_int_equal(p->lo, fresh.lo);
+  assert_int_equal(p->count, fresh.count);
+  assert_memory_equal(p->first, fresh.first, n * sizeof *p->first);
+  assert_memory_equal(p->a, fresh.a, n * n * sizeof *p->a);
+  assert_memory_equal(p->gap, fresh.gap, n * sizeof *p->gap);
+  arc_pose_free(&fresh);
+}
+
+/* A pose follows its shape, copies of it that are worn and given up, and the plate; also after a
+ * position where it could not be placed. */
+static void test_update(void **state) {
+  (void)state;
+  random_start(24);
+  arc_model *model = make_model();
+  arc_shape *shape = make_shape(model), *copy = NULL;
+  const int n = arc_model_mesh(model, ARC_PLATE)->surface;
+  double *depth = malloc((size_t)n * sizeof *depth);
+  pose p;
+  assert_int_equal(arc_pose_create(&p, model), ARC_OK);
+  check_ok(arc_pose_update(&p, shape, 0.1, why));
+  for (int pass = 0; pass < 3; pass++) {
+    for (int i = 0; i < n; i++) depth[i] = random_in(0, 0.004);
+    check_ok(arc_shape_clone(shape, &copy, why));
+    check_ok(arc_shape_wear(copy, ARC_PLATE, depth, why));
+    check_ok(arc_pose_update(&p, copy, 0.1, why));
+    check_fresh(&p, copy, 0.1);
+    arc_shape_destroy(&copy);
+  }
+  check_ok(arc_pose_update(&p, shape, 0.1, why));
+  check_fresh(&p, shape, 0.1);
+  check_refused(arc_pose_update(&p, shape, 1.5, why), ARC_ZONE, "do not overlap");
+  check_refused(arc_pose_update(&p, shape, 1.5, why), ARC_ZONE, "do not overlap");
+  check_ok(arc_pose_update(&p, shape, -0.2, why));
+  check_fresh(&p, shape, -0.2);
+  arc_pose_free(&p);
+  free(depth);
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_random_positions),
@@ -191,6 +237,7 @@ int main(void) {
       cmocka_unit_test(test_matching_nodes),
       cmocka_unit_test(test_matrix),
       cmocka_unit_test(test_apart),
+      cmocka_unit_test(test_update),
   };
   return cmocka_run_group_tests_name("mortar", tests, NULL, NULL);
 }
