@@ -300,9 +300,8 @@ arc_status arc_wear_surfaces(const arc_wear *wear, arc_surface **surfaces, arc_e
  * eigenvalue < 2. */
 arc_status arc_wear_stability(arc_wear *wear, double *eigenvalue, arc_error *error);
 
-/* Roughness of a profile [-]: its sawtooth part (fourth differences over 16, which give 1 for a
- * sawtooth of amplitude 1), root mean square over the middle of the contact, as a share of the
- * largest depth; smooth profiles stay under 1e-4 at the default mesh. */
+/* Roughness of a profile [-]: its sawtooth part (arc_measure_sawtooth) over the middle of the
+ * contact, as a share of the largest depth; smooth profiles stay under 1e-4 at the default mesh. */
 double arc_wear_roughness(const arc_wear *wear, arc_body body);
 
 #endif
