@@ -93,11 +93,11 @@ arc_contact_def arc_contact_default(void);
 /* What a contact solution yields. */
 typedef struct arc_contact arc_contact;
 
-/* Solves for load [N] > 0 (whole thickness) with the plate at x [mm]. The solution keeps what it
- * needs and does not follow later changes of the shape. Errors: ARC_ARGUMENT (load), ARC_ZONE (the
- * contact reaches the edge of a candidate zone, the message names the zone it needs), ARC_MEMORY,
- * ARC_NUMERIC. Warns where the contact is narrower than two elements. */
-arc_status arc_contact_solve(const arc_shape *shape, double load, double x,
+/* Solves one problem. The solution keeps what it needs and does not follow later changes of the
+ * shape. Errors: ARC_ARGUMENT (a setting out of its range), ARC_ZONE (the contact reaches the edge
+ * of a candidate zone, the message names the zone it needs), ARC_MEMORY, ARC_NUMERIC. Warns where
+ * the contact is narrower than two elements. */
+arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              const arc_callbacks *callbacks, arc_contact **contact,
                              arc_error *error);
 void arc_contact_destroy(arc_contact **contact);

@@ -21,9 +21,9 @@ static arc_status save_history(arc_store *store, int id, const arc_wear *wear, a
   arc_status status = arc_store_query(
       store, "INSERT INTO history (case_id, step@columns) VALUES (?1, ?2@values)", id, &q, error);
   for (size_t row = 0; row < count && status == ARC_OK; row++) {
-    const double *column = (const double *)(const void *)&history[row];
     arc_query_set_whole(q, 2, (long long)row);
-    for (int i = 0; i < COLUMNS; i++) arc_query_set_number(q, 3 + i, column[i]);
+    for (int i = 0; i < COLUMNS; i++)
+      arc_query_set_number(q, 3 + i, arc_wear_record_get(&history[row], i));
     status = arc_query_run(q, error);
   }
   arc_query_close(&q);
@@ -111,8 +111,10 @@ static arc_status count_rows(arc_store *store, const char *sql, int id, size_t *
 }
 
 static void read_record(query *q, arc_wear_record *record) {
-  double *column = (double *)(void *)record;
-  for (int i = 0; i < COLUMNS; i++) column[i] = arc_query_number(q, 1 + i);
+  int column = 1;
+#define READ(name, unit, text) record->name = arc_query_number(q, column++);
+  ARC_WEAR_COLUMNS(READ)
+#undef READ
 }
 
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,

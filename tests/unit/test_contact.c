@@ -24,7 +24,7 @@ static arc_shape *unworn(arc_model *model) {
 
 static arc_contact *solve(const arc_shape *shape, double load, double x) {
   arc_contact *contact = NULL;
-  check_ok(arc_contact_solve(shape, load, x, NULL, &contact, why));
+  check_ok(arc_contact_solve(shape, &(arc_contact_def){load, x}, NULL, &contact, why));
   return contact;
 }
 
@@ -346,19 +346,23 @@ static void test_refused(void **state) {
   static const double bad[] = {0, -1, NAN, INFINITY};
   for (int k = 0; k < 4; k++) {
     arc_contact *contact = (arc_contact *)shape;
-    check_refused(arc_contact_solve(shape, bad[k], 0, NULL, &contact, why), ARC_ARGUMENT, "load");
+    check_refused(arc_contact_solve(shape, &(arc_contact_def){bad[k], 0}, NULL, &contact, why),
+                  ARC_ARGUMENT, "load");
     assert_null(contact);
   }
   arc_contact *contact;
-  check_refused(arc_contact_solve(shape, 100, NAN, NULL, &contact, why), ARC_ARGUMENT, "x'");
-  check_refused(arc_contact_solve(shape, 100, INFINITY, NULL, &contact, why), ARC_ARGUMENT, "x'");
-  check_refused(arc_contact_solve(shape, 5000, 0, NULL, &contact, why), ARC_ZONE,
-                "mesh.zone.cylinder");
-  check_refused(arc_contact_solve(shape, 100, 0.6, NULL, &contact, why), ARC_ZONE,
+  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, NAN}, NULL, &contact, why),
+                ARC_ARGUMENT, "x'");
+  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, INFINITY}, NULL, &contact, why),
+                ARC_ARGUMENT, "x'");
+  check_refused(arc_contact_solve(shape, &(arc_contact_def){5000, 0}, NULL, &contact, why),
+                ARC_ZONE, "mesh.zone.cylinder");
+  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, 0.6}, NULL, &contact, why),
+                ARC_ZONE, "mesh.zone.plate");
+  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, -0.6}, NULL, &contact, why),
+                ARC_ZONE, "mesh.zone.plate");
+  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, 5}, NULL, &contact, why), ARC_ZONE,
                 "mesh.zone.plate");
-  check_refused(arc_contact_solve(shape, 100, -0.6, NULL, &contact, why), ARC_ZONE,
-                "mesh.zone.plate");
-  check_refused(arc_contact_solve(shape, 100, 5, NULL, &contact, why), ARC_ZONE, "mesh.zone.plate");
   assert_null(contact);
   arc_shape_destroy(&shape);
   check_refused(arc_shape_create(steel, ARC_MOVING, -1, &shape, why), ARC_ARGUMENT, "refresh");

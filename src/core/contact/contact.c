@@ -60,23 +60,22 @@ static void read_result(arc_contact *c, double load, double x) {
                                    .iterations = c->pose.iterations};
 }
 
-arc_status arc_contact_solve(const arc_shape *shape, double load, double x,
+arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              const arc_callbacks *callbacks, arc_contact **result,
                              arc_error *error) {
   *result = NULL;
-  const arc_contact_def def = {load, x};
-  arc_status status = arc_settings_check(arc_contact_settings, "", &def, error);
+  arc_status status = arc_settings_check(arc_contact_settings, "", def, error);
   if (status != ARC_OK) return status;
+  const double line = def->load / arc_model_definition(shape->model)->thickness;
   arc_contact *c = calloc(1, sizeof *c);
   if (!c) return out_of_memory(error);
   status = arc_shape_clone(shape, &c->shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
-  if (status == ARC_OK) status = arc_pose_update(&c->pose, c->shape, x, error);
-  if (status == ARC_OK)
-    status = arc_pose_solve(&c->pose, load / arc_model_definition(shape->model)->thickness, error);
+  if (status == ARC_OK) status = arc_pose_update(&c->pose, c->shape, def->x, error);
+  if (status == ARC_OK) status = arc_pose_solve(&c->pose, line, error);
   if (status == ARC_OK) {
     read_pressures(c);
-    read_result(c, load, x);
+    read_result(c, def->load, def->x);
     arc_model_warn_coarse(shape->model, c->result.half_width, callbacks);
   } else {
     arc_contact_destroy(&c);

@@ -214,5 +214,6 @@ size_t arc_wear_bytes(const arc_wear *w) {
 }
 
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {
-  return arc_contact_solve(w->shape, w->def.load, 0, NULL, contact, error);
+  const arc_contact_def def = {.load = w->def.load};
+  return arc_contact_solve(w->shape, &def, NULL, contact, error);
 }

@@ -119,7 +119,7 @@ static int contact_new(lua_State *L) {
   box_keep(L, holder);
   const arc_callbacks callbacks = {.warn = warn, .context = L};
   arc_contact *contact = NULL;
-  arc_status status = arc_contact_solve(shape, def.load, def.x, &callbacks, &contact, &error);
+  arc_status status = arc_contact_solve(shape, &def, &callbacks, &contact, &error);
   made->thing = contact;
   error_check(L, status, &error, "contact", -1);
   box_weigh(L, arc_contact_bytes(contact));
