@@ -108,7 +108,8 @@ static double law_factor(const arc_wear_def *d, double p) {
   return 1;
 }
 
-static double law_growth(const arc_wear_def *d) {
+static double law_growth(const arc_wear_def *d, double p) {
+  (void)p; /* not every list has a law whose growth depends on it */
   switch (d->law) {
 #define LAW_GROWTH(name, text, factor, growth)                                                     \
   case ARC_##name:                                                                                 \
@@ -120,7 +121,7 @@ static double law_growth(const arc_wear_def *d) {
 
 double arc_wear_law_slope(const arc_wear *w, double p, double q) {
   if (!(p > 0)) return law_factor(&w->def, 0);
-  return q / p * law_growth(&w->def);
+  return q / p * law_growth(&w->def, p);
 }
 
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
