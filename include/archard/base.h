@@ -8,6 +8,11 @@
 
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
 #define ARC_VERSION "0.1.0"
 
 /* Zero is success; positive: it did not succeed, yet nothing is broken; negative: it cannot work.
@@ -70,4 +75,8 @@ typedef struct arc_callbacks {
  * or NULL where it has none. */
 const char *arc_single_threaded(void);
 
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -9,6 +9,11 @@
 
 #include "archard/model.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
 /* Whether wear moves the nodes (and so the stiffness of the wear box), or enters through the gap
  * alone. */
 #define ARC_GEOMETRY_LIST(X)                                                                       \
@@ -155,4 +160,8 @@ void arc_field_destroy(arc_field **field);
 /* The model a contact was solved on (borrowed). */
 arc_model *arc_contact_model(const arc_contact *contact);
 
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -7,6 +7,11 @@
 
 #include "archard/wear.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
 /* Columns of `rows` doubles with a header line of names. */
 arc_status arc_export_csv(const char *path, size_t columns, const char *const names[],
                           const double *const data[], size_t rows, arc_error *error);
@@ -32,4 +37,8 @@ typedef struct arc_number_text {
 } arc_number_text;
 arc_number_text arc_number_to_text(double value);
 
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -6,6 +6,11 @@
 
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
 /* Value at `at` of the broken line through (x, y) [n], x increasing; `outside` beyond its ends. */
 double arc_measure_interpolate(const double *x, const double *y, size_t n, double at,
                                double outside);
@@ -33,4 +38,8 @@ void arc_measure_combined(arc_depths cylinder, arc_depths plate, double *sum);
  * wear: x and share [plate.count], of which as many are written as it returns. */
 size_t arc_measure_local_partition(arc_depths cylinder, arc_depths plate, double *x, double *share);
 
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
 #endif

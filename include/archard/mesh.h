@@ -9,6 +9,11 @@
 
 #include "archard/setting.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
 typedef enum arc_body { ARC_CYLINDER = 0, ARC_PLATE = 1 } arc_body;
 #define ARC_BODIES 2
 
@@ -95,4 +100,8 @@ typedef struct arc_quality {
 /* Quality with the nodes at `xy` ([2 * nodes], NULL: the mesh's own). */
 arc_quality arc_mesh_quality(const arc_mesh *mesh, const double *xy);
 
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -9,6 +9,11 @@
 
 #include "archard/mesh.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
 #define ARC_MATERIAL_SETTINGS(NUMBER)                                                              \
   NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
   NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")
@@ -106,4 +111,8 @@ double arc_model_seconds(const arc_model *model);
  * `size` [mm]: at the default size these are the default zones. */
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]);
 
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -21,6 +21,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(default)
 
 typedef enum arc_setting_kind {
   ARC_NUMBER,
@@ -194,6 +195,7 @@ typedef int (*arc_setting_fn)(void *context, const char *path, const arc_setting
 int arc_settings_walk(const arc_setting *list, const char *prefix, const void *def,
                       arc_setting_fn see, void *context);
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

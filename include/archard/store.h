@@ -15,6 +15,12 @@
 
 #include "archard/wear.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+
 /* The file's user_version. One more whenever a table changes; see src/store/schema.c. */
 #define ARC_STORE_FORMAT 2
 
@@ -167,4 +173,8 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_surface **surfaces, 
  * same settings. ARC_ARGUMENT: another study, or a case that is finished in both. */
 arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error);
 
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
 #endif

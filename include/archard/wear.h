@@ -10,6 +10,11 @@
 
 #include "archard/contact.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
 /* Fig. 7: SP simulates the sliding plate; NSP does not (alpha = 1, or a stroke over the whole
  * plate). */
 #define ARC_PROCEDURE_LIST(X)                                                                      \
@@ -304,4 +309,8 @@ arc_status arc_wear_stability(arc_wear *wear, double *eigenvalue, arc_error *err
  * contact, as a share of the largest depth; smooth profiles stay under 1e-4 at the default mesh. */
 double arc_wear_roughness(const arc_wear *wear, arc_body body);
 
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
 #endif
