@@ -7,63 +7,76 @@ INCLUDEDIR ?= $(PREFIX)/include
 DATADIR ?= $(PREFIX)/share
 MANDIR  ?= $(DATADIR)/man
 
-CC      ?= cc
-CFLAGS  ?= -O2 -g
-WARNINGS = -Wall -Wextra -Wshadow -Wmissing-prototypes -Wstrict-prototypes -Wconversion -Werror
-SANITIZER ?=
+CC         ?= cc
+CFLAGS     ?= -O2 -g
+PKG_CONFIG ?= pkg-config
+export CC CFLAGS CPPFLAGS LDFLAGS PKG_CONFIG
+# WERROR=1 makes warnings errors: for developers and CI. SANITIZER=address,undefined, and CHECKS=1
+# (every step of a run is validated), build in folders of their own.
+WARNINGS = -Wall -Wextra -Wshadow -Wmissing-prototypes -Wstrict-prototypes -Wconversion
 
 comma := ,
-BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))
+BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),-checks)
 OBJ   = $(BUILD)/obj
 
-PACKAGES = lua5.4 readline sqlite3
-pkg_cflags := $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null)
-lua_libs    = $(shell pkg-config --libs lua5.4)
-rl_libs     = $(shell pkg-config --libs readline)
-sql_libs    = $(shell pkg-config --libs sqlite3)
-# One gcc flag set for every file: -std=c11 with POSIX; contraction off, so that results do not
+.PHONY: all demo check study figures test-programs bench gallery man format lint install \
+        install-files uninstall clean setup
+.DELETE_ON_ERROR:
+
+all:
+
+# --- what is built ----------------------------------------------------------------------------
+lib_src   := $(wildcard src/core/*/*.c src/store/*.c)
+plot_src  := $(wildcard src/system/*.c src/plot/*.c)
+front_src := $(wildcard src/lua/*/*.c src/cli/*.c)
+unit_src  := $(wildcard tests/unit/*.c)
+# What stands in scripts/tools is run by make; all else is embedded.
+scripts   := $(sort $(filter-out scripts/tools/%,$(wildcard scripts/*/*.lua)))
+
+obj_of     = $(patsubst %.c,$(OBJ)/%.o,$(1))
+lib_obj   := $(call obj_of,$(lib_src))
+plot_obj  := $(call obj_of,$(plot_src))
+front_obj := $(call obj_of,$(front_src)) $(OBJ)/embedded.o
+unit_tests = $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(unit_src))
+
+version   := $(shell sed -n 's/^.define ARC_VERSION "\(.*\)"/\1/p' include/archard/base.h)
+soname     = libarchard.so.$(firstword $(subst ., ,$(version)))
+shared_lib = $(BUILD)/libarchard.so.$(version)
+static_lib = $(BUILD)/libarchard.a
+program    = $(BUILD)/archard
+
+# --- with what --------------------------------------------------------------------------------
+# Plain `make` never installs: scripts/probe names what is missing. `make demo` and `make check`
+# install. Two notes in the build folder are written where they differ from what they hold: after
+# other flags all is probed and compiled anew, after other files all is linked anew.
+ifneq ($(filter-out check clean demo format install-files lint setup uninstall,$(or $(MAKECMDGOALS),all)),)
+flags   := $(strip $(CC); $(CPPFLAGS); $(CFLAGS); $(LDFLAGS); $(PKG_CONFIG); $(WERROR))
+sources := $(strip $(lib_src) $(plot_src) $(front_src) $(scripts))
+$(shell mkdir -p $(BUILD))
+ifneq ($(flags),$(file <$(BUILD)/flags))
+$(file >$(BUILD)/flags,$(flags))
+endif
+ifneq ($(sources),$(file <$(BUILD)/sources))
+$(file >$(BUILD)/sources,$(sources))
+endif
+
+$(BUILD)/config.mk: scripts/probe Makefile $(BUILD)/flags
+	@scripts/probe > $@
+
+include $(BUILD)/config.mk
+else
+-include $(BUILD)/config.mk
+endif
+
+# One set of flags for every file: -std=c11 with POSIX; contraction off, so that results do not
 # depend on what the compiler fuses.
-all_cflags = -std=c11 -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc $(pkg_cflags) -MMD -MP \
-             -ffp-contract=off $(WARNINGS) \
+all_cflags = -std=c11 -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc -MMD -MP -ffp-contract=off \
+             $(lua_cflags) $(cholmod_cflags) $(readline_cflags) $(sqlite_cflags) $(omp_cflags) \
+             $(WARNINGS) $(if $(WERROR),-Werror) $(if $(CHECKS),-DARC_CHECKS) \
              $(if $(SANITIZER),-fsanitize=$(SANITIZER) -fno-omit-frame-pointer -fno-sanitize-recover=all) \
              $(CPPFLAGS) $(CFLAGS)
 all_ldflags = $(if $(SANITIZER),-fsanitize=$(SANITIZER)) $(LDFLAGS)
-core_libs = -lcholmod -llapack -lblas -lgomp -lm
-
-core_src  := $(wildcard src/core/*/*.c)
-side_src  := $(wildcard src/system/*.c src/plot/*.c src/store/*.c)
-front_src := $(wildcard src/lua/*/*.c src/cli/*.c)
-# What stands in scripts/tools is run by make; all else is embedded.
-scripts   := $(sort $(filter-out scripts/tools/%,$(wildcard scripts/*/*.lua)))
-obj_of     = $(patsubst %.c,$(OBJ)/%.o,$(1))
-
-core_lib = $(BUILD)/libarchard.a
-program  = $(BUILD)/archard
-
-unit_src   := $(wildcard tests/unit/*.c)
-unit_tests  = $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(unit_src))
-
-.PHONY: all demo check study figures test-programs bench gallery man format lint install uninstall clean setup
-.DELETE_ON_ERROR:
-
-all: $(program)
-
-# --- set-up -----------------------------------------------------------------------------------
-# Plain `make` never installs: it names what is missing. `make demo` and `make check` install.
-ifneq ($(MAKECMDGOALS),clean)
-ifneq ($(MAKECMDGOALS),uninstall)
-ifeq ($(filter demo check setup,$(MAKECMDGOALS)),)
-# The list goes to standard error line by line; what is left is whether there was one.
-missing := $(shell scripts/setup --list | tee /dev/stderr)
-ifneq ($(missing),)
-$(error These packages are missing. scripts/setup installs them)
-endif
-endif
-endif
-endif
-
-setup:
-	@scripts/setup
+lib_libs    = $(sqlite_libs) $(cholmod_libs) $(blas_libs) $(omp_libs) -lm
 
 jobs  = $(shell nproc 2>/dev/null || echo 2)
 # `make V=1` shows whole commands.
@@ -71,41 +84,51 @@ quiet = $(if $(V),,@)
 say   = @$(if $(V),:,echo " ")
 
 # --- build ------------------------------------------------------------------------------------
-$(OBJ)/%.o: %.c
+all: $(program) $(static_lib) $(shared_lib)
+
+# The shared library exports what the public headers declare and nothing else.
+$(lib_obj): all_cflags += -fPIC -fvisibility=hidden -fno-semantic-interposition
+
+$(OBJ)/%.o: %.c $(BUILD)/config.mk
 	@mkdir -p $(@D)
 	$(say) CC $<
 	$(quiet)$(CC) $(all_cflags) -c $< -o $@
 
-$(core_lib): $(call obj_of,$(core_src))
+$(static_lib): $(lib_obj) $(BUILD)/sources
 	@rm -f $@
 	$(say) AR $@
-	$(quiet)$(AR) rcs $@ $^
+	$(quiet)$(AR) rcs $@ $(lib_obj)
+
+$(shared_lib): $(lib_obj) $(BUILD)/sources
+	$(say) LD $@
+	$(quiet)$(CC) $(all_ldflags) -shared -Wl,-soname,$(soname) $(lib_obj) $(lib_libs) -o $@
 
 # The Lua files that ship live inside the binary.
-$(BUILD)/embedded.c: scripts/tools/embed.awk $(scripts)
-	@mkdir -p $(@D)
+$(BUILD)/embedded.c: scripts/tools/embed.awk $(scripts) $(BUILD)/sources
 	$(quiet)awk -f scripts/tools/embed.awk $(scripts) > $@
 
-$(OBJ)/embedded.o: $(BUILD)/embedded.c
+$(OBJ)/embedded.o: $(BUILD)/embedded.c $(BUILD)/config.mk
 	@mkdir -p $(@D)
 	$(say) CC $<
 	$(quiet)$(CC) $(all_cflags) -c $< -o $@
 
-$(program): $(call obj_of,$(front_src)) $(call obj_of,$(side_src)) $(OBJ)/embedded.o $(core_lib)
+$(program): $(front_obj) $(plot_obj) $(static_lib) $(BUILD)/sources
 	$(say) LD $@
-	$(quiet)$(CC) $(all_ldflags) -rdynamic $^ $(lua_libs) $(rl_libs) $(sql_libs) $(core_libs) -ldl -o $@
+	$(quiet)$(CC) $(all_ldflags) -rdynamic $(filter-out %/sources,$^) $(lua_libs) $(readline_libs) $(lib_libs) -ldl -o $@
 
-# A unit test links the engine, plot and store, never Lua or readline: that it links is a test.
-$(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(call obj_of,$(side_src)) $(core_lib)
+# A unit test links the library and plot, never Lua or readline: that it links is a test.
+$(unit_tests): $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(plot_obj) $(static_lib)
 	@mkdir -p $(@D)
 	$(say) LD $@
-	$(quiet)$(CC) $(all_ldflags) $^ $(test_ldflags) -lcmocka $(sql_libs) $(core_libs) -o $@
+	$(quiet)$(CC) $(all_ldflags) $^ $(test_ldflags) -lcmocka $(lib_libs) -o $@
 
 # Out of memory on demand: this test stands between the engine and its allocations.
 $(BUILD)/tests/test_oom: test_ldflags = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free \
                                         -lsuitesparseconfig
 
-test-programs: $(program) $(unit_tests)
+test-programs: all $(unit_tests)
+
+-include $(patsubst %.o,%.d,$(lib_obj) $(plot_obj) $(front_obj) $(call obj_of,$(unit_src)))
 
 # --- use --------------------------------------------------------------------------------------
 demo:
@@ -138,7 +161,9 @@ man: $(program)
 	$(program) scripts/tools/manpage.lua > man/archard.1
 
 # --- care -------------------------------------------------------------------------------------
-c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch])
+c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] examples/c/*.c)
+sh_files = scripts/setup scripts/probe scripts/slurm/study.sbatch scripts/slurm/parallel tests/run \
+           .ci/run tests/tap.bash $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 
 format:
 	@clang-format -i $(c_files)
@@ -146,23 +171,41 @@ format:
 lint:
 	@clang-format --dry-run --Werror $(c_files)
 	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
-	  --error-exitcode=1 --suppress=missingIncludeSystem -Iinclude -Isrc src
-	@shellcheck -S warning scripts/setup scripts/slurm/study.sbatch scripts/slurm/parallel tests/run .ci/run tests/tap.bash \
-	  $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
+	  --error-exitcode=1 --suppress=missingIncludeSystem -Iinclude -Isrc src $(filter examples/%,$(c_files))
+	@shellcheck -S warning $(sh_files)
 	@mandoc -T lint -W warning man/*.1
 
+# What stands behind the library, for archard.pc: by .pc file where there is one.
+private      = cholmod blas sqlite omp
+requires     = $(strip $(foreach p,$(private),$($(p)_pc)))
+private_libs = $(strip $(foreach p,$(private),$(if $($(p)_pc),,$($(p)_libs)))) -lm
+
 install: all
-	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR) $(DESTDIR)$(INCLUDEDIR)/archard $(DESTDIR)$(MANDIR)/man1
-	install -m 755 $(program) $(DESTDIR)$(BINDIR)/archard
-	install -m 644 $(core_lib) $(DESTDIR)$(LIBDIR)/libarchard.a
-	install -m 644 include/archard/*.h $(DESTDIR)$(INCLUDEDIR)/archard/
-	install -m 644 man/archard.1 $(DESTDIR)$(MANDIR)/man1/archard.1
+	@$(MAKE) --no-print-directory install-files
+
+# What is there, without building it.
+to = $(DESTDIR)$(1)
+install-files:
+	install -d $(foreach d,$(BINDIR) $(LIBDIR)/pkgconfig $(INCLUDEDIR)/archard $(MANDIR)/man1,$(call to,$(d)))
+	install -m 755 $(program) $(call to,$(BINDIR)/archard)
+	install -m 644 $(static_lib) $(call to,$(LIBDIR)/libarchard.a)
+	install -m 755 $(shared_lib) $(call to,$(LIBDIR)/)
+	ln -sf $(notdir $(shared_lib)) $(call to,$(LIBDIR)/$(soname))
+	ln -sf $(soname) $(call to,$(LIBDIR)/libarchard.so)
+	install -m 644 include/archard/*.h $(call to,$(INCLUDEDIR)/archard/)
+	install -m 644 man/archard.1 $(call to,$(MANDIR)/man1/archard.1)
+	printf '%s\n' 'prefix=$(PREFIX)' \
+	  'libdir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(LIBDIR))' \
+	  'includedir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(INCLUDEDIR))' '' \
+	  'Name: archard' 'Description: sliding wear by finite elements' 'Version: $(version)' \
+	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -larchard' \
+	  'Requires.private: $(requires)' 'Libs.private: $(private_libs)' \
+	  > $(call to,$(LIBDIR)/pkgconfig/archard.pc)
 
 uninstall:
-	rm -f $(DESTDIR)$(BINDIR)/archard $(DESTDIR)$(LIBDIR)/libarchard.a $(DESTDIR)$(MANDIR)/man1/archard.1
-	rm -rf $(DESTDIR)$(INCLUDEDIR)/archard
+	rm -f $(call to,$(BINDIR)/archard) $(call to,$(MANDIR)/man1/archard.1) \
+	  $(foreach f,libarchard.a libarchard.so $(soname) $(notdir $(shared_lib)) pkgconfig/archard.pc,$(call to,$(LIBDIR)/$(f)))
+	rm -rf $(call to,$(INCLUDEDIR)/archard)
 
 clean:
 	rm -rf build build-*
-
--include $(shell find $(OBJ) -name '*.d' 2>/dev/null)

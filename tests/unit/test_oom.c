@@ -4,7 +4,11 @@
  */
 #include "runs.h"
 
+#if __has_include(<suitesparse/SuiteSparse_config.h>)
 #include <suitesparse/SuiteSparse_config.h>
+#else
+#include <SuiteSparse_config.h>
+#endif
 #include <unistd.h>
 
 #include "archard/export.h"
@@ -288,7 +292,8 @@ static void test_implicit_steps(void **state) {
 /* Writers: out of memory, or the file. */
 static void test_export(void **state) {
   (void)state;
-  static const char path[] = "/tmp/archard-oom-test.inp";
+  char path[64];
+  snprintf(path, sizeof path, "/tmp/archard-oom-%ld.inp", (long)getpid());
   const long before = live;
   arc_status status = ARC_MEMORY;
   for (long n = 0; status != ARC_OK; n++) {
