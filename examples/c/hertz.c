@@ -1,0 +1,46 @@
+/* An unworn contact against Hertz' closed form.
+ *   cc hertz.c $(pkg-config --cflags --libs archard) -o hertz
+ * Units: mm, N, MPa. */
+#include <archard/contact.h>
+
+#include <stdio.h>
+
+int main(void) {
+  const double load = 100; /* [N], over the whole thickness */
+  arc_error why = {0};
+  arc_model *model = NULL;
+  arc_shape *shape = NULL;
+  arc_contact *contact = NULL;
+  arc_hertz hertz;
+
+  /* One BLAS thread: at these sizes more of them only cost. */
+  arc_single_threaded();
+
+  /* A definition starts from its defaults: a steel cylinder of radius 10 mm on a steel plate. The
+   * model is meshed and condensed once; shapes and contacts stand on it. */
+  arc_model_def def = arc_model_default();
+  def.mesh.size = 0.01;
+  def.mesh.height = 0.0125;
+  arc_status status = arc_model_build(&def, &model, &why);
+
+  /* Unworn surfaces, and the contact on them with the plate in the middle. */
+  if (status == ARC_OK) status = arc_shape_create(model, ARC_MOVING, 0.05, &shape, &why);
+  if (status == ARC_OK) status = arc_contact_solve(shape, load, 0, &contact, &why);
+  if (status == ARC_OK)
+    status = arc_hertz_solve(def.radius, def.thickness, load, def.material, &hertz, &why);
+
+  if (status == ARC_OK) {
+    const arc_contact_result r = arc_contact_get(contact);
+    printf("                   elements     Hertz\n");
+    printf("largest pressure   %8.2f  %8.2f  MPa\n", r.p_max, hertz.p_max);
+    printf("half width         %8.5f  %8.5f  mm\n", r.half_width, hertz.half_width);
+  } else {
+    fprintf(stderr, "hertz: %s: %s\n", arc_status_text(status), why.message);
+  }
+
+  /* Whoever made something destroys it; NULL is fine. */
+  arc_contact_destroy(&contact);
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+  return status == ARC_OK ? 0 : 1;
+}
