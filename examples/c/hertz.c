@@ -25,7 +25,8 @@ int main(void) {
 
   /* Unworn surfaces, and the contact on them with the plate in the middle. */
   if (status == ARC_OK) status = arc_shape_create(model, ARC_MOVING, 0.05, &shape, &why);
-  if (status == ARC_OK) status = arc_contact_solve(shape, load, 0, &contact, &why);
+  const arc_contact_def problem = {.load = load};
+  if (status == ARC_OK) status = arc_contact_solve(shape, &problem, NULL, &contact, &why);
   if (status == ARC_OK)
     status = arc_hertz_solve(def.radius, def.thickness, load, def.material, &hertz, &why);
 

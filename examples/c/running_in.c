@@ -7,10 +7,13 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 /* k falls from 5e-8 to 1e-8 mm2/N with the distance. `state` is the run's last record, predicted
  * for the middle of the step. Anything but ARC_OK would refuse the step. */
-static arc_status running_in(void *context, const arc_wear_record *state, double *k) {
+static arc_status running_in(void *context, const arc_setting *what, const arc_wear_record *state,
+                             double *k) {
+  (void)what;
   const double settled = *(const double *)context;
   *k = settled * (1 + 4 * exp(-state->distance / 20));
   return ARC_OK;
@@ -27,18 +30,21 @@ static void print(const char *title, const arc_wear *wear) {
 static arc_status advance(arc_wear *wear, double distance, arc_error *why) {
   arc_status status = ARC_OK;
   while (status == ARC_OK && arc_wear_last(wear)->distance < distance)
-    status = arc_wear_step(wear, NULL, NULL, why);
+    status = arc_wear_step(wear, NULL, why);
   return status;
 }
 
-/* A new file with one case, and the run in it. */
+/* A new file with one case, the run in it, and its surfaces for those who plot them. */
 static arc_status save(const char *path, const arc_wear *wear, arc_error *why) {
-  arc_store *store;
-  arc_status status = arc_store_replace(path, "example", &store, why);
+  arc_store *store = NULL;
+  arc_surface *surfaces = NULL;
+  arc_status status = arc_wear_surfaces(wear, &surfaces, why);
+  if (status == ARC_OK) status = arc_store_replace(path, "example", &store, why);
   if (status == ARC_OK) status = arc_store_add(store, 1, "running in", why);
-  if (status == ARC_OK) status = arc_store_save(store, 1, wear, NULL, 0, why);
+  if (status == ARC_OK) status = arc_store_save(store, 1, wear, surfaces, ARC_BODIES, why);
   if (status == ARC_OK) status = arc_store_publish(&store, why);
   arc_store_close(&store);
+  free(surfaces);
   return status;
 }
 

@@ -131,6 +131,11 @@ typedef struct arc_pressure {
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
 
+/* Whether the solution is one, for tests and builds with checks: forces of both bodies balance the
+ * load, nothing is pulled, no gap is negative, no force bridges a gap. ARC_NUMERIC says what failed
+ * and by how much. */
+arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
+
 /* The columns of a field, in the order of files: first where the nodes are, then what is there
  * (stresses are nodal averages). X(name, unit, text). */
 #define ARC_FIELD_STRESSES(X)                                                                      \

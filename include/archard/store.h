@@ -20,7 +20,6 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-
 /* The file's user_version. One more whenever a table changes; see src/store/schema.c. */
 #define ARC_STORE_FORMAT 2
 

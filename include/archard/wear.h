@@ -309,6 +309,12 @@ arc_status arc_wear_stability(arc_wear *wear, double *eigenvalue, arc_error *err
  * contact, as a share of the largest depth; smooth profiles stay under 1e-4 at the default mesh. */
 double arc_wear_roughness(const arc_wear *wear, arc_body body);
 
+/* Whether the run is sound, for tests and builds with checks: numbers finite, history growing,
+ * volume k L d where Archard's law promises it, worn meshes with positive Jacobians, a valid
+ * contact in the reference configuration. ARC_NUMERIC says what failed and by how much; also
+ * ARC_MEMORY. */
+arc_status arc_wear_validate(const arc_wear *wear, arc_error *error);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

@@ -166,6 +166,11 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
     out.shape = old;
   }
   arc_shape_destroy(&out.shape);
+#ifdef ARC_CHECKS
+  arc_error broken;
+  if (status == ARC_OK && arc_wear_validate(w, &broken) == ARC_NUMERIC)
+    status = arc_fail(error, ARC_NUMERIC, "%s", broken.message);
+#endif
   return status;
 }
 

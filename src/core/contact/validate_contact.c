@@ -1,0 +1,52 @@
+/* Whether a contact solution is one: balance of forces, and complementarity recomputed from the
+ * contact matrix. Leans on pose.h for the matrix. */
+#include "core/base/dense.h"
+#include "core/contact/solution.h"
+
+#include <assert.h>
+#include <math.h>
+
+/* What rounding may leave, as a share of the largest number involved. */
+static const double rounding = 1e-9;
+
+static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *error) {
+  const double load = c->result.load / arc_model_definition(c->shape->model)->thickness;
+  double sum = 0;
+  for (int i = 0; i < c->count[body]; i++) {
+    if (!(c->p[body][i] >= 0) || !isfinite(c->f[body][i]))
+      return arc_fail(error, ARC_NUMERIC, "contact: pressure %g MPa at x = %g mm of the %s",
+                      c->p[body][i], c->x[body][i], arc_body_name(body));
+    sum += c->f[body][i];
+  }
+  if (fabs(sum - load) <= rounding * load) return ARC_OK;
+  return arc_fail(error, ARC_NUMERIC,
+                  "contact: the forces on the %s are %.17g N/mm, the load is %.17g N/mm",
+                  arc_body_name(body), sum, load);
+}
+
+/* gap - approach + A f at a candidate [mm]. */
+static double gap_left(const pose *p, int candidate) {
+  double g = p->gap[candidate] - p->approach;
+  for (int k = 0; k < p->count; k++) g += p->a[dense_at(candidate, k, p->count)] * p->f[k];
+  return g;
+}
+
+static arc_status check_complementarity(const pose *p, arc_error *error) {
+  double most = fabs(p->approach);
+  for (int k = 0; k < p->count; k++) most = fmax(most, fabs(p->gap[k]));
+  for (int k = 0; k < p->count; k++) {
+    const double g = gap_left(p, k);
+    if (!(g >= -rounding * most) || !(p->f[k] >= 0) || (p->f[k] > 0 && g > rounding * most))
+      return arc_fail(error, ARC_NUMERIC,
+                      "contact: gap %g mm and force %g N/mm at candidate %d of %d", g, p->f[k], k,
+                      p->count);
+  }
+  return ARC_OK;
+}
+
+arc_status arc_contact_validate(const arc_contact *c, arc_error *error) {
+  assert(c->pose.count > 0 && c->pose.lo >= 0 && c->pose.lo + c->pose.count <= c->pose.nc);
+  arc_status status = check_forces(c, ARC_CYLINDER, error);
+  if (status == ARC_OK) status = check_forces(c, ARC_PLATE, error);
+  return status == ARC_OK ? check_complementarity(&c->pose, error) : status;
+}

@@ -1,0 +1,125 @@
+/* Whether a run is sound: its history, its volumes, its worn meshes, its contact. Stands on the
+ * public headers alone. */
+#include "archard/wear.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* --- history --- */
+
+/* alpha-tilde is not a number before any wear. */
+static arc_status check_finite(const arc_wear_record *r, arc_error *error) {
+  arc_wear_record known = *r;
+  if (isnan(r->depth_partition) && !(r->depth_cylinder + r->depth_plate > 0))
+    known.depth_partition = 0;
+#define CHECK_COLUMN(name, unit, text)                                                             \
+  if (!isfinite(known.name))                                                                       \
+    return arc_fail(error, ARC_NUMERIC, "history: " #name " is %g after update %.0f", known.name,  \
+                    known.update);
+  ARC_WEAR_COLUMNS(CHECK_COLUMN)
+#undef CHECK_COLUMN
+  return ARC_OK;
+}
+
+static arc_status check_growth(const arc_wear_record *before, const arc_wear_record *now,
+                               arc_error *error) {
+#define CHECK_GROWTH(name)                                                                         \
+  if (now->name < before->name)                                                                    \
+    return arc_fail(error, ARC_NUMERIC, "history: " #name " falls by %g at update %.0f",           \
+                    before->name - now->name, now->update);
+  CHECK_GROWTH(update)
+  CHECK_GROWTH(cycle)
+  CHECK_GROWTH(distance)
+  CHECK_GROWTH(volume_cylinder)
+  CHECK_GROWTH(volume_plate)
+  CHECK_GROWTH(solutions)
+#undef CHECK_GROWTH
+  return ARC_OK;
+}
+
+/* --- volumes: k L d of Archard's law --- */
+
+/* Whether volume is k L d, and the records say all of it: under loads that change, laws, factors
+ * and elastic slip it is not, and a table is averaged anew at every increment. */
+static int volume_is_known(const arc_wear *w) {
+  const arc_wear_def *d = arc_wear_definition(w);
+  const int varies =
+      d->k_function || d->alpha_function || d->k_series.count > 0 || d->alpha_series.count > 0;
+  return d->blocks == 0 && d->slip == ARC_SLIP_RIGID && d->law == ARC_LAW_ARCHARD &&
+         !d->local_factor && !(varies && d->update == ARC_UPDATE_INCREMENT);
+}
+
+static arc_status check_volume(const arc_wear_def *d, const arc_wear_record *before,
+                               const arc_wear_record *now, arc_body body, arc_error *error) {
+  const int plate = body == ARC_PLATE;
+  const double total = plate ? now->volume_plate : now->volume_cylinder;
+  const double added = total - (plate ? before->volume_plate : before->volume_cylinder);
+  const double k = now->k * (plate ? 1 - now->alpha : now->alpha);
+  const double expected = k * d->load * (now->distance - before->distance);
+  const double within = d->scheme == ARC_IMPLICIT ? 1e-6 : 1e-9;
+  if (fabs(added - expected) <= within * expected + 1e-12 * total) return ARC_OK;
+  return arc_fail(error, ARC_NUMERIC,
+                  "volume: update %.0f takes %.17g mm3 from the %s, k L d is %.17g mm3",
+                  now->update, added, arc_body_name(body), expected);
+}
+
+static arc_status check_history(const arc_wear *w, arc_error *error) {
+  size_t count;
+  const arc_wear_record *r = arc_wear_history(w, &count);
+  const arc_wear_def *d = arc_wear_definition(w);
+  const int known = volume_is_known(w);
+  assert(count > 0);
+  arc_status status = check_finite(&r[0], error);
+  for (size_t i = 1; i < count && status == ARC_OK; i++) {
+    status = check_finite(&r[i], error);
+    if (status == ARC_OK) status = check_growth(&r[i - 1], &r[i], error);
+    /* what lies before was made under another definition */
+    if (!known || r[i - 1].distance < d->start_distance) continue;
+    for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+      status = check_volume(d, &r[i - 1], &r[i], (arc_body)b, error);
+  }
+  return status;
+}
+
+/* --- surfaces and meshes --- */
+
+static arc_status check_surface(const arc_wear *w, arc_body body, arc_error *error) {
+  const arc_profile p = arc_shape_profile(arc_wear_shape(w), body);
+  for (int i = 0; i < p.count; i++)
+    if (!(p.h[i] >= 0) || !isfinite(p.h[i]) || !isfinite(p.y[i]))
+      return arc_fail(error, ARC_NUMERIC,
+                      "surface: depth %g mm, height %g mm at x = %g mm of the %s", p.h[i], p.y[i],
+                      p.x[i], arc_body_name(body));
+  return ARC_OK;
+}
+
+static arc_status check_mesh(const arc_wear *w, arc_body body, arc_error *error) {
+  const arc_mesh *mesh = arc_model_mesh(arc_wear_model(w), body);
+  double *xy = malloc(2 * (size_t)mesh->nodes * sizeof *xy);
+  if (!xy) return arc_fail(error, ARC_MEMORY, "out of memory to validate a run");
+  arc_shape_nodes(arc_wear_shape(w), body, xy);
+  const double smallest = arc_mesh_quality(mesh, xy).smallest_jacobian;
+  free(xy);
+  if (smallest > 0) return ARC_OK;
+  return arc_fail(error, ARC_NUMERIC, "mesh: smallest Jacobian %g mm2 in the worn %s", smallest,
+                  arc_body_name(body));
+}
+
+static arc_status check_contact(const arc_wear *w, arc_error *error) {
+  arc_contact *contact;
+  arc_status status = arc_wear_contact(w, &contact, error);
+  if (status == ARC_OK) status = arc_contact_validate(contact, error);
+  arc_contact_destroy(&contact);
+  return status;
+}
+
+arc_status arc_wear_validate(const arc_wear *w, arc_error *error) {
+  arc_status status = check_history(w, error);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
+    status = check_surface(w, (arc_body)b, error);
+    if (status == ARC_OK && arc_wear_definition(w)->geometry == ARC_MOVING)
+      status = check_mesh(w, (arc_body)b, error);
+  }
+  return status == ARC_OK ? check_contact(w, error) : status;
+}
