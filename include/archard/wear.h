@@ -52,10 +52,12 @@ typedef enum arc_slip { ARC_SLIP_LIST(ARC_CHOICE_ENUM) } arc_slip;
 typedef enum arc_rule { ARC_RULE_LIST(ARC_CHOICE_ENUM) } arc_rule;
 typedef enum arc_update { ARC_UPDATE_LIST(ARC_CHOICE_ENUM) } arc_update;
 typedef enum arc_law { ARC_LAW_LIST(ARC_CHOICE_ENUM) } arc_law;
-extern const char *const arc_procedure_names[],
-    *const arc_scheme_names[], *const arc_slip_names[], *const arc_rule_names[],
-                                                            *const arc_update_names[],
-                                                                *const arc_law_names[];
+extern const char *const arc_procedure_names[];
+extern const char *const arc_scheme_names[];
+extern const char *const arc_slip_names[];
+extern const char *const arc_rule_names[];
+extern const char *const arc_update_names[];
+extern const char *const arc_law_names[];
 
 typedef struct arc_wear_record arc_wear_record;
 
