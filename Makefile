@@ -198,7 +198,7 @@ install-files:
 	  'libdir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(LIBDIR))' \
 	  'includedir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(INCLUDEDIR))' '' \
 	  'Name: archard' 'Description: sliding wear by finite elements' 'Version: $(version)' \
-	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -larchard' \
+	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -larchard -lm' \
 	  'Requires.private: $(requires)' 'Libs.private: $(private_libs)' \
 	  > $(call to,$(LIBDIR)/pkgconfig/archard.pc)
 

@@ -106,12 +106,12 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              const arc_callbacks *callbacks, arc_contact **contact,
                              arc_error *error);
 void arc_contact_destroy(arc_contact **contact);
+/* The problem it solves. */
+const arc_contact_def *arc_contact_definition(const arc_contact *contact);
 /* Bytes held by the contact, for a garbage collector. */
 size_t arc_contact_bytes(const arc_contact *contact);
 
 typedef struct arc_contact_result {
-  double load;        /* [N] */
-  double x;           /* [mm] plate position */
   double p_center;    /* [MPa] at the cylinder's lowest node, x = 0 of the cylinder */
   double p_max;       /* [MPa] largest nodal pressure */
   double half_width;  /* [mm] half the contact width, interpolated between nodes */

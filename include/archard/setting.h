@@ -5,13 +5,15 @@
  * Defaults, checks, their messages, the readers of tables and files, help and manual all read that
  * array: a new setting is one row.
  *
- * The rows: unit "" for none, `forms` from the list below, `text` for users, one or two sentences.
+ * The rows: unit "" for none, range such as ABOVE(0), `forms` from the list below, `text` for
+ * users.
+ *
  *   NUMBER(name, unit, usual, range, forms, text)      double
  *   WHOLE(name, unit, usual, range, forms, text)       int
  *   CHOICE(name, type, usual, forms, text)             arc_TYPE, named by arc_TYPE_names
  *   QUANTITY(name, unit, usual, range, forms, text)    double, or what `forms` allow instead
- *   FUNCTION(name, type, pointer, forms, text)         a function pointer of type `pointer`, or
- * NULL OTHER(name, type, class, forms, text)              no member made by the row: objects
+ *   FUNCTION(name, type, pointer, forms, text)         a pointer to a function, or NULL
+ *   OTHER(name, type, class, forms, text)              no member made by the row: objects
  */
 #ifndef ARCHARD_SETTING_H
 #define ARCHARD_SETTING_H
@@ -183,6 +185,8 @@ const char *arc_setting_usual(const arc_setting *setting);
 
 /* The member of a definition; for ARC_CHOICE it is an int. */
 void *arc_setting_member(const arc_setting *setting, const void *def);
+/* Its number: of a whole one or a choice the int. */
+double arc_setting_number(const arc_setting *setting, const void *def);
 /* Whether the function, the word "auto" is set; the series (count 0: none). */
 int arc_setting_has_function(const arc_setting *setting, const void *def);
 int arc_setting_is_auto(const arc_setting *setting, const void *def);

@@ -66,7 +66,8 @@ arc_status arc_store_unseal_sound(arc_store *store, arc_error *error);
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_all(arc_store *store, arc_error *error);
 
-/* --- definition.c: the engine's definitions as named values ----------------------------------- */
+/* --- stored_definition.c: the engine's definitions as named values
+ * ----------------------------------- */
 
 /* Writes the definition of a run as the values of a case. */
 arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error);

@@ -46,8 +46,7 @@ static int add_setting(void *context, const char *path, const arc_setting *s, vo
   if (s->kind == ARC_CHOICE)
     add(list, ARC_VALUE_TEXT, path, "")->text = s->choices[*(const int *)member];
   else
-    add_number(list, path, "",
-               s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member);
+    add_number(list, path, "", arc_setting_number(s, def));
   if (s->forms & ARC_AUTOMATIC) add_number(list, path, "_auto", arc_setting_is_auto(s, def));
   if (series.count > 0) {
     add_array(list, path, "_series.distance", series.distance, series.count);

@@ -35,7 +35,7 @@ local w = wear{ increments = 20 }
 w:step(3)
 export.csv(w, at "history.csv")
 local columns, names = read_csv "history.csv"
-is(#names, 16, "history: all columns")
+is(#names, #require "archard.settings".columns, "history: all columns")
 is(#columns.distance, 4, "history: all rows")
 local same = true
 for name, values in pairs(w.history) do

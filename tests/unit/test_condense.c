@@ -231,7 +231,8 @@ static void test_inside(void **state) {
   check_ok(arc_shape_create(model, ARC_MOVING, 0, &shape, why));
   for (int worn = 0; worn < 2; worn++) {
     if (worn) wear_at_random(shape, ARC_PLATE);
-    check_ok(arc_contact_solve(shape, &(arc_contact_def){100, 0.05}, NULL, &contact, why));
+    check_ok(
+        arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = 0.05}, NULL, &contact, why));
     check_field(contact, shape, ARC_CYLINDER);
     check_field(contact, shape, ARC_PLATE);
     arc_contact_destroy(&contact);

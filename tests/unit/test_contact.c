@@ -24,7 +24,7 @@ static arc_shape *unworn(arc_model *model) {
 
 static arc_contact *solve(const arc_shape *shape, double load, double x) {
   arc_contact *contact = NULL;
-  check_ok(arc_contact_solve(shape, &(arc_contact_def){load, x}, NULL, &contact, why));
+  check_ok(arc_contact_solve(shape, &(arc_contact_def){.load = load, .x = x}, NULL, &contact, why));
   return contact;
 }
 
@@ -95,7 +95,8 @@ static void test_hertz_profile(void **state) {
 
 static void check_balance(const arc_contact *contact) {
   const arc_contact_result r = arc_contact_get(contact);
-  const double line = r.load / arc_model_definition(arc_contact_model(contact))->thickness;
+  const arc_contact_def *def = arc_contact_definition(contact);
+  const double line = def->load / arc_model_definition(arc_contact_model(contact))->thickness;
   double moment[ARC_BODIES] = {0};
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_pressure p = arc_contact_pressure(contact, (arc_body)b);
@@ -346,23 +347,30 @@ static void test_refused(void **state) {
   static const double bad[] = {0, -1, NAN, INFINITY};
   for (int k = 0; k < 4; k++) {
     arc_contact *contact = (arc_contact *)shape;
-    check_refused(arc_contact_solve(shape, &(arc_contact_def){bad[k], 0}, NULL, &contact, why),
-                  ARC_ARGUMENT, "load");
+    check_refused(
+        arc_contact_solve(shape, &(arc_contact_def){.load = bad[k], .x = 0}, NULL, &contact, why),
+        ARC_ARGUMENT, "load");
     assert_null(contact);
   }
   arc_contact *contact;
-  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, NAN}, NULL, &contact, why),
-                ARC_ARGUMENT, "x'");
-  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, INFINITY}, NULL, &contact, why),
-                ARC_ARGUMENT, "x'");
-  check_refused(arc_contact_solve(shape, &(arc_contact_def){5000, 0}, NULL, &contact, why),
-                ARC_ZONE, "mesh.zone.cylinder");
-  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, 0.6}, NULL, &contact, why),
-                ARC_ZONE, "mesh.zone.plate");
-  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, -0.6}, NULL, &contact, why),
-                ARC_ZONE, "mesh.zone.plate");
-  check_refused(arc_contact_solve(shape, &(arc_contact_def){100, 5}, NULL, &contact, why), ARC_ZONE,
-                "mesh.zone.plate");
+  check_refused(
+      arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = NAN}, NULL, &contact, why),
+      ARC_ARGUMENT, "x'");
+  check_refused(
+      arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = INFINITY}, NULL, &contact, why),
+      ARC_ARGUMENT, "x'");
+  check_refused(
+      arc_contact_solve(shape, &(arc_contact_def){.load = 5000, .x = 0}, NULL, &contact, why),
+      ARC_ZONE, "mesh.zone.cylinder");
+  check_refused(
+      arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = 0.6}, NULL, &contact, why),
+      ARC_ZONE, "mesh.zone.plate");
+  check_refused(
+      arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = -0.6}, NULL, &contact, why),
+      ARC_ZONE, "mesh.zone.plate");
+  check_refused(
+      arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = 5}, NULL, &contact, why),
+      ARC_ZONE, "mesh.zone.plate");
   assert_null(contact);
   arc_shape_destroy(&shape);
   check_refused(arc_shape_create(steel, ARC_MOVING, -1, &shape, why), ARC_ARGUMENT, "refresh");

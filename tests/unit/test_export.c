@@ -143,7 +143,8 @@ static arc_field *solve_field(arc_model *model, arc_body body) {
   arc_contact *contact = NULL;
   arc_field *field = NULL;
   check_ok(arc_shape_create(model, ARC_MOVING, 0, &shape, why));
-  check_ok(arc_contact_solve(shape, &(arc_contact_def){100, 0.1}, NULL, &contact, why));
+  check_ok(
+      arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = 0.1}, NULL, &contact, why));
   check_ok(arc_contact_field(contact, body, &field, why));
   arc_contact_destroy(&contact);
   arc_shape_destroy(&shape);

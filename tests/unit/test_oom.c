@@ -79,7 +79,7 @@ static int set_up_all(void **state) {
   depth[12] = depth[13] = 1e-3;
   check_ok(arc_shape_wear(shape, ARC_PLATE, depth, why));
   free(depth);
-  check_ok(arc_contact_solve(shape, &(arc_contact_def){100, 0}, NULL, &contact, why));
+  check_ok(arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = 0}, NULL, &contact, why));
   check_ok(arc_wear_create(model, &definition, NULL, &wear, why));
   check_ok(arc_wear_step(wear, NULL, why));
   return 0;
@@ -136,7 +136,8 @@ static void unmake_shape(void **made) {
 }
 
 static arc_status make_contact(void **made, arc_error *error) {
-  return arc_contact_solve(shape, &(arc_contact_def){100, 0.05}, NULL, (arc_contact **)made, error);
+  return arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = 0.05}, NULL,
+                           (arc_contact **)made, error);
 }
 static arc_status make_wear_contact(void **made, arc_error *error) {
   return arc_wear_contact(wear, (arc_contact **)made, error);

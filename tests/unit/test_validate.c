@@ -10,7 +10,8 @@ static arc_contact *solved(void) {
   arc_shape *shape;
   arc_contact *contact;
   check_ok(arc_shape_create(coarse, ARC_MOVING, 0.05, &shape, why));
-  check_ok(arc_contact_solve(shape, &(arc_contact_def){100, 0.1}, NULL, &contact, why));
+  check_ok(
+      arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = 0.1}, NULL, &contact, why));
   arc_shape_destroy(&shape);
   check_ok(arc_contact_validate(contact, why));
   return contact;

@@ -31,7 +31,7 @@ arc_series arc_setting_series(const arc_setting *s, const void *def) {
   return s->series ? *(const arc_series *)at(def, s->series) : (arc_series){0};
 }
 
-static double value_of(const arc_setting *s, const void *def) {
+double arc_setting_number(const arc_setting *s, const void *def) {
   const void *member = arc_setting_member(s, def);
   return s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member;
 }
@@ -188,7 +188,7 @@ static arc_status check_value(const arc_setting *s, const char *prefix, const vo
     return ARC_OK;
   if (s->kind == ARC_GROUP) return check_group(s, prefix, def, error);
   if (series.count > 0) return check_series(s, prefix, series, error);
-  const double value = value_of(s, def);
+  const double value = arc_setting_number(s, def);
   if (s->forms & ARC_OPTIONAL && value == 0) return ARC_OK;
   if (s->kind == ARC_CHOICE) return check_choice(s, prefix, (int)value, error);
   return arc_setting_check_number(s, prefix, value, error);

@@ -45,13 +45,11 @@ static void read_pressures(arc_contact *c) {
   }
 }
 
-static void read_result(arc_contact *c, double load, double x) {
+static void read_result(arc_contact *c) {
   double edges[2], center, largest;
   arc_pose_edges(&c->pose, c->shape, edges);
   arc_pose_peaks(&c->pose, &center, &largest);
-  c->result = (arc_contact_result){.load = load,
-                                   .x = x,
-                                   .p_center = center,
+  c->result = (arc_contact_result){.p_center = center,
                                    .p_max = largest,
                                    .left = edges[0],
                                    .right = edges[1],
@@ -69,19 +67,24 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
   const double line = def->load / arc_model_definition(shape->model)->thickness;
   arc_contact *c = calloc(1, sizeof *c);
   if (!c) return out_of_memory(error);
+  c->def = *def;
   status = arc_shape_clone(shape, &c->shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
   if (status == ARC_OK) status = arc_pose_update(&c->pose, c->shape, def->x, error);
   if (status == ARC_OK) status = arc_pose_solve(&c->pose, line, error);
   if (status == ARC_OK) {
     read_pressures(c);
-    read_result(c, def->load, def->x);
+    read_result(c);
     arc_model_warn_coarse(shape->model, c->result.half_width, callbacks);
   } else {
     arc_contact_destroy(&c);
   }
   *result = c;
   return status;
+}
+
+const arc_contact_def *arc_contact_definition(const arc_contact *c) {
+  return &c->def;
 }
 
 void arc_contact_destroy(arc_contact **contact) {

@@ -49,7 +49,8 @@ arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refr
                             arc_shape **result, arc_error *error) {
   *result = NULL;
   if (!(refresh >= 0))
-    return arc_fail(error, ARC_ARGUMENT, "refresh: expected 0 or above, got %g", refresh);
+    return arc_fail(error, ARC_ARGUMENT, "field 'refresh': expected a number >= 0, got %g",
+                    refresh);
   arc_shape *shape = calloc(1, sizeof *shape);
   if (!shape) return out_of_memory(error);
   shape->model = arc_model_retain(model);

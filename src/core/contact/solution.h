@@ -7,6 +7,7 @@
 struct arc_contact {
   arc_shape *shape; /* own copy: fields come from the shape that was solved */
   pose pose;
+  arc_contact_def def;
   arc_contact_result result;
   double *x[ARC_BODIES], *p[ARC_BODIES], *f[ARC_BODIES];
   int count[ARC_BODIES];

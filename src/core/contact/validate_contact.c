@@ -10,7 +10,7 @@
 static const double rounding = 1e-9;
 
 static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *error) {
-  const double load = c->result.load / arc_model_definition(c->shape->model)->thickness;
+  const double load = c->def.load / arc_model_definition(c->shape->model)->thickness;
   double sum = 0;
   for (int i = 0; i < c->count[body]; i++) {
     if (!(c->p[body][i] >= 0) || !isfinite(c->f[body][i]))

@@ -95,21 +95,24 @@ static arc_status check_zone(const arc_mesh_def *def, arc_body body, double radi
                              arc_error *error) {
   const double z = def->zone[body], widest = 1.6 * radius, narrowest = 4 * def->size;
   if (z >= narrowest * (1 - 1e-9) && z <= widest) return ARC_OK;
-  return arc_fail(error, ARC_ZONE,
-                  "mesh.zone.%s: expected between 4 size = %g mm and 1.6 radius = %g mm, got %g mm",
-                  arc_body_name(body), narrowest, widest, z);
+  return arc_fail(
+      error, ARC_ZONE,
+      "field 'mesh.zone.%s': expected a number from 4 size = %g to 1.6 radius = %g mm, got %g",
+      arc_body_name(body), narrowest, widest, z);
 }
 
 static arc_status check_positive(const char *field, double value, double limit, const char *what,
                                  arc_error *error) {
   if (value > 0 && value <= limit) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT, "%s: expected above 0 and at most %s = %g mm, got %g mm",
-                  field, what, limit, value);
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field '%s': expected a number > 0 and at most %s = %g mm, got %g", field, what,
+                  limit, value);
 }
 
 static arc_status check(const arc_mesh_def *def, arc_body body, double radius, arc_error *error) {
   if (!(radius > 0) || !isfinite(radius))
-    return arc_fail(error, ARC_ARGUMENT, "radius: expected above 0 mm, got %g mm", radius);
+    return arc_fail(error, ARC_ARGUMENT, "field 'radius': expected a number > 0 mm, got %g",
+                    radius);
   arc_status status;
   if ((status = check_positive("mesh.size", def->size, radius / 10, "radius / 10", error)) ||
       (status = check_positive("mesh.height", def->height, radius / 10, "radius / 10", error)) ||

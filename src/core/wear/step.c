@@ -187,7 +187,8 @@ arc_status arc_wear_run_until(arc_wear *w, double distance, const arc_wear_targe
   wear_targets targets = {.target = target, .count = count, .reached = -1};
   if (reached) *reached = -1;
   if (!(distance > 0) || !isfinite(distance))
-    return arc_fail(error, ARC_ARGUMENT, "distance: expected above 0 mm, got %g mm", distance);
+    return arc_fail(error, ARC_ARGUMENT, "field 'distance': expected a number > 0 mm, got %g",
+                    distance);
   if (distance > w->def.distance) w->def.distance = distance;
   arc_wear_warn(w, callbacks);
   while (targets.reached < 0) {

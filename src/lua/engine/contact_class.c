@@ -21,8 +21,6 @@ static arc_contact_result result(lua_State *L) {
   return arc_contact_get(self(L));
 }
 
-NUMBER_FIELD(contact, load, result(L).load)
-NUMBER_FIELD(contact, x, result(L).x)
 NUMBER_FIELD(contact, p_center, result(L).p_center)
 NUMBER_FIELD(contact, p_max, result(L).p_max)
 NUMBER_FIELD(contact, half_width, result(L).half_width)
@@ -50,6 +48,7 @@ static int contact_model(lua_State *L) {
 }
 
 static int contact_tostring(lua_State *L) {
+  const arc_contact_def *def = arc_contact_definition(self(L));
   arc_contact_result solved = result(L);
   char text[360];
   snprintf(text, sizeof text,
@@ -57,7 +56,7 @@ static int contact_tostring(lua_State *L) {
            "  pressure  centre %.6g MPa, largest %.6g MPa\n"
            "  width     half %.6g mm, from %.6g to %.6g mm\n"
            "  approach  %.6g mm (%d iterations)",
-           solved.load, solved.x, solved.p_center, solved.p_max, solved.half_width, solved.left,
+           def->load, def->x, solved.p_center, solved.p_max, solved.half_width, solved.left,
            solved.right, solved.approach, solved.iterations);
   lua_pushstring(L, text);
   return 1;
@@ -127,7 +126,6 @@ static int contact_new(lua_State *L) {
 }
 
 static const luaL_Reg fields[] = {
-    {"load", contact_load},         {"x", contact_x},
     {"p_center", contact_p_center}, {"p_max", contact_p_max},
     {"edges", contact_edges},       {"half_width", contact_half_width},
     {"approach", contact_approach}, {"iterations", contact_iterations},
@@ -137,8 +135,14 @@ static const luaL_Reg fields[] = {
 static const luaL_Reg methods[] = {
     {"pressure", contact_pressure}, {"stress", stress_new}, {NULL, NULL}};
 
+static const void *definition(lua_State *L) {
+  return arc_contact_definition(self(L));
+}
+
 const box_class contact_class = {
     .name = "contact",
+    .settings = arc_contact_settings,
+    .definition = definition,
     .methods = methods,
     .fields = fields,
     .tostring = contact_tostring,

@@ -45,9 +45,8 @@ static void read_request(lua_State *L, int index, args_place place, model_reques
 static int add_to_key(void *context, const char *path, const arc_setting *s, void *member,
                       const void *def) {
   char text[40];
-  (void)path, (void)def;
-  snprintf(text, sizeof text, "%a ",
-           s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member);
+  (void)path, (void)member;
+  snprintf(text, sizeof text, "%a ", arc_setting_number(s, def));
   luaL_addstring(context, text);
   return 0;
 }

@@ -203,19 +203,17 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
 
 /* Settings that the first lines tell. */
 static int told_already(const arc_setting *s) {
-  static const int told[] = {ARC_AT_scheme, ARC_AT_k,        ARC_AT_alpha,     ARC_AT_load,
-                             ARC_AT_stroke, ARC_AT_distance, ARC_AT_jump,      ARC_AT_increments,
-                             ARC_AT_slip,   ARC_AT_rule,     ARC_AT_procedure, ARC_AT_geometry,
-                             ARC_AT_update, ARC_AT_tolerance};
+  static const int told[] = {ARC_AT_scheme,   ARC_AT_k,        ARC_AT_alpha,     ARC_AT_load,
+                             ARC_AT_stroke,   ARC_AT_distance, ARC_AT_jump,      ARC_AT_increments,
+                             ARC_AT_slip,     ARC_AT_rule,     ARC_AT_procedure, ARC_AT_geometry,
+                             ARC_AT_tolerance};
   for (size_t i = 0; i < sizeof told / sizeof *told; i++)
     if (s == &arc_wear_settings[told[i]]) return 1;
   return 0;
 }
 
 static int is_usual(const arc_setting *s, const arc_wear_def *settings) {
-  const void *member = arc_setting_member(s, settings);
-  const double value = s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member;
-  return value == s->usual;
+  return arc_setting_number(s, settings) == s->usual;
 }
 
 /* "law_pressure 50 MPa" */
@@ -225,8 +223,7 @@ static void add_setting(luaL_Buffer *text, const arc_setting *s, const arc_wear_
   if (s->kind == ARC_CHOICE)
     snprintf(line, sizeof line, "%s %s", s->name, s->choices[*(const int *)member]);
   else
-    snprintf(line, sizeof line, "%s %.6g%s%s", s->name,
-             s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member,
+    snprintf(line, sizeof line, "%s %.6g%s%s", s->name, arc_setting_number(s, settings),
              s->unit[0] ? " " : "", s->unit);
   luaL_addstring(text, line);
 }
