@@ -184,8 +184,10 @@ arc_status arc_wear_check(const arc_wear_def *def, const arc_model_def *model, a
 /* Strokes of a cycle, r of Eq. (21): 2, or 1 where the stroke is the whole plate's width. */
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
 
-/* One row of history: the state after an update (row 0: before the first), all in the reference
- * configuration (plate at x = 0, nominal load). X(name, unit, text). */
+/* One row of history: the state after an update (row 0: before the first), in the reference
+ * configuration (plate at x = 0, nominal load). Only p_peak looks further: over the whole cycle
+ * that the wear of the update comes from (explicit: on the shape before it, implicit: on the one
+ * after), and never less than p_max. X(name, unit, text). */
 #define ARC_WEAR_COLUMNS(X)                                                                        \
   X(update, "", "geometry updates so far")                                                         \
   X(cycle, "", "loading cycles so far")                                                            \
@@ -195,6 +197,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(alpha, "", "wear partition factor of this update")                                             \
   X(p_center, "MPa", "pressure at the centre")                                                     \
   X(p_max, "MPa", "largest nodal pressure")                                                        \
+  X(p_peak, "MPa", "largest nodal pressure of the update's cycle")                                 \
   X(half_width, "mm", "half the contact width")                                                    \
   X(depth_cylinder, "mm", "largest wear depth of the cylinder")                                    \
   X(depth_plate, "mm", "largest wear depth of the plate")                                          \

@@ -212,6 +212,11 @@ return {
     text = "Pressure at the centre, plate at x = 0, nominal load." },
   { "wear.p_max", kind = "field", unit = "MPa",
     text = "Largest pressure, plate at x = 0, nominal load." },
+  { "wear.p_peak", kind = "field", unit = "MPa",
+    text = "Largest pressure on the whole way of the cycle that the last update's wear comes from, "
+      .. "or p_max where that is larger. A groove's edge presses on the other body's near the ends "
+      .. "of the stroke, so that it may be far above p_max. It does not settle as elements get "
+      .. "smaller. NaN in runs of files older than format 3, until they go on." },
   { "wear.half_width", kind = "field", unit = "mm",
     text = "Half the width of the contact, plate at x = 0, nominal load." },
   { "wear.depth", kind = "field", unit = "mm", text = "Largest wear depth of each body." },

@@ -183,6 +183,8 @@ return {
   { "case.distance", kind = "field", unit = "mm", text = "Distance travelled." },
   { "case.p_center", kind = "field", unit = "MPa", text = "Final pressure at the centre." },
   { "case.p_max", kind = "field", unit = "MPa", text = "Final largest pressure." },
+  { "case.p_peak", kind = "field", unit = "MPa",
+    text = "Largest pressure over the last update's cycle, see wear.p_peak." },
   { "case.half_width", kind = "field", unit = "mm", text = "Final half width of the contact." },
   { "case.depth_partition", kind = "field", text = "Final alpha-tilde." },
   { "case.solutions", kind = "field", text = "Contact solutions it took." },

@@ -247,7 +247,7 @@ for _, column in ipairs(known.columns) do
   local unit = column.unit ~= "" and " / " .. column.unit or ""
   quantities[#quantities + 1] = { "^" .. column.name .. "$", column.name .. unit, 1 }
 end
-local spoken = { p_center = "centre", p_max = "largest", depth_cylinder = "cylinder",
+local spoken = { p_center = "centre", p_max = "largest", p_peak = "over the cycle", depth_cylinder = "cylinder",
   depth_plate = "plate", volume_cylinder = "cylinder", volume_plate = "plate" }
 local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }
 

@@ -61,7 +61,7 @@ function computed.hertz(self)
 end
 
 local measures = {}
-for name in ("update cycle distance p_center p_max half_width depth_partition solutions")
+for name in ("update cycle distance p_center p_max p_peak half_width depth_partition solutions")
   :gmatch("%S+") do
   measures[name] = true
 end

@@ -25,6 +25,7 @@ local measured = {
   { "updates", "", "%d", of_last "update" },
   { "p_center", "MPa", "%.2f", of_last "p_center" },
   { "p_max", "MPa", "%.2f", of_last "p_max" },
+  { "p_peak", "MPa", "%.2f", of_last "p_peak" },
   { "half_width", "mm", "%.4f", of_last "half_width" },
   { "depth_cylinder", "um", "%.4f", of_last("depth_cylinder", 1e3) },
   { "depth_plate", "um", "%.4f", of_last("depth_plate", 1e3) },
@@ -99,7 +100,7 @@ local short = { depth_cylinder = "h_cyl", depth_plate = "h_plate", half_width = 
 local forms = {}
 
 -- What a narrow terminal can do without, first things first.
-local spare = { "half_width", "p_max", "seconds", "updates", "volume", "jump" }
+local spare = { "p_peak", "half_width", "p_max", "seconds", "updates", "volume", "jump" }
 
 local function without(columns, name)
   local kept = {}

@@ -72,6 +72,7 @@ static const struct migration {
      "ALTER TABLE surfaces RENAME COLUMN p TO p_MPa;",
      "ALTER TABLE cases ADD COLUMN created TEXT;"
      "ALTER TABLE cases ADD COLUMN finished TEXT;"},
+    {2, "", "ALTER TABLE history ADD COLUMN p_peak_MPa;"},
 };
 
 enum { MIGRATIONS = sizeof migrations / sizeof *migrations };

@@ -168,7 +168,7 @@ is(cases[2].message:find "wear: field 'alpha'", 1, "the message is stored, witho
 holds(bad:table(), { "done", "failed: wear: field 'alpha'" }, "the table tells of it")
 is(study.open(path "bad"):cases()[2].status, "failed", "study.open")
 
-holds(bad:table{ format = "csv" }, '\n2,2,,,,,,,,,,"failed: ', "empty cells in CSV")
+holds(bad:table{ format = "csv" }, '\n2,2,,,,,,,,,,,"failed: ', "empty cells in CSV")
 
 -- What a run warns of is told by the study.
 errors = {}

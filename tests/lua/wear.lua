@@ -56,12 +56,33 @@ fails(function() w.step(material{}) end, { "expected a wear object", "material" 
 local history = w.history
 is(#history.distance, 13, "a row a step, and one before")
 for _, name in ipairs{ "update", "cycle", "distance", "jump", "k", "alpha", "p_center", "p_max",
-  "half_width", "depth_cylinder", "error", "depth_plate", "volume_cylinder", "volume_plate", "depth_partition",
+  "p_peak", "half_width", "depth_cylinder", "error", "depth_plate", "volume_cylinder", "volume_plate", "depth_partition",
   "solutions" } do
   is(#history[name], 13, "history." .. name)
 end
 is(history.p_center[13], w.p_center, "its end is the state")
 is(history.distance[1], 0, "its beginning the start")
+
+-- the largest pressure on the way: that of contacts along the stroke, on the shape before the update
+do
+  local run = wear{ increments = 8, jump = 50 }
+  is(run.p_peak, run.p_max, "p_peak before any update")
+  run:step(20)
+  local largest = 0
+  for i = 0, 4 do
+    largest = math.max(largest, contact{ model = run.model, worn = run, x = 0.11 * (i / 4 - 0.5) }.p_max)
+  end
+  run:step()
+  near(run.p_peak, largest, 1e-9, "p_peak: the largest on the way")
+  ok(run.p_peak > 1.2 * run.p_max, "which is above that at x = 0")
+  local implicit = wear{ scheme = "implicit", jump = 200, increments = 8, order = 1 }
+  implicit:step(4)
+  local after = contact{ model = implicit.model, worn = implicit, x = -0.055 }.p_max
+  near(implicit.p_peak, after, 5e-3, "an implicit step's is that of its end")
+  local still = wear{ alpha = 0, stroke = 20, jump = 1 }
+  still:step()
+  is(still.p_peak, still.p_max, "nothing but Hertz' contact")
+end
 
 -- profiles, pressures
 local profile = w:profile("plate")

@@ -49,7 +49,8 @@ static void test_history(void **state) {
     assert_true(r[k].update == (double)k && r[k].distance > r[k - 1].distance);
     assert_true(r[k].p_center < r[k - 1].p_center && r[k].half_width > r[k - 1].half_width);
     assert_true(r[k].depth_cylinder > r[k - 1].depth_cylinder);
-    assert_true(r[k].p_max >= r[k].p_center && r[k].solutions > r[k - 1].solutions);
+    assert_true(r[k].p_peak >= r[k].p_max && r[k].p_max >= r[k].p_center &&
+                r[k].solutions > r[k - 1].solutions);
     check_share(r[k].depth_partition,
                 r[k].depth_cylinder / (r[k].depth_cylinder + r[k].depth_plate), 1e-15);
     assert_true(r[k].k == def.k && r[k].alpha == def.alpha);

@@ -24,7 +24,7 @@ typedef struct implicit_solver {
   wear_dose dose;
   arc_error error;
   int n;
-  double even;                                          /* rate of the last evaluation */
+  double even, peak;                                    /* of the last evaluation */
   double *z, *residual, *step, *known, *down, *rate[3]; /* [n] each */
   double *jacobian, *matrix;                            /* [n x n] each */
   int *pivots;
@@ -64,6 +64,7 @@ static arc_status evaluate(implicit_solver *s, double *rate, int with_jacobian) 
   if (status != ARC_OK) return status;
   for (int i = 0; i < s->n; i++) rate[i] *= k_at(s, i);
   s->even = here.even;
+  s->peak = here.peak;
   return ARC_OK;
 }
 
@@ -233,6 +234,7 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
   else
     status = run(&s, depth);
   depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * s.even : 0;
+  depth->peak = s.peak;
   free(s.z);
   free(s.pivots);
   return tell(&s, status, error);

@@ -109,6 +109,10 @@ static arc_status add_to_jacobian(const arc_wear *w, const wear_window *window, 
   return arc_fail(error, ARC_MEMORY, "out of memory for the wear's Jacobian");
 }
 
+static void note_peak(const arc_wear *w, const wear_point *point, wear_rate *rate) {
+  for (int i = 0; i < w->nc; i++) rate->peak = fmax(rate->peak, point->p[ARC_CYLINDER][i]);
+}
+
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error) {
   wear_watch nobody = {0};
   return solve_point(w, window, window->first, &nobody, &w->path.point[0], error);
@@ -119,12 +123,13 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
   const size_t n = (size_t)(w->nc + w->np);
   assert(0 <= window->first && window->last < w->path.block->count);
   memset(rate->node[0], 0, n * sizeof(double));
-  rate->even = 0;
+  rate->even = rate->peak = 0;
   if (window->jacobian) memset(window->jacobian, 0, n * n * sizeof(double));
   for (int at = window->first; at <= window->last; at++) {
     arc_status status = reach_point(w, window, at, watch, error);
     if (status == ARC_OK) status = add_to_jacobian(w, window, at, error);
     if (status != ARC_OK) return status;
+    note_peak(w, &w->path.point[at % 2], rate);
     if (at > window->first)
       add_increment(w, at, rate);
     else if (wears_evenly(w))

@@ -8,6 +8,7 @@
 typedef struct wear_rate {
   double *node[ARC_BODIES]; /* [surface of the body]; one block, cylinder first */
   double even;              /* the plate's, where it wears evenly (Eq. 27) */
+  double peak;              /* largest nodal pressure on the way [MPa] */
 } wear_rate;
 
 /* What an update takes off. */
@@ -15,6 +16,7 @@ typedef struct wear_depths {
   double *node[ARC_BODIES]; /* [surface of the body] [mm]; one block, cylinder first */
   double even;              /* off the whole plate [mm] */
   double error;             /* estimated by an implicit update, over the tolerance; else 0 */
+  double peak;              /* largest nodal pressure of the cycle they come from [MPa] */
 } wear_depths;
 
 /* Room that lasts for a call and means nothing between calls. */

@@ -33,7 +33,7 @@ static arc_status attempt(arc_wear *w, const wear_plan *plan, const arc_callback
   const arc_wear_record *last = arc_wear_last(w);
   arc_wear_record *record = &out->record;
   *record = *last;
-  record->error = 0;
+  record->error = record->p_peak = 0;
   arc_shape_destroy(&out->shape);
   arc_status status = arc_shape_clone(w->shape, &out->shape, error);
   if (status == ARC_OK) status = arc_wear_update(w, plan, &watch, out, error);

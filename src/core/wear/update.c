@@ -28,6 +28,7 @@ static void depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_
   }
   depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * rate->even : 0;
   depth->error = 0;
+  depth->peak = rate->peak;
 }
 
 static int any_depth(const double *depth, int n) {
@@ -41,6 +42,7 @@ static arc_status apply(const arc_wear *w, const wear_depths *depth, wear_outcom
                         arc_error *error) {
   add_volumes(w, out->shape, depth, &out->record);
   out->record.error = depth->error;
+  out->record.p_peak = fmax(out->record.p_peak, depth->peak);
   for (int b = 0; b < ARC_BODIES; b++) {
     if (!any_depth(depth->node[b], out->shape->side[b].n)) continue;
     const arc_status status = arc_shape_wear(out->shape, (arc_body)b, depth->node[b], error);
@@ -145,7 +147,7 @@ static arc_status split_update(arc_wear *w, const wear_plan *plan, wear_watch *w
 static void closed_form(const arc_wear *w, const wear_dose *dose, wear_depths *depth) {
   memset(depth->node[0], 0, (size_t)(w->nc + w->np) * sizeof(double));
   depth->even = dose->cycles * dose->k[ARC_PLATE] * w->block[0].line[0];
-  depth->error = 0;
+  depth->error = depth->peak = 0;
 }
 
 static arc_status whole_update(arc_wear *w, const wear_plan *plan, wear_watch *watch,

@@ -24,6 +24,7 @@ NUMBER_FIELD(wear, distance, last(L)->distance)
 NUMBER_FIELD(wear, cycle, last(L)->cycle)
 NUMBER_FIELD(wear, p_center, last(L)->p_center)
 NUMBER_FIELD(wear, p_max, last(L)->p_max)
+NUMBER_FIELD(wear, p_peak, last(L)->p_peak)
 NUMBER_FIELD(wear, half_width, last(L)->half_width)
 NUMBER_FIELD(wear, depth_partition, last(L)->depth_partition)
 
@@ -147,6 +148,7 @@ const luaL_Reg wear_fields[] = {
     {"solutions", wear_solutions},
     {"p_center", wear_p_center},
     {"p_max", wear_p_max},
+    {"p_peak", wear_p_peak},
     {"half_width", wear_half_width},
     {"depth", wear_depth},
     {"vector_depth", wear_vector_depth},
