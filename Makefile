@@ -154,7 +154,7 @@ study figures: $(program)
 	@for file in $(BUILD)/study.archard $(BUILD)/study-*.archard; do \
 	  [ ! $$file -ot $(program) ] || rm -f $$file; done
 	$(program) scripts/tools/study20.lua --file $(BUILD)/study.archard --figures $(BUILD)/figures \
-	  $(if $(filter figures,$@),--converge)
+	  $(if $(filter figures,$@),--fine --converge)
 
 # The reference part of the manual comes from the help entries inside the program.
 man: $(program)

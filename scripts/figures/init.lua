@@ -84,6 +84,11 @@ local function set_of(study)
   return list[study.name] or general
 end
 
+-- A caption is a text, or a function of the cases that are in the picture.
+local function words(given, cases)
+  return type(given) == "function" and given(cases) or given
+end
+
 local function draw_one(options, dir, name, term)
   local file = term ~= "dumb" and ("%s/%s.%s"):format(dir, name, term) or nil
   local copy = merged(options, { file = file })
@@ -112,8 +117,8 @@ function figures.draw(study, options)
       local files = {}
       for _, term in ipairs(terms) do files[#files + 1] = draw_one(made, dir, figure.name, term) end
       drawn[#drawn + 1] = { name = figure.name, title = figure.title,
-        caption = figure.caption .. (share and " " .. share .. "." or ""),
-        shows = figure.shows, files = files }
+        caption = words(figure.caption, cases) .. (share and " " .. share .. "." or ""),
+        shows = words(figure.shows, cases), files = files }
     end
   end
   return drawn

@@ -95,6 +95,14 @@ function parts.course(column, factor, label, curves, options)
   return panel
 end
 
+-- "(a) title" on the panels of a figure, in their order.
+function parts.lettered(panels)
+  for i, panel in ipairs(panels) do
+    panel.title = ("(%s) %s"):format(("abcdefghijklmnopqrstuvwxyz"):sub(i, i), panel.title or "")
+  end
+  return panels
+end
+
 -- --- cases by their settings -----------------------------------------------------------------------
 
 -- The finished case whose settings are these; nil: there is none.
@@ -103,8 +111,8 @@ function parts.find(cases, wanted)
     local held = case.status == "done"
     for name, value in pairs(wanted) do
       local is = held and case[name]
-      held = held and type(is) == "number"
-        and math.abs(is - value) <= 1e-9 * math.max(1, math.abs(value))
+      held = held and (is == value or type(is) == "number" and type(value) == "number"
+        and math.abs(is - value) <= 1e-9 * math.max(1, math.abs(value)))
     end
     if held then return case end
   end

@@ -29,10 +29,14 @@ return {
   { "study.file", kind = "field", text = "The run file; nil before the first run." },
   { "study.paper", kind = "function", class = "study", use = "study.paper(base)",
     text = "The 20 cases: alpha 0, 0.25, 0.5, 0.75, 1 by stroke a, 2a, 4a, 2R, with the jump and the "
-      .. "increments of Table 1; base holds more fields of wear{} for all of them." },
+      .. "increments of Table 1; base holds more fields of wear{} for all of them. On elements smaller than "
+      .. "the paper's 20 um the jump is as much smaller, for ripples as short as elements grow first." },
   { "study.trials", kind = "function", class = "study", use = "study.trials(base)",
     text = "The runs of the convergence example (Fig. 8): stroke a, alpha 0.5, 1000 cycles, with "
-      .. "several jumps and increments." },
+      .. "several jumps and increments, by Eq. (4) and by Eq. (5)." },
+  { "study.meshes", kind = "function", class = "study", use = "study.meshes(base)",
+    text = "Stroke a with alpha 0.25 to 1 on elements of 20, 10 and 5 um: how depths and pressures "
+      .. "depend on the mesh." },
   { "study.open", kind = "function", class = "study", use = "s = study.open(file)",
     text = "A study as its run file has it, to look at or to go on with." },
   { "study.merge", kind = "function", class = "study",

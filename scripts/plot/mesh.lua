@@ -50,6 +50,12 @@ local function edge_curve(x, y, elements, boundary, box)
   return n > 0 and curve or nil
 end
 
+-- The elements of a body as one curve; with a box { x0, x1, y0, y1 } those that can be seen in it.
+function mesh.edges(body, box)
+  local x, y = nodes_of(body)
+  return edge_curve(x, y, body:elements(), false, box)
+end
+
 -- --- arguments ----------------------------------------------------------------------------------
 
 local function shown_bodies(options) return options.body and { options.body } or bodies end

@@ -57,13 +57,21 @@ local function new(where, given)
   return setmetatable(self, class)
 end
 
--- The 20 cases of Table 1; other fields of wear{} may be given for all of them.
+-- The 20 cases of Table 1; other fields of wear{} may be given for all of them. With smaller elements
+-- than the paper's, fewer cycles go by from one update to the next.
 function study.paper(base)
+  local size = settings.flatten("study.paper", base or {})["model.mesh.size"]
   return new("study.paper", { name = "paper", base = base,
-    cases = require "archard.study.paper".cases() })
+    cases = require "archard.study.paper".cases(type(size) == "number" and size or nil) })
 end
 
--- The runs of the paper's example of convergence (Fig. 8).
+-- Stroke a on ever smaller elements.
+function study.meshes(base)
+  return new("study.meshes", { name = "meshes of the paper", base = base, looks = 0,
+    cases = require "archard.study.paper".mesh_cases() })
+end
+
+-- The runs of the paper's example of convergence (Fig. 8), by Eq. (4) and by Eq. (5).
 function study.trials(base)
   return new("study.trials", { name = "trials", base = base, looks = 0,
     cases = require "archard.study.paper".trial_cases() })

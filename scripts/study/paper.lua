@@ -23,27 +23,51 @@ function paper.first_depth(jump, k, p, stroke)
   return jump * k * p * strokes * stroke
 end
 
--- The settings of the twenty cases.
-function paper.cases()
-  local cases = {}
+-- Ripples as short as the elements grow first: on elements smaller than the paper's, cycles per
+-- update shrink with them.
+local paper_size = 0.020 -- mm
+
+-- The settings of the twenty cases, on elements of `size` [mm].
+function paper.cases(size)
+  local cases, share = {}, math.min(1, (size or paper_size) / paper_size)
   for row, alpha in ipairs(paper.alphas) do
     for column, stroke in ipairs(paper.strokes) do
       cases[#cases + 1] = { alpha = alpha, stroke = stroke, increments = paper.increments,
-        jump = paper.jumps[row][column] or 1 }
+        jump = share * (paper.jumps[row][column] or 1) }
     end
   end
   return cases
 end
 
--- Fig. 8: stroke a, alpha 0.5, at 1000 cycles; { increments, jump }.
+-- How results depend on the mesh: stroke a, all alpha where the cylinder wears, on ever smaller
+-- elements [mm].
+paper.sizes = { 0.020, 0.010, 0.005 }
+
+function paper.mesh_cases()
+  local cases = {}
+  for _, size in ipairs(paper.sizes) do
+    for _, case in ipairs(paper.cases(size)) do
+      if case.stroke == paper.strokes[1] and case.alpha > 0 then
+        case.geometry = "frozen" -- moves depths and pressures by less than 1e-4
+        case.model = { mesh = { size = size, height = 1.25 * size } }
+        cases[#cases + 1] = case
+      end
+    end
+  end
+  return cases
+end
+
+-- Fig. 8: stroke a, alpha 0.5, at 1000 cycles; { increments, jump }, by both rules of integration.
 paper.trials = { { 40, 50 }, { 40, 100 }, { 40, 200 }, { 200, 50 }, { 200, 100 }, { 200, 200 },
   { 16, 100 }, { 100, 100 } }
 
 function paper.trial_cases()
   local cases = {}
-  for i, trial in ipairs(paper.trials) do
-    cases[i] = { alpha = 0.5, stroke = 0.11, cycles = 1000, increments = trial[1],
-      jump = trial[2] }
+  for _, rule in ipairs{ "trapezoid", "simple" } do
+    for _, trial in ipairs(paper.trials) do
+      cases[#cases + 1] = { alpha = 0.5, stroke = 0.11, cycles = 1000, increments = trial[1],
+        jump = trial[2], rule = rule }
+    end
   end
   return cases
 end

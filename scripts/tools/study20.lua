@@ -1,6 +1,6 @@
 -- The paper's study: twenty cases and the trials of its convergence example, table and figures.
 --   archard scripts/tools/study20.lua [--file F] [--workers N] [--figures DIR] [--converge]
---     [--shard I/N] [--merge F...] [--no-figures] [--no-trials]
+--     [--fine] [--shard I/N] [--merge F...] [--no-figures] [--no-trials]
 -- Results are kept in the run file; a second start goes on where the first one ended. With --shard
 -- only that share is computed, and nothing drawn; --merge joins the files of the shares.
 
@@ -10,6 +10,7 @@ usage: archard study20.lua [options]
   --workers N      cases at the same time (as many as there are processors)
   --figures DIR    where to draw the figures and index.html (figures, in build/ if there is one)
   --no-figures     draw nothing
+  --fine           draw the twenty cases from a mesh of 10 um, and how results depend on the mesh
   --converge       find the best settings of every case, for Table 1
   --no-trials      leave out the runs of Figure 8
   --shard I/N      compute only the share I of N into the run file
@@ -40,8 +41,8 @@ local function read_options(arguments)
       options[name] = arguments[i] or stop("study20: " .. word .. " needs a value")
     elseif word == "--merge" then
       merged = {}
-    elseif word == "--converge" then
-      options.converge = true
+    elseif word == "--converge" or word == "--fine" then
+      options[name] = true
     elseif word == "--no-figures" then
       options.figures = nil
     elseif word == "--no-trials" then
@@ -63,45 +64,74 @@ local function file_beside(file, what)
   return (file:gsub("%.archard$", "") .. "-" .. what .. ".archard")
 end
 
--- The paper's Table 1 as rows: cycles per update, and the depth of the first one.
-local function table_1()
-  local paper, p_h = require "archard.study.paper", hertz{}.p_max
-  local rows = { { "α" } }
-  for _, name in ipairs(paper.stroke_names) do
-    rows[1][#rows[1] + 1] = "s = " .. name .. ": N̄"
-    rows[1][#rows[1] + 1] = "Δh₀ / µm"
-  end
-  for i, alpha in ipairs(paper.alphas) do
-    local row = { ("%g"):format(alpha) }
-    for j, stroke in ipairs(paper.strokes) do
-      local jump = paper.jumps[i][j]
-      row[#row + 1] = jump and ("%d"):format(jump) or "-"
-      row[#row + 1] = jump and ("%.2f"):format(1e3 * paper.first_depth(jump, 1e-8, p_h, stroke)) or "-"
-    end
-    rows[#rows + 1] = row
+local fine_size = 0.010 -- mm: on 20 um pressures are polygons
+
+-- The unworn pressure on smaller and smaller elements, as rows.
+local function unworn_meshes()
+  local rows = { { "size / µm", "elements across 2a", "largest p / MPa", "off Hertz'", "change" } }
+  for _, step in ipairs((require "archard.study.search".mesh({}, 0.01))) do
+    rows[#rows + 1] = { ("%.4g"):format(1e3 * step.size), ("%.1f"):format(step.elements),
+      ("%.2f"):format(step.p_max), ("%+.2f %%"):format(100 * step.error),
+      step.change and ("%+.2f %%"):format(100 * step.change) or "-" }
   end
   return rows
 end
 
-local function write_page(dir, study20, found, drawn)
-  local tables = require "archard.study.table"
-  study20:table{ file = dir .. "/results.csv" }
+-- What the page has in tables: list of { title=, text=, rows=, file= }.
+local function page_tables(runs, found)
+  local tables, findings = require "archard.study.table", require "archard.figures.findings"
+  local sets = { { title = "archard, 20 µm", cases = runs.study20:cases() } }
+  if runs.fine then
+    sets[2] = { title = ("archard, %g µm"):format(1e3 * fine_size), cases = runs.fine:cases() }
+  end
+  local list = {}
+  local function add(title, text, rows, file)
+    list[#list + 1] = { title = title, text = text, rows = rows, file = file }
+  end
+  for _, set in ipairs(sets) do
+    if not findings.complete(set.cases) then sets = {} end
+  end
+  if sets[1] then
+    add("The paper, archard, and an independent solution", "What the paper says in numbers or words, "
+      .. "what these runs give, and what closed forms or a solution by boundary elements give (two "
+      .. "half-planes, cells of 5 µm).", findings.compared(sets))
+    add("Final values", "Against the same independent solution, in brackets how far off.",
+      findings.finals(sets))
+  end
+  add("Results", "The state at the end of each case, on the paper's mesh of 20 µm.",
+    tables.rows(runs.study20, { "updates", "p_max", "half_width", "seconds", "status" }),
+    "results.csv")
+  if sets[1] then
+    add("Table 1", "The cases as they were run, with the paper's cycles between two updates (N̄). "
+      .. "SP slides the plate in n_c increments a cycle, NSP solves one contact an update. Eq. (28) "
+      .. "has 2 s for the way of a cycle; over the whole plate, r = 1, it is s. It overestimates the "
+      .. "first depth, as the last column shows.", findings.table_1(runs.study20:cases()))
+  end
+  if found then
+    add("Table 1, found anew", "The paper's cycles between updates, and the most that keep the "
+      .. "surfaces smooth and symmetric here, with the fewest increments a cycle (n_c) that give the "
+      .. "same profiles.", found:table_1())
+  end
+  add("Meshes, unworn", "The largest pressure of the unworn contact on elements of half the size each "
+    .. "time, until two in a row are within 1 % of Hertz'.", unworn_meshes())
+  if runs.meshes then
+    add("Meshes, worn", "Stroke a at the end of the distance, on ever smaller elements.",
+      require "archard.figures.trials".mesh_rows(runs.meshes:cases()))
+  end
+  return list
+end
+
+local function write_page(dir, runs, found, drawn)
+  runs.study20:table{ file = dir .. "/results.csv" }
   require "archard.figures.page".write(dir .. "/index.html", {
     title = "Wear of a cylinder sliding on a plate: twenty cases",
     lead = "Five wear partition factors by four strokes, each over 1320 mm of sliding under 100 N "
       .. "per mm (R = 10 mm, steel on steel, k = 1e-8 mm²/N). Lengths along the surface are in "
-      .. "units of a = 0.108 mm, half the width of the unworn contact, whose pressure is 591 MPa.",
-    tables = { { title = "Results", rows = tables.rows(study20, { "updates", "p_max", "half_width", "seconds",
-        "status" }), file = "results.csv",
-        text = "The state at the end of each case." },
-      { title = "Table 1", rows = table_1(),
-        text = "Cycles between two updates of the surfaces (N̄), with 100 increments a cycle, and "
-          .. "the depth of the first update by Eq. (28), which overestimates it." },
-      found and { title = "Table 1, found anew", rows = found:table_1(),
-        text = "The paper's cycles between updates, and the most that keep the surfaces smooth and "
-          .. "symmetric here, with the fewest increments a cycle (n_c) that give the same profiles." }
-    },
-    figures = drawn })
+      .. "units of a = 0.108 mm, half the width of the unworn contact, whose pressure is 591 MPa. "
+      .. (runs.fine and ("Curves of the twenty cases are from a mesh of %g µm, with as many more "
+      .. "updates; on the paper's 20 µm pressures are polygons. "):format(1e3 * fine_size) or "")
+      .. "Every number on this page is measured on the runs when it is made.",
+    tables = page_tables(runs, found), figures = drawn })
 end
 
 local function collect(into, drawn, how)
@@ -111,20 +141,38 @@ local function collect(into, drawn, how)
   end
 end
 
-local function draw(options, study20, trials, found)
+local function draw(options, runs, found)
   local terms, drawn = { "svg", "png" }, {}
-  local function how(what, file)
-    return ("s = study.%s():run{ file = %q }\ns:figures{ dir = %q, term = { \"svg\", \"png\" } }")
-      :format(what, file, options.figures)
+  local function add(study_of, call)
+    if not study_of then return end
+    collect(drawn, study_of:figures{ dir = options.figures, term = terms },
+      ("s = study.%s:run{ file = %q }\ns:figures{ dir = %q, term = { \"svg\", \"png\" } }"):format(
+        call, study_of.file, options.figures))
   end
-  if trials then
-    collect(drawn, trials:figures{ dir = options.figures, term = terms },
-      how("trials", trials.file))
-  end
-  collect(drawn, study20:figures{ dir = options.figures, term = terms },
-    how("paper", study20.file))
-  write_page(options.figures, study20, found, drawn)
+  add(runs.trials, "trials()")
+  add(runs.meshes, "meshes()")
+  add(runs.fine, ("paper{ model = { mesh = { size = %g, height = %g } } }"):format(fine_size,
+    1.25 * fine_size))
+  if not runs.fine then add(runs.study20, "paper()") end
+  write_page(options.figures, runs, found, drawn)
   print(("%d figures and index.html are in %s"):format(#drawn, options.figures))
+end
+
+-- The runs beside the twenty cases: trials, and for the figures of `make figures` finer meshes.
+local function run_others(options, runs)
+  local function run(name, made)
+    runs[name] = made:run{ file = file_beside(options.file, name), workers = options.workers }
+  end
+  if options.trials then run("trials", study.trials()) end
+  if not options.fine then return end
+  run("fine", study.paper{ model = { mesh = { size = fine_size, height = 1.25 * fine_size } } })
+  run("meshes", study.meshes())
+end
+
+local function failures(runs)
+  local count = 0
+  for _, each in pairs(runs) do count = count + #each.failed end
+  return count
 end
 
 local function main(options)
@@ -133,23 +181,19 @@ local function main(options)
     study.merge(options.merge)
   end
   local progress = options.shard and "lines" or nil
-  local study20 = study.paper():run{ file = options.file, workers = options.workers,
-    shard = options.shard, progress = progress }
-  if options.shard then return #study20.failed end
-  print(study20:table())
-  local trials
-  if options.trials then
-    trials = study.trials():run{ file = file_beside(options.file, "trials"),
-      workers = options.workers }
-  end
+  local runs = { study20 = study.paper():run{ file = options.file, workers = options.workers,
+    shard = options.shard, progress = progress } }
+  if options.shard then return failures(runs) end
+  print(runs.study20:table())
+  run_others(options, runs)
   local found
   if options.converge then
     found = study.converge(study.paper(), { file = file_beside(options.file, "converge"),
       workers = options.workers })
     print(found)
   end
-  if options.figures then draw(options, study20, trials, found) end
-  return #study20.failed + (trials and #trials.failed or 0)
+  if options.figures then draw(options, runs, found) end
+  return failures(runs)
 end
 
 if main(read_options(arg)) > 0 then os.exit(1, true) end

@@ -89,20 +89,67 @@ local bow = straight.p_center[(n + 1) // 2] - (straight.p_center[1] + straight.p
 ok(math.abs(bow) < 0.15 * (straight.p_center[1] - straight.p_center[n]),
   "s = 4a, alpha = 0: the pressure falls almost in a straight line")
 
--- --- figures -------------------------------------------------------------------------------------
+-- --- as figures/findings.lua has them ---------------------------------------------------------------
+local findings = require "archard.figures.findings"
+local share = findings.partition(case_of(0.11, 0.25))
+near(share.off, 0.0855, 0.02, "s = a, alpha = 0.25: alpha-tilde is off alpha by 8.6 %")
+near(share.mean, 0.268, 5e-3, "its mean")
+near(findings.sum_spread(cases, 1), 0.0334, 0.03, "s = a: the sum of depths differs over alpha by 3.4 %")
+near((findings.swap(cases, 1)), 0.106, 0.03, "s = a: depths of swapped bodies differ by up to 10.6 %")
+near(findings.pressure_spread(cases, 1), 235.3 / 185 - 1, 0.03, "s = a: pressures at the centre by 28 %")
+local compared = findings.compared{ { title = "here", cases = cases } }
+local columns, numbers = #compared[1], 0
+for i, row in ipairs(compared) do
+  if #row ~= columns then ok(false, "the comparison's row " .. i .. " has " .. #row .. " columns") end
+  local got, known = row[3]:match("^[%d.]+"), row[4]:match("^[%d.]+")
+  if i > 1 and got and known and row[1]:find("depth of the", 1, true) then
+    numbers = numbers + 1
+    near(tonumber(got), tonumber(known), 0.003, "paper, archard, independent: " .. row[1])
+  end
+end
+ok(numbers >= 3, "which compares depths")
+ok(#findings.finals{ { title = "here", cases = cases } } == 31, "final values, three a case")
+local table_1 = findings.table_1(cases)
+ok(#table_1 == 21, "Table 1 as it was run")
+for i, head in ipairs(table_1[1]) do
+  if head:find "^Δh" then
+    ok(table_1[2][i] == "0.10" and table_1[18][i] == "0.12", "first depths by Eq. (28), r = 2 and 1")
+  end
+end
+
+-- --- the rule decides on symmetry --------------------------------------------------------------------
 local trials = study.trials():run{ workers = 2, file = folder .. "/trials", progress = false }
+local function lopsided(increments, jump, rule, body)
+  for _, case in ipairs(trials:cases()) do
+    if case.increments == increments and case.jump == jump and case.rule == rule then
+      return findings.asymmetry(case, body)
+    end
+  end
+end
+for increments, expected in pairs{ [16] = 0.10, [40] = 0.040, [100] = 0.016, [200] = 0.008 } do
+  local what = ("n_c = %d: "):format(increments)
+  near(lopsided(increments, 100, "simple", "plate"), expected, 0.03, what .. "the plate by Eq. (5)")
+  ok(lopsided(increments, 100, "simple", "cylinder") < 1.2e-4, what .. "the cylinder by Eq. (5)")
+  for _, body in ipairs{ "cylinder", "plate" } do
+    ok(lopsided(increments, 100, "trapezoid", body) < 1e-12, what .. body .. " by Eq. (4)")
+  end
+end
+
+-- --- figures -------------------------------------------------------------------------------------
+local meshes = study.meshes():run{ workers = 2, file = folder .. "/meshes", progress = false }
 local function size_of(path)
   local file = io.open(path)
   local text = file and file:read("a") or ""
   if file then file:close() end
   return #text, text
 end
-for _, each in ipairs{ { s, 6 }, { trials, 3 } } do
+for _, each in ipairs{ { s, 8 }, { trials, 3 }, { meshes, 1 } } do
   local drawn = each[1]:figures{ dir = folder .. "/figures", term = { "svg" } }
   ok(#drawn == each[2], ("%d figures of study %s"):format(each[2], each[1].name))
   for _, figure in ipairs(drawn) do
     local size, text = size_of(figure.files[1])
     ok(size > 8000 and text:find("</svg>", 1, true), figure.title)
+    ok((figure.shows .. figure.caption):find "%d" and not (figure.shows .. figure.caption):find "nan", "what it shows")
   end
 end
 local page = require "archard.figures.page".html{ title = "A & B", lead = "<i>",

@@ -1,0 +1,89 @@
+-- Figures 5 and 6b: the meshes and the way of the plate, from the cases of the paper's study.
+
+local findings = require "archard.figures.findings"
+local paper = require "archard.study.paper"
+local parts = require "archard.figures.parts"
+
+-- --- Fig. 5 --------------------------------------------------------------------------------------
+
+-- Where the wear box ends: the deepest nodes of its columns.
+local function floor_of(body)
+  local nodes, per_column = body:box(), body.rows + 1
+  local curve = { x = {}, y = {}, title = "end of the wear box", colour = "black", width = 2 }
+  for at = per_column, #nodes, per_column do
+    curve.x[#curve.x + 1], curve.y[#curve.y + 1] = body:node(nodes[at])
+  end
+  return curve
+end
+
+-- What is shown of the bodies: nothing for all, else half a width, depths below and above [mm].
+local views = { { "both bodies" }, { "outer partitions", 2.2, 1.6, 1.1 },
+  { "inner partitions", 0.65, 0.55, 0.55 }, { "wear boxes", 0.14, 0.1, 0.1 } }
+
+local function view(model, which)
+  local title, half, below, above = table.unpack(which)
+  local box = half and { -half, half, -below, above }
+  local panel = { title = title, xlabel = "x / mm", ylabel = "y / mm", equal = true, key = "none",
+    xrange = box and { -half, half }, yrange = box and { -below, above } }
+  for series, name in ipairs{ "cylinder", "plate" } do
+    local curve = require "archard.plot.mesh".edges(model.mesh[name], box)
+    curve.series, curve.width = series, half and half < 0.2 and 1 or 0.5
+    panel[#panel + 1] = curve
+    if half and half < 0.2 then panel[#panel + 1] = floor_of(model.mesh[name]) end
+  end
+  return panel
+end
+
+-- A model of this case's definition; that with the most ordinary zones, stroke a.
+local function model_of(cases)
+  local case = findings.case(cases, 0.5, 1)
+  return case and case:wear().model
+end
+
+local function meshes(cases)
+  local model = model_of(cases)
+  if not model then return nil end
+  local panels = {}
+  for i, which in ipairs(views) do panels[i] = view(model, which) end
+  return { panels = parts.lettered(panels), layout = { 2, 2 }, size = { 1300, 1100 } }
+end
+
+local function caption_meshes(cases)
+  local mesh, nodes, elements = model_of(cases).mesh, 0, 0
+  local wanted = findings.case(cases, 0.5, 1).model.mesh
+  for _, name in ipairs{ "cylinder", "plate" } do
+    nodes, elements = nodes + mesh[name].nodes, elements + #mesh[name]:elements() // 4
+  end
+  return ("Half cylinder and plate: %d nodes, %d elements, %g x %g µm at the contact. Below the "
+    .. "black lines (d) nothing moves."):format(nodes, elements, 1e3 * wanted.size,
+    1e3 * wanted.height)
+end
+
+-- --- Fig. 6b -------------------------------------------------------------------------------------
+
+local function ways(cases)
+  local panels = { { title = "there and back, r = 2" }, { title = "one way, r = 1" } }
+  for _, panel in ipairs(panels) do
+    panel.xlabel, panel.ylabel, panel.xrange = "t / T", "x / mm", { 0, 1 }
+  end
+  for column, name in ipairs(paper.stroke_names) do
+    local case, back = findings.case(cases, 0.5, column), column < 4
+    if not case then return nil end
+    local s, panel = case.stroke, panels[back and 1 or 2]
+    panel[#panel + 1] = { x = back and { 0, 0.5, 1 } or { 0, 1 },
+      y = back and { -s / 2, s / 2, -s / 2 } or { -s / 2, s / 2 }, title = "s = " .. name,
+      series = column }
+  end
+  return { panels = parts.lettered(panels), layout = { 1, 2 }, size = { 1100, 430 } }
+end
+
+return {
+  { name = "fig5", title = "Figure 5. Meshes", draw = meshes, caption = caption_meshes,
+    shows = "Elements grow from the contact to the far ends of the bodies; each mesh is its own "
+      .. "mirror image. Only the three rows of elements at the contact, the wear box, change as the "
+      .. "surfaces wear." },
+  { name = "fig6b", title = "Figure 6b. The way of the plate", draw = ways,
+    caption = "Position of the plate over one cycle of period T.",
+    shows = "The strokes a, 2a and 4a go there and back; that of 2R goes over the whole plate one way "
+      .. "only. A cycle then slides s instead of 2s, in Eq. (28) too." },
+}
