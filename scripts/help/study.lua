@@ -48,8 +48,8 @@ return {
     use = "c = study.converge{ base={ stroke=0.22 } }",
     text = "Finds the settings that cases need, by trial: the element size whose unworn pressure is "
       .. "within a limit of Hertz', at that size and at half of it, with at least eight elements "
-      .. "across the contact; then the largest jump whose surfaces stay smooth and symmetric, "
-      .. "then the fewest increments that give the same profiles. Takes the fields of study{} and "
+      .. "across the contact; then the largest jump, never past the limit of stability, whose "
+      .. "surfaces stay smooth and symmetric to the end of the run, then the fewest increments that give the same profiles. Takes the fields of study{} and "
       .. "those below, or a study and a table of them; many cases are searched by workers. For "
       .. "study.paper() it prints the paper's Table 1 with what was found beside it." },
   { "study.converge{base}", type = "table", text = "As in study{}." },
@@ -62,16 +62,17 @@ return {
     text = "Mesh: how far the largest pressure may be off Hertz', as a share." },
   { "study.converge{smooth}", type = "number", default = 0.005,
     text = "Jump: largest sawtooth in the pressure over the middle of the contact (root mean square "
-      .. "of fourth differences), as a share of the centre's; on coarse meshes half more than that "
-      .. "of the unworn contact, if that is larger: the result says so." },
+      .. "of fourth differences), as a share of the centre's, beyond that of a run in small steps: "
+      .. "kinks that pass through the contact, and coarse meshes, make it rough by themselves. A "
+      .. "quarter of that roughness is allowed, if it is more: the result says so." },
   { "study.converge{symmetric}", type = "number", default = 1e-3,
     text = "Largest difference of a profile to its mirror image, as a share of its depth." },
   { "study.converge{profile}", type = "number", default = 0.005,
     text = "Increments: largest change of a profile against 400 increments, as a share of its depth." },
-  { "study.converge{updates}", type = "whole number from 4 to 1000", default = 20,
-    text = "How many geometry updates are looked at." },
+  { "study.converge{updates}", type = "whole number from 4 to 1000", default = 100,
+    text = "How many geometry updates are looked at, at most; fewer where the run ends." },
   { "study.converge{first_depth}", type = "number", unit = "mm", default = 1e-4,
-    text = "First guess of the jump: the depth of the first update, Eq. (28)." },
+    text = "Twice the depth of the first update, Eq. (28), of the small steps to compare with." },
   { "study.converge{file}", type = "string", default = '"converge.archard"',
     text = "Run file of the search, where there are many cases." },
   { "study.converge{workers}", type = "whole number", text = "As in study.run." },
@@ -118,9 +119,13 @@ return {
   { "convergence.mesh", kind = "field",
     text = "The element size that is enough, and the steps to it: { size=, steps=, limit= }." },
   { "convergence.cases", kind = "field",
-    text = "A list of { label=, status=, settings=, found= }; found holds jump, increments, roughness, "
-      .. "asymmetry, smooth (a limit that had to be loosened), change, first_depth, capped, and the "
-      .. "lists jumps and roughnesses of what was tried." },
+    text = "A list of { label=, status=, settings=, found= }; found holds jump, limit (that of "
+      .. "stability), judged (updates), increments, roughness, asymmetry, smooth (a limit "
+      .. "that had to be loosened), change, first_depth, and "
+      .. "the lists jumps and roughnesses of what was tried; capped where no larger jump was tried, "
+      .. "with bound \"stability\" or \"cycles\" (a tenth of them) as the reason." },
+  { "convergence.notes", kind = "method", use = "c:notes()",
+    text = "Where the search ended at a bound of its own, as a list of texts." },
   { "convergence.table_1", kind = "method", use = "c:table_1()",
     text = "The paper's Table 1 with what was found beside it, as rows of texts." },
 

@@ -92,6 +92,14 @@ local function number(format, value)
   return value and format:format(value) or "-"
 end
 
+-- Whether a value never grows along a list.
+local function falls(list, value)
+  for i = 2, #list do
+    if value(list[i]) > value(list[i - 1]) then return false end
+  end
+  return true
+end
+
 local function mesh_lines(mesh)
   local rows = { { "size [mm]", "across 2a", "p_max [MPa]", "off Hertz", "change" } }
   for _, step in ipairs(mesh.steps) do
@@ -103,41 +111,82 @@ local function mesh_lines(mesh)
   local lines = { ("element size: %g mm is enough (within %g %% of Hertz' pressure, as is half of it)")
     :format(mesh.size, 100 * mesh.limit) }
   for _, row in ipairs(rows) do lines[#lines + 1] = "  " .. table.concat(row, "  ") end
+  if not falls(mesh.steps, function(step) return math.abs(step.error) end) then
+    lines[#lines + 1] = "  (it need not fall from step to step: where the contact's edge comes to lie "
+      .. "within an element counts too)"
+  end
   return table.concat(lines, "\n")
 end
 
--- Larger ones were not tried where a tenth of all cycles was good already.
+-- Larger ones were not tried, see notes.
 local function shown_jump(found)
   return (found.capped and "≥" or "") .. number("%g", found.jump)
 end
 
+local function shown_increments(found)
+  local most, fewest = search.most_increments, search.fewest_increments
+  return (found.increments == most and ">" or found.increments == fewest and "≤" or "")
+    .. number("%d", found.increments == most and search.ladder[1] or found.increments)
+end
+
 local function case_row(row)
   local found = row.found
-  if not found then return { row.label, row.status, "-", "-", "-", row.message or "" } end
-  return { row.label, shown_jump(found), number("%d", found.increments),
-    number("%.1e", found.roughness), number("%.1e", found.asymmetry),
+  if not found then return { row.label, row.status, "-", "-", "-", "-", "-", row.message or "" } end
+  return { row.label, shown_jump(found), number("%.4g", found.limit), shown_increments(found),
+    number("%.1e", found.roughness), number("%.1e", found.asymmetry), number("%d", found.judged),
     number("%.2f", found.first_depth and 1e3 * found.first_depth) }
 end
 
 local function case_lines(rows)
-  local lines = { { "case", "jump", "increments", "roughness", "asymmetry", "first depth [um]" } }
+  local lines = { { "case", "jump", "stable to", "increments", "roughness", "asymmetry", "updates",
+    "first depth [um]" } }
   for i, row in ipairs(rows) do lines[i + 1] = case_row(row) end
   align(lines)
   for i, line in ipairs(lines) do lines[i] = table.concat(line, "  ") end
   return table.concat(lines, "\n")
 end
 
--- A limit of roughness that was not the one asked for is told.
-local function smooth_lines(rows)
-  local lines = {}
-  for _, row in ipairs(rows) do
-    if row.found and row.found.smooth then
-      lines[#lines + 1] = ("%s: roughness up to %.1e was allowed, since the unworn pressure on this "
-        .. "mesh is rough itself; a finer mesh keeps to the limit of %g"):format(row.label,
-        row.found.smooth, row.limit)
-    end
+-- --- where the search ended ------------------------------------------------------------------------
+
+-- What kept it from a larger jump, or from fewer increments; nil where its own limits did.
+local bounds = {
+  stability = function(found)
+    return ("jump %g is the ladder's last below the limit of stability, %.4g cycles"):format(found.jump,
+      found.limit)
+  end,
+  cycles = function(found)
+    return ("jump %g is the ladder's last up to a tenth of all cycles"):format(found.jump)
+  end,
+}
+
+local function add_notes(notes, label, found)
+  local function add(text) notes[#notes + 1] = label .. ": " .. text end
+  if not found.jump then return add("no jump was good, down to where the first depth is 1e-3 of the "
+    .. "first guess's") end
+  if found.capped then add(bounds[found.bound](found)) end
+  if found.increments == search.most_increments then
+    add(("%d increments are not enough, and more than %d were not tried"):format(search.ladder[1],
+      search.most_increments))
+  elseif found.increments == search.fewest_increments then
+    add(("%d increments are enough, and fewer were not tried"):format(found.increments))
   end
-  return #lines > 0 and table.concat(lines, "\n") or nil
+  if found.smooth then
+    add(("roughness up to %.1e was allowed, since small steps on this mesh are four times as rough; a "
+      .. "finer mesh keeps to its limit"):format(found.smooth))
+  end
+  if not falls(found.roughnesses, function(value) return value end) then
+    add("of the jumps that were too rough, smaller ones were not always smoother: ripples that have "
+      .. "broken the contact up do not grow in step with the jump, and a mesh's own roughness comes "
+      .. "at other moments")
+  end
+end
+
+local function notes_of(rows)
+  local notes = {}
+  for _, row in ipairs(rows) do
+    if row.found then add_notes(notes, row.label, row.found) end
+  end
+  return notes
 end
 
 -- --- the paper's table -----------------------------------------------------------------------------
@@ -165,7 +214,7 @@ local function paper_rows(rows)
       local found = row and row.found or {}
       line[#line + 1] = number("%d", paper.jumps[i][j])
       line[#line + 1] = shown_jump(found)
-      line[#line + 1] = number("%d", found.increments)
+      line[#line + 1] = shown_increments(found)
     end
     result[#result + 1] = line
   end
@@ -181,6 +230,9 @@ function methods:table_1()
   return paper_rows(self.cases)
 end
 
+-- Where the search of a case ended at a bound of its own, as a list of texts.
+function methods:notes() return notes_of(self.cases) end
+
 function class.__tostring(self)
   local parts = {}
   if self.mesh then parts[1] = mesh_lines(self.mesh) end
@@ -193,7 +245,8 @@ function class.__tostring(self)
   else
     parts[#parts + 1] = case_lines(self.cases)
   end
-  parts[#parts + 1] = smooth_lines(self.cases)
+  local notes = self:notes()
+  if notes[1] then parts[#parts + 1] = table.concat(notes, "\n") end
   return table.concat(parts, "\n\n")
 end
 
@@ -207,6 +260,5 @@ return function(study, given, options)
   for i, case in ipairs(flat) do wanted[i] = with_mesh(case, mesh, limits) end
   local rows = #wanted == 1 and search_one(wanted[1])
     or search_many(study, wanted, read_options, name)
-  for _, row in ipairs(rows) do row.limit = limits.smooth or search.limits.smooth end
   return setmetatable({ mesh = mesh, cases = rows }, class)
 end

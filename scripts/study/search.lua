@@ -9,12 +9,15 @@ local merged = require "archard.lib.merged"
 
 local limits = {
   pressure = 0.01,     -- mesh: largest pressure against Hertz' [share]
-  smooth = 0.005,      -- sawtooth in the pressure of the contact's middle [share of p_center]
+  smooth = 0.005,      -- sawtooth in the pressure of the contact's middle [share of p_center], beyond
+                       -- that of small steps
   symmetric = 1e-3,    -- difference of a profile to its mirror image [share of the depth]
   profile = 0.005,     -- increments: change of the profiles against many increments [share]
-  updates = 20,        -- how many updates are looked at
+  updates = 100,       -- how many updates are looked at, at most; fewer where the run ends
   first_depth = 1e-4,  -- first guess of the jump: depth of the first update, Eq. (28) [mm]
 }
+
+local usual_increments = 200 -- while the jump is looked for
 
 local search = { limits = limits }
 
@@ -98,45 +101,95 @@ end
 
 -- --- trials ----------------------------------------------------------------------------------------
 
+-- Kinks that pass through the contact, and coarse meshes, make the pressure rough by themselves. What
+-- counts is the roughness beyond that of a run in steps so small that ripples cannot grow: the course.
+
 local trial = {}
 trial.__index = trial
 
+local stages = 5 -- how often along the course the limit of stability is looked at
+
+function trial:new_run(jump, increments)
+  return wear(merged(self.given, { model = self.model, jump = jump, increments = increments }))
+end
+
+local function course_jump(self, unworn_limit)
+  return math.min(self.guess / 2, 0.4 * unworn_limit, self.cycles / 40)
+end
+
+-- Runs the course; self.course holds its { distance, roughness }, self.stable the lowest limit of
+-- stability on the way.
+local function run_course(self)
+  local run <close> = self:new_run(self.guess, usual_increments)
+  self.stable = run:stability().jump_limit
+  run:set{ jump = course_jump(self, self.stable) }
+  self.course = { { 0, roughness(run) } }
+  local most = 4 * self.limit.updates
+  local every = math.max(1, math.min(most, self.cycles / course_jump(self, self.stable)) // stages)
+  for i = 1, most do
+    if run.done then break end
+    run:step()
+    self.course[i + 1] = { run.distance, roughness(run) }
+    if i % every == 0 then self.stable = math.min(self.stable, run:stability().jump_limit) end
+    if i % 10 == 0 then self.tell(0.3 * i / most) end
+  end
+  -- a coarse mesh's own roughness does not come at the same moment in every run
+  self.allowed = math.max(self.limit.smooth, self:own_roughness(0, math.huge) / 4)
+end
+
 local function new_trial(given, limit, on_progress)
-  local first = wear(given)
+  local first <close> = wear(given)
   local self = setmetatable({ given = given, limit = limit, model = first.model, count = 0,
     strokes = first.strokes, cycles = first.cycles, procedure = first.procedure,
     stroke = first.stroke, k = first.k, tell = on_progress, jumps = {}, roughnesses = {} }, trial)
   self.p_hertz = hertz_of(first.model, first.load).p_max
-  -- on a coarse mesh the unworn pressure itself is not smooth from node to node
-  self.allowed = math.max(limit.smooth, 1.5 * roughness(first))
-  first:close()
+  self.guess = limit.first_depth / (self.k * self.p_hertz * self.strokes * self.stroke)
+  run_course(self)
   return self
 end
 
--- A run of some updates, and the worst roughness of its later half.
+-- The roughest of the course between two distances, and just outside.
+function trial:own_roughness(from, to)
+  local course, worst = self.course, 0
+  for i, point in ipairs(course) do
+    local before, after = course[i - 1], course[i + 1]
+    if (not after or after[1] >= from) and (not before or before[1] <= to) then
+      worst = math.max(worst, point[2])
+    end
+  end
+  return worst
+end
+
+-- A run to its end, of so many updates at most, and the worst roughness beyond the course's.
 function trial:run(jump, increments)
-  local run = wear(merged(self.given, { model = self.model, jump = jump, increments = increments }))
-  local worst = 0
-  for i = 1, self.limit.updates do
+  local run = self:new_run(jump, increments)
+  local worst, span = 0, jump * self.strokes * self.stroke
+  for _ = 1, self.limit.updates do
+    if run.done then break end
     run:step()
-    if 2 * i >= self.limit.updates then worst = math.max(worst, roughness(run)) end
+    worst = math.max(worst, roughness(run)
+      - self:own_roughness(run.distance - span, run.distance + span))
   end
   self.count = self.count + 1
-  self.tell(math.min(0.95, self.count / 25))
+  self.tell(math.min(0.95, 0.3 + self.count / 30))
   return run, worst
 end
 
--- Whether a jump is good: smooth and symmetric. A step that the engine refuses is not.
+-- Whether a jump is good: smooth and symmetric. A step that the engine refuses is not. Also returns
+-- what it was judged by: roughness, asymmetry, updates.
 function trial:good(jump, increments)
   local fine, run, worst = pcall(self.run, self, jump, increments)
-  if not fine then
-    if tostring(run):find("interrupted", 1, true) then error(run, 0) end
+  local even, updates = 1, 0
+  if fine then
+    even, updates = asymmetry(run), run.update
+    run:close()
+  elseif tostring(run):find("interrupted", 1, true) then
+    error(run, 0)
+  else
     worst = 1
   end
-  local even = fine and asymmetry(run) or 1
-  if fine then run:close() end
   self.jumps[#self.jumps + 1], self.roughnesses[#self.roughnesses + 1] = jump, worst
-  return worst <= self.allowed and even <= self.limit.symmetric, worst, even
+  return worst <= self.allowed and even <= self.limit.symmetric, worst, even, updates
 end
 
 -- Numbers people would choose: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ...
@@ -148,27 +201,28 @@ local function rung_of(value)
   return i
 end
 
--- The largest good jump: from the first guess up or down by about twofold, then rung by rung.
-function trial:largest_jump(increments)
-  local guess = self.limit.first_depth / (self.k * self.p_hertz * self.strokes * self.stroke)
-  local highest = rung_of(self.cycles / 10)
-  local low = math.min(rung_of(guess), highest)
-  while not self:good(rung(low), increments) do
-    low = low - 3
-    if rung(low) < 1e-3 * guess then return nil end
+-- The largest good jump of the ladder, looked for from above: from the limit of stability or, where
+-- that is farther, a tenth of all cycles. Fills in what is told of it.
+function trial:largest_jump(found)
+  local highest = self.cycles / 10
+  local i = rung_of(math.min(highest, self.stable))
+  found.limit = self.stable < math.huge and self.stable or nil
+  found.bound = self.stable < highest and "stability" or "cycles"
+  found.capped = true
+  while rung(i) >= 1e-3 * self.guess do
+    local good, worst, even, updates = self:good(rung(i), usual_increments)
+    if good then
+      found.jump, found.roughness, found.asymmetry, found.judged = rung(i), worst, even, updates
+      return
+    end
+    i, found.capped = i - 1, false
   end
-  local high = low + 3
-  while high <= highest and self:good(rung(high), increments) do low, high = high, high + 3 end
-  high = math.min(high, highest + 1)
-  while high - low > 1 do
-    local middle = (low + high) // 2
-    if self:good(rung(middle), increments) then low = middle else high = middle end
-  end
-  return rung(low), low == highest
 end
 
 -- The fewest increments whose profiles are those of many, and that are smooth and symmetric.
 local many, ladder = 400, { 200, 100, 64, 40, 32, 20, 16, 10, 8, 4 }
+search.most_increments, search.fewest_increments, search.ladder = many, ladder[#ladder], ladder
+
 function trial:fewest_increments(jump)
   local reference <close> = self:run(jump, many)
   local found, change = many, 0
@@ -192,22 +246,21 @@ local function without_limits(given)
   return copy
 end
 
--- found: jump (nil: none was good), capped (whether it is a tenth of all cycles, the largest that
--- is tried), smooth (the limit of roughness where the unworn contact is rougher than the one asked
--- for, else nil), increments (nil where the plate does not slide), roughness, asymmetry, change (of
--- the profiles by these increments), first_depth [mm], trials, and what was tried as lists jumps and
--- roughnesses.
+-- found: jump (nil: none was good), limit (of stability, the lowest on the way; nil: none), capped
+-- (whether no larger jump was tried) and bound (why not: "stability", or "cycles" for a tenth of
+-- them), judged (updates it was judged by), increments (nil where the plate does not slide),
+-- roughness, smooth (what was allowed of it, where that had to be more than the limit), asymmetry,
+-- change (of the profiles by these increments), first_depth [mm], trials, and
+-- what was tried as lists jumps and roughnesses.
 local function find(given, on_progress)
   local self = new_trial(without_limits(given), merged(limits, given.converge), on_progress or print)
-  local slides = self.procedure == "SP"
-  local found = { trials = 0 }
-  local jump, capped = self:largest_jump(200)
-  if jump then
-    local _, worst, even = self:good(jump, 200)
-    found.jump, found.roughness, found.asymmetry = jump, worst, even
-    found.capped = capped
-    found.first_depth = jump * self.k * self.p_hertz * self.strokes * self.stroke
-    if slides then found.increments, found.change = self:fewest_increments(jump) end
+  local found = {}
+  self:largest_jump(found)
+  if found.jump then
+    found.first_depth = found.jump * self.k * self.p_hertz * self.strokes * self.stroke
+    if self.procedure == "SP" then
+      found.increments, found.change = self:fewest_increments(found.jump)
+    end
   end
   if self.allowed > self.limit.smooth then found.smooth = self.allowed end
   found.trials, found.jumps, found.roughnesses = self.count, self.jumps, self.roughnesses

@@ -77,6 +77,13 @@ local function unworn_meshes()
   return rows
 end
 
+-- Where the search for the best settings came to an end of its own.
+local function ends_of(found)
+  local notes = found:notes()
+  return notes[1] and "Where it says ≥ or ≤ no further ones were tried: " .. table.concat(notes, "; ")
+    .. "." or ""
+end
+
 -- What the page has in tables: list of { title=, text=, rows=, file= }.
 local function page_tables(runs, found)
   local tables, findings = require "archard.study.table", require "archard.figures.findings"
@@ -110,7 +117,7 @@ local function page_tables(runs, found)
   if found then
     add("Table 1, found anew", "The paper's cycles between updates, and the most that keep the "
       .. "surfaces smooth and symmetric here, with the fewest increments a cycle (n_c) that give the "
-      .. "same profiles.", found:table_1())
+      .. "same profiles. " .. ends_of(found), found:table_1())
   end
   add("Meshes, unworn", "The largest pressure of the unworn contact on elements of half the size each "
     .. "time, until two in a row are within 1 % of Hertz'.", unworn_meshes())

@@ -29,26 +29,40 @@ ok(good and good.elements >= 8, "luck on a coarse mesh is not taken")
 local c = study.converge{ base = { alpha = 1, model = coarse }, mesh = false }
 local found = c.cases[1].found
 is(found.increments, nil, "a plate that does not slide needs no increments")
+local limit = wear{ alpha = 1, model = coarse }:stability().jump_limit
 local next_up, at = math.huge, nil
 for i, jump in ipairs(found.jumps) do
   if jump > found.jump then
-    ok(found.roughnesses[i] > 0.05, "every larger jump that was tried is rough")
+    ok(found.roughnesses[i] > found.smooth, "every larger jump that was tried is rough")
     next_up = math.min(next_up, jump)
   elseif jump == found.jump then
     at = found.roughnesses[i]
   end
 end
-ok(at < 0.05, "the jump found is smooth")
-ok(next_up / found.jump < 1.6, "the next larger one on the ladder is not")
-local limit = wear{ alpha = 1, model = coarse }:stability().jump_limit
-ok(found.jump < 1.6 * limit and found.jump > limit / 3,
+ok(at <= found.smooth, "the jump found is smooth")
+ok(found.capped or next_up / found.jump < 1.6, "the next larger one on the ladder is not")
+ok(found.jump < limit and found.jump > limit / 3,
   ("and it is near the limit of stability (%g, %.0f)"):format(found.jump, limit))
-holds(tostring(c), { "jump", "roughness" }, "print")
+near(found.limit, limit, 0.1, "which is told")
+is(found.judged, math.min(100, math.ceil(6000 / found.jump)), "it is judged by the whole run")
 ok(found.smooth > search.limits.smooth, "the limit of roughness that this mesh needs")
-holds(tostring(c), { "roughness up to", "limit of 0.005" }, "is told of")
+holds(tostring(c), { "jump", "roughness", "stable to", "was allowed" }, "print")
+
+-- With a roughness that everything keeps to, only stability is left; or a tenth of all cycles.
+c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen" }, mesh = false, smooth = 0.99,
+  symmetric = 0.99 }
+found = c.cases[1].found
+ok(found.capped and found.bound == "stability" and found.jump < limit and found.jump > limit / 1.6,
+  "never past the limit of stability")
+holds(c:notes()[1], { "limit of stability", "the only case" }, "which is said")
+c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen", cycles = 400 }, mesh = false,
+  smooth = 0.99, symmetric = 0.99 }
+found = c.cases[1].found
+ok(found.bound == "cycles" and found.jump == 40, "nor past a tenth of all cycles")
+holds(tostring(c), { "≥40", "up to a tenth of all cycles" }, "which is said")
 
 c = study.converge{ base = { geometry = "frozen", model = coarse }, mesh = false,
-  vary = { stroke = { 0.11, 0.2 } }, file = file, workers = 2, updates = 8, progress = false }
+  vary = { stroke = { 0.11, 0.2 } }, file = file, workers = 2, progress = false }
 is(#c.cases, 2, "several cases are searched by workers")
 for i, row in ipairs(c.cases) do
   is(row.status, "done", "case " .. i)
@@ -68,7 +82,8 @@ fails(function() study.converge{ smooth = 2 } end, "smooth", "a limit out of ran
 -- The paper's table, from results as they might be.
 local rows = {}
 for i, case in ipairs(study.paper():cases()) do
-  rows[i] = { settings = case.settings, found = { jump = i, increments = 16, capped = i == 4 } }
+  rows[i] = { settings = case.settings, found = { jump = i, increments = 16, capped = i == 4,
+    bound = "cycles", roughnesses = {} } }
 end
 local table_1 = getmetatable(c).__index.table_1{ cases = rows }
 is(table.concat(table_1[2], " "), "0 75 1 16 50 2 16 30 3 16 - ≥4 16", "Table 1, first row")
