@@ -133,24 +133,46 @@ return {
   { "calibrate", kind = "function", class = "calibration", takes = "wear",
     use = "calibrate{ volume={ cylinder={...}, plate={...} }, load=100, distance=1320 }",
     text = "From measured wear to the model's numbers. Volumes give k, k_cylinder, k_plate and alpha "
-      .. "(Eq. 12) with the spread of repeated measurements. Depths give the alpha whose simulated "
+      .. "(Eq. 12) with the spread of repeated tests, and ranges of the means. Volumes at several "
+      .. "distances, calibrate{ distance={...}, volume={ cylinder={...}, plate={...} }, load=100 }, "
+      .. "give them as tables for wear{}: w = wear{ k=c.k, alpha=c.alpha } loses the measured volumes. "
+      .. "Depths give the alpha whose simulated "
       .. "alpha-tilde is the measured one: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 }, "
       .. "stroke=0.44 }, with further fields of wear{}." },
   { "calibrate{volume}", type = "table { cylinder=, plate= }", unit = "mm3",
-    text = "Worn volumes of both bodies: numbers, or lists of as many repeated measurements; 0 for "
-      .. "what is too little to measure." },
+    text = "Worn volumes of both bodies: numbers, or lists of as many tests; the first of one body "
+      .. "and the first of the other are of one test. 0 for what is too little to measure. With a list "
+      .. "of distances: what is lost since the start up to each, a list, or a list of lists for "
+      .. "several tests." },
   { "calibrate{depth}", type = "table { cylinder=, plate= }", unit = "mm",
     text = "Largest wear depths, likewise." },
   { "calibrate{load}", type = "number", unit = "N", text = "Load of the test." },
-  { "calibrate{distance}", type = "number", unit = "mm", text = "Travelled distance of the test." },
+  { "calibrate{distance}", type = "number or list of numbers", unit = "mm",
+    text = "Travelled distance of the test; a list where volumes were measured on the way." },
+  { "calibrate{confidence}", type = "number", default = 0.95,
+    text = "How sure low and high are to hold the mean between them (Student's distribution)." },
+  { "calibrate{error}", type = "number", unit = "mm3",
+    text = "Standard deviation of a volume reading, for low and high of a single test." },
   { "calibrate{accuracy}", type = "number", default = 1e-4,
     text = "How near the simulated alpha-tilde must come." },
   { "calibration", kind = "object", use = "calibrate{...}",
-    text = "The numbers found and, as spread, their standard deviations; print shows them." },
-  { "calibration.alpha", kind = "field", text = "Wear partition factor." },
-  { "calibration.k", kind = "field", unit = "mm2/N", text = "Wear coefficient of the couple." },
+    text = "The numbers found or, over a list of distances, tables { distance=, value= } that wear{} "
+      .. "takes: continuous, with the measured volumes; spread, low and high tell how sure they are. "
+      .. "print shows them." },
+  { "calibration.alpha", kind = "field", text = "Wear partition factor, or its table." },
+  { "calibration.k", kind = "field", unit = "mm2/N", text = "Wear coefficient of the couple, or its table." },
   { "calibration.k_cylinder", kind = "field", unit = "mm2/N", text = "That of the cylinder." },
   { "calibration.k_plate", kind = "field", unit = "mm2/N", text = "That of the plate." },
+  { "calibration.low", kind = "field",
+    text = "Lower ends of the ranges that hold the means of k, k_cylinder, k_plate and alpha." },
+  { "calibration.high", kind = "field", text = "Their upper ends." },
+  { "calibration.confidence", kind = "field", text = "How sure these are." },
+  { "calibration.band", kind = "field",
+    text = "Over a list of distances, by name: { distance=, value=, low=, high= }, the means between "
+      .. "two measurements, at the middles." },
+  { "calibration.mean", kind = "field",
+    text = "Over a list of distances: the numbers over the whole of it, with spread, low and high." },
+  { "calibration.points", kind = "field", text = "How many distances were given." },
   { "calibration.depth_partition", kind = "field", text = "The measured alpha-tilde." },
   { "calibration.simulated_depth", kind = "field", unit = "mm",
     text = "Sum of both simulated depths: next to the measured one it tells whether k fits." },
@@ -158,8 +180,8 @@ return {
   { "calibration.runs", kind = "field", text = "How many simulations it took." },
   { "calibration.measurements", kind = "field", text = "How many repetitions were given." },
   { "calibration.spread", kind = "field",
-    text = "Standard deviations of the fields, from those of the measurements to first order; nil "
-      .. "for single measurements." },
+    text = "Standard deviations of the fields over the tests, pair by pair (alpha to first order); nil "
+      .. "for single tests." },
 
   -- --- case -----------------------------------------------------------------------------------
   { "case", kind = "object", use = "s:cases()[1]",

@@ -1,7 +1,11 @@
 -- calibrate: from measured wear to k and alpha. Volumes give them directly (Eqs. 1, 12), with the
--- spread of repeated measurements; depths need the simulation, whose alpha is searched.
+-- spread of repeated measurements, or as tables over the distance (study/volumes.lua); depths need
+-- the simulation, whose alpha is searched.
 
 local check = require "archard.lib.check"
+local merged = require "archard.lib.merged"
+local statistics = require "archard.lib.statistics"
+local volumes = require "archard.study.volumes"
 
 local where = "calibrate"
 
@@ -9,8 +13,15 @@ local where = "calibrate"
 
 local pair = check.kind("a table { cylinder=, plate= } of numbers or lists of numbers",
   check.table.test)
-local fields = { volume = pair, depth = pair, load = check.positive, distance = check.positive,
-  accuracy = check.share }
+local fields = { volume = pair, depth = pair, load = check.positive, accuracy = check.share,
+  confidence = check.share, error = check.positive,
+  distance = check.kind("a number > 0, or a list of growing ones", function(v)
+    if type(v) ~= "table" then return check.positive.test(v) end
+    for i, d in ipairs(v) do
+      if not check.positive.test(d) or d <= (v[i - 1] or 0) then return false end
+    end
+    return #v > 0
+  end) }
 -- A search by depth may have the fields of wear{}, but not the one it looks for, another load, or a
 -- shape to start from.
 for _, setting in ipairs(require "archard.settings".wear) do
@@ -47,58 +58,103 @@ local function read_pair(name, given)
   return cylinder, plate
 end
 
--- --- statistics ----------------------------------------------------------------------------------
-
-local function mean(list)
-  local sum = 0
-  for _, value in ipairs(list) do sum = sum + value end
-  return sum / #list
-end
-
--- Standard deviation of the sample; nil for one measurement.
-local function deviation(list)
-  if #list < 2 then return nil end
-  local middle, sum = mean(list), 0
-  for _, value in ipairs(list) do sum = sum + (value - middle) ^ 2 end
-  return math.sqrt(sum / (#list - 1))
-end
-
--- Of a sum and of a share, from the deviations of its two parts (errors that do not know of each
--- other; first order).
-local function spread_of_sum(a, b)
-  if not (a or b) then return nil end
-  return math.sqrt((a or 0) ^ 2 + (b or 0) ^ 2)
-end
-
-local function spread_of_share(c, p, spread_c, spread_p)
-  if not (spread_c or spread_p) then return nil end
-  local total = c + p
-  return math.sqrt((p * (spread_c or 0)) ^ 2 + (c * (spread_p or 0)) ^ 2) / total ^ 2
-end
-
 -- --- from volumes --------------------------------------------------------------------------------
 
+local function filled(count, value)
+  local list = {}
+  for i = 1, count do list[i] = value end
+  return list
+end
+
+-- A plain 0 as long as the other body's list.
+local function even(cylinder, plate)
+  local count = math.max(#cylinder, #plate)
+  if #cylinder < count then cylinder = filled(count, cylinder[1]) end
+  if #plate < count then plate = filled(count, plate[1]) end
+  return cylinder, plate
+end
+
+local function refuse_none(c, p, name)
+  if c + p <= 0 then
+    check.fail(where, ("field '%s': expected wear of at least one body, got none"):format(name))
+  end
+end
+
 local function from_volumes(given)
+  local cylinder, plate = even(read_pair("volume", given.volume))
+  refuse_none(statistics.mean(cylinder), statistics.mean(plate), "volume")
+  local whole = volumes.stretch(cylinder, plate, given.load * given.distance, given.confidence,
+    given.error)
+  local result = whole.mean
+  result.spread, result.low, result.high = whole.spread, whole.low, whole.high
+  result.measurements, result.confidence = #cylinder, given.confidence
+  return result
+end
+
+-- --- from volumes on the way -----------------------------------------------------------------------
+
+-- One body's volumes by test, each a list by distance.
+local function read_tests(name, given, count)
+  if given == 0 then return { filled(count, 0) } end
+  local tests = type(given) == "table" and type(given[1]) == "table" and given or { given }
+  for i, test in ipairs(tests) do
+    local label = name .. (#tests > 1 and ("[%d]"):format(i) or "")
+    if type(test) ~= "table" or #test ~= count then
+      check.refuse(where, label, ("a list of %d volumes, one for each distance"):format(count), test)
+    end
+    measurements(label, test)
+  end
+  return tests
+end
+
+-- The tests' last volumes, or the means of all tests at each distance.
+local function column(tests, i)
+  local list = {}
+  for t, test in ipairs(tests) do list[t] = test[i] end
+  return list
+end
+
+local function refuse_falling(name, tests, count)
+  for i = 2, count do
+    if statistics.mean(column(tests, i)) < statistics.mean(column(tests, i - 1)) then
+      check.fail(where, ("field '%s': expected what is lost since the start, got less at distance %d "
+        .. "than at %d"):format(name, i, i - 1))
+    end
+  end
+end
+
+local function from_courses(given)
+  local count = #given.distance
+  check.fields(where, given.volume, { cylinder = check.any "lists", plate = check.any "lists" },
+    "volume.")
+  local cylinder = read_tests("volume.cylinder", given.volume.cylinder, count)
+  local plate = read_tests("volume.plate", given.volume.plate, count)
+  if #cylinder ~= #plate and given.volume.cylinder ~= 0 and given.volume.plate ~= 0 then
+    check.fail(where, ("fields 'volume.cylinder' and 'volume.plate': expected as many tests of one as "
+      .. "of the other, got %d and %d"):format(#cylinder, #plate))
+  end
+  cylinder, plate = even(cylinder, plate)
+  refuse_falling("volume.cylinder", cylinder, count)
+  refuse_falling("volume.plate", plate, count)
+  local last = { cylinder = column(cylinder, count), plate = column(plate, count) }
+  local mean = from_volumes{ volume = last, load = given.load, distance = given.distance[count],
+    confidence = given.confidence, error = given.error }
+  local result, bands = volumes.course(given.distance, cylinder, plate, given)
+  result.mean, result.band, result.spread = mean, bands, mean.spread
+  result.measurements, result.points, result.confidence = #cylinder, count, given.confidence
+  return result
+end
+
+local function with_confidence(given)
   if not (given.load and given.distance) then
     check.fail(where, "volumes need the fields 'load' [N] and 'distance' [mm] of the test")
   end
-  local cylinder, plate = read_pair("volume", given.volume)
-  local c, p = mean(cylinder), mean(plate)
-  if c + p <= 0 then
-    check.fail(where, "field 'volume': expected wear of at least one body, got none")
-  end
-  local work = given.load * given.distance
-  local spread_c, spread_p = deviation(cylinder), deviation(plate)
-  local function over_work(value) return value and value / work end
-  return { k = (c + p) / work, k_cylinder = c / work, k_plate = p / work, alpha = c / (c + p),
-    spread = { k = over_work(spread_of_sum(spread_c, spread_p)), k_cylinder = over_work(spread_c),
-      k_plate = over_work(spread_p), alpha = spread_of_share(c, p, spread_c, spread_p) },
-    measurements = math.max(#cylinder, #plate) }
+  return merged(given, { confidence = given.confidence or 0.95 })
 end
 
 -- --- from depths ---------------------------------------------------------------------------------
 
-local not_of_wear = { volume = true, depth = true, accuracy = true }
+local not_of_wear = { volume = true, depth = true, accuracy = true, confidence = true, error = true }
 
 -- The simulated alpha-tilde at the end, for an alpha.
 local function simulated(given, alpha)
@@ -137,17 +193,15 @@ local function search(given, wanted, room)
 end
 
 local function from_depths(given)
-  local cylinder, plate = read_pair("depth", given.depth)
-  local c, p = mean(cylinder), mean(plate)
-  if c + p <= 0 then
-    check.fail(where, "field 'depth': expected wear of at least one body, got none")
-  end
+  local cylinder, plate = even(read_pair("depth", given.depth))
+  local c, p = statistics.mean(cylinder), statistics.mean(plate)
+  refuse_none(c, p, "depth")
   local wanted, room = c / (c + p), given.accuracy or 1e-4
   local alpha, sum, runs = search(given, wanted, room)
-  local spread = spread_of_share(c, p, deviation(cylinder), deviation(plate))
+  local spread = volumes.stretch(cylinder, plate, 1, 0.95).spread.alpha
   local result = { alpha = alpha, depth_partition = wanted, runs = runs, simulated_depth = sum,
     measured_depth = c + p, spread = { depth_partition = spread },
-    measurements = math.max(#cylinder, #plate) }
+    measurements = #cylinder }
   if spread and wanted > 0 and wanted < 1 then
     local above = search(given, math.min(wanted + spread, 1), room)
     local below = search(given, math.max(wanted - spread, 0), room)
@@ -168,15 +222,52 @@ local shown = {
 
 local class = { __name = "calibration" }
 
+-- One number with what is known of how sure it is.
+local function number_line(self, name, format, text)
+  local value, spread = self[name], self.spread[name]
+  local low, high = (self.low or {})[name], (self.high or {})[name]
+  return ("  %-16s %s%s%s  %s"):format(name, format:format(value),
+    spread and " +- " .. format:format(spread) or "",
+    low and (", %s to %s"):format(format:format(low), format:format(high)) or "", text)
+end
+
+local function add_numbers(lines, self)
+  for _, each in ipairs(shown) do
+    if self[each[1]] then lines[#lines + 1] = number_line(self, table.unpack(each)) end
+  end
+  if self.low and next(self.low) then
+    lines[#lines + 1] = ("  +-: of a single test; range: of the mean, by %g %% confidence"):format(
+      100 * self.confidence)
+  end
+end
+
+-- The tables over the distance, a line for each stretch.
+local function add_course(lines, self)
+  lines[#lines + 1] = "  distance [mm]   k [mm2/N]                        alpha"
+  local k, alpha = self.band.k, self.band.alpha
+  for i = 1, #k.value do
+    local from, to = self.k.distance[2 * i - 1], self.k.distance[2 * i + 1]
+    local function range(band, format)
+      local range_of = band.low[i] and (" (%s to %s)"):format(format:format(band.low[i]),
+        format:format(band.high[i])) or ""
+      return format:format(band.value[i]) .. range_of
+    end
+    lines[#lines + 1] = ("  %-14s  %-31s  %s"):format(("%g to %g"):format(from, to),
+      range(k, "%.3g"), range(alpha, "%.3f"))
+  end
+  lines[#lines + 1] = "  over the whole distance:"
+  add_numbers(lines, self.mean)
+end
+
 function class.__tostring(self)
   local lines = { ("calibration from %s"):format(self.measurements == 1 and "one measurement"
     or self.measurements .. " measurements") }
-  for _, each in ipairs(shown) do
-    local value, spread = self[each[1]], self.spread[each[1]]
-    if value then
-      lines[#lines + 1] = ("  %-16s %s%s  %s"):format(each[1], each[2]:format(value),
-        spread and " +- " .. each[2]:format(spread) or "", each[3])
-    end
+  if self.band then
+    lines[1] = ("calibration from %d test%s at %d distances"):format(self.measurements,
+      self.measurements == 1 and "" or "s", self.points)
+    add_course(lines, self)
+  else
+    add_numbers(lines, self)
   end
   if self.simulated_depth then
     lines[#lines + 1] = ("  depths together  %.4g um simulated, %.4g um measured"):format(
@@ -185,7 +276,14 @@ function class.__tostring(self)
   return table.concat(lines, "\n")
 end
 
+local function find(given)
+  if given.depth then return from_depths(given) end
+  given = with_confidence(given)
+  return type(given.distance) == "table" and from_courses(given) or from_volumes(given)
+end
+
 -- calibrate{ volume={cylinder=,plate=}, load=, distance= } -> k, k_cylinder, k_plate, alpha
+-- calibrate{ distance={...}, volume={cylinder={...},plate={...}}, load= } -> the same as tables
 -- calibrate{ depth={cylinder=,plate=}, stroke=, ... fields of wear{} } -> alpha
 return function(given)
   check.definition(where, given, fields)
@@ -193,5 +291,8 @@ return function(given)
     check.fail(where, "fields 'volume' and 'depth': expected one of them, got "
       .. (given.volume and "both" or "neither"))
   end
-  return setmetatable(given.volume and from_volumes(given) or from_depths(given), class)
+  if given.depth and type(given.distance) == "table" then
+    check.refuse(where, "distance", "a number > 0 with depths", given.distance)
+  end
+  return setmetatable(find(given), class)
 end

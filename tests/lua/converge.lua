@@ -102,6 +102,77 @@ near(many.spread.k, 1, 1e-12, "of k")
 near(many.spread.alpha, 2 / 16, 1e-12, "of alpha, to first order")
 holds(tostring(many), { "+-", "0.5000", "3 measurements" }, "print")
 
+-- What one body lost more the other lost less: the couple's k is surer than either body's.
+local paired = calibrate{ load = 100, distance = 1320,
+  volume = { cylinder = { 0.41e-3, 0.44e-3, 0.39e-3 }, plate = { 0.92e-3, 0.88e-3, 0.97e-3 } } }
+near(paired.spread.k, 1.5771e-10, 1e-4, "spread of k by pairs")
+near(paired.spread.k_plate, 3.4164e-10, 1e-4, "spread of k_plate")
+local shares, sum = { 0.41 / 1.33, 0.44 / 1.32, 0.39 / 1.36 }, 0
+for i = 1, 3 do sum = sum + (shares[i] - (shares[1] + shares[2] + shares[3]) / 3) ^ 2 end
+near(paired.spread.alpha, math.sqrt(sum / 2), 0.02, "spread of alpha is that of the pairs' alphas")
+near(paired.high.k - paired.k, 4.302653 * paired.spread.k / math.sqrt(3), 1e-6, "range of the mean: Student's t")
+near(calibrate{ volume = { cylinder = 1, plate = 3 }, load = 1, distance = 1, error = 0.1 }.high.k_plate - 3,
+  1.96 * 0.1, 1e-3, "a known error of the readings")
+near(calibrate{ volume = { cylinder = { 1, 2 }, plate = { 1, 1 } }, load = 1, distance = 1,
+  confidence = 0.5 }.high.k - 2.5, 0.5, 1e-9, "another confidence")
+
+-- --- calibrate by volumes on the way ---------------------------------------------------------------
+local at = { 40, 100, 150, 300, 440 }
+local function volumes(settled, fresh, factor)
+  local list = {}
+  for i, d in ipairs(at) do
+    list[i] = factor * 100 * (settled * d + (fresh - settled) * 80 * (1 - math.exp(-d / 80)))
+  end
+  return list
+end
+local on_way = { cylinder = {}, plate = {} }
+for i, factor in ipairs{ 0.97, 1, 1.03 } do
+  on_way.cylinder[i], on_way.plate[i] = volumes(3e-9, 2e-8, factor), volumes(7e-9, 9e-9, 2 - factor)
+end
+local course = calibrate{ load = 100, distance = at, volume = on_way }
+local run = wear{ k = course.k, alpha = course.alpha, geometry = "frozen", increments = 8, jump = "auto",
+  model = coarse, distance = at[#at] }
+for i, d in ipairs(at) do
+  run:run{ distance = d }
+  near(run.volume.cylinder, on_way.cylinder[2][i], 1e-9, ("its tables give the cylinder's volume at %g mm"):format(d))
+  near(run.volume.plate, on_way.plate[2][i], 1e-9, "and the plate's")
+end
+local worst_off, taken = 0, { cylinder = 0, plate = 0 }
+for i, d in ipairs(course.k.distance) do
+  local truth = 1e-8 + 1.9e-8 * math.exp(-d / 80)
+  worst_off = math.max(worst_off, math.abs(course.k.value[i] / truth - 1))
+  near(course.k_cylinder.value[i] + course.k_plate.value[i], course.k.value[i], 1e-12, "parts of k in tables")
+  local before = course.k.distance[i - 1]
+  for _, body in ipairs{ "cylinder", "plate" } do
+    local v = course["k_" .. body].value
+    if before then taken[body] = taken[body] + 100 * (d - before) * (v[i] + v[i - 1]) / 2 end
+  end
+end
+ok(worst_off < 0.06, ("k is that of the tests (within %.3f)"):format(worst_off))
+near(taken.cylinder, on_way.cylinder[2][#at], 1e-9, "the cylinder's table alone gives its volume")
+near(taken.plate, on_way.plate[2][#at], 1e-9, "the plate's its own")
+is(#course.band.k.low, #at, "a band for each stretch")
+for i = 1, #at do
+  local band = course.band.alpha
+  ok(band.low[i] < band.value[i] and band.value[i] < band.high[i] and band.high[i] <= 1, "which holds the mean")
+end
+near(course.mean.k, (on_way.cylinder[2][#at] + on_way.plate[2][#at]) / (100 * at[#at]), 1e-9,
+  "k over the whole distance")
+holds(tostring(course), { "3 tests at 5 distances", "0 to 40", "whole distance" }, "print")
+local single = calibrate{ load = 100, distance = at, volume = { cylinder = volumes(3e-9, 2e-8, 1), plate = 0 } }
+is(single.alpha.value[4], 1, "a plate that did not wear")
+is(single.band.k.low[1], nil, "one test has no bands")
+is(#calibrate{ load = 100, distance = at, error = 1e-6, volume = { cylinder = volumes(3e-9, 2e-8, 1),
+  plate = 0 } }.band.k.low, #at, "unless its readings' error is known")
+fails(function() calibrate{ load = 1, distance = at, volume = { cylinder = { 1, 2 }, plate = 0 } } end,
+  { "volume.cylinder", "5 volumes" }, "a volume for each distance")
+fails(function() calibrate{ load = 1, distance = { 1, 2 }, volume = { cylinder = { 2, 1 }, plate = 0 } } end,
+  "less at distance 2", "volumes that fall")
+fails(function() calibrate{ load = 1, distance = { 2, 1 }, volume = { cylinder = { 1, 2 }, plate = 0 } } end,
+  "growing", "distances that fall")
+fails(function() calibrate{ distance = { 1, 2 }, depth = { cylinder = 1, plate = 1 } } end, "with depths",
+  "depths have one distance")
+
 -- --- calibrate by depths -------------------------------------------------------------------------
 local fields = { geometry = "frozen", increments = 8, distance = 440, stroke = 0.44, jump = 50,
   model = coarse }
