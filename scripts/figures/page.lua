@@ -33,6 +33,7 @@ table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabu
 th, td { padding: .25rem .6rem; text-align: right; white-space: nowrap;
   border-bottom: 1px solid var(--line); }
 th { font-weight: 600; }
+th:first-child, td:first-child { text-align: left; }
 ]]
 
 -- --- parts ---------------------------------------------------------------------------------------
