@@ -20,9 +20,11 @@ typedef enum arc_body { ARC_CYLINDER = 0, ARC_PLATE = 1 } arc_body;
 /* "cylinder" or "plate". */
 const char *arc_body_name(arc_body body);
 
-/* Quadrilateral formulation: CPE4 fully integrated bilinear; CPE4I with incompatible modes (bends
- * freely). */
+/* Formulation: CPE4 fully integrated bilinear; CPE4I with incompatible modes (bends freely, does
+ * not lock where nu nears 1/2), triangles of one cell then share one dilatation; auto chooses for
+ * each body by its nu, see arc_element_for. */
 #define ARC_ELEMENT_LIST(X)                                                                        \
+  X(ELEMENT_AUTO, "auto")                                                                          \
   X(CPE4, "CPE4")                                                                                  \
   X(CPE4I, "CPE4I")
 typedef enum arc_element { ARC_ELEMENT_LIST(ARC_CHOICE_ENUM) } arc_element;
@@ -37,9 +39,10 @@ extern const char *const arc_element_names[];
   WHOLE(rows, "", 3, WITHIN(1, 100), 0,                                                            \
         "Element rows of the wear box: its nodes move with the worn surface.")                     \
   CHOICE(                                                                                          \
-      element, element, ARC_CPE4, 0,                                                               \
-      "Quadrilateral formulation: fully integrated bilinear, or with incompatible modes, which "   \
-      "bend freely. Triangles are CPE3.")
+      element, element, ARC_ELEMENT_AUTO, 0,                                                       \
+      "Formulation: fully integrated bilinear (CPE4), or with incompatible modes (CPE4I), which "  \
+      "bend freely and do not lock where nu nears 1/2. \"auto\": CPE4 for bodies with nu up to "   \
+      "0.4, CPE4I for others.")
 
 typedef struct arc_mesh_def {
   ARC_MESH_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE)
@@ -59,11 +62,13 @@ arc_mesh_def arc_mesh_default(void);
 typedef struct arc_mesh {
   arc_body body;
   double radius;    /* [mm] */
-  arc_mesh_def def; /* as asked for */
+  arc_mesh_def def; /* as asked for; in a model, element is what the body has, never auto */
   int nodes;        /* number of nodes */
   double *xy;       /* [2 * nodes] x, y of each node [mm] */
   int elements;     /* number of elements = quads + triangles */
-  int *element;     /* [4 * elements] corners; a triangle has -1 as its fourth */
+  int *element;     /* [4 * elements] corners; a triangle has -1 as its fourth. Triangles that close
+                       one cell start with the same corner, and stand two apart: between them are
+                       their mirror images */
   int quads, triangles;
   int surface;       /* number of candidate contact nodes; odd, the middle one is at x = 0 */
   int *surface_node; /* [surface] by increasing x */

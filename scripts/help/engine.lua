@@ -44,6 +44,7 @@ return {
   { "mesh.quads", kind = "field", text = "Number of quadrilaterals." },
   { "mesh.triangles", kind = "field", text = "Number of triangles." },
   { "mesh.elements_count", kind = "field", text = "Number of elements: quads and triangles." },
+  { "mesh.element", kind = "field", text = '"CPE4" or "CPE4I": what "auto" came to for this body.' },
   { "mesh.rows", kind = "field", text = "Element rows of the wear box." },
   { "mesh.body", kind = "field", text = '"cylinder" or "plate".' },
   { "mesh.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },

@@ -50,7 +50,7 @@ fails(function() contact{ x = "left" } end, [[field 'x': expected a number in mm
 fails(function() wear{ procedure = "sp" } end,
   [[field 'procedure': expected "auto", "SP" or "NSP", got "sp"]], "enumeration lists its values")
 fails(function() wear{ slip = 1 } end, [[expected "rigid" or "total", got 1]], "enumeration of two")
-fails(function() model{ mesh = { element = "CPE8" } } end, [[expected "CPE4" or "CPE4I"]], "element")
+fails(function() model{ mesh = { element = "CPE8" } } end, [[expected "auto", "CPE4" or "CPE4I"]], "element")
 fails(function() wear{}:profile("pin") end,
   [[wear:profile: field 'body': expected "cylinder" or "plate", got "pin"]], "body of a method")
 

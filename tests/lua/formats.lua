@@ -22,7 +22,8 @@ local function copy(name, to)
   return path(to)
 end
 
--- What the history had from the first format on; an old file has no value of what came later.
+-- What the history had from the first format on; an old file has no value of what came later. The
+-- element that was the default then is "auto" now: the same for these bodies, to the bit.
 local first = {}
 for name in ("update cycle distance jump k alpha p_center p_max half_width depth_cylinder depth_plate "
   .. "volume_cylinder volume_plate depth_partition error solutions"):gmatch "%S+" do
@@ -42,6 +43,7 @@ local function without_later(text, settings)
   local lines = {}
   for line in text:gmatch "[^\n]+" do
     local column, setting = line:match "history%.([%w_]+)%.%d+ ", definition_of(line)
+    line = line:gsub("( definition%.model%.mesh%.element) CPE4$", "%1 auto")
     if (not column or first[column]) and (not setting or settings[setting]) then
       lines[#lines + 1] = line
     end

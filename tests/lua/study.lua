@@ -26,7 +26,7 @@ is(#flat["loading.1.x"], 2, "a list of numbers stays whole")
 local again = settings.nest(flat)
 is(again.loading[2].x[1], 2, "list positions come back as numbers")
 is(settings.difference(flat, settings.flatten("test", again)), nil, "there and back")
-is(settings.flatten("test", { model = model{ radius = 8 } })["model.mesh.element"], "CPE4",
+is(settings.flatten("test", { model = model{ radius = 8 } })["model.mesh.element"], "auto",
   "a model becomes its definition")
 fails(function() settings.flatten("test", { k = function() end }) end, { "'k'", "function" },
   "a function is refused by name")

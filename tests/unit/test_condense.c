@@ -21,6 +21,40 @@ static int *number_free(const arc_mesh *m, int *count) {
   return unknown;
 }
 
+static void add_entry(const whole *w, sparse_entries *entries, int row, int column, double value) {
+  const int i = w->unknown[row / 2], j = w->unknown[column / 2];
+  if (i >= 0 && j >= 0 && i + row % 2 >= j + column % 2)
+    assert_int_equal(arc_sparse_add(entries, i + row % 2, j + column % 2, value), ARC_OK);
+}
+
+/* Triangles with one first corner on one side of the body share their dilatation: the change of all
+ * their area, squared. Found here by search, whatever the order of elements. */
+static void add_dilatation(const whole *w, const double *xy, int e, sparse_entries *entries) {
+  const arc_mesh *m = w->body->mesh;
+  int unknown[64], count = 0;
+  double area = 0, change[64], own[6];
+  for (int t = e; t < m->elements; t += 2) {
+    const int *corner = &m->element[4 * t];
+    if (corner[3] >= 0 || corner[0] != m->element[4 * e]) continue;
+    const element el = arc_element_at(xy, corner, ARC_CPE4);
+    area += arc_triangle_swelling(&el, own);
+    for (int k = 0; k < 6; k++) {
+      unknown[count] = 2 * corner[k / 2] + k % 2;
+      change[count++] = own[k];
+    }
+  }
+  const double bulk = w->body->material.E / (3 * (1 - 2 * w->body->material.nu)) / area;
+  for (int r = 0; r < count; r++)
+    for (int c = 0; c < count; c++)
+      add_entry(w, entries, unknown[r], unknown[c], bulk * change[r] * change[c]);
+}
+
+static int starts_cell(const arc_mesh *m, int e) {
+  for (int t = e - 2; t >= 0; t -= 2)
+    if (m->element[4 * t + 3] < 0 && m->element[4 * t] == m->element[4 * e]) return 0;
+  return 1;
+}
+
 static whole assemble(const elastic_body *b, const double *xy) {
   const arc_mesh *m = b->mesh;
   whole w = {.body = b};
@@ -29,15 +63,13 @@ static whole assemble(const elastic_body *b, const double *xy) {
   for (int e = 0; e < m->elements; e++) {
     const int *corner = &m->element[4 * e];
     const element el = arc_element_at(xy, corner, m->def.element);
-    const int n = 2 * el.corners;
+    const int n = 2 * el.corners, shared = el.corners == 3 && m->def.element == ARC_CPE4I;
     double k[64];
-    arc_element_stiffness(&el, b->d, k);
+    arc_element_stiffness(&el, shared ? arc_elasticity_deviatoric(b->d) : b->d, k);
     for (int r = 0; r < n; r++)
-      for (int c = 0; c < n; c++) {
-        const int i = w.unknown[corner[r / 2]], j = w.unknown[corner[c / 2]];
-        if (i >= 0 && j >= 0 && i + r % 2 >= j + c % 2)
-          assert_int_equal(arc_sparse_add(&entries, i + r % 2, j + c % 2, k[r * n + c]), ARC_OK);
-      }
+      for (int c = 0; c < n; c++)
+        add_entry(&w, &entries, 2 * corner[r / 2] + r % 2, 2 * corner[c / 2] + c % 2, k[r * n + c]);
+    if (shared && starts_cell(m, e)) add_dilatation(&w, xy, e, &entries);
   }
   check_ok(arc_factor_create(w.n, &entries, &w.k, why));
   arc_sparse_free(&entries);

@@ -170,6 +170,38 @@ static void test_area(void **state) {
   check_near(arc_element_area(&half), 3, 1e-15);
 }
 
+/* "auto" is the paper's element up to nu = 0.4; what was named stays. */
+static void test_kind_for_nu(void **state) {
+  (void)state;
+  for (double nu = -0.9; nu < 0.5; nu += 0.05) {
+    assert_int_equal(arc_element_for(ARC_ELEMENT_AUTO, nu), nu > 0.4 ? ARC_CPE4I : ARC_CPE4);
+    assert_int_equal(arc_element_for(ARC_CPE4, nu), ARC_CPE4);
+    assert_int_equal(arc_element_for(ARC_CPE4I, nu), ARC_CPE4I);
+  }
+  assert_int_equal(arc_element_for(ARC_ELEMENT_AUTO, 0.4), ARC_CPE4);
+}
+
+/* Shape and volume apart: the deviatoric stiffness of a triangle and the square of its change of
+ * area make the whole one. */
+static void test_volume_apart(void **state) {
+  (void)state;
+  random_start(10);
+  for (int trial = 0; trial < 300; trial++) {
+    const element e = random_kind(0);
+    const elasticity d = random_elasticity();
+    double whole[64], shape[64], swelling[6];
+    arc_element_stiffness(&e, d, whole);
+    arc_element_stiffness(&e, arc_elasticity_deviatoric(d), shape);
+    const double area = arc_triangle_swelling(&e, swelling), bulk = arc_elasticity_bulk(d);
+    check_near(area, arc_element_area(&e), 1e-12 * area);
+    for (int r = 0; r < 36; r++)
+      check_near(shape[r] + bulk / area * swelling[r / 6] * swelling[r % 6], whole[r],
+                 1e-12 * largest(whole, 36));
+    check_near(arc_elasticity_bulk(arc_elasticity_of((arc_material){210e3, 0.45})), 210e3 / 0.3,
+               1e-6);
+  }
+}
+
 /* --- patches ---------------------------------------------------------------------------------- */
 
 /* The usual patch: a rectangle of five quadrilaterals around a twisted one, or ten triangles.
@@ -261,6 +293,8 @@ int main(void) {
       cmocka_unit_test(test_constant_strain),
       cmocka_unit_test(test_bending),
       cmocka_unit_test(test_area),
+      cmocka_unit_test(test_kind_for_nu),
+      cmocka_unit_test(test_volume_apart),
       cmocka_unit_test(test_patch),
       cmocka_unit_test(test_body_patch),
   };

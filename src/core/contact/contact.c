@@ -75,7 +75,7 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
   if (status == ARC_OK) {
     read_pressures(c);
     read_result(c);
-    arc_model_warn_coarse(shape->model, c->result.half_width, callbacks);
+    arc_model_warn(shape->model, c->result.half_width, callbacks);
   } else {
     arc_contact_destroy(&c);
   }

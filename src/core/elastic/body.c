@@ -8,6 +8,9 @@
 /* Right-hand sides solved together when the far part is eliminated. */
 enum { block = 32 };
 
+/* A cell with a hanging node in each edge: eight triangles around its middle. */
+enum { most_cell_nodes = 9 };
+
 static arc_status out_of_memory(const elastic_body *b, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(b->mesh->body));
 }
@@ -45,17 +48,14 @@ static void number_far(elastic_body *b) {
   }
 }
 
-/* Adds one far element: far-far entries to `stiffness`, far-rim to the coupling, rim-rim to s_far.
- */
-static arc_status add_far_element(elastic_body *b, int e, sparse_entries *stiffness) {
-  const int *corner = &b->mesh->element[4 * e];
-  const element el = arc_element_at(b->mesh->xy, corner, b->mesh->def.element);
-  double k[64];
-  arc_element_stiffness(&el, b->d, k);
-  const int n = 2 * el.corners;
-  int far[8], rim[8];
+/* Adds the stiffness k of some nodes: far-far entries to `stiffness`, far-rim to the coupling,
+ * rim-rim to s_far. */
+static arc_status add_block(elastic_body *b, const int *nodes, int count, const double *k,
+                            sparse_entries *stiffness) {
+  const int n = 2 * count;
+  int far[2 * most_cell_nodes], rim[2 * most_cell_nodes];
   for (int r = 0; r < n; r++) {
-    const int node = corner[r / 2], box = b->node_box[node];
+    const int node = nodes[r / 2], box = b->node_box[node];
     far[r] = b->node_far[node] < 0 ? -1 : b->node_far[node] + r % 2;
     rim[r] = box < 0 ? -1 : 2 * b->box_rim[box] + r % 2;
   }
@@ -74,11 +74,81 @@ static arc_status add_far_element(elastic_body *b, int e, sparse_entries *stiffn
   return status;
 }
 
+static arc_status add_element(elastic_body *b, int e, elasticity d, sparse_entries *stiffness) {
+  const int *corner = &b->mesh->element[4 * e];
+  const element el = arc_element_at(b->mesh->xy, corner, b->mesh->def.element);
+  double k[64];
+  arc_element_stiffness(&el, d, k);
+  return add_block(b, corner, el.corners, k, stiffness);
+}
+
+static int is_triangle(const arc_mesh *m, int e) {
+  return m->element[4 * e + 3] < 0;
+}
+
+/* Whether triangle e goes on with the cell of e - 2. */
+static int goes_on(const arc_mesh *m, int e) {
+  return e - 2 >= m->box_elements && e < m->elements && is_triangle(m, e) &&
+         is_triangle(m, e - 2) && m->element[4 * e] == m->element[4 * (e - 2)];
+}
+
+int arc_body_cell(const elastic_body *b, int e) {
+  if (b->mesh->def.element != ARC_CPE4I || !is_triangle(b->mesh, e)) return 1;
+  if (goes_on(b->mesh, e)) return 0;
+  int count = 1;
+  while (goes_on(b->mesh, e + 2 * count) && count < most_cell_nodes - 1) count++;
+  return count;
+}
+
+/* The node's position in the list, where it is entered at the end if it is new. */
+static int enter_node(int node, int *nodes, int *count) {
+  int at = 0;
+  while (at < *count && nodes[at] != node) at++;
+  if (at == *count) nodes[(*count)++] = node;
+  return at;
+}
+
+/* Triangles of one cell: each resists a change of its shape, all together that of their area. */
+static arc_status add_cell(elastic_body *b, int e, int triangles, sparse_entries *stiffness) {
+  const elasticity shape = arc_elasticity_deviatoric(b->d);
+  int nodes[most_cell_nodes], count = 0;
+  double swelling[2 * most_cell_nodes] = {0}, area = 0, k[4 * most_cell_nodes * most_cell_nodes];
+  arc_status status = ARC_OK;
+  for (int t = 0; t < triangles && status == ARC_OK; t++) {
+    const int *corner = &b->mesh->element[4 * (e + 2 * t)];
+    const element el = arc_element_at(b->mesh->xy, corner, b->mesh->def.element);
+    double gradient[6];
+    area += arc_triangle_swelling(&el, gradient);
+    for (int c = 0; c < 3; c++) {
+      const int at = enter_node(corner[c], nodes, &count);
+      swelling[2 * at] += gradient[2 * c];
+      swelling[2 * at + 1] += gradient[2 * c + 1];
+    }
+    status = add_element(b, e + 2 * t, shape, stiffness);
+  }
+  if (status != ARC_OK) return status;
+  const int n = 2 * count;
+  const double bulk = arc_elasticity_bulk(b->d) / area;
+  for (int r = 0; r < n; r++)
+    for (int c = 0; c < n; c++) k[r * n + c] = bulk * (swelling[r] * swelling[c]);
+  return add_block(b, nodes, count, k, stiffness);
+}
+
+static arc_status add_far_elements(elastic_body *b, sparse_entries *stiffness) {
+  arc_status status = ARC_OK;
+  for (int e = b->mesh->box_elements; e < b->mesh->elements && status == ARC_OK; e++) {
+    const int triangles = arc_body_cell(b, e);
+    if (triangles == 1)
+      status = add_element(b, e, b->d, stiffness);
+    else if (triangles > 1)
+      status = add_cell(b, e, triangles, stiffness);
+  }
+  return status;
+}
+
 static arc_status assemble_and_factorise(elastic_body *b, arc_error *error) {
   sparse_entries stiffness = {0};
-  arc_status status = ARC_OK;
-  for (int e = b->mesh->box_elements; e < b->mesh->elements && status == ARC_OK; e++)
-    status = add_far_element(b, e, &stiffness);
+  arc_status status = add_far_elements(b, &stiffness);
   if (status == ARC_OK)
     status = arc_factor_create(b->far_count, &stiffness, &b->far, error);
   else
@@ -144,7 +214,9 @@ arc_status arc_body_create(const arc_model_def *def, arc_body which, elastic_bod
   if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(which));
   b->material = def->material[which];
   b->d = arc_elasticity_of(b->material);
-  arc_status status = arc_mesh_build(&def->mesh, which, def->radius, &b->mesh, error);
+  arc_mesh_def mesh = def->mesh;
+  mesh.element = arc_element_for(mesh.element, b->material.nu);
+  arc_status status = arc_mesh_build(&mesh, which, def->radius, &b->mesh, error);
   if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);
   if (status == ARC_OK) status = assemble_and_factorise(b, error);
   if (status == ARC_OK) status = eliminate_far(b, error);

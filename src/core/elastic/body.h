@@ -52,6 +52,10 @@ void arc_compliance_free(compliance *c);
 arc_status arc_body_condense(const elastic_body *body, const double *box_xy, compliance *result,
                              arc_error *error);
 
+/* Triangles that share one dilatation with triangle e, the first of its cell: e, e + 2, ...; none
+ * locks alone then. 1 for elements that stand for themselves, 0 for the later ones of a cell. */
+int arc_body_cell(const elastic_body *body, int e);
+
 /* Displacements u [2 * nodes] of the whole body under vertical surface forces f [surface, N/mm], by
  * back-substitution. */
 arc_status arc_body_displacements(const elastic_body *body, const double *box_xy, const double *f,
@@ -60,10 +64,9 @@ arc_status arc_body_displacements(const elastic_body *body, const double *box_xy
 /* The model's body (not public: contact and wear lean on it). */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
-/* Warns where half a contact's width [mm] is less than one element of the model: its pressures are
- * off by a tenth and more. */
-void arc_model_warn_coarse(const arc_model *model, double half_width,
-                           const arc_callbacks *callbacks);
+/* Warns where half a contact's width [mm] is less than one element of the model (its pressures are
+ * off by a tenth and more), and where a body's elements lock. */
+void arc_model_warn(const arc_model *model, double half_width, const arc_callbacks *callbacks);
 
 /* Numbers for compliances, so that what was made from one knows when it is stale. The model counts
  * them: a number means the same bits on whatever shape it stands. The unworn compliance has the

@@ -13,6 +13,20 @@ elasticity arc_elasticity_of(arc_material m) {
   return (elasticity){scale * (1 - m.nu), scale * m.nu, scale * (1 - 2 * m.nu) / 2, m.nu};
 }
 
+arc_element arc_element_for(arc_element kind, double nu) {
+  if (kind != ARC_ELEMENT_AUTO) return kind;
+  return nu > 0.4 ? ARC_CPE4I : ARC_CPE4;
+}
+
+double arc_elasticity_bulk(elasticity d) {
+  return d.c12 + 2 * d.c33 / 3;
+}
+
+elasticity arc_elasticity_deviatoric(elasticity d) {
+  const double bulk = arc_elasticity_bulk(d);
+  return (elasticity){d.c11 - bulk, d.c12 - bulk, d.c33, d.nu};
+}
+
 element arc_element_at(const double *xy, const int corner[4], arc_element kind) {
   element e = {.corners = corner[3] < 0 ? 3 : 4, .kind = kind};
   for (int c = 0; c < e.corners; c++) memcpy(e.xy[c], &xy[2 * corner[c]], sizeof e.xy[c]);
@@ -71,6 +85,13 @@ static double triangle_gradients(const element *e, double g[][2]) {
   return det;
 }
 
+double arc_triangle_swelling(const element *e, double gradient[6]) {
+  double g[3][2];
+  const double area = triangle_gradients(e, g) / 2;
+  for (int c = 0; c < 6; c++) gradient[c] = area * g[c / 2][c % 2];
+  return area;
+}
+
 /* k += weight B' D B, k [2 modes x 2 modes] row-major. */
 static void add_product(int modes, double g[][2], elasticity d, double weight, double *k) {
   const int n = 2 * modes;
@@ -113,12 +134,12 @@ void arc_element_stiffness(const element *e, elasticity d, double *k) {
     const double det = triangle_gradients(e, g);
     memset(k, 0, 36 * sizeof *k);
     add_product(3, g, d, det / 2, k);
-  } else if (e->kind == ARC_CPE4) {
-    quad_stiffness(e, d, 4, k);
-  } else {
+  } else if (e->kind == ARC_CPE4I) {
     double full[144];
     quad_stiffness(e, d, 6, full);
     condense_bubbles(full, k);
+  } else {
+    quad_stiffness(e, d, 4, k);
   }
 }
 

@@ -114,8 +114,18 @@ double arc_model_seconds(const arc_model *model) {
   return model->seconds;
 }
 
-void arc_model_warn_coarse(const arc_model *model, double half_width,
-                           const arc_callbacks *callbacks) {
+/* Bilinear elements are too stiff by 0.4 % of the pressure at nu = 0.45 and 20 um, by 3 % at 0.49.
+ */
+static void warn_locking(const elastic_body *body, const arc_callbacks *callbacks) {
+  if (body->mesh->def.element != ARC_CPE4 || body->material.nu <= 0.45) return;
+  arc_warn(callbacks,
+           "CPE4 elements lock at nu = %g of the %s: pressures may be far too high; use "
+           "mesh.element = \"auto\" or \"CPE4I\"",
+           body->material.nu, arc_body_name(body->mesh->body));
+}
+
+void arc_model_warn(const arc_model *model, double half_width, const arc_callbacks *callbacks) {
+  for (int b = 0; b < ARC_BODIES; b++) warn_locking(model->body[b], callbacks);
   const double size = model->def.mesh.size;
   if (half_width < size)
     arc_warn(callbacks,

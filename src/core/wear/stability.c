@@ -84,7 +84,7 @@ static void warn_unstable(arc_wear *w, const arc_callbacks *callbacks) {
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *last = arc_wear_last(w);
   if (!callbacks || !callbacks->warn || last->distance >= w->def.distance) return;
-  if (!w->warned && last->update == 0) arc_model_warn_coarse(w->model, last->half_width, callbacks);
+  if (!w->warned && last->update == 0) arc_model_warn(w->model, last->half_width, callbacks);
   if (!w->warned || limit_varies(w)) warn_unstable(w, callbacks);
   w->warned = 1;
 }

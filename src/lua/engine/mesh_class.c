@@ -40,6 +40,11 @@ static int mesh_rows(lua_State *L) {
   return push_count(L, self(L)->rows);
 }
 
+static int mesh_element(lua_State *L) {
+  lua_pushstring(L, arc_element_names[self(L)->def.element]);
+  return 1;
+}
+
 static int mesh_body(lua_State *L) {
   lua_pushstring(L, body_names[self(L)->body]);
   return 1;
@@ -192,10 +197,15 @@ static int mesh_tostring(lua_State *L) {
 }
 
 static const luaL_Reg fields[] = {
-    {"nodes", mesh_nodes},         {"quads", mesh_quads},
-    {"triangles", mesh_triangles}, {"elements_count", mesh_elements_count},
-    {"rows", mesh_rows},           {"body", mesh_body},
-    {"radius", mesh_radius},       {NULL, NULL},
+    {"nodes", mesh_nodes},
+    {"quads", mesh_quads},
+    {"triangles", mesh_triangles},
+    {"elements_count", mesh_elements_count},
+    {"rows", mesh_rows},
+    {"body", mesh_body},
+    {"radius", mesh_radius},
+    {"element", mesh_element},
+    {NULL, NULL},
 };
 
 static const luaL_Reg methods[] = {

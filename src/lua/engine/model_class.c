@@ -192,9 +192,10 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   const arc_model_def *def = arc_model_definition(model);
   const arc_mesh *mesh = arc_model_mesh(model, body);
   char line[160];
-  snprintf(line, sizeof line, "\n  %-8s  E %.6g MPa, nu %.6g, zone %.6g mm; %d nodes, %d elements",
-           body_names[body], def->material[body].E, def->material[body].nu, def->mesh.zone[body],
-           mesh->nodes, mesh->elements);
+  snprintf(line, sizeof line,
+           "\n  %-8s  E %.6g MPa, nu %.6g, %s, zone %.6g mm; %d nodes, %d elements",
+           body_names[body], def->material[body].E, def->material[body].nu,
+           arc_element_names[mesh->def.element], def->mesh.zone[body], mesh->nodes, mesh->elements);
   luaL_addstring(text, line);
 }
 
@@ -205,8 +206,8 @@ static int model_tostring(lua_State *L) {
   luaL_Buffer text;
   luaL_buffinit(L, &text);
   snprintf(line, sizeof line,
-           "model: radius %.6g mm, thickness %.6g mm, %s %.6g x %.6g mm, %.3g MB", def->radius,
-           def->thickness, arc_element_names[def->mesh.element], def->mesh.size, def->mesh.height,
+           "model: radius %.6g mm, thickness %.6g mm, elements %.6g x %.6g mm, %.3g MB",
+           def->radius, def->thickness, def->mesh.size, def->mesh.height,
            (double)arc_model_bytes(model) / 1e6);
   luaL_addstring(&text, line);
   add_body(&text, model, ARC_CYLINDER);
