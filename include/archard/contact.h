@@ -136,8 +136,11 @@ arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
  * and by how much. */
 arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 
-/* The columns of a field, in the order of files: first where the nodes are, then what is there
- * (stresses are nodal averages). X(name, unit, text). */
+/* The columns of a field, in the order of files: first where the nodes are, then what is there.
+ * Stresses are of second order in the element size. On the boundary they fulfil the tractions (the
+ * pressure at the node, no shear) and follow along it the strain of the surface; inside they are
+ * polynomials fitted around each node. Next to an edge of the contact they are no better than the
+ * pressure. X(name, unit, text). */
 #define ARC_FIELD_STRESSES(X)                                                                      \
   X(sxx, "MPa", "stress along the surface")                                                        \
   X(syy, "MPa", "stress across the surface")                                                       \

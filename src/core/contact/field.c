@@ -1,4 +1,5 @@
 /* Displacements and stresses inside a body, by back-substitution from a contact solution. */
+#include "core/contact/recovery.h"
 #include "core/contact/solution.h"
 
 #include <math.h>
@@ -37,70 +38,19 @@ void arc_field_destroy(arc_field **field) {
   *field = NULL;
 }
 
-/* Adds to nodal values [3 * nodes] the averages of element values [3 * elements] around each node,
- * weighted by area. */
-static void average_to_nodes(const arc_mesh *mesh, const double *area, const double *value,
-                             const double *weight, double *nodal) {
-  for (int e = 0; e < mesh->elements; e++)
-    for (int c = 0; c < 4; c++) {
-      const int node = mesh->element[4 * e + c];
-      if (node < 0) continue;
-      for (int s = 0; s < 3; s++) nodal[3 * node + s] += value[3 * e + s] * area[e] / weight[node];
-    }
-}
-
-/* Element values become half of what the mean of their corners misses: averaging to the nodes and
- * back loses the second derivative twice. */
-static void halve_what_is_missed(const arc_mesh *mesh, const double *nodal, double *value) {
-  for (int e = 0; e < mesh->elements; e++) {
-    const int *corner = &mesh->element[4 * e], corners = corner[3] < 0 ? 3 : 4;
-    for (int s = 0; s < 3; s++) {
-      double mean = 0;
-      for (int c = 0; c < corners; c++) mean += nodal[3 * corner[c] + s] / corners;
-      value[3 * e + s] = (value[3 * e + s] - mean) / 2;
-    }
+static arc_status recover(const arc_contact *c, arc_body body, const double *xy, const double *u,
+                          arc_field *field) {
+  double *stress = malloc(3 * (size_t)field->nodes * sizeof *stress);
+  arc_status status = stress ? ARC_OK : ARC_MEMORY;
+  if (status == ARC_OK)
+    status = arc_recover_stresses(c->shape->side[body].body, xy, u, c->p[body], stress);
+  for (int n = 0; n < field->nodes && status == ARC_OK; n++) {
+    field->sxx[n] = stress[3 * n];
+    field->syy[n] = stress[3 * n + 1];
+    field->sxy[n] = stress[3 * n + 2];
   }
-}
-
-typedef struct recovery {
-  double *area, *value;   /* [elements], [3 * elements] */
-  double *weight, *nodal; /* [nodes], [3 * nodes] */
-} recovery;
-
-static void element_stresses(const elastic_body *b, const double *xy, const double *u,
-                             recovery *r) {
-  const arc_mesh *mesh = b->mesh;
-  for (int e = 0; e < mesh->elements; e++) {
-    const int *corner = &mesh->element[4 * e];
-    const element el = arc_element_at(xy, corner, mesh->def.element);
-    double ue[8];
-    for (int c = 0; c < el.corners; c++) memcpy(&ue[2 * c], &u[2 * corner[c]], 2 * sizeof *ue);
-    arc_element_stress(&el, b->d, ue, &r->value[3 * e]);
-    r->area[e] = arc_element_area(&el);
-    for (int c = 0; c < el.corners; c++) r->weight[corner[c]] += r->area[e];
-  }
-}
-
-/* Nodal stresses from the elements' centres, where they are most accurate. Plain averages flatten
- * peaks by a term of second order; averaging once more what they miss takes it out. */
-static arc_status recover_stresses(const elastic_body *b, const double *xy, const double *u,
-                                   arc_field *field) {
-  const arc_mesh *mesh = b->mesh;
-  const size_t elements = (size_t)mesh->elements, nodes = (size_t)mesh->nodes;
-  double *block = calloc(4 * elements + 4 * nodes, sizeof *block);
-  if (!block) return ARC_MEMORY;
-  recovery r = {block, block + elements, block + 4 * elements, block + 4 * elements + nodes};
-  element_stresses(b, xy, u, &r);
-  average_to_nodes(mesh, r.area, r.value, r.weight, r.nodal);
-  halve_what_is_missed(mesh, r.nodal, r.value);
-  average_to_nodes(mesh, r.area, r.value, r.weight, r.nodal);
-  for (size_t n = 0; n < nodes; n++) {
-    field->sxx[n] = r.nodal[3 * n];
-    field->syy[n] = r.nodal[3 * n + 1];
-    field->sxy[n] = r.nodal[3 * n + 2];
-  }
-  free(block);
-  return ARC_OK;
+  free(stress);
+  return status;
 }
 
 static void derive_invariants(double nu, arc_field *field) {
@@ -125,7 +75,7 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   const arc_status status = arc_body_displacements(side->body, box, f, u, error);
   if (status != ARC_OK) return status;
   arc_shape_nodes(c->shape, body, xy);
-  if (recover_stresses(side->body, xy, u, field) != ARC_OK) return out_of_memory(error);
+  if (recover(c, body, xy, u, field) != ARC_OK) return out_of_memory(error);
   derive_invariants(side->body->d.nu, field);
   for (size_t k = 0; k < n; k++) {
     field->x[k] = xy[2 * k] + (body == ARC_PLATE ? c->pose.x : 0);

@@ -1,0 +1,307 @@
+/* Stresses at nodes. Elements know stresses best at their centres (superconvergence); on a boundary
+ * without friction the normal stress is the pressure and the stress along it follows from the
+ * strain along it, which the nodes' displacements give to second order. Inside, quadratic
+ * polynomials are fitted to both around each node (patch recovery after Zienkiewicz and Zhu, with
+ * the boundary's values among the data). */
+#include "core/contact/recovery.h"
+#include "core/base/dense.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct recovery {
+  const elastic_body *body;
+  const arc_mesh *mesh;
+  const double *xy, *u;
+  int samples;         /* elements, then nodes */
+  double *place;       /* [2 * samples] where stresses are known */
+  double *value;       /* [3 * samples] and what they are */
+  int *known;          /* [samples] whether they are */
+  int *start, *around; /* [nodes + 1], [4 * elements] elements around each node */
+  int *seen;           /* [samples] the last patch a sample was taken into */
+  int *patch;          /* [samples] */
+} recovery;
+
+static void recovery_free(recovery *r) {
+  free(r->place);
+  free(r->known);
+  *r = (recovery){0};
+}
+
+static arc_status recovery_create(const elastic_body *body, const double *xy, const double *u,
+                                  recovery *r) {
+  const arc_mesh *m = body->mesh;
+  *r = (recovery){.body = body, .mesh = m, .xy = xy, .u = u, .samples = m->elements + m->nodes};
+  const size_t n = (size_t)r->samples;
+  r->place = calloc(5 * n, sizeof *r->place);
+  r->known = calloc(3 * n + (size_t)m->nodes + 1 + 4 * (size_t)m->elements, sizeof *r->known);
+  if (!r->place || !r->known) {
+    recovery_free(r);
+    return ARC_MEMORY;
+  }
+  r->value = r->place + 2 * n;
+  r->seen = r->known + n;
+  r->patch = r->seen + n;
+  r->start = r->patch + n;
+  r->around = r->start + m->nodes + 1;
+  return ARC_OK;
+}
+
+static int corners_of(const arc_mesh *m, int e) {
+  return m->element[4 * e + 3] < 0 ? 3 : 4;
+}
+
+static void list_elements_around(recovery *r) {
+  const arc_mesh *m = r->mesh;
+  for (int e = 0; e < m->elements; e++)
+    for (int c = 0; c < corners_of(m, e); c++) r->start[m->element[4 * e + c]]++;
+  for (int n = 0; n < m->nodes; n++) r->start[n + 1] += r->start[n];
+  for (int e = m->elements - 1; e >= 0; e--)
+    for (int c = 0; c < corners_of(m, e); c++) r->around[--r->start[m->element[4 * e + c]]] = e;
+}
+
+/* --- what the elements know ------------------------------------------------------------------- */
+
+static element element_with(const recovery *r, int e, double u[8]) {
+  const int *corner = &r->mesh->element[4 * e];
+  const element el = arc_element_at(r->xy, corner, r->mesh->def.element);
+  for (int c = 0; c < el.corners; c++) memcpy(&u[2 * c], &r->u[2 * corner[c]], 2 * sizeof *u);
+  return el;
+}
+
+static void sample_element(recovery *r, int e) {
+  double u[8];
+  const element el = element_with(r, e, u);
+  arc_element_stress(&el, r->body->d, u, &r->value[3 * e]);
+  for (int c = 0; c < el.corners; c++)
+    for (int d = 0; d < 2; d++) r->place[2 * e + d] += el.xy[c][d] / el.corners;
+  r->known[e] = 1;
+}
+
+/* Triangles of one cell share the pressure of their common dilatation. */
+static void share_dilatation(recovery *r, int e, int triangles) {
+  double area = 0, change = 0, own[8];
+  for (int pass = 0; pass < 2; pass++)
+    for (int t = e; t < e + 2 * triangles; t += 2) {
+      double u[8], gradient[6], grown = 0;
+      const element el = element_with(r, t, u);
+      const double part = arc_triangle_swelling(&el, gradient);
+      for (int k = 0; k < 6; k++) grown += gradient[k] * u[k];
+      own[(t - e) / 2] = grown / part;
+      if (pass == 0) {
+        area += part;
+        change += grown;
+      } else {
+        const double more = arc_elasticity_bulk(r->body->d) * (change / area - own[(t - e) / 2]);
+        r->value[3 * t] += more;
+        r->value[3 * t + 1] += more;
+      }
+    }
+}
+
+static void sample_elements(recovery *r) {
+  for (int e = 0; e < r->mesh->elements; e++) sample_element(r, e);
+  for (int e = r->mesh->box_elements; e < r->mesh->elements; e++) {
+    const int triangles = arc_body_cell(r->body, e);
+    if (triangles > 1) share_dilatation(r, e, triangles);
+  }
+}
+
+/* --- what the boundary knows ------------------------------------------------------------------ */
+
+/* The boundary as a closed polygon; edge k runs from node k to the next one. */
+typedef struct boundary {
+  int count;
+  double *p;      /* [count] pressure at the nodes [MPa] */
+  double *bend;   /* [count] second difference of the pressure */
+  double *length; /* [count] of the edges [mm] */
+  double *rest;   /* [count] stress along the edge, but for what its own pressure does there */
+  double *work;   /* [2 * nodes] */
+} boundary;
+
+static int next_of(const boundary *o, int k) {
+  return k + 1 < o->count ? k + 1 : 0;
+}
+
+static int last_of(const boundary *o, int k) {
+  return k > 0 ? k - 1 : o->count - 1;
+}
+
+/* Pressure p on a half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E right there and
+ * nowhere else, so that the stress along it is -p. What is left of the stress comes from afar
+ * and is smooth, even where the pressure ends. */
+static void split_edges(const recovery *r, boundary *o) {
+  const double nu = r->body->material.nu, modulus = arc_material_E_star(r->body->material);
+  const int *node = r->mesh->outline_node;
+  for (int k = 0; k < o->count; k++) {
+    const double *a = &r->xy[2 * node[k]], *b = &r->xy[2 * node[next_of(o, k)]];
+    const double *ua = &r->u[2 * node[k]], *ub = &r->u[2 * node[next_of(o, k)]];
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    const double strain = ((ub[0] - ua[0]) * dx + (ub[1] - ua[1]) * dy) / (dx * dx + dy * dy);
+    o->length[k] = hypot(dx, dy);
+    o->rest[k] = modulus * strain + (1 - 2 * nu) / (1 - nu) * (o->p[k] + o->p[next_of(o, k)]) / 2;
+    o->bend[k] = o->p[next_of(o, k)] - 2 * o->p[k] + o->p[last_of(o, k)];
+  }
+}
+
+static double mean_bend(const boundary *o, int k) {
+  return (o->bend[k] + o->bend[next_of(o, k)]) / 2;
+}
+
+/* Elements smear the local strain: they add a share of the pressure's second difference, the same
+ * all along the uniform surface. It is the share without which the rest is smoothest (least sum of
+ * squared second differences), and it is taken out. */
+static void sharpen(boundary *o) {
+  double across = 0, square = 0;
+  for (int k = 0; k < o->count; k++) {
+    const int a = last_of(o, k), b = next_of(o, k);
+    if (o->p[k] == 0 && o->p[b] == 0 && o->p[a] == 0) continue;
+    const double rough = o->rest[a] - 2 * o->rest[k] + o->rest[b];
+    const double source = mean_bend(o, a) - 2 * mean_bend(o, k) + mean_bend(o, b);
+    across += rough * source;
+    square += source * source;
+  }
+  const double share = square > 0 ? fmax(-0.5, fmin(0.5, across / square)) : 0;
+  for (int k = 0; k < o->count; k++) o->rest[k] -= share * mean_bend(o, k);
+}
+
+/* Stress at boundary node k from its two edges, where they are nearly in line. */
+static void sample_boundary_node(recovery *r, const boundary *o, int k) {
+  static const double straight = 0.9; /* cosine: corners have no tangent */
+  const int *node = r->mesh->outline_node, before = last_of(o, k), at = node[k];
+  const double la = o->length[before], lb = o->length[k];
+  const double *a = &r->xy[2 * node[before]], *x = &r->xy[2 * at],
+               *b = &r->xy[2 * node[next_of(o, k)]];
+  double t[2], cosine = 0;
+  for (int d = 0; d < 2; d++) {
+    cosine += (x[d] - a[d]) / la * (b[d] - x[d]) / lb;
+    t[d] = (x[d] - a[d]) / la * lb + (b[d] - x[d]) / lb * la;
+  }
+  if (cosine < straight) return;
+  const double length = hypot(t[0], t[1]), tx = t[0] / length, ty = t[1] / length;
+  const double along = (o->rest[before] * lb + o->rest[k] * la) / (la + lb) - o->p[k];
+  const int s = r->mesh->elements + at;
+  r->place[2 * s] = x[0];
+  r->place[2 * s + 1] = x[1];
+  r->value[3 * s] = along * tx * tx - o->p[k] * ty * ty;
+  r->value[3 * s + 1] = along * ty * ty - o->p[k] * tx * tx;
+  r->value[3 * s + 2] = (along + o->p[k]) * tx * ty;
+  r->known[s] = 1;
+}
+
+static void sample_boundary(recovery *r, boundary *o, const double *p) {
+  const arc_mesh *m = r->mesh;
+  double *pressure = o->work, *fixed = pressure + m->nodes;
+  for (int i = 0; i < m->surface; i++) pressure[m->surface_node[i]] = p[i];
+  for (int k = 0; k < m->fixed; k++) fixed[m->fixed_node[k]] = 1;
+  for (int k = 0; k < o->count; k++) o->p[k] = pressure[m->outline_node[k]];
+  split_edges(r, o);
+  sharpen(o);
+  for (int k = 0; k < o->count; k++)
+    if (fixed[m->outline_node[k]] == 0) sample_boundary_node(r, o, k);
+}
+
+static arc_status make_boundary(recovery *r, const double *p) {
+  const size_t n = (size_t)r->mesh->outline, nodes = (size_t)r->mesh->nodes;
+  double *block = calloc(4 * n + 2 * nodes, sizeof *block);
+  if (!block) return ARC_MEMORY;
+  boundary o = {(int)n, block, block + n, block + 2 * n, block + 3 * n, block + 4 * n};
+  sample_boundary(r, &o, p);
+  free(block);
+  return ARC_OK;
+}
+
+/* --- patches ---------------------------------------------------------------------------------- */
+
+static void take(recovery *r, int sample, int node, int *count) {
+  if (!r->known[sample] || r->seen[sample] == node + 1) return;
+  r->seen[sample] = node + 1;
+  r->patch[(*count)++] = sample;
+}
+
+static void take_around(recovery *r, int at, int node, int *count) {
+  for (int k = r->start[at]; k < r->start[at + 1]; k++) take(r, r->around[k], node, count);
+}
+
+/* The elements around a node, those around their corners, and the boundary nodes among these. */
+static int gather_patch(recovery *r, int node, double *reach) {
+  const arc_mesh *m = r->mesh;
+  int count = 0;
+  take_around(r, node, node, &count);
+  const int inner = count;
+  *reach = 0;
+  for (int k = 0; k < inner; k++) {
+    const int e = r->patch[k];
+    *reach = fmax(*reach, hypot(r->place[2 * e] - r->xy[2 * node],
+                                r->place[2 * e + 1] - r->xy[2 * node + 1]));
+    for (int c = 0; c < corners_of(m, e); c++) take_around(r, m->element[4 * e + c], node, &count);
+  }
+  const int all = count;
+  for (int k = 0; k < all; k++)
+    for (int c = 0; c < corners_of(m, r->patch[k]); c++)
+      take(r, m->elements + m->element[4 * r->patch[k] + c], node, &count);
+  return count;
+}
+
+enum { terms = 6 };
+
+/* Weighted normal equations of a polynomial in the distance from the node over `reach`: 1, x, y,
+ * x2, xy, y2. */
+static void normal_equations(const recovery *r, int node, int count, double reach,
+                             double a[terms * terms], double b[terms * 3]) {
+  memset(a, 0, terms * terms * sizeof *a);
+  memset(b, 0, terms * 3 * sizeof *b);
+  for (int k = 0; k < count; k++) {
+    const double *at = &r->place[2 * r->patch[k]], *value = &r->value[3 * r->patch[k]];
+    const double x = (at[0] - r->xy[2 * node]) / reach, y = (at[1] - r->xy[2 * node + 1]) / reach;
+    const double term[terms] = {1, x, y, x * x, x * y, y * y}, weight = exp(-x * x - y * y);
+    for (int i = 0; i < terms; i++) {
+      for (int j = 0; j < terms; j++) a[dense_at(i, j, terms)] += weight * term[i] * term[j];
+      for (int s = 0; s < 3; s++) b[dense_at(i, s, terms)] += weight * term[i] * value[s];
+    }
+  }
+}
+
+/* The constants of the fit with the first n terms; 0 where the patch does not determine them. */
+static int solve_fit(int n, const double *a, const double *b, double stress[3]) {
+  double l[terms * terms], x[terms * 3];
+  memcpy(l, a, sizeof l);
+  memcpy(x, b, sizeof x);
+  if (arc_dense_cholesky(n, l, terms)) return 0;
+  for (int i = 0; i < n; i++) {
+    const double pivot = l[dense_at(i, i, terms)];
+    if (pivot * pivot < 1e-6 * a[dense_at(i, i, terms)]) return 0;
+  }
+  arc_dense_cholesky_solve(n, 3, l, terms, x, terms);
+  for (int s = 0; s < 3; s++) stress[s] = x[dense_at(0, s, terms)];
+  return 1;
+}
+
+static void fit_node(recovery *r, int node, double stress[3]) {
+  double reach, a[terms * terms], b[terms * 3];
+  const int count = gather_patch(r, node, &reach);
+  normal_equations(r, node, count, reach, a, b);
+  if (count > terms && solve_fit(terms, a, b, stress)) return;
+  if (count > 3 && solve_fit(3, a, b, stress)) return;
+  solve_fit(1, a, b, stress);
+}
+
+arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
+                                const double *p, double *stress) {
+  recovery r;
+  arc_status status = recovery_create(body, xy, u, &r);
+  if (status != ARC_OK) return status;
+  list_elements_around(&r);
+  sample_elements(&r);
+  status = make_boundary(&r, p);
+  for (int n = 0; n < body->mesh->nodes && status == ARC_OK; n++) {
+    const int own = body->mesh->elements + n;
+    if (r.known[own])
+      memcpy(&stress[3 * n], &r.value[3 * own], 3 * sizeof *stress);
+    else
+      fit_node(&r, n, &stress[3 * n]);
+  }
+  recovery_free(&r);
+  return status;
+}

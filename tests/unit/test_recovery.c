@@ -1,0 +1,149 @@
+/* Stresses at nodes: exact where stresses vary linearly, on the boundary as inside; symmetric; and
+ * what the boundary's tractions say is kept. Leans on the inside of contact. */
+#include "check.h"
+
+#include "core/contact/recovery.h"
+
+typedef struct recovered {
+  const elastic_body *body;
+  const arc_mesh *mesh;
+  double *u, *p, *stress;
+} recovered;
+
+static recovered start(const arc_model *model, arc_body which) {
+  const elastic_body *body = arc_model_body(model, which);
+  const size_t n = (size_t)body->mesh->nodes;
+  double *u = calloc(5 * n + (size_t)body->mesh->surface, sizeof *u);
+  return (recovered){body, body->mesh, u, u + 5 * n, u + 2 * n};
+}
+
+static void finish(recovered *r) {
+  free(r->u);
+}
+
+static void recover(recovered *r) {
+  assert_int_equal(arc_recover_stresses(r->body, r->mesh->xy, r->u, r->p, r->stress), ARC_OK);
+}
+
+static arc_model *model_with(arc_element kind, double nu) {
+  arc_model_def def = arc_model_default();
+  def.mesh.element = kind;
+  for (int b = 0; b < ARC_BODIES; b++) def.material[b] = (arc_material){1000, nu};
+  return build_model(&def);
+}
+
+/* Calls for the nodes of the wear box that are some columns away from its sides: where the pressure
+ * is the one given, whatever the rest of the boundary is told. */
+static int is_judged(const arc_mesh *m, int box) {
+  const int column = box / (m->rows + 1);
+  return column >= 6 && column < m->surface - 6;
+}
+
+/* The plate squeezed, stretched: sigma_xx = s, sigma_yy = -p, no shear. */
+static void test_constant(void **state) {
+  (void)state;
+  random_start(21);
+  for (int trial = 0; trial < 6; trial++) {
+    arc_model *model = model_with(trial % 2 ? ARC_CPE4 : ARC_CPE4I, random_in(0, 0.499));
+    recovered r = start(model, ARC_PLATE);
+    const elasticity d = r.body->d;
+    const double p = random_in(1, 3), s = random_in(-3, 3), det = d.c11 * d.c11 - d.c12 * d.c12;
+    const double exx = (d.c11 * s + d.c12 * p) / det, eyy = (-d.c12 * s - d.c11 * p) / det;
+    for (int n = 0; n < r.mesh->nodes; n++) {
+      r.u[2 * n] = exx * r.mesh->xy[2 * n];
+      r.u[2 * n + 1] = eyy * r.mesh->xy[2 * n + 1];
+    }
+    for (int i = 0; i < r.mesh->surface; i++) r.p[i] = p;
+    recover(&r);
+    for (int k = 0; k < r.mesh->surface * (r.mesh->rows + 1); k++) {
+      const double *stress = &r.stress[3 * r.mesh->box_node[k]];
+      if (!is_judged(r.mesh, k)) continue;
+      check_near(stress[0], s, 1e-9 * d.c11);
+      check_near(stress[1], -p, 1e-9 * d.c11);
+      check_near(stress[2], 0, 1e-9 * d.c11);
+    }
+    finish(&r);
+    arc_model_release(&model);
+  }
+}
+
+/* Bending, ux = x y, uy = -x2/2 - nu/(1-nu) y2/2: sigma_xx = E* y, nothing else, no pressure.
+ * Elements of one size know it exactly at their centres. */
+static void test_bending(void **state) {
+  (void)state;
+  arc_model *model = model_with(ARC_CPE4, 0.3);
+  recovered r = start(model, ARC_PLATE);
+  const double modulus = arc_material_E_star(r.body->material);
+  for (int n = 0; n < r.mesh->nodes; n++) {
+    const double x = r.mesh->xy[2 * n], y = r.mesh->xy[2 * n + 1];
+    r.u[2 * n] = x * y;
+    r.u[2 * n + 1] = -x * x / 2 - 0.3 / 0.7 * y * y / 2;
+  }
+  recover(&r);
+  for (int k = 0; k < r.mesh->surface * (r.mesh->rows + 1); k++) {
+    const int n = r.mesh->box_node[k];
+    if (!is_judged(r.mesh, k)) continue;
+    check_near(r.stress[3 * n], modulus * r.mesh->xy[2 * n + 1], 1e-9 * modulus);
+    check_near(r.stress[3 * n + 1], 0, 1e-9 * modulus);
+    check_near(r.stress[3 * n + 2], 0, 1e-9 * modulus);
+  }
+  finish(&r);
+  arc_model_release(&model);
+}
+
+static int mirror_of(const arc_mesh *m, int node) {
+  for (int n = 0; n < m->nodes; n++)
+    if (m->xy[2 * n] == -m->xy[2 * node] && m->xy[2 * n + 1] == m->xy[2 * node + 1]) return n;
+  fail();
+  return -1;
+}
+
+/* Fields of a contact: tractions kept at every free node of the surface, mirrored on both sides. */
+static void check_contact(const arc_contact *contact, arc_body body) {
+  const arc_mesh *m = arc_model_mesh(arc_contact_model(contact), body);
+  const arc_pressure pressure = arc_contact_pressure(contact, body);
+  const double most = arc_contact_get(contact).p_max;
+  arc_field *f = NULL;
+  check_ok(arc_contact_field(contact, body, &f, why));
+  for (int i = 1; i + 1 < m->surface; i++) {
+    const int n = m->surface_node[i], a = m->surface_node[i - 1], b = m->surface_node[i + 1];
+    const double dx = f->x[b] - f->x[a], dy = f->y[b] - f->y[a], l = hypot(dx, dy);
+    const double nx = -dy / l, ny = dx / l;
+    const double tx = f->sxx[n] * nx + f->sxy[n] * ny, ty = f->sxy[n] * nx + f->syy[n] * ny;
+    check_near(tx, -pressure.p[i] * nx, 1e-6 * most);
+    check_near(ty, -pressure.p[i] * ny, 1e-6 * most);
+  }
+  for (int n = 0; n < m->nodes; n += 7) {
+    const int other = mirror_of(m, n);
+    check_near(f->sxx[n], f->sxx[other], 1e-8 * most);
+    check_near(f->mises[n], f->mises[other], 1e-8 * most);
+    check_near(f->sxy[n], -f->sxy[other], 1e-8 * most);
+  }
+  arc_field_destroy(&f);
+}
+
+static void test_tractions(void **state) {
+  (void)state;
+  for (double nu = 0.3; nu < 0.5; nu += 0.1999) {
+    arc_model *model = model_with(ARC_ELEMENT_AUTO, nu);
+    arc_shape *shape = NULL;
+    arc_contact *contact = NULL;
+    arc_contact_def def = arc_contact_default();
+    def.load = 0.5;
+    check_ok(arc_shape_create(model, ARC_MOVING, 0, &shape, why));
+    check_ok(arc_contact_solve(shape, &def, NULL, &contact, why));
+    for (int b = 0; b < ARC_BODIES; b++) check_contact(contact, (arc_body)b);
+    arc_contact_destroy(&contact);
+    arc_shape_destroy(&shape);
+    arc_model_release(&model);
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_constant),
+      cmocka_unit_test(test_bending),
+      cmocka_unit_test(test_tractions),
+  };
+  return cmocka_run_group_tests_name("recovery", tests, NULL, NULL);
+}
