@@ -79,25 +79,25 @@ static void sample_element(recovery *r, int e) {
   r->known[e] = 1;
 }
 
+/* Change of a triangle's area [mm2]; its area comes on top of *area. */
+static double swelling_of(const recovery *r, int e, double *area) {
+  double u[8], gradient[6], change = 0;
+  const element el = element_with(r, e, u);
+  *area += arc_triangle_swelling(&el, gradient);
+  for (int k = 0; k < 6; k++) change += gradient[k] * u[k];
+  return change;
+}
+
 /* Triangles of one cell share the pressure of their common dilatation. */
 static void share_dilatation(recovery *r, int e, int triangles) {
-  double area = 0, change = 0, own[8];
-  for (int pass = 0; pass < 2; pass++)
-    for (int t = e; t < e + 2 * triangles; t += 2) {
-      double u[8], gradient[6], grown = 0;
-      const element el = element_with(r, t, u);
-      const double part = arc_triangle_swelling(&el, gradient);
-      for (int k = 0; k < 6; k++) grown += gradient[k] * u[k];
-      own[(t - e) / 2] = grown / part;
-      if (pass == 0) {
-        area += part;
-        change += grown;
-      } else {
-        const double more = arc_elasticity_bulk(r->body->d) * (change / area - own[(t - e) / 2]);
-        r->value[3 * t] += more;
-        r->value[3 * t + 1] += more;
-      }
-    }
+  const double bulk = arc_elasticity_bulk(r->body->d);
+  double area = 0, change = 0;
+  for (int t = e; t < e + 2 * triangles; t += 2) change += swelling_of(r, t, &area);
+  for (int t = e; t < e + 2 * triangles; t += 2) {
+    double own = 0;
+    const double grown = swelling_of(r, t, &own);
+    for (int s = 0; s < 2; s++) r->value[3 * t + s] += bulk * (change / area - grown / own);
+  }
 }
 
 static void sample_elements(recovery *r) {
