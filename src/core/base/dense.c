@@ -6,13 +6,13 @@ void dpotrf_(const char *uplo, const int *n, double *a, const int *lda, int *inf
 void dpotrs_(const char *uplo, const int *n, const int *nrhs, const double *a, const int *lda,
              double *b, const int *ldb, int *info);
 void dpbtrf_(const char *uplo, const int *n, const int *kd, double *ab, const int *ldab, int *info);
-void dpbtrs_(const char *uplo, const int *n, const int *kd, const int *nrhs, const double *ab,
-             const int *ldab, double *b, const int *ldb, int *info);
 void dgesv_(const int *n, const int *nrhs, double *a, const int *lda, int *ipiv, double *b,
             const int *ldb, int *info);
 void dtrsm_(const char *side, const char *uplo, const char *transa, const char *diag, const int *m,
             const int *n, const double *alpha, const double *a, const int *lda, double *b,
             const int *ldb);
+void dsyrk_(const char *uplo, const char *trans, const int *n, const int *k, const double *alpha,
+            const double *a, const int *lda, const double *beta, double *c, const int *ldc);
 void dgemm_(const char *transa, const char *transb, const int *m, const int *n, const int *k,
             const double *alpha, const double *a, const int *lda, const double *b, const int *ldb,
             const double *beta, double *c, const int *ldc);
@@ -23,9 +23,62 @@ int arc_dense_cholesky(int n, double *a, int ld) {
   return info;
 }
 
+/* to[] -= by four columns at once: they are what such loops wait for. */
+static void subtract_columns(int n, const double *l, int ld, const double by[4], double *to) {
+  const double *l1 = l + ld, *l2 = l1 + ld, *l3 = l2 + ld;
+  for (int i = 0; i < n; i++)
+    to[i] -= (l[i] * by[0] + l1[i] * by[1]) + (l2[i] * by[2] + l3[i] * by[3]);
+}
+
+/* The diagonal block of four at column j. */
+static void forward_block(const double *l, int ld, double *b, int count) {
+  for (int j = 0; j < count; j++) {
+    b[j] /= l[dense_at(j, j, ld)];
+    for (int i = j + 1; i < count; i++) b[i] -= l[dense_at(i, j, ld)] * b[j];
+  }
+}
+
+static void backward_block(const double *l, int ld, double *b, int count) {
+  for (int j = count - 1; j >= 0; j--) {
+    for (int i = j + 1; i < count; i++) b[j] -= l[dense_at(i, j, ld)] * b[i];
+    b[j] /= l[dense_at(j, j, ld)];
+  }
+}
+
+/* Four sums at once, for the same reason. */
+static void subtract_products(int n, const double *l, int ld, const double *b, double from[4]) {
+  const double *l1 = l + ld, *l2 = l1 + ld, *l3 = l2 + ld;
+  double sum[4] = {0};
+  for (int i = 0; i < n; i++) {
+    sum[0] += l[i] * b[i];
+    sum[1] += l1[i] * b[i];
+    sum[2] += l2[i] * b[i];
+    sum[3] += l3[i] * b[i];
+  }
+  for (int q = 0; q < 4; q++) from[q] -= sum[q];
+}
+
+/* One right-hand side: LAPACK's way by dtrsm costs twice as much at the sizes of contacts. */
+static void solve_one(int n, const double *l, int ld, double *b) {
+  const int blocks = n - n % 4;
+  for (int j = 0; j < blocks; j += 4) {
+    forward_block(&l[dense_at(j, j, ld)], ld, &b[j], 4);
+    subtract_columns(n - j - 4, &l[dense_at(j + 4, j, ld)], ld, &b[j], &b[j + 4]);
+  }
+  forward_block(&l[dense_at(blocks, blocks, ld)], ld, &b[blocks], n - blocks);
+  backward_block(&l[dense_at(blocks, blocks, ld)], ld, &b[blocks], n - blocks);
+  for (int j = blocks - 4; j >= 0; j -= 4) {
+    subtract_products(n - j - 4, &l[dense_at(j + 4, j, ld)], ld, &b[j + 4], &b[j]);
+    backward_block(&l[dense_at(j, j, ld)], ld, &b[j], 4);
+  }
+}
+
 void arc_dense_cholesky_solve(int n, int count, const double *l, int ld, double *b, int ldb) {
   int info = 0;
-  if (n > 0) dpotrs_("L", &n, &count, l, &ld, b, &ldb, &info);
+  if (count == 1)
+    solve_one(n, l, ld, b);
+  else if (n > 0)
+    dpotrs_("L", &n, &count, l, &ld, b, &ldb, &info);
 }
 
 void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int ldb) {
@@ -40,10 +93,61 @@ int arc_dense_band_cholesky(int n, int band, double *a) {
   return info;
 }
 
-void arc_dense_band_solve(int n, int band, int count, const double *l, double *b, int ldb) {
-  const int ld = band + 1;
-  int info = 0;
-  if (n > 0) dpbtrs_("L", &n, &band, &count, l, &ld, b, &ldb, &info);
+/* Right-hand sides that go through the band together, side by side: x[together * i + c]. LAPACK
+ * takes them one by one, and waits for each. */
+enum { together = ARC_DENSE_BAND_WORK };
+
+static int least(int a, int b) {
+  return a < b ? a : b;
+}
+
+static void band_forward(int from, int n, int band, const double *l, double *x) {
+  for (int j = from; j < n; j++) {
+    const double *column = &l[dense_at(0, j, band + 1)];
+    const int below = least(n - 1 - j, band);
+    double *at = &x[(size_t)together * (size_t)j], v[together];
+    for (int c = 0; c < together; c++) v[c] = at[c] / column[0];
+    for (int c = 0; c < together; c++) at[c] = v[c];
+    for (int i = 1; i <= below; i++)
+      for (int c = 0; c < together; c++) at[together * i + c] -= column[i] * v[c];
+  }
+}
+
+static void band_backward(int n, int band, const double *l, double *x) {
+  for (int j = n - 1; j >= 0; j--) {
+    const double *column = &l[dense_at(0, j, band + 1)];
+    const int below = least(n - 1 - j, band);
+    double *at = &x[(size_t)together * (size_t)j], v[together];
+    for (int c = 0; c < together; c++) v[c] = at[c];
+    for (int i = 1; i <= below; i++)
+      for (int c = 0; c < together; c++) v[c] -= column[i] * at[together * i + c];
+    for (int c = 0; c < together; c++) at[c] = v[c] / column[0];
+  }
+}
+
+/* Copies `count` columns of b side by side, the rest zero; the first row that is not all zero. */
+static int gather(int n, int count, const double *b, int ldb, double *x) {
+  int first = n;
+  for (int c = 0; c < together; c++)
+    for (int i = 0; i < n; i++) {
+      const double value = c < count ? b[dense_at(i, c, ldb)] : 0;
+      x[together * i + c] = value;
+      if (value != 0 && i < first) first = i;
+    }
+  return first;
+}
+
+void arc_dense_band_solve(int n, int band, int count, const double *l, double *b, int ldb,
+                          double *work) {
+  for (int done = 0; done < count; done += together) {
+    double *columns = &b[dense_at(0, done, ldb)];
+    const int here = least(together, count - done);
+    const int first = gather(n, here, columns, ldb, work);
+    band_forward(first, n, band, l, work);
+    band_backward(n, band, l, work);
+    for (int c = 0; c < here; c++)
+      for (int i = 0; i < n; i++) columns[dense_at(i, c, ldb)] = work[together * i + c];
+  }
 }
 
 void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const double *a, int lda,
@@ -54,6 +158,11 @@ void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const doub
 void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int lda,
                         const double *b, int ldb, double beta, double *c, int ldc) {
   dgemm_("N", "N", &m, &n, &k, &alpha, a, &lda, b, &ldb, &beta, c, &ldc);
+}
+
+void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc) {
+  const double one = 1, zero = 0;
+  if (n > 0) dsyrk_("L", "N", &n, &k, &one, a, &lda, &zero, c, &ldc);
 }
 
 int arc_dense_solve(int n, double *a, int *pivots, double *x) {

@@ -42,18 +42,39 @@ static int solve_on_set(pose *p, double line, double *fs) {
   return 0;
 }
 
-/* f by candidate from fs on the set; the gaps that remain. */
+/* open[] += A f for the candidates first .. last - 1, four columns at a time. */
+static void open_by(pose *p, const double *fs, int first, int last) {
+  int s = 0;
+  for (; s + 4 <= p->active; s += 4) {
+    const double *a0 = &p->a[dense_at(0, p->set[s], p->count)];
+    const double *a1 = &p->a[dense_at(0, p->set[s + 1], p->count)];
+    const double *a2 = &p->a[dense_at(0, p->set[s + 2], p->count)];
+    const double *a3 = &p->a[dense_at(0, p->set[s + 3], p->count)];
+    for (int k = first; k < last; k++)
+      p->open[k] += (a0[k] * fs[s] + a1[k] * fs[s + 1]) + (a2[k] * fs[s + 2] + a3[k] * fs[s + 3]);
+  }
+  for (; s < p->active; s++) {
+    const double *a = &p->a[dense_at(0, p->set[s], p->count)];
+    for (int k = first; k < last; k++) p->open[k] += a[k] * fs[s];
+  }
+}
+
+/* f by candidate from fs on the set; the gaps that remain: none on the set, and elsewhere between
+ * its nodes. */
 static void spread(pose *p, const double *fs) {
   for (int k = 0; k < p->count; k++) {
     p->f[k] = 0;
     p->open[k] = p->gap[k] - p->approach;
   }
-  for (int s = 0; s < p->active; s++) {
-    const double *column = &p->a[dense_at(0, p->set[s], p->count)];
-    p->f[p->set[s]] = fs[s];
-    for (int k = 0; k < p->count; k++) p->open[k] += column[k] * fs[s];
+  for (int s = 0, first = 0; s <= p->active; s++) {
+    const int last = s < p->active ? p->set[s] : p->count;
+    if (last > first) open_by(p, fs, first, last);
+    first = last + 1;
   }
-  for (int s = 0; s < p->active; s++) p->open[p->set[s]] = 0;
+  for (int s = 0; s < p->active; s++) {
+    p->f[p->set[s]] = fs[s];
+    p->open[p->set[s]] = 0;
+  }
 }
 
 /* Nodes that press stay, nodes that penetrate join. Returns whether the set changed. */

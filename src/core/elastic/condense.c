@@ -19,6 +19,7 @@ typedef struct condensation {
   double *t;          /* [nr x nr] factor of T */
   double *w;          /* [nr x ns] W, vertical */
   double *wx;         /* [nr x ns] the same for the x unknowns of the surface */
+  double *work;       /* of the band's solutions */
   sparse_entries rim; /* K_ri: row rim, column inner */
 } condensation;
 
@@ -28,6 +29,7 @@ static void condensation_free(condensation *c) {
   free(c->t);
   free(c->w);
   free(c->wx);
+  free(c->work);
   arc_sparse_free(&c->rim);
 }
 
@@ -39,7 +41,8 @@ static arc_status condensation_create(const elastic_body *b, condensation *c) {
   c->t = malloc(nr * nr * sizeof(double));
   c->w = calloc(nr * ns, sizeof(double));
   c->wx = calloc(nr * ns, sizeof(double));
-  if (c->band && c->x && c->t && c->w && c->wx) return ARC_OK;
+  c->work = malloc(ARC_DENSE_BAND_WORK * ni * sizeof(double));
+  if (c->band && c->x && c->t && c->w && c->wx && c->work) return ARC_OK;
   condensation_free(c);
   return ARC_MEMORY;
 }
@@ -124,7 +127,7 @@ static arc_status condense(const elastic_body *b, const double *box_xy, condensa
     fill_right_hand_sides(b, c);
     int bad = arc_dense_band_cholesky(c->ni, b->band, c->band);
     if (!bad) {
-      arc_dense_band_solve(c->ni, b->band, c->nr + c->ns, c->band, c->x, c->ni);
+      arc_dense_band_solve(c->ni, b->band, c->nr + c->ns, c->band, c->x, c->ni, c->work);
       reduce_rim(c);
       bad = arc_dense_cholesky(c->nr, c->t, c->nr);
     }
