@@ -71,7 +71,7 @@ static whole assemble(const elastic_body *b, const double *xy) {
         add_entry(&w, &entries, 2 * corner[r / 2] + r % 2, 2 * corner[c / 2] + c % 2, k[r * n + c]);
     if (shared && starts_cell(m, e)) add_dilatation(&w, xy, e, &entries);
   }
-  check_ok(arc_factor_create(w.n, &entries, &w.k, why));
+  check_ok(arc_factor_create(w.n, 0, &entries, &w.k, why));
   arc_sparse_free(&entries);
   return w;
 }
@@ -85,7 +85,7 @@ static void whole_free(whole *w) {
 static void push(const whole *w, int s, double *u) {
   memset(u, 0, (size_t)w->n * sizeof *u);
   u[w->unknown[w->body->mesh->surface_node[s]] + 1] = 1;
-  check_ok(arc_factor_solve(w->k, 1, u, why));
+  check_ok(arc_factor_solve(w->k, u, why));
 }
 
 /* The compliance against the direct solution, to 1e-10 of its largest entry; F symmetric. */
@@ -239,7 +239,7 @@ static void check_field(const arc_contact *contact, const arc_shape *shape, arc_
   double *u = calloc((size_t)w.n, sizeof *u);
   for (int s = 0; s < m->surface; s++)
     u[w.unknown[m->surface_node[s]] + 1] = (b == ARC_CYLINDER ? 1 : -1) * pressure.f[s];
-  check_ok(arc_factor_solve(w.k, 1, u, why));
+  check_ok(arc_factor_solve(w.k, u, why));
   for (int k = 0; k < w.n; k++) most = fmax(most, fabs(u[k]));
   arc_field *field = NULL;
   check_ok(arc_contact_field(contact, b, &field, why));
@@ -281,7 +281,7 @@ static void test_not_definite(void **state) {
     assert_int_equal(arc_sparse_add(&entries, i, i, i == 2 ? -1 : 1), ARC_OK);
   }
   factor *f = NULL;
-  check_refused(arc_factor_create(3, &entries, &f, why), ARC_NUMERIC, "not positive definite");
+  check_refused(arc_factor_create(3, 0, &entries, &f, why), ARC_NUMERIC, "not positive definite");
   assert_null(f);
   arc_sparse_free(&entries);
 }

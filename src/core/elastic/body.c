@@ -5,9 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Right-hand sides solved together when the far part is eliminated. */
-enum { block = 32 };
-
 /* A cell with a hanging node in each edge: eight triangles around its middle. */
 enum { most_cell_nodes = 9 };
 
@@ -48,28 +45,23 @@ static void number_far(elastic_body *b) {
   }
 }
 
-/* Adds the stiffness k of some nodes: far-far entries to `stiffness`, far-rim to the coupling,
- * rim-rim to s_far. */
+/* Adds the stiffness k of some nodes to `stiffness`, rim unknowns after the far ones, and its
+ * far-rim entries to the coupling. */
 static arc_status add_block(elastic_body *b, const int *nodes, int count, const double *k,
                             sparse_entries *stiffness) {
   const int n = 2 * count;
-  int far[2 * most_cell_nodes], rim[2 * most_cell_nodes];
+  int at[2 * most_cell_nodes];
   for (int r = 0; r < n; r++) {
-    const int node = nodes[r / 2], box = b->node_box[node];
-    far[r] = b->node_far[node] < 0 ? -1 : b->node_far[node] + r % 2;
-    rim[r] = box < 0 ? -1 : 2 * b->box_rim[box] + r % 2;
+    const int node = nodes[r / 2], box = b->node_box[node], far = b->node_far[node];
+    at[r] = far >= 0 ? far + r % 2 : box < 0 ? -1 : b->far_count + 2 * b->box_rim[box] + r % 2;
   }
   arc_status status = ARC_OK;
   for (int r = 0; r < n; r++)
     for (int c = 0; c < n && status == ARC_OK; c++) {
-      const double value = k[r * n + c];
-      if (far[r] >= 0 && far[c] >= 0) {
-        if (far[r] >= far[c]) status = arc_sparse_add(stiffness, far[r], far[c], value);
-      } else if (far[r] >= 0 && rim[c] >= 0) {
-        status = arc_sparse_add(&b->coupling, far[r], rim[c], value);
-      } else if (rim[r] >= 0 && rim[c] >= 0) {
-        b->s_far[dense_at(rim[r], rim[c], 2 * b->rim)] += value;
-      }
+      if (at[c] < 0 || at[r] < at[c]) continue;
+      status = arc_sparse_add(stiffness, at[r], at[c], k[r * n + c]);
+      if (status == ARC_OK && at[r] >= b->far_count && at[c] < b->far_count)
+        status = arc_sparse_add(&b->coupling, at[c], at[r] - b->far_count, k[r * n + c]);
     }
   return status;
 }
@@ -146,40 +138,17 @@ static arc_status add_far_elements(elastic_body *b, sparse_entries *stiffness) {
   return status;
 }
 
-static arc_status assemble_and_factorise(elastic_body *b, arc_error *error) {
+/* S_far = K_rr - K_rf K_ff^-1 K_fr falls out of the factorisation. */
+static arc_status eliminate_far(elastic_body *b, arc_error *error) {
   sparse_entries stiffness = {0};
   arc_status status = add_far_elements(b, &stiffness);
+  const int rim = 2 * b->rim;
   if (status == ARC_OK)
-    status = arc_factor_create(b->far_count, &stiffness, &b->far, error);
+    status = arc_factor_create(b->far_count + rim, rim, &stiffness, &b->far, error);
   else
     out_of_memory(b, error);
   arc_sparse_free(&stiffness);
-  return status;
-}
-
-/* S_far = K_rr - K_rf K_ff^-1 K_fr, some columns of K_fr at a time. */
-static arc_status eliminate_far(elastic_body *b, arc_error *error) {
-  const int m = 2 * b->rim;
-  const size_t n = (size_t)b->far_count;
-  double *x = malloc(n * block * sizeof *x);
-  if (!x) return out_of_memory(b, error);
-  arc_status status = ARC_OK;
-  for (int first = 0; first < m && status == ARC_OK; first += block) {
-    const int count = m - first < block ? m - first : block;
-    memset(x, 0, n * (size_t)count * sizeof *x);
-    for (size_t k = 0; k < b->coupling.count; k++) {
-      const int c = b->coupling.column[k] - first;
-      if (c >= 0 && c < count)
-        x[(size_t)b->coupling.row[k] + (size_t)c * n] += b->coupling.value[k];
-    }
-    status = arc_factor_solve(b->far, count, x, error);
-    for (size_t k = 0; k < b->coupling.count && status == ARC_OK; k++)
-      for (int c = 0; c < count; c++)
-        b->s_far[dense_at(b->coupling.column[k], first + c, m)] -=
-            b->coupling.value[k] * x[(size_t)b->coupling.row[k] + (size_t)c * n];
-  }
-  free(x);
-  return status;
+  return status == ARC_OK ? arc_factor_schur(b->far, b->s_far, error) : status;
 }
 
 static arc_status allocate(elastic_body *b) {
@@ -218,7 +187,6 @@ arc_status arc_body_create(const arc_model_def *def, arc_body which, elastic_bod
   mesh.element = arc_element_for(mesh.element, b->material.nu);
   arc_status status = arc_mesh_build(&mesh, which, def->radius, &b->mesh, error);
   if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);
-  if (status == ARC_OK) status = assemble_and_factorise(b, error);
   if (status == ARC_OK) status = eliminate_far(b, error);
   if (status == ARC_OK) status = condense_unworn(b, error);
   if (status != ARC_OK) arc_body_destroy(&b);

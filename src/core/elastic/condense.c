@@ -178,7 +178,7 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
   if (!far) return arc_fail(error, ARC_MEMORY, "out of memory for displacements");
   for (size_t k = 0; k < b->coupling.count; k++)
     far[b->coupling.row[k]] -= b->coupling.value[k] * rim[b->coupling.column[k]];
-  const arc_status status = arc_factor_solve(b->far, 1, far, error);
+  const arc_status status = arc_factor_solve(b->far, far, error);
   for (int n = 0; n < b->mesh->nodes && status == ARC_OK; n++)
     if (b->node_far[n] >= 0) memcpy(&u[2 * n], &far[b->node_far[n]], 2 * sizeof *u);
   free(far);

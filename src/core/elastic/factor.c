@@ -2,6 +2,7 @@
  * (a forgotten support) where the simplicial LDL' would go on; the status is read at once, because
  * the next call resets it. */
 #include "core/elastic/factor.h"
+#include "core/base/dense.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +15,7 @@
 struct factor {
   cholmod_common common;
   cholmod_factor *l;
+  int last;                 /* unknowns whose Schur complement is wanted */
   cholmod_dense *x, *y, *e; /* workspace kept between solves */
 };
 
@@ -70,26 +72,99 @@ static arc_status why(const factor *f, arc_error *error) {
   return arc_fail(error, ARC_NUMERIC, "CHOLMOD failed with status %d", f->common.status);
 }
 
-arc_status arc_factor_create(int n, const sparse_entries *entries, factor **result,
+/* Least fill, with the last unknowns kept last: what they hold then is the Schur complement. */
+static int order(cholmod_sparse *a, int last, int *permutation, cholmod_common *common) {
+  const int n = (int)a->nrow;
+  int *group = malloc((size_t)n * sizeof *group);
+  if (!group) {
+    common->status = CHOLMOD_OUT_OF_MEMORY;
+    return 0;
+  }
+  for (int k = 0; k < n; k++) group[k] = k >= n - last;
+  const int done = cholmod_camd(a, NULL, 0, group, permutation, common);
+  free(group);
+  return done;
+}
+
+/* Analysis may still reorder: unknowns that are not joined to the rest would not stay last. */
+static int kept_last(const factor *f) {
+  const int *permutation = f->l->Perm, n = (int)f->l->n;
+  for (int k = n - f->last; k < n; k++)
+    if (permutation[k] < n - f->last) return 0;
+  return 1;
+}
+
+static arc_status analyse(factor *f, cholmod_sparse *a, arc_error *error) {
+  int *permutation = malloc(a->nrow * sizeof *permutation);
+  if (!permutation) f->common.status = CHOLMOD_OUT_OF_MEMORY;
+  if (permutation && order(a, f->last, permutation, &f->common))
+    f->l = cholmod_analyze_p(a, permutation, NULL, 0, &f->common);
+  free(permutation);
+  if (!f->l) return why(f, error);
+  if (kept_last(f)) return ARC_OK;
+  return arc_fail(error, ARC_NUMERIC, "the stiffness falls into parts that are not joined");
+}
+
+static arc_status factorise(factor *f, cholmod_sparse *a, arc_error *error) {
+  const arc_status status = analyse(f, a, error);
+  if (status != ARC_OK) return status;
+  if (cholmod_factorize(a, f->l, &f->common) && f->common.status == CHOLMOD_OK &&
+      f->l->minor == f->l->n)
+    return ARC_OK;
+  return why(f, error);
+}
+
+arc_status arc_factor_create(int n, int last, const sparse_entries *entries, factor **result,
                              arc_error *error) {
   *result = NULL;
   factor *f = calloc(1, sizeof *f);
   if (!f) return arc_fail(error, ARC_MEMORY, "out of memory in the factorisation");
+  f->last = last;
   cholmod_start(&f->common);
   f->common.print = 0;
   f->common.nmethods = 1;
-  f->common.method[0].ordering = CHOLMOD_AMD;
+  f->common.method[0].ordering = CHOLMOD_GIVEN;
   f->common.supernodal = CHOLMOD_SUPERNODAL;
-  arc_status status = ARC_OK;
   cholmod_sparse *a = to_sparse(n, entries, &f->common);
-  if (a) f->l = cholmod_analyze(a, &f->common);
-  if (!a || !f->l || !cholmod_factorize(a, f->l, &f->common) || f->common.status != CHOLMOD_OK ||
-      f->l->minor < f->l->n)
-    status = why(f, error);
+  const arc_status status = a ? factorise(f, a, error) : why(f, error);
   cholmod_free_sparse(&a, &f->common);
   if (status != ARC_OK) arc_factor_destroy(&f);
   *result = f;
   return status;
+}
+
+/* Lower triangle of the factor's last rows and columns, in its order. */
+static void last_block(const factor *f, double *block) {
+  const cholmod_factor *l = f->l;
+  const int *super = l->super, *pi = l->pi, *px = l->px, *rows = l->s;
+  const int first = (int)l->n - f->last;
+  const double *x = l->x;
+  for (size_t s = 0; s < l->nsuper; s++)
+    for (int c = super[s]; c < super[s + 1]; c++) {
+      if (c < first) continue;
+      const int height = pi[s + 1] - pi[s], at = c - super[s];
+      for (int r = at; r < height; r++)
+        block[dense_at(rows[pi[s] + r] - first, c - first, f->last)] =
+            x[(size_t)px[s] + (size_t)r + (size_t)at * (size_t)height];
+    }
+}
+
+arc_status arc_factor_schur(const factor *f, double *schur, arc_error *error) {
+  const int m = f->last, *order_of = (const int *)f->l->Perm + f->l->n - m;
+  const size_t count = (size_t)m * (size_t)m;
+  double *block = calloc(2 * count, sizeof *block);
+  if (!block) return arc_fail(error, ARC_MEMORY, "out of memory in the factorisation");
+  double *product = block + count;
+  last_block(f, block);
+  arc_dense_square(m, m, block, m, product, m);
+  const int first = (int)f->l->n - m;
+  for (int c = 0; c < m; c++)
+    for (int r = c; r < m; r++) {
+      const int i = order_of[r] - first, j = order_of[c] - first;
+      schur[dense_at(i, j, m)] = schur[dense_at(j, i, m)] = product[dense_at(r, c, m)];
+    }
+  free(block);
+  return ARC_OK;
 }
 
 void arc_factor_destroy(factor **f) {
@@ -113,20 +188,34 @@ static int ensure_workspace(factor *f, size_t count) {
          cholmod_ensure_dense(&f->e, e, count, e, CHOLMOD_REAL, &f->common);
 }
 
-arc_status arc_factor_solve(factor *f, int count, double *b, arc_error *error) {
-  const size_t n = f->l->n;
-  if (!ensure_workspace(f, (size_t)count)) return why(f, error);
+/* One of cholmod_solve's systems, from `from` into f->x. */
+static int solve_system(factor *f, int system, cholmod_dense *from) {
+  return cholmod_solve2(system, f->l, from, NULL, &f->x, NULL, &f->y, &f->e, &f->common);
+}
+
+/* With the last rows zero between the two halves the last unknowns stay out of it. */
+arc_status arc_factor_solve(factor *f, double *b, arc_error *error) {
+  const size_t n = f->l->n, first = n - (size_t)f->last;
+  double *room = calloc(n, sizeof *room);
+  if (!room) return arc_fail(error, ARC_MEMORY, "out of memory for displacements");
   cholmod_dense rhs = {.nrow = n,
-                       .ncol = (size_t)count,
-                       .nzmax = n * (size_t)count,
+                       .ncol = 1,
+                       .nzmax = n,
                        .d = n,
-                       .x = b,
+                       .x = room,
                        .xtype = CHOLMOD_REAL,
                        .dtype = CHOLMOD_DOUBLE};
-  if (!cholmod_solve2(CHOLMOD_A, f->l, &rhs, NULL, &f->x, NULL, &f->y, &f->e, &f->common))
-    return why(f, error);
-  memcpy(b, f->x->x, n * (size_t)count * sizeof *b);
-  return ARC_OK;
+  static const int system[] = {CHOLMOD_P, CHOLMOD_L, CHOLMOD_Lt, CHOLMOD_Pt};
+  arc_status status = ensure_workspace(f, 1) ? ARC_OK : why(f, error);
+  memcpy(room, b, first * sizeof *b);
+  for (int k = 0; k < 4 && status == ARC_OK; k++) {
+    if (!solve_system(f, system[k], &rhs)) status = why(f, error);
+    if (status == ARC_OK) memcpy(room, f->x->x, n * sizeof *room);
+    if (system[k] == CHOLMOD_L) memset(&room[first], 0, (size_t)f->last * sizeof *room);
+  }
+  if (status == ARC_OK) memcpy(b, room, first * sizeof *b);
+  free(room);
+  return status;
 }
 
 size_t arc_factor_bytes(const factor *f) {
