@@ -154,11 +154,11 @@ void arc_pose_stiffen(pose *p, const arc_shape *shape) {
 }
 
 void arc_pose_measure(pose *p, const arc_shape *shape) {
-  const double *cyl = shape->side[ARC_CYLINDER].xy, *plate = shape->side[ARC_PLATE].xy;
+  const double *cyl = shape->side[ARC_CYLINDER].level, *plate = shape->side[ARC_PLATE].level;
   for (int k = 0; k < p->count; k++) {
     double below = 0;
     for (int q = 0; q < p->width && p->first[k] + q < p->np; q++)
-      below += p->b[k * p->width + q] * plate[2 * (p->first[k] + q) + 1];
-    p->gap[k] = cyl[2 * (p->lo + k) + 1] - below;
+      below += p->b[k * p->width + q] * plate[p->first[k] + q];
+    p->gap[k] = cyl[p->lo + k] - below;
   }
 }

@@ -21,16 +21,20 @@ static double inward(const shape_side *side) {
   return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
 }
 
+/* Doubles a node has in the arrays of its side. */
+enum { side_arrays = 8 };
+
 static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   const size_t n = (size_t)body->mesh->surface;
   side->body = body;
   side->n = body->mesh->surface;
-  side->h = calloc(7 * n, sizeof(double)); /* one block for all the arrays of a side */
+  side->h = calloc(side_arrays * n, sizeof(double)); /* one block for all the arrays of a side */
   if (!side->h) return ARC_MEMORY;
   side->x0 = side->h + n;
   side->y = side->x0 + n;
   side->xy = side->y + n;
   side->settled = side->xy + 2 * n;
+  side->level = side->settled + 2 * n;
   return ARC_OK;
 }
 
@@ -41,6 +45,7 @@ static void fill_unworn(shape_side *side) {
     side->x0[i] = node[0];
     side->y[i] = node[1];
     memcpy(&side->xy[2 * i], node, 2 * sizeof(double));
+    side->level[i] = node[1];
   }
   memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
 }
@@ -84,7 +89,7 @@ arc_status arc_shape_clone(const arc_shape *shape, arc_shape **result, arc_error
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
     const shape_side *from = &shape->side[b];
     shape_side *to = &copy->side[b];
-    memcpy(to->h, from->h, 7 * (size_t)from->n * sizeof(double));
+    memcpy(to->h, from->h, side_arrays * (size_t)from->n * sizeof(double));
     to->even = from->even;
     status = copy_compliance(&to->own, &from->own);
     if (status != ARC_OK) out_of_memory(error);
@@ -220,6 +225,17 @@ static arc_status condense(const shape_side *side, const double *xy, compliance 
   return status;
 }
 
+/* Heights where the nodes stood along x at the last condensation, for which coupling and
+ * compliance hold: nodes on a slope have moved along it since. */
+static void level(shape_side *side) {
+  for (int i = 0; i < side->n; i++) {
+    const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
+    const double *left = &side->xy[2 * a], *right = &side->xy[2 * b], *at = &side->xy[2 * i];
+    const double slope = (right[1] - left[1]) / (right[0] - left[0]);
+    side->level[i] = at[1] - slope * (at[0] - side->settled[2 * i]);
+  }
+}
+
 static void commit(shape_side *side, const double *depth, const double *xy) {
   for (int i = 0; i < side->n; i++) {
     side->h[i] += depth[i];
@@ -247,6 +263,7 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
   if (status == ARC_OK) {
     commit(side, depth, xy);
     if (due) settle(shape, side, renewed);
+    level(side);
   }
   free(xy);
   return status;
@@ -272,7 +289,10 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
       for (int b = 0; b < ARC_BODIES; b++) arc_compliance_free(&renewed[b]);
       return status;
     }
-    for (int b = 0; b < ARC_BODIES; b++) settle(shape, &shape->side[b], renewed[b]);
+    for (int b = 0; b < ARC_BODIES; b++) {
+      settle(shape, &shape->side[b], renewed[b]);
+      level(&shape->side[b]);
+    }
   }
   shape->geometry = geometry;
   shape->refresh = refresh;
@@ -307,6 +327,7 @@ static arc_status restore_side(arc_shape *shape, arc_body body, const arc_surfac
   shape->version = arc_model_next_version(shape->model);
   side->even = state->even;
   for (int i = 0; i < side->n; i++) side->y[i] = side->xy[2 * i + 1] + inward(side) * side->even;
+  level(side);
   if (!state->condensed) return ARC_OK;
   const arc_status status = check_box(side, side->settled, error);
   if (status != ARC_OK) return status;
@@ -359,7 +380,7 @@ size_t arc_shape_bytes(const arc_shape *shape) {
   size_t bytes = sizeof *shape;
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t n = (size_t)shape->side[b].n, own = (size_t)shape->side[b].own.n;
-    bytes += (7 * n + 2 * own * own) * sizeof(double);
+    bytes += (side_arrays * n + 2 * own * own) * sizeof(double);
   }
   return bytes;
 }

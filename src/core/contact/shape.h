@@ -12,6 +12,7 @@ typedef struct shape_side {
   double *x0, *y;  /* [n] unworn x; present height, even wear included [mm] */
   double *xy;      /* [2 n] present surface nodes, even wear left out [mm] */
   double *settled; /* [2 n] surface nodes at the last condensation */
+  double *level;   /* [n] present height of the surface at the x of `settled` [mm] */
   double even;     /* [mm] wear that left the surface as it was */
   compliance own;  /* of the worn box; n = 0 while the unworn one serves */
 } shape_side;
