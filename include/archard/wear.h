@@ -112,9 +112,11 @@ typedef struct arc_loading {
   WHOLE(increments, "", 100, EVEN(2, 100000), 0,                                                   \
         "Increments n_c of a full cycle. Half of them are simulated, the way back being like the " \
         "way out (Eq. 22).")                                                                       \
-  NUMBER(refresh, "", 0.005, FROM(0), 0,                                                           \
-         "With moving geometry: the stiffness is renewed once a node has moved by more than this " \
-         "share of an element's height; 0: at every update.")                                      \
+  NUMBER(                                                                                          \
+      refresh, "", 0.05, FROM(0), 0,                                                               \
+      "With moving geometry: the stiffness is computed anew once a node has moved by more than "   \
+      "this share of an element's present height, or along the surface by a hundredth of it in "   \
+      "elements' widths, and followed to first order in between; 0: anew at every update.")        \
   CHOICE(procedure, procedure, ARC_AUTO, 0,                                                        \
          "SP simulates the sliding plate (Eq. 22); NSP solves one contact an update, right where " \
          "the plate stays flat: alpha = 1, or a stroke of 2 radius (Eqs. 24-27). \"auto\" "        \

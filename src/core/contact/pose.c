@@ -57,6 +57,7 @@ arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error 
     p->version = shape->version;
   }
   arc_pose_measure(p, shape);
+  p->shape = shape;
   return ARC_OK;
 }
 
@@ -73,9 +74,20 @@ static arc_status edge_reached(pose *p, int left, arc_error *error) {
       cylinder ? "cylinder" : "plate");
 }
 
+/* Once with the compliance of the last condensation; where that has drifted off since, once more
+ * with what the drift adds to the gaps under the forces found. */
+static arc_status solve(pose *p, double line) {
+  arc_status status = arc_lcp_solve(p, line);
+  if (status != ARC_OK || !arc_pose_add_drift(p)) return status;
+  const int iterations = p->iterations;
+  status = arc_lcp_solve(p, line);
+  p->iterations += iterations;
+  return status;
+}
+
 arc_status arc_pose_solve(pose *p, double line, arc_error *error) {
   assert(p->version > 0);
-  if (arc_lcp_solve(p, line) != ARC_OK) {
+  if (solve(p, line) != ARC_OK) {
     p->active = p->factored = 0;
     return arc_fail(error, ARC_NUMERIC,
                     "the contact solution broke down with the plate at x = %g mm", p->x);
@@ -85,8 +97,7 @@ arc_status arc_pose_solve(pose *p, double line, arc_error *error) {
   return ARC_OK;
 }
 
-/* Forces at all cylinder nodes from those at candidates. */
-static void nodal_forces(const pose *p, double *f) {
+void arc_pose_forces(const pose *p, double *f) {
   memset(f, 0, (size_t)p->nc * sizeof *f);
   memcpy(&f[p->lo], p->f, (size_t)p->count * sizeof *f);
 }
@@ -105,7 +116,7 @@ static void push_only(double *f, int n) {
 }
 
 void arc_pose_pressures(const pose *p, double *pc, double *pp) {
-  nodal_forces(p, pc);
+  arc_pose_forces(p, pc);
   arc_pose_to_plate(p, pc, pp);
   push_only(pp, p->np);
   for (int i = 0; i < p->nc; i++) pc[i] /= p->wc[i];
@@ -124,7 +135,7 @@ void arc_pose_peaks(const pose *p, double *center, double *largest) {
 
 void arc_pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up) {
   double *fc = p->work, *fp = p->work + p->nc;
-  nodal_forces(p, fc);
+  arc_pose_forces(p, fc);
   arc_pose_to_plate(p, fc, fp);
   const double *gc = shape_compliance(&shape->side[ARC_CYLINDER])->tangential;
   const double *gp = shape_compliance(&shape->side[ARC_PLATE])->tangential;

@@ -11,27 +11,28 @@
 #include "core/contact/shape.h"
 
 typedef struct pose {
-  double x;        /* [mm] plate position */
-  long version;    /* of the compliance it was placed on, see arc_shape; 0: none */
-  int nc, np;      /* surface nodes of cylinder and plate */
-  int lo, count;   /* candidates: cylinder nodes lo .. lo + count - 1 */
-  int width;       /* row length of B */
-  int *first;      /* [nc] first plate node of each row of B, by candidate */
-  double *b;       /* [nc * width] rows of B */
-  double *wc, *wp; /* [nc], [np] tributary widths [mm] */
-  double *a;       /* [count x count] A [mm2/N] */
-  double *gap;     /* [nc] initial gap of the candidates [mm] */
-  double *f;       /* [nc] solution: nodal forces [N/mm], by candidate */
-  double *open;    /* [nc] solution: gap left [mm], by candidate */
-  double approach; /* [mm] */
-  int iterations;  /* of the last solution; all of them count */
-  int active;      /* size of the active set */
-  int *set;        /* [nc] the active candidates in increasing order */
-  int *joined;     /* [nc] work: the next set */
-  double *factor;  /* [active x active] Cholesky factor of A on the set */
-  double *ones;    /* [nc] (A_set)^-1 1 */
-  int factored;    /* factor and ones belong to set and A */
-  double *work;    /* [4 * (nc + np)] */
+  double x;               /* [mm] plate position */
+  const arc_shape *shape; /* of the last arc_pose_update, for the solution that follows */
+  long version;           /* of the compliance it was placed on, see arc_shape; 0: none */
+  int nc, np;             /* surface nodes of cylinder and plate */
+  int lo, count;          /* candidates: cylinder nodes lo .. lo + count - 1 */
+  int width;              /* row length of B */
+  int *first;             /* [nc] first plate node of each row of B, by candidate */
+  double *b;              /* [nc * width] rows of B */
+  double *wc, *wp;        /* [nc], [np] tributary widths [mm] */
+  double *a;              /* [count x count] A [mm2/N] */
+  double *gap;            /* [nc] initial gap of the candidates [mm] */
+  double *f;              /* [nc] solution: nodal forces [N/mm], by candidate */
+  double *open;           /* [nc] solution: gap left [mm], by candidate */
+  double approach;        /* [mm] */
+  int iterations;         /* of the last solution; all of them count */
+  int active;             /* size of the active set */
+  int *set;               /* [nc] the active candidates in increasing order */
+  int *joined;            /* [nc] work: the next set */
+  double *factor;         /* [active x active] Cholesky factor of A on the set */
+  double *ones;           /* [nc] (A_set)^-1 1 */
+  int factored;           /* factor and ones belong to set and A */
+  double *work;           /* [4 * (nc + np)] */
 } pose;
 
 /* Room for a pose on a model; ARC_MEMORY leaves it empty. */
@@ -58,6 +59,12 @@ void arc_pose_measure(pose *p, const arc_shape *shape);
  * candidates) and ARC_NUMERIC the warm start is dropped, nothing else changes. */
 arc_status arc_pose_solve(pose *p, double line, arc_error *error);
 
+/* Adds to the gaps what the drift of both compliances does under the solution's forces (drift.c).
+ * Returns 0 where there is no drift. */
+int arc_pose_add_drift(pose *p);
+
+/* Forces of the solution at all cylinder nodes, f [nc]. */
+void arc_pose_forces(const pose *p, double *f);
 /* Pressures [MPa] of the solution at all surface nodes: pc [nc], pp [np]. */
 void arc_pose_pressures(const pose *p, double *pc, double *pp);
 /* Pressure [MPa] at the cylinder's lowest node, and the largest at any of its nodes. */

@@ -22,7 +22,7 @@ static double inward(const shape_side *side) {
 }
 
 /* Doubles a node has in the arrays of its side. */
-enum { side_arrays = 8 };
+enum { side_arrays = 8 + ARC_THINNING_SPAN };
 
 static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   const size_t n = (size_t)body->mesh->surface;
@@ -35,6 +35,7 @@ static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   side->xy = side->y + n;
   side->settled = side->xy + 2 * n;
   side->level = side->settled + 2 * n;
+  side->drift = side->level + n;
   return ARC_OK;
 }
 
@@ -91,6 +92,7 @@ arc_status arc_shape_clone(const arc_shape *shape, arc_shape **result, arc_error
     shape_side *to = &copy->side[b];
     memcpy(to->h, from->h, side_arrays * (size_t)from->n * sizeof(double));
     to->even = from->even;
+    to->drifted = from->drifted;
     status = copy_compliance(&to->own, &from->own);
     if (status != ARC_OK) out_of_memory(error);
   }
@@ -191,14 +193,22 @@ static arc_status check_box(const shape_side *side, const double *xy, arc_error 
   return ARC_OK;
 }
 
+/* Whether node i has gone too far since the last condensation: by more than a share of an element's
+ * height as it is now; or, in elements' widths, by a hundredth of that along the surface, which
+ * shows in the pressure at a scar's edge as much. */
+static int gone_too_far(const shape_side *side, const double *xy, int i, double share) {
+  const arc_mesh *mesh = side->body->mesh;
+  const double *bottom = &mesh->xy[2 * mesh->box_node[i * (mesh->rows + 1) + mesh->rows]];
+  const double height = fabs(bottom[1] - xy[2 * i + 1]) / mesh->rows;
+  const double along = fabs(xy[2 * i] - side->settled[2 * i]),
+               across = fabs(xy[2 * i + 1] - side->settled[2 * i + 1]);
+  return across > share * height || along > share / 100 * mesh->def.size;
+}
+
 static int refresh_is_due(const arc_shape *shape, const shape_side *side, const double *xy) {
   if (shape->geometry == ARC_FROZEN) return 0;
-  const double limit = shape->refresh * side->body->mesh->def.height;
-  for (int i = 0; i < side->n; i++) {
-    const double moved =
-        hypot(xy[2 * i] - side->settled[2 * i], xy[2 * i + 1] - side->settled[2 * i + 1]);
-    if (moved > limit) return 1;
-  }
+  for (int i = 0; i < side->n; i++)
+    if (gone_too_far(side, xy, i, shape->refresh)) return 1;
   return 0;
 }
 
@@ -264,6 +274,7 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
     commit(side, depth, xy);
     if (due) settle(shape, side, renewed);
     level(side);
+    if (shape->geometry == ARC_MOVING) arc_shape_drift(side);
   }
   free(xy);
   return status;
@@ -292,6 +303,7 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
     for (int b = 0; b < ARC_BODIES; b++) {
       settle(shape, &shape->side[b], renewed[b]);
       level(&shape->side[b]);
+      arc_shape_drift(&shape->side[b]);
     }
   }
   shape->geometry = geometry;
@@ -328,6 +340,7 @@ static arc_status restore_side(arc_shape *shape, arc_body body, const arc_surfac
   side->even = state->even;
   for (int i = 0; i < side->n; i++) side->y[i] = side->xy[2 * i + 1] + inward(side) * side->even;
   level(side);
+  if (shape->geometry == ARC_MOVING) arc_shape_drift(side);
   if (!state->condensed) return ARC_OK;
   const arc_status status = check_box(side, side->settled, error);
   if (status != ARC_OK) return status;

@@ -13,8 +13,11 @@ typedef struct shape_side {
   double *xy;      /* [2 n] present surface nodes, even wear left out [mm] */
   double *settled; /* [2 n] surface nodes at the last condensation */
   double *level;   /* [n] present height of the surface at the x of `settled` [mm] */
-  double even;     /* [mm] wear that left the surface as it was */
-  compliance own;  /* of the worn box; n = 0 while the unworn one serves */
+  double *drift;  /* [n x ARC_THINNING_SPAN] by which the compliance is off since then, between node
+                     i and those up to ARC_THINNING_REACH away */
+  int drifted;    /* whether it is off at all */
+  double even;    /* [mm] wear that left the surface as it was */
+  compliance own; /* of the worn box; n = 0 while the unworn one serves */
 } shape_side;
 
 struct arc_shape {
@@ -33,6 +36,9 @@ static inline const compliance *shape_compliance(const shape_side *side) {
 /* Tributary width of surface node i [mm], where the nodes stood along x at the last condensation.
  */
 double arc_shape_width(const shape_side *side, int i);
+
+/* Brings `drift` up to date with the present nodes (drift.c). */
+void arc_shape_drift(shape_side *side);
 
 /* Vertical share of the inward normals that wear would follow, into down [n]. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);

@@ -163,7 +163,38 @@ static arc_status allocate(elastic_body *b) {
   number_far(b);
   b->s_far = calloc((size_t)(4 * b->rim) * (size_t)b->rim, sizeof(double));
   if (!b->s_far) return ARC_MEMORY;
+  b->thinning = calloc(ARC_THINNING_SPAN * ARC_THINNING_SPAN, sizeof(double));
+  if (!b->thinning) return ARC_MEMORY;
   return arc_compliance_create(&b->unworn, m->surface);
+}
+
+/* The difference that a centre column thinner by a hundredth makes. */
+static void difference_at_centre(elastic_body *b, const compliance *thinner, double share) {
+  const int n = b->mesh->surface, reach = ARC_THINNING_REACH, centre = n / 2;
+  for (int p = -reach; p <= reach; p++)
+    for (int q = -reach; q <= reach; q++) {
+      const int i = centre + p, j = centre + q;
+      const int inside = i >= 0 && j >= 0 && i < n && j < n;
+      b->thinning[(p + reach) * ARC_THINNING_SPAN + q + reach] =
+          inside
+              ? (thinner->normal[dense_at(i, j, n)] - b->unworn.normal[dense_at(i, j, n)]) / share
+              : 0;
+    }
+}
+
+static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
+  static const double share = 0.01;
+  const int rows = b->mesh->rows, first = b->mesh->surface / 2 * (rows + 1);
+  const double *bottom = &box[2 * (first + rows)], top = box[2 * first + 1];
+  for (int row = 0; row < rows; row++)
+    box[2 * (first + row) + 1] += share * (bottom[1] - top) * (rows - row) / rows;
+  compliance thinner;
+  arc_status status = arc_compliance_create(&thinner, b->mesh->surface);
+  if (status != ARC_OK) return out_of_memory(b, error);
+  status = arc_body_condense(b, box, &thinner, error);
+  if (status == ARC_OK) difference_at_centre(b, &thinner, share);
+  arc_compliance_free(&thinner);
+  return status;
 }
 
 static arc_status condense_unworn(elastic_body *b, arc_error *error) {
@@ -171,7 +202,8 @@ static arc_status condense_unworn(elastic_body *b, arc_error *error) {
   if (!box) return out_of_memory(b, error);
   for (int k = 0; k < b->box_count; k++)
     memcpy(&box[2 * k], &b->mesh->xy[2 * b->mesh->box_node[k]], 2 * sizeof *box);
-  const arc_status status = arc_body_condense(b, box, &b->unworn, error);
+  arc_status status = arc_body_condense(b, box, &b->unworn, error);
+  if (status == ARC_OK) status = find_thinning(b, box, error);
   free(box);
   return status;
 }
@@ -206,6 +238,7 @@ void arc_body_destroy(elastic_body **body) {
   arc_sparse_free(&b->coupling);
   free(b->s_far);
   arc_compliance_free(&b->unworn);
+  free(b->thinning);
   free(b);
   *body = NULL;
 }

@@ -35,7 +35,17 @@ typedef struct elastic_body {
   sparse_entries coupling; /* K between far (row) and rim (column) unknowns */
   double *s_far;           /* [2 rim x 2 rim] Schur complement of the far part */
   compliance unworn;
+  double *thinning; /* see arc_body_thinning */
 } elastic_body;
+
+/* How the compliance answers where the wear box gets thinner at one column: to be added to the
+ * normal compliance between the nodes `a` and `b` columns away from it, per share of its thickness
+ * lost. Reaches ARC_THINNING_REACH columns: what is left of the box is as stiff as before to a
+ * contact, and only the elements' own error changes. Found at the unworn centre. */
+enum { ARC_THINNING_REACH = 8, ARC_THINNING_SPAN = 2 * ARC_THINNING_REACH + 1 };
+static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
+  return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
+}
 
 /* Meshes, assembles, factorises, condenses. On failure *body is NULL. */
 arc_status arc_body_create(const arc_model_def *def, arc_body which, elastic_body **body,

@@ -94,7 +94,7 @@ static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model) {
   arc_wear_def defaults = arc_wear_default();
   box *other = box_test(L, worn, &wear_class);
   if (!other || arc_wear_model(other->thing) != model)
-    return worn_push_shape(L, worn, model, defaults.geometry, defaults.refresh, "contact");
+    return worn_push_shape(L, worn, model, defaults.geometry, 0, "contact");
   lua_pushvalue(L, worn);
   return arc_wear_shape(other->thing);
 }

@@ -1,0 +1,69 @@
+/* How far the compliance has drifted since the last condensation, to first order.
+ *
+ * To a contact, what is left of a worn body is as stiff as before: only the error that the elements
+ * make near the surface changes as they get thinner. That change reaches no farther than a few
+ * columns and goes with the share of thickness lost, so that what one column does (found once, see
+ * arc_body_thinning) tells what all do. It keeps pressures from jumping when the wear box is
+ * condensed again.
+ */
+#include "core/contact/pose.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { reach = ARC_THINNING_REACH, span = ARC_THINNING_SPAN };
+
+/* Share of the wear box's thickness that column i has lost since the last condensation. */
+static double thinned(const shape_side *side, int i) {
+  const arc_mesh *mesh = side->body->mesh;
+  const double bottom = mesh->xy[2 * mesh->box_node[i * (mesh->rows + 1) + mesh->rows] + 1];
+  const double then = side->settled[2 * i + 1], now = side->xy[2 * i + 1];
+  return (now - then) / (bottom - then);
+}
+
+static void add_column(shape_side *side, int at, double share) {
+  for (int a = -reach; a <= reach; a++) {
+    if (at + a < 0 || at + a >= side->n) continue;
+    double *row = &side->drift[(at + a) * span + reach - a];
+    const int low = a > 0 ? a - reach : -reach, high = a < 0 ? a + reach : reach;
+    for (int b = low; b <= high; b++) row[b] += share * arc_body_thinning(side->body, a, b);
+  }
+}
+
+void arc_shape_drift(shape_side *side) {
+  side->drifted = 0;
+  memset(side->drift, 0, (size_t)(side->n * span) * sizeof(double));
+  for (int i = 1; i < side->n - 1; i++) {
+    const double share = thinned(side, i);
+    if (share == 0) continue;
+    side->drifted = 1;
+    add_column(side, i, share);
+  }
+}
+
+/* u := drift f. */
+static void drift_times(const shape_side *side, const double *f, double *u) {
+  memset(u, 0, (size_t)side->n * sizeof *u);
+  for (int j = 0; j < side->n; j++) {
+    if (f[j] == 0) continue;
+    const int low = j < reach ? -j : -reach, last = side->n - 1 - j;
+    const int high = last < reach ? last : reach;
+    const double *row = &side->drift[j * span + reach]; /* drift is symmetric */
+    for (int o = low; o <= high; o++) u[j + o] += row[o] * f[j];
+  }
+}
+
+int arc_pose_add_drift(pose *p) {
+  if (!p->shape) return 0;
+  const shape_side *cylinder = &p->shape->side[ARC_CYLINDER], *plate = &p->shape->side[ARC_PLATE];
+  if (!cylinder->drifted && !plate->drifted) return 0;
+  double *fc = p->work, *uc = fc + p->nc, *below = uc + p->nc, *fp = below + p->nc;
+  double *up = fp + p->np;
+  arc_pose_forces(p, fc);
+  arc_pose_to_plate(p, fc, fp);
+  drift_times(cylinder, fc, uc);
+  drift_times(plate, fp, up);
+  arc_pose_to_cylinder(p, up, below);
+  for (int k = 0; k < p->count; k++) p->gap[k] += uc[p->lo + k] + below[p->lo + k];
+  return 1;
+}
