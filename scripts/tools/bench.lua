@@ -1,5 +1,6 @@
 -- make bench: what archard costs, in one run. CPU seconds of one thread; peak memory as the kernel counts it.
--- Options after the script's name: "quick" leaves out the half element size.
+-- After the script's name: "quick" leaves out the finer meshes; "sizes" shows how cost grows with the surface nodes, down
+-- to 2.5 um, as a table and a plot (some minutes).
 
 local function peak_memory()
   local file = io.open("/proc/self/status")
@@ -42,20 +43,69 @@ local function twenty_cases(model, geometry, finer)
   return seconds, solutions
 end
 
+local function model_of(size)
+  return model{ mesh = { size = size, height = 1.25 * size } }
+end
+
 local function measure(size, finer, goals)
-  local m = model{ mesh = { size = size, height = 1.25 * size } }
+  local building, m = timed(function() return model_of(size) end)
   io.write(string.format("\nelements of %g x %g um at the contact (%d in all), N-bar of Table 1%s\n", 1e3 * size,
     1.25e3 * size, m.mesh.cylinder.elements_count + m.mesh.plate.elements_count, finer > 1 and " / " .. finer or ""))
-  line("building the model", string.format("%.3f", m.seconds), "s")
-  line("a contact solution, warm", string.format("%.1f", solution_cost(m)), "us", goals and "50")
+  line("building the model", string.format("%.3f", building), "s", goals.building)
+  line("a contact solution, warm", string.format("%.1f", solution_cost(m)), "us", goals.solution)
   local seconds = timed(function() wear{ model = m, jump = 100 / finer }:run{ progress = false } end)
   line("the reference case, moving", string.format("%.3f", seconds), "s")
   for _, geometry in ipairs{ "moving", "frozen" } do
     local took, solutions = twenty_cases(m, geometry, finer)
     line(string.format("20 cases, %s, %d contact solutions", geometry, solutions), string.format("%.2f", took), "s",
-      goals and goals[geometry])
+      goals[geometry])
   end
-  line("peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB", goals and "300")
+  line("peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB", goals.memory)
+end
+
+-- What the same run costs on ever finer meshes: one row of the table of sizes.
+local function cost_at(size)
+  local finer = 0.02 / size
+  local building, m = timed(function() return model_of(size) end)
+  local row = { size = 1e3 * size, building = building, elements = m.mesh.cylinder.elements_count +
+    m.mesh.plate.elements_count, nodes = #contact{ model = m }:pressure("plate").x }
+  for _, geometry in ipairs{ "frozen", "moving" } do
+    local w = wear{ model = m, geometry = geometry, jump = 100 / finer }
+    row[geometry] = timed(function() w:run{ progress = false } end)
+    row.updates, row.solution = w.update, row.solution or 1e6 * row.frozen / w.solutions
+  end
+  row.memory = peak_memory() or 0 / 0
+  return row
+end
+
+-- The exponent of its growth with the surface nodes, between the two finest meshes.
+local function growth(rows, what)
+  local a, b = rows[#rows - 1], rows[#rows]
+  return math.log(b[what] / a[what]) / math.log(b.nodes / a.nodes)
+end
+
+local function sizes()
+  local rows, curves = {}, {}
+  io.write("\nthe reference case (N-bar = 100 at 20 um, in proportion elsewhere)\n\n",
+    "   size  plate's   elements   building  a solution    frozen    moving  updates   memory\n",
+    "     um    nodes                     s          us         s         s                MB\n")
+  for i, size in ipairs{ 0.04, 0.02, 0.01, 0.005, 0.0025 } do
+    local r = cost_at(size)
+    rows[i] = r
+    io.write(string.format("%7g %8d %10d %10.3f %11.1f %9.3f %9.3f %8d %8.0f\n", r.size, r.nodes, r.elements, r.building,
+      r.solution, r.frozen, r.moving, r.updates, r.memory))
+    io.flush()
+  end
+  io.write("grows with the nodes as\n", string.format("%37s%.1f %11.1f %9.1f %9.1f\n\n", "nodes^",
+    growth(rows, "building"), growth(rows, "solution"), growth(rows, "frozen"), growth(rows, "moving")))
+  for i, what in ipairs{ "building", "frozen", "moving" } do
+    local x, y = {}, {}
+    for k, r in ipairs(rows) do x[k], y[k] = r.nodes, r[what] end
+    curves[i] = { x = x, y = y, title = what, style = "linespoints" }
+  end
+  curves.term, curves.logx, curves.logy = "dumb", true, true
+  curves.title, curves.xlabel, curves.ylabel = "seconds against surface nodes", "nodes of the plate's surface", "s"
+  plot(curves)
 end
 
 -- Small cases, as in studies of thousands: by the clock, with as many workers as processors.
@@ -77,10 +127,15 @@ local function studies()
     string.format("%.0f", 300 / minutes), "a minute")
 end
 
+local mode = arg and arg[1]
 io.write("archard bench: CPU time, one thread\n")
-measure(0.020, 1, { moving = "10", frozen = "2" })
+if mode == "sizes" then return sizes() end
+measure(0.020, 1, { moving = "0.3", frozen = "2", solution = "2.5", memory = "300" })
 studies()
 io.write("\n10000 cycles of 100 increments, an update at every increment, geometry frozen\n")
 package.path = arg[0]:match("^.*/") .. "?.lua"
 require "million"(line)
-if (arg and arg[1]) ~= "quick" then measure(0.010, 2) end
+if mode ~= "quick" then
+  measure(0.010, 2, {})
+  measure(0.005, 4, { building = "1", moving = "10" })
+end

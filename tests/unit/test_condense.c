@@ -228,6 +228,41 @@ static void test_refresh(void **state) {
   arc_model_release(&model);
 }
 
+/* Between condensations the compliance is followed to first order: of the
+ * change at the nodes themselves a small part is left. */
+static void test_drift(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_mesh *m = arc_model_mesh(model, (arc_body)b);
+    const int n = m->surface;
+    double *depth = calloc((size_t)n, sizeof *depth);
+    for (int i = n / 4; i < n - n / 4; i++)
+      depth[i] = 0.1 * m->def.height * sin(3.14159265358979 * (i - n / 4) / (n - 1 - 2 * (n / 4)));
+    arc_shape *exact = NULL, *followed = NULL;
+    check_ok(arc_shape_create(model, ARC_MOVING, 0, &exact, why));
+    check_ok(arc_shape_create(model, ARC_MOVING, 10, &followed, why));
+    check_ok(arc_shape_wear(exact, (arc_body)b, depth, why));
+    check_ok(arc_shape_wear(followed, (arc_body)b, depth, why));
+    const shape_side *side = &followed->side[b];
+    const double *now = shape_compliance(&exact->side[b])->normal;
+    const double *then = shape_compliance(side)->normal;
+    assert_true(side->drifted && side->own.n == 0 && !exact->side[b].drifted);
+    double change = 0, left = 0;
+    for (int i = n / 4; i < n - n / 4; i++) {
+      const double difference = now[i * n + i] - then[i * n + i];
+      change = fmax(change, fabs(difference));
+      left = fmax(left, fabs(difference - side->drift[i * ARC_THINNING_SPAN + ARC_THINNING_REACH]));
+    }
+    print_message("%s: drift %g, left %g mm2/N\n", arc_body_name((arc_body)b), change, left);
+    assert_true(change > 0 && left < 0.2 * change);
+    arc_shape_destroy(&exact);
+    arc_shape_destroy(&followed);
+    free(depth);
+  }
+  arc_model_release(&model);
+}
+
 /* Displacements inside, by back-substitution, against the whole mesh under the same forces. */
 static void check_field(const arc_contact *contact, const arc_shape *shape, arc_body b) {
   const elastic_body *body = arc_model_body(arc_shape_model(shape), b);
@@ -288,10 +323,10 @@ static void test_not_definite(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_unworn),       cmocka_unit_test(test_definite),
-      cmocka_unit_test(test_mirror),       cmocka_unit_test(test_worn),
-      cmocka_unit_test(test_refresh),      cmocka_unit_test(test_inside),
-      cmocka_unit_test(test_not_definite),
+      cmocka_unit_test(test_unworn),  cmocka_unit_test(test_definite),
+      cmocka_unit_test(test_mirror),  cmocka_unit_test(test_worn),
+      cmocka_unit_test(test_refresh), cmocka_unit_test(test_drift),
+      cmocka_unit_test(test_inside),  cmocka_unit_test(test_not_definite),
   };
   return cmocka_run_group_tests_name("condense", tests, NULL, NULL);
 }
