@@ -86,11 +86,12 @@ typedef struct arc_loading {
   CHOICE(scheme, scheme, ARC_EXPLICIT, 0,                                                          \
          "Pressures of an update: those of the geometry it begins with, or those of the geometry " \
          "it ends in, which takes longer steps.")                                                  \
-  QUANTITY(                                                                                        \
-      k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                        \
-      "Wear coefficient k of the couple: volume = k L_N d (Eq. 1). A function gets the state "     \
-      "in the middle of the update, see help \"state\"; a table is interpolated over the "         \
-      "distance.")                                                                                 \
+  QUANTITY(k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                   \
+           "Wear coefficient k of the couple: volume = k L_N d (Eq. 1). A function is asked "      \
+           "along each "                                                                           \
+           "update, see help \"state\"; a table is interpolated over the distance. Both are "      \
+           "integrated, "                                                                          \
+           "and an update ends where they jump.")                                                  \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19): the share of the volume that the cylinder "    \
            "loses. 0: only the plate wears, 1: only the cylinder.")                                \
@@ -105,10 +106,12 @@ typedef struct arc_loading {
          "its blocks.")                                                                            \
   OTHER(cycles, "a number > 0 cycles", NULL, 0,                                                    \
         "Loading cycles to simulate, N = d_t / (r s_t) (Eq. 21). Give this or distance.")          \
-  QUANTITY(jump, "cycles", 100, ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                            \
-           "Cycles from one geometry update to the next (N-bar). Pressures are kept meanwhile. "   \
-           "Too large a jump makes explicit updates rough; \"auto\" stays below that limit. A "    \
-           "function gets the state before the update.")                                           \
+  QUANTITY(                                                                                        \
+      jump, "cycles", 100, ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                                 \
+      "Cycles from one geometry update to the next (N-bar). Pressures are kept meanwhile, and "    \
+      "too large a jump makes the surfaces rough. \"auto\" follows an estimate of the error "      \
+      "instead, by updates of second order in several stages, each within the limit of "           \
+      "roughness. A function gets the state before the update.")                                   \
   WHOLE(increments, "", 100, EVEN(2, 100000), 0,                                                   \
         "Increments n_c of a full cycle. Half of them are simulated, the way back being like the " \
         "way out (Eq. 22).")                                                                       \

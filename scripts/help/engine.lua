@@ -254,9 +254,10 @@ return {
 
   -- --- state ----------------------------------------------------------------------------------
   { "state", kind = "object", use = "wear{ k = function(state) ... end }",
-    text = "What functions of the state get. It can be read during the call only. For k and alpha it "
-      .. "is the middle of the update, with distance, cycle, depths and volumes predicted to second "
-      .. "order; for jump and local_factor, and all that is not predicted, the last record." },
+    text = "What functions of the state get. It can be read during the call only. k and alpha are "
+      .. "asked at several points between the start and the end of an update, more often where they "
+      .. "change, with distance, cycle, depths and volumes predicted there; jump and local_factor, "
+      .. "and all that is not predicted, see the last record." },
   { "state.depth", kind = "field", unit = "mm", text = "Largest wear depths, { cylinder=, plate= }." },
   { "state.volume", kind = "field", unit = "mm3", text = "Wear volumes, { cylinder=, plate=, total= }." },
 }

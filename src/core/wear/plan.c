@@ -18,12 +18,18 @@ static double natural_depth(const arc_wear *w) {
   return hertz.half_width * hertz.half_width / (2 * d->radius);
 }
 
+/* Integral of k over the distance [mm3/N] that takes `depth` [mm] off the deepest node at the
+ * present pressure. */
+static double dose_for(const arc_wear *w, double depth) {
+  const double p = arc_wear_last(w)->p_center;
+  return p > 0 ? depth / p : INFINITY;
+}
+
 /* Cycles until the deepest node of either body has gained `depth` [mm] at the present pressure. */
 static double cycles_for(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
                          double depth) {
-  const double per_cycle =
-      (k[ARC_CYLINDER] + k[ARC_PLATE]) * arc_wear_last(w)->p_center * block->sliding;
-  return per_cycle > 0 ? depth / per_cycle : INFINITY;
+  const double per_cycle = (k[ARC_CYLINDER] + k[ARC_PLATE]) * block->sliding;
+  return per_cycle > 0 ? dose_for(w, depth) / per_cycle : INFINITY;
 }
 
 /* An update may wear this share of the natural depth, or of what is worn already. */
@@ -36,17 +42,36 @@ static double total_depth(const arc_wear *w) {
   return now->depth_cylinder + now->depth_plate;
 }
 
-/* The largest explicit update that neither amplifies ripples nor wears too much at once. */
-static arc_status automatic_jump(arc_wear *w, const wear_block *block, double *jump,
-                                 arc_error *error) {
+/* Updates of a single stage: neither ripples may grow nor too much wear at once. */
+static arc_status plan_plain(arc_wear *w, wear_plan *plan, arc_error *error) {
   double k[ARC_BODIES], eigenvalue = 0;
+  plan->most = dose_for(w, fmax(first_bite * natural_depth(w), later_bite * total_depth(w)));
+  if (arc_wear_closed_form(w)) return ARC_OK;
   arc_status status = arc_wear_coefficients_now(w, k, error);
-  if (status == ARC_OK && !arc_wear_closed_form(w))
-    status = arc_wear_stability(w, &eigenvalue, error);
-  if (status != ARC_OK) return status;
-  const double bite = fmax(first_bite * natural_depth(w), later_bite * total_depth(w));
-  *jump =
-      fmin(cycles_for(w, block, k, bite), eigenvalue > 0 ? safe_share * 2 / eigenvalue : INFINITY);
+  if (status == ARC_OK) status = arc_wear_stability(w, &eigenvalue, error);
+  if (status == ARC_OK && eigenvalue > 0)
+    plan->most = fmin(plan->most, safe_share * 2 / eigenvalue * (k[ARC_CYLINDER] + k[ARC_PLATE]) *
+                                      plan->block->sliding);
+  return status;
+}
+
+/* Updates in stages: as long as the last one's estimated error allows; history alone decides, so
+ * that a stored run goes on alike. */
+static void plan_staged(const arc_wear *w, wear_plan *plan) {
+  static const double growth = 3, fall = 0.2, safety = 0.9;
+  const arc_wear_record *now = arc_wear_last(w);
+  plan->staged = 1;
+  plan->most = dose_for(w, first_bite * natural_depth(w));
+  if (w->records < 2 || !(now->error > 0)) return;
+  const double last = now->k * (now->distance - now[-1].distance);
+  plan->most = last * fmin(growth, fmax(fall, safety / cbrt(now->error)));
+}
+
+/* Explicit updates that choose themselves. */
+static arc_status plan_automatic(arc_wear *w, wear_plan *plan, arc_error *error) {
+  const int split = w->def.update == ARC_UPDATE_INCREMENT && w->procedure == ARC_SP;
+  if (split || arc_wear_closed_form(w)) return plan_plain(w, plan, error);
+  plan_staged(w, plan);
   return ARC_OK;
 }
 
@@ -66,15 +91,15 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
   return status;
 }
 
-static arc_status choose_jump(arc_wear *w, const wear_block *block, double *jump,
-                              arc_error *error) {
-  const arc_wear_record *now = arc_wear_last(w);
-  *jump = w->def.jump;
-  if (w->def.jump_auto) return automatic_jump(w, block, jump, error);
+static arc_status choose_jump(arc_wear *w, wear_plan *plan, double *jump, arc_error *error) {
+  *jump = INFINITY;
+  if (w->def.jump_auto) return plan_automatic(w, plan, error);
   if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
-    return adaptive_jump(w, block, jump, error);
+    return adaptive_jump(w, plan->block, jump, error);
+  *jump = w->def.jump;
   if (!w->def.jump_function) return ARC_OK;
-  return arc_wear_ask(w, &arc_wear_settings[ARC_AT_jump], w->def.jump_function, now, jump, error);
+  return arc_wear_ask(w, &arc_wear_settings[ARC_AT_jump], w->def.jump_function, arc_wear_last(w),
+                      jump, error);
 }
 
 /* The distance a step must not pass: the run's limit or the end of its block. */
@@ -104,10 +129,18 @@ static void plan_increment(const arc_wear *w, double limit, wear_plan *plan) {
   plan->cycles = plan->times / increments;
 }
 
+void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles) {
+  const double share = cycles / plan->cycles, from = arc_wear_last(w)->distance;
+  plan->end = from + share * (plan->end - from);
+  plan->times *= share;
+  plan->cycles = cycles;
+}
+
 arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
                               arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
   plan->block = arc_wear_block_at(w, now->cycle);
+  plan->most = INFINITY;
   const int last = plan->block == &w->block[w->blocks - 1];
   const double end = bound(w, plan->block, limit),
                left = (end - now->distance) / plan->block->sliding;
@@ -122,7 +155,7 @@ arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *m
     return ARC_OK;
   }
   double jump;
-  if ((status = choose_jump(w, plan->block, &jump, error)) != ARC_OK) return status;
+  if ((status = choose_jump(w, plan, &jump, error)) != ARC_OK) return status;
   const int to_end = left <= jump * (1 + whole);
   plan->cycles = plan->times = left < jump * (1 - whole) ? left : jump;
   plan->end = to_end ? end : now->distance + plan->cycles * plan->block->sliding;

@@ -14,9 +14,12 @@ static double normalise(int n, double *v) {
   return length;
 }
 
-/* Largest eigenvalue of diag(k) J by power iteration. work [2 n]. */
-static double largest_eigenvalue(const arc_wear *w, const double k[ARC_BODIES],
-                                 const double *jacobian, double *work) {
+/* Largest eigenvalue of diag(k) J by power iteration. */
+double arc_wear_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
+                           const double *jacobian, double *work) {
+  /* even wear feels nothing */
+  const double k[ARC_BODIES] = {k_both[ARC_CYLINDER],
+                                w->procedure == ARC_NSP ? 0 : k_both[ARC_PLATE]};
   const int n = w->nc + w->np;
   double *v = work, *image = work + n, value = 0;
   /* a sawtooth with a slant: neither symmetric nor antisymmetric, the same every time */
@@ -44,7 +47,6 @@ arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error)
   arc_status status = arc_path_enter(&w->path, block, w->model, error);
   if (status == ARC_OK) status = arc_wear_coefficients_now(w, k, error);
   if (status != ARC_OK) return status;
-  if (w->procedure == ARC_NSP) k[ARC_PLATE] = 0; /* its even wear feels nothing */
   if (k[ARC_CYLINDER] == 0 && k[ARC_PLATE] == 0) return ARC_OK;
   const size_t n = (size_t)(w->nc + w->np);
   double *jacobian = malloc((n * n + 2 * n) * sizeof *jacobian);
@@ -53,7 +55,7 @@ arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error)
       .shape = w->shape, .last = block->count - 1, .state = now, .jacobian = jacobian};
   wear_watch nobody = {0};
   status = arc_wear_evaluate(w, &cycle, &nobody, &w->work.rate, error);
-  if (status == ARC_OK) *eigenvalue = largest_eigenvalue(w, k, jacobian, jacobian + n * n);
+  if (status == ARC_OK) *eigenvalue = arc_wear_eigenvalue(w, k, jacobian, jacobian + n * n);
   free(jacobian);
   return status;
 }

@@ -4,53 +4,53 @@
 
 #include <math.h>
 
-/* Adaptive steps also answer for functions of the state: taken at the middle, they are good to the
- * second difference of what they give at both ends and in the middle, over the share of wear that
- * the step adds. */
-static arc_status add_coefficient_error(arc_wear *w, arc_wear_record *record, arc_error *error) {
-  if (!arc_wear_has_state_functions(w) || w->def.tolerance == 0) return ARC_OK;
+/* The tolerance of steps that choose themselves; 0 for those that do not. */
+static double tolerance_of(const arc_wear *w, const wear_plan *plan) {
+  return plan->staged ? ARC_STAGED_TOLERANCE : w->def.tolerance;
+}
+
+/* Such steps also answer for functions of the state: of what they gave at the end without having
+ * been foreseen, half is missing in the step, over the share of wear that it adds. */
+static arc_status add_coefficient_error(arc_wear *w, const wear_plan *plan, wear_outcome *out,
+                                        arc_error *error) {
+  static const double margin = 1e-6; /* of the step: what jumps at its end is not its own */
+  const double tolerance = tolerance_of(w, plan);
+  arc_wear_record *record = &out->record;
+  if (!arc_wear_has_state_functions(w) || tolerance == 0) return ARC_OK;
   const arc_wear_record *before = arc_wear_last(w);
-  double start[ARC_BODIES], end[ARC_BODIES];
-  arc_status status = arc_wear_coefficients_now(w, start, error);
-  if (status == ARC_OK)
-    status = arc_wear_coefficients(w, record->distance, record->distance, record, end, error);
-  if (status != ARC_OK || !(record->k > 0)) return status;
-  const double middle[ARC_BODIES] = {record->k * record->alpha, record->k * (1 - record->alpha)};
+  arc_wear_record end = *record;
+  double k[ARC_BODIES];
+  end.distance -= margin * (end.distance - before->distance);
+  end.cycle -= margin * (end.cycle - before->cycle);
+  const arc_status status = arc_wear_coefficients(w, end.distance, end.distance, &end, k, error);
+  const double largest = fmax(record->k, k[ARC_CYLINDER] + k[ARC_PLATE]);
+  if (status != ARC_OK || !(largest > 0)) return status;
   const double gone = record->distance - w->block[0].start_distance;
   const double added = gone > 0 ? (record->distance - before->distance) / gone : 1;
   for (int b = 0; b < ARC_BODIES; b++) {
-    const double bend =
-        fabs(start[b] - 2 * middle[b] + end[b]) / 6 + fabs(end[b] - start[b]) * added / 12;
-    record->error = fmax(record->error, bend / record->k * added / w->def.tolerance);
+    const double off = fabs(k[b] - out->foreseen[b]) / 2;
+    record->error = fmax(record->error, off / largest * added / tolerance); /* NaN says nothing */
   }
   return ARC_OK;
 }
 
 /* Tries the plan on a copy of the shape; the run itself stays. */
-static arc_status attempt(arc_wear *w, const wear_plan *plan, const arc_callbacks *callbacks,
-                          wear_outcome *out, arc_error *error) {
-  wear_watch watch = {.callbacks = callbacks};
+static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
+                          arc_error *error) {
   const arc_wear_record *last = arc_wear_last(w);
   arc_wear_record *record = &out->record;
   *record = *last;
   record->error = record->p_peak = 0;
   arc_shape_destroy(&out->shape);
   arc_status status = arc_shape_clone(w->shape, &out->shape, error);
-  if (status == ARC_OK) status = arc_wear_update(w, plan, &watch, out, error);
+  if (status == ARC_OK) status = arc_wear_update(w, plan, watch, out, error);
   if (status != ARC_OK) return status;
-  record->cycle += plan->cycles;
+  record->cycle = last->cycle + plan->cycles;
   record->jump = plan->cycles;
   record->distance = plan->end;
-  record->solutions = last->solutions + watch.solutions;
+  record->solutions = last->solutions + watch->solutions;
   status = arc_wear_measure(w, out->shape, record, error);
-  return status == ARC_OK ? add_coefficient_error(w, record, error) : status;
-}
-
-static void shorten(const arc_wear *w, wear_plan *plan, double cycles) {
-  const double share = cycles / plan->cycles, from = arc_wear_last(w)->distance;
-  plan->end = from + share * (plan->end - from);
-  plan->times *= share;
-  plan->cycles = cycles;
+  return status == ARC_OK ? add_coefficient_error(w, plan, out, error) : status;
 }
 
 /* A law with a jump in it may have no implicit solution for any step: then the plan is an explicit
@@ -60,30 +60,43 @@ static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, arc_error *erro
   const arc_status status = arc_wear_stability(w, &eigenvalue, error);
   plan->explicit = 1;
   if (status == ARC_OK && plan->block->periodic && eigenvalue * plan->cycles > 1)
-    shorten(w, plan, 1 / eigenvalue);
+    arc_wear_plan_shorten(w, plan, 1 / eigenvalue);
   return status;
 }
 
-/* Implicit steps that do not converge, or err too much, are cut and tried again. */
-static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, const arc_callbacks *callbacks,
+/* What an estimate asks for, of a step that erred too much. */
+static double cut_share(const arc_wear *w, const wear_plan *plan, double error) {
+  const double power = w->def.order == 1 && !plan->staged ? 0.5 : 1.0 / 3;
+  return fmax(0.1, 0.8 * pow(error, -power));
+}
+
+/* Errors let pass, over the tolerance. That of stages is aimed at: a step is dear, and its
+ * estimate, which jumps with the nodes at the edge, may be twice as large. */
+static double passable(const wear_plan *plan) {
+  return plan->staged ? 2 : 1;
+}
+
+/* Steps that do not converge, or err too much, are cut and tried again. */
+static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_watch *watch,
                                     wear_outcome *out, arc_error *error) {
   enum { most_cuts = 20, most_failures = 3, patience = 6 };
   const wear_plan whole_plan = *plan;
   int failures = 0;
-  const double power = w->def.order == 1 ? 0.5 : 1.0 / 3;
   for (int cut = 0;; cut++) {
-    arc_status status = attempt(w, plan, callbacks, out, error);
-    if (w->def.scheme != ARC_IMPLICIT || cut == most_cuts) return status;
-    if (status == ARC_OK && out->record.error <= 1) return status;
-    if (status != ARC_OK && status != ARC_NOT_CONVERGED) return status;
-    failures += status == ARC_NOT_CONVERGED;
-    if (!plan->explicit && (failures == most_failures || cut == patience)) {
+    arc_status status = attempt(w, plan, watch, out, error);
+    if ((w->def.scheme != ARC_IMPLICIT && !plan->staged) || cut == most_cuts) return status;
+    if (status == ARC_OK && out->record.error <= passable(plan)) return status;
+    const int lost = plan->staged && (status == ARC_ZONE || status == ARC_NUMERIC);
+    if (status != ARC_OK && status != ARC_NOT_CONVERGED && !lost) return status;
+    failures += status != ARC_OK;
+    if (plan->staged && failures > patience) return status;
+    if (!plan->staged && !plan->explicit && (failures == most_failures || cut == patience)) {
       *plan = whole_plan;
       if ((status = give_up_implicit(w, plan, error)) != ARC_OK) return status;
-    } else if (status == ARC_NOT_CONVERGED) {
-      shorten(w, plan, plan->cycles / 4);
+    } else if (status != ARC_OK) {
+      arc_wear_plan_shorten(w, plan, plan->cycles / 4);
     } else {
-      shorten(w, plan, plan->cycles * fmax(0.1, 0.8 * pow(out->record.error, -power)));
+      arc_wear_plan_shorten(w, plan, plan->cycles * cut_share(w, plan, out->record.error));
     }
   }
 }
@@ -108,7 +121,7 @@ static int passed(const arc_wear *w, const arc_wear_record *record, const arc_we
 /* Shortens a step that passed a target until it ends on it: false position with Illinois' weights.
  */
 static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const arc_wear_target *t,
-                              const arc_callbacks *callbacks, wear_outcome *out, arc_error *error) {
+                              wear_watch *watch, wear_outcome *out, arc_error *error) {
   enum { most_tries = 60 };
   double now = beyond(&out->record, t);
   const double close =
@@ -119,8 +132,8 @@ static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const ar
   for (int i = 0; i < most_tries && fabs(now) > close && high - low >= 1e-13 * high; i++) {
     const double cycles = low + (high - low) * below / (below - above);
     wear_plan plan = *whole_plan;
-    shorten(w, &plan, cycles);
-    const arc_status status = attempt(w, &plan, callbacks, out, error);
+    arc_wear_plan_shorten(w, &plan, cycles);
+    const arc_status status = attempt(w, &plan, watch, out, error);
     if (status != ARC_OK) return status;
     now = beyond(&out->record, t);
     if ((now < 0) == (below < 0)) {
@@ -137,15 +150,15 @@ static arc_status meet_target(arc_wear *w, const wear_plan *whole_plan, const ar
 }
 
 /* Of all targets passed in the step, the one that is met first. */
-static arc_status meet_targets(arc_wear *w, const wear_plan *plan, const arc_callbacks *callbacks,
+static arc_status meet_targets(arc_wear *w, const wear_plan *plan, wear_watch *watch,
                                wear_targets *targets, wear_outcome *out, arc_error *error) {
   wear_plan first = *plan;
   for (size_t i = 0; i < targets->count; i++) {
     const arc_wear_target *t = &targets->target[i];
     if (!passed(w, &out->record, t)) continue;
-    const arc_status status = meet_target(w, &first, t, callbacks, out, error);
+    const arc_status status = meet_target(w, &first, t, watch, out, error);
     if (status != ARC_OK) return status;
-    shorten(w, &first, out->record.jump);
+    arc_wear_plan_shorten(w, &first, out->record.jump);
     targets->reached = (int)i;
   }
   return ARC_OK;
@@ -155,10 +168,11 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
                                wear_targets *targets, int *moved, arc_error *error) {
   wear_plan plan = {0};
   wear_outcome out = {0};
+  wear_watch watch = {.callbacks = callbacks}; /* counts what is spent on attempts, too */
   arc_status status = arc_wear_plan_step(w, limit, &plan, moved, error);
   if (status != ARC_OK || !*moved) return status;
-  status = attempt_with_cuts(w, &plan, callbacks, &out, error);
-  if (status == ARC_OK) status = meet_targets(w, &plan, callbacks, targets, &out, error);
+  status = attempt_with_cuts(w, &plan, &watch, &out, error);
+  if (status == ARC_OK) status = meet_targets(w, &plan, &watch, targets, &out, error);
   if (status == ARC_OK) status = arc_wear_append(w, &out.record, error);
   if (status == ARC_OK) {
     arc_shape *old = w->shape;

@@ -7,23 +7,27 @@
 /* What a step is about to do. */
 typedef struct wear_plan {
   const wear_block *block;
-  double cycles; /* so many cycles go by; an implicit step may take fewer */
+  double cycles; /* so many cycles go by; the update may take fewer */
   double times;  /* what the wear of the window counts: cycles, or the share of an increment */
   double end;    /* distance at which the step ends [mm] */
+  double most;   /* the step ends where k has come to this integral over the distance [mm3/N] */
   int first;     /* generic history: the increment */
   int explicit;  /* although the scheme is implicit */
+  int staged;    /* explicit, in stages, with an estimate of its error */
 } wear_plan;
 
 /* What it leads to. */
 typedef struct wear_outcome {
   arc_shape *shape;
   arc_wear_record record;
+  double foreseen[ARC_BODIES]; /* coefficients expected at the end [mm2/N] */
 } wear_outcome;
 
 /* So many cycles at these wear coefficients [mm2/N]. */
 typedef struct wear_dose {
   double cycles;
   double k[ARC_BODIES];
+  double last[ARC_BODIES]; /* as foreseen for the end of an update; NaN: unforeseeable */
 } wear_dose;
 
 /* --- plan.c --- */
@@ -31,6 +35,37 @@ typedef struct wear_dose {
  * do. */
 arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
                               arc_error *error);
+/* Fewer cycles. */
+void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
+
+/* --- ahead.c --- */
+/* What a rate takes in a dose. */
+void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_dose *dose,
+                             wear_depths *depth);
+/* Volumes [mm3] that depths take from a shape, before it is worn by them. */
+void arc_wear_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
+                          arc_wear_record *record);
+/* The state a share of the way through an update; with a rate, also what it takes in a dose. */
+arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double share,
+                                    const wear_rate *rate, const wear_dose *dose);
+
+/* --- dose.c --- */
+/* The wear coefficients over a planned update, integrated: tables exactly, functions along the way
+ * that `rate` predicts (NULL: distance and cycles only). Shortens the plan to where a coefficient
+ * jumps, or to where `most` is reached. */
+arc_status arc_wear_dose(arc_wear *w, wear_plan *plan, const wear_rate *rate, wear_dose *dose,
+                         arc_error *error);
+
+/* --- stages.c --- */
+/* Estimated error of an update in stages that is let pass, as a share of the depth. */
+#define ARC_STAGED_TOLERANCE 3e-3
+/* The longest update that stages can take [cycles], at an eigenvalue [1/cycle]. */
+double arc_wear_longest_staged(double eigenvalue);
+/* Depths of an explicit update in as many stages as the eigenvalue asks for, with an estimate of
+ * their error. `rate` is that of the start, and is overwritten. */
+arc_status arc_wear_stages(arc_wear *w, const wear_window *window, const wear_dose *dose,
+                           double eigenvalue, wear_watch *watch, wear_rate *rate,
+                           wear_depths *depth, arc_error *error);
 
 /* --- implicit.c --- */
 /* Depths of an implicit update over a window, with an estimate of their error where the definition
@@ -39,12 +74,16 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
                              wear_watch *watch, wear_depths *depth, arc_error *error);
 
 /* --- update.c --- */
-/* Wears the shape of an outcome, a copy of the run's, as planned. Its record, that of the run at
- * first, gains updates, volumes, coefficients and error. */
-arc_status arc_wear_update(arc_wear *w, const wear_plan *plan, wear_watch *watch, wear_outcome *out,
+/* Wears the shape of an outcome, a copy of the run's, as planned or less: the plan then tells how
+ * far. Its record, that of the run at first, gains updates, volumes, coefficients and error. */
+arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
                            arc_error *error);
 
 /* --- stability.c --- */
+/* Growth rate of ripples [1/cycle] at these coefficients, by the Jacobian of a cycle. work [2 n].
+ */
+double arc_wear_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], const double *jacobian,
+                           double *work);
 /* Tells what speaks against this run before it goes on: once for a definition, and whenever the
  * limit of stability may have changed, since to find it costs a cycle of contact solutions. */
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);

@@ -1,35 +1,9 @@
-/* One update of the geometry: with which coefficients, by which scheme. */
-#include "archard/measure.h"
+/* One update of the geometry: its coefficients, then its depths, by whichever scheme. */
 #include "core/wear/step.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
-
-/* --- depths and what they take --- */
-
-/* Volumes [mm3] that depths take from a shape, before it is worn by them. */
-static void add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
-                        arc_wear_record *record) {
-  const arc_model_def *md = arc_model_definition(w->model);
-  double sum[ARC_BODIES] = {0};
-  for (int b = 0; b < ARC_BODIES; b++)
-    for (int i = 0; i < shape->side[b].n; i++)
-      sum[b] += depth->node[b][i] * arc_shape_width(&shape->side[b], i);
-  record->volume_cylinder += sum[ARC_CYLINDER] * md->thickness;
-  record->volume_plate += (sum[ARC_PLATE] + depth->even * 2 * md->radius) * md->thickness;
-}
-
-/* What a rate takes in so many cycles. */
-static void depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_dose *dose,
-                           wear_depths *depth) {
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const double scale = b == ARC_PLATE && w->procedure == ARC_NSP ? 0 : dose->cycles * dose->k[b];
-    for (int i = 0; i < w->shape->side[b].n; i++) depth->node[b][i] = scale * rate->node[b][i];
-  }
-  depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * rate->even : 0;
-  depth->error = 0;
-  depth->peak = rate->peak;
-}
 
 static int any_depth(const double *depth, int n) {
   for (int i = 0; i < n; i++)
@@ -40,7 +14,7 @@ static int any_depth(const double *depth, int n) {
 /* Wears the outcome's shape, and adds volumes and error. */
 static arc_status apply(const arc_wear *w, const wear_depths *depth, wear_outcome *out,
                         arc_error *error) {
-  add_volumes(w, out->shape, depth, &out->record);
+  arc_wear_add_volumes(w, out->shape, depth, &out->record);
   out->record.error = depth->error;
   out->record.p_peak = fmax(out->record.p_peak, depth->peak);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -50,48 +24,6 @@ static arc_status apply(const arc_wear *w, const wear_depths *depth, wear_outcom
   }
   if (depth->even != 0) arc_shape_wear_evenly(out->shape, ARC_PLATE, depth->even);
   return ARC_OK;
-}
-
-/* --- with which coefficients --- */
-
-/* The state a share of the way through an update. */
-static arc_wear_record on_the_way(const arc_wear *w, const wear_plan *plan, double share) {
-  arc_wear_record state = *arc_wear_last(w);
-  state.distance += share * (plan->end - state.distance);
-  state.cycle += share * plan->cycles;
-  return state;
-}
-
-/* The same with the depths and volumes that a rate and coefficients k lead to. */
-static arc_wear_record predict(arc_wear *w, const wear_plan *plan, double share,
-                               const wear_rate *rate, const double k[ARC_BODIES]) {
-  arc_wear_record state = on_the_way(w, plan, share);
-  const wear_dose dose = {share * plan->times, {k[ARC_CYLINDER], k[ARC_PLATE]}};
-  wear_depths *depth = &w->work.depth;
-  double *deepest[ARC_BODIES] = {&state.depth_cylinder, &state.depth_plate};
-  depths_of_rate(w, rate, &dose, depth);
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const double even = b == ARC_PLATE ? depth->even : 0, *h = w->shape->side[b].h;
-    for (int i = 0; i < w->shape->side[b].n; i++)
-      *deepest[b] = fmax(*deepest[b], h[i] + depth->node[b][i] + even);
-  }
-  add_volumes(w, w->shape, depth, &state);
-  state.depth_partition = arc_depth_partition(state.depth_cylinder, state.depth_plate);
-  return state;
-}
-
-/* The state half-way through an update, where functions of the state are asked: from the rate at
- * its start, with their value a quarter of the way. */
-static arc_status predict_middle(arc_wear *w, const wear_plan *plan, const wear_rate *rate,
-                                 arc_wear_record *middle, arc_error *error) {
-  const arc_wear_record *before = arc_wear_last(w);
-  double k[ARC_BODIES];
-  arc_status status = arc_wear_coefficients(w, before->distance, plan->end, before, k, error);
-  if (status != ARC_OK) return status;
-  const arc_wear_record quarter = predict(w, plan, 0.25, rate, k);
-  status = arc_wear_coefficients(w, before->distance, plan->end, &quarter, k, error);
-  if (status == ARC_OK) *middle = predict(w, plan, 0.5, rate, k);
-  return status;
 }
 
 /* --- by which scheme --- */
@@ -107,79 +39,141 @@ static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_win
   if (!is_explicit(w, plan)) return arc_wear_implicit(w, window, dose, watch, depth, error);
   wear_rate *rate = &w->work.rate;
   const arc_status status = arc_wear_evaluate(w, window, watch, rate, error);
-  if (status == ARC_OK) depths_of_rate(w, rate, dose, depth);
+  if (status == ARC_OK) arc_wear_depths_of_rate(w, rate, dose, depth);
   return status;
 }
 
 /* Every increment of a cycle with an update of its own (Eq. 4 with p_{i-1} of the geometry before).
  */
-static arc_status split_update(arc_wear *w, const wear_plan *plan, wear_watch *watch,
-                               wear_outcome *out, arc_error *error) {
+static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
+                               arc_error *error) {
+  wear_dose whole_dose;
+  if (isfinite(plan->most)) { /* a length that was chosen by k */
+    const arc_status status = arc_wear_dose(w, plan, NULL, &whole_dose, error);
+    if (status != ARC_OK) return status;
+  }
   const wear_block *b = plan->block;
   arc_wear_record *record = &out->record;
-  const double start = record->distance, length = plan->end - start;
-  const double solutions = record->solutions;
+  const arc_wear_record start = *record;
+  const double length = plan->end - start.distance;
   wear_depths *depth = &w->work.depth;
-  double gone = 0;
+  double gone = 0; /* share of the update */
   for (int i = 0; i + 1 < b->count; i++) {
-    const double part = b->repeat * fabs(b->x[i + 1] - b->x[i]) / b->sliding * length;
-    const double from = start + gone;
+    const double part = b->repeat * fabs(b->x[i + 1] - b->x[i]) / b->sliding;
+    const double from = start.distance + gone * length;
     arc_wear_record middle = *record;
-    middle.distance = from + part / 2;
+    middle.distance = from + part * length / 2;
+    middle.cycle = start.cycle + (gone + part / 2) * plan->cycles;
     wear_dose dose = {.cycles = plan->cycles};
     const wear_window window = {
         .shape = out->shape, .first = i, .last = i + 1, .chained = i > 0, .state = &middle};
-    arc_status status = arc_wear_coefficients(w, from, from + part, &middle, dose.k, error);
+    arc_status status =
+        arc_wear_coefficients(w, from, from + part * length, &middle, dose.k, error);
     if (status == ARC_OK) status = find_depths(w, plan, &window, &dose, watch, depth, error);
     if (status == ARC_OK) status = apply(w, depth, out, error);
     if (status != ARC_OK) return status;
     gone += part;
-    record->distance = start + gone;
-    record->solutions = solutions + watch->solutions;
+    record->distance = start.distance + gone * length;
+    record->cycle = start.cycle + gone * plan->cycles;
+    record->solutions = start.solutions + watch->solutions;
     record->depth_cylinder = arc_shape_depth(out->shape, ARC_CYLINDER);
     record->depth_plate = arc_shape_depth(out->shape, ARC_PLATE);
     arc_wear_note_coefficients(dose.k, record);
+    memcpy(out->foreseen, dose.k, sizeof out->foreseen);
   }
   return ARC_OK;
 }
 
 /* alpha = 0 over the whole plate: the load is all that counts. */
-static void closed_form(const arc_wear *w, const wear_dose *dose, wear_depths *depth) {
-  memset(depth->node[0], 0, (size_t)(w->nc + w->np) * sizeof(double));
-  depth->even = dose->cycles * dose->k[ARC_PLATE] * w->block[0].line[0];
-  depth->error = depth->peak = 0;
+static void closed_form(const arc_wear *w, wear_rate *rate) {
+  memset(rate->node[0], 0, (size_t)(w->nc + w->np) * sizeof(double));
+  rate->even = w->block[0].line[0];
+  rate->peak = 0;
 }
 
-static arc_status whole_update(arc_wear *w, const wear_plan *plan, wear_watch *watch,
-                               wear_outcome *out, arc_error *error) {
-  const int generic = !plan->block->periodic, closed = arc_wear_closed_form(w);
-  const int rated = arc_wear_has_state_functions(w) && !closed;
-  const double from = out->record.distance;
-  wear_rate *rate = &w->work.rate;
-  wear_depths *depth = &w->work.depth;
-  arc_wear_record middle = out->record;
-  const wear_window window = {.shape = out->shape,
-                              .first = generic ? plan->first : 0,
-                              .last = generic ? plan->first + 1 : plan->block->count - 1,
-                              .state = &middle};
-  wear_dose dose = {.cycles = plan->times};
-  arc_status status = ARC_OK;
-  if (rated) status = arc_wear_evaluate(w, &window, watch, rate, error);
-  if (status == ARC_OK && rated) status = predict_middle(w, plan, rate, &middle, error);
-  if (!rated) middle = on_the_way(w, plan, 0.5);
-  if (status == ARC_OK) status = arc_wear_coefficients(w, from, plan->end, &middle, dose.k, error);
+/* What a whole update consists of. */
+typedef struct whole {
+  arc_wear *w;
+  wear_plan *plan;
+  wear_window window;
+  wear_watch *watch;
+  wear_rate *rate; /* at the start, where known */
+  wear_dose dose;
+  double *jacobian;
+} whole;
+
+/* The rate at the start, where it is asked for: by explicit updates, and by functions of the state
+ * to see their way. */
+static arc_status find_start(whole *u, arc_error *error) {
+  arc_wear *w = u->w;
+  if (!is_explicit(w, u->plan) && !arc_wear_has_state_functions(w)) return ARC_OK;
+  u->rate = &w->work.rate;
+  if (arc_wear_closed_form(w)) {
+    closed_form(w, u->rate);
+    return ARC_OK;
+  }
+  wear_window start = u->window;
+  start.jacobian = u->jacobian;
+  return arc_wear_evaluate(w, &start, u->watch, u->rate, error);
+}
+
+/* The dose of the plan, cut to what stages can take; and the eigenvalue there. */
+static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
+  arc_wear *w = u->w;
+  arc_status status = arc_wear_dose(w, u->plan, u->rate, &u->dose, error);
+  for (int cut = 0; cut < 3 && u->jacobian && status == ARC_OK; cut++) {
+    const size_t n = (size_t)(w->nc + w->np);
+    *eigenvalue = arc_wear_eigenvalue(w, u->dose.k, u->jacobian, u->jacobian + n * n);
+    const double longest = arc_wear_longest_staged(*eigenvalue);
+    if (u->dose.cycles <= longest) break;
+    arc_wear_plan_shorten(w, u->plan, longest);
+    status = arc_wear_dose(w, u->plan, u->rate, &u->dose, error);
+  }
+  return status;
+}
+
+static arc_status depths_of_update(whole *u, wear_depths *depth, arc_error *error) {
+  arc_wear *w = u->w;
+  double eigenvalue = 0;
+  arc_status status = find_start(u, error);
+  if (status == ARC_OK) status = find_dose(u, &eigenvalue, error);
   if (status != ARC_OK) return status;
-  arc_wear_note_coefficients(dose.k, &out->record);
-  if (closed)
-    closed_form(w, &dose, depth);
-  else if (rated && is_explicit(w, plan) && !w->def.local_factor)
-    depths_of_rate(w, rate, &dose, depth); /* the rate at the start serves twice */
-  else
-    status = find_depths(w, plan, &window, &dose, watch, depth, error);
-  return status == ARC_OK ? apply(w, depth, out, error) : status;
+  if (u->jacobian)
+    return arc_wear_stages(w, &u->window, &u->dose, eigenvalue, u->watch, u->rate, depth, error);
+  const int again = arc_wear_has_state_functions(w) && w->def.local_factor;
+  if (is_explicit(w, u->plan) && !again) {
+    arc_wear_depths_of_rate(w, u->rate, &u->dose, depth);
+    return ARC_OK;
+  }
+  const wear_dose half = {u->dose.cycles / 2, {u->dose.k[0], u->dose.k[1]}, {0}};
+  const arc_wear_record middle = arc_wear_on_the_way(w, u->plan, 0.5, u->rate, &half);
+  u->window.state = &middle;
+  return find_depths(w, u->plan, &u->window, &u->dose, u->watch, depth, error);
 }
 
-arc_status arc_wear_update(arc_wear *w, const wear_plan *plan, wear_watch *watch, wear_outcome *out,
+static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
+                               arc_error *error) {
+  const int generic = !plan->block->periodic;
+  const size_t n = (size_t)(w->nc + w->np);
+  const arc_wear_record middle =
+      arc_wear_has_state_functions(w) ? out->record : arc_wear_on_the_way(w, plan, 0.5, NULL, NULL);
+  whole u = {.w = w, .plan = plan, .watch = watch};
+  u.window = (wear_window){.shape = out->shape,
+                           .first = generic ? plan->first : 0,
+                           .last = generic ? plan->first + 1 : plan->block->count - 1,
+                           .state = &middle};
+  if (plan->staged && !(u.jacobian = malloc((n * n + 2 * n) * sizeof *u.jacobian)))
+    return arc_fail(error, ARC_MEMORY, "out of memory for an update");
+  wear_depths *depth = &w->work.depth;
+  arc_status status = depths_of_update(&u, depth, error);
+  free(u.jacobian);
+  if (status != ARC_OK) return status;
+  arc_wear_note_coefficients(u.dose.k, &out->record);
+  memcpy(out->foreseen, u.dose.last, sizeof out->foreseen);
+  return apply(w, depth, out, error);
+}
+
+arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
                            arc_error *error) {
   const int split =
       w->def.update == ARC_UPDATE_INCREMENT && plan->block->periodic && w->procedure == ARC_SP;

@@ -1,0 +1,219 @@
+/* The wear coefficients over an update, integrated before it is taken: by a Runge-Kutta pair of
+ * orders 3 and 2 (Bogacki and Shampine) whose steps end at the points of tables, between which
+ * coefficients are linear and their product is met exactly. Functions of the state are asked along
+ * the way that the rate at the start predicts. Where a step would shrink to nothing, a coefficient
+ * jumps, and there the update ends. Leans on coefficient.c and ahead.c. */
+#include "core/wear/step.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Error of a step, as a share of what it integrates. */
+static const double tolerance = 1e-5;
+/* A step as short as this share of the update holds a jump; so near its ends none is looked for,
+ * and functions are asked no nearer, so that a jump right there belongs to one update only. */
+static const double shortest = 1e-9, margin = 1e-7;
+/* What is a jump: this share of the larger value, over an interval of a table that is so much
+ * shorter than those beside it. */
+static const double large = 0.1, steep = 20;
+/* Steps of an update at the least: of a length that was chosen, and of one still to be found. */
+static const double chosen_steps = 4, open_steps = 64;
+/* So near to the integral that a plan may reach is there. */
+static const double near = 1e-3;
+/* Functions that no step can follow (random ones) are sampled evenly after so many calls. */
+enum { most_calls = 1000 };
+
+typedef struct dose_way {
+  arc_wear *w;
+  const wear_plan *plan;
+  const wear_rate *rate;
+  arc_error *error;
+  double length;        /* of the plan [mm] */
+  double at;            /* share of the way */
+  double y[ARC_BODIES]; /* integral of k over the share so far [mm2/N] */
+  double k[ARC_BODIES]; /* at `at` */
+  double only[ARC_BODIES];
+  int calls, constant; /* constant: all of them gave `only` */
+  int sampled;         /* no step could follow */
+} dose_way;
+
+static double larger(const double k[ARC_BODIES]) {
+  return fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
+}
+
+static double total(const double k[ARC_BODIES]) {
+  return k[ARC_CYLINDER] + k[ARC_PLATE];
+}
+
+/* The coefficients a share of the way, with integrals y so far. */
+static arc_status ask(dose_way *s, double share, const double y[ARC_BODIES], double k[ARC_BODIES]) {
+  const wear_dose gone = {s->plan->times, {y[ARC_CYLINDER], y[ARC_PLATE]}, {0}};
+  const double inside = fmin(fmax(share, margin), 1 - margin);
+  const arc_wear_record state = arc_wear_on_the_way(s->w, s->plan, inside, s->rate, &gone);
+  const arc_status status =
+      arc_wear_coefficients(s->w, state.distance, state.distance, &state, k, s->error);
+  if (s->calls++ == 0) memcpy(s->only, k, sizeof s->only);
+  s->constant &= memcmp(s->only, k, sizeof s->only) == 0;
+  return status;
+}
+
+/* One step of the pair to `next`: integrals, coefficients there, and the error over that allowed.
+ */
+static arc_status try_step(dose_way *s, double h, double y[ARC_BODIES], double k[ARC_BODIES],
+                           double *error) {
+  const double *k1 = s->k;
+  double k2[ARC_BODIES], k3[ARC_BODIES], on[ARC_BODIES];
+  for (int b = 0; b < ARC_BODIES; b++) on[b] = s->y[b] + h / 2 * k1[b];
+  arc_status status = ask(s, s->at + h / 2, on, k2);
+  if (status != ARC_OK) return status;
+  for (int b = 0; b < ARC_BODIES; b++) on[b] = s->y[b] + 3 * h / 4 * k2[b];
+  if ((status = ask(s, s->at + 3 * h / 4, on, k3)) != ARC_OK) return status;
+  for (int b = 0; b < ARC_BODIES; b++) y[b] = s->y[b] + h * (2 * k1[b] + 3 * k2[b] + 4 * k3[b]) / 9;
+  if ((status = ask(s, s->at + h, y, k)) != ARC_OK) return status;
+  const double scale = fmax(fmax(larger(k1), larger(k2)), fmax(larger(k3), larger(k)));
+  double off = 0;
+  for (int b = 0; b < ARC_BODIES; b++)
+    off = fmax(off, fabs(-5 * k1[b] / 72 + k2[b] / 12 + k3[b] / 9 - k[b] / 8));
+  *error = scale > 0 ? off / (tolerance * scale) : 0;
+  return ARC_OK;
+}
+
+static void take_step(dose_way *s, double at, const double y[ARC_BODIES],
+                      const double k[ARC_BODIES]) {
+  s->at = at;
+  memcpy(s->y, y, sizeof s->y);
+  if (k != s->k) memcpy(s->k, k, sizeof s->k);
+}
+
+/* --- where to end ----------------------------------------------------------------------------- */
+
+static double distance_at(const dose_way *s, double share) {
+  return arc_wear_last(s->w)->distance + share * s->length;
+}
+
+/* The next point of a table beyond the present share, as a share. */
+static double next_point(const dose_way *s, const arc_series *table) {
+  const double here = distance_at(s, s->at + shortest);
+  for (int i = 0; i < table->count; i++)
+    if (table->distance[i] > here)
+      return (table->distance[i] - arc_wear_last(s->w)->distance) / s->length;
+  return 1;
+}
+
+/* Ends of tables leave off where functions take over. */
+static double next_end(const dose_way *s) {
+  const arc_wear_def *d = &s->w->def;
+  double end = 1;
+  if (!d->k_function) end = fmin(end, next_point(s, &d->k_series));
+  if (!d->alpha_function) end = fmin(end, next_point(s, &d->alpha_series));
+  return end;
+}
+
+/* Whether a table jumps in the interval that ends at a share of the way. */
+static int table_jumps(const dose_way *s, const arc_series *t, double share, double range) {
+  const double end = distance_at(s, share);
+  for (int i = 1; i < t->count; i++) {
+    const double width = t->distance[i] - t->distance[i - 1];
+    if (fabs(t->distance[i] - end) > 1e-6 * width) continue;
+    const double before = i > 1 ? t->distance[i - 1] - t->distance[i - 2] : INFINITY;
+    const double after = i + 1 < t->count ? t->distance[i + 1] - t->distance[i] : INFINITY;
+    return fabs(t->value[i] - t->value[i - 1]) > large * range && steep * width < before &&
+           steep * width < after;
+  }
+  return 0;
+}
+
+static int ends_jump(const dose_way *s, double share, double from, const double k[ARC_BODIES]) {
+  const arc_wear_def *d = &s->w->def;
+  if (share < margin * 10 || share > 1 - margin * 10) return 0;
+  if (share - from <= 3 * shortest) { /* of a function */
+    for (int b = 0; b < ARC_BODIES; b++)
+      if (fabs(k[b] - s->k[b]) > large * fmax(total(k), total(s->k))) return 1;
+    return 0;
+  }
+  return (!d->k_function && table_jumps(s, &d->k_series, share, fmax(total(k), total(s->k)))) ||
+         (!d->alpha_function && table_jumps(s, &d->alpha_series, share, 1));
+}
+
+/* --- along the way ---------------------------------------------------------------------------- */
+
+/* Length of the first step: where the end is still to be found, a part of the way there. */
+static double first_length(const dose_way *s, double longest) {
+  const double whole = s->plan->most / (s->length * total(s->k));
+  return fmin(longest, whole / chosen_steps);
+}
+
+/* What is left, in even steps that nothing refuses. */
+static arc_status sample_rest(dose_way *s) {
+  const double most = s->plan->most / s->length, h = (1 - s->at) / open_steps;
+  s->sampled = 1;
+  for (int i = 1; i <= (int)open_steps; i++) {
+    double y[ARC_BODIES], k[ARC_BODIES], error;
+    const arc_status status = try_step(s, h, y, k, &error);
+    if (status != ARC_OK) return status;
+    const double added = total(y) - total(s->y), left = most - total(s->y);
+    const double share = added > left ? left / added : 1;
+    for (int b = 0; b < ARC_BODIES; b++) y[b] = s->y[b] + share * (y[b] - s->y[b]);
+    take_step(s, i == (int)open_steps && share == 1 ? 1 : s->at + share * h, y, k);
+    if (share < 1) break;
+  }
+  return ARC_OK;
+}
+
+/* Goes to the end of the way: that of the plan, of the integral it may reach, or a jump. */
+static arc_status go(dose_way *s) {
+  const double most = s->plan->most / s->length;
+  const double longest = 1 / (isfinite(most) ? open_steps : chosen_steps);
+  arc_status status = ask(s, 0, s->y, s->k);
+  double h = status == ARC_OK ? first_length(s, longest) : 0;
+  while (status == ARC_OK && s->at < 1) {
+    double y[ARC_BODIES], k[ARC_BODIES], error, end = next_end(s);
+    if (s->calls > most_calls + 4 * (s->w->def.k_series.count + s->w->def.alpha_series.count))
+      return sample_rest(s);
+    h = fmax(fmin(h, longest), shortest);
+    if (s->at + h * (1 + 1e-6) < end) end = s->at + h;
+    const double length = end - s->at;
+    if ((status = try_step(s, length, y, k, &error)) != ARC_OK) return status;
+    if (error > 1 && length > 2 * shortest) {
+      h = length * fmax(0.1, 0.9 * cbrt(1 / error));
+      continue;
+    }
+    if (total(y) > most * (1 + near)) { /* too far: to the point where it is reached */
+      h = length * (most - total(s->y)) / (total(y) - total(s->y));
+      if (h > shortest) continue;
+      return ARC_OK;
+    }
+    const int jump = ends_jump(s, end, s->at, k);
+    take_step(s, end, y, jump ? s->k : k); /* what comes after a jump is another update's */
+    if (jump || total(y) >= most * (1 - near)) return ARC_OK;
+    h = length * fmin(5, error > 0 ? 0.9 * cbrt(1 / error) : 5);
+  }
+  return status;
+}
+
+static int varies(const arc_wear_def *d) {
+  return d->k_function || d->alpha_function || d->k_series.count > 0 || d->alpha_series.count > 0;
+}
+
+/* What never changes needs no way; the last two steps are alike. */
+static arc_status go_straight(dose_way *s) {
+  const arc_status status = ask(s, 0, s->y, s->k);
+  const double all = s->length * total(s->k), steps = ceil(all / s->plan->most * (1 - near));
+  s->at = steps > 2 ? s->plan->most / all : 1 / fmax(steps, 1);
+  return status;
+}
+
+arc_status arc_wear_dose(arc_wear *w, wear_plan *plan, const wear_rate *rate, wear_dose *dose,
+                         arc_error *error) {
+  dose_way s = {.w = w, .plan = plan, .rate = rate, .error = error, .constant = 1};
+  s.length = plan->end - arc_wear_last(w)->distance;
+  const arc_status status = varies(&w->def) ? go(&s) : go_straight(&s);
+  if (status != ARC_OK) return status;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    dose->k[b] = s.constant ? s.only[b] : s.y[b] / s.at;
+    dose->last[b] = s.sampled ? NAN : s.k[b]; /* which tells nothing */
+  }
+  if (s.at < 1) arc_wear_plan_shorten(w, plan, s.at * plan->cycles);
+  dose->cycles = plan->times;
+  return ARC_OK;
+}

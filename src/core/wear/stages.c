@@ -1,0 +1,133 @@
+/* Explicit updates in stages, for jumps that choose themselves: the Runge-Kutta method of second
+ * order with s stages and equal weights (SSPRK(s,2)). Each stage wears on by Euler's rule over
+ * 1 / (s - 1) of the update, and the update takes the mean of all rates: a longer update needs more
+ * stages, so that ripples never set its length. Leans on the rate at trial depths: the compliance
+ * of an update's start serves all its stages, and volumes stay exact. */
+#include "core/wear/step.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The fewest stages whose rates also tell the error, and the most of an update. */
+enum { fewest = 3, most = 12 };
+/* Share of the limit 2 / eigenvalue that a stage uses. */
+static const double safe_share = 0.95;
+/* Nodes shallower than this share of the deepest do not speak in the error. */
+static const double worn = 0.05;
+
+typedef struct staged {
+  arc_wear *w;
+  wear_window window; /* of the trial */
+  wear_trial trial;
+  wear_dose dose;
+  wear_rate *rate; /* of the last stage */
+  int n, stages;
+  double even;                    /* sum of the rates */
+  double peak;                    /* pressure on the way of the first */
+  double *z, *down, *sum, *first; /* [n] depths so far, sum of the rates, the first */
+} staged;
+
+static arc_status staged_create(staged *s) {
+  const size_t n = (size_t)s->n;
+  s->z = calloc(4 * n, sizeof *s->z);
+  if (!s->z) return ARC_MEMORY;
+  s->down = s->z + n;
+  s->sum = s->down + n;
+  s->first = s->sum + n;
+  s->window.trial = &s->trial;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const size_t at = b == ARC_CYLINDER ? 0 : (size_t)s->w->nc;
+    arc_shape_downward(s->window.shape, (arc_body)b, s->down + at);
+    s->trial.depth[b] = s->z + at;
+    s->trial.down[b] = s->down + at;
+  }
+  return ARC_OK;
+}
+
+/* Wear of node i over the whole update, per rate [mm per MPa mm]; even wear moves no node. */
+static double scale(const staged *s, int i) {
+  if (i < s->w->nc) return s->dose.cycles * s->dose.k[ARC_CYLINDER];
+  return s->w->procedure == ARC_NSP ? 0 : s->dose.cycles * s->dose.k[ARC_PLATE];
+}
+
+/* Adds the rate at hand, and goes on by Euler's rule. */
+static void add_stage(staged *s) {
+  const double *rate = s->rate->node[0];
+  s->even += s->rate->even;
+  for (int i = 0; i < s->n; i++) {
+    s->sum[i] += rate[i];
+    s->z[i] = scale(s, i) * s->sum[i] / (s->stages - 1);
+  }
+}
+
+static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
+  memcpy(s->first, s->rate->node[0], (size_t)s->n * sizeof *s->first);
+  s->peak = s->rate->peak;
+  add_stage(s);
+  for (int j = 1; j < s->stages; j++) {
+    const arc_status status = arc_wear_evaluate(s->w, &s->window, watch, s->rate, error);
+    if (status != ARC_OK) return status;
+    add_stage(s);
+  }
+  return ARC_OK;
+}
+
+/* Root mean square over the worn part of one body [mm]: at a scar's edge the error of single nodes
+ * does not fall with the mesh. */
+static double worn_mean(const staged *s, arc_body b, const double *depth, const double *defect,
+                        double *deepest) {
+  const shape_side *side = &s->window.shape->side[b];
+  double sum = 0, width = 0;
+  *deepest = 0;
+  for (int i = 0; i < side->n; i++) *deepest = fmax(*deepest, side->h[i] + depth[i]);
+  for (int i = 0; i < side->n; i++) {
+    if (side->h[i] + depth[i] < worn * *deepest) continue;
+    const double w = arc_shape_width(side, i);
+    sum += w * defect[i] * defect[i];
+    width += w;
+  }
+  return width > 0 ? sqrt(sum / width) : 0;
+}
+
+/* The mean of all rates against that of the first and the last, which is of the same order. */
+static double estimate(staged *s, const wear_depths *depth) {
+  double *defect = s->first, share = 0;
+  for (int i = 0; i < s->n; i++)
+    defect[i] = scale(s, i) * (defect[i] + s->rate->node[0][i]) / 2 - depth->node[0][i];
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double deepest;
+    const double off = worn_mean(s, (arc_body)b, depth->node[b],
+                                 b == ARC_CYLINDER ? defect : defect + s->w->nc, &deepest);
+    if (deepest > 0) share = fmax(share, off / (ARC_STAGED_TOLERANCE * deepest));
+  }
+  return share;
+}
+
+double arc_wear_longest_staged(double eigenvalue) {
+  return eigenvalue > 0 ? (most - 1) * safe_share * 2 / eigenvalue : INFINITY;
+}
+
+static int stages_for(double cycles, double eigenvalue) {
+  const double least = 1 + ceil(cycles * eigenvalue / (2 * safe_share) * (1 - 1e-9));
+  return (int)fmin(fmax(least, fewest), most);
+}
+
+arc_status arc_wear_stages(arc_wear *w, const wear_window *window, const wear_dose *dose,
+                           double eigenvalue, wear_watch *watch, wear_rate *rate,
+                           wear_depths *depth, arc_error *error) {
+  staged s = {.w = w, .window = *window, .dose = *dose, .rate = rate, .n = w->nc + w->np};
+  s.stages = stages_for(dose->cycles, eigenvalue);
+  arc_status status = staged_create(&s);
+  if (status != ARC_OK) return arc_fail(error, status, "out of memory for an update");
+  s.window.jacobian = NULL;
+  status = run_stages(&s, watch, error);
+  if (status == ARC_OK) {
+    for (int i = 0; i < s.n; i++) depth->node[0][i] = scale(&s, i) * s.sum[i] / s.stages;
+    depth->peak = s.peak;
+    depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * s.even / s.stages : 0;
+    depth->error = estimate(&s, depth);
+  }
+  free(s.z);
+  return status;
+}
