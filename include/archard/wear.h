@@ -112,9 +112,12 @@ typedef struct arc_loading {
       "too large a jump makes the surfaces rough. \"auto\" follows an estimate of the error "      \
       "instead, by updates of second order in several stages, each within the limit of "           \
       "roughness. A function gets the state before the update.")                                   \
-  WHOLE(increments, "", 100, EVEN(2, 100000), 0,                                                   \
+  WHOLE(increments, "", 0, EVEN(2, 100000), ARC_AUTOMATIC,                                         \
         "Increments n_c of a full cycle. Half of them are simulated, the way back being like the " \
-        "way out (Eq. 22).")                                                                       \
+        "way out (Eq. 22). \"auto\": 100, or more where the plate would move by more than an "     \
+        "eighth "                                                                                  \
+        "of the contact's half width in one; the points of a loading are then joined by more of "  \
+        "them.")                                                                                   \
   NUMBER(                                                                                          \
       refresh, "", 0.05, FROM(0), 0,                                                               \
       "With moving geometry: the stiffness is computed anew once a node has moved by more than "   \
@@ -185,6 +188,13 @@ arc_wear_def arc_wear_default(void);
 /* Checks a definition against the model it is to run on: ranges, and what goes together.
  * ARC_ARGUMENT names field, expectation and value. */
 arc_status arc_wear_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
+
+/* The longest increment [mm] that follows the contact under `load` [N] well: an eighth of the half
+ * width when unworn, the narrowest of a run. */
+double arc_wear_reach(const arc_model_def *model, double load);
+
+/* Increments of a full cycle of the plain stroke: as set, or as chosen. */
+int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model);
 
 /* Strokes of a cycle, r of Eq. (21): 2, or 1 where the stroke is the whole plate's width. */
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);

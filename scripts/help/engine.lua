@@ -123,7 +123,8 @@ return {
       .. "the last its end (t = 1). Left out: the points lie evenly in time." },
   { "wear{loading.increments}", type = "whole number >= 1", default = 100,
     text = "Even increments of the cycle, at whose ends functions are called and lists interpolated. "
-      .. "Left out: lists are taken point by point, functions at their times." },
+      .. "Left out: lists are taken point by point, functions at their times; increments = \"auto\" of "
+      .. "the run joins what is too far apart." },
   { "wear{loading.cycles}", type = "number > 0", unit = "cycles",
     text = "How often the cycle is repeated. The last block may be without: it goes on to the end." },
   { "wear{loading.periodic}", type = "boolean", default = true,

@@ -50,7 +50,7 @@ local settings = {
   { "alpha", "α = %g", "α" }, { "stroke", "s = %g mm" }, { "load", "load %g N" },
   { "k", "k = %g", "k" }, { "x", "x = %g mm" }, { "jump", "jump %s", "jump" },
   { "procedure", "procedure %s" }, { "scheme", "scheme %s" }, { "tolerance", "tolerance %g" },
-  { "increments", "%d increments" }, { "law", "law %s" }, { "law_exponent", "exponent %g" },
+  { "increments", "%s increments" }, { "law", "law %s" }, { "law_exponent", "exponent %g" },
   { "local_factor", "local factor %s", "local factor" }, { "geometry", "%s geometry" },
   { "slip", "%s slip" }, { "cycle", "%.6g cycles" },
 }

@@ -47,7 +47,8 @@ static int add_setting(void *context, const char *path, const arc_setting *s, vo
     add(list, ARC_VALUE_TEXT, path, "")->text = s->choices[*(const int *)member];
   else
     add_number(list, path, "", arc_setting_number(s, def));
-  if (s->forms & ARC_AUTOMATIC) add_number(list, path, "_auto", arc_setting_is_auto(s, def));
+  if (s->automatic && s->forms & ARC_AUTOMATIC)
+    add_number(list, path, "_auto", arc_setting_is_auto(s, def));
   if (series.count > 0) {
     add_array(list, path, "_series.distance", series.distance, series.count);
     add_array(list, path, "_series.value", series.value, series.count);
@@ -217,7 +218,7 @@ static int read_other_form(reading *r, const arc_value *value) {
     const char *ending = value->name + length;
     char *def = (char *)&r->run->def;
     arc_series *series = (arc_series *)(void *)(def + s->series);
-    if (s->forms & ARC_AUTOMATIC && strcmp(ending, "_auto") == 0)
+    if (s->automatic && s->forms & ARC_AUTOMATIC && strcmp(ending, "_auto") == 0)
       return read_whole(value, (int *)(void *)(def + s->automatic));
     if (s->forms & ARC_FUNCTION && strcmp(ending, "_function") == 0)
       return read_function(r, value, s);

@@ -6,7 +6,7 @@ local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.hold
 -- the definition can be read back
 local w = wear{}
 for name, value in pairs{ k = 1e-8, alpha = 0.5, load = 100, stroke = 0.11, total_distance = 1320,
-  jump = 100, increments = 100, strokes = 2, procedure = "SP", scheme = "explicit", slip = "rigid",
+  jump = 100, increments = "auto", strokes = 2, procedure = "SP", scheme = "explicit", slip = "rigid",
   rule = "trapezoid", geometry = "moving", distance = 0, cycle = 0, update = 0, done = false } do
   is(w[name], value, "wear{}." .. name)
 end

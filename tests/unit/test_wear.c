@@ -342,7 +342,7 @@ static void test_refused_numbers(void **state) {
 
 static void test_refused_combinations(void **state) {
   (void)state;
-  static const int odd[] = {0, -2, 1, 3, 101};
+  static const int odd[] = {-4, -2, 1, 3, 101};
   for (int k = 0; k < 5; k++) {
     arc_wear_def def = arc_wear_default();
     def.increments = odd[k];

@@ -153,6 +153,18 @@ for _, row in ipairs(rows) do
   check(lifted, row, "lifted off on the way back")
 end
 
+-- Increments follow the contact: two points of a stroke are the stroke, and a long stroke wears evenly.
+local three_points = wear{ loading = { x = { -0.11, 0.11, -0.11 } }, distance = 660, jump = 50 }:run()
+local stroke = wear{ stroke = 0.22, increments = 400, distance = 660, jump = 50 }:run()
+within(three_points.depth.plate, stroke.depth.plate, 2e-3, "a stroke by its ends: depth of the plate [mm]")
+within(three_points.depth.cylinder, stroke.depth.cylinder, 2e-3, "a stroke by its ends: depth of the cylinder [mm]")
+within(three_points.p_center, stroke.p_center, 1e-2, "a stroke by its ends: centre pressure [MPa]")
+local long = wear{ stroke = 12, jump = "auto", geometry = "frozen" }:run()
+-- in the middle each node passes under the whole profile once a stroke: depth = k_p L d / stroke
+local scar = long:profile("plate").h
+within(scar[#scar // 2 + 1], 0.5e-8 * 100 * 1320 / 12, 2e-3, "a stroke of 12 mm: depth of the plate [mm]")
+within(long.depth.plate, 0.5e-8 * 100 * 1320 / 12, 5e-3, "and nowhere deeper [mm]")
+
 -- blocks -----------------------------------------------------------------------------------------------
 
 local first = { x = triangle, load = 120, cycles = 1500, increments = 40 }

@@ -24,6 +24,8 @@ int arc_setting_has_function(const arc_setting *s, const void *def) {
 }
 
 int arc_setting_is_auto(const arc_setting *s, const void *def) {
+  if (s->kind == ARC_WHOLE)
+    return s->forms & ARC_AUTOMATIC && *(const int *)at(def, s->offset) == 0;
   return s->automatic && *(const int *)at(def, s->automatic) != 0;
 }
 
@@ -105,6 +107,7 @@ const char *arc_setting_expected(const arc_setting *s, char *text, size_t size) 
 
 const char *arc_setting_usual(const arc_setting *s) {
   if (s->kind == ARC_CHOICE) return s->choices[(int)s->usual];
+  if (s->kind == ARC_WHOLE && s->forms & ARC_AUTOMATIC && s->usual == 0) return "\"auto\"";
   return s->usual_text && !(s->forms & ARC_OPTIONAL && s->usual == 0) ? s->usual_text : "";
 }
 

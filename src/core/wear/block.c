@@ -71,8 +71,9 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   const arc_procedure procedure = arc_wear_choose_procedure(def, model);
   const int over = arc_wear_over_plate(def, model),
             back = def->update == ARC_UPDATE_INCREMENT && !over;
-  const int half =
-      procedure == ARC_NSP && def->update == ARC_UPDATE_CYCLE ? 1 : def->increments / 2;
+  const int half = procedure == ARC_NSP && def->update == ARC_UPDATE_CYCLE
+                       ? 1
+                       : arc_wear_def_increments(def, model) / 2;
   const arc_status status = block_create(b, back ? 2 * half + 1 : half + 1);
   if (status != ARC_OK) return status;
   for (int i = 0; i < b->count; i++) {
@@ -88,13 +89,35 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   return ARC_OK;
 }
 
+double arc_loading_length(const arc_model_def *model, const arc_loading *from, int i) {
+  const double load = fmax(from->load[i - 1], from->load[i]);
+  return load > 0 ? fabs(from->x[i] - from->x[i - 1]) / arc_wear_reach(model, load) : 0;
+}
+
+/* Increments between points i - 1 and i of a loading: as many as follow the contact there, unless
+ * the number is the user's. */
+static int parts(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
+                 int i) {
+  if (def->increments > 0 || arc_wear_choose_procedure(def, model) == ARC_NSP) return 1;
+  return (int)fmax(1, ceil(arc_loading_length(model, from, i) * (1 - 1e-9)));
+}
+
 static arc_status given(const arc_wear_def *def, const arc_model_def *model,
                         const arc_loading *from, wear_block *b) {
-  const arc_status status = block_create(b, from->count);
+  int count = 1;
+  for (int i = 1; i < from->count; i++) count += parts(def, model, from, i);
+  const arc_status status = block_create(b, count);
   if (status != ARC_OK) return status;
-  for (int i = 0; i < b->count; i++) {
-    b->x[i] = from->x[i];
-    b->line[i] = from->load[i] / model->thickness;
+  int at = 0;
+  b->x[0] = from->x[0];
+  b->line[0] = from->load[0] / model->thickness;
+  for (int i = 1; i < from->count; i++) {
+    const int n = parts(def, model, from, i);
+    for (int j = 1; j <= n; j++) { /* the last is the point itself, to the bit */
+      const double left = (double)(n - j) / n, right = (double)j / n;
+      b->x[++at] = left * from->x[i - 1] + right * from->x[i];
+      b->line[at] = (left * from->load[i - 1] + right * from->load[i]) / model->thickness;
+    }
   }
   b->periodic = from->periodic;
   b->cycles = from->cycles;

@@ -25,6 +25,9 @@ typedef struct wear_block {
 arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
                                   wear_block **block, int *count);
 void arc_wear_blocks_free(wear_block **block, int count);
+/* How long the increment that ends at point i of a loading is, over what follows the contact there;
+ * 0 where nothing touches. */
+double arc_loading_length(const arc_model_def *model, const arc_loading *from, int i);
 /* Where it ends [mm]. */
 double arc_wear_block_end(const wear_block *block);
 

@@ -74,7 +74,8 @@ static void warn_unstable(arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_def *d = &w->def;
   double eigenvalue;
   if (d->scheme != ARC_EXPLICIT || d->jump_auto || d->jump_function) return;
-  if (arc_wear_stability(w, &eigenvalue, NULL) != ARC_OK) return; /* the step will tell */
+  if (!arc_wear_block_at(w, arc_wear_last(w)->cycle)->periodic) return; /* one increment a step */
+  if (arc_wear_stability(w, &eigenvalue, NULL) != ARC_OK) return;       /* the step will tell */
   const double limit = 2 / eigenvalue;
   if (d->jump <= limit) return;
   arc_warn(callbacks,
@@ -83,10 +84,44 @@ static void warn_unstable(arc_wear *w, const arc_callbacks *callbacks) {
            d->jump, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit));
 }
 
+/* The longest increment, over what follows the contact well. */
+static double longest_increment(const arc_wear *w) {
+  const arc_wear_def *d = &w->def;
+  const arc_model_def *model = arc_model_definition(w->model);
+  double longest =
+      d->blocks > 0 ? 0 : 2 * d->stroke / d->increments / arc_wear_reach(model, d->load);
+  for (int b = 0; b < d->blocks; b++)
+    for (int i = 1; i < d->loading[b].count; i++)
+      longest = fmax(longest, arc_loading_length(model, &d->loading[b], i));
+  return longest;
+}
+
+/* Increments whose number is the user's, and that leap over parts of the contact's way. */
+static void warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
+  static const double leap = 4; /* half the contact's half width */
+  const arc_wear_def *d = &w->def;
+  if (d->increments == 0 || w->procedure == ARC_NSP) return;
+  const double longest = longest_increment(w);
+  if (longest <= leap * (1 + 1e-9)) return;
+  if (d->blocks > 0)
+    arc_warn(
+        callbacks,
+        "an increment of the loading is longer than half the contact's half width, and the wear "
+        "will be uneven; give %.0f times as many points, or increments = \"auto\"",
+        ceil(longest));
+  else
+    arc_warn(
+        callbacks,
+        "increments = %d: each is longer than half the contact's half width, and the wear will "
+        "be uneven; take %d, or \"auto\"",
+        d->increments, 2 * (int)ceil(longest * d->increments / 2 * (1 - 1e-9)));
+}
+
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *last = arc_wear_last(w);
   if (!callbacks || !callbacks->warn || last->distance >= w->def.distance) return;
   if (!w->warned && last->update == 0) arc_model_warn(w->model, last->half_width, callbacks);
+  if (!w->warned) warn_leaps(w, callbacks);
   if (!w->warned || limit_varies(w)) warn_unstable(w, callbacks);
   w->warned = 1;
 }

@@ -255,20 +255,31 @@ static const char *show_k(const arc_wear_def *settings, char *text, size_t size)
   return text;
 }
 
+/* Those of a loading are its own, unless they are too long. */
+static const char *show_increments(const arc_wear *wear, char *text, size_t size) {
+  const arc_wear_def *def = arc_wear_definition(wear);
+  const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
+  snprintf(text, size, "auto");
+  if (def->blocks == 0 || def->increments > 0)
+    snprintf(text, size, "%d", arc_wear_def_increments(def, model));
+  return text;
+}
+
 static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_def *settings = arc_wear_definition(wear);
-  char line[400], motion[60], k[40], alpha[40], steps[40];
+  char line[400], motion[60], k[40], alpha[40], steps[40], increments[40];
   show_motion(settings, motion, sizeof motion);
   show_steps(settings, steps, sizeof steps);
   snprintf(line, sizeof line,
            "wear: %s, load %.6g N, k %s, alpha %s\n"
-           "  settings  %s %s, %s, increments %d, %s, %s slip, %s\n",
+           "  settings  %s %s, %s, increments %s, %s, %s slip, %s\n",
            motion, settings->load, show_k(settings, k, sizeof k),
            show_coefficient(settings->alpha, &settings->alpha_series,
                             settings->alpha_function != NULL, alpha, sizeof alpha),
            arc_procedure_names[arc_wear_procedure(wear)], arc_scheme_names[settings->scheme], steps,
-           settings->increments, arc_geometry_names[settings->geometry],
-           arc_slip_names[settings->slip], arc_rule_names[settings->rule]);
+           show_increments(wear, increments, sizeof increments),
+           arc_geometry_names[settings->geometry], arc_slip_names[settings->slip],
+           arc_rule_names[settings->rule]);
   luaL_addstring(text, line);
   add_others(text, settings);
 }
