@@ -119,6 +119,20 @@ local function worst(history, coarse, fine, column)
   return most
 end
 
+-- A law that jumps: nodes hop to and fro across the threshold, and stages are short enough to follow.
+for _, case in ipairs{ { 250, 0.22, 0.4, 0.2 }, { 150, 0.11, 0.5, 0.5 } } do
+  local p0, stroke, alpha, jump = table.unpack(case)
+  local fields = { law = "threshold", law_pressure = p0, stroke = stroke, alpha = alpha, distance = 660, geometry = "frozen" }
+  fields.jump = jump
+  local fine = run(fields)
+  fields.jump = "auto"
+  local auto = run(fields)
+  local what = ("threshold %g MPa, s = %g, alpha = %g, auto: "):format(p0, stroke, alpha)
+  within(auto.depth.cylinder, fine.depth.cylinder, 3e-3, what .. "depth of the cylinder [mm]")
+  within(auto.depth.plate, fine.depth.plate, 3e-3, what .. "depth of the plate [mm]")
+  within(auto.p_center, fine.p_center, 5e-3, what .. "centre pressure [MPa]")
+end
+
 local aluminium = material{ E = 70e3, nu = 0.33 }
 local whole_runs = { -- name, fields, jump of the coarser reference; the last three are not the paper's
   { "s = a, alpha = 0.5", { stroke = 0.11, alpha = 0.5 }, 4 },

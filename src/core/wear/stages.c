@@ -9,10 +9,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The fewest stages whose rates also tell the error, and the most of an update. */
-enum { fewest = 3, most = 12 };
-/* Share of the limit 2 / eigenvalue that a stage uses. */
-static const double safe_share = 0.95;
+/* How a law is followed. */
+typedef struct staging {
+  int fewest, most; /* stages of an update: those whose rates also tell the error, and no more */
+  double share;     /* of the limit 2 / eigenvalue that a stage uses */
+  int by_thirds;    /* single rates say nothing: the error is told by means over thirds */
+} staging;
+
+/* Under a law with a jump in it nodes hop to and fro across the jump, by less the shorter the
+ * stages are. */
+static staging staging_of(const arc_wear *w) {
+  static const staging smooth = {3, 12, 0.95, 0}, jumping = {30, 1200, 0.01, 1};
+  return w->def.law == ARC_LAW_THRESHOLD ? jumping : smooth;
+}
+
 /* Nodes shallower than this share of the deepest do not speak in the error. */
 static const double worn = 0.05;
 
@@ -23,18 +33,20 @@ typedef struct staged {
   wear_dose dose;
   wear_rate *rate; /* of the last stage */
   int n, stages;
-  double even;                    /* sum of the rates */
-  double peak;                    /* pressure on the way of the first */
-  double *z, *down, *sum, *first; /* [n] depths so far, sum of the rates, the first */
+  double even;            /* sum of the rates */
+  double peak;            /* pressure on the way of the first */
+  double *z, *down, *sum; /* [n] depths so far, sum of the rates */
+  double *first, *bend;   /* [n] the first rate; second difference of the sums over thirds */
 } staged;
 
 static arc_status staged_create(staged *s) {
   const size_t n = (size_t)s->n;
-  s->z = calloc(4 * n, sizeof *s->z);
+  s->z = calloc(5 * n, sizeof *s->z);
   if (!s->z) return ARC_MEMORY;
   s->down = s->z + n;
   s->sum = s->down + n;
   s->first = s->sum + n;
+  s->bend = s->first + n;
   s->window.trial = &s->trial;
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t at = b == ARC_CYLINDER ? 0 : (size_t)s->w->nc;
@@ -52,11 +64,13 @@ static double scale(const staged *s, int i) {
 }
 
 /* Adds the rate at hand, and goes on by Euler's rule. */
-static void add_stage(staged *s) {
+static void add_stage(staged *s, int stage) {
   const double *rate = s->rate->node[0];
+  const double weight = 3 * stage / s->stages == 1 ? -2 : 1;
   s->even += s->rate->even;
   for (int i = 0; i < s->n; i++) {
     s->sum[i] += rate[i];
+    s->bend[i] += weight * rate[i];
     s->z[i] = scale(s, i) * s->sum[i] / (s->stages - 1);
   }
 }
@@ -64,11 +78,11 @@ static void add_stage(staged *s) {
 static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
   memcpy(s->first, s->rate->node[0], (size_t)s->n * sizeof *s->first);
   s->peak = s->rate->peak;
-  add_stage(s);
+  add_stage(s, 0);
   for (int j = 1; j < s->stages; j++) {
     const arc_status status = arc_wear_evaluate(s->w, &s->window, watch, s->rate, error);
     if (status != ARC_OK) return status;
-    add_stage(s);
+    add_stage(s, j);
   }
   return ARC_OK;
 }
@@ -90,11 +104,14 @@ static double worn_mean(const staged *s, arc_body b, const double *depth, const 
   return width > 0 ? sqrt(sum / width) : 0;
 }
 
-/* The mean of all rates against that of the first and the last, which is of the same order. */
+/* The mean of all rates against that of the first and the last, which is of the same order. Where
+ * single rates say nothing, as much by how the rate bends between thirds of the update. */
 static double estimate(staged *s, const wear_depths *depth) {
+  const int by_thirds = staging_of(s->w).by_thirds;
   double *defect = s->first, share = 0;
   for (int i = 0; i < s->n; i++)
-    defect[i] = scale(s, i) * (defect[i] + s->rate->node[0][i]) / 2 - depth->node[0][i];
+    defect[i] = by_thirds ? scale(s, i) * s->bend[i] * 9 / 4 / s->stages
+                          : scale(s, i) * (defect[i] + s->rate->node[0][i]) / 2 - depth->node[0][i];
   for (int b = 0; b < ARC_BODIES; b++) {
     double deepest;
     const double off = worn_mean(s, (arc_body)b, depth->node[b],
@@ -104,20 +121,23 @@ static double estimate(staged *s, const wear_depths *depth) {
   return share;
 }
 
-double arc_wear_longest_staged(double eigenvalue) {
-  return eigenvalue > 0 ? (most - 1) * safe_share * 2 / eigenvalue : INFINITY;
+double arc_wear_longest_staged(const arc_wear *w, double eigenvalue) {
+  const staging how = staging_of(w);
+  return eigenvalue > 0 ? (how.most - 1) * how.share * 2 / eigenvalue : INFINITY;
 }
 
-static int stages_for(double cycles, double eigenvalue) {
-  const double least = 1 + ceil(cycles * eigenvalue / (2 * safe_share) * (1 - 1e-9));
-  return (int)fmin(fmax(least, fewest), most);
+static int stages_for(const arc_wear *w, double cycles, double eigenvalue) {
+  const staging how = staging_of(w);
+  const double least = 1 + ceil(cycles * eigenvalue / (2 * how.share) * (1 - 1e-9));
+  const int stages = (int)fmin(fmax(least, how.fewest), how.most);
+  return how.by_thirds ? (stages + 2) / 3 * 3 : stages;
 }
 
 arc_status arc_wear_stages(arc_wear *w, const wear_window *window, const wear_dose *dose,
                            double eigenvalue, wear_watch *watch, wear_rate *rate,
                            wear_depths *depth, arc_error *error) {
   staged s = {.w = w, .window = *window, .dose = *dose, .rate = rate, .n = w->nc + w->np};
-  s.stages = stages_for(dose->cycles, eigenvalue);
+  s.stages = stages_for(w, dose->cycles, eigenvalue);
   arc_status status = staged_create(&s);
   if (status != ARC_OK) return arc_fail(error, status, "out of memory for an update");
   s.window.jacobian = NULL;

@@ -60,7 +60,7 @@ arc_status arc_wear_dose(arc_wear *w, wear_plan *plan, const wear_rate *rate, we
 /* Estimated error of an update in stages that is let pass, as a share of the depth. */
 #define ARC_STAGED_TOLERANCE 3e-3
 /* The longest update that stages can take [cycles], at an eigenvalue [1/cycle]. */
-double arc_wear_longest_staged(double eigenvalue);
+double arc_wear_longest_staged(const arc_wear *w, double eigenvalue);
 /* Depths of an explicit update in as many stages as the eigenvalue asks for, with an estimate of
  * their error. `rate` is that of the start, and is overwritten. */
 arc_status arc_wear_stages(arc_wear *w, const wear_window *window, const wear_dose *dose,

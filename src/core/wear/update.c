@@ -124,7 +124,7 @@ static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
   for (int cut = 0; cut < 3 && u->jacobian && status == ARC_OK; cut++) {
     const size_t n = (size_t)(w->nc + w->np);
     *eigenvalue = arc_wear_eigenvalue(w, u->dose.k, u->jacobian, u->jacobian + n * n);
-    const double longest = arc_wear_longest_staged(*eigenvalue);
+    const double longest = arc_wear_longest_staged(w, *eigenvalue);
     if (u->dose.cycles <= longest) break;
     arc_wear_plan_shorten(w, u->plan, longest);
     status = arc_wear_dose(w, u->plan, u->rate, &u->dose, error);
