@@ -1,8 +1,9 @@
 -- Explicit against implicit updates: error of the depths, updates, contact solutions and seconds of
 -- four cases at several element sizes, as a Markdown table.
 --   archard scripts/tools/schemes.lua [size in um ...]      20, 10 and 5 where none is given
--- The reference of a case is extrapolated from explicit runs with a fifth and a tenth of Table 1's
--- N-bar, scaled with the element size (ripples grow faster on finer meshes).
+-- Errors are the largest at any stored update, and those at the end. The reference of a case is
+-- extrapolated from explicit runs with a fifth and a tenth of Table 1's N-bar, scaled with the element
+-- size (ripples grow faster on finer meshes), and interpolated to the distances of the updates.
 
 local paper = require "archard.study.paper"
 local cases = {}
@@ -26,35 +27,58 @@ local function run(case, size, fields)
   return w, os.clock() - start
 end
 
--- What explicit updates tend to: linear in their length, so twice the finer minus the coarser.
-local function reference(case, size, jump)
-  local coarse, fine = run(case, size, { jump = jump / 5 }), run(case, size, { jump = jump / 10 })
-  return {
-    cylinder = 2 * fine.depth.cylinder - coarse.depth.cylinder,
-    plate = 2 * fine.depth.plate - coarse.depth.plate,
-    p_center = 2 * fine.p_center - coarse.p_center,
-  }
+-- The value of a column at a distance, by cubic interpolation between four updates.
+local function at(history, column, distance)
+  local x, y, low = history.distance, history[column], 1
+  while low < #x - 1 and x[low + 1] <= distance do low = low + 1 end
+  local first, sum = math.max(1, math.min(low - 1, #x - 3)), 0
+  for i = first, first + 3 do
+    local share = 1
+    for j = first, first + 3 do
+      if j ~= i then share = share * (distance - x[j]) / (x[i] - x[j]) end
+    end
+    sum = sum + share * y[i]
+  end
+  return sum
 end
 
-local function percent(got, expected) return 100 * math.abs(got / expected - 1) end
+-- Explicit runs whose errors, linear in the length of their updates, cancel in twice the finer minus the coarser.
+local function reference(case, size, jump)
+  return { coarse = run(case, size, { jump = jump / 5 }).history, fine = run(case, size, { jump = jump / 10 }).history }
+end
 
-local function row(size, case, scheme, true_values)
+-- Errors of a column in percent: the largest at any update, and that at the end.
+local function errors(history, column, true_runs)
+  local worst, off = 0, 0
+  for i = 2, #history.distance do
+    local distance = history.distance[i]
+    local expected = 2 * at(true_runs.fine, column, distance) - at(true_runs.coarse, column, distance)
+    off = 100 * math.abs(history[column][i] / expected - 1)
+    worst = math.max(worst, off)
+  end
+  return worst, off
+end
+
+local function row(size, case, scheme, true_runs)
   local w, seconds = run(case, size, scheme[2](case.jump * size / 0.020))
-  local depth = math.max(percent(w.depth.cylinder, true_values.cylinder), percent(w.depth.plate, true_values.plate))
-  print(("| %g | %s | %s | %.3f | %.3f | %d | %d | %.2f |"):format(1e3 * size, case.name, scheme[1], depth,
-    percent(w.p_center, true_values.p_center), w.update, w.solutions, seconds))
+  local history = w.history
+  local worst_c, end_c = errors(history, "depth_cylinder", true_runs)
+  local worst_p, end_p = errors(history, "depth_plate", true_runs)
+  local worst, last = errors(history, "p_center", true_runs)
+  print(("| %g um | %s | %s | %.2f %% | %.2f %% | %.3f %% | %.3f %% | %d | %d | %.2f s |"):format(1e3 * size, case.name,
+    scheme[1], math.max(worst_c, worst_p), worst, math.max(end_c, end_p), last, w.update, w.solutions, seconds))
   io.stdout:flush()
 end
 
 local sizes = { ... }
 if #sizes == 0 then sizes = { 20, 10, 5 } end
-print("| element [um] | stroke, alpha | updates | error of the depths [%] | of the centre pressure [%] |"
-  .. " number | contact solutions | CPU [s] |")
-print("|---|---|---|---|---|---|---|---|")
+print("| element | case | updates | worst depth error | worst pressure error | depth at the end | pressure at the end |"
+  .. " steps | solutions | CPU |")
+print("|---|---|---|---|---|---|---|---|---|---|")
 for _, um in ipairs(sizes) do
   local size = tonumber(um) / 1e3
   for _, case in ipairs(cases) do
-    local true_values = reference(case, size, case.jump * size / 0.020)
-    for _, scheme in ipairs(schemes) do row(size, case, scheme, true_values) end
+    local true_runs = reference(case, size, case.jump * size / 0.020)
+    for _, scheme in ipairs(schemes) do row(size, case, scheme, true_runs) end
   end
 end
