@@ -266,6 +266,29 @@ static void hear(void *context, const char *text) {
   snprintf(warning, sizeof warning, "%s", text);
 }
 
+/* Increments that leap are told of, with a number that does not. */
+static void test_leaps(void **state) {
+  (void)state;
+  static const arc_callbacks callbacks = {.warn = hear};
+  static const double x[] = {-0.055, 0.055, -0.055}, load[] = {100, 100, 100};
+  const arc_loading ends = {3, x, load, INFINITY, 1}, once = {3, x, load, 1, 0};
+  arc_wear_def def = quick(0.44, 0.5);
+  for (int k = 0; k < 5; k++) {
+    if (k == 1) def.increments = 0; /* follows the contact */
+    if (k > 1) def.blocks = 1, def.loading = k == 4 ? &once : &ends, def.jump = 1;
+    if (k == 3) def.increments = 2;
+    if (k == 4) def.increments = 0, def.jump = 1e6, def.distance = 0; /* a jump of no use there */
+    if (k == 0) def.increments = 8;
+    arc_wear *wear = start(&def);
+    warnings = 0;
+    check_ok(arc_wear_step(wear, &callbacks, why));
+    assert_int_equal(warnings, k == 0 || k == 3);
+    if (k == 0) assert_non_null(strstr(warning, "take 66, or \"auto\""));
+    if (k == 3) assert_non_null(strstr(warning, "9 times as many points"));
+    arc_wear_destroy(&wear);
+  }
+}
+
 /* A jump past the limit is told of once for a definition, before its first step; asking costs no
  * bits. */
 static void test_warnings(void **state) {
@@ -440,6 +463,7 @@ int main(void) {
       cmocka_unit_test(test_stability),
       cmocka_unit_test(test_stability_is_a_question),
       cmocka_unit_test(test_warnings),
+      cmocka_unit_test(test_leaps),
       cmocka_unit_test(test_refused_numbers),
       cmocka_unit_test(test_refused_combinations),
       cmocka_unit_test(test_zone),
