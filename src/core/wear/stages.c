@@ -19,7 +19,7 @@ typedef struct staging {
 /* Under a law with a jump in it nodes hop to and fro across the jump, by less the shorter the
  * stages are. */
 static staging staging_of(const arc_wear *w) {
-  static const staging smooth = {3, 12, 0.95, 0}, jumping = {30, 1200, 0.01, 1};
+  static const staging smooth = {3, 14, 0.85, 0}, jumping = {30, 1200, 0.01, 1};
   return w->def.law == ARC_LAW_THRESHOLD ? jumping : smooth;
 }
 
