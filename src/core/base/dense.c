@@ -2,12 +2,18 @@
  * will do). */
 #include "core/base/dense.h"
 
+#include <string.h>
+
 void dpotrf_(const char *uplo, const int *n, double *a, const int *lda, int *info);
 void dpotrs_(const char *uplo, const int *n, const int *nrhs, const double *a, const int *lda,
              double *b, const int *ldb, int *info);
 void dpbtrf_(const char *uplo, const int *n, const int *kd, double *ab, const int *ldab, int *info);
 void dgesv_(const int *n, const int *nrhs, double *a, const int *lda, int *ipiv, double *b,
             const int *ldb, int *info);
+void dgetrf_(const int *m, const int *n, double *a, const int *lda, int *ipiv, int *info);
+void dgetrs_(const char *trans, const int *n, const int *nrhs, const double *a, const int *lda,
+             const int *ipiv, double *b, const int *ldb, int *info);
+void dpotri_(const char *uplo, const int *n, double *a, const int *lda, int *info);
 void dtrsm_(const char *side, const char *uplo, const char *transa, const char *diag, const int *m,
             const int *n, const double *alpha, const double *a, const int *lda, double *b,
             const int *ldb);
@@ -170,4 +176,24 @@ int arc_dense_solve(int n, double *a, int *pivots, double *x) {
   int info = 0;
   if (n > 0) dgesv_(&n, &one, a, &n, pivots, x, &n, &info);
   return info;
+}
+
+int arc_dense_factor(int n, double *a, int *pivots) {
+  int info = 0;
+  if (n > 0) dgetrf_(&n, &n, a, &n, pivots, &info);
+  return info;
+}
+
+void arc_dense_factor_solve(int n, int count, const double *a, const int *pivots, double *b) {
+  int info = 0;
+  if (n > 0) dgetrs_("N", &n, &count, a, &n, pivots, b, &n, &info);
+}
+
+void arc_dense_cholesky_invert(int n, const double *l, double *inverse) {
+  int info = 0;
+  if (n == 0) return;
+  memcpy(inverse, l, (size_t)n * (size_t)n * sizeof *l);
+  dpotri_("L", &n, inverse, &n, &info);
+  for (int j = 0; j < n; j++)
+    for (int i = 0; i < j; i++) inverse[dense_at(i, j, n)] = inverse[dense_at(j, i, n)];
 }

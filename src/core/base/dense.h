@@ -32,6 +32,12 @@ void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc
  * where singular. */
 int arc_dense_solve(int n, double *a, int *pivots, double *x);
 
+/* The same in two steps: a := its factors, then b := a^-1 b as often as wanted, b [n x count]. */
+int arc_dense_factor(int n, double *a, int *pivots);
+void arc_dense_factor_solve(int n, int count, const double *a, const int *pivots, double *b);
+/* inverse := (L L')^-1, all of it; l and inverse [n x n]. */
+void arc_dense_cholesky_invert(int n, const double *l, double *inverse);
+
 /* Index of (i, j) in a column-major matrix of leading dimension ld. */
 static inline size_t dense_at(int i, int j, int ld) {
   return (size_t)i + (size_t)j * (size_t)ld;
