@@ -141,10 +141,13 @@ typedef struct arc_loading {
   NUMBER(law_pressure, "MPa", 100, ABOVE(0), 0, "Pressure p0 of the law.")                         \
   NUMBER(law_exponent, "", 1, ABOVE_TO(-1, 10), 0, "Exponent m of the power law.")                 \
   WHOLE(order, "", 2, WITHIN(1, 2), 0,                                                             \
-        "Order of the implicit scheme: pressures of the end of the update, or midway.")            \
-  NUMBER(tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                            \
-         "Relative error an implicit run may make in the depth; it then chooses its own steps. "   \
-         "None: steps of jump.")                                                                   \
+        "Order of the implicit scheme: pressures of the end of the update, or of its start, a "    \
+        "stage on the way and its end (TR-BDF2).")                                                 \
+  NUMBER(                                                                                          \
+      tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                               \
+      "Bound on the error of an implicit run's depths, over the deepest, at every node of more "   \
+      "than a twentieth of that; pressures keep to 30 times as much. The run then chooses its "    \
+      "own steps. None: steps of jump.")                                                           \
   OTHER(model, "a model object or a table of its fields", "model", ARC_FIXED,                      \
         "The bodies. Without it one is built on first use whose contact zones suit the stroke.")   \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", ARC_FIXED,                 \

@@ -1,97 +1,238 @@
 /* The wear of a cycle as a linear map of both surfaces' depths, from the active sets of its contact
- * solutions. */
+ * solutions.
+ *
+ * With C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1) on the active set, deeper surfaces h change the
+ * forces of a pose by -C (h_c + B h_p). C hardly differs between neighbouring poses, so that of
+ * one, the head, serves a group of them; their B do differ, and it is their mean that couples the
+ * surfaces. Groups lie symmetric about x = 0, so that symmetric runs stay so. */
 #include "core/base/dense.h"
 #include "core/wear/rate.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* What one pose contributes. With C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1) on the active set (m
- * nodes) and B's rows there (plate nodes first .. first + span - 1), deeper surfaces h change the
- * forces by -C (h_c + B h_p). */
-typedef struct influence {
-  int m, first, span;
-  double *c;   /* [m x m] C */
-  double *b;   /* [m x span] B on the set */
-  double *cb;  /* [m x span] C B */
-  double *bcb; /* [span x span] B' C B */
-} influence;
+typedef struct jacobian_group {
+  int m;                 /* size of the head's active set; 0: no head yet */
+  int *node;             /* [nc] the set, by surface node */
+  int *from, *to;        /* [nc] plate nodes in a cylinder node's rows of B: from .. to - 1 */
+  int low, high;         /* in those of the set */
+  int points;            /* so many are in it */
+  double total;          /* sum of their shares */
+  const double *wc, *wp; /* tributary widths: the same for all poses */
+  double *scale;         /* [nc + np] sum of share * dq/dp */
+  double *c;             /* [nc x nc] C of the head */
+  double *own, *mean;    /* [np x nc] B' of the head; the sum of share * B' */
+  double *cb;            /* [nc x np] work: C B */
+} jacobian_group;
 
-static arc_status influence_create(const pose *p, influence *f) {
-  f->m = p->active;
-  f->first = p->first[p->set[0]];
-  f->span = 0;
-  for (int s = 0; s < f->m; s++) {
-    const int end = p->first[p->set[s]] + p->width - f->first;
-    if (end > f->span) f->span = end;
+arc_status arc_wear_jacobian_create(wear_jacobian *j, int nc, int np) {
+  const size_t c = (size_t)nc, p = (size_t)np, n = c + p;
+  *j = (wear_jacobian){.nc = nc, .np = np};
+  j->value = malloc(n * n * sizeof(double));
+  jacobian_group *g = j->group = calloc(1, sizeof *g);
+  if (g) {
+    g->node = malloc(3 * c * sizeof(int));
+    g->scale = malloc((n + c * c + 3 * c * p) * sizeof(double));
   }
-  if (f->first + f->span > p->np) f->span = p->np - f->first;
-  const size_t m = (size_t)f->m, span = (size_t)f->span;
-  f->c = calloc(m * m + 2 * m * span + span * span, sizeof(double));
-  if (!f->c) return ARC_MEMORY;
-  f->b = f->c + m * m;
-  f->cb = f->b + m * span;
-  f->bcb = f->cb + m * span;
+  if (!j->value || !g || !g->node || !g->scale) {
+    arc_wear_jacobian_free(j);
+    return ARC_MEMORY;
+  }
+  g->from = g->node + c;
+  g->to = g->from + c;
+  g->c = g->scale + n;
+  g->own = g->c + c * c;
+  g->mean = g->own + c * p;
+  g->cb = g->mean + c * p;
   return ARC_OK;
 }
 
-static void fill_influence(const pose *p, influence *f) {
-  const int m = f->m, span = f->span;
+void arc_wear_jacobian_free(wear_jacobian *j) {
+  if (j->group) {
+    free(j->group->node);
+    free(j->group->scale);
+  }
+  free(j->group);
+  free(j->value);
+  *j = (wear_jacobian){0};
+}
+
+void arc_wear_jacobian_clear(wear_jacobian *j) {
+  const size_t n = (size_t)(j->nc + j->np);
+  memset(j->value, 0, n * n * sizeof(double));
+  j->group->points = 0;
+}
+
+/* --- a group --- */
+
+static void fill_c(const pose *p, double *c) {
+  const int m = p->active;
   double total = 0;
-  for (int s = 0; s < m; s++) {
-    f->c[dense_at(s, s, m)] = 1;
-    total += p->ones[s];
-    const int k = p->set[s];
+  for (int s = 0; s < m; s++) total += p->ones[s];
+  arc_dense_cholesky_invert(m, p->factor, c);
+  for (int t = 0; t < m; t++)
+    for (int s = 0; s < m; s++) c[dense_at(s, t, m)] -= p->ones[s] * p->ones[t] / total;
+}
+
+static void begin(wear_jacobian *j) {
+  jacobian_group *g = j->group;
+  g->m = g->points = 0;
+  g->total = 0;
+  memset(g->scale, 0, (size_t)(j->nc + j->np) * sizeof(double));
+  memset(g->mean, 0, (size_t)j->nc * (size_t)j->np * sizeof(double));
+  for (int i = 0; i < j->nc; i++) g->from[i] = j->np, g->to[i] = 0;
+}
+
+static void lead(wear_jacobian *j, const pose *p) {
+  jacobian_group *g = j->group;
+  g->m = p->active;
+  g->wc = p->wc;
+  g->wp = p->wp;
+  fill_c(p, g->c);
+  for (int s = 0; s < g->m; s++) {
+    const int k = p->set[s], i = g->node[s] = p->lo + k;
+    memset(&g->own[dense_at(0, i, j->np)], 0, (size_t)j->np * sizeof(double));
     for (int q = 0; q < p->width && p->first[k] + q < p->np; q++)
-      f->b[dense_at(s, p->first[k] + q - f->first, m)] = p->b[k * p->width + q];
+      g->own[dense_at(p->first[k] + q, i, j->np)] = p->b[k * p->width + q];
   }
-  arc_dense_cholesky_solve(m, m, p->factor, m, f->c, m);
-  for (int j = 0; j < m; j++)
-    for (int i = 0; i < m; i++) f->c[dense_at(i, j, m)] -= p->ones[i] * p->ones[j] / total;
-  arc_dense_multiply(m, span, m, 1, f->c, m, f->b, m, 0, f->cb, m);
-  arc_dense_multiply_transposed(span, span, m, 1, f->b, m, f->cb, m, 0, f->bcb, span);
 }
 
-/* share * dq/dp / width at a node: from a change of force to one of wear. */
-static double row_scale(const arc_wear *w, const pose *p, const wear_point *point, arc_body b,
-                        int node, double share) {
-  const double width = b == ARC_CYLINDER ? p->wc[node] : p->wp[node];
-  return share * arc_wear_law_slope(w, point->p[b][node], point->q[b][node]) / width;
+static void join(const arc_wear *w, const pose *p, const wear_point *point, double share,
+                 wear_jacobian *j) {
+  jacobian_group *g = j->group;
+  g->points++;
+  g->total += share;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const int n = b == ARC_CYLINDER ? j->nc : j->np;
+    double *scale = b == ARC_CYLINDER ? g->scale : g->scale + j->nc;
+    for (int i = 0; i < n; i++)
+      scale[i] += share * arc_wear_law_slope(w, point->p[b][i], point->q[b][i]);
+  }
+  for (int k = 0; k < p->count; k++) {
+    const int i = p->lo + k, first = p->first[k];
+    const int end = first + p->width < p->np ? first + p->width : p->np;
+    for (int l = first; l < end; l++)
+      g->mean[dense_at(l, i, j->np)] += share * p->b[k * p->width + l - first];
+    if (first < g->from[i]) g->from[i] = first;
+    if (end > g->to[i]) g->to[i] = end;
+  }
 }
 
-static double column_scale(const double *const down[ARC_BODIES], arc_body b, int node) {
-  return down ? down[b][node] : 1;
-}
+/* --- what a group adds --- */
 
-arc_status arc_wear_add_jacobian(const arc_wear *w, const pose *p, const wear_point *point,
-                                 double share, const double *const down[ARC_BODIES],
-                                 double *jacobian) {
-  influence f;
-  if (influence_create(p, &f) != ARC_OK) return ARC_MEMORY;
-  fill_influence(p, &f);
-  const int n = p->nc + p->np;
-  for (int s = 0; s < f.m; s++) {
-    const int node = p->lo + p->set[s];
-    const double row = row_scale(w, p, point, ARC_CYLINDER, node, share);
-    const double column = column_scale(down, ARC_CYLINDER, node);
-    for (int t = 0; t < f.m; t++) {
-      const int other = p->lo + p->set[t];
-      jacobian[dense_at(node, other, n)] +=
-          row * f.c[dense_at(s, t, f.m)] * column_scale(down, ARC_CYLINDER, other);
+/* cb := C B, plate nodes from `low`, for rows of B' in b. */
+static void times_rows(const wear_jacobian *j, const double *b) {
+  const jacobian_group *g = j->group;
+  memset(g->cb, 0, (size_t)g->m * (size_t)(g->high - g->low) * sizeof(double));
+  for (int s = 0; s < g->m; s++)
+    for (int l = g->from[g->node[s]]; l < g->to[g->node[s]]; l++) {
+      const double weight = b[dense_at(l, g->node[s], j->np)], *c = &g->c[dense_at(0, s, g->m)];
+      double *to = &g->cb[dense_at(0, l - g->low, g->m)];
+      if (weight == 0) continue;
+      for (int r = 0; r < g->m; r++) to[r] += weight * c[r];
     }
-    for (int t = 0; t < f.span; t++) {
-      const int l = f.first + t;
-      const double cb = f.cb[dense_at(s, t, f.m)];
-      jacobian[dense_at(node, p->nc + l, n)] += row * cb * column_scale(down, ARC_PLATE, l);
-      jacobian[dense_at(p->nc + l, node, n)] +=
-          row_scale(w, p, point, ARC_PLATE, l, share) * cb * column;
+}
+
+static void add_cylinder(wear_jacobian *j) {
+  const jacobian_group *g = j->group;
+  for (int t = 0; t < g->m; t++)
+    for (int s = 0; s < g->m; s++) {
+      const int i = g->node[s];
+      j->value[dense_at(i, g->node[t], j->nc + j->np)] +=
+          g->scale[i] / g->wc[i] * g->c[dense_at(s, t, g->m)];
+    }
+}
+
+static void add_coupling(wear_jacobian *j) {
+  const jacobian_group *g = j->group;
+  const int n = j->nc + j->np;
+  times_rows(j, g->mean);
+  for (int l = g->low; l < g->high; l++) {
+    const double plate = g->scale[j->nc + l] / g->wp[l] / g->total;
+    for (int s = 0; s < g->m; s++) {
+      const int i = g->node[s];
+      const double cb = g->cb[dense_at(s, l - g->low, g->m)];
+      j->value[dense_at(i, j->nc + l, n)] += g->scale[i] / g->wc[i] / g->total * cb;
+      j->value[dense_at(j->nc + l, i, n)] += plate * cb;
     }
   }
-  for (int s = 0; s < f.span; s++) {
-    const double row = row_scale(w, p, point, ARC_PLATE, f.first + s, share);
-    for (int t = 0; t < f.span; t++)
-      jacobian[dense_at(p->nc + f.first + s, p->nc + f.first + t, n)] +=
-          row * f.bcb[dense_at(s, t, f.span)] * column_scale(down, ARC_PLATE, f.first + t);
+}
+
+static void add_plate(wear_jacobian *j) {
+  const jacobian_group *g = j->group;
+  const int n = j->nc + j->np;
+  times_rows(j, g->own);
+  for (int t = g->low; t < g->high; t++) {
+    double *column = &j->value[dense_at(j->nc, j->nc + t, n)];
+    const double *cb = &g->cb[dense_at(0, t - g->low, g->m)];
+    for (int s = 0; s < g->m; s++)
+      for (int i = g->node[s], l = g->from[i]; l < g->to[i]; l++)
+        column[l] += g->scale[j->nc + l] / g->wp[l] * g->own[dense_at(l, i, j->np)] * cb[s];
   }
-  free(f.c);
-  return ARC_OK;
+}
+
+static void find_range(jacobian_group *g, int np) {
+  g->low = np;
+  g->high = 0;
+  for (int s = 0; s < g->m; s++) {
+    const int i = g->node[s];
+    if (g->from[i] < g->low) g->low = g->from[i];
+    if (g->to[i] > g->high) g->high = g->to[i];
+  }
+}
+
+void arc_wear_jacobian_finish(wear_jacobian *j) {
+  jacobian_group *g = j->group;
+  if (g->points == 0 || g->m == 0 || g->total == 0) return;
+  find_range(g, j->np);
+  add_cylinder(j);
+  add_coupling(j);
+  add_plate(j);
+  g->points = 0;
+}
+
+/* --- which group --- */
+
+static int bin_of(const wear_jacobian *j, const wear_block *block, int at) {
+  const double x = block->pose_x[at];
+  return j->width > 0 ? (x < 0 ? -1 : 1) * (int)ceil(fabs(x) / j->width - 1e-9) : at;
+}
+
+static double off_centre(const wear_jacobian *j, const wear_block *block, int at) {
+  const double centre = (abs(bin_of(j, block, at)) - 0.5) * j->width;
+  return fabs(fabs(block->pose_x[at]) - centre);
+}
+
+static int same_group(const wear_jacobian *j, const wear_block *block, int a, int b) {
+  return 0 <= b && b < block->count && block->line[a] == block->line[b] &&
+         bin_of(j, block, a) == bin_of(j, block, b);
+}
+
+/* The point nearest to the centre of its group; of two, the one further out. */
+static int is_head(const wear_jacobian *j, const wear_block *block, int at) {
+  static const double even = 1e-9;
+  if (j->width == 0) return 1;
+  const double own = off_centre(j, block, at);
+  for (int step = -1; step <= 1; step += 2)
+    for (int o = at + step; same_group(j, block, at, o); o += step) {
+      const double other = off_centre(j, block, o);
+      if (other < own - even * j->width) return 0;
+      if (other > own + even * j->width) continue;
+      const double further = fabs(block->pose_x[o]) - fabs(block->pose_x[at]);
+      if (further > 0 || (further == 0 && o < at)) return 0;
+    }
+  return 1;
+}
+
+void arc_wear_jacobian_add(const arc_wear *w, int at, double share, wear_jacobian *j) {
+  const wear_block *block = w->path.block;
+  const pose *p = &w->path.pose[block->place[at]];
+  const int apart = j->group->points == 0 || at == 0 || !same_group(j, block, at, at - 1);
+  if (apart) {
+    arc_wear_jacobian_finish(j);
+    begin(j);
+  }
+  if (is_head(j, block, at)) lead(j, p);
+  join(w, p, &w->path.point[at % 2], share, j);
 }

@@ -97,16 +97,11 @@ static double weight(const arc_wear *w, const wear_window *window, int at) {
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
 }
 
-static arc_status add_to_jacobian(const arc_wear *w, const wear_window *window, int at,
-                                  arc_error *error) {
+static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *block = w->path.block;
   const double share = weight(w, window, at);
-  if (!window->jacobian || share == 0 || block->line[at] == 0) return ARC_OK;
-  const arc_status status =
-      arc_wear_add_jacobian(w, &w->path.pose[block->place[at]], &w->path.point[at % 2], share,
-                            window->trial ? window->trial->down : NULL, window->jacobian);
-  if (status == ARC_OK) return ARC_OK;
-  return arc_fail(error, ARC_MEMORY, "out of memory for the wear's Jacobian");
+  if (!window->jacobian || block->line[at] == 0) return;
+  arc_wear_jacobian_add(w, at, share, window->jacobian);
 }
 
 static void note_peak(const arc_wear *w, const wear_point *point, wear_rate *rate) {
@@ -124,16 +119,17 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
   assert(0 <= window->first && window->last < w->path.block->count);
   memset(rate->node[0], 0, n * sizeof(double));
   rate->even = rate->peak = 0;
-  if (window->jacobian) memset(window->jacobian, 0, n * n * sizeof(double));
+  if (window->jacobian) arc_wear_jacobian_clear(window->jacobian);
   for (int at = window->first; at <= window->last; at++) {
-    arc_status status = reach_point(w, window, at, watch, error);
-    if (status == ARC_OK) status = add_to_jacobian(w, window, at, error);
+    const arc_status status = reach_point(w, window, at, watch, error);
     if (status != ARC_OK) return status;
     note_peak(w, &w->path.point[at % 2], rate);
+    add_to_jacobian(w, window, at);
     if (at > window->first)
       add_increment(w, at, rate);
     else if (wears_evenly(w))
       add_even(w, &w->path.point[at % 2], rate);
   }
+  if (window->jacobian) arc_wear_jacobian_finish(window->jacobian);
   return ARC_OK;
 }

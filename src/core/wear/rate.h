@@ -14,12 +14,11 @@ typedef struct wear_trial {
 typedef struct wear_window {
   const arc_shape *shape; /* on which the contact is solved */
   int first, last;
-  int chained;                  /* the path holds the solved point `first`, of an earlier shape
-                                   (Eq. 4) */
-  const arc_wear_record *state; /* for local factors */
-  const wear_trial *trial;      /* NULL: the shape as it is */
-  double *jacobian;             /* if not NULL, written: [n x n] with n = nc + np, column-major,
-                                   -d rate / d depth at frozen compliance */
+  int chained;                    /* the path holds the solved point `first`, of an earlier shape
+                                     (Eq. 4) */
+  const arc_wear_record *state;   /* for local factors */
+  const wear_trial *trial;        /* NULL: the shape as it is */
+  struct wear_jacobian *jacobian; /* if not NULL, written */
 } wear_window;
 
 /* Whom a computation asks, and how many contact solutions it took so far. */
@@ -36,9 +35,21 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
 
 /* --- jacobian.c --- */
-/* Adds share * (-d q / d depth) of a solved pose to jacobian. down as in wear_trial. */
-arc_status arc_wear_add_jacobian(const arc_wear *w, const pose *p, const wear_point *point,
-                                 double share, const double *const down[ARC_BODIES],
-                                 double *jacobian);
+/* -d rate / d depth, at frozen compliance and along y. Neighbouring points whose contact hardly
+ * differs are taken together: a Newton iteration does not mind. */
+typedef struct wear_jacobian {
+  int nc, np;
+  double width;  /* [mm] of plate positions in a group; 0: every point is its own */
+  double *value; /* [n x n], n = nc + np, column-major; cylinder first */
+  struct jacobian_group *group;
+} wear_jacobian;
+
+arc_status arc_wear_jacobian_create(wear_jacobian *j, int nc, int np);
+void arc_wear_jacobian_free(wear_jacobian *j);
+void arc_wear_jacobian_clear(wear_jacobian *j);
+/* Adds share * (-d q / d depth) of point `at` of the block, just solved; points come in order. */
+void arc_wear_jacobian_add(const arc_wear *w, int at, double share, wear_jacobian *j);
+/* After the last pose: value is complete. */
+void arc_wear_jacobian_finish(wear_jacobian *j);
 
 #endif

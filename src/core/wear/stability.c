@@ -49,14 +49,19 @@ arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error)
   if (status != ARC_OK) return status;
   if (k[ARC_CYLINDER] == 0 && k[ARC_PLATE] == 0) return ARC_OK;
   const size_t n = (size_t)(w->nc + w->np);
-  double *jacobian = malloc((n * n + 2 * n) * sizeof *jacobian);
-  if (!jacobian) return arc_fail(error, ARC_MEMORY, "out of memory for the stability limit");
+  wear_jacobian jacobian = {0};
+  double *work = malloc(2 * n * sizeof *work);
+  if (!work || arc_wear_jacobian_create(&jacobian, w->nc, w->np) != ARC_OK) {
+    free(work);
+    return arc_fail(error, ARC_MEMORY, "out of memory for the stability limit");
+  }
   const wear_window cycle = {
-      .shape = w->shape, .last = block->count - 1, .state = now, .jacobian = jacobian};
+      .shape = w->shape, .last = block->count - 1, .state = now, .jacobian = &jacobian};
   wear_watch nobody = {0};
   status = arc_wear_evaluate(w, &cycle, &nobody, &w->work.rate, error);
-  if (status == ARC_OK) *eigenvalue = arc_wear_eigenvalue(w, k, jacobian, jacobian + n * n);
-  free(jacobian);
+  if (status == ARC_OK) *eigenvalue = arc_wear_eigenvalue(w, k, jacobian.value, work);
+  arc_wear_jacobian_free(&jacobian);
+  free(work);
   return status;
 }
 

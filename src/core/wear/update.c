@@ -99,8 +99,21 @@ typedef struct whole {
   wear_watch *watch;
   wear_rate *rate; /* at the start, where known */
   wear_dose dose;
-  double *jacobian;
+  wear_jacobian jacobian; /* of the start, for stages */
+  double *work;           /* [2 n] with it; NULL: no stages */
 } whole;
+
+static arc_status whole_create(whole *u) {
+  const arc_wear *w = u->w;
+  if (!u->plan->staged) return ARC_OK;
+  u->work = malloc(2 * (size_t)(w->nc + w->np) * sizeof *u->work);
+  return u->work ? arc_wear_jacobian_create(&u->jacobian, w->nc, w->np) : ARC_MEMORY;
+}
+
+static void whole_free(whole *u) {
+  arc_wear_jacobian_free(&u->jacobian);
+  free(u->work);
+}
 
 /* The rate at the start, where it is asked for: by explicit updates, and by functions of the state
  * to see their way. */
@@ -113,7 +126,7 @@ static arc_status find_start(whole *u, arc_error *error) {
     return ARC_OK;
   }
   wear_window start = u->window;
-  start.jacobian = u->jacobian;
+  start.jacobian = u->work ? &u->jacobian : NULL;
   return arc_wear_evaluate(w, &start, u->watch, u->rate, error);
 }
 
@@ -121,9 +134,8 @@ static arc_status find_start(whole *u, arc_error *error) {
 static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
   arc_wear *w = u->w;
   arc_status status = arc_wear_dose(w, u->plan, u->rate, &u->dose, error);
-  for (int cut = 0; cut < 3 && u->jacobian && status == ARC_OK; cut++) {
-    const size_t n = (size_t)(w->nc + w->np);
-    *eigenvalue = arc_wear_eigenvalue(w, u->dose.k, u->jacobian, u->jacobian + n * n);
+  for (int cut = 0; cut < 3 && u->work && status == ARC_OK; cut++) {
+    *eigenvalue = arc_wear_eigenvalue(w, u->dose.k, u->jacobian.value, u->work);
     const double longest = arc_wear_longest_staged(w, *eigenvalue);
     if (u->dose.cycles <= longest) break;
     arc_wear_plan_shorten(w, u->plan, longest);
@@ -138,7 +150,7 @@ static arc_status depths_of_update(whole *u, wear_depths *depth, arc_error *erro
   arc_status status = find_start(u, error);
   if (status == ARC_OK) status = find_dose(u, &eigenvalue, error);
   if (status != ARC_OK) return status;
-  if (u->jacobian)
+  if (u->work)
     return arc_wear_stages(w, &u->window, &u->dose, eigenvalue, u->watch, u->rate, depth, error);
   const int again = arc_wear_has_state_functions(w) && w->def.local_factor;
   if (is_explicit(w, u->plan) && !again) {
@@ -154,7 +166,6 @@ static arc_status depths_of_update(whole *u, wear_depths *depth, arc_error *erro
 static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
                                arc_error *error) {
   const int generic = !plan->block->periodic;
-  const size_t n = (size_t)(w->nc + w->np);
   const arc_wear_record middle =
       arc_wear_has_state_functions(w) ? out->record : arc_wear_on_the_way(w, plan, 0.5, NULL, NULL);
   whole u = {.w = w, .plan = plan, .watch = watch};
@@ -162,11 +173,13 @@ static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
                            .first = generic ? plan->first : 0,
                            .last = generic ? plan->first + 1 : plan->block->count - 1,
                            .state = &middle};
-  if (plan->staged && !(u.jacobian = malloc((n * n + 2 * n) * sizeof *u.jacobian)))
-    return arc_fail(error, ARC_MEMORY, "out of memory for an update");
   wear_depths *depth = &w->work.depth;
-  arc_status status = depths_of_update(&u, depth, error);
-  free(u.jacobian);
+  arc_status status = whole_create(&u);
+  if (status != ARC_OK)
+    arc_fail(error, status, "out of memory for an update");
+  else
+    status = depths_of_update(&u, depth, error);
+  whole_free(&u);
   if (status != ARC_OK) return status;
   arc_wear_note_coefficients(u.dose.k, &out->record);
   memcpy(out->foreseen, u.dose.last, sizeof out->foreseen);
