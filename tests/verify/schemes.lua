@@ -32,7 +32,7 @@ end
 -- Implicit: the error is held, with few steps -----------------------------------------------------------
 
 local cases = { -- stroke, alpha, N-bar of Table 1, most steps
-  { 0.11, 0.5, 100, 25 }, { 0.22, 0.25, 40, 25 }, { 0.44, 0.75, 20, 25 }, { 20, 0.5, 1, 25 },
+  { 0.11, 0.5, 100, 50 }, { 0.22, 0.25, 40, 50 }, { 0.44, 0.75, 20, 50 }, { 20, 0.5, 1, 50 },
 }
 for _, case in ipairs(cases) do
   local stroke, alpha, jump, most = table.unpack(case)
@@ -46,16 +46,21 @@ for _, case in ipairs(cases) do
   below(asymmetry(w), 1e-9, what .. ": asymmetry")
 end
 
--- Both orders tend to the same, at their rate.
+-- Both orders tend to the same, at their rate; over the whole profile, as the deepest node alone is right by chance.
+local function apart(w, other)
+  local h, g, off, all = w:profile("cylinder").h, other:profile("cylinder").h, 0, 0
+  for i = 1, #h do off, all = off + (h[i] - g[i]) ^ 2, all + g[i] ^ 2 end
+  return math.sqrt(off / all)
+end
 local fine = run{ scheme = "implicit", jump = 12.5 }
 for order = 1, 2 do
   local off = {}
   for i, jump in ipairs{ 400, 200 } do
     local w = run{ scheme = "implicit", order = order, jump = jump }
-    off[i] = math.abs(w.depth.cylinder / fine.depth.cylinder - 1)
+    off[i] = apart(w, fine)
   end
-  figures.above(off[1] / off[2], order == 1 and 1.7 or 2.5, ("order %d: the error falls with half the step by"):format(order))
-  below(off[2], order == 1 and 2e-3 or 5e-5, ("order %d, N-bar = 200: depth off by"):format(order))
+  figures.above(off[1] / off[2], order == 1 and 1.7 or 3.5, ("order %d: the error falls with half the step by"):format(order))
+  below(off[2], order == 1 and 2e-3 or 5e-5, ("order %d, N-bar = 200: depths off by"):format(order))
 end
 
 -- Functions of the state are part of the error that is held: running-in.
