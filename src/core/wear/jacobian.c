@@ -204,18 +204,20 @@ static double off_centre(const wear_jacobian *j, const wear_block *block, int at
   return fabs(fabs(block->pose_x[at]) - centre);
 }
 
-static int same_group(const wear_jacobian *j, const wear_block *block, int a, int b) {
-  return 0 <= b && b < block->count && block->line[a] == block->line[b] &&
+static int same_group(const wear_jacobian *j, const wear_block *block, const wear_window *window,
+                      int a, int b) {
+  return window->first <= b && b <= window->last && block->line[a] == block->line[b] &&
          bin_of(j, block, a) == bin_of(j, block, b);
 }
 
 /* The point nearest to the centre of its group; of two, the one further out. */
-static int is_head(const wear_jacobian *j, const wear_block *block, int at) {
+static int is_head(const wear_jacobian *j, const wear_block *block, const wear_window *window,
+                   int at) {
   static const double even = 1e-9;
   if (j->width == 0) return 1;
   const double own = off_centre(j, block, at);
   for (int step = -1; step <= 1; step += 2)
-    for (int o = at + step; same_group(j, block, at, o); o += step) {
+    for (int o = at + step; same_group(j, block, window, at, o); o += step) {
       const double other = off_centre(j, block, o);
       if (other < own - even * j->width) return 0;
       if (other > own + even * j->width) continue;
@@ -225,14 +227,15 @@ static int is_head(const wear_jacobian *j, const wear_block *block, int at) {
   return 1;
 }
 
-void arc_wear_jacobian_add(const arc_wear *w, int at, double share, wear_jacobian *j) {
+void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share) {
+  wear_jacobian *j = window->jacobian;
   const wear_block *block = w->path.block;
   const pose *p = &w->path.pose[block->place[at]];
-  const int apart = j->group->points == 0 || at == 0 || !same_group(j, block, at, at - 1);
+  const int apart = j->group->points == 0 || !same_group(j, block, window, at, at - 1);
   if (apart) {
     arc_wear_jacobian_finish(j);
     begin(j);
   }
-  if (is_head(j, block, at)) lead(j, p);
+  if (is_head(j, block, window, at)) lead(j, p);
   join(w, p, &w->path.point[at % 2], share, j);
 }

@@ -101,7 +101,7 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   const wear_block *block = w->path.block;
   const double share = weight(w, window, at);
   if (!window->jacobian || block->line[at] == 0) return;
-  arc_wear_jacobian_add(w, at, share, window->jacobian);
+  arc_wear_jacobian_add(w, window, at, share);
 }
 
 static void note_peak(const arc_wear *w, const wear_point *point, wear_rate *rate) {

@@ -47,8 +47,9 @@ typedef struct wear_jacobian {
 arc_status arc_wear_jacobian_create(wear_jacobian *j, int nc, int np);
 void arc_wear_jacobian_free(wear_jacobian *j);
 void arc_wear_jacobian_clear(wear_jacobian *j);
-/* Adds share * (-d q / d depth) of point `at` of the block, just solved; points come in order. */
-void arc_wear_jacobian_add(const arc_wear *w, int at, double share, wear_jacobian *j);
+/* Adds share * (-d q / d depth) of point `at` of the window, just solved, to the window's; points
+ * come in order. */
+void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share);
 /* After the last pose: value is complete. */
 void arc_wear_jacobian_finish(wear_jacobian *j);
 
