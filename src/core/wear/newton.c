@@ -72,13 +72,14 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
 
 /* Only nodes that wear and were in contact have anything to solve for. */
 static arc_status factorise(newton *s, double h) {
+  const double *rates = s->jacobian.value;
   int m = 0;
   for (int i = 0; i < s->n; i++)
-    if (k_at(s, i) > 0 && s->jacobian.value[dense_at(i, i, s->n)] > 0) s->node[m++] = i;
+    if (k_at(s, i) > 0 && rates[dense_at(i, i, s->n)] > 0) s->node[m++] = i;
   for (int j = 0; j < m; j++) {
-    const double *column = &s->jacobian.value[dense_at(0, s->node[j], s->n)];
     double *to = &s->matrix[dense_at(0, j, m)];
-    for (int i = 0; i < m; i++) to[i] = h * k_at(s, s->node[i]) * column[s->node[i]];
+    for (int i = 0; i < m; i++)
+      to[i] = h * k_at(s, s->node[i]) * rates[dense_at(s->node[i], s->node[j], s->n)];
     to[j] += 1;
   }
   s->live = m;
