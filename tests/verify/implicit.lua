@@ -70,8 +70,8 @@ end
 
 local cases = { -- element [um], stroke, alpha, longest explicit update, most solutions
   { 20, 0.11, 0.5, 10, 13e3 }, { 20, 0.22, 0.75, 5, 12e3 }, { 20, 0.44, 0.25, 2.5, 9e3 }, { 20, 20, 0.5, 0.1, 250 },
-  { 10, 0.11, 0.5, 10, 17e3 }, { 10, 0.44, 0.75, 2.5, 17e3 }, { 10, 20, 1, 0.1, 450 }, { 5, 0.11, 0.5, 10, 25e3 },
-  { 5, 20, 1, 0.1, 800 },
+  { 10, 0.11, 0.5, 10, 17e3 }, { 10, 0.44, 0.75, 2.5, 17e3 }, { 10, 20, 1, 0.1, 500 }, { 5, 0.11, 0.5, 10, 25e3 },
+  { 5, 20, 1, 0.1, 950 },
 }
 for _, case in ipairs(cases) do
   local um, stroke, alpha, jump, most = table.unpack(case)
