@@ -158,6 +158,7 @@ typedef struct arc_series {
 
 /* Choices: a list X(NAME, "name") as enumerators ARC_NAME, and as names. */
 #define ARC_CHOICE_ENUM(name, ...)       ARC_##name,
+#define ARC_CHOICE_ONE(...)              +1 /* 0 LIST(ARC_CHOICE_ONE): how many there are */
 #define ARC_CHOICE_NAME(name, text, ...) text,
 
 /* --- what can be done with a list ------------------------------------------------------------- */

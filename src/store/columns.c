@@ -16,46 +16,10 @@ static const column history[] = {
 #undef COLUMN
 };
 
-/* A column of case_results that comes from the definition, or before there is one from the
- * settings; without a value where one of `instead` is there and not 0. */
-typedef struct setting {
-  column column;
-  const char *name, *instead;
-} setting;
-
-static const setting settings[] = {
-    {{"k", "mm2/N", "wear coefficient; none where a function or series"},
-     "k",
-     "'k_function', 'k_series.value'"},
-    {{"alpha", "", "wear partition factor; none where a function or series"},
-     "alpha",
-     "'alpha_function', 'alpha_series.value'"},
-    {{"load", "N", "load, whole thickness; of the reference configuration"}, "load", ""},
-    {{"stroke", "mm", "stroke; none with blocks of loading"}, "stroke", "'blocks'"},
-    {{"total_distance", "mm", "travelled distance to simulate; 0: all blocks"}, "distance", ""},
-    {{"jump", "", "cycles per update; none where it varies"},
-     "jump",
-     "'jump_function', 'jump_auto'"},
-    {{"increments", "", "increments of a full cycle; 0: chosen by the program"},
-     "increments",
-     "'blocks'"},
-    {{"procedure", "", "auto, SP or NSP"}, "procedure", ""},
-    {{"scheme", "", "explicit or implicit"}, "scheme", ""},
-    {{"geometry", "", "moving or frozen"}, "geometry", ""},
-    {{"radius", "mm", "radius of the cylinder"}, "model.radius", ""},
-    {{"thickness", "mm", "thickness of both bodies"}, "model.thickness", ""},
-    {{"E_cylinder", "MPa", "Young's modulus of the cylinder"}, "model.cylinder.E", ""},
-    {{"nu_cylinder", "", "Poisson's ratio of the cylinder"}, "model.cylinder.nu", ""},
-    {{"E_plate", "MPa", "Young's modulus of the plate"}, "model.plate.E", ""},
-    {{"nu_plate", "", "Poisson's ratio of the plate"}, "model.plate.nu", ""},
-    {{"mesh_size", "mm", "width of the elements at the contact"}, "model.mesh.size", ""},
-    {{"mesh_height", "mm", "height of the elements at the contact"}, "model.mesh.height", ""},
-};
-
 /* What has a unit elsewhere. */
 static const column others[] = {
     {"volume_total", "mm3", "wear volume of both bodies"},
-    {"seconds", "", "time in s that a finished case took"},
+    {"seconds", "s", "time that a finished case took; its column has no unit in the name"},
     {"x", "mm", "unworn position of a node"},
     {"h", "mm", "wear depth of a node"},
     {"y", "mm", "present height of a node"},
@@ -97,10 +61,10 @@ static void put_values(FILE *to) {
   for (size_t c = 0; c < COUNT(history); c++) fputs(", ?", to);
 }
 
+/* k, alpha and jump are told as they were set. */
 static int is_setting(const char *name) {
-  for (size_t s = 0; s < COUNT(settings); s++)
-    if (strcmp(settings[s].column.name, name) == 0) return 1;
-  return 0;
+  const arc_setting *s = arc_setting_find(arc_wear_settings, name);
+  return s && s->kind != ARC_OTHER && strcmp(name, "distance") != 0 && strcmp(name, "update") != 0;
 }
 
 static void put_results(FILE *to) {
@@ -111,16 +75,73 @@ static void put_results(FILE *to) {
   }
 }
 
+/* Settings that are called like a result, or like a word of SQL's. */
+static const char *const renamed[][2] = {
+    {"distance", "total_distance"}, {"update", "update_at"}, {"order", "scheme_order"}};
+
+/* The column of a setting: "mesh_size" of mesh.size. */
+static column column_of(const char *path, const arc_setting *s, char name[static 96]) {
+  size_t i = 0;
+  for (size_t r = 0; r < COUNT(renamed); r++)
+    if (strcmp(path, renamed[r][0]) == 0) path = renamed[r][1];
+  for (; path[i] && i < 95; i++) name[i] = path[i] == '.' ? '_' : path[i];
+  name[i] = '\0';
+  const int counted = !s->unit || strcmp(s->unit, "cycles") == 0;
+  return (column){name, counted ? "" : s->unit, s->text};
+}
+
+/* Names of what may be given instead of the value, which then says nothing. */
+static void put_instead(FILE *to, const char *path, unsigned forms) {
+  fputs("''", to);
+  if (forms & ARC_FUNCTION) fprintf(to, ", '%s_function'", path);
+  if (forms & ARC_SERIES) fprintf(to, ", '%s_series.value'", path);
+  if (forms & ARC_AUTOMATIC) fprintf(to, ", '%s_auto'", path);
+  if (strcmp(path, "stroke") == 0 || strcmp(path, "increments") == 0) fputs(", 'blocks'", to);
+}
+
+/* What a walk over the settings writes to, and what stands before their names in the file. */
+typedef struct walk {
+  FILE *to;
+  const char *prefix;
+  void (*put)(struct walk *walk, const char *path, const arc_setting *s);
+} walk;
+
+/* From the definition, or before there is one from the settings. */
+static void put_setting(walk *at, const char *path, const arc_setting *s) {
+  char name[96];
+  const column c = column_of(path, s, name);
+  const char *prefix = at->prefix;
+  fprintf(at->to,
+          ", coalesce((SELECT value FROM definition WHERE case_id = c.id AND name = '%s%s' AND NOT "
+          "EXISTS (SELECT 1 FROM definition d WHERE d.case_id = c.id AND d.name IN (",
+          prefix, path);
+  put_instead(at->to, path, s->forms);
+  fprintf(at->to,
+          ") AND d.value <> 0)), (SELECT value FROM settings WHERE case_id = c.id AND name = "
+          "'%s%s')) AS ",
+          prefix, path);
+  put_name(at->to, &c);
+}
+
+static int see_setting(void *context, const char *path, const arc_setting *s, void *member,
+                       const void *def) {
+  walk *at = context;
+  (void)member, (void)def;
+  at->put(at, path, s);
+  return 0;
+}
+
+static void put_all(FILE *to, void (*put)(walk *at, const char *path, const arc_setting *s)) {
+  const arc_wear_def wear = arc_wear_default();
+  const arc_model_def model = arc_model_default();
+  walk at = {to, "", put};
+  arc_settings_walk(arc_wear_settings, "", &wear, see_setting, &at);
+  at.prefix = "model.";
+  arc_settings_walk(arc_model_settings, "", &model, see_setting, &at);
+}
+
 static void put_settings(FILE *to) {
-  for (size_t s = 0; s < COUNT(settings); s++) {
-    fprintf(
-        to,
-        ", coalesce((SELECT value FROM definition WHERE case_id = c.id AND name = '%s' AND NOT "
-        "EXISTS (SELECT 1 FROM definition d WHERE d.case_id = c.id AND d.name IN (%s) AND "
-        "d.value <> 0)), (SELECT value FROM settings WHERE case_id = c.id AND name = '%s')) AS ",
-        settings[s].name, settings[s].instead, settings[s].name);
-    put_name(to, &settings[s].column);
-  }
+  put_all(to, put_setting);
 }
 
 static void put_unit(FILE *to, const column *c, int first) {
@@ -131,11 +152,17 @@ static void put_unit(FILE *to, const column *c, int first) {
   fputc(')', to);
 }
 
+static void put_setting_unit(walk *at, const char *path, const arc_setting *s) {
+  char name[96];
+  const column c = column_of(path, s, name);
+  put_unit(at->to, &c, 0);
+}
+
 static void put_units(FILE *to) {
-  for (size_t s = 0; s < COUNT(settings); s++) put_unit(to, &settings[s].column, s == 0);
+  for (size_t c = 0; c < COUNT(others); c++) put_unit(to, &others[c], c == 0);
   for (size_t c = 0; c < COUNT(history); c++)
     if (!is_setting(history[c].name)) put_unit(to, &history[c], 0);
-  for (size_t c = 0; c < COUNT(others); c++) put_unit(to, &others[c], 0);
+  put_all(to, put_setting_unit);
 }
 
 /* --- texts ------------------------------------------------------------------------------------ */

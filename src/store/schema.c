@@ -6,6 +6,8 @@
  * brings a temporary copy up to date instead. */
 #include "store/store.h"
 
+#include <stdlib.h>
+
 #define TEXT_OF(number) TEXT(number)
 #define TEXT(number)    #number
 
@@ -34,17 +36,17 @@ static const char tables[] =
 static const char drop_views[] = "DROP VIEW IF EXISTS case_results;"
                                  "DROP VIEW IF EXISTS history_of;"
                                  "DROP VIEW IF EXISTS units;";
-static const char views[] =
+static const char case_results[] =
     "CREATE VIEW case_results AS SELECT c.id AS case_id, c.label, c.status, c.message,"
     "  (SELECT value FROM results WHERE case_id = c.id AND name = 'warning') AS warning,"
     "  c.created, c.finished, c.seconds@settings@results,"
     "  h.volume_cylinder_mm3 + h.volume_plate_mm3 AS volume_total_mm3"
     "  FROM cases c LEFT JOIN history h ON h.case_id = c.id AND"
-    "  h.step = (SELECT max(step) FROM history WHERE case_id = c.id);"
-    "CREATE VIEW history_of AS SELECT case_id, label, step@columns"
-    "  FROM history JOIN cases ON case_id = id;"
-    "CREATE VIEW units (name, unit, text) AS VALUES @units;"
-    "PRAGMA user_version = " TEXT_OF(ARC_STORE_FORMAT) ";";
+    "  h.step = (SELECT max(step) FROM history WHERE case_id = c.id)";
+static const char views[] = "CREATE VIEW history_of AS SELECT case_id, label, step@columns"
+                            "  FROM history JOIN cases ON case_id = id;"
+                            "CREATE VIEW units (name, unit, text) AS VALUES @units;"
+                            "PRAGMA user_version = " TEXT_OF(ARC_STORE_FORMAT) ";";
 
 /* From the format before, in order; never changed once released. `names` renames, so that the SQL
  * of today finds its tables and columns, `values` adds what the checksums are then taken of. */
@@ -80,9 +82,8 @@ _Static_assert(MIGRATIONS == ARC_STORE_FORMAT - 1, "a new format needs a line in
 
 arc_status arc_schema_check(const char *path, long long format, arc_error *error) {
   if (format >= 1 && format <= ARC_STORE_FORMAT) return ARC_OK;
-  return arc_fail(error, ARC_FORMAT,
-                  "%s: format %lld is newer than this program, which knows up to %d", path, format,
-                  ARC_STORE_FORMAT);
+  return arc_fail(error, ARC_FORMAT, "%s: format %lld is %s this program, which knows up to %d",
+                  path, format, format < 1 ? "none of" : "newer than", ARC_STORE_FORMAT);
 }
 
 arc_status arc_schema_format(arc_store *store, long long *format, arc_error *error) {
@@ -95,6 +96,11 @@ arc_status arc_schema_format(arc_store *store, long long *format, arc_error *err
   return status == ARC_OK ? arc_schema_check(store->path, *format, error) : status;
 }
 
+static arc_status make_views(arc_store *store, arc_error *error) {
+  const arc_status status = arc_store_script(store, case_results, error);
+  return status == ARC_OK ? arc_store_script(store, views, error) : status;
+}
+
 arc_status arc_schema_make(arc_store *store, arc_error *error) {
   arc_status status = arc_database_run(store->db,
                                        "PRAGMA page_size = 4096; PRAGMA application_id = " TEXT_OF(
@@ -102,7 +108,7 @@ arc_status arc_schema_make(arc_store *store, arc_error *error) {
                                                                   "BEGIN IMMEDIATE",
                                        error);
   if (status == ARC_OK) status = arc_store_script(store, tables, error);
-  if (status == ARC_OK) status = arc_store_script(store, views, error);
+  if (status == ARC_OK) status = make_views(store, error);
   return status == ARC_OK ? arc_database_run(store->db, "COMMIT", error) : status;
 }
 
@@ -114,7 +120,24 @@ static arc_status migrate(arc_store *store, long long format, arc_error *error) 
   if (status == ARC_OK) status = arc_store_unseal_sound(store, error);
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].values, error);
-  return status == ARC_OK ? arc_store_script(store, views, error) : status;
+  return status == ARC_OK ? make_views(store, error) : status;
+}
+
+/* Views of a program that knew other settings are made anew: they hold nothing. */
+static arc_status renew_views(arc_store *store, arc_error *error) {
+  query *q;
+  int row = 0;
+  char *wanted = arc_columns_sql(case_results);
+  if (!wanted) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+  arc_status status = arc_query_open(
+      store->db, "SELECT 1 FROM sqlite_master WHERE name = 'case_results' AND sql = ?1", &q, error);
+  if (status == ARC_OK) arc_query_set_text(q, 1, wanted);
+  if (status == ARC_OK) status = arc_query_step(q, &row, error);
+  arc_query_close(&q);
+  free(wanted);
+  if (status != ARC_OK || row) return status;
+  status = arc_database_run(store->db, drop_views, error);
+  return status == ARC_OK ? make_views(store, error) : status;
 }
 
 /* Of several programs that open a file at once, the first changes it and the others find it done.
@@ -125,5 +148,6 @@ arc_status arc_schema_update(arc_store *store, arc_error *error) {
   if (status != ARC_OK) return status;
   status = arc_schema_format(store, &format, error);
   if (status == ARC_OK && format < ARC_STORE_FORMAT) status = migrate(store, format, error);
+  if (status == ARC_OK) status = renew_views(store, error);
   return arc_store_leave(store, 1, status, error);
 }

@@ -10,7 +10,7 @@ static char *structure_of(const char *path) {
       "SELECT group_concat(line, char(10)) || char(10) FROM (SELECT m.name || '.' || c.name || "
       "iif(m.type = 'view', '', iif(c.type = '', '', ' ') || c.type || iif(c.\"notnull\", "
       "' NOT NULL', '') || iif(c.pk, ' key ' || c.pk, '')) AS line "
-      "FROM sqlite_schema m, pragma_table_xinfo(m.name) c WHERE m.type IN ('table', 'view') "
+      "FROM sqlite_schema m, pragma_table_xinfo(m.name) c WHERE m.type = 'table' "
       "ORDER BY line)";
   sqlite3 *db;
   sqlite3_stmt *statement;

@@ -14,6 +14,8 @@ const char *arc_body_name(arc_body body) {
 }
 
 const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
+_Static_assert(0 ARC_ELEMENT_LIST(ARC_CHOICE_ONE) == 3,
+               "a new element: decide it in elastic/element.c, body.c, model.c and export/inp.c");
 
 static const arc_setting zone_settings[] = {
     {.name = "cylinder",

@@ -13,6 +13,17 @@ const char *const arc_rule_names[] = {ARC_RULE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_update_names[] = {ARC_UPDATE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_law_names[] = {ARC_LAW_LIST(ARC_CHOICE_NAME) NULL};
 
+/* Choices that are decided by comparison: a new one would quietly run as an old one. Whoever adds
+ * one decides it in the places named, then counts it here. (Laws are formulas in their list.) */
+#define DECIDED(LIST, count, where)                                                                \
+  _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: decide it in " where)
+DECIDED(ARC_PROCEDURE_LIST, 3, "definition.c, block.c, update.c, rate.c");
+DECIDED(ARC_SCHEME_LIST, 2, "plan.c, step.c, update.c");
+DECIDED(ARC_SLIP_LIST, 2, "rate.c");
+DECIDED(ARC_RULE_LIST, 2, "rate.c");
+DECIDED(ARC_UPDATE_LIST, 2, "block.c, update.c");
+DECIDED(ARC_GEOMETRY_LIST, 2, "contact/shape.c, contact/mortar.c");
+
 #define ARC_SETTING_OF arc_wear_def
 const arc_setting arc_wear_settings[] = {
     ARC_WEAR_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_WHOLE, ARC_SETTING_CHOICE,
