@@ -1,8 +1,9 @@
 /* archard/contact.h - worn shapes, and one frictionless contact solution on them.
  *
  * Frictionless hard contact, mortar coupling in x with a dual basis on the cylinder's side: nodal
- * forces f of the cylinder and B'f of the plate balance identically. Solved exactly for f >= 0, gap
- * >= 0, f gap = 0, sum f = load.
+ * forces f of the cylinder and B'f of the plate balance identically, along x too. Pressures act
+ * along the normals of the worn surface. Solved exactly for f >= 0, gap >= 0, f gap = 0, sum f =
+ * load, where f are the components along the load.
  */
 #ifndef ARCHARD_CONTACT_H
 #define ARCHARD_CONTACT_H
@@ -49,9 +50,11 @@ void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth);
  * changes. */
 typedef struct arc_profile {
   int count;
-  const double *x; /* [mm] unworn position of the nodes */
-  const double *h; /* [mm] wear depth, scalar sum along the normals (Eq. 6) */
-  const double *y; /* [mm] present height of the nodes */
+  const double *x;      /* [mm] unworn position of the nodes */
+  const double *h;      /* [mm] wear depth, scalar sum along the normals (Eq. 6) */
+  const double *y;      /* [mm] present height of the nodes */
+  const double *worn_x; /* [mm] present position of the nodes */
+  const double *way;    /* [mm] length of the vector sum of the wear (Eq. 8) */
 } arc_profile;
 arc_profile arc_shape_profile(const arc_shape *shape, arc_body body);
 
@@ -129,7 +132,9 @@ typedef struct arc_pressure {
   int count;
   const double *x; /* [mm] */
   const double *p; /* [MPa] */
-  const double *f; /* [N/mm] nodal force per thickness, p times tributary width */
+  const double
+      *f; /* [N/mm] nodal force per thickness across the surface, p times tributary width */
+  const double *fx; /* [N/mm] nodal force along x on the body: pressures act along normals */
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
 

@@ -127,9 +127,11 @@ typedef struct arc_loading {
          "SP simulates the sliding plate (Eq. 22); NSP solves one contact an update, right where " \
          "the plate stays flat: alpha = 1, or a stroke of 2 radius (Eqs. 24-27). \"auto\" "        \
          "chooses.")                                                                               \
-  CHOICE(slip, slip, ARC_SLIP_RIGID, 0,                                                            \
-         "Sliding distance of an increment: the motion of the plate, or with the elastic part "    \
-         "added. With the rigid one the volume is k L_N d to rounding.")                           \
+  CHOICE(                                                                                          \
+      slip, slip, ARC_SLIP_RIGID, 0,                                                               \
+      "Sliding distance of an increment: the motion of the plate, or with the elastic part "       \
+      "added, found at pairs of points that touch. With the rigid one the volume is k L_N d to "   \
+      "rounding; with both, volumes are as k_c to k_p.")                                           \
   CHOICE(rule, rule, ARC_TRAPEZOID, 0, "Integration over the increments: Eq. (4) or Eq. (5).")     \
   CHOICE(geometry, geometry, ARC_MOVING, ARC_FIXED,                                                \
          "Whether the worn nodes change the stiffness of the surface layer, or the gap alone.")    \

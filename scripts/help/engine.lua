@@ -190,8 +190,9 @@ return {
       .. "wear.open(path, { k = f })." },
   { "wear.profile", kind = "method", values = { "cylinder", "plate" },
     use = 'w:profile("cylinder" | "plate")',
-    text = "Worn profile of a body: { x=, h=, y= } in mm; h is the wear depth, y the present height "
-      .. "of the surface." },
+    text = "Worn profile of a body: { x=, h=, y=, worn_x=, way= } in mm. x is where the node was unworn "
+      .. "and h its wear depth, summed along the normals; (worn_x, y) is where it is now, and way "
+      .. "the length of the vector sum of its wear." },
   { "wear.pressure", kind = "method", values = { "cylinder", "plate" },
     use = 'w:pressure("cylinder" | "plate")',
     text = "Pressure on a body in the reference configuration, { x=, p= } in mm and MPa." },

@@ -53,7 +53,7 @@ is(columns.p_cylinder[26], c:pressure("cylinder").p[26], "pressures of the cylin
 is(#columns.p_plate, #c:pressure("plate").p, "and of the plate")
 export.csv(w:profile("plate"), at "profile.csv")
 columns, names = read_csv "profile.csv"
-is(table.concat(names, ","), "x,y,h", "a plain table: x first")
+is(table.concat(names, ","), "x,y,h,way,worn_x", "a plain table: x first")
 is(columns.h[31], w:profile("plate").h[31], "its numbers")
 fails(function() export.csv({}, at "a.csv") end, "export.csv: the table is empty", "empty table")
 fails(function() export.csv({ 1, 2 }, at "a.csv") end, { "arrays by name", "found [1]" }, "a list")

@@ -67,6 +67,31 @@ static void check_balance(const arc_shape *shape, const pose *p) {
   free(f);
 }
 
+/* Forces of a solution on worn surfaces, along x and y, and those along the plate's normals. */
+static void check_forces(const arc_shape *shape, double x) {
+  pose p;
+  assert_int_equal(arc_pose_create(&p, arc_shape_model(shape)), ARC_OK);
+  check_ok(arc_pose_update(&p, shape, x, why));
+  check_ok(arc_pose_solve(&p, 100, why));
+  double *c = calloc((size_t)(2 * p.nc + 2 * p.np), sizeof *c), *l = c + 2 * p.nc;
+  double sum[ARC_BODIES][2] = {{0}}, along_x = 0;
+  arc_pose_forces_on(&p, ARC_CYLINDER, c);
+  arc_pose_forces_on(&p, ARC_PLATE, l);
+  for (int d = 0; d < 2; d++) {
+    for (int i = 0; i < p.nc; i++) sum[ARC_CYLINDER][d] += c[d * p.nc + i];
+    for (int i = 0; i < p.np; i++) sum[ARC_PLATE][d] += l[d * p.np + i];
+  }
+  for (int i = 0; i < p.nc; i++) along_x += fabs(c[i]);
+  assert_true(along_x > 0.01); /* else there is nothing to balance */
+  check_near(sum[ARC_CYLINDER][0], -sum[ARC_PLATE][0], 1e-11);
+  check_near(sum[ARC_CYLINDER][1], 100, 1e-10);
+  check_near(sum[ARC_PLATE][1], -100, 1e-10);
+  for (int k = 0; k < p.count; k++)
+    check_near(c[p.lo + k], -p.slope[p.lo + k] * p.f[k], 1e-13 * 100);
+  free(c);
+  arc_pose_free(&p);
+}
+
 /* (B v)'f = v'(B'f): one matrix both ways. */
 static void check_adjoint(const pose *p) {
   double *v = calloc((size_t)(2 * p->np + 2 * p->nc), sizeof *v);
@@ -108,6 +133,59 @@ static void test_special_positions(void **state) {
   arc_shape *shape = make_shape(model);
   for (int i = -20; i <= 20; i++) check_at(shape, i * 0.02);
   arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
+/* A groove with slopes up to 0.15: pressures act along its normals. */
+static void test_slopes(void **state) {
+  (void)state;
+  arc_model *model = make_model();
+  arc_shape *shape = make_shape(model);
+  const arc_mesh *m = arc_model_mesh(model, ARC_PLATE);
+  double *depth = malloc((size_t)m->surface * sizeof *depth);
+  for (int i = 0; i < m->surface; i++) {
+    const double at = m->xy[2 * m->surface_node[i]] / 0.3;
+    depth[i] = fabs(at) < 1 ? 0.02 * (1 - at * at) : 0;
+  }
+  check_ok(arc_shape_wear(shape, ARC_PLATE, depth, why));
+  const shape_side *plate = &shape->side[ARC_PLATE];
+  double steepest = 0;
+  for (int i = 0; i < plate->n; i++) steepest = fmax(steepest, shape_compliance(plate)->slope[i]);
+  assert_true(steepest > 0.1 && steepest < 0.15);
+  for (int i = -3; i <= 3; i++) check_forces(shape, 0.033 * i);
+  free(depth);
+  arc_shape_destroy(&shape);
+  arc_model_release(&model);
+}
+
+/* Depths made to conserve take just their areas off the polygon. */
+static void test_conserve(void **state) {
+  (void)state;
+  random_start(25);
+  arc_model *model = make_model();
+  for (int geometry = ARC_MOVING; geometry <= ARC_FROZEN; geometry++) {
+    arc_shape *shape = NULL;
+    check_ok(arc_shape_create(model, (arc_geometry)geometry, 0.1, &shape, why));
+    const shape_side *side = &shape->side[ARC_CYLINDER];
+    double *depth = calloc((size_t)side->n, sizeof *depth), wanted = 0, lost = 0;
+    for (int pass = 0; pass < 5; pass++) {
+      for (int i = 1; i + 1 < side->n; i++) {
+        depth[i] = 2e-3 * exp(-pow(side->x0[i] / 0.2, 2));
+        wanted += depth[i] * arc_shape_span(shape, ARC_CYLINDER, i);
+      }
+      arc_shape_conserve(shape, ARC_CYLINDER, depth);
+      check_ok(arc_shape_wear(shape, ARC_CYLINDER, depth, why));
+    }
+    const arc_mesh *m = arc_model_mesh(model, ARC_CYLINDER);
+    for (int i = 0; i + 1 < side->n; i++) {
+      const double *a = &side->xy[2 * i], *b = a + 2;
+      const double *a0 = &m->xy[2 * m->surface_node[i]], *b0 = &m->xy[2 * m->surface_node[i + 1]];
+      lost += (b[0] - a[0]) * (b[1] + a[1]) / 2 - (b0[0] - a0[0]) * (b0[1] + a0[1]) / 2;
+    }
+    check_share(lost, wanted, 1e-12);
+    free(depth);
+    arc_shape_destroy(&shape);
+  }
   arc_model_release(&model);
 }
 
@@ -234,6 +312,8 @@ int main(void) {
       cmocka_unit_test(test_random_positions),
       cmocka_unit_test(test_special_positions),
       cmocka_unit_test(test_worn),
+      cmocka_unit_test(test_slopes),
+      cmocka_unit_test(test_conserve),
       cmocka_unit_test(test_matching_nodes),
       cmocka_unit_test(test_matrix),
       cmocka_unit_test(test_apart),

@@ -205,10 +205,18 @@ within(generic.p_center, continuous.p_center, 2e-3, "centre pressure [MPa]")
 
 -- local factors ------------------------------------------------------------------------------------------
 
--- A power of the pressure, as a law and as a factor.
-local law = wear{ law = "power", law_pressure = 300, law_exponent = 0.5, distance = 440 }:run()
-local factor = wear{ local_factor = function(_, _, p) return (p / 300) ^ 0.5 end, distance = 440 }:run()
+-- A power of the pressure, as a law and as a factor. The law acts on pairs of points, under one pressure; a factor sees the
+-- nodal pressures of each body, and the plate's are means over elements that do not meet the cylinder's.
+local function law_and_factor(alpha)
+  local law = wear{ alpha = alpha, law = "power", law_pressure = 300, law_exponent = 0.5, distance = 440 }:run()
+  local factor = wear{ alpha = alpha, local_factor = function(_, _, p) return (p / 300) ^ 0.5 end, distance = 440 }:run()
+  return law, factor
+end
+local law, factor = law_and_factor(1)
 within(factor.depth.cylinder, law.depth.cylinder, 1e-12, "a power law by its name and by a factor: depth [mm]")
+law, factor = law_and_factor(0.5)
+within(factor.depth.cylinder, law.depth.cylinder, 3e-3, "with a worn plate: depth of the cylinder [mm]")
+within(law.volume.plate, law.volume.cylinder, 1e-12, "the law's volumes are as k_p to k_c (Eq. 15) [mm3]")
 -- A factor of each body is a k of each body.
 local bodies_factor = wear{ alpha = 0.5, distance = 440,
   local_factor = function(body) return body == "plate" and 0.5 or 1.5 end }:run()

@@ -26,10 +26,11 @@ static arc_status allocate(arc_contact *c) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t n = (size_t)c->shape->side[b].n;
     c->count[b] = (int)n;
-    c->x[b] = calloc(3 * n, sizeof(double));
+    c->x[b] = calloc(5 * n, sizeof(double));
     if (!c->x[b]) return ARC_MEMORY;
     c->p[b] = c->x[b] + n;
     c->f[b] = c->p[b] + n;
+    c->force[b] = c->f[b] + n;
   }
   return ARC_OK;
 }
@@ -42,6 +43,7 @@ static void read_pressures(arc_contact *c) {
       c->x[b][i] = c->shape->side[b].xy[2 * i] + (b == ARC_PLATE ? c->pose.x : 0);
       c->f[b][i] = c->p[b][i] * width[i];
     }
+    arc_pose_forces_on(&c->pose, (arc_body)b, c->force[b]);
   }
 }
 
@@ -100,7 +102,7 @@ void arc_contact_destroy(arc_contact **contact) {
 size_t arc_contact_bytes(const arc_contact *c) {
   const size_t nodes = (size_t)(c->count[ARC_CYLINDER] + c->count[ARC_PLATE]);
   return sizeof *c + arc_shape_bytes(c->shape) + arc_pose_bytes(&c->pose) +
-         3 * nodes * sizeof(double);
+         5 * nodes * sizeof(double);
 }
 
 arc_contact_result arc_contact_get(const arc_contact *contact) {
@@ -108,7 +110,7 @@ arc_contact_result arc_contact_get(const arc_contact *contact) {
 }
 
 arc_pressure arc_contact_pressure(const arc_contact *c, arc_body body) {
-  return (arc_pressure){c->count[body], c->x[body], c->p[body], c->f[body]};
+  return (arc_pressure){c->count[body], c->x[body], c->p[body], c->f[body], c->force[body]};
 }
 
 arc_model *arc_contact_model(const arc_contact *contact) {

@@ -69,8 +69,9 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   const shape_side *side = &c->shape->side[body];
   const size_t n = (size_t)field->nodes;
   double *u = work, *xy = work + 2 * n, *f = box + 2 * (size_t)side->body->box_count;
+  memcpy(f, c->force[body], (size_t)side->n * sizeof *f);
   const double sign = body == ARC_CYLINDER ? 1 : -1;
-  for (int i = 0; i < side->n; i++) f[i] = sign * c->f[body][i];
+  for (int i = 0; i < side->n; i++) f[side->n + i] = sign * c->f[body][i];
   arc_shape_box(side, side->xy, box);
   const arc_status status = arc_body_displacements(side->body, box, f, u, error);
   if (status != ARC_OK) return status;
@@ -90,7 +91,7 @@ arc_status arc_contact_field(const arc_contact *c, arc_body body, arc_field **fi
                              arc_error *error) {
   const elastic_body *b = c->shape->side[body].body;
   const size_t n = (size_t)b->mesh->nodes,
-               box_size = 2 * (size_t)b->box_count + (size_t)b->mesh->surface;
+               box_size = 2 * (size_t)b->box_count + 2 * (size_t)b->mesh->surface;
   double *work = calloc(4 * n, sizeof *work), *box = malloc(box_size * sizeof *box);
   arc_status status = field_create(field, b->mesh->nodes);
   if (!work || !box || status != ARC_OK)

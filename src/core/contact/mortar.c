@@ -1,6 +1,14 @@
 /* Mortar coupling: a dual basis psi on the cylinder's segments, biorthogonal to its hat functions,
  * integrated exactly against the plate's hat functions over the overlaps. Row i of B is (1 / w_i)
- * integral psi_i phi_l dx. */
+ * integral psi_i phi_l dx.
+ *
+ * Pressures act along the normal that both surfaces share where they touch, taken from the plate,
+ * with slope m. A surface element ds = dx / cos feels p ds along the normal, which is p dx along y
+ * and -m p dx along x: the forces of an unknown f_k are f_k (-m_k, 1) on the cylinder and B' f, B'm
+ * f the other way on the plate, and f_k = p_k w_k with the width along x. The gap is that along y
+ * at a fixed x, 1 / cos times that along the normal: a point that moves by u changes it by u_y - m
+ * u_x, which is the work of (-m, 1), so that A stays symmetric. With m_k = (B m)_k forces along x
+ * balance to rounding too. */
 #include "core/contact/pose.h"
 #include "core/base/dense.h"
 
@@ -107,6 +115,7 @@ arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *
   for (int i = 0; i < p->nc; i++) p->wc[i] = arc_shape_width(&shape->side[ARC_CYLINDER], i);
   for (int l = 0; l < p->np; l++) p->wp[l] = arc_shape_width(&shape->side[ARC_PLATE], l);
   for (int k = 0; k < p->count; k++) fill_row(p, k, cyl, plate);
+  arc_pose_to_cylinder(p, shape_compliance(&shape->side[ARC_PLATE])->slope, p->slope);
   return ARC_OK;
 }
 
@@ -130,10 +139,18 @@ void arc_pose_to_plate(const pose *p, const double *v, double *result) {
   }
 }
 
-/* A = F_c + B F_p B', the lower triangle first, then mirrored: A is symmetric to the bit. */
+/* Response of the cylinder's node r to node k, both candidates, along their normals. */
+static double cylinder_response(const pose *p, const compliance *c, int r, int k) {
+  const size_t at = dense_at(p->lo + r, p->lo + k, c->n);
+  const double mr = p->slope[p->lo + r], mk = p->slope[p->lo + k];
+  return c->yy[at] - mr * c->xy[at] - mk * c->yx[at] + mr * mk * c->xx[at];
+}
+
+/* A = F_c + B F_p B' along normals, the lower triangle first, then mirrored: A is symmetric to the
+ * bit. */
 void arc_pose_stiffen(pose *p, const arc_shape *shape) {
-  const double *fc = shape_compliance(&shape->side[ARC_CYLINDER])->normal;
-  const double *fp = shape_compliance(&shape->side[ARC_PLATE])->normal;
+  const compliance *c = shape_compliance(&shape->side[ARC_CYLINDER]);
+  const double *fp = shape_compliance(&shape->side[ARC_PLATE])->along;
   double *column = p->work; /* F_p b_k */
   for (int k = 0; k < p->count; k++) {
     memset(column, 0, (size_t)p->np * sizeof *column);
@@ -145,7 +162,7 @@ void arc_pose_stiffen(pose *p, const arc_shape *shape) {
     }
     for (int r = k; r < p->count; r++) {
       const double *row = &p->b[r * p->width], *from = &column[p->first[r]];
-      double sum = fc[dense_at(p->lo + r, p->lo + k, p->nc)];
+      double sum = cylinder_response(p, c, r, k);
       for (int q = 0; q < p->width; q++) sum += row[q] * from[q];
       p->a[dense_at(r, k, p->count)] = p->a[dense_at(k, r, p->count)] = sum;
     }

@@ -16,7 +16,7 @@ arc_status arc_pose_create(pose *p, const arc_model *model) {
   p->joined = malloc(nc * sizeof(int));
   p->a = malloc(nc * nc * sizeof(double));
   p->factor = malloc(nc * nc * sizeof(double));
-  p->wc = calloc(5 * nc + np + 4 * (nc + np), sizeof(double)); /* one block for the small arrays */
+  p->wc = calloc(6 * nc + np + 5 * (nc + np), sizeof(double)); /* one block for the small arrays */
   if (!p->first || !p->set || !p->joined || !p->a || !p->factor || !p->wc) {
     arc_pose_free(p);
     return ARC_MEMORY;
@@ -25,7 +25,8 @@ arc_status arc_pose_create(pose *p, const arc_model *model) {
   p->f = p->gap + nc;
   p->open = p->f + nc;
   p->ones = p->open + nc;
-  p->wp = p->ones + nc;
+  p->slope = p->ones + nc;
+  p->wp = p->slope + nc;
   p->work = p->wp + np;
   return ARC_OK;
 }
@@ -43,7 +44,7 @@ void arc_pose_free(pose *p) {
 
 size_t arc_pose_bytes(const pose *p) {
   const size_t nc = (size_t)p->nc, np = (size_t)p->np, width = (size_t)p->width;
-  return sizeof *p + (2 * nc * nc + nc * width + 9 * nc + 5 * np) * sizeof(double) +
+  return sizeof *p + (2 * nc * nc + nc * width + 11 * nc + 6 * np) * sizeof(double) +
          3 * nc * sizeof(int);
 }
 
@@ -123,6 +124,14 @@ void arc_pose_pressures(const pose *p, double *pc, double *pp) {
   for (int l = 0; l < p->np; l++) pp[l] /= p->wp[l];
 }
 
+void arc_pose_transfer(const pose *p, const double *from, double *to) {
+  double *weighted = p->work;
+  for (int i = 0; i < p->nc; i++) weighted[i] = from[i] * p->wc[i];
+  arc_pose_to_plate(p, weighted, to);
+  push_only(to, p->np);
+  for (int l = 0; l < p->np; l++) to[l] /= p->wp[l];
+}
+
 void arc_pose_peaks(const pose *p, double *center, double *largest) {
   const int middle = p->nc / 2 - p->lo;
   *center = *largest = 0;
@@ -133,14 +142,26 @@ void arc_pose_peaks(const pose *p, double *center, double *largest) {
   }
 }
 
-void arc_pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up) {
-  double *fc = p->work, *fp = p->work + p->nc;
-  arc_pose_forces(p, fc);
-  arc_pose_to_plate(p, fc, fp);
-  const double *gc = shape_compliance(&shape->side[ARC_CYLINDER])->tangential;
-  const double *gp = shape_compliance(&shape->side[ARC_PLATE])->tangential;
-  arc_dense_multiply(p->nc, 1, p->nc, 1, gc, p->nc, fc, p->nc, 0, uc, p->nc);
-  arc_dense_multiply(p->np, 1, p->np, -1, gp, p->np, fp, p->np, 0, up, p->np);
+void arc_pose_forces_on(const pose *p, arc_body body, double *force) {
+  double *f = p->work, *mf = p->work + p->nc;
+  arc_pose_forces(p, f);
+  for (int i = 0; i < p->nc; i++) mf[i] = p->slope[i] * f[i];
+  if (body == ARC_CYLINDER) {
+    for (int i = 0; i < p->nc; i++) force[i] = -mf[i];
+    memcpy(&force[p->nc], f, (size_t)p->nc * sizeof *f);
+  } else {
+    arc_pose_to_plate(p, mf, force);
+    arc_pose_to_plate(p, f, &force[p->np]);
+    for (int l = 0; l < p->np; l++) force[p->np + l] *= -1;
+  }
+}
+
+void arc_pose_tangential(const pose *p, const arc_shape *shape, arc_body body, double *u) {
+  const compliance *c = shape_compliance(&shape->side[body]);
+  double *force = p->work + 2 * p->nc;
+  arc_pose_forces_on(p, body, force);
+  arc_dense_multiply(c->n, 1, c->n, 1, c->xx, c->n, force, c->n, 0, u, c->n);
+  arc_dense_multiply(c->n, 1, c->n, 1, c->xy, c->n, force + c->n, c->n, 1, u, c->n);
 }
 
 /* Between the last node in contact (pressure q at distance 0) and the next one (gap g at distance

@@ -3,7 +3,8 @@
  *
  * Everything is in the cylinder's frame and per mm of thickness. B [candidates x plate nodes] takes
  * plate nodal values to cylinder nodes; plate forces are B'f, so that forces balance to rounding. g
- * = gap - approach + A f with A = F_c + B F_p B'. Contact tractions act along y.
+ * = gap - approach + A f with A = F_c + B F_p B'. f are the components along y of forces along the
+ * plate's normals, so that their sum is the load; pressures are f over widths along x (mortar.c).
  */
 #ifndef CONTACT_POSE_H
 #define CONTACT_POSE_H
@@ -19,7 +20,9 @@ typedef struct pose {
   int width;              /* row length of B */
   int *first;             /* [nc] first plate node of each row of B, by candidate */
   double *b;              /* [nc * width] rows of B */
-  double *wc, *wp;        /* [nc], [np] tributary widths [mm] */
+  double *wc, *wp;        /* [nc], [np] tributary widths along x [mm] */
+  double *slope;          /* [nc] dy/dx of the surface at each candidate, else 0: forces along x are
+                             -slope f */
   double *a;              /* [count x count] A [mm2/N] */
   double *gap;            /* [nc] initial gap of the candidates [mm] */
   double *f;              /* [nc] solution: nodal forces [N/mm], by candidate */
@@ -32,7 +35,7 @@ typedef struct pose {
   double *factor;         /* [active x active] Cholesky factor of A on the set */
   double *ones;           /* [nc] (A_set)^-1 1 */
   int factored;           /* factor and ones belong to set and A */
-  double *work;           /* [4 * (nc + np)] */
+  double *work;           /* [5 * (nc + np)] */
 } pose;
 
 /* Room for a pose on a model; ARC_MEMORY leaves it empty. */
@@ -52,7 +55,7 @@ arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error 
 arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *error);
 /* Contact matrix from the shape's present compliance. */
 void arc_pose_stiffen(pose *p, const arc_shape *shape);
-/* Initial gaps from the shape's present heights. */
+/* Initial gaps along y from the shape's present levels. */
 void arc_pose_measure(pose *p, const arc_shape *shape);
 
 /* Solves for `line`, the load per thickness [N/mm]. On ARC_ZONE (contact at the edge of the
@@ -65,13 +68,18 @@ int arc_pose_add_drift(pose *p);
 
 /* Forces of the solution at all cylinder nodes, f [nc]. */
 void arc_pose_forces(const pose *p, double *f);
+/* Forces of the solution on a body's surface nodes [N/mm], along x at all nodes first, then along
+ * y: those on both bodies balance to rounding. force [2 * surface]. */
+void arc_pose_forces_on(const pose *p, arc_body body, double *force);
 /* Pressures [MPa] of the solution at all surface nodes: pc [nc], pp [np]. */
 void arc_pose_pressures(const pose *p, double *pc, double *pp);
+/* A density on the cylinder, from [nc], becomes the one on the plate under it, to [np]: their
+ * integrals along x are the same, and where the first is not negative neither is the second. */
+void arc_pose_transfer(const pose *p, const double *from, double *to);
 /* Pressure [MPa] at the cylinder's lowest node, and the largest at any of its nodes. */
 void arc_pose_peaks(const pose *p, double *center, double *largest);
-/* Elastic displacement along x of the solution [mm]: at cylinder nodes uc [nc], plate nodes up
- * [np]. */
-void arc_pose_tangential(const pose *p, const arc_shape *shape, double *uc, double *up);
+/* Elastic displacement of a body along x [mm] at its surface nodes, u [surface]. */
+void arc_pose_tangential(const pose *p, const arc_shape *shape, arc_body body, double *u);
 /* result [nc] := B v for the candidates, 0 elsewhere; v [np]. */
 void arc_pose_to_cylinder(const pose *p, const double *v, double *result);
 /* result [np] := B' v; v by cylinder node [nc]. */

@@ -22,7 +22,7 @@ static double inward(const shape_side *side) {
 }
 
 /* Doubles a node has in the arrays of its side. */
-enum { side_arrays = 8 + ARC_THINNING_SPAN };
+enum { side_arrays = 14 + ARC_THINNING_SPAN };
 
 static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   const size_t n = (size_t)body->mesh->surface;
@@ -35,8 +35,33 @@ static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   side->xy = side->y + n;
   side->settled = side->xy + 2 * n;
   side->level = side->settled + 2 * n;
-  side->drift = side->level + n;
+  side->x = side->level + n;
+  side->way = side->x + n;
+  side->drift = side->way + n;
+  side->room = side->drift + ARC_THINNING_SPAN * n;
   return ARC_OK;
+}
+
+/* The chord from one neighbour of node i of a surface [2 n] to the other; one-sided at the ends. */
+static void chord_at(const double *xy, int n, int i, double chord[2]) {
+  const double *a = &xy[2 * (i > 0 ? i - 1 : 0)], *b = &xy[2 * (i + 1 < n ? i + 1 : i)];
+  chord[0] = b[0] - a[0];
+  chord[1] = b[1] - a[1];
+}
+
+/* What follows from where nodes are. They move along x with their normals while the coupling stays
+ * where they settled: levels are those there. */
+static void read_nodes(shape_side *side) {
+  const arc_mesh *mesh = side->body->mesh;
+  for (int i = 0; i < side->n; i++) {
+    const double *now = &side->xy[2 * i], *top = &mesh->xy[2 * mesh->surface_node[i]];
+    double chord[2];
+    chord_at(side->xy, side->n, i, chord);
+    side->level[i] = now[1] - (now[0] - side->settled[2 * i]) * chord[1] / chord[0];
+    side->x[i] = now[0];
+    side->y[i] = now[1] + inward(side) * side->even;
+    side->way[i] = hypot(now[0] - top[0], side->y[i] - top[1]);
+  }
 }
 
 static void fill_unworn(shape_side *side) {
@@ -44,11 +69,10 @@ static void fill_unworn(shape_side *side) {
   for (int i = 0; i < side->n; i++) {
     const double *node = &mesh->xy[2 * mesh->surface_node[i]];
     side->x0[i] = node[0];
-    side->y[i] = node[1];
     memcpy(&side->xy[2 * i], node, 2 * sizeof(double));
-    side->level[i] = node[1];
   }
   memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
+  read_nodes(side);
 }
 
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
@@ -74,16 +98,6 @@ arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refr
   return ARC_OK;
 }
 
-static arc_status copy_compliance(compliance *to, const compliance *from) {
-  if (from->n == 0) return ARC_OK;
-  const arc_status status = arc_compliance_create(to, from->n);
-  if (status != ARC_OK) return status;
-  const size_t bytes = (size_t)from->n * (size_t)from->n * sizeof(double);
-  memcpy(to->normal, from->normal, bytes);
-  memcpy(to->tangential, from->tangential, bytes);
-  return ARC_OK;
-}
-
 arc_status arc_shape_clone(const arc_shape *shape, arc_shape **result, arc_error *error) {
   arc_shape *copy;
   arc_status status = arc_shape_create(shape->model, shape->geometry, shape->refresh, &copy, error);
@@ -93,7 +107,7 @@ arc_status arc_shape_clone(const arc_shape *shape, arc_shape **result, arc_error
     memcpy(to->h, from->h, side_arrays * (size_t)from->n * sizeof(double));
     to->even = from->even;
     to->drifted = from->drifted;
-    status = copy_compliance(&to->own, &from->own);
+    status = arc_compliance_copy(&to->own, &from->own);
     if (status != ARC_OK) out_of_memory(error);
   }
   if (status == ARC_OK)
@@ -147,12 +161,51 @@ static void normal_at(const shape_side *side, arc_geometry geometry, int i, doub
   normal[0] = 0;
   normal[1] = in;
   if (geometry == ARC_FROZEN) return;
-  const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
-  const double tx = side->xy[2 * b] - side->xy[2 * a],
-               ty = side->xy[2 * b + 1] - side->xy[2 * a + 1];
-  const double length = hypot(tx, ty);
-  normal[0] = -in * ty / length;
-  normal[1] = in * tx / length;
+  double chord[2];
+  chord_at(side->xy, side->n, i, chord);
+  const double length = hypot(chord[0], chord[1]);
+  normal[0] = -in * chord[1] / length;
+  normal[1] = in * chord[0] / length;
+}
+
+double arc_shape_span(const arc_shape *shape, arc_body body, int i) {
+  const shape_side *side = &shape->side[body];
+  if (shape->geometry == ARC_FROZEN) return arc_shape_width(side, i);
+  double chord[2];
+  chord_at(side->xy, side->n, i, chord);
+  return hypot(chord[0], chord[1]) / 2;
+}
+
+/* -inward n_i x n_i+1: the area that the ways of two neighbours share, twice, per depth of both. */
+static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
+  double here[2], next[2];
+  if (i + 1 == side->n) return 0;
+  normal_at(side, geometry, i, here);
+  normal_at(side, geometry, i + 1, next);
+  return -inward(side) * (here[0] * next[1] - here[1] * next[0]);
+}
+
+/* With ways d_i = h_i n_i the polygon loses the sum of h_i span_i + (d_i x d_i+1) / 2; each of two
+ * nodes answers for half of the product. */
+void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
+  enum { sweeps = 4 }; /* each gains a factor of depth over radius of curvature */
+  const shape_side *side = &shape->side[body];
+  if (shape->geometry == ARC_FROZEN) return;
+  const int n = side->n;
+  double *span = side->room, *area = span + n, *turn = area + n, *before = turn + n;
+  for (int i = 0; i < n; i++) {
+    span[i] = arc_shape_span(shape, body, i);
+    area[i] = depth[i] * span[i];
+    turn[i] = turn_after(side, shape->geometry, i);
+  }
+  for (int sweep = 0; sweep < sweeps; sweep++) {
+    memcpy(before, depth, (size_t)n * sizeof *depth);
+    for (int i = 0; i < n; i++) {
+      const double left = i > 0 ? turn[i - 1] * before[i - 1] : 0;
+      const double right = i + 1 < n ? turn[i] * before[i + 1] : 0;
+      depth[i] = area[i] / (span[i] + (left + right) / 4);
+    }
+  }
 }
 
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down) {
@@ -160,7 +213,7 @@ void arc_shape_downward(const arc_shape *shape, arc_body body, double *down) {
   for (int i = 0; i < side->n; i++) {
     double normal[2];
     normal_at(side, shape->geometry, i, normal);
-    down[i] = fabs(normal[1]);
+    down[i] = 1 / fabs(normal[1]);
   }
 }
 
@@ -220,6 +273,18 @@ static int is_unworn(const shape_side *side) {
   return 1;
 }
 
+/* Tells a compliance the slopes of its surface, unless that is flat to the bit. */
+static void incline(const double *xy, compliance *c) {
+  int flat = 1;
+  for (int i = 0; i < c->n; i++) {
+    double chord[2];
+    chord_at(xy, c->n, i, chord);
+    c->slope[i] = chord[1] / chord[0];
+    flat = flat && c->slope[i] == 0;
+  }
+  if (!flat) arc_compliance_incline(c);
+}
+
 static arc_status condense(const shape_side *side, const double *xy, compliance *result,
                            arc_error *error) {
   double *box = malloc(2 * (size_t)side->body->box_count * sizeof *box);
@@ -229,35 +294,24 @@ static arc_status condense(const shape_side *side, const double *xy, compliance 
   } else {
     arc_shape_box(side, xy, box);
     status = arc_body_condense(side->body, box, result, error);
+    if (status == ARC_OK) incline(xy, result);
     if (status != ARC_OK) arc_compliance_free(result);
   }
   free(box);
   return status;
 }
 
-/* Heights where the nodes stood along x at the last condensation, for which coupling and
- * compliance hold: nodes on a slope have moved along it since. */
-static void level(shape_side *side) {
-  for (int i = 0; i < side->n; i++) {
-    const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
-    const double *left = &side->xy[2 * a], *right = &side->xy[2 * b], *at = &side->xy[2 * i];
-    const double slope = (right[1] - left[1]) / (right[0] - left[0]);
-    side->level[i] = at[1] - slope * (at[0] - side->settled[2 * i]);
-  }
-}
-
 static void commit(shape_side *side, const double *depth, const double *xy) {
-  for (int i = 0; i < side->n; i++) {
-    side->h[i] += depth[i];
-    side->y[i] = xy[2 * i + 1] + inward(side) * side->even;
-  }
+  for (int i = 0; i < side->n; i++) side->h[i] += depth[i];
   memcpy(side->xy, xy, 2 * (size_t)side->n * sizeof *xy);
+  read_nodes(side);
 }
 
 static void settle(arc_shape *shape, shape_side *side, compliance renewed) {
   arc_compliance_free(&side->own);
   side->own = renewed;
   memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
+  read_nodes(side);
   shape->version = arc_model_next_version(shape->model);
 }
 
@@ -273,7 +327,6 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
   if (status == ARC_OK) {
     commit(side, depth, xy);
     if (due) settle(shape, side, renewed);
-    level(side);
     if (shape->geometry == ARC_MOVING) arc_shape_drift(side);
   }
   free(xy);
@@ -302,7 +355,6 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
     }
     for (int b = 0; b < ARC_BODIES; b++) {
       settle(shape, &shape->side[b], renewed[b]);
-      level(&shape->side[b]);
       arc_shape_drift(&shape->side[b]);
     }
   }
@@ -314,10 +366,8 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
 void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth) {
   shape_side *side = &shape->side[body];
   side->even += depth;
-  for (int i = 0; i < side->n; i++) {
-    side->h[i] += depth;
-    side->y[i] = side->xy[2 * i + 1] + inward(side) * side->even;
-  }
+  for (int i = 0; i < side->n; i++) side->h[i] += depth;
+  read_nodes(side);
 }
 
 arc_surface_state arc_shape_state(const arc_shape *shape, arc_body body) {
@@ -338,8 +388,7 @@ static arc_status restore_side(arc_shape *shape, arc_body body, const arc_surfac
   memcpy(side->settled, state->settled, 2 * n);
   shape->version = arc_model_next_version(shape->model);
   side->even = state->even;
-  for (int i = 0; i < side->n; i++) side->y[i] = side->xy[2 * i + 1] + inward(side) * side->even;
-  level(side);
+  read_nodes(side);
   if (shape->geometry == ARC_MOVING) arc_shape_drift(side);
   if (!state->condensed) return ARC_OK;
   const arc_status status = check_box(side, side->settled, error);
@@ -359,7 +408,7 @@ arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double ref
 
 arc_profile arc_shape_profile(const arc_shape *shape, arc_body body) {
   const shape_side *side = &shape->side[body];
-  return (arc_profile){side->n, side->x0, side->h, side->y};
+  return (arc_profile){side->n, side->x0, side->h, side->y, side->x, side->way};
 }
 
 double arc_shape_depth(const arc_shape *shape, arc_body body) {
@@ -371,13 +420,8 @@ double arc_shape_depth(const arc_shape *shape, arc_body body) {
 
 double arc_shape_vector_depth(const arc_shape *shape, arc_body body) {
   const shape_side *side = &shape->side[body];
-  const arc_mesh *mesh = side->body->mesh;
   double depth = 0;
-  for (int i = 0; i < side->n; i++) {
-    const double *top = &mesh->xy[2 * mesh->surface_node[i]];
-    const double down = (side->xy[2 * i + 1] - top[1]) * inward(side) + side->even;
-    depth = fmax(depth, hypot(side->xy[2 * i] - top[0], down));
-  }
+  for (int i = 0; i < side->n; i++) depth = fmax(depth, side->way[i]);
   return depth;
 }
 
@@ -393,7 +437,7 @@ size_t arc_shape_bytes(const arc_shape *shape) {
   size_t bytes = sizeof *shape;
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t n = (size_t)shape->side[b].n, own = (size_t)shape->side[b].own.n;
-    bytes += (side_arrays * n + 2 * own * own) * sizeof(double);
+    bytes += side_arrays * n * sizeof(double) + (own > 0 ? arc_compliance_bytes((int)own) : 0);
   }
   return bytes;
 }

@@ -12,9 +12,11 @@ typedef struct shape_side {
   double *x0, *y;  /* [n] unworn x; present height, even wear included [mm] */
   double *xy;      /* [2 n] present surface nodes, even wear left out [mm] */
   double *settled; /* [2 n] surface nodes at the last condensation */
+  double *x, *way; /* [n] present x; length of the way from the unworn position [mm] */
   double *level;   /* [n] present height of the surface at the x of `settled` [mm] */
   double *drift;  /* [n x ARC_THINNING_SPAN] by which the compliance is off since then, between node
                      i and those up to ARC_THINNING_REACH away */
+  double *room;   /* [4 n] means nothing between calls */
   int drifted;    /* whether it is off at all */
   double even;    /* [mm] wear that left the surface as it was */
   compliance own; /* of the worn box; n = 0 while the unworn one serves */
@@ -40,8 +42,17 @@ double arc_shape_width(const shape_side *side, int i);
 /* Brings `drift` up to date with the present nodes (drift.c). */
 void arc_shape_drift(shape_side *side);
 
-/* Vertical share of the inward normals that wear would follow, into down [n]. */
+/* How much lower the surface lies at a fixed x per depth along the normals that wear would follow,
+ * 1 / cos of the slope, into down [n]. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
+
+/* The length of surface that depth at node i takes [mm]: along the surface, or along x where depths
+ * are heights (frozen). */
+double arc_shape_span(const arc_shape *shape, arc_body body, int i);
+
+/* Depths that would take areas depth[i] * span to first order become those that take just these
+ * areas off the polygon of the surface: on a curved one the next surface is shorter or longer. */
+void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
 
 /* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n]. */
 void arc_shape_box(const shape_side *side, const double *surface_xy, double *box_xy);

@@ -10,6 +10,7 @@ struct arc_contact {
   arc_contact_def def;
   arc_contact_result result;
   double *x[ARC_BODIES], *p[ARC_BODIES], *f[ARC_BODIES];
+  double *force[ARC_BODIES]; /* [2 * surface] as arc_pose_forces, on the body */
   int count[ARC_BODIES];
 };
 

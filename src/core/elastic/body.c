@@ -176,9 +176,7 @@ static void difference_at_centre(elastic_body *b, const compliance *thinner, dou
       const int i = centre + p, j = centre + q;
       const int inside = i >= 0 && j >= 0 && i < n && j < n;
       b->thinning[(p + reach) * ARC_THINNING_SPAN + q + reach] =
-          inside
-              ? (thinner->normal[dense_at(i, j, n)] - b->unworn.normal[dense_at(i, j, n)]) / share
-              : 0;
+          inside ? (thinner->yy[dense_at(i, j, n)] - b->unworn.yy[dense_at(i, j, n)]) / share : 0;
     }
 }
 
@@ -244,21 +242,61 @@ void arc_body_destroy(elastic_body **body) {
 }
 
 size_t arc_body_bytes(const elastic_body *b) {
-  const size_t n = (size_t)b->mesh->nodes, m = (size_t)(2 * b->rim), s = (size_t)b->mesh->surface;
-  return arc_factor_bytes(b->far) + b->coupling.capacity * 16 + 8 * m * m + 16 * s * s + n * 24 +
-         (size_t)b->mesh->elements * 16;
+  const size_t n = (size_t)b->mesh->nodes, m = (size_t)(2 * b->rim);
+  return arc_factor_bytes(b->far) + b->coupling.capacity * 16 + 8 * m * m +
+         arc_compliance_bytes(b->mesh->surface) + n * 24 + (size_t)b->mesh->elements * 16;
 }
 
+enum { blocks = 5 };
+
+static size_t compliance_numbers(int n) {
+  return blocks * (size_t)n * (size_t)n + (size_t)n;
+}
+
+size_t arc_compliance_bytes(int n) {
+  return compliance_numbers(n) * sizeof(double);
+}
+
+/* All five blocks and the slopes in one piece of memory; flat, `along` is yy itself. */
 arc_status arc_compliance_create(compliance *c, int n) {
   const size_t count = (size_t)n * (size_t)n;
-  *c = (compliance){n, calloc(count, sizeof(double)), calloc(count, sizeof(double))};
-  if (c->normal && c->tangential) return ARC_OK;
-  arc_compliance_free(c);
-  return ARC_MEMORY;
+  *c = (compliance){0};
+  double *all = calloc(compliance_numbers(n), sizeof *all);
+  if (!all) return ARC_MEMORY;
+  *c = (compliance){.n = n,
+                    .yy = all,
+                    .xy = all + count,
+                    .yx = all + 2 * count,
+                    .xx = all + 3 * count,
+                    .slope = all + blocks * count,
+                    .along = all};
+  return ARC_OK;
 }
 
 void arc_compliance_free(compliance *c) {
-  free(c->normal);
-  free(c->tangential);
+  free(c->yy);
   *c = (compliance){0};
+}
+
+arc_status arc_compliance_copy(compliance *to, const compliance *from) {
+  *to = (compliance){0};
+  if (from->n == 0) return ARC_OK;
+  const arc_status status = arc_compliance_create(to, from->n);
+  if (status != ARC_OK) return status;
+  memcpy(to->yy, from->yy, arc_compliance_bytes(from->n));
+  to->along = to->yy + (from->along - from->yy);
+  return ARC_OK;
+}
+
+void arc_compliance_incline(compliance *c) {
+  const int n = c->n;
+  const double *slope = c->slope;
+  c->along = c->yy + 4 * (size_t)n * (size_t)n;
+  for (int k = 0; k < n; k++) {
+    const size_t at = dense_at(0, k, n);
+    const double *yy = c->yy + at, *xy = c->xy + at, *yx = c->yx + at, *xx = c->xx + at;
+    for (int r = 0; r < n; r++)
+      c->along[at + (size_t)r] =
+          yy[r] - slope[r] * xy[r] - slope[k] * yx[r] + slope[r] * slope[k] * xx[r];
+  }
 }

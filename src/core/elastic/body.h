@@ -11,12 +11,16 @@
 #include "core/elastic/element.h"
 #include "core/elastic/factor.h"
 
-/* Response of the n candidate surface nodes to vertical nodal forces per thickness [mm2/N],
- * column-major n x n: `normal` = vertical displacement (F, symmetric), `tangential` = displacement
- * along x. */
+/* Response of the n candidate surface nodes to nodal forces per thickness [mm2/N], column-major n x
+ * n, one block of memory: entry (r, c) of `uv` is the displacement of node r along u under a unit
+ * force along v at node c. yy and xx are symmetric, yx is xy transposed. */
 typedef struct compliance {
   int n;
-  double *normal, *tangential;
+  double *yy, *xy, *yx, *xx;
+  /* The surface it was condensed on, where nodes have moved: slopes dy/dx [n], and the response of
+   * gaps to pressures along its normals, yy - m xy - yx m + m xx m. Left to whoever knows the
+   * surface; along is yy where the surface is flat. */
+  double *slope, *along;
 } compliance;
 
 typedef struct elastic_body {
@@ -53,9 +57,15 @@ arc_status arc_body_create(const arc_model_def *def, arc_body which, elastic_bod
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
-/* Room for a compliance of n nodes; ARC_MEMORY leaves it empty. */
+/* Room for a compliance of n nodes, all zero and flat; ARC_MEMORY leaves it empty. */
 arc_status arc_compliance_create(compliance *c, int n);
 void arc_compliance_free(compliance *c);
+/* A copy; ARC_MEMORY leaves it empty. */
+arc_status arc_compliance_copy(compliance *to, const compliance *from);
+/* Fills `along` from the blocks and the slopes. */
+void arc_compliance_incline(compliance *c);
+/* Bytes of a compliance of n nodes. */
+size_t arc_compliance_bytes(int n);
 
 /* The compliance with the wear-box nodes at box_xy [2 * box_count] (order of box_node).
  * ARC_NUMERIC, ARC_MEMORY. */
@@ -66,8 +76,8 @@ arc_status arc_body_condense(const elastic_body *body, const double *box_xy, com
  * locks alone then. 1 for elements that stand for themselves, 0 for the later ones of a cell. */
 int arc_body_cell(const elastic_body *body, int e);
 
-/* Displacements u [2 * nodes] of the whole body under vertical surface forces f [surface, N/mm], by
- * back-substitution. */
+/* Displacements u [2 * nodes] of the whole body under surface forces f [2 * surface, N/mm], along x
+ * at all nodes first, then along y, by back-substitution. */
 arc_status arc_body_displacements(const elastic_body *body, const double *box_xy, const double *f,
                                   double *u, arc_error *error);
 

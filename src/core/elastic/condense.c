@@ -1,9 +1,10 @@
-/* The dense update of a worn shape: S = S_far + K_box(current nodes), F = vertical block of S^-1 at
- * the surface.
+/* The dense update of a worn shape: S = S_far + K_box(current nodes), F = the surface's
+ * blocks of S^-1.
  *
  * With K_box = [K_ii K_ir; K_ri K_rr] (inner, rim): X = K_ii^-1 K_ir, Z = K_ii^-1 E, T = K_rr +
  * S_far - K_ri X and W = E_r - X' E_i give  u_rim = T^-1 W f,  u_inner = Z f - X u_rim,  F = E' Z +
- * W' T^-1 W, where E picks the vertical surface unknowns. K_ii is a narrow band, so nothing costs
+ * W' T^-1 W, where E picks the surface unknowns, along x
+ * first, then along y. K_ii is a narrow band, so nothing costs
  * more than T's size squared.
  */
 #include "core/base/dense.h"
@@ -15,10 +16,9 @@
 typedef struct condensation {
   int ni, nr, ns;     /* inner and rim unknowns, surface nodes */
   double *band;       /* [(band + 1) * ni] factor of K_ii */
-  double *x;          /* [ni x (nr + ns)] X, then Z beside it */
+  double *x;          /* [ni x (nr + 2 ns)] X, then Z beside it */
   double *t;          /* [nr x nr] factor of T */
-  double *w;          /* [nr x ns] W, vertical */
-  double *wx;         /* [nr x ns] the same for the x unknowns of the surface */
+  double *w;          /* [nr x 2 ns] W */
   double *work;       /* of the band's solutions */
   sparse_entries rim; /* K_ri: row rim, column inner */
 } condensation;
@@ -28,7 +28,6 @@ static void condensation_free(condensation *c) {
   free(c->x);
   free(c->t);
   free(c->w);
-  free(c->wx);
   free(c->work);
   arc_sparse_free(&c->rim);
 }
@@ -37,12 +36,11 @@ static arc_status condensation_create(const elastic_body *b, condensation *c) {
   *c = (condensation){.ni = 2 * b->inner, .nr = 2 * b->rim, .ns = b->mesh->surface};
   const size_t ni = (size_t)c->ni, nr = (size_t)c->nr, ns = (size_t)c->ns;
   c->band = calloc((size_t)(b->band + 1) * ni, sizeof(double));
-  c->x = calloc(ni * (nr + ns), sizeof(double));
+  c->x = calloc(ni * (nr + 2 * ns), sizeof(double));
   c->t = malloc(nr * nr * sizeof(double));
-  c->w = calloc(nr * ns, sizeof(double));
-  c->wx = calloc(nr * ns, sizeof(double));
+  c->w = calloc(2 * nr * ns, sizeof(double));
   c->work = malloc(ARC_DENSE_BAND_WORK * ni * sizeof(double));
-  if (c->band && c->x && c->t && c->w && c->wx && c->work) return ARC_OK;
+  if (c->band && c->x && c->t && c->w && c->work) return ARC_OK;
   condensation_free(c);
   return ARC_MEMORY;
 }
@@ -86,7 +84,8 @@ static void fill_right_hand_sides(const elastic_body *b, condensation *c) {
     c->x[dense_at(c->rim.column[k], c->rim.row[k], c->ni)] += c->rim.value[k];
   for (int s = 0; s < c->ns; s++) {
     const int at = surface_inner(b, s);
-    if (at >= 0) c->x[dense_at(2 * at + 1, c->nr + s, c->ni)] = 1;
+    for (int d = 0; d < 2 && at >= 0; d++)
+      c->x[dense_at(2 * at + d, c->nr + d * c->ns + s, c->ni)] = 1;
   }
 }
 
@@ -101,10 +100,10 @@ static void reduce_rim(condensation *c) {
 }
 
 /* W = E_r - X' E_i, for the surface unknowns along x (direction 0) or y (1). */
-static void fill_w(const elastic_body *b, const condensation *c, int direction, double *w) {
+static void fill_w(const elastic_body *b, condensation *c, int direction) {
   for (int s = 0; s < c->ns; s++) {
     const int at = surface_inner(b, s);
-    double *column = &w[dense_at(0, s, c->nr)];
+    double *column = &c->w[dense_at(0, direction * c->ns + s, c->nr)];
     if (at < 0)
       column[2 * b->box_rim[s * (b->mesh->rows + 1)] + direction] = 1;
     else
@@ -127,7 +126,7 @@ static arc_status condense(const elastic_body *b, const double *box_xy, condensa
     fill_right_hand_sides(b, c);
     int bad = arc_dense_band_cholesky(c->ni, b->band, c->band);
     if (!bad) {
-      arc_dense_band_solve(c->ni, b->band, c->nr + c->ns, c->band, c->x, c->ni, c->work);
+      arc_dense_band_solve(c->ni, b->band, c->nr + 2 * c->ns, c->band, c->x, c->ni, c->work);
       reduce_rim(c);
       bad = arc_dense_cholesky(c->nr, c->t, c->nr);
     }
@@ -136,23 +135,31 @@ static arc_status condense(const elastic_body *b, const double *box_xy, condensa
                         name, bad);
   }
   if (status == ARC_OK) {
-    fill_w(b, c, 0, c->wx);
-    fill_w(b, c, 1, c->w);
+    fill_w(b, c, 0);
+    fill_w(b, c, 1);
   } else {
     condensation_free(c);
   }
   return status;
 }
 
-/* block := rows of Z at the surface's unknowns along `direction`. */
+/* block := rows of Z at the surface's unknowns along `direction`, under forces along `force`. */
 static void surface_rows_of_z(const elastic_body *b, const condensation *c, int direction,
-                              double *result) {
+                              int force, double *result) {
   for (int s = 0; s < c->ns; s++) {
     const int at = surface_inner(b, s);
     for (int q = 0; q < c->ns; q++)
       result[dense_at(s, q, c->ns)] =
-          at < 0 ? 0 : c->x[dense_at(2 * at + direction, c->nr + q, c->ni)];
+          at < 0 ? 0 : c->x[dense_at(2 * at + direction, c->nr + force * c->ns + q, c->ni)];
   }
+}
+
+static void fill_block(const elastic_body *b, const condensation *c, int direction, int force,
+                       double *result) {
+  const size_t half = (size_t)c->nr * (size_t)c->ns;
+  surface_rows_of_z(b, c, direction, force, result);
+  arc_dense_multiply_transposed(c->ns, c->ns, c->nr, 1, c->w + (size_t)direction * half, c->nr,
+                                c->w + (size_t)force * half, c->nr, 1, result, c->ns);
 }
 
 arc_status arc_body_condense(const elastic_body *b, const double *box_xy, compliance *result,
@@ -160,13 +167,13 @@ arc_status arc_body_condense(const elastic_body *b, const double *box_xy, compli
   condensation c;
   const arc_status status = condense(b, box_xy, &c, error);
   if (status != ARC_OK) return status;
-  arc_dense_forward(c.nr, c.ns, c.t, c.nr, c.w, c.nr);
-  arc_dense_forward(c.nr, c.ns, c.t, c.nr, c.wx, c.nr);
-  surface_rows_of_z(b, &c, 1, result->normal);
-  surface_rows_of_z(b, &c, 0, result->tangential);
-  arc_dense_multiply_transposed(c.ns, c.ns, c.nr, 1, c.w, c.nr, c.w, c.nr, 1, result->normal, c.ns);
-  arc_dense_multiply_transposed(c.ns, c.ns, c.nr, 1, c.wx, c.nr, c.w, c.nr, 1, result->tangential,
-                                c.ns);
+  arc_dense_forward(c.nr, 2 * c.ns, c.t, c.nr, c.w, c.nr);
+  fill_block(b, &c, 0, 0, result->xx);
+  fill_block(b, &c, 0, 1, result->xy);
+  fill_block(b, &c, 1, 1, result->yy);
+  for (int q = 0; q < c.ns; q++)
+    for (int s = 0; s < c.ns; s++)
+      result->yx[dense_at(s, q, c.ns)] = result->xy[dense_at(q, s, c.ns)];
   condensation_free(&c);
   return ARC_OK;
 }
@@ -187,10 +194,10 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
 
 /* Rim and inner displacements of the wear box under surface forces f. */
 static void box_displacements(const condensation *c, const double *f, double *rim, double *inner) {
-  arc_dense_multiply(c->nr, 1, c->ns, 1, c->w, c->nr, f, c->ns, 0, rim, c->nr);
+  arc_dense_multiply(c->nr, 1, 2 * c->ns, 1, c->w, c->nr, f, 2 * c->ns, 0, rim, c->nr);
   arc_dense_cholesky_solve(c->nr, 1, c->t, c->nr, rim, c->nr);
   const double *z = &c->x[dense_at(0, c->nr, c->ni)];
-  arc_dense_multiply(c->ni, 1, c->ns, 1, z, c->ni, f, c->ns, 0, inner, c->ni);
+  arc_dense_multiply(c->ni, 1, 2 * c->ns, 1, z, c->ni, f, 2 * c->ns, 0, inner, c->ni);
   arc_dense_multiply(c->ni, 1, c->nr, -1, c->x, c->ni, rim, c->nr, 1, inner, c->ni);
 }
 

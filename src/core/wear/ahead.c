@@ -10,7 +10,7 @@ void arc_wear_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_
   double sum[ARC_BODIES] = {0};
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < shape->side[b].n; i++)
-      sum[b] += depth->node[b][i] * arc_shape_width(&shape->side[b], i);
+      sum[b] += depth->node[b][i] * arc_shape_span(shape, (arc_body)b, i);
   record->volume_cylinder += sum[ARC_CYLINDER] * md->thickness;
   record->volume_plate += (sum[ARC_PLATE] + depth->even * 2 * md->radius) * md->thickness;
 }

@@ -124,29 +124,35 @@ double arc_wear_law_slope(const arc_wear *w, double p, double q) {
   return q / p * law_growth(&w->def, p);
 }
 
+double arc_wear_law(const arc_wear *w, double p) {
+  return p * law_factor(&w->def, p);
+}
+
+static arc_status ask_factors(const arc_wear *w, const arc_wear_record *state, arc_body body,
+                              const double *p, double *value, arc_error *error) {
+  const arc_wear_def *d = &w->def;
+  const shape_side *side = &w->shape->side[body];
+  for (int i = 0; i < side->n; i++) value[i] = 1;
+  const arc_status status = d->local_factor(d->context, body, side->n, side->x0, p, state, value);
+  if (status != ARC_OK)
+    return arc_fail(error, status, "local_factor failed for the %s at distance %g mm",
+                    arc_body_name(body), state->distance);
+  for (int i = 0; i < side->n; i++)
+    if (!(value[i] >= 0) || !isfinite(value[i]))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field 'local_factor': expected a number >= 0, got %g for the %s at x = %g "
+                      "mm, p = %g MPa",
+                      value[i], arc_body_name(body), side->x0[i], p[i]);
+  return ARC_OK;
+}
+
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
                           arc_error *error) {
-  const arc_wear_def *d = &w->def;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const shape_side *side = &w->shape->side[b];
-    const double *p = point->p[b];
-    double *q = point->q[b];
-    for (int i = 0; i < side->n; i++) q[i] = 1;
-    if (d->local_factor) {
-      const arc_status status =
-          d->local_factor(d->context, (arc_body)b, side->n, side->x0, p, state, q);
-      if (status != ARC_OK)
-        return arc_fail(error, status, "local_factor failed for the %s at distance %g mm",
-                        arc_body_name((arc_body)b), state->distance);
-    }
-    for (int i = 0; i < side->n; i++) {
-      if (!(q[i] >= 0) || !isfinite(q[i]))
-        return arc_fail(error, ARC_ARGUMENT,
-                        "field 'local_factor': expected a number >= 0, got %g for the %s at x = %g "
-                        "mm, p = %g MPa",
-                        q[i], arc_body_name((arc_body)b), side->x0[i], p[i]);
-      q[i] *= p[i] * law_factor(d, p[i]);
-    }
+  for (int b = 0; b < ARC_BODIES && w->def.local_factor; b++) {
+    double *value = point->f[b], *q = point->q[b];
+    const arc_status status = ask_factors(w, state, (arc_body)b, point->p[b], value, error);
+    if (status != ARC_OK) return status;
+    for (int i = 0; i < w->shape->side[b].n; i++) q[i] *= value[i];
   }
   return ARC_OK;
 }

@@ -8,12 +8,12 @@
 arc_status arc_path_create(wear_path *path, const arc_model *model) {
   const int nc = arc_model_mesh(model, ARC_CYLINDER)->surface;
   const int n = nc + arc_model_mesh(model, ARC_PLATE)->surface;
-  double *at = calloc((size_t)(6 * n), sizeof *at);
+  double *at = calloc((size_t)(8 * n), sizeof *at);
   *path = (wear_path){.nodes = n};
   if (!at) return ARC_MEMORY;
   for (int k = 0; k < 2; k++) {
-    double **part[] = {path->point[k].p, path->point[k].q, path->point[k].u};
-    for (int m = 0; m < 3; m++, at += n) {
+    double **part[] = {path->point[k].p, path->point[k].q, path->point[k].u, path->point[k].f};
+    for (int m = 0; m < 4; m++, at += n) {
       part[m][ARC_CYLINDER] = at;
       part[m][ARC_PLATE] = at + nc;
     }
@@ -57,5 +57,5 @@ void arc_path_clear(const wear_path *path, wear_point *point) {
 }
 
 void arc_path_copy(const wear_path *path, const wear_point *from, wear_point *to) {
-  memcpy(to->p[0], from->p[0], (size_t)(3 * path->nodes) * sizeof(double));
+  memcpy(to->p[0], from->p[0], (size_t)(4 * path->nodes) * sizeof(double));
 }

@@ -34,8 +34,9 @@ double arc_wear_block_end(const wear_block *block);
 /* One point of the path, solved. Arrays by body; one block. */
 typedef struct wear_point {
   double *p[ARC_BODIES]; /* pressure [MPa] */
-  double *q[ARC_BODIES]; /* p times the local factor of the wear law [MPa] */
-  double *u[ARC_BODIES]; /* elastic displacement along x, plate against cylinder [mm] */
+  double *q[ARC_BODIES]; /* what wears: p times the factors of law and place [MPa] */
+  double *u[ARC_BODIES]; /* elastic displacement along x [mm] */
+  double *f[ARC_BODIES]; /* factor of the place */
 } wear_point;
 
 /* The block at hand, its poses (which know themselves whether they are up to date) and the last two

@@ -7,8 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Initial gaps deeper by the trial's depths along the normals, of which `down` is the vertical
- * share. */
+/* Initial gaps deeper by the trial's depths along the normals. */
 static void deepen(pose *p, const wear_trial *trial) {
   double *plate = p->work, *below = plate + p->np;
   for (int l = 0; l < p->np; l++) plate[l] = trial->depth[ARC_PLATE][l] * trial->down[ARC_PLATE][l];
@@ -19,18 +18,16 @@ static void deepen(pose *p, const wear_trial *trial) {
   }
 }
 
-/* Elastic part of the relative displacement at the nodes of both bodies: the other body's value
- * comes through B. */
-static void relative_displacements(const pose *p, const arc_shape *shape, wear_point *point) {
-  double *uc = point->u[ARC_CYLINDER], *up = point->u[ARC_PLATE];
-  arc_pose_tangential(p, shape, uc, up);
-  double *weighted = p->work, *plate_at_cylinder = weighted + p->nc;
-  double *cylinder_at_plate = plate_at_cylinder + p->nc;
-  arc_pose_to_cylinder(p, up, plate_at_cylinder);
-  for (int i = 0; i < p->nc; i++) weighted[i] = uc[i] * p->wc[i];
-  arc_pose_to_plate(p, weighted, cylinder_at_plate);
-  for (int l = 0; l < p->np; l++) up[l] -= cylinder_at_plate[l] / p->wp[l];
-  for (int i = 0; i < p->nc; i++) uc[i] = plate_at_cylinder[i] - uc[i];
+/* The law is evaluated where pressure is an unknown, and what wears there wears the plate under it
+ * too: both bodies see the same pressure at a pair of points. */
+static void apply_law(const arc_wear *w, const pose *p, wear_point *point) {
+  double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
+  if (w->def.law == ARC_LAW_ARCHARD) {
+    memcpy(qc, point->p[ARC_CYLINDER], (size_t)w->path.nodes * sizeof *qc);
+    return;
+  }
+  for (int i = 0; i < p->nc; i++) qc[i] = arc_wear_law(w, point->p[ARC_CYLINDER][i]);
+  arc_pose_transfer(p, qc, qp);
 }
 
 /* Solves point `at` of the block at hand into `point`. */
@@ -46,7 +43,9 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at, we
   if ((status = arc_pose_solve(p, block->line[at], error)) != ARC_OK) return status;
   watch->solutions++;
   arc_pose_pressures(p, point->p[ARC_CYLINDER], point->p[ARC_PLATE]);
-  if (w->def.slip == ARC_SLIP_TOTAL) relative_displacements(p, window->shape, point);
+  apply_law(w, p, point);
+  for (int b = 0; b < ARC_BODIES && w->def.slip == ARC_SLIP_TOTAL; b++)
+    arc_pose_tangential(p, window->shape, (arc_body)b, point->u[b]);
   return arc_wear_local(w, window->state, point, error);
 }
 
@@ -71,13 +70,32 @@ static arc_status reach_point(arc_wear *w, const wear_window *window, int at, we
 static void add_increment(const arc_wear *w, int at, wear_rate *rate) {
   const wear_block *block = w->path.block;
   const wear_point *now = &w->path.point[at % 2], *before = &w->path.point[(at + 1) % 2];
-  const double rigid = block->x[at] - block->x[at - 1];
-  const int mean = w->def.rule == ARC_TRAPEZOID, total = w->def.slip == ARC_SLIP_TOTAL;
+  if (w->def.slip == ARC_SLIP_TOTAL) {
+    arc_wear_add_work(w, at, rate);
+    return;
+  }
+  const double slip = fabs(block->x[at] - block->x[at - 1]);
+  const int mean = w->def.rule == ARC_TRAPEZOID;
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < w->shape->side[b].n; i++) {
       const double q = mean ? (now->q[b][i] + before->q[b][i]) / 2 : now->q[b][i];
-      const double slip = total ? fabs(rigid + now->u[b][i] - before->u[b][i]) : fabs(rigid);
       rate->node[b][i] += block->repeat * q * slip;
+    }
+}
+
+/* A slope slides by cos times the plate's way, and is longer than its shadow on x, on which
+ * pressure times width is force: so much depth along the normal takes the area k force |dx|. */
+static void incline(const arc_wear *w, const wear_window *window, wear_rate *rate) {
+  const int n = w->nc + w->np;
+  if (window->shape->geometry == ARC_FROZEN) return;
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < window->shape->side[b].n; i++) {
+      const double share = arc_shape_width(&window->shape->side[b], i) /
+                           arc_shape_span(window->shape, (arc_body)b, i);
+      const int row = b == ARC_CYLINDER ? i : w->nc + i;
+      rate->node[b][i] *= share;
+      for (int c = 0; c < n && window->jacobian; c++)
+        window->jacobian[(size_t)row + (size_t)c * (size_t)n] *= share;
     }
 }
 
@@ -131,5 +149,6 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
       add_even(w, &w->path.point[at % 2], rate);
   }
   if (window->jacobian) arc_wear_jacobian_finish(window->jacobian);
+  incline(w, window, rate);
   return ARC_OK;
 }

@@ -7,7 +7,8 @@
 /* Depths beyond those of a shape, at which contact is to be solved. */
 typedef struct wear_trial {
   const double *depth[ARC_BODIES]; /* [surface] along the normals [mm] */
-  const double *down[ARC_BODIES];  /* [surface] vertical share of the inward normals */
+  const double *down[ARC_BODIES];  /* [surface] how much lower that makes the surface, see
+                                      arc_shape_downward */
 } wear_trial;
 
 /* A part of the block at hand: increments first .. last. */
@@ -33,6 +34,10 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
                              wear_rate *rate, arc_error *error);
 /* Solves the point window->first only: can the contact be there? */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
+
+/* --- slip.c --- */
+/* Adds the work of the increment that ends at `at`, with the elastic part of the slip. */
+void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate);
 
 /* --- jacobian.c --- */
 /* -d rate / d depth, at frozen compliance and along y. Neighbouring points whose contact hardly

@@ -23,6 +23,7 @@ typedef struct wear_depths {
 typedef struct wear_work {
   wear_rate rate;
   wear_depths depth;
+  double *slip; /* [4 * (nc + np)] of an increment */
 } wear_work;
 
 struct arc_wear {
@@ -79,7 +80,9 @@ arc_status arc_wear_coefficients_now(const arc_wear *w, double k[ARC_BODIES], ar
 int arc_wear_has_state_functions(const arc_wear *w);
 /* k and alpha of a record from the bodies' coefficients. */
 void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);
-/* q from p at a point: law and local factor. */
+/* What wears under a pressure [MPa]: p times the factor of the law. */
+double arc_wear_law(const arc_wear *w, double p);
+/* Multiplies a point's q by the local factors. */
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
                           arc_error *error);
 /* dq/dp of the law at a node. */

@@ -12,13 +12,14 @@ static int any_depth(const double *depth, int n) {
 }
 
 /* Wears the outcome's shape, and adds volumes and error. */
-static arc_status apply(const arc_wear *w, const wear_depths *depth, wear_outcome *out,
+static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out,
                         arc_error *error) {
   arc_wear_add_volumes(w, out->shape, depth, &out->record);
   out->record.error = depth->error;
   out->record.p_peak = fmax(out->record.p_peak, depth->peak);
   for (int b = 0; b < ARC_BODIES; b++) {
     if (!any_depth(depth->node[b], out->shape->side[b].n)) continue;
+    arc_shape_conserve(out->shape, (arc_body)b, depth->node[b]);
     const arc_status status = arc_shape_wear(out->shape, (arc_body)b, depth->node[b], error);
     if (status != ARC_OK) return status;
   }

@@ -12,10 +12,11 @@ static arc_status out_of_memory(arc_error *error) {
 static arc_status allocate(arc_wear *w) {
   const int nc = w->nc = arc_model_mesh(w->model, ARC_CYLINDER)->surface;
   const int np = w->np = arc_model_mesh(w->model, ARC_PLATE)->surface;
-  double *rate = calloc(2 * (size_t)(nc + np), sizeof *rate);
+  double *rate = calloc(6 * (size_t)(nc + np), sizeof *rate);
   if (!rate) return ARC_MEMORY;
   double *depth = rate + nc + np;
-  w->work = (wear_work){.rate.node = {rate, rate + nc}, .depth.node = {depth, depth + nc}};
+  w->work = (wear_work){
+      .rate.node = {rate, rate + nc}, .depth.node = {depth, depth + nc}, .slip = depth + nc + np};
   if (arc_path_create(&w->path, w->model) != ARC_OK) return ARC_MEMORY;
   return arc_pose_create(&w->reference, w->model);
 }
@@ -209,7 +210,7 @@ arc_model *arc_wear_model(const arc_wear *w) {
 
 size_t arc_wear_bytes(const arc_wear *w) {
   const size_t n = (size_t)(w->nc + w->np);
-  return (size_t)(w->path.poses + 1) * arc_pose_bytes(&w->reference) + 8 * n * sizeof(double) +
+  return (size_t)(w->path.poses + 1) * arc_pose_bytes(&w->reference) + 14 * n * sizeof(double) +
          2 * arc_shape_bytes(w->shape) + w->capacity * sizeof(arc_wear_record);
 }
 

@@ -5,15 +5,17 @@
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
-/* wear:profile(body) -> { x=, h=, y= } */
+/* wear:profile(body) -> { x=, h=, y=, worn_x=, way= } */
 int wear_profile(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:profile");
   arc_body body = body_argument(L, 2, "wear:profile", ARC_CYLINDER);
   arc_profile profile = arc_shape_profile(arc_wear_shape(wear), body);
-  lua_createtable(L, 0, 3);
+  lua_createtable(L, 0, 5);
   array_set(L, "x", profile.x, (size_t)profile.count);
   array_set(L, "h", profile.h, (size_t)profile.count);
   array_set(L, "y", profile.y, (size_t)profile.count);
+  array_set(L, "worn_x", profile.worn_x, (size_t)profile.count);
+  array_set(L, "way", profile.way, (size_t)profile.count);
   return 1;
 }
 

@@ -1,0 +1,68 @@
+/* What an increment wears where slip has its elastic part: work on pairs of points that touch.
+ *
+ * The plate's material point slides over the cylinder's by the rigid motion and by what both have
+ * been displaced meanwhile, each taken at the point itself: as the plate's is carried along, that
+ * includes the change of u along the way. Pressure and slip meet at the cylinder's nodes; the
+ * plate gets the same work through the coupling, so that volumes are as k_c to k_p (Eq. 15).
+ */
+#include "core/wear/rate.h"
+
+#include <math.h>
+#include <string.h>
+
+/* An increment as the work on it is found: arrays by surface node. */
+typedef struct increment {
+  const wear_point *end;        /* the one of its ends that is looked at */
+  const pose *pose;             /* of this end */
+  double rigid, share;          /* motion of the plate [mm]; weight of this end */
+  const double *moved_c;        /* [nc] displacement along x since the increment began [mm] */
+  const double *moved_p;        /* [np] */
+  double *under, *work, *plate; /* [nc], [nc], [np] room */
+} increment;
+
+/* Slip and pressure of one end into the rate of both bodies. */
+static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
+  const pose *p = inc->pose;
+  const int local = w->def.local_factor != NULL;
+  const double *fc = inc->end->f[ARC_CYLINDER], *fp = inc->end->f[ARC_PLATE];
+  arc_pose_to_cylinder(p, inc->moved_p, inc->under);
+  for (int i = 0; i < p->nc; i++) {
+    const double slip = fabs(inc->rigid + inc->under[i] - inc->moved_c[i]);
+    inc->work[i] = inc->share * slip * arc_wear_law(w, inc->end->p[ARC_CYLINDER][i]);
+    rate->node[ARC_CYLINDER][i] += inc->work[i] * (local ? fc[i] : 1);
+  }
+  arc_pose_transfer(p, inc->work, inc->plate);
+  for (int l = 0; l < p->np; l++) rate->node[ARC_PLATE][l] += inc->plate[l] * (local ? fp[l] : 1);
+}
+
+/* NSP: the same contact all the way, under which the plate's material passes by `rigid`. */
+static void carried_along(const arc_wear *w, const double *u, double rigid, double *moved) {
+  const double *x = w->shape->side[ARC_PLATE].settled;
+  for (int l = 0; l < w->np; l++) {
+    const int a = l > 0 ? l - 1 : 0, b = l + 1 < w->np ? l + 1 : l;
+    moved[l] = rigid * (u[b] - u[a]) / (x[2 * b] - x[2 * a]);
+  }
+}
+
+void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate) {
+  const wear_block *block = w->path.block;
+  const wear_point *point[2] = {&w->path.point[(at + 1) % 2], &w->path.point[at % 2]};
+  const int mean = w->def.rule == ARC_TRAPEZOID;
+  double *moved = w->work.slip, *moved_p = moved + w->nc, *under = moved_p + w->np;
+  increment inc = {.rigid = block->x[at] - block->x[at - 1],
+                   .share = block->repeat * (mean ? 0.5 : 1),
+                   .moved_c = moved,
+                   .moved_p = moved_p,
+                   .under = under,
+                   .work = under + w->nc,
+                   .plate = under + 2 * w->nc};
+  for (int i = 0; i < w->nc + w->np; i++) moved[i] = point[1]->u[0][i] - point[0]->u[0][i];
+  if (w->procedure == ARC_NSP) carried_along(w, point[1]->u[ARC_PLATE], inc.rigid, moved_p);
+  for (int end = mean ? 0 : 1; end < 2; end++) {
+    const int here = at - 1 + end;
+    if (block->line[here] == 0) continue; /* lifted off */
+    inc.end = point[end];
+    inc.pose = &w->path.pose[block->place[here]];
+    add_end(w, &inc, rate);
+  }
+}

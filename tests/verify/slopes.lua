@@ -1,0 +1,65 @@
+-- Deep scars, whose surfaces lean: what the outline loses is k L d, and what both bodies lose is as k_c to k_p.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, below, ok = figures.within, figures.below, figures.ok
+
+-- Area under the broken line through points (x, y).
+local function under(x, y)
+  local sum = 0
+  for i = 2, #x do sum = sum + (x[i] - x[i - 1]) * (y[i] + y[i - 1]) / 2 end
+  return sum
+end
+
+-- What the outline of a body has lost [mm2], by the polygon of its nodes where they are now.
+local function lost(w, body)
+  local p, y, radius = w:profile(body), {}, w.model.radius
+  for i, x in ipairs(p.x) do y[i] = body == "plate" and 0 or radius - math.sqrt(radius ^ 2 - x ^ 2) end
+  return (body == "plate" and -1 or 1) * (under(p.worn_x, p.y) - under(p.x, y))
+end
+
+local function deep(radius, distance, couple)
+  local zone = radius == 2 and 2 or 3.2
+  local model = { radius = radius, cylinder = couple.cylinder, plate = couple.plate,
+    mesh = { rows = radius == 2 and 12 or 6, zone = { cylinder = zone, plate = zone * 1.1 } } }
+  return wear{ k = 1e-6, load = 100, distance = distance, jump = couple.jump, scheme = couple.scheme,
+    increments = 20, refresh = 0.05, stroke = 0.11, model = model }:run()
+end
+
+local cases = {
+  { "R = 2 mm", deep(2, 300, { jump = 6 }) },
+  { "R = 2 mm, soft plate", deep(2, 300, { jump = 6, plate = { E = 20e3 } }) },
+  { "R = 2 mm, soft cylinder", deep(2, 300, { jump = 6, cylinder = { E = 20e3 } }) },
+  { "R = 10 mm", deep(10, 660, { jump = 40, scheme = "implicit" }) },
+  { "reference case", wear{}:run() },
+}
+for _, case in ipairs(cases) do
+  local name, w = case[1], case[2]
+  figures.note(("%s: %.3g um deep, slopes to %.2g"):format(name, 1e3 * (w.depth.cylinder + w.depth.plate),
+    w.half_width / w.model.radius))
+  for _, body in ipairs{ "cylinder", "plate" } do
+    within(lost(w, body), w.k / 2 * 100 * w.distance, 1e-9, name .. ": area the " .. body .. " lost by its outline [mm2]")
+    below(figures.asymmetry(w:profile(body).h), 1e-9, name .. ": asymmetry of the " .. body)
+  end
+end
+
+-- Pressures act along normals: between a stiff body and a soft one the forces along x raise or lower the surfaces, the
+-- other way round where the bodies are swapped. Where they acted along the load, the two were apart by less.
+local soft_plate, soft_cylinder = cases[2][2], cases[3][2]
+ok(soft_plate.p_center < soft_cylinder.p_center, "a soft plate under a slope bears less in the middle than a soft cylinder")
+
+-- Slip with its elastic part: work is done on pairs of points.
+for _, couple in ipairs{ { plate = { E = 2e3 } }, { plate = { E = 20e3 } }, { cylinder = { E = 2e3 } } } do
+  for _, alpha in ipairs{ 0.25 } do
+    couple.radius = 10
+    local w = wear{ model = couple.plate and { plate = couple.plate, mesh = { zone = { cylinder = 2.4, plate = 2.8 } } }
+      or { cylinder = couple.cylinder, mesh = { zone = { cylinder = 2.4, plate = 2.8 } } },
+      slip = "total", alpha = alpha, increments = 40, jump = 100, distance = 220 }:run()
+    local name = ("total slip, %s of E = %g, alpha = %g"):format(couple.plate and "plate" or "cylinder",
+      (couple.plate or couple.cylinder).E, alpha)
+    within(w.volume.cylinder / w.volume.plate, alpha / (1 - alpha), 1e-9, name .. ": V_c / V_p (Eq. 15)")
+    figures.note(("%s: volume / (k L d) %.6f"):format(name, w.volume.total / (1e-8 * 100 * 220)))
+  end
+end
+local steady = wear{ alpha = 1, slip = "total", distance = 440 }:run()
+-- The plate's strain under the contact, -(1 + nu)(1 - 2 nu) p / E at a half-plane's surface, shortens its way.
+local strain = -1.3 * 0.4 * figures.mean(steady.history.p_center, 2) / 200e3
+figures.about(steady.volume.total / 4.4e-4 - 1, strain, 0.15 * -strain, "total slip under a steady contact: V / (k L d) - 1")
