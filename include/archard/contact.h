@@ -46,6 +46,13 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
  * a flat surface stays flat, the contact does not notice. */
 void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth);
 
+/* Takes the worn surfaces of one shape over to an unworn one on another model of the same bodies,
+ * whose nodes need not be the same: by splines without kinks inside a scar, with the same area lost
+ * and no depth below zero. On like nodes they are the same to rounding. What lies
+ * outside the other model's zones is left out. Errors of arc_shape_wear: `to` is then to be given
+ * up. */
+arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *error);
+
 /* A candidate-surface profile; arrays of `count` doubles owned by the shape, valid until it
  * changes. */
 typedef struct arc_profile {

@@ -363,6 +363,29 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
   return ARC_OK;
 }
 
+arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, const double *way_y,
+                         const double *h, double even, arc_error *error) {
+  shape_side *side = &shape->side[body], put = *side;
+  const arc_mesh *mesh = side->body->mesh;
+  compliance renewed = {0};
+  put.xy = malloc(2 * (size_t)side->n * sizeof *put.xy);
+  if (!put.xy) return out_of_memory(error);
+  for (int i = 0; i < side->n; i++) {
+    const double *top = &mesh->xy[2 * mesh->surface_node[i]];
+    put.xy[2 * i] = top[0] + way_x[i];
+    put.xy[2 * i + 1] = top[1] + way_y[i];
+  }
+  const arc_status status = compliance_for(&put, shape->geometry, &renewed, error);
+  if (status == ARC_OK) {
+    memcpy(side->xy, put.xy, 2 * (size_t)side->n * sizeof *put.xy);
+    side->even = even;
+    for (int i = 0; i < side->n; i++) side->h[i] = h[i] + even;
+    settle(shape, side, renewed);
+  }
+  free(put.xy);
+  return status;
+}
+
 void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth) {
   shape_side *side = &shape->side[body];
   side->even += depth;

@@ -62,6 +62,12 @@ void arc_shape_box(const shape_side *side, const double *surface_xy, double *box
 arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
                                   arc_error *error);
 
+/* Puts the surface of one body where its unworn nodes come by ways along x and y [surface] [mm],
+ * with depths h [surface] and even wear beyond them, and renews the compliance of moving geometry.
+ * Errors as arc_shape_wear: the shape is unchanged. */
+arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, const double *way_y,
+                         const double *h, double even, arc_error *error);
+
 /* Bytes of one shape. */
 size_t arc_shape_bytes(const arc_shape *shape);
 

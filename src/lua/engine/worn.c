@@ -126,26 +126,10 @@ static double call_depth(lua_State *L, int index, const char *where, const char 
   return depth;
 }
 
-/* Depths of the body of another run, from its own nodes; beyond them the depth of its ends, which
- * is not zero where the plate has worn evenly. */
-static void sample_run(const arc_wear *other, arc_body body, arc_profile nodes, double *depth) {
-  arc_profile from = arc_shape_profile(arc_wear_shape(other), body);
-  size_t count = (size_t)from.count;
-  for (int i = 0; i < nodes.count; i++) {
-    double end = nodes.x[i] < 0 ? from.h[0] : from.h[count - 1];
-    depth[i] = arc_measure_interpolate(from.x, from.h, count, nodes.x[i], end);
-  }
-}
-
 /* Fills `depth` for one body; returns 0 where it is not worn. The value stands at `worn`. */
 static int sample(lua_State *L, int worn, arc_body body, arc_profile nodes, double *depth,
                   const char *where) {
   const char *name = body_names[body];
-  box *other = box_test(L, worn, &wear_class);
-  if (other) {
-    sample_run(other->thing, body, nodes, depth);
-    return 1;
-  }
   int type = lua_getfield(L, worn, name), value = lua_gettop(L);
   if (type == LUA_TTABLE)
     sample_profile(L, value, (args_place){where, prefixes[body]}, nodes, depth);
@@ -186,7 +170,10 @@ arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, arc_geometr
   arc_status status = arc_shape_create(model, geometry, refresh, &shape, &error);
   holder->thing = shape;
   error_check(L, status, &error, where, -1);
-  for (int body = 0; body < ARC_BODIES && !lua_isnil(L, worn); body++)
+  box *other = box_test(L, worn, &wear_class);
+  if (other)
+    error_check(L, arc_shape_remap(arc_wear_shape(other->thing), shape, &error), &error, where, -1);
+  for (int body = 0; body < ARC_BODIES && !other && !lua_isnil(L, worn); body++)
     wear_body(L, worn, shape, (arc_body)body, where);
   return shape;
 }

@@ -1,0 +1,220 @@
+/* Worn surfaces taken over to another mesh of the same bodies. Leans on shape.c.
+ *
+ * Pressures answer to curvature, so that the ways of the nodes are interpolated by cubic splines
+ * with two continuous derivatives, one for each scar: its edge is a kink, where the spline of the
+ * worn nodes alone is followed down to zero. The ways are then scaled so that the polygon of the
+ * new nodes has lost the same area.
+ */
+#include "core/contact/shape.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WAY_X, WAY_Y, DEPTH, QUANTITIES };
+
+/* One surface as it is taken over: node i has come from x[i] by value[WAY_X][i] and WAY_Y. */
+typedef struct track {
+  int n;
+  double *x;
+  double *value[QUANTITIES];
+  double *bend[QUANTITIES]; /* second derivatives, scar by scar */
+  double *room;             /* [n] */
+} track;
+
+static arc_status track_create(track *t, int n) {
+  const size_t count = (size_t)n;
+  *t = (track){.n = n, .x = calloc((2 + 2 * QUANTITIES) * count, sizeof(double))};
+  if (!t->x) return ARC_MEMORY;
+  t->room = t->x + count;
+  for (int q = 0; q < QUANTITIES; q++) {
+    t->value[q] = t->room + (1 + (size_t)q) * count;
+    t->bend[q] = t->room + (1 + QUANTITIES + (size_t)q) * count;
+  }
+  return ARC_OK;
+}
+
+static void track_of(const shape_side *side, track *t) {
+  const arc_mesh *mesh = side->body->mesh;
+  for (int i = 0; i < side->n; i++) {
+    const double *top = &mesh->xy[2 * mesh->surface_node[i]];
+    t->x[i] = side->x0[i];
+    t->value[WAY_X][i] = side->xy[2 * i] - top[0];
+    t->value[WAY_Y][i] = side->xy[2 * i + 1] - top[1];
+    t->value[DEPTH][i] = side->h[i] - side->even;
+  }
+}
+
+/* --- splines ---------------------------------------------------------------------------------- */
+
+/* Second derivatives m of the spline through (x, y) [n], n >= 4, with the third derivative
+ * continuous across the first and last inner points too (not-a-knot). */
+static void bend_spline(const double *x, const double *y, int n, double *diagonal, double *m) {
+  const double first = (x[1] - x[0]) / (x[2] - x[1]);
+  const double last = (x[n - 1] - x[n - 2]) / (x[n - 2] - x[n - 3]);
+  double above = 0; /* of the row before */
+  for (int i = 1; i + 1 < n; i++) {
+    const double h = x[i] - x[i - 1], g = x[i + 1] - x[i];
+    double below = h, right = g, centre = 2 * (h + g);
+    if (i == 1) centre += h * (1 + first), right -= h * first, below = 0;
+    if (i + 2 == n) centre += g * (1 + last), below -= g * last;
+    const double share = i > 1 ? below / diagonal[i - 1] : 0;
+    diagonal[i] = centre - share * above;
+    m[i] = 6 * ((y[i + 1] - y[i]) / g - (y[i] - y[i - 1]) / h) - (i > 1 ? share * m[i - 1] : 0);
+    above = right;
+  }
+  for (int i = n - 2; i >= 1; i--) {
+    double right = x[i + 1] - x[i];
+    if (i == 1) right -= (x[1] - x[0]) * first;
+    m[i] = (m[i] - (i + 2 < n ? right * m[i + 1] : 0)) / diagonal[i];
+  }
+  m[0] = m[1] - first * (m[2] - m[1]);
+  m[n - 1] = m[n - 2] + last * (m[n - 2] - m[n - 3]);
+}
+
+/* The cubic between points i and i + 1, also outside them. */
+static double cubic(const track *t, int q, int i, double at) {
+  const double h = t->x[i + 1] - t->x[i], b = (at - t->x[i]) / h, a = 1 - b;
+  const double *y = t->value[q], *m = t->bend[q];
+  return a * y[i] + b * y[i + 1] +
+         ((a * a * a - a) * m[i] + (b * b * b - b) * m[i + 1]) * h * h / 6;
+}
+
+static int is_worn(const track *t, int i) {
+  return i >= 0 && i < t->n && t->value[DEPTH][i] > 0;
+}
+
+/* Splines through every run of worn nodes; straight where there are too few. */
+static void bend(track *t) {
+  for (int a = 0; a < t->n; a++) {
+    if (!is_worn(t, a)) continue;
+    int b = a;
+    while (is_worn(t, b + 1)) b++;
+    for (int q = 0; q < QUANTITIES && b - a >= 3; q++)
+      bend_spline(&t->x[a], &t->value[q][a], b - a + 1, &t->room[a], &t->bend[q][a]);
+    a = b;
+  }
+}
+
+/* Share of the depth at the worn node `edge` that is left at x `at`, between it and the unworn one
+ * beside it: on along the spline until it meets zero, or down to zero smoothly if it does not. */
+static double share_beyond(const track *t, int edge, int outside, double at) {
+  const int inside = 2 * edge - outside;
+  const double depth = t->value[DEPTH][edge];
+  const double b = (at - t->x[outside]) / (t->x[edge] - t->x[outside]);
+  if (!is_worn(t, inside)) return b;
+  const int i = edge < inside ? edge : inside;
+  if (cubic(t, DEPTH, i, t->x[outside]) > 0) return b * b * (3 - 2 * b);
+  return fmin(1, fmax(0, cubic(t, DEPTH, i, at) / depth));
+}
+
+/* All quantities at x. */
+static void track_at(const track *t, double at, double value[QUANTITIES]) {
+  memset(value, 0, QUANTITIES * sizeof *value);
+  if (at < t->x[0] || at > t->x[t->n - 1]) return;
+  int i = 0, high = t->n - 1; /* [i, i + 1] holds it */
+  while (high - i > 1) {
+    const int middle = (i + high) / 2;
+    if (t->x[middle] <= at)
+      i = middle;
+    else
+      high = middle;
+  }
+  const int left = is_worn(t, i), right = is_worn(t, i + 1);
+  if (left && right) {
+    for (int q = 0; q < QUANTITIES; q++) value[q] = cubic(t, q, i, at);
+    if (value[DEPTH] < 0) memset(value, 0, QUANTITIES * sizeof *value);
+  } else if (left || right) {
+    const int edge = left ? i : i + 1, outside = left ? i + 1 : i;
+    const double share = share_beyond(t, edge, outside, at);
+    for (int q = 0; q < QUANTITIES; q++) value[q] = share * t->value[q][edge];
+  }
+}
+
+/* --- areas ------------------------------------------------------------------------------------ */
+
+/* The area that the polygon of a side's unworn nodes gains under it [mm2] by `scale` times the ways
+ * of a track. */
+static double area_under(const shape_side *side, const track *t, double scale) {
+  const arc_mesh *mesh = side->body->mesh;
+  double area = 0, before[4] = {0};
+  for (int i = 0; i < t->n; i++) {
+    const double *top = &mesh->xy[2 * mesh->surface_node[i]];
+    const double x = top[0] + scale * t->value[WAY_X][i], y = top[1] + scale * t->value[WAY_Y][i];
+    if (i > 0)
+      area += ((x - before[0]) * (y + before[1]) - (top[0] - before[2]) * (top[1] + before[3])) / 2;
+    before[0] = x, before[1] = y, before[2] = top[0], before[3] = top[1];
+  }
+  return area;
+}
+
+/* Scales a track until its area is the wanted one: the area is linear and a little quadratic in the
+ * scale. */
+static void scale_to(const shape_side *side, track *t, double wanted) {
+  enum { sweeps = 6 };
+  const double forth = area_under(side, t, 1), back = area_under(side, t, -1);
+  const double linear = (forth - back) / 2, square = (forth + back) / 2;
+  double scale = 1;
+  if (forth == wanted || linear == 0) return;
+  for (int sweep = 0; sweep < sweeps; sweep++) scale = wanted / (linear + scale * square);
+  for (int q = 0; q < QUANTITIES; q++)
+    for (int i = 0; i < t->n; i++) t->value[q][i] *= scale;
+}
+
+/* --- taking over ------------------------------------------------------------------------------ */
+
+/* Where nodes stay over their places, the height of the surface there. */
+static void stand_upright(const shape_side *side, track *t) {
+  const arc_mesh *mesh = side->body->mesh;
+  memcpy(t->room, t->value[WAY_Y], (size_t)t->n * sizeof(double));
+  for (int i = 1; i + 1 < t->n; i++) {
+    const double *a = &mesh->xy[2 * mesh->surface_node[i - 1]];
+    const double *b = &mesh->xy[2 * mesh->surface_node[i + 1]];
+    const double dx = b[0] - a[0] + t->value[WAY_X][i + 1] - t->value[WAY_X][i - 1];
+    const double dy = b[1] - a[1] + t->value[WAY_Y][i + 1] - t->value[WAY_Y][i - 1];
+    t->room[i] -= t->value[WAY_X][i] * dy / dx;
+  }
+  memcpy(t->value[WAY_Y], t->room, (size_t)t->n * sizeof(double));
+  memset(t->value[WAY_X], 0, (size_t)t->n * sizeof(double));
+}
+
+/* Whether the whole scar lies on the side; else part of it is left out, and so are its areas. */
+static int covers(const shape_side *side, const track *from) {
+  for (int i = 0; i < from->n; i++)
+    if (is_worn(from, i) && (from->x[i] < side->x0[0] || from->x[i] > side->x0[side->n - 1]))
+      return 0;
+  return 1;
+}
+
+static arc_status remap(const shape_side *source, track *from, arc_shape *to, arc_body body,
+                        arc_error *error) {
+  const shape_side *side = &to->side[body];
+  track t = {0};
+  track_of(source, from);
+  if (track_create(&t, side->n) != ARC_OK)
+    return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
+  bend(from);
+  for (int i = 0; i < t.n; i++) {
+    double value[QUANTITIES];
+    track_at(from, side->x0[i], value);
+    for (int q = 0; q < QUANTITIES; q++) t.value[q][i] = value[q];
+  }
+  if (to->geometry == ARC_FROZEN) stand_upright(side, &t);
+  if (covers(side, from)) scale_to(side, &t, area_under(source, from, 1));
+  const arc_status status =
+      arc_shape_put(to, body, t.value[WAY_X], t.value[WAY_Y], t.value[DEPTH], source->even, error);
+  free(t.x);
+  return status;
+}
+
+arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *error) {
+  arc_status status = ARC_OK;
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
+    track t;
+    if (track_create(&t, from->side[b].n) != ARC_OK)
+      return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
+    status = remap(&from->side[b], &t, to, (arc_body)b, error);
+    free(t.x);
+  }
+  return status;
+}
