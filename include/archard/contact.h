@@ -93,6 +93,8 @@ arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double ref
 #define ARC_CONTACT_SETTINGS(NUMBER, OTHER)                                                        \
   NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N.")                                          \
   NUMBER(x, "mm", 0, ANY, 0, "Position of the plate.")                                             \
+  NUMBER(average, "mm", 0.08, FROM(0), 0,                                                          \
+         "Length over which p_average is taken; it should hold four elements or more. 0: p_max.")  \
   OTHER(model, "a model object or a table of its fields", "model", 0,                              \
         "The bodies. One is built where none is given.")                                           \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", 0,                         \
@@ -125,7 +127,8 @@ size_t arc_contact_bytes(const arc_contact *contact);
 
 typedef struct arc_contact_result {
   double p_center;    /* [MPa] at the cylinder's lowest node, x = 0 of the cylinder */
-  double p_max;       /* [MPa] largest nodal pressure */
+  double p_max;       /* [MPa] largest nodal pressure; at scar edges it grows as the mesh shrinks */
+  double p_average;   /* [MPa] largest pressure averaged over the length `average`: settles */
   double half_width;  /* [mm] half the contact width, interpolated between nodes */
   double left, right; /* [mm] contact edges, cylinder frame */
   double approach;    /* [mm] rigid approach of the plate's base and the cylinder's built-in top */

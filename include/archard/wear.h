@@ -216,7 +216,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(k, "mm2/N", "wear coefficient of this update")                                                 \
   X(alpha, "", "wear partition factor of this update")                                             \
   X(p_center, "MPa", "pressure at the centre")                                                     \
-  X(p_max, "MPa", "largest nodal pressure")                                                        \
+  X(p_max, "MPa", "largest nodal pressure; unsettled at scar edges")                               \
   X(p_peak, "MPa", "largest nodal pressure of the update's cycle")                                 \
   X(half_width, "mm", "half the contact width")                                                    \
   X(depth_cylinder, "mm", "largest wear depth of the cylinder")                                    \

@@ -80,7 +80,10 @@ return {
     text = "Wear depth of the plate against x." },
   { "contact.half_width", kind = "field", unit = "mm",
     text = "Half the width of the contact, interpolated between nodes." },
-  { "contact.p_max", kind = "field", unit = "MPa", text = "Largest pressure." },
+  { "contact.p_max", kind = "field", unit = "MPa",
+    text = "Largest nodal pressure. At the edge of a scar it grows as the mesh shrinks." },
+  { "contact.p_average", kind = "field", unit = "MPa",
+    text = "Largest pressure averaged over the length `average`: settles as the mesh shrinks." },
   { "contact.p_center", kind = "field", unit = "MPa",
     text = "Pressure at the lowest point of the cylinder." },
   { "contact.approach", kind = "field", unit = "mm",
@@ -216,14 +219,19 @@ return {
   { "wear.p_center", kind = "field", unit = "MPa",
     text = "Pressure at the centre, plate at x = 0, nominal load." },
   { "wear.p_max", kind = "field", unit = "MPa",
-    text = "Largest pressure, plate at x = 0, nominal load." },
+    text = "Largest nodal pressure, plate at x = 0, nominal load. At the edge of a scar it grows as the "
+      .. "mesh shrinks." },
+  { "wear.p_average", kind = "field", unit = "MPa",
+    text = "Largest pressure averaged over the usual length of contact{ average= }, plate at x = 0, "
+      .. "nominal load: it settles as the mesh shrinks." },
   { "wear.p_peak", kind = "field", unit = "MPa",
     text = "Largest pressure on the whole way of the cycle that the last update's wear comes from, "
       .. "or p_max where that is larger. A groove's edge presses on the other body's near the ends "
       .. "of the stroke, so that it may be far above p_max. It does not settle as elements get "
       .. "smaller. NaN in runs of files older than format 3, until they go on." },
   { "wear.half_width", kind = "field", unit = "mm",
-    text = "Half the width of the contact, plate at x = 0, nominal load." },
+    text = "Half the width of the contact, plate at x = 0, nominal load: good to a tenth of an "
+      .. "element in smooth contacts, to half an element at the edges of scars." },
   { "wear.depth", kind = "field", unit = "mm", text = "Largest wear depth of each body." },
   { "wear.depth.cylinder", kind = "field", unit = "mm",
     text = "Largest wear depth of the cylinder." },

@@ -51,13 +51,15 @@ static void read_result(arc_contact *c) {
   double edges[2], center, largest;
   arc_pose_edges(&c->pose, c->shape, edges);
   arc_pose_peaks(&c->pose, &center, &largest);
-  c->result = (arc_contact_result){.p_center = center,
-                                   .p_max = largest,
-                                   .left = edges[0],
-                                   .right = edges[1],
-                                   .half_width = (edges[1] - edges[0]) / 2,
-                                   .approach = c->pose.approach,
-                                   .iterations = c->pose.iterations};
+  c->result =
+      (arc_contact_result){.p_center = center,
+                           .p_max = largest,
+                           .p_average = arc_pose_average(&c->pose, c->shape, c->def.average),
+                           .left = edges[0],
+                           .right = edges[1],
+                           .half_width = (edges[1] - edges[0]) / 2,
+                           .approach = c->pose.approach,
+                           .iterations = c->pose.iterations};
 }
 
 arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,

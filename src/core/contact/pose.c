@@ -142,6 +142,35 @@ void arc_pose_peaks(const pose *p, double *center, double *largest) {
   }
 }
 
+/* Force on the candidates' cells between from and to [mm]. */
+static double force_between(const pose *p, const double *cyl, double from, double to) {
+  double sum = 0;
+  for (int k = 0; k < p->count; k++) {
+    const int i = p->lo + k;
+    const double left = (cyl[2 * i - 2] + cyl[2 * i]) / 2, right = left + p->wc[i];
+    const double width = fmin(right, to) - fmax(left, from);
+    if (width > 0) sum += p->f[k] * width / p->wc[i];
+  }
+  return sum;
+}
+
+/* The largest window begins or ends at the edge of a cell. */
+double arc_pose_average(const pose *p, const arc_shape *shape, double length) {
+  const double *cyl = shape->side[ARC_CYLINDER].settled;
+  double most = 0, center;
+  if (length == 0) {
+    arc_pose_peaks(p, &center, &most);
+    return most;
+  }
+  for (int k = 0; k <= p->count; k++) {
+    const int i = p->lo + k;
+    const double edge = (cyl[2 * i - 2] + cyl[2 * i]) / 2;
+    most = fmax(most, force_between(p, cyl, edge, edge + length));
+    most = fmax(most, force_between(p, cyl, edge - length, edge));
+  }
+  return most / length;
+}
+
 void arc_pose_forces_on(const pose *p, arc_body body, double *force) {
   double *f = p->work, *mf = p->work + p->nc;
   arc_pose_forces(p, f);

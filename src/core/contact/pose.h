@@ -78,6 +78,9 @@ void arc_pose_pressures(const pose *p, double *pc, double *pp);
 void arc_pose_transfer(const pose *p, const double *from, double *to);
 /* Pressure [MPa] at the cylinder's lowest node, and the largest at any of its nodes. */
 void arc_pose_peaks(const pose *p, double *center, double *largest);
+/* The largest pressure averaged over a length [mm] of the cylinder's surface along x, of pressures
+ * constant around each node. */
+double arc_pose_average(const pose *p, const arc_shape *shape, double length);
 /* Elastic displacement of a body along x [mm] at its surface nodes, u [surface]. */
 void arc_pose_tangential(const pose *p, const arc_shape *shape, arc_body body, double *u);
 /* result [nc] := B v for the candidates, 0 elsewhere; v [np]. */

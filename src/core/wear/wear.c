@@ -215,6 +215,7 @@ size_t arc_wear_bytes(const arc_wear *w) {
 }
 
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {
-  const arc_contact_def def = {.load = w->def.load};
+  arc_contact_def def = arc_contact_default();
+  def.load = w->def.load;
   return arc_contact_solve(w->shape, &def, NULL, contact, error);
 }

@@ -23,6 +23,7 @@ static arc_contact_result result(lua_State *L) {
 
 NUMBER_FIELD(contact, p_center, result(L).p_center)
 NUMBER_FIELD(contact, p_max, result(L).p_max)
+NUMBER_FIELD(contact, p_average, result(L).p_average)
 NUMBER_FIELD(contact, half_width, result(L).half_width)
 NUMBER_FIELD(contact, approach, result(L).approach)
 
@@ -126,10 +127,15 @@ static int contact_new(lua_State *L) {
 }
 
 static const luaL_Reg fields[] = {
-    {"p_center", contact_p_center}, {"p_max", contact_p_max},
-    {"edges", contact_edges},       {"half_width", contact_half_width},
-    {"approach", contact_approach}, {"iterations", contact_iterations},
-    {"model", contact_model},       {NULL, NULL},
+    {"p_center", contact_p_center},
+    {"p_max", contact_p_max},
+    {"p_average", contact_p_average},
+    {"edges", contact_edges},
+    {"half_width", contact_half_width},
+    {"approach", contact_approach},
+    {"iterations", contact_iterations},
+    {"model", contact_model},
+    {NULL, NULL},
 };
 
 static const luaL_Reg methods[] = {

@@ -39,6 +39,14 @@ int wear_contact(lua_State *L) {
   return 1;
 }
 
+/* wear.p_average: the largest pressure of that contact, averaged over the usual length */
+int wear_p_average(lua_State *L) {
+  const arc_wear *wear = wear_self(L, "wear");
+  lua_settop(L, 1);
+  lua_pushnumber(L, arc_contact_get(push_contact(L, wear, "wear")).p_average);
+  return 1;
+}
+
 /* wear:pressure(body) -> { x=, p= } of that contact */
 int wear_pressure(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:pressure");

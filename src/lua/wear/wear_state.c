@@ -149,6 +149,7 @@ const luaL_Reg wear_fields[] = {
     {"p_center", wear_p_center},
     {"p_max", wear_p_max},
     {"p_peak", wear_p_peak},
+    {"p_average", wear_p_average},
     {"half_width", wear_half_width},
     {"depth", wear_depth},
     {"vector_depth", wear_vector_depth},
