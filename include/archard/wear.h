@@ -29,6 +29,12 @@ extern "C" {
 #define ARC_SLIP_LIST(X)                                                                           \
   X(SLIP_RIGID, "rigid")                                                                           \
   X(SLIP_TOTAL, "total")
+/* The way of the plate: in the plane, or out of it, where points stay in contact with their
+ * partners.
+ */
+#define ARC_SLIDE_LIST(X)                                                                          \
+  X(SLIDE_X, "x")                                                                                  \
+  X(SLIDE_Z, "z")
 /* Integration over increments: Eq. (4) or Eq. (5). */
 #define ARC_RULE_LIST(X)                                                                           \
   X(TRAPEZOID, "trapezoid")                                                                        \
@@ -49,10 +55,12 @@ extern "C" {
 typedef enum arc_procedure { ARC_PROCEDURE_LIST(ARC_CHOICE_ENUM) } arc_procedure;
 typedef enum arc_scheme { ARC_SCHEME_LIST(ARC_CHOICE_ENUM) } arc_scheme;
 typedef enum arc_slip { ARC_SLIP_LIST(ARC_CHOICE_ENUM) } arc_slip;
+typedef enum arc_slide { ARC_SLIDE_LIST(ARC_CHOICE_ENUM) } arc_slide;
 typedef enum arc_rule { ARC_RULE_LIST(ARC_CHOICE_ENUM) } arc_rule;
 typedef enum arc_update { ARC_UPDATE_LIST(ARC_CHOICE_ENUM) } arc_update;
 typedef enum arc_law { ARC_LAW_LIST(ARC_CHOICE_ENUM) } arc_law;
 extern const char *const arc_procedure_names[];
+extern const char *const arc_slide_names[];
 extern const char *const arc_scheme_names[];
 extern const char *const arc_slip_names[];
 extern const char *const arc_rule_names[];
@@ -132,6 +140,10 @@ typedef struct arc_loading {
       "Sliding distance of an increment: the motion of the plate, or with the elastic part "       \
       "added, found at pairs of points that touch. With the rigid one the volume is k L_N d to "   \
       "rounding; with both, volumes are as k_c to k_p.")                                           \
+  CHOICE(                                                                                          \
+      slide, slide, ARC_SLIDE_X, 0,                                                                \
+      "The way of the plate: along x, or out of the plane along z. Then the contact stays at x "   \
+      "= 0, stroke is the way along z, and alpha-tilde is alpha.")                                 \
   CHOICE(rule, rule, ARC_TRAPEZOID, 0, "Integration over the increments: Eq. (4) or Eq. (5).")     \
   CHOICE(geometry, geometry, ARC_MOVING, ARC_FIXED,                                                \
          "Whether the worn nodes change the stiffness of the surface layer, or the gap alone.")    \

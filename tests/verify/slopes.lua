@@ -63,3 +63,13 @@ local steady = wear{ alpha = 1, slip = "total", distance = 440 }:run()
 -- The plate's strain under the contact, -(1 + nu)(1 - 2 nu) p / E at a half-plane's surface, shortens its way.
 local strain = -1.3 * 0.4 * figures.mean(steady.history.p_center, 2) / 200e3
 figures.about(steady.volume.total / 4.4e-4 - 1, strain, 0.15 * -strain, "total slip under a steady contact: V / (k L d) - 1")
+
+-- Sliding out of the plane: points keep their partners, alpha-tilde is alpha, and the sum of depths is that of alpha = 1.
+local one = wear{ alpha = 1 }:run()
+for _, alpha in ipairs{ 0.25, 0.5 } do
+  local w = wear{ alpha = alpha, slide = "z" }:run()
+  within(w.depth_partition, alpha, 1e-5, ("slide = z, alpha = %g: alpha-tilde"):format(alpha))
+  within(w.volume.cylinder / w.volume.total, alpha, 1e-4, ("slide = z, alpha = %g: share of the volume"):format(alpha))
+  within(w.depth.cylinder + w.depth.plate, one.depth.cylinder, 1e-3, "its sum of depths against alpha = 1 [mm]")
+  within(w.p_center, one.p_center, 1e-3, "its centre pressure against alpha = 1 [MPa]")
+end

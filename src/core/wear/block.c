@@ -24,7 +24,7 @@ static int compare(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* NSP looks at the flat plate at x = 0 only. */
+/* NSP looks at the flat plate at x = 0 only, and a way out of the plane leads nowhere else. */
 static void one_pose(wear_block *b) {
   b->poses = 1;
   memset(b->pose_x, 0, (size_t)b->count * sizeof *b->pose_x);
@@ -47,11 +47,11 @@ static void find_poses(wear_block *b) {
   memcpy(b->pose_x, b->x, (size_t)b->count * sizeof *b->x);
 }
 
-static void finish(wear_block *b, arc_procedure procedure) {
+static void finish(wear_block *b, const arc_wear_def *def, arc_procedure procedure) {
   double once = 0;
   for (int i = 1; i < b->count; i++) once += fabs(b->x[i] - b->x[i - 1]);
   b->sliding = b->repeat * once;
-  if (procedure == ARC_NSP)
+  if (procedure == ARC_NSP || def->slide == ARC_SLIDE_Z)
     one_pose(b);
   else
     find_poses(b);
@@ -71,9 +71,9 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   const arc_procedure procedure = arc_wear_choose_procedure(def, model);
   const int over = arc_wear_over_plate(def, model),
             back = def->update == ARC_UPDATE_INCREMENT && !over;
-  const int half = procedure == ARC_NSP && def->update == ARC_UPDATE_CYCLE
-                       ? 1
-                       : arc_wear_def_increments(def, model) / 2;
+  const int stays = procedure == ARC_NSP || def->slide == ARC_SLIDE_Z;
+  const int half =
+      stays && def->update == ARC_UPDATE_CYCLE ? 1 : arc_wear_def_increments(def, model) / 2;
   const arc_status status = block_create(b, back ? 2 * half + 1 : half + 1);
   if (status != ARC_OK) return status;
   for (int i = 0; i < b->count; i++) {
@@ -83,7 +83,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   b->periodic = 1;
   b->cycles = INFINITY;
   b->repeat = over || back ? 1 : 2;
-  finish(b, procedure);
+  finish(b, def, procedure);
   /* r s to the bit, whatever the increments add up to */
   b->sliding = (over ? 1 : 2) * def->stroke;
   return ARC_OK;
@@ -121,7 +121,7 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model,
   }
   b->periodic = from->periodic;
   b->cycles = from->cycles;
-  finish(b, arc_wear_choose_procedure(def, model));
+  finish(b, def, arc_wear_choose_procedure(def, model));
   return ARC_OK;
 }
 

@@ -8,6 +8,7 @@
 
 const char *const arc_procedure_names[] = {ARC_PROCEDURE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_scheme_names[] = {ARC_SCHEME_LIST(ARC_CHOICE_NAME) NULL};
+const char *const arc_slide_names[] = {ARC_SLIDE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_slip_names[] = {ARC_SLIP_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_rule_names[] = {ARC_RULE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_update_names[] = {ARC_UPDATE_LIST(ARC_CHOICE_NAME) NULL};
@@ -38,7 +39,8 @@ arc_wear_def arc_wear_default(void) {
 }
 
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
-  return def->blocks == 0 && fabs(def->stroke - 2 * model->radius) <= 1e-9 * model->radius;
+  return def->blocks == 0 && def->slide == ARC_SLIDE_X &&
+         fabs(def->stroke - 2 * model->radius) <= 1e-9 * model->radius;
 }
 
 double arc_wear_reach(const arc_model_def *model, double load) {
@@ -146,7 +148,12 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
         "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm",
         2 * model->radius, d->stroke);
   const double widest = 1.5 * model->radius; /* the mesher's widest zone less a contact */
-  if (d->blocks == 0 && d->stroke > widest && arc_wear_choose_procedure(d, model) == ARC_SP)
+  if (d->slide == ARC_SLIDE_Z && d->slip == ARC_SLIP_TOTAL)
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'slip': total slip is that along x, slide = \"z\" needs slip = \"rigid\"");
+  if (d->blocks == 0 && d->slide == ARC_SLIDE_X && d->stroke > widest &&
+      arc_wear_choose_procedure(d, model) == ARC_SP)
     return arc_fail(
         error, ARC_ARGUMENT,
         "field 'stroke': a sliding plate (SP) takes at most 1.5 radius = %g mm, got %g mm; 2 "
@@ -263,7 +270,7 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
 }
 
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {
-  const int slides = arc_wear_choose_procedure(def, model) == ARC_SP;
+  const int slides = def->slide == ARC_SLIDE_X && arc_wear_choose_procedure(def, model) == ARC_SP;
   double reach = slides && def->blocks == 0 ? def->stroke / 2 : 0, load = def->load;
   for (int b = 0; b < def->blocks; b++)
     for (int i = 0; i < def->loading[b].count; i++) {

@@ -49,10 +49,11 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at, we
   return arc_wear_local(w, window->state, point, error);
 }
 
-/* NSP under a steady load: the next point is the last one again. */
+/* NSP or a way out of the plane, under a steady load: the next point is the last one again. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
   const double *line = w->path.block->line;
-  return w->procedure == ARC_NSP && at > window->first && line[at] == line[at - 1];
+  const int stays = w->procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;
+  return stays && at > window->first && line[at] == line[at - 1];
 }
 
 /* The solved point `at` of a window, from the one before it. */
@@ -84,10 +85,11 @@ static void add_increment(const arc_wear *w, int at, wear_rate *rate) {
 }
 
 /* A slope slides by cos times the plate's way, and is longer than its shadow on x, on which
- * pressure times width is force: so much depth along the normal takes the area k force |dx|. */
+ * pressure times width is force: so much depth along the normal takes the area k force |dx|. Out of
+ * the plane every slope slides all the way. */
 static void incline(const arc_wear *w, const wear_window *window, wear_rate *rate) {
   const int n = w->nc + w->np;
-  if (window->shape->geometry == ARC_FROZEN) return;
+  if (window->shape->geometry == ARC_FROZEN || w->def.slide == ARC_SLIDE_Z) return;
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < window->shape->side[b].n; i++) {
       const double share = arc_shape_width(&window->shape->side[b], i) /
