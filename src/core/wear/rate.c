@@ -97,7 +97,7 @@ static void incline(const arc_wear *w, const wear_window *window, wear_rate *rat
       const int row = b == ARC_CYLINDER ? i : w->nc + i;
       rate->node[b][i] *= share;
       for (int c = 0; c < n && window->jacobian; c++)
-        window->jacobian[(size_t)row + (size_t)c * (size_t)n] *= share;
+        window->jacobian->value[(size_t)row + (size_t)c * (size_t)n] *= share;
     }
 }
 
