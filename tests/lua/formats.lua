@@ -32,7 +32,7 @@ end
 
 -- Settings that came later are not in an old file's definition: only those that both have are told;
 -- nor is refresh, whose default has changed and which says nothing of frozen geometry.
-local function definition_of(line) return line:match "definition%.([%w_.]+) " end
+local function definition_of(line) return line:match "^(.*definition%.[%w_.]+) " end
 
 local function settings_in(text)
   local found = {}
@@ -45,7 +45,7 @@ local function without_later(text, settings)
   for line in text:gmatch "[^\n]+" do
     local column, setting = line:match "history%.([%w_]+)%.%d+ ", definition_of(line)
     line = line:gsub("( definition%.model%.mesh%.element) CPE4$", "%1 auto")
-    if (not column or first[column]) and (not setting or settings[setting] and setting ~= "refresh") then
+    if (not column or first[column]) and (not setting or settings[setting] and not setting:find "%.refresh$") then
       lines[#lines + 1] = line
     end
   end
