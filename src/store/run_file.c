@@ -192,69 +192,6 @@ arc_status arc_store_check(arc_store *store, arc_error *error) {
   return status == ARC_OK ? arc_store_verify_all(store, error) : status;
 }
 
-/* --- transactions ----------------------------------------------------------------------------- */
-
-/* A newer program may have changed the tables since the file was opened. */
-arc_status arc_store_begin(arc_store *store, arc_error *error) {
-  long long format;
-  arc_status status = arc_database_run(store->db, "BEGIN IMMEDIATE", error);
-  if (status != ARC_OK) return status;
-  status = arc_schema_format(store, &format, error);
-  if (status != ARC_OK) arc_store_rollback(store);
-  return status;
-}
-
-arc_status arc_store_commit(arc_store *store, arc_error *error) {
-  store->verified = 0;
-  arc_status status = arc_store_seal_finished(store, error);
-  if (status == ARC_OK) status = arc_database_run(store->db, "COMMIT", error);
-  if (status != ARC_OK) arc_store_rollback(store);
-  return status;
-}
-
-/* SQLite has rolled back by itself after some failures. */
-void arc_store_rollback(arc_store *store) {
-  if (arc_database_in_transaction(store->db)) arc_database_run(store->db, "ROLLBACK", NULL);
-}
-
-arc_status arc_store_enter(arc_store *store, int *own, arc_error *error) {
-  *own = !arc_database_in_transaction(store->db);
-  return *own ? arc_store_begin(store, error) : ARC_OK;
-}
-
-arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error) {
-  if (!own) return status;
-  if (status == ARC_OK) return arc_store_commit(store, error);
-  arc_store_rollback(store);
-  return status;
-}
-
-arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q, arc_error *error) {
-  *q = NULL;
-  char *text = arc_columns_sql(sql);
-  if (!text) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
-  arc_status status = arc_query_open(store->db, text, q, error);
-  if (status == ARC_OK) arc_query_set_whole(*q, 1, id);
-  free(text);
-  return status;
-}
-
-arc_status arc_store_script(arc_store *store, const char *sql, arc_error *error) {
-  char *text = arc_columns_sql(sql);
-  if (!text) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
-  arc_status status = arc_database_run(store->db, text, error);
-  free(text);
-  return status;
-}
-
-arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *error) {
-  query *q;
-  arc_status status = arc_store_query(store, sql, id, &q, error);
-  if (status == ARC_OK) status = arc_query_run(q, error);
-  arc_query_close(&q);
-  return status;
-}
-
 /* --- notes ------------------------------------------------------------------------------------ */
 
 arc_status arc_store_set_info(arc_store *store, const char *name, const char *text,

@@ -18,13 +18,16 @@ struct arc_store {
   int verified; /* the case whose checksum was compared last; 0: none */
 };
 
+/* --- transaction.c ------------------------------------------------------------------------------
+ */
+
 /* Opens a transaction unless one is open; *own says whether it did. */
 arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
 /* Ends what arc_store_enter began: commits after ARC_OK, takes back after anything else. Returns
  * the status of the whole. */
 arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
 
-/* --- columns.c: the history's columns in SQL texts ----------------------------------------------
+/* --- columns.c, statement.c: SQL texts with the columns of history and settings -----------------
  */
 
 /* The pattern with these words replaced: @columns by ", NAME" for each column of the history,
@@ -41,7 +44,7 @@ arc_status arc_store_query(arc_store *store, const char *sql, int id, query **q,
 /* Runs a statement with the case's id as parameter 1. */
 arc_status arc_store_run(arc_store *store, const char *sql, int id, arc_error *error);
 
-/* --- schema.c: tables, views, formats -----------------------------------------------------------
+/* --- format.c, schema.c: the number of a format; tables and views -------------------------------
  */
 
 /* ARC_FORMAT: a format that this program does not know. */
@@ -66,8 +69,8 @@ arc_status arc_store_unseal_sound(arc_store *store, arc_error *error);
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_all(arc_store *store, arc_error *error);
 
-/* --- stored_definition.c: the engine's definitions as named values
- * ----------------------------------- */
+/* --- stored_definition.c: the engine's definitions as named values ------------------------------
+ */
 
 /* Writes the definition of a run as the values of a case. */
 arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error);

@@ -83,6 +83,13 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
   } else {
     arc_contact_destroy(&c);
   }
+#ifdef ARC_CHECKS
+  arc_error broken;
+  if (status == ARC_OK && arc_contact_validate(c, &broken) == ARC_NUMERIC) {
+    status = arc_fail(error, ARC_NUMERIC, "%s", broken.message);
+    arc_contact_destroy(&c);
+  }
+#endif
   *result = c;
   return status;
 }

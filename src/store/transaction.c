@@ -1,0 +1,38 @@
+/* Transactions: begin looks whether a newer program has changed the file meanwhile, commit writes
+ * the checksums of finished cases. Leans on format.c and digest.c. */
+#include "store/store.h"
+
+/* A newer program may have changed the tables since the file was opened. */
+arc_status arc_store_begin(arc_store *store, arc_error *error) {
+  long long format;
+  arc_status status = arc_database_run(store->db, "BEGIN IMMEDIATE", error);
+  if (status != ARC_OK) return status;
+  status = arc_schema_format(store, &format, error);
+  if (status != ARC_OK) arc_store_rollback(store);
+  return status;
+}
+
+arc_status arc_store_commit(arc_store *store, arc_error *error) {
+  store->verified = 0;
+  arc_status status = arc_store_seal_finished(store, error);
+  if (status == ARC_OK) status = arc_database_run(store->db, "COMMIT", error);
+  if (status != ARC_OK) arc_store_rollback(store);
+  return status;
+}
+
+/* SQLite has rolled back by itself after some failures. */
+void arc_store_rollback(arc_store *store) {
+  if (arc_database_in_transaction(store->db)) arc_database_run(store->db, "ROLLBACK", NULL);
+}
+
+arc_status arc_store_enter(arc_store *store, int *own, arc_error *error) {
+  *own = !arc_database_in_transaction(store->db);
+  return *own ? arc_store_begin(store, error) : ARC_OK;
+}
+
+arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error) {
+  if (!own) return status;
+  if (status == ARC_OK) return arc_store_commit(store, error);
+  arc_store_rollback(store);
+  return status;
+}
