@@ -61,11 +61,15 @@ local function history()
   return { "wear.history", kind = "field", keys = keys, text = table.concat(lines, "\n") }
 end
 
-local function state()
-  local list = {}
+-- Columns as fields of a class, but for those that are settings of it.
+local function columns_of(class)
+  local list, set = {}, {}
+  for _, setting in ipairs(settings[class] or {}) do set[setting.name] = setting.name ~= "distance" end
   for _, column in ipairs(settings.columns) do
-    list[#list + 1] = { "state." .. column.name, kind = "field", unit = unit_of(column),
-      text = sentence(column.text) }
+    if not set[column.name] then
+      list[#list + 1] = { class .. "." .. column.name, kind = "field", unit = unit_of(column),
+        text = sentence(column.text) }
+    end
   end
   return list
 end
@@ -80,7 +84,8 @@ local function inside(written, option)
   return list
 end
 
-local made = { wear = { history() }, state = state() }
+local made = { wear = columns_of "wear", state = columns_of "state" }
+table.insert(made.wear, 1, history())
 
 -- What belongs behind the entry of a class: its options, each with what is written inside it, and
 -- its fields.

@@ -20,13 +20,10 @@ static const arc_wear_def *def(lua_State *L) {
 
 /* --- the state ------------------------------------------------------------------------------- */
 
-NUMBER_FIELD(wear, distance, last(L)->distance)
-NUMBER_FIELD(wear, cycle, last(L)->cycle)
-NUMBER_FIELD(wear, p_center, last(L)->p_center)
-NUMBER_FIELD(wear, p_max, last(L)->p_max)
-NUMBER_FIELD(wear, p_peak, last(L)->p_peak)
-NUMBER_FIELD(wear, half_width, last(L)->half_width)
-NUMBER_FIELD(wear, depth_partition, last(L)->depth_partition)
+/* Every column of the last record; some of the fields below stand in the place of one. */
+#define COLUMN_FIELD(name, unit, text) NUMBER_FIELD(wear_column, name, last(L)->name)
+ARC_WEAR_COLUMNS(COLUMN_FIELD)
+#undef COLUMN_FIELD
 
 static int wear_update(lua_State *L) {
   lua_pushinteger(L, (lua_Integer)last(L)->update);
@@ -142,19 +139,15 @@ static int wear_model(lua_State *L) {
 }
 
 const luaL_Reg wear_fields[] = {
-    {"distance", wear_distance},
-    {"cycle", wear_cycle},
-    {"update", wear_update},
+#define COLUMN_ENTRY(name, unit, text) {#name, wear_column_##name},
+    ARC_WEAR_COLUMNS(COLUMN_ENTRY)
+#undef COLUMN_ENTRY
+        {"update", wear_update},
     {"solutions", wear_solutions},
-    {"p_center", wear_p_center},
-    {"p_max", wear_p_max},
-    {"p_peak", wear_p_peak},
     {"p_average", wear_p_average},
-    {"half_width", wear_half_width},
     {"depth", wear_depth},
     {"vector_depth", wear_vector_depth},
     {"volume", wear_volume},
-    {"depth_partition", wear_depth_partition},
     {"history", wear_history},
     {"done", wear_done},
     {"k", wear_k},
