@@ -84,7 +84,7 @@ static column column_of(const char *path, const arc_setting *s, char name[static
   size_t i = 0;
   for (size_t r = 0; r < COUNT(renamed); r++)
     if (strcmp(path, renamed[r][0]) == 0) path = renamed[r][1];
-  for (; path[i] && i < 95; i++) name[i] = path[i] == '.' ? '_' : path[i];
+  for (; i < 95 && path[i]; i++) name[i] = path[i] == '.' ? '_' : path[i];
   name[i] = '\0';
   const int counted = !s->unit || strcmp(s->unit, "cycles") == 0;
   return (column){name, counted ? "" : s->unit, s->text};
