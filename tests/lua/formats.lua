@@ -52,8 +52,8 @@ local function without_later(text, settings)
   return table.concat(lines, "\n")
 end
 
--- Equal to the bit where the file was written by a machine like this one; else to rounding, since
--- BLAS rounds otherwise on other processors. What is read is the bits that were written: that is
+-- Equal to the bit where the file was written by a machine like this one and nothing rounds otherwise
+-- since; else to 1e-6: other processors and other orders of elimination round differently. What is read is the bits that were written: that is
 -- what the checksums are for.
 local function same(got, expected, what)
   local in_got, in_expected = settings_in(got), settings_in(expected)
