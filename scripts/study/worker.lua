@@ -4,6 +4,7 @@
 -- archard.store; what it warns of goes by archard.warnings.
 
 local stores = require "archard.store"
+local columns = require "archard.settings".columns
 local settings = require "archard.study.settings"
 local term = require "archard.term"
 local warnings = require "archard.warnings"
@@ -52,10 +53,23 @@ end
 
 local tasks = {}
 
+-- The columns of the last record by name.
+local function last_record(run)
+  local values, history = {}, run.history
+  for _, column in ipairs(columns) do
+    local list = history[column.name]
+    values[column.name] = list[#list]
+  end
+  return values
+end
+
 function tasks.wear(store, id, on_progress)
   local looks = tonumber(store:info("looks")) or 0
   local run, list = compute(settings.nest(store:values(id, "settings")), looks, on_progress)
-  return function() store:save(id, run, list) end
+  return function()
+    store:save(id, run, list)
+    store:set_values(id, "results", last_record(run))
+  end
 end
 
 -- Finds the settings that a case needs, and keeps them as its results.
@@ -82,7 +96,9 @@ end
 local function tell_warning(store, id)
   local text = warnings.take()
   if not text or store:info("task") == "converge" then return end
-  store:set_values(id, "results", { warning = text })
+  local results = store:values(id, "results")
+  results.warning = text
+  store:set_values(id, "results", results)
   say("warned", id, one_line(text))
 end
 
