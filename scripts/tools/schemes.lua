@@ -5,6 +5,7 @@
 -- extrapolated from explicit runs with a fifth and a tenth of Table 1's N-bar, scaled with the element
 -- size (ripples grow faster on finer meshes), and interpolated to the distances of the updates.
 
+local at = require "archard.lib.history_at"
 local paper = require "archard.study.paper"
 local cases = {}
 for stroke, alpha in ipairs{ 3, 2, 4, 3 } do -- positions in Table 1
@@ -25,21 +26,6 @@ local function run(case, size, fields)
   local start = os.clock()
   w:run{ progress = false }
   return w, os.clock() - start
-end
-
--- The value of a column at a distance, by cubic interpolation between four updates.
-local function at(history, column, distance)
-  local x, y, low = history.distance, history[column], 1
-  while low < #x - 1 and x[low + 1] <= distance do low = low + 1 end
-  local first, sum = math.max(1, math.min(low - 1, #x - 3)), 0
-  for i = first, first + 3 do
-    local share = 1
-    for j = first, first + 3 do
-      if j ~= i then share = share * (distance - x[j]) / (x[i] - x[j]) end
-    end
-    sum = sum + share * y[i]
-  end
-  return sum
 end
 
 -- Explicit runs whose errors, linear in the length of their updates, cancel in twice the finer minus the coarser.

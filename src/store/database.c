@@ -140,10 +140,6 @@ arc_status arc_database_attach(database *db, const database *other, arc_error *e
   return status;
 }
 
-const char *arc_database_path(const database *db) {
-  return db->path;
-}
-
 arc_status arc_database_run(database *db, const char *sql, arc_error *error) {
   int code = sqlite3_exec(db->handle, sql, NULL, NULL, NULL);
   return code == SQLITE_OK ? ARC_OK : fail(db, code, error);

@@ -16,7 +16,6 @@ void arc_database_close(database **db);
 arc_status arc_database_copy(database *db, arc_error *error);
 /* Makes the tables of another database those of the schema "other" here. */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error);
-const char *arc_database_path(const database *db);
 
 /* Runs statements without results. */
 arc_status arc_database_run(database *db, const char *sql, arc_error *error);

@@ -1,4 +1,6 @@
 -- Steps that choose themselves: implicit updates with a tolerance, and automatic explicit ones.
+
+local at = require "archard.lib.history_at"
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
 
@@ -95,21 +97,6 @@ for _, stroke in ipairs{ 0.11, 0.22, 0.44, 20 } do
     below(asymmetry(auto), 1e-9, what .. ": asymmetry")
     within(auto.volume.total, 1.32e-3, 1e-9, what .. ": volume [mm3]")
   end
-end
-
--- The value of a column at a distance, by cubic interpolation between four rows.
-local function at(history, column, distance)
-  local x, y, low = history.distance, history[column], 1
-  while low < #x - 1 and x[low + 1] <= distance do low = low + 1 end
-  local first, sum = math.max(1, math.min(low - 1, #x - 3)), 0
-  for i = first, first + 3 do
-    local share = 1
-    for j = first, first + 3 do
-      if j ~= i then share = share * (distance - x[j]) / (x[i] - x[j]) end
-    end
-    sum = sum + share * y[i]
-  end
-  return sum
 end
 
 -- Largest error of a column at any stored update, as a share: against explicit updates extrapolated to
