@@ -1,7 +1,9 @@
 /* Small dense linear algebra on LAPACK and BLAS, through their Fortran symbols (any implementation
  * will do). */
 #include "core/base/dense.h"
+#include "core/base/wide.h"
 
+#include <math.h>
 #include <string.h>
 
 void dpotrf_(const char *uplo, const int *n, double *a, const int *lda, int *info);
@@ -99,61 +101,78 @@ int arc_dense_band_cholesky(int n, int band, double *a) {
   return info;
 }
 
-/* Right-hand sides that go through the band together, side by side: x[together * i + c]. LAPACK
- * takes them one by one, and waits for each. */
-enum { together = ARC_DENSE_BAND_WORK };
+/* Right-hand sides that go through the band together, side by side: x[sides * i + c]. LAPACK takes
+ * them one by one, and waits for each. They fade within a few band widths: what is too small to
+ * matter next to the largest is taken for zero. */
+enum { sides = ARC_DENSE_BAND_SIDES };
+static const double negligible = 1e-18;
 
 static int least(int a, int b) {
   return a < b ? a : b;
 }
 
-static void band_forward(int from, int n, int band, const double *l, double *x) {
-  for (int j = from; j < n; j++) {
-    const double *column = &l[dense_at(0, j, band + 1)];
-    const int below = least(n - 1 - j, band);
-    double *at = &x[(size_t)together * (size_t)j], v[together];
-    for (int c = 0; c < together; c++) v[c] = at[c] / column[0];
-    for (int c = 0; c < together; c++) at[c] = v[c];
-    for (int i = 1; i <= below; i++)
-      for (int c = 0; c < together; c++) at[together * i + c] -= column[i] * v[c];
-  }
-}
-
-static void band_backward(int n, int band, const double *l, double *x) {
-  for (int j = n - 1; j >= 0; j--) {
-    const double *column = &l[dense_at(0, j, band + 1)];
-    const int below = least(n - 1 - j, band);
-    double *at = &x[(size_t)together * (size_t)j], v[together];
-    for (int c = 0; c < together; c++) v[c] = at[c];
-    for (int i = 1; i <= below; i++)
-      for (int c = 0; c < together; c++) v[c] -= column[i] * at[together * i + c];
-    for (int c = 0; c < together; c++) at[c] = v[c] / column[0];
-  }
-}
-
-/* Copies `count` columns of b side by side, the rest zero; the first row that is not all zero. */
-static int gather(int n, int count, const double *b, int ldb, double *x) {
-  int first = n;
-  for (int c = 0; c < together; c++)
-    for (int i = 0; i < n; i++) {
-      const double value = c < count ? b[dense_at(i, c, ldb)] : 0;
-      x[together * i + c] = value;
-      if (value != 0 && i < first) first = i;
+/* The largest of rows from .. to - 1. */
+ARC_WIDE static double row_peak(int from, int to, const double *x) {
+  double most[sides] = {0}, largest = 0;
+  for (int j = from; j < to; j++)
+    for (int c = 0; c < sides; c++) {
+      const double size = fabs(x[(size_t)sides * (size_t)j + (size_t)c]);
+      most[c] = size > most[c] ? size : most[c];
     }
-  return first;
+  for (int c = 0; c < sides; c++) largest = most[c] > largest ? most[c] : largest;
+  return largest;
 }
 
-void arc_dense_band_solve(int n, int band, int count, const double *l, double *b, int ldb,
-                          double *work) {
-  for (int done = 0; done < count; done += together) {
-    double *columns = &b[dense_at(0, done, ldb)];
-    const int here = least(together, count - done);
-    const int first = gather(n, here, columns, ldb, work);
-    band_forward(first, n, band, l, work);
-    band_backward(n, band, l, work);
-    for (int c = 0; c < here; c++)
-      for (int i = 0; i < n; i++) columns[dense_at(i, c, ldb)] = work[together * i + c];
+/* Whether rows from .. to - 1 are negligible next to all seen so far. */
+static int fades(int from, int to, const double *x, double *peak) {
+  const double largest = row_peak(from, to, x);
+  *peak = fmax(*peak, largest);
+  return largest <= negligible * *peak;
+}
+
+ARC_WIDE static void band_forward(int from, int to, int band, const double *restrict l,
+                                  double *restrict x) {
+  for (int j = from; j < to; j++) {
+    const double *column = &l[dense_at(0, j, band + 1)], scale = 1 / column[0];
+    double *at = &x[(size_t)sides * (size_t)j], v[sides];
+    for (int c = 0; c < sides; c++) v[c] = at[c] * scale;
+    for (int c = 0; c < sides; c++) at[c] = v[c];
+    for (int i = 1; i <= band; i++)
+      for (int c = 0; c < sides; c++) at[sides * i + c] -= column[i] * v[c];
   }
+}
+
+ARC_WIDE static void band_backward(int from, int to, int band, const double *restrict l,
+                                   double *restrict x) {
+  for (int j = to - 1; j >= from; j--) {
+    const double *column = &l[dense_at(0, j, band + 1)], scale = 1 / column[0];
+    double *at = &x[(size_t)sides * (size_t)j], v[sides];
+    for (int c = 0; c < sides; c++) v[c] = at[c];
+    for (int i = band; i > 0; i--)
+      for (int c = 0; c < sides; c++) v[c] -= column[i] * at[sides * i + c];
+    for (int c = 0; c < sides; c++) at[c] = v[c] * scale;
+  }
+}
+
+/* Steps of a band's width and one: nothing reaches over a step that has faded. */
+void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to) {
+  int j = *from, over = 0;
+  for (double peak = 0; j < n && !over;) {
+    const int end = least(j + band + 1, n);
+    band_forward(j, end, band, l, x);
+    over = fades(j, end, x, &peak) && end >= *to;
+    j = end;
+  }
+  memset(&x[(size_t)sides * (size_t)j], 0, (size_t)(sides * band) * sizeof *x);
+  *to = j;
+  over = 0;
+  for (double peak = 0; j > 0 && !over;) {
+    const int start = j - least(j, band + 1);
+    band_backward(start, j, band, l, x);
+    over = fades(start, j, x, &peak) && start <= *from;
+    j = start;
+  }
+  *from = j;
 }
 
 void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const double *a, int lda,
@@ -169,6 +188,11 @@ void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int 
 void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc) {
   const double one = 1, zero = 0;
   if (n > 0) dsyrk_("L", "N", &n, &k, &one, a, &lda, &zero, c, &ldc);
+}
+
+void arc_dense_add_square(int n, int k, const double *a, int lda, double *c, int ldc) {
+  const double one = 1;
+  if (n > 0 && k > 0) dsyrk_("L", "T", &n, &k, &one, a, &lda, &one, c, &ldc);
 }
 
 int arc_dense_solve(int n, double *a, int *pivots, double *x) {

@@ -15,10 +15,12 @@ void arc_dense_forward(int n, int count, const double *l, int ld, double *b, int
 /* The same for a band matrix of `band` sub-diagonals, lower band storage: a[(i - j) + j * (band +
  * 1)]. */
 int arc_dense_band_cholesky(int n, int band, double *a);
-/* work [ARC_DENSE_BAND_WORK * n]. */
-enum { ARC_DENSE_BAND_WORK = 8 };
-void arc_dense_band_solve(int n, int band, int count, const double *l, double *b, int ldb,
-                          double *work);
+/* x := A^-1 x for ARC_DENSE_BAND_SIDES right-hand sides side by side, x[i * sides + c], in rows of
+ * which only *from .. *to - 1 differ from zero. Room for `band` rows before and after them: x
+ * points to row 0 behind the first. Sets *from and *to to the rows of the solution that matter to
+ * rounding; all others are zero. */
+enum { ARC_DENSE_BAND_SIDES = 16 };
+void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from, int *to);
 
 /* c := beta c + alpha a' b, a [k x m], b [k x n], c [m x n]. */
 void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const double *a, int lda,
@@ -28,6 +30,8 @@ void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int 
                         const double *b, int ldb, double beta, double *c, int ldc);
 /* c := a a', lower triangle; a [n x k], c [n x n]. */
 void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc);
+/* c += a' a, lower triangle; a [k x n], c [n x n]. */
+void arc_dense_add_square(int n, int k, const double *a, int lda, double *c, int ldc);
 /* x := a^-1 x for a general a [n x n], which is destroyed; pivots [n] is work space. 0, or k > 0
  * where singular. */
 int arc_dense_solve(int n, double *a, int *pivots, double *x);

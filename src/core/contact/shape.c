@@ -100,20 +100,17 @@ arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refr
 
 arc_status arc_shape_clone(const arc_shape *shape, arc_shape **result, arc_error *error) {
   arc_shape *copy;
-  arc_status status = arc_shape_create(shape->model, shape->geometry, shape->refresh, &copy, error);
+  const arc_status status =
+      arc_shape_create(shape->model, shape->geometry, shape->refresh, &copy, error);
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
     const shape_side *from = &shape->side[b];
     shape_side *to = &copy->side[b];
     memcpy(to->h, from->h, side_arrays * (size_t)from->n * sizeof(double));
     to->even = from->even;
     to->drifted = from->drifted;
-    status = arc_compliance_copy(&to->own, &from->own);
-    if (status != ARC_OK) out_of_memory(error);
+    to->own = arc_compliance_share(&from->own);
   }
-  if (status == ARC_OK)
-    copy->version = shape->version;
-  else
-    arc_shape_destroy(&copy);
+  if (status == ARC_OK) copy->version = shape->version;
   *result = copy;
   return status;
 }

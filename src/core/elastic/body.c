@@ -249,8 +249,13 @@ size_t arc_body_bytes(const elastic_body *b) {
 
 enum { blocks = 5 };
 
+/* The last one counts who shares them. */
 static size_t compliance_numbers(int n) {
-  return blocks * (size_t)n * (size_t)n + (size_t)n;
+  return blocks * (size_t)n * (size_t)n + (size_t)n + 1;
+}
+
+static double *sharers(const compliance *c) {
+  return &c->yy[compliance_numbers(c->n) - 1];
 }
 
 size_t arc_compliance_bytes(int n) {
@@ -270,22 +275,18 @@ arc_status arc_compliance_create(compliance *c, int n) {
                     .xx = all + 3 * count,
                     .slope = all + blocks * count,
                     .along = all};
+  *sharers(c) = 1;
   return ARC_OK;
 }
 
 void arc_compliance_free(compliance *c) {
-  free(c->yy);
+  if (c->n > 0 && --*sharers(c) == 0) free(c->yy);
   *c = (compliance){0};
 }
 
-arc_status arc_compliance_copy(compliance *to, const compliance *from) {
-  *to = (compliance){0};
-  if (from->n == 0) return ARC_OK;
-  const arc_status status = arc_compliance_create(to, from->n);
-  if (status != ARC_OK) return status;
-  memcpy(to->yy, from->yy, arc_compliance_bytes(from->n));
-  to->along = to->yy + (from->along - from->yy);
-  return ARC_OK;
+compliance arc_compliance_share(const compliance *c) {
+  if (c->n > 0) ++*sharers(c);
+  return *c;
 }
 
 void arc_compliance_incline(compliance *c) {

@@ -60,8 +60,8 @@ size_t arc_body_bytes(const elastic_body *body);
 /* Room for a compliance of n nodes, all zero and flat; ARC_MEMORY leaves it empty. */
 arc_status arc_compliance_create(compliance *c, int n);
 void arc_compliance_free(compliance *c);
-/* A copy; ARC_MEMORY leaves it empty. */
-arc_status arc_compliance_copy(compliance *to, const compliance *from);
+/* The same compliance once more, to be freed on its own; neither may be written to any more. */
+compliance arc_compliance_share(const compliance *c);
 /* Fills `along` from the blocks and the slopes. */
 void arc_compliance_incline(compliance *c);
 /* Bytes of a compliance of n nodes. */

@@ -2,10 +2,11 @@
  * blocks of S^-1.
  *
  * With K_box = [K_ii K_ir; K_ri K_rr] (inner, rim): X = K_ii^-1 K_ir, Z = K_ii^-1 E, T = K_rr +
- * S_far - K_ri X and W = E_r - X' E_i give  u_rim = T^-1 W f,  u_inner = Z f - X u_rim,  F = E' Z +
- * W' T^-1 W, where E picks the surface unknowns, along x
- * first, then along y. K_ii is a narrow band, so nothing costs
- * more than T's size squared.
+ * S_far - K_ri X = L L' and W = E_r - X' E_i give  u_rim = T^-1 W f,  u_inner = K_ii^-1 (E_i f -
+ * K_ir u_rim),  F = E' Z + V' V with V = L^-1 W, where E picks the surface unknowns, x and y of
+ * node after node. K_ii is a narrow band, so that what costs are T's factor, V and V' V. The
+ * surface does not feel rim nodes far away: columns of W, and with them of V, begin with zeros on
+ * wide boxes.
  */
 #include "core/base/dense.h"
 #include "core/elastic/body.h"
@@ -13,34 +14,43 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum {
+  together = ARC_DENSE_BAND_SIDES, /* right-hand sides of the band solved at once */
+  panel = 64                       /* columns of W that count as one: 32 surface nodes */
+};
+
 typedef struct condensation {
   int ni, nr, ns;     /* inner and rim unknowns, surface nodes */
   double *band;       /* [(band + 1) * ni] factor of K_ii */
-  double *x;          /* [ni x (nr + 2 ns)] X, then Z beside it */
-  double *t;          /* [nr x nr] factor of T */
+  double *side;       /* [(ni + 2 band) x together] right-hand sides of the band, side by side; zero
+                         between calls */
+  double *t;          /* [nr x nr] factor of T, lower triangle */
   double *w;          /* [nr x 2 ns] W */
-  double *work;       /* of the band's solutions */
+  int *first;         /* [2 ns] first row of W's column that is not zero */
+  double *f;          /* [2 ns x 2 ns] E' Z, then F, lower triangle */
   sparse_entries rim; /* K_ri: row rim, column inner */
 } condensation;
 
 static void condensation_free(condensation *c) {
   free(c->band);
-  free(c->x);
+  free(c->side);
   free(c->t);
   free(c->w);
-  free(c->work);
+  free(c->first);
+  free(c->f);
   arc_sparse_free(&c->rim);
 }
 
 static arc_status condensation_create(const elastic_body *b, condensation *c) {
   *c = (condensation){.ni = 2 * b->inner, .nr = 2 * b->rim, .ns = b->mesh->surface};
-  const size_t ni = (size_t)c->ni, nr = (size_t)c->nr, ns = (size_t)c->ns;
+  const size_t ni = (size_t)c->ni, nr = (size_t)c->nr, n = 2 * (size_t)c->ns;
   c->band = calloc((size_t)(b->band + 1) * ni, sizeof(double));
-  c->x = calloc(ni * (nr + 2 * ns), sizeof(double));
+  c->side = calloc((ni + (size_t)b->band) * together, sizeof(double));
   c->t = malloc(nr * nr * sizeof(double));
-  c->w = calloc(2 * nr * ns, sizeof(double));
-  c->work = malloc(ARC_DENSE_BAND_WORK * ni * sizeof(double));
-  if (c->band && c->x && c->t && c->w && c->work) return ARC_OK;
+  c->w = calloc(nr * n, sizeof(double));
+  c->first = malloc(n * sizeof(int));
+  c->f = calloc(n * n, sizeof(double));
+  if (c->band && c->side && c->t && c->w && c->first && c->f) return ARC_OK;
   condensation_free(c);
   return ARC_MEMORY;
 }
@@ -74,41 +84,87 @@ static arc_status add_box_element(const elastic_body *b, int e, const double *bo
   return status;
 }
 
-static int surface_inner(const elastic_body *b, int node) {
-  return b->box_inner[node * (b->mesh->rows + 1)];
+/* Inner unknown of surface unknown j, or -1 where that is a rim's. */
+static int inner_unknown(const elastic_body *b, int j) {
+  const int at = b->box_inner[j / 2 * (b->mesh->rows + 1)];
+  return at < 0 ? -1 : 2 * at + j % 2;
 }
 
-/* Right-hand sides [K_ir, E_i]. */
-static void fill_right_hand_sides(const elastic_body *b, condensation *c) {
+/* The same for the rim. */
+static int rim_unknown(const elastic_body *b, int j) {
+  const int at = b->box_rim[j / 2 * (b->mesh->rows + 1)];
+  return at < 0 ? -1 : 2 * at + j % 2;
+}
+
+/* Right-hand sides of the band: the rows they reach over. */
+typedef struct reach {
+  int from, to;
+} reach;
+
+static void note(reach *r, int row) {
+  if (row < r->from) r->from = row;
+  if (row >= r->to) r->to = row + 1;
+}
+
+static int holds(const reach *r, int row) {
+  return r->from <= row && row < r->to;
+}
+
+static void solve_sides(const elastic_body *b, condensation *c, reach *r) {
+  if (r->from < r->to) arc_dense_band_solve(c->ni, b->band, c->band, c->side, &r->from, &r->to);
+}
+
+static void clear_sides(condensation *c, const reach *r) {
+  if (r->from < r->to)
+    memset(&c->side[together * r->from], 0,
+           (size_t)(together * (r->to - r->from)) * sizeof(double));
+}
+
+/* to[] -= by x[], as many as there are sides left of n. */
+static void subtract(int n, double by, const double *x, double *to) {
+  for (int k = 0; k < together && k < n; k++) to[k] -= by * x[k];
+}
+
+/* Columns q .. of X: T -= K_ri X, row by row below the diagonal, and W = -X' E_i. */
+static void reduce_rim(const elastic_body *b, condensation *c, int q) {
+  reach r = {c->ni, 0};
+  for (size_t k = 0; k < c->rim.count; k++) {
+    if (c->rim.row[k] < q || c->rim.row[k] >= q + together) continue;
+    c->side[together * c->rim.column[k] + c->rim.row[k] - q] += c->rim.value[k];
+    note(&r, c->rim.column[k]);
+  }
+  solve_sides(b, c, &r);
   for (size_t k = 0; k < c->rim.count; k++)
-    c->x[dense_at(c->rim.column[k], c->rim.row[k], c->ni)] += c->rim.value[k];
-  for (int s = 0; s < c->ns; s++) {
-    const int at = surface_inner(b, s);
-    for (int d = 0; d < 2 && at >= 0; d++)
-      c->x[dense_at(2 * at + d, c->nr + d * c->ns + s, c->ni)] = 1;
+    if (c->rim.row[k] < q + together && holds(&r, c->rim.column[k]))
+      subtract(c->nr - q, c->rim.value[k], &c->side[together * c->rim.column[k]],
+               &c->t[dense_at(q, c->rim.row[k], c->nr)]);
+  for (int j = 0; j < 2 * c->ns; j++) {
+    const int at = inner_unknown(b, j);
+    if (at < 0 || !holds(&r, at)) continue;
+    subtract(c->nr - q, 1, &c->side[together * at], &c->w[dense_at(q, j, c->nr)]);
+    if (q < c->first[j]) c->first[j] = q;
+  }
+  clear_sides(c, &r);
+}
+
+/* E_r of W, for the unknowns of the surface that belong to the rim. */
+static void fill_rim_of_w(const elastic_body *b, condensation *c) {
+  for (int j = 0; j < 2 * c->ns; j++) {
+    c->first[j] = rim_unknown(b, j) < 0 ? c->nr : rim_unknown(b, j);
+    if (rim_unknown(b, j) >= 0) c->w[dense_at(rim_unknown(b, j), j, c->nr)] = 1;
   }
 }
 
-/* T -= K_ri X. */
-static void reduce_rim(condensation *c) {
-  for (int q = 0; q < c->nr; q++) {
-    const double *x = &c->x[dense_at(0, q, c->ni)];
-    double *t = &c->t[dense_at(0, q, c->nr)];
-    for (size_t k = 0; k < c->rim.count; k++)
-      t[c->rim.row[k]] -= c->rim.value[k] * x[c->rim.column[k]];
+static arc_status factorise(const elastic_body *b, condensation *c, arc_error *error) {
+  int bad = arc_dense_band_cholesky(c->ni, b->band, c->band);
+  if (!bad) {
+    fill_rim_of_w(b, c);
+    for (int q = 0; q < c->nr; q += together) reduce_rim(b, c, q);
+    bad = arc_dense_cholesky(c->nr, c->t, c->nr);
   }
-}
-
-/* W = E_r - X' E_i, for the surface unknowns along x (direction 0) or y (1). */
-static void fill_w(const elastic_body *b, condensation *c, int direction) {
-  for (int s = 0; s < c->ns; s++) {
-    const int at = surface_inner(b, s);
-    double *column = &c->w[dense_at(0, direction * c->ns + s, c->nr)];
-    if (at < 0)
-      column[2 * b->box_rim[s * (b->mesh->rows + 1)] + direction] = 1;
-    else
-      for (int r = 0; r < c->nr; r++) column[r] = -c->x[dense_at(2 * at + direction, r, c->ni)];
-  }
+  if (!bad) return ARC_OK;
+  return arc_fail(error, ARC_NUMERIC, "the %s's wear box is not positive definite at row %d",
+                  arc_body_name(b->mesh->body), bad);
 }
 
 static arc_status condense(const elastic_body *b, const double *box_xy, condensation *c,
@@ -120,46 +176,69 @@ static arc_status condense(const elastic_body *b, const double *box_xy, condensa
   arc_status status = ARC_OK;
   for (int e = 0; e < b->mesh->box_elements && status == ARC_OK; e++)
     status = add_box_element(b, e, box_xy, c);
-  if (status != ARC_OK) {
+  if (status != ARC_OK)
     arc_fail(error, status, "out of memory for the %s's wear box", name);
-  } else {
-    fill_right_hand_sides(b, c);
-    int bad = arc_dense_band_cholesky(c->ni, b->band, c->band);
-    if (!bad) {
-      arc_dense_band_solve(c->ni, b->band, c->nr + 2 * c->ns, c->band, c->x, c->ni, c->work);
-      reduce_rim(c);
-      bad = arc_dense_cholesky(c->nr, c->t, c->nr);
-    }
-    if (bad)
-      status = arc_fail(error, ARC_NUMERIC, "the %s's wear box is not positive definite at row %d",
-                        name, bad);
-  }
-  if (status == ARC_OK) {
-    fill_w(b, c, 0);
-    fill_w(b, c, 1);
-  } else {
-    condensation_free(c);
-  }
+  else
+    status = factorise(b, c, error);
+  if (status != ARC_OK) condensation_free(c);
   return status;
 }
 
-/* block := rows of Z at the surface's unknowns along `direction`, under forces along `force`. */
-static void surface_rows_of_z(const elastic_body *b, const condensation *c, int direction,
-                              int force, double *result) {
-  for (int s = 0; s < c->ns; s++) {
-    const int at = surface_inner(b, s);
-    for (int q = 0; q < c->ns; q++)
-      result[dense_at(s, q, c->ns)] =
-          at < 0 ? 0 : c->x[dense_at(2 * at + direction, c->nr + force * c->ns + q, c->ni)];
+/* Columns q .. of E' Z, transposed: rows of its lower triangle. */
+static void add_z(const elastic_body *b, condensation *c, int q) {
+  const int n = 2 * c->ns;
+  reach r = {c->ni, 0};
+  for (int j = q; j < q + together && j < n; j++) {
+    const int at = inner_unknown(b, j);
+    if (at < 0) continue;
+    c->side[together * at + j - q] = 1;
+    note(&r, at);
   }
+  solve_sides(b, c, &r);
+  for (int j = 0; j < q + together && j < n; j++) {
+    const int at = inner_unknown(b, j);
+    if (at >= 0 && holds(&r, at))
+      subtract(n - q, -1, &c->side[together * at], &c->f[dense_at(q, j, n)]);
+  }
+  clear_sides(c, &r);
 }
 
-static void fill_block(const elastic_body *b, const condensation *c, int direction, int force,
-                       double *result) {
-  const size_t half = (size_t)c->nr * (size_t)c->ns;
-  surface_rows_of_z(b, c, direction, force, result);
-  arc_dense_multiply_transposed(c->ns, c->ns, c->nr, 1, c->w + (size_t)direction * half, c->nr,
-                                c->w + (size_t)force * half, c->nr, 1, result, c->ns);
+/* The first row of a panel of W, from column j on, that is not zero. */
+static int first_of_panel(const condensation *c, int j, int count) {
+  int first = c->nr;
+  for (int k = j; k < j + count; k++)
+    if (c->first[k] < first) first = c->first[k];
+  return first;
+}
+
+/* V V' of one panel of columns with itself and those before it, which it joins. */
+static void add_panel(condensation *c, int j) {
+  const int n = 2 * c->ns, count = n - j < panel ? n - j : panel;
+  const int start = first_of_panel(c, j, count);
+  arc_dense_forward(c->nr - start, count, &c->t[dense_at(start, start, c->nr)], c->nr,
+                    &c->w[dense_at(start, j, c->nr)], c->nr);
+  for (int i = 0; i < j; i += panel) {
+    const int before = first_of_panel(c, i, panel), first = start > before ? start : before;
+    arc_dense_multiply_transposed(count, panel, c->nr - first, 1, &c->w[dense_at(first, j, c->nr)],
+                                  c->nr, &c->w[dense_at(first, i, c->nr)], c->nr, 1,
+                                  &c->f[dense_at(j, i, n)], n);
+  }
+  arc_dense_add_square(count, c->nr - start, &c->w[dense_at(start, j, c->nr)], c->nr,
+                       &c->f[dense_at(j, j, n)], n);
+}
+
+/* F, node by node, into its four blocks. */
+static void split(const condensation *c, compliance *result) {
+  const int n = c->ns;
+  for (int q = 0; q < n; q++)
+    for (int s = q; s < n; s++) {
+      const double *x = &c->f[dense_at(2 * s, 2 * q, 2 * n)], *y = x + 2 * n;
+      const size_t below = dense_at(s, q, n), above = dense_at(q, s, n);
+      result->xx[below] = result->xx[above] = x[0];
+      result->yy[below] = result->yy[above] = y[1];
+      result->yx[below] = result->xy[above] = x[1];
+      if (s > q) result->xy[below] = result->yx[above] = y[0];
+    }
 }
 
 arc_status arc_body_condense(const elastic_body *b, const double *box_xy, compliance *result,
@@ -167,13 +246,9 @@ arc_status arc_body_condense(const elastic_body *b, const double *box_xy, compli
   condensation c;
   const arc_status status = condense(b, box_xy, &c, error);
   if (status != ARC_OK) return status;
-  arc_dense_forward(c.nr, 2 * c.ns, c.t, c.nr, c.w, c.nr);
-  fill_block(b, &c, 0, 0, result->xx);
-  fill_block(b, &c, 0, 1, result->xy);
-  fill_block(b, &c, 1, 1, result->yy);
-  for (int q = 0; q < c.ns; q++)
-    for (int s = 0; s < c.ns; s++)
-      result->yx[dense_at(s, q, c.ns)] = result->xy[dense_at(q, s, c.ns)];
+  for (int q = 0; q < 2 * c.ns; q += together) add_z(b, &c, q);
+  for (int j = 0; j < 2 * c.ns; j += panel) add_panel(&c, j);
+  split(&c, result);
   condensation_free(&c);
   return ARC_OK;
 }
@@ -192,13 +267,24 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
   return status;
 }
 
-/* Rim and inner displacements of the wear box under surface forces f. */
-static void box_displacements(const condensation *c, const double *f, double *rim, double *inner) {
-  arc_dense_multiply(c->nr, 1, 2 * c->ns, 1, c->w, c->nr, f, 2 * c->ns, 0, rim, c->nr);
+/* Rim and inner displacements of the wear box under surface forces f, along x at all nodes first.
+ */
+static void box_displacements(const elastic_body *b, const condensation *c, const double *f,
+                              double *rim, double *inner) {
+  memset(rim, 0, (size_t)(c->nr + c->ni) * sizeof *rim); /* and inner, which follows */
+  for (int j = 0; j < 2 * c->ns; j++) {
+    const double force = f[j % 2 * c->ns + j / 2];
+    const double *w = &c->w[dense_at(0, j, c->nr)];
+    for (int r = c->first[j]; r < c->nr; r++) rim[r] += w[r] * force;
+    if (inner_unknown(b, j) >= 0) inner[inner_unknown(b, j)] = force;
+  }
   arc_dense_cholesky_solve(c->nr, 1, c->t, c->nr, rim, c->nr);
-  const double *z = &c->x[dense_at(0, c->nr, c->ni)];
-  arc_dense_multiply(c->ni, 1, 2 * c->ns, 1, z, c->ni, f, 2 * c->ns, 0, inner, c->ni);
-  arc_dense_multiply(c->ni, 1, c->nr, -1, c->x, c->ni, rim, c->nr, 1, inner, c->ni);
+  for (size_t k = 0; k < c->rim.count; k++)
+    inner[c->rim.column[k]] -= c->rim.value[k] * rim[c->rim.row[k]];
+  for (int i = 0; i < c->ni; i++) c->side[together * i] = inner[i];
+  int from = 0, to = c->ni;
+  arc_dense_band_solve(c->ni, b->band, c->band, c->side, &from, &to);
+  for (int i = 0; i < c->ni; i++) inner[i] = c->side[together * i];
 }
 
 arc_status arc_body_displacements(const elastic_body *b, const double *box_xy, const double *f,
@@ -209,7 +295,7 @@ arc_status arc_body_displacements(const elastic_body *b, const double *box_xy, c
   double *rim = malloc((size_t)(c.nr + c.ni) * sizeof *rim);
   if (rim) {
     double *inner = rim + c.nr;
-    box_displacements(&c, f, rim, inner);
+    box_displacements(b, &c, f, rim, inner);
     memset(u, 0, 2 * (size_t)b->mesh->nodes * sizeof *u);
     for (int k = 0; k < b->box_count; k++) {
       const double *from =
