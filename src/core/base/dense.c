@@ -38,18 +38,22 @@ static void subtract_columns(int n, const double *l, int ld, const double by[4],
     to[i] -= (l[i] * by[0] + l1[i] * by[1]) + (l2[i] * by[2] + l3[i] * by[3]);
 }
 
-/* The diagonal block of four at column j. */
-static void forward_block(const double *l, int ld, double *b, int count) {
+/* The diagonal block of at most four at b's first row. Divisions do not wait for each other. */
+static inline void forward_block(const double *l, int ld, double *b, int count) {
+  double scale[4];
+  for (int j = 0; j < count; j++) scale[j] = 1 / l[dense_at(j, j, ld)];
   for (int j = 0; j < count; j++) {
-    b[j] /= l[dense_at(j, j, ld)];
+    b[j] *= scale[j];
     for (int i = j + 1; i < count; i++) b[i] -= l[dense_at(i, j, ld)] * b[j];
   }
 }
 
-static void backward_block(const double *l, int ld, double *b, int count) {
+static inline void backward_block(const double *l, int ld, double *b, int count) {
+  double scale[4];
+  for (int j = 0; j < count; j++) scale[j] = 1 / l[dense_at(j, j, ld)];
   for (int j = count - 1; j >= 0; j--) {
     for (int i = j + 1; i < count; i++) b[j] -= l[dense_at(i, j, ld)] * b[i];
-    b[j] /= l[dense_at(j, j, ld)];
+    b[j] *= scale[j];
   }
 }
 

@@ -11,6 +11,7 @@
  * balance to rounding too. */
 #include "core/contact/pose.h"
 #include "core/base/dense.h"
+#include "core/base/wide.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -139,11 +140,50 @@ void arc_pose_to_plate(const pose *p, const double *v, double *result) {
   }
 }
 
-/* Response of the cylinder's node r to node k, both candidates, along their normals. */
-static double cylinder_response(const pose *p, const compliance *c, int r, int k) {
-  const size_t at = dense_at(p->lo + r, p->lo + k, c->n);
-  const double mr = p->slope[p->lo + r], mk = p->slope[p->lo + k];
-  return c->yy[at] - mr * c->xy[at] - mk * c->yx[at] + mr * mk * c->xx[at];
+/* to[] := responses of the cylinder's nodes to node k along their normals, all candidates, from k
+ * on. */
+static inline void cylinder_responses(const pose *p, const compliance *c, int k, double *to) {
+  const size_t at = dense_at(p->lo, p->lo + k, c->n);
+  const double *yy = &c->yy[at], *xy = &c->xy[at], *yx = &c->yx[at], *xx = &c->xx[at];
+  const double *m = &p->slope[p->lo], mk = m[k];
+#pragma omp simd
+  for (int r = k; r < p->count; r++) to[r] = yy[r] - m[r] * xy[r] - mk * yx[r] + m[r] * mk * xx[r];
+}
+
+/* column[] := F_p b_k, from its row on: later ones reach no nodes before. */
+static inline void plate_responses(const pose *p, const double *fp, int k, double *column) {
+  const int low = p->first[k];
+  for (int l = low; l < p->np; l++) column[l] = 0;
+  for (int q = 0; q < p->width && low + q < p->np; q++) {
+    const double weight = p->b[k * p->width + q];
+    const double *from = &fp[dense_at(0, low + q, p->np)];
+    if (weight == 0) continue;
+#pragma omp simd
+    for (int l = low; l < p->np; l++) column[l] += weight * from[l];
+  }
+}
+
+/* Column k of A from its diagonal on. */
+ARC_WIDE static void stiffen_column(const pose *p, const compliance *c, const double *fp, int k) {
+  double *column = p->work, *a = &p->a[dense_at(0, k, p->count)];
+  plate_responses(p, fp, k, column);
+  cylinder_responses(p, c, k, a);
+  for (int r = k; r < p->count; r++) {
+    const double *row = &p->b[r * p->width], *from = &column[p->first[r]];
+    double sum = a[r];
+    for (int q = 0; q < p->width; q++) sum += row[q] * from[q];
+    a[r] = sum;
+  }
+}
+
+/* The upper triangle from the lower one, tile by tile. */
+static void mirror(int n, double *a) {
+  enum { tile = 16 };
+  for (int left = 0; left < n; left += tile)
+    for (int top = left; top < n; top += tile)
+      for (int k = left; k < left + tile && k < n; k++)
+        for (int r = top > k ? top : k; r < top + tile && r < n; r++)
+          a[dense_at(k, r, n)] = a[dense_at(r, k, n)];
 }
 
 /* A = F_c + B F_p B' along normals, the lower triangle first, then mirrored: A is symmetric to the
@@ -151,22 +191,8 @@ static double cylinder_response(const pose *p, const compliance *c, int r, int k
 void arc_pose_stiffen(pose *p, const arc_shape *shape) {
   const compliance *c = shape_compliance(&shape->side[ARC_CYLINDER]);
   const double *fp = shape_compliance(&shape->side[ARC_PLATE])->along;
-  double *column = p->work; /* F_p b_k */
-  for (int k = 0; k < p->count; k++) {
-    memset(column, 0, (size_t)p->np * sizeof *column);
-    for (int q = 0; q < p->width; q++) {
-      const double weight = p->b[k * p->width + q];
-      const double *from = &fp[dense_at(0, p->first[k] + q, p->np)];
-      if (weight != 0)
-        for (int l = 0; l < p->np; l++) column[l] += weight * from[l];
-    }
-    for (int r = k; r < p->count; r++) {
-      const double *row = &p->b[r * p->width], *from = &column[p->first[r]];
-      double sum = cylinder_response(p, c, r, k);
-      for (int q = 0; q < p->width; q++) sum += row[q] * from[q];
-      p->a[dense_at(r, k, p->count)] = p->a[dense_at(k, r, p->count)] = sum;
-    }
-  }
+  for (int k = 0; k < p->count; k++) stiffen_column(p, c, fp, k);
+  mirror(p->count, p->a);
   p->factored = 0;
 }
 
