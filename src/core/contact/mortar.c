@@ -199,9 +199,10 @@ void arc_pose_stiffen(pose *p, const arc_shape *shape) {
 void arc_pose_measure(pose *p, const arc_shape *shape) {
   const double *cyl = shape->side[ARC_CYLINDER].level, *plate = shape->side[ARC_PLATE].level;
   for (int k = 0; k < p->count; k++) {
+    const double *row = &p->b[k * p->width], *at = &plate[p->first[k]];
+    const int width = p->np - p->first[k] < p->width ? p->np - p->first[k] : p->width;
     double below = 0;
-    for (int q = 0; q < p->width && p->first[k] + q < p->np; q++)
-      below += p->b[k * p->width + q] * plate[p->first[k] + q];
+    for (int q = 0; q < width; q++) below += row[q] * at[q];
     p->gap[k] = cyl[p->lo + k] - below;
   }
 }
