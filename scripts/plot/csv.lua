@@ -12,6 +12,7 @@ local function panel_columns(panel, place, columns)
     local title = curve.title and curve.title .. ": " or #panel.curves > 1 and i .. ": " or ""
     add(title .. (panel.x.label or "x"), curve.x)
     add(title .. (panel.y.label or "y"), curve.y)
+    if curve.error then add(title .. "error", curve.error) end
   end
   if panel.field then
     add(panel.x.label or "x", panel.field.x)
@@ -23,7 +24,7 @@ end
 local function columns_of(figure)
   local columns = {}
   for number, panel in ipairs(figure.panels) do
-    local place = panel.title or ("panel %d"):format(number)
+    local place = panel.name or panel.title or ("panel %d"):format(number)
     panel_columns(panel, #figure.panels > 1 and place .. ": " or "", columns)
   end
   return columns

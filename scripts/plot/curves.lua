@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local known = require "archard.settings"
 local draw = require "archard.plot.draw"
 local hertz_of = require "archard.lib.hertz_of"
+local naming = require "archard.plot.naming"
 
 local curves = {}
 
@@ -12,11 +13,7 @@ local bodies = { "cylinder", "plate" }
 
 -- --- arguments ----------------------------------------------------------------------------------
 
--- A field of an object, or nil: objects refuse names they do not know.
-local function get(object, name)
-  local ok, value = pcall(function() return object[name] end)
-  if ok then return value end
-end
+local get, title_of = naming.get, naming.title_of
 
 local body_kind = check.one_of(bodies)
 
@@ -41,75 +38,6 @@ local function split(where, mark, own, ...)
     check.fail(where, ("expected at least one object with .%s, got none"):format(mark))
   end
   return objects, words, draw.options(where, options, own)
-end
-
--- --- names of objects ---------------------------------------------------------------------------
-
--- Field, how its numbers or words are said, and its name where it is neither.
-local settings = {
-  { "alpha", "α = %g", "α" }, { "stroke", "s = %g mm" }, { "load", "load %g N" },
-  { "k", "k = %g", "k" }, { "x", "x = %g mm" }, { "jump", "jump %s", "jump" },
-  { "procedure", "procedure %s" }, { "scheme", "scheme %s" }, { "tolerance", "tolerance %g" },
-  { "increments", "%s increments" }, { "law", "law %s" }, { "law_exponent", "exponent %g" },
-  { "local_factor", "local factor %s", "local factor" }, { "geometry", "%s geometry" },
-  { "slip", "%s slip" }, { "cycle", "%.6g cycles" },
-}
-
--- What has no words of its own is told by its name.
-local worded = {}
-for _, setting in ipairs(settings) do worded[setting[1]] = true end
-for _, setting in ipairs(known.wear) do
-  if setting.plain and not worded[setting.name] then
-    local unit = setting.unit and " " .. setting.unit or ""
-    settings[#settings + 1] = { setting.name, setting.name .. " %s" .. unit }
-  end
-end
-
-local unnamed = { ["function"] = "%s by function", table = "%s by table" }
-
-local function said(object, setting)
-  local value = get(object, setting[1])
-  local form = setting[3] and unnamed[type(value)]
-  if form then return form:format(setting[3]) end
-  if type(value) == "number" and setting[2]:find("%s", 1, true) then value = ("%g"):format(value) end
-  if type(value) ~= "number" and type(value) ~= "string" then return nil end
-  return setting[2]:format(value)
-end
-
--- The settings in which the objects differ, for each object.
-local function names_of(where, objects, titles)
-  if titles and #titles ~= #objects then
-    check.fail(where, ("field 'titles': expected one for each of %d objects, got %d"):format(
-      #objects, #titles))
-  end
-  local names = {}
-  for i, object in ipairs(objects) do
-    local parts = {}
-    for _, setting in ipairs(settings) do
-      local mine, differs = said(object, setting), false
-      for _, other in ipairs(objects) do differs = differs or said(other, setting) ~= mine end
-      if differs and mine then parts[#parts + 1] = mine end
-    end
-    names[i] = titles and tostring(titles[i]) or table.concat(parts, ", ")
-    if names[i] == "" then names[i] = tostring(i) end
-  end
-  return names
-end
-
--- What an object alone on a picture is: its main settings.
-local function summary(object)
-  local parts = {}
-  for _, name in ipairs { "stroke", "alpha", "load", "cycle" } do
-    for _, setting in ipairs(settings) do
-      if setting[1] == name then parts[#parts + 1] = said(object, setting) end
-    end
-  end
-  return table.concat(parts, ", ")
-end
-
-local function title_of(what, objects, options)
-  local about = #objects == 1 and not options.titles and summary(objects[1]) or ""
-  return about == "" and what or what .. ": " .. about
 end
 
 -- --- numbers ------------------------------------------------------------------------------------
@@ -168,7 +96,7 @@ function curves.pressure(...)
   local objects, words, options = split(where, "pressure", { scaled = check.flag, body = body_kind,
     titles = check.table }, ...)
   local body = body_word(where, words, options) or "cylinder"
-  local names = names_of(where, objects, options.titles)
+  local names, scale = naming.names_of(where, objects, options.titles)
   local given, reach = {}, 0
   for i, object in ipairs(objects) do
     local pressure = object:pressure(body)
@@ -179,29 +107,32 @@ function curves.pressure(...)
     end
     local x, p = scaled(pressure.x, 1 / a), scaled(pressure.p, 1 / p_h)
     reach = reach_of(x, p, reach)
-    given[i] = { x = x, y = p, title = #objects > 1 and names[i] or nil }
+    given[i] = { x = x, y = p, title = #objects > 1 and names[i] or nil,
+      value = scale and scale.values[i] }
   end
   given = draw.over({
     xlabel = options.scaled and "x / a" or "x / mm",
     ylabel = options.scaled and "p / p_H" or "p / MPa",
-    xrange = range_of(reach), yrange = { 0 }, title = title_of("contact pressure", objects, options),
+    xrange = range_of(reach), yrange = { 0 }, vlabel = scale and scale.label,
+    title = title_of("contact pressure of the " .. body, objects, options),
     table.unpack(given),
   }, options)
   draw.draw(where, given)
 end
 
 -- One panel of wear depths; depth grows downwards, as the groove does.
-local function profile_panel(objects, names, of_body)
+local function profile_panel(objects, names, of_body, scale)
   local panel, reach = {}, 0
   for i, object in ipairs(objects) do
     for _, body in ipairs(of_body) do
       local profile = object:profile(body)
       reach = reach_of(profile.x, profile.h, reach)
       panel[#panel + 1] = { x = profile.x, y = scaled(profile.h, 1000),
-        title = #of_body > 1 and body or #objects > 1 and names[i] or nil }
+        title = #of_body > 1 and body or #objects > 1 and names[i] or nil,
+        value = scale and scale.values[i] }
     end
   end
-  panel.xrange, panel.yrange = range_of(reach), { 0 }
+  panel.xrange, panel.yrange, panel.vlabel = range_of(reach), { 0 }, scale and scale.label
   return panel
 end
 
@@ -211,17 +142,18 @@ function curves.profile(...)
   local objects, words, options = split(where, "profile", { body = body_kind,
     titles = check.table }, ...)
   local body = body_word(where, words, options)
-  local names = names_of(where, objects, options.titles)
+  local names, scale = naming.names_of(where, objects, options.titles)
   local defaults = { xlabel = "x / mm", ylabel = "wear depth / µm", ydown = true }
   if body or #objects == 1 then
-    for name, value in pairs(profile_panel(objects, names, body and { body } or bodies)) do
+    for name, value in pairs(profile_panel(objects, names, body and { body } or bodies,
+      scale)) do
       defaults[name] = value
     end
     defaults.title = title_of(body and "wear of the " .. body or "wear", objects, options)
   else
     defaults.panels, defaults.layout = {}, { 1, 2 }
     for i, each in ipairs(bodies) do
-      defaults.panels[i] = profile_panel(objects, names, { each })
+      defaults.panels[i] = profile_panel(objects, names, { each }, scale)
       defaults.panels[i].title = each
       defaults.panels[i].xrange = options.xrange or defaults.panels[i].xrange
       defaults.panels[i].yrange = options.yrange or defaults.panels[i].yrange
@@ -301,13 +233,19 @@ local function history_title(column, name, several_columns, several_objects)
   return parts[1] and table.concat(parts, ", ") or nil
 end
 
+-- One column of one body names it; its axis says what it is.
+local function history_name(columns)
+  local body = #columns == 1 and columns[1]:match("_(%l+)$")
+  return (body == "cylinder" or body == "plate") and "history of the " .. body or "history"
+end
+
 -- plot.history(w1, ..., "p_center", ..., { against="cycle", ... })
 function curves.history(...)
   local where = "plot.history"
   local objects, columns, options = split(where, "history", { titles = check.table,
     against = check.one_of { "distance", "cycle", "update" } }, ...)
   if not columns[1] then columns = { "p_center" } end
-  local names = names_of(where, objects, options.titles)
+  local names, scale = naming.names_of(where, objects, options.titles)
   local abscissa = options.against or "distance"
   local panels = history_panels(columns)
   for i, object in ipairs(objects) do
@@ -315,20 +253,23 @@ function curves.history(...)
     for _, panel in ipairs(panels) do
       for c, column in ipairs(panel.columns) do
         local curve = history_curve(where, history, abscissa, column, panel.factor)
-        curve.series, curve.dash = #objects > 1 and i or c, #objects > 1 and c or 1
+        curve.series, curve.dash = #objects > 1 and i or c, #panel.columns > 1 and c or nil
+        curve.value = scale and #panel.columns == 1 and scale.values[i] or nil
         curve.title = history_title(column, names[i], #panel.columns > 1, #objects > 1)
         panel[#panel + 1] = curve
       end
     end
   end
-  for _, panel in ipairs(panels) do panel.factor, panel.columns = nil, nil end
+  for _, panel in ipairs(panels) do
+    panel.factor, panel.columns, panel.vlabel = nil, nil, scale and scale.label
+  end
   local defaults = #panels == 1 and panels[1] or { panels = panels, layout = { #panels, 1 } }
   defaults.xlabel = against[abscissa] or abscissa
-  defaults.title = title_of("history", objects, options)
+  defaults.title = title_of(history_name(columns), objects, options)
   draw.draw(where, draw.over(defaults, options))
 end
 
-curves.get, curves.summary = get, summary
+curves.get, curves.summary, curves.quantity_of = get, naming.summary, quantity_of
 curves.profile_panel, curves.range_of = profile_panel, range_of
 
 return curves

@@ -1,46 +1,50 @@
 -- From a table of options to a picture: what plot{...} may be given, the figure made of it, and
--- where that is drawn. Leans on archard.gnuplot to draw, on archard.term for the terminal.
+-- where that is drawn. Leans on archard.gnuplot to draw, on plot/output.lua for the place.
 
 local files = require "archard.files"
 local gnuplot = require "archard.gnuplot"
-local term = require "archard.term"
 local check = require "archard.lib.check"
+local output = require "archard.plot.output"
 local csv = require "archard.plot.csv"
 local merged = require "archard.lib.merged"
 
 local draw = {}
 
 -- Used where a call does not say otherwise: term, size, colour, key. The user's to change.
-draw.default = {}
+draw.default = output.default
 
 -- --- what may be given --------------------------------------------------------------------------
 
 local styles, keys = gnuplot.styles, gnuplot.keys
-local windows = { window = true, qt = true, wxt = true, x11 = true }
-local terms = { "dumb", "sixel", "window", "qt", "wxt", "x11" }
-local file_kinds = {}
-for ending in gnuplot.endings:gmatch("%S+") do
-  terms[#terms + 1], file_kinds[ending] = ending, true
-end
+local terms = output.terms
 draw.terms = terms
 
 local curve_fields = {
-  x = check.list, y = check.list, value = check.list, title = check.text,
+  x = check.list, y = check.list, error = check.list, title = check.text,
+  value = check.kind("a number, or a list of them for a field", function(v)
+    return type(v) == "number" or check.list.test(v)
+  end),
   style = check.one_of(styles), colour = check.text, series = check.count, dash = check.count,
   width = check.positive,
 }
+draw.curve_fields = curve_fields
+local places = check.kind("{ at = { numbers }, words = { strings } }, as many", function(v)
+  return type(v) == "table" and type(v.at) == "table" and type(v.words) == "table"
+    and #v.at == #v.words and #v.at > 0
+end)
 local panel_fields = {
   title = check.text, xlabel = check.text, ylabel = check.text, xrange = check.range,
   yrange = check.range, logx = check.flag, logy = check.flag, xdown = check.flag,
   ydown = check.flag, key = check.one_of(keys, check.flag), style = check.one_of(styles),
   equal = check.flag, levels = check.count, vlabel = check.text, vrange = check.range,
-  x = check.list, y = check.list,
+  x = check.list, y = check.list, points = check.table, xplaces = places,
+  yplaces = places,
 }
 local output_fields = {
   term = check.one_of(terms), file = check.text, size = check.size, colour = check.flag,
 }
 local figure_fields = merged(panel_fields, output_fields,
-  { panels = check.table, layout = check.grid })
+  { panels = check.table, layout = check.grid, letters = check.flag })
 draw.fields = figure_fields -- for functions that take these options and more
 
 -- Checks the options of a picture that takes those of plot{} and its own.
@@ -81,13 +85,16 @@ local function to_curve(where, given, number, panel)
   return {
     x = given.x or counted(given.y), y = given.y, title = words(given.title),
     style = given.style or panel.style, colour = words(given.colour), series = given.series,
-    dash = given.dash, width = given.width,
+    dash = given.dash, width = given.width, error = given.error,
+    value = type(given.value) == "number" and given.value or nil,
   }
 end
 
-local function to_axis(label, range, log, down)
-  return { label = words(label), min = range and range[1], max = range and range[2], log = log,
-    reverse = down }
+-- Both ends are given in the order they are drawn.
+local function to_axis(label, range, log, down, places)
+  local low, high = range and range[1], range and range[2]
+  if down and low and high and low < high then low, high = high, low end
+  return { label = words(label), min = low, max = high, log = log, reverse = down, places = places }
 end
 
 -- The list part: curves, and at most one table with values, which is the field.
@@ -96,7 +103,7 @@ local function to_curves(where, given, panel)
     panel.curves[1] = to_curve(where, { x = given.x, y = given.y }, 1, given)
   end
   for number, item in ipairs(given) do
-    if type(item) == "table" and item.value then
+    if type(item) == "table" and item.value and type(item.value) ~= "number" then
       check.fields(where, item, curve_fields, ("field %d: "):format(number))
       if not (item.x and item.y) then
         check.fail(where, "a field of values needs x and y, four corners a polygon")
@@ -108,18 +115,39 @@ local function to_curves(where, given, panel)
   end
 end
 
+-- Measured points over the curves.
+local function add_points(where, panel, points)
+  if not points then return end
+  local curve = to_curve(where, merged({ style = "points", colour = "black" }, points),
+    #panel.curves + 1, {})
+  panel.curves[#panel.curves + 1] = curve
+end
+
+local most_in_key = 8
+
+-- More names than a key can hold stand at the ends of their curves, unless a colour tells them.
+local function name_at_ends(panel)
+  local titled = 0
+  for _, curve in ipairs(panel.curves) do
+    if curve.title and not curve.value then titled = titled + 1 end
+  end
+  for _, curve in ipairs(panel.curves) do curve.labelled = titled > most_in_key and curve.title ~= nil end
+end
+
 local function to_panel(where, given)
   local key = given.key
   if key == nil then key = draw.default.key end
   local panel = {
     title = words(given.title),
-    x = to_axis(given.xlabel, given.xrange, given.logx, given.xdown),
-    y = to_axis(given.ylabel, given.yrange, given.logy, given.ydown),
+    x = to_axis(given.xlabel, given.xrange, given.logx, given.xdown, given.xplaces),
+    y = to_axis(given.ylabel, given.yrange, given.logy, given.ydown, given.yplaces),
     value = to_axis(given.vlabel, given.vrange),
     key = key == false and "none" or key ~= true and key or "below",
     equal = given.equal, levels = given.levels, curves = {},
   }
   to_curves(where, given, panel)
+  add_points(where, panel, given.points)
+  if key == nil then name_at_ends(panel) end
   return panel
 end
 
@@ -127,9 +155,18 @@ end
 local function inherit(panel, figure)
   local taken = {}
   for name in pairs(panel_fields) do
-    if name ~= "title" and name ~= "x" and name ~= "y" then taken[name] = figure[name] end
+    if name ~= "title" and name ~= "x" and name ~= "y" and name ~= "points" then taken[name] = figure[name] end
   end
   return merged(taken, panel)
+end
+
+-- "(a) title", in the order of the panels; `name` is what it is called without.
+local function letter(panels)
+  for i = 1, #panels > 1 and #panels <= 26 and #panels or 0 do
+    local panel = panels[i]
+    panel.name = panel.title
+    panel.title = ("(%c) %s"):format(96 + i, panel.title or ""):gsub(" $", "")
+  end
 end
 
 local function to_figure(where, given)
@@ -149,79 +186,13 @@ local function to_figure(where, given)
     figure.one_key = figure.one_key and panel.key == nil
     figure.panels[number] = to_panel(where, inherit(panel, given))
   end
+  if given.letters ~= false then letter(figure.panels) end
   return figure
-end
-
--- --- where to draw ------------------------------------------------------------------------------
-
--- As wide as the terminal, as high as it can be read without scrolling away; panels in rows need
--- more.
-local function text_size(figure)
-  local columns, lines = term.size()
-  local width = math.max(40, math.min(columns, 160))
-  local height = math.min(math.max(24, width * 9 // 25), math.max(16, lines - 2))
-  local count = #figure.panels
-  local across = figure.columns or math.ceil(math.sqrt(count))
-  local rows = figure.rows or math.ceil(count / across)
-  return width, math.max(height, rows > 1 and 12 * rows + 2 or 0)
-end
-
-local function to_text(figure, given)
-  local width, height = text_size(figure)
-  local colour = given.colour
-  if colour == nil then colour = draw.default.colour end
-  if colour == nil then colour = term.colour() end
-  return { medium = "text", width = width, height = height, colour = colour,
-    ascii = not term.utf8() }
-end
-
-local function to_window(where, name)
-  local screen = (os.getenv("DISPLAY") or "") .. (os.getenv("WAYLAND_DISPLAY") or "")
-  if screen == "" then
-    check.fail(where, "there is no screen for a window: neither DISPLAY nor WAYLAND_DISPLAY is "
-      .. "set. Leave out term to draw in the terminal, or give file=", "MISSING")
-  end
-  return { medium = "window", terminal = name ~= "window" and name or nil }
-end
-
-local function to_file(where, file, kind)
-  local ending = file:match("%.([^./]+)$") or ""
-  if not file_kinds[ending:lower()] or (kind and kind ~= ending:lower()) then
-    check.fail(where, ("field 'file': expected a name that ends in .%s, got \"%s\""):format(
-      kind or gnuplot.endings:gsub(" ", ", ."):gsub(", (%S+)$", " or %1"), file))
-  end
-  if file:find("%z") then check.fail(where, "field 'file': a zero byte in the name") end
-  return { medium = "file", file = file, ascii = false }
-end
-
-local function to_output(where, figure, given)
-  local kind = given.term
-  if not kind and not given.file then kind = draw.default.term end
-  local output
-  if given.file then
-    local of_file = kind and file_kinds[kind]
-    if kind and not of_file and kind ~= "dumb" then
-      check.fail(where, ("field 'term': \"%s\" draws on the screen, but there is a file"):format(
-        kind))
-    end
-    output = to_file(where, given.file, kind == "dumb" and "txt" or kind)
-  elseif file_kinds[kind] then
-    check.fail(where, ('field \'file\': term="%s" needs the name of a file, got nil'):format(kind))
-  elseif windows[kind] then
-    output = to_window(where, kind)
-  elseif kind == "sixel" then
-    output = { medium = "sixel" }
-  else
-    output = to_text(figure, given)
-  end
-  local size = given.size or (not given.file and draw.default.size)
-  if size then output.width, output.height = size[1], size[2] end
-  return output
 end
 
 -- --- drawing ------------------------------------------------------------------------------------
 
-local last -- the figure drawn last, for plot.save
+local last, last_given -- the figure drawn last, for plot.save, and the options it was drawn with
 
 -- Calls a function of archard.gnuplot; what it raises or refuses becomes an error of `where`.
 local function run(where, f, ...)
@@ -231,45 +202,84 @@ local function run(where, f, ...)
   return result
 end
 
+-- Draws a figure; returns the picture where it is one for the terminal.
+local function paint(where, figure, given, moving)
+  local to = output.choose(where, figure, given, moving)
+  local picture = run(where, gnuplot.draw, figure, to)
+  last, last_given = figure, given
+  return type(picture) == "string" and output.written(picture, to) or nil
+end
+
+local function show(picture)
+  if not picture then return end
+  io.write(picture)
+  io.flush()
+end
+
 -- Checks the options, draws, and returns the picture where it is one for the terminal.
-local function render(where, given)
+local function render(where, given, moving)
   check.fields(where .. ": plot.default", draw.default,
     { term = check.one_of(terms), size = check.size, colour = check.flag,
       key = check.one_of(keys, check.flag) })
-  local figure = to_figure(where, given)
-  local output = to_output(where, figure, given)
-  local picture = run(where, gnuplot.draw, figure, output)
-  last = figure
-  return type(picture) == "string" and picture or nil
+  return paint(where, to_figure(where, given), given, moving)
 end
 
 -- Draws what the options say; a picture for the terminal is printed.
-function draw.draw(where, given)
-  local picture = render(where, given)
-  if picture then
-    io.write(picture, picture:sub(-1) == "\n" and "" or "\n")
-    io.flush()
-  end
+function draw.draw(where, given) show(render(where, given)) end
+
+-- The picture as a string, for one who writes it in another way, over and over.
+function draw.picture(where, given) return render(where, given, true) end
+
+-- Of the last picture's options those that say where and how large.
+local function placed(options)
+  return { term = options.term, size = options.size, colour = options.colour }
 end
 
--- The picture as a string, for one who writes it in another way.
-function draw.picture(where, given) return render(where, given) end
+-- again(): the last picture once more, in the terminal or window, as it is now.
+function draw.again(where)
+  if not last then check.fail(where, "nothing has been drawn yet that could be drawn again") end
+  local on_screen = last_given.file and {} or placed(last_given)
+  show(paint(where, last, on_screen))
+end
+
+-- points{ x=, y=, error=, file=, ... }: the last picture with measured points over its curves.
+function draw.points(where, given)
+  if type(given) ~= "table" then
+    check.fail(where, "expected a table { x=, y=, error= }, got " .. check.shown(given))
+  end
+  check.fields(where, given, merged(curve_fields, output_fields, { panel = check.count }))
+  local number, figure = given.panel or 1, last and merged(last) or { panels = { { x = {}, y = {},
+    value = {}, key = "below", curves = {} } } }
+  if not figure.panels[number] then
+    check.fail(where, ("field 'panel': expected one of the %d panels of the last picture, got %d")
+      :format(#figure.panels, number))
+  end
+  local curve, place = {}, {}
+  for name, value in pairs(given) do
+    if name ~= "panel" then (output_fields[name] and name ~= "colour" and place or curve)[name] = value end
+  end
+  local panel = merged(figure.panels[number])
+  panel.curves = table.move(panel.curves, 1, #panel.curves, 1, {})
+  add_points(where, panel, curve)
+  figure.panels = table.move(figure.panels, 1, #figure.panels, 1, {})
+  figure.panels[number] = panel
+  show(paint(where, figure, merged(last_given and placed(last_given) or {}, place)))
+end
 
 -- Writes a gif that moves: a list of options as plot{} takes them, each one frame.
 function draw.film(where, frames, delay, given)
   local figures = {}
   for i, frame in ipairs(frames) do figures[i] = to_figure(where, frame) end
-  local output = to_file(where, given.file, "gif")
-  if given.size then output.width, output.height = given.size[1], given.size[2] end
-  run(where, gnuplot.animate, figures, delay, output)
+  local to = output.to_file(where, figures[1], given.file, "gif", given.size)
+  run(where, gnuplot.animate, figures, delay, to)
 end
 
 -- Writes a figure to a file, and its data beside it.
 local function save(where, figure, file, options)
-  local output = to_output(where, figure, { file = file, size = options.size, term = options.term })
-  run(where, gnuplot.draw, figure, output)
+  local given = { file = file, size = options.size, term = options.term }
+  run(where, gnuplot.draw, figure, output.choose(where, figure, given))
   files.write(where, file:gsub("%.[^./]*$", "") .. ".csv", csv(figure))
-  last = figure
+  last, last_given = figure, given
 end
 
 -- save("p.png" [, options]): the last picture; save{ ..., file="p.png" }: this one.

@@ -1,12 +1,15 @@
 -- plot: curves, and the pictures of contact and wear. Only gathers what users see; the work is in
--- plot/draw.lua, plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses)
--- and plot/animate.lua.
+-- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/naming.lua (titles and keys),
+-- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses),
+-- plot/response.lua (studies) and plot/animate.lua.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
 local curves = require "archard.plot.curves"
 local mesh = require "archard.plot.mesh"
 local animate = require "archard.plot.animate"
+local response = require "archard.plot.response"
+local style = require "archard.plot.style"
 
 local plot = {
   default = draw.default, -- term, size, colour and key where a call does not give them
@@ -16,6 +19,10 @@ local plot = {
   mesh = mesh.mesh,
   stress = mesh.stress,
   animate = animate,
+  response = response,
+  style = style.choose,
+  points = function(given) draw.points("plot.points", given) end,
+  again = function() draw.again("plot.again") end,
   save = function(given, options) draw.save("plot.save", given, options) end,
 }
 

@@ -4,6 +4,7 @@
 #include "cli/edit.h"
 
 #include "cli/history_file.h"
+#include "lua/system/term_ask.h"
 #include "lua/base/interrupt.h"
 
 #include <signal.h>
@@ -171,11 +172,21 @@ static int wait_for_key(const sigset_t *normal) {
   return ready && rl_pending_signal() == 0;
 }
 
+/* Keys that came while a chunk asked the terminal something. A line that they end leaves the rest
+ * for the next prompt. */
+static void replay_typed(void) {
+  for (int key; !editor.done && (key = term_ask_typed()) >= 0;) {
+    rl_stuff_char(key);
+    rl_callback_read_char();
+  }
+}
+
 edit_result edit_read(const char *prompt, char **line) {
   sigset_t normal;
   sigprocmask(SIG_BLOCK, &editor.kept_back, &normal);
   editor.done = 0;
   rl_callback_handler_install(prompt, on_line);
+  replay_typed();
   while (!editor.done && !interrupt_pending(NULL)) {
     if (wait_for_key(&normal))
       rl_callback_read_char();

@@ -1,29 +1,33 @@
 /* What a figure is drawn on: gnuplot's terminal for an output, its size and fonts. Leans on
  * gnuplot.c for the list of terminals.
  */
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
 #include "plot/figure.h"
 
-/* Kinds of canvas, the better terminal of a kind first. */
+/* Kinds of canvas, the better terminal of a kind first. The letters' size is for 100 pixels to an
+ * inch, in the terminal's own unit. */
 typedef struct kind {
-  const char *ending, *terminal, *options;
+  const char *ending, *terminal, *options, *family;
+  double points, unit; /* the usual size; that of one point */
   int text, vector;
 } kind;
 
 static const kind kinds[] = {
-    {"png", "pngcairo", "noenhanced font 'sans,11' background '#ffffff'", 0, 0},
-    {"png", "png", "noenhanced truecolor font 'sans,9'", 0, 0},
-    {"svg", "svg", "noenhanced font 'sans-serif,13' background '#ffffff'", 0, 1},
-    {"pdf", "pdfcairo", "noenhanced font 'sans,11' background '#ffffff'", 0, 1},
-    {"eps", "epscairo", "noenhanced font 'sans,11'", 0, 1},
-    {"gif", "gif", "noenhanced font 'sans,9'", 0, 0},
-    {"txt", "dumb", "noenhanced", 1, 0},
-    {"sixel", "sixelgd", "noenhanced truecolor font 'sans,9'", 0, 0},
-    {"window", "qt", "noenhanced persist font 'sans,11'", 0, 0},
-    {"window", "wxt", "noenhanced persist font 'sans,11'", 0, 0},
-    {"window", "x11", "noenhanced persist", 0, 0},
+    {"png", "pngcairo", "enhanced background '#ffffff'", "sans", 11, 1.042, 0, 0},
+    {"png", "png", "enhanced truecolor", "sans", 9, 1, 0, 0},
+    {"svg", "svg", "enhanced background '#ffffff'", "sans-serif", 13, 1.389, 0, 1},
+    {"pdf", "pdfcairo", "enhanced background '#ffffff'", "sans", 15.8, 1.5, 0, 1},
+    {"eps", "epscairo", "enhanced", "sans", 15.8, 1.5, 0, 1},
+    {"gif", "gif", "enhanced", "sans", 9, 1, 0, 0},
+    {"txt", "dumb", "noenhanced", NULL, 0, 0, 1, 0},
+    {"sixel", "sixelgd", "enhanced truecolor", "sans", 9, 1, 0, 0},
+    {"window", "qt", "enhanced persist", "sans", 11, 1, 0, 0},
+    {"window", "wxt", "enhanced persist", "sans", 11, 1, 0, 0},
+    {"window", "x11", "enhanced persist", NULL, 0, 0, 0, 0},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -56,6 +60,7 @@ static arc_status no_terminal(const arc_plot_output *output, const char *ending,
 static const char *output_ending(const arc_plot_output *output) {
   if (output->medium == ARC_PLOT_TEXT) return "txt";
   if (output->medium == ARC_PLOT_SIXEL) return "sixel";
+  if (output->medium == ARC_PLOT_PNG) return "png";
   if (output->medium == ARC_PLOT_WINDOW) return "window";
   const char *ending = output->file ? ending_of(output->file) : "";
   if (strcasecmp(ending, "gp") == 0) return "";
@@ -77,8 +82,31 @@ static void choose_size(const arc_plot_figure *figure, const arc_plot_output *ou
   int height = canvas->text ? at_least(24, 12 * rows + 2) : one ? 600 : 60 + 300 * rows;
   canvas->width = output->width > 0 ? output->width : width;
   canvas->height = output->height > 0 ? output->height : height;
-  canvas->columns = canvas->text ? canvas->width : canvas->width / 8.0;
-  canvas->rows = canvas->text ? canvas->height : canvas->height / 18.0;
+}
+
+enum { USUAL_DPI = 100, USUAL_POINTS = 11 };
+static const double PAPER_LINE =
+    1.44; /* its unit is half a point, that of 100 pixels to an inch .72 */
+
+static int is_paper(const arc_canvas *canvas) {
+  return strcmp(canvas->terminal, "pdfcairo") == 0 || strcmp(canvas->terminal, "epscairo") == 0;
+}
+
+/* Letters, lines and marks grow with the pixels of an inch; paper is measured in inches anyway. */
+static void choose_letters(const arc_plot_output *output, const kind *found, arc_canvas *canvas) {
+  double points = output->points > 0 ? output->points : USUAL_POINTS;
+  double inches =
+      found && is_paper(canvas) ? 1 : (output->dpi > 0 ? output->dpi : USUAL_DPI) / USUAL_DPI;
+  canvas->inch = output->dpi > 0 ? output->dpi : USUAL_DPI;
+  canvas->scale = inches * (output->lines > 0 ? output->lines : 1);
+  if (found && is_paper(canvas)) canvas->scale *= PAPER_LINE;
+  canvas->points = !found               ? 0
+                   : output->points > 0 ? found->unit * inches * points
+                                        : found->points * inches;
+  canvas->family = output->family ? output->family : found ? found->family : NULL;
+  double letter = points / USUAL_POINTS * canvas->inch / USUAL_DPI;
+  canvas->columns = canvas->text ? canvas->width : canvas->width / (8 * letter);
+  canvas->rows = canvas->text ? canvas->height : canvas->height / (18 * letter);
 }
 
 arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_output *output,
@@ -91,8 +119,9 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
                     "'%.200s': the ending of a picture's file must be one of %s", output->file,
                     ARC_PLOT_FILE_ENDINGS);
   memset(canvas, 0, sizeof *canvas);
+  const kind *found = NULL;
   if (*ending) {
-    const kind *found = find_kind(ending, output->terminal, session);
+    found = find_kind(ending, output->terminal, session);
     if (!found) return no_terminal(output, ending, error);
     canvas->terminal = found->terminal;
     canvas->text = found->text;
@@ -101,16 +130,39 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
   }
   canvas->colour = output->medium == ARC_PLOT_TEXT && output->colour;
   canvas->ascii = canvas->text && output->ascii;
+  canvas->fine = canvas->colour && !canvas->ascii && output->fine;
   choose_size(figure, output, canvas);
+  choose_letters(output, found, canvas);
   return ARC_OK;
 }
 
-/* Paper is measured in inches: 100 pixels are one, so that all media look alike. */
+/* The surface of the dots has two columns and four rows of them in each character. */
 static void size_words(const arc_canvas *canvas, arc_text *script) {
-  if (strcmp(canvas->terminal, "pdfcairo") == 0 || strcmp(canvas->terminal, "epscairo") == 0)
-    arc_text_format(script, " size %gin,%gin", canvas->width / 100.0, canvas->height / 100.0);
+  if (is_paper(canvas))
+    arc_text_format(script, " size %gin,%gin", canvas->width / canvas->inch,
+                    canvas->height / canvas->inch);
   else
-    arc_text_format(script, " size %d,%d", canvas->width, canvas->height);
+    arc_text_format(script, " size %d,%d", canvas->width * (canvas->dots ? 2 : 1),
+                    canvas->height * (canvas->dots ? 4 : 1));
+}
+
+static void letter_words(const arc_canvas *canvas, arc_text *script) {
+  char size[16];
+  snprintf(size, sizeof size, ",%.4g", canvas->points);
+  arc_text word = {0};
+  arc_text_word(&word, canvas->family);
+  arc_text_word(&word, size);
+  arc_text_word(script, " font ");
+  arc_text_quoted(script, word.data ? word.data : "", 0);
+  script->failed |= word.failed;
+  arc_text_free(&word);
+}
+
+/* Said each time: a terminal keeps what it was last told. Marks know a scale in cairo's alone. */
+static void scale_words(const arc_canvas *canvas, arc_text *script) {
+  if (canvas->text) return;
+  arc_text_format(script, " linewidth %.4g", canvas->scale);
+  if (strstr(canvas->terminal, "cairo")) arc_text_format(script, " pointscale %.4g", canvas->scale);
 }
 
 void arc_canvas_command(const arc_canvas *canvas, const char *animation, arc_text *script) {
@@ -118,7 +170,9 @@ void arc_canvas_command(const arc_canvas *canvas, const char *animation, arc_tex
   const kind *found = kinds;
   while (strcmp(found->terminal, canvas->terminal) != 0) found++;
   arc_text_format(script, "set terminal %s %s %s", found->terminal, animation, found->options);
+  if (canvas->family) letter_words(canvas, script);
   if (canvas->text) arc_text_word(script, canvas->colour ? " ansi" : " mono");
+  scale_words(canvas, script);
   size_words(canvas, script);
   arc_text_word(script, "\n");
 }

@@ -12,7 +12,9 @@ void arc_data_curve(const arc_plot_panel *panel, const arc_plot_curve *curve, ar
   int in_line = 0;
   for (size_t i = 0; i < curve->count; i++) {
     if (drawable(panel, curve->x[i], curve->y[i])) {
-      arc_text_format(script, "%.17g %.17g\n", curve->x[i], curve->y[i]);
+      arc_text_format(script, "%.17g %.17g", curve->x[i], curve->y[i]);
+      if (curve->error) arc_text_format(script, " %.17g", curve->error[i]);
+      arc_text_word(script, "\n");
       in_line = 1;
     } else if (in_line) {
       arc_text_word(script, "\n");

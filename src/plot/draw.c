@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "plot/plot.h"
+#include "plot/braille.h"
 #include "plot/figure.h"
 #include "plot/tidy.h"
 
@@ -154,22 +155,48 @@ static void through_file(arc_text *script, char place[PATH_MAX]) {
   arc_text_quoted(script, place, 0);
 }
 
-/* Runs the commands; `picture` receives what came back, tidied where it is characters. */
-static arc_status run(drawing *d, const char *place, arc_text *picture, arc_error *error) {
+/* Runs the commands for a canvas; `reply` receives what came back. */
+static arc_status ask(drawing *d, const arc_canvas *canvas, const char *place, char **reply,
+                      size_t *length, arc_error *error) {
   arc_text script = {0};
-  char *reply = NULL;
-  size_t length = 0;
-  write_script(d->frames, d->count, &d->canvas, d->animation, place, &script);
+  write_script(d->frames, d->count, canvas, d->animation, place, &script);
   char file[PATH_MAX];
   through_file(&script, file);
-  arc_status status = script.failed ? no_memory(error)
-                                    : arc_gnuplot_run(d->session, script.data, script.length,
-                                                      &reply, &length, error);
+  arc_status status =
+      script.failed ? no_memory(error)
+                    : arc_gnuplot_run(d->session, script.data, script.length, reply, length, error);
   if (file[0]) unlink(file);
   arc_text_free(&script);
   if (status == ARC_ARGUMENT)
     arc_gnuplot_run(d->session, at_rest, sizeof at_rest - 1, NULL, NULL, NULL);
-  if (status == ARC_OK && d->canvas.text)
+  return status;
+}
+
+/* Draws the curves again, alone and finer, and lays them over the picture. */
+static arc_status refine(drawing *d, const char *words, size_t length, arc_text *picture,
+                         arc_error *error) {
+  arc_canvas dots = d->canvas;
+  char *reply = NULL;
+  size_t count = 0;
+  dots.fine = 0, dots.dots = 1;
+  arc_status status = ask(d, &dots, NULL, &reply, &count, error);
+  arc_text both = {0};
+  if (status == ARC_OK) arc_braille(words, length, reply, count, &both);
+  if (status == ARC_OK && !both.failed && both.data) arc_tidy(both.data, both.length, picture);
+  picture->failed |= both.failed;
+  arc_text_free(&both);
+  free(reply);
+  return status;
+}
+
+/* `picture` receives what gnuplot draws, tidied where it is characters. */
+static arc_status run(drawing *d, const char *place, arc_text *picture, arc_error *error) {
+  char *reply = NULL;
+  size_t length = 0;
+  arc_status status = ask(d, &d->canvas, place, &reply, &length, error);
+  if (status == ARC_OK && d->canvas.fine)
+    status = refine(d, reply, length, picture, error);
+  else if (status == ARC_OK && d->canvas.text)
     arc_tidy(reply, length, picture);
   else if (status == ARC_OK && length > 0)
     arc_text_add(picture, reply, length);

@@ -43,13 +43,19 @@ static int between(const arc_plot_axis *axis, double value) {
   return !(value < low) && !(value > high);
 }
 
+static void widen_y(const arc_plot_curve *curve, size_t j, arc_plot_box *box) {
+  double bar = curve->error && isfinite(curve->error[j]) ? curve->error[j] : 0;
+  widen(curve->y[j] - bar, &box->y0, &box->y1);
+  widen(curve->y[j] + bar, &box->y0, &box->y1);
+}
+
 /* As gnuplot does, what lies beside the shown x has no say in the range of y. */
 arc_plot_box arc_plot_extent(const arc_plot_panel *panel) {
   arc_plot_box box = {NAN, NAN, NAN, NAN};
   for (size_t i = 0; i < panel->curve_count; i++)
     for (size_t j = 0; j < panel->curves[i].count; j++) {
       widen(panel->curves[i].x[j], &box.x0, &box.x1);
-      if (between(&panel->x, panel->curves[i].x[j])) widen(panel->curves[i].y[j], &box.y0, &box.y1);
+      if (between(&panel->x, panel->curves[i].x[j])) widen_y(&panel->curves[i], j, &box);
     }
   for (size_t j = 0; panel->field && j < 4 * panel->field->count; j++) {
     widen(panel->field->x[j], &box.x0, &box.x1);
@@ -77,6 +83,7 @@ static arc_status check_axis(const arc_plot_axis *axis, const char *name, size_t
   return ARC_OK;
 }
 
+/* Inside the range, open ends included. */
 static int inside(const arc_plot_axis *axis, double value) {
   double low = fmin(axis->min, axis->max), high = fmax(axis->min, axis->max);
   if (axis->log && !(value > 0)) return 0;
@@ -123,6 +130,14 @@ static arc_status check_curve(const arc_plot_panel *panel, size_t number, size_t
     return arc_fail(error, ARC_ARGUMENT,
                     "panel %zu: curve %zu%s: colour must be \"#rrggbb\" or one of %s, got '%.60s'",
                     number, which + 1, title, ARC_PLOT_COLOURS, curve->colour);
+  for (size_t j = 0; curve->error && j < curve->count; j++)
+    if (!(curve->error[j] >= 0) || isinf(curve->error[j]))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "panel %zu: curve %zu%s: error[%zu] must be a finite number >= 0, got %g",
+                      number, which + 1, title, j + 1, curve->error[j]);
+  if (curve->scaled && !isfinite(curve->value))
+    return arc_fail(error, ARC_ARGUMENT, "panel %zu: curve %zu%s: value must be finite, got %g",
+                    number, which + 1, title, curve->value);
   if ((int)curve->style < 0 || curve->style >= ARC_PLOT_STYLE_COUNT || curve->series < 0 ||
       curve->dash < 0 || !(curve->width >= 0) || isinf(curve->width))
     return arc_fail(error, ARC_ARGUMENT, "panel %zu: curve %zu%s has an impossible line style",

@@ -14,7 +14,15 @@ typedef struct arc_canvas {
   int vector;           /* every polygon costs bytes in the file */
   int width, height;    /* characters or pixels */
   double columns, rows; /* the same in characters of the font */
+  int fine, dots;       /* text: curves come as dots; this is the surface of the dots */
+  double points;        /* size of the letters, as gnuplot's terminal takes it */
+  double scale;         /* of lines and marks */
+  double inch;          /* pixels of an inch */
+  const char *family;   /* of the letters */
 } arc_canvas;
+
+/* The character of a point among those of lines, on a surface of dots. */
+enum { ARC_DOT_MARK = 'Q' };
 
 /* What a panel shows of the plane; may be turned round. */
 typedef struct arc_plot_box {
@@ -42,6 +50,8 @@ typedef struct arc_ticks {
   double step;    /* 0: gnuplot's choice */
   int digits;     /* significant ones a label shows */
   size_t longest; /* characters of the longest label */
+  int powers;     /* written as 7e-4 */
+  int decimals;   /* of the 7 */
 } arc_ticks;
 
 /* Ticks of an axis that shows from..to (in either order), at most about `most` of them; labels
@@ -64,8 +74,24 @@ void arc_canvas_command(const arc_canvas *canvas, const char *animation, arc_tex
 /* The commands that draw a figure that has been checked. */
 void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, arc_text *script);
 
-/* A command with a user's words quoted in its middle. */
+/* A command with a user's words quoted in its middle. The first is for names, which stay as they
+ * are; the second for what people read: with its own word whether gnuplot shall find marks in it.
+ */
 void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after);
+void arc_writer_label(arc_writer *w, const char *before, const char *words, const char *after);
+
+/* The titles that stand beside the frame at the ends of their curves: the room they take in
+ * characters, and their commands. */
+double arc_labels_room(const arc_plot_panel *panel);
+void arc_labels_write(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
+                      double rows);
+
+/* Smallest and largest value of the scaled curves, or as the panel's value axis says. Returns 0
+ * where there is none, or where characters stand for colours. */
+int arc_look_scale(const arc_writer *w, const arc_plot_panel *panel, double range[2]);
+
+/* Colour (from 1) by which a curve, the position-th of its panel, is drawn. */
+int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t position);
 
 /* The settings, data and plot command of one panel. `framed`: the frame is imposed, else gnuplot
  * finds its own margins. */

@@ -6,13 +6,17 @@
 
 #include "plot/figure.h"
 
-enum { SERIES = 8 };
+enum { SERIES = 8, KEY_ENTRIES = 8 };
 
 /* Distinct also for eyes that see fewer colours; for characters the terminal's own six. */
 static const char *const pixel_colours[SERIES] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                   "#e69f00", "#56b4e9", "#000000", "#7f7f7f"};
 static const char *const text_colours[SERIES] = {"red",  "green",  "blue", "magenta",
                                                  "cyan", "yellow", "red",  "green"};
+
+/* As long as the eye keeps them apart without colours; the first is a full line. */
+static const char *const dashes[SERIES] = {"solid",  "(9,5)",         "(3,3)", "(9,4,2,4)",
+                                           "(16,5)", "(9,4,2,4,2,4)", "(5,4)", "(16,4,5,4)"};
 
 void arc_look_series(arc_writer *w) {
   for (int i = 0; i < SERIES; i++)
@@ -28,6 +32,45 @@ void arc_writer_words(arc_writer *w, const char *before, const char *words, cons
   arc_text_word(w->out, before);
   arc_text_quoted(w->out, words, w->canvas->ascii);
   arc_text_word(w->out, after);
+}
+
+/* Words without marks stay out of gnuplot's reach. */
+void arc_writer_label(arc_writer *w, const char *before, const char *words, const char *after) {
+  arc_text greek = {0}, quoted = {0};
+  arc_text_greek(&greek, words);
+  arc_text_quoted(&quoted, greek.data ? greek.data : "", w->canvas->ascii);
+  int marked = !w->canvas->text && quoted.data && arc_text_marked(quoted.data);
+  arc_text_word(w->out, before);
+  if (marked)
+    arc_text_enhanced(w->out, quoted.data);
+  else
+    arc_text_word(w->out, quoted.data ? quoted.data : "''");
+  arc_text_word(w->out, marked ? " enhanced" : " noenhanced");
+  arc_text_word(w->out, after);
+  w->out->failed |= greek.failed || quoted.failed;
+  arc_text_free(&greek);
+  arc_text_free(&quoted);
+}
+
+/* --- scale of colours --------------------------------------------------------------------------
+ */
+
+static int is_scaled(const arc_writer *w, const arc_plot_curve *curve) {
+  return curve->scaled && !w->canvas->text;
+}
+
+int arc_look_scale(const arc_writer *w, const arc_plot_panel *panel, double range[2]) {
+  double low = INFINITY, high = -INFINITY;
+  for (size_t i = 0; i < panel->curve_count; i++)
+    if (is_scaled(w, &panel->curves[i])) {
+      low = fmin(low, panel->curves[i].value);
+      high = fmax(high, panel->curves[i].value);
+    }
+  if (low > high) return 0;
+  range[0] = isnan(panel->value.min) ? low : panel->value.min;
+  range[1] = isnan(panel->value.max) ? high : panel->value.max;
+  if (range[0] == range[1]) range[1] += fmax(1e-12, fabs(range[0]) * 1e-3);
+  return 1;
 }
 
 /* --- titles ----------------------------------------------------------------------------------- */
@@ -53,8 +96,11 @@ void arc_look_collect(arc_writer *w) {
   }
   for (size_t p = 0; p < figure->panel_count; p++)
     for (size_t c = 0; c < figure->panels[p].curve_count; c++) {
-      const char *title = figure->panels[p].curves[c].title;
-      if (title && arc_look_title(w, title) == w->title_count) w->titles[w->title_count++] = title;
+      const arc_plot_curve *curve = &figure->panels[p].curves[c];
+      const char *title = curve->title;
+      if (title && !is_scaled(w, curve) && !curve->labelled &&
+          arc_look_title(w, title) == w->title_count)
+        w->titles[w->title_count++] = title;
     }
 }
 
@@ -71,8 +117,8 @@ double arc_look_key_rows(const arc_writer *w) {
 
 /* --- curves ----------------------------------------------------------------------------------- */
 
-/* Colour and dash of a curve, both from 1. When the colours are through they come again dashed;
- * characters have no dashes, and take another mark instead. */
+/* Colour and dash of a curve, both from 1. Each colour has a dash of its own; when the colours are
+ * through they come again with another one. Characters have no dashes, and take another mark. */
 typedef struct pen {
   int series, dash;
 } pen;
@@ -80,21 +126,31 @@ typedef struct pen {
 static pen pen_of(const arc_writer *w, const arc_plot_curve *curve, size_t position) {
   if (arc_look_one_key(w) && curve->title) position = arc_look_title(w, curve->title);
   if (curve->series > 0) position = (size_t)curve->series - 1;
-  pen p = {(int)(position % SERIES) + 1, (int)(position / SERIES % 5) + 1};
-  if (curve->dash > 0) p.dash = (curve->dash - 1) % 5 + 1;
-  if (w->canvas->text) p.series = (p.series - 1 + 3 * (p.dash - 1)) % SERIES + 1;
+  pen p = {(int)(position % SERIES) + 1, (int)((position + position / SERIES) % SERIES) + 1};
+  int round = (int)(position / SERIES);
+  if (curve->dash > 0) p.dash = (curve->dash - 1) % SERIES + 1;
+  if (curve->dash > 0) round = p.dash - 1;
+  if (w->canvas->text) p.series = (p.series - 1 + 3 * round) % SERIES + 1;
   return p;
 }
 
-static void style_words(arc_writer *w, const arc_plot_panel *panel, arc_plot_style style) {
+int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t position) {
+  return pen_of(w, curve, position).series;
+}
+
+static void style_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve) {
   static const char *const with[ARC_PLOT_STYLE_COUNT] = {[ARC_PLOT_LINES] = "lines",
                                                          [ARC_PLOT_POINTS] = "points",
                                                          [ARC_PLOT_LINESPOINTS] = "linespoints",
                                                          [ARC_PLOT_STEPS] = "steps",
                                                          [ARC_PLOT_FILLED] = "filledcurves",
                                                          [ARC_PLOT_IMPULSES] = "impulses"};
-  arc_text_format(w->out, " with %s", with[style]);
-  if (style != ARC_PLOT_FILLED) return;
+  if (curve->error)
+    arc_text_word(w->out,
+                  curve->style == ARC_PLOT_POINTS ? " with yerrorbars" : " with yerrorlines");
+  else
+    arc_text_format(w->out, " with %s", with[curve->style]);
+  if (curve->style != ARC_PLOT_FILLED || curve->error) return;
   arc_text_word(w->out, panel && panel->y.log ? " x1" : " y1=0");
   if (!w->canvas->text) arc_text_word(w->out, " fillstyle transparent solid 0.35 noborder");
 }
@@ -102,23 +158,65 @@ static void style_words(arc_writer *w, const arc_plot_panel *panel, arc_plot_sty
 static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve,
                  size_t position) {
   pen p = pen_of(w, curve, position);
-  style_words(w, panel, curve->style);
+  style_words(w, panel, curve);
   arc_text_format(w->out, " linetype %d", p.series);
-  if (curve->colour) arc_writer_words(w, " linecolor rgb ", curve->colour, "");
+  if (is_scaled(w, curve))
+    arc_text_format(w->out, " linecolor palette cb %.17g", curve->value);
+  else if (curve->colour)
+    arc_writer_words(w, " linecolor rgb ", curve->colour, "");
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
-  if (p.dash > 1) arc_text_format(w->out, " dashtype %d", p.dash);
+  if (p.dash > 1 && curve->style != ARC_PLOT_POINTS && !w->canvas->text && !is_scaled(w, curve))
+    arc_text_format(w->out, " dashtype %s", dashes[p.dash - 1]);
 }
 
 /* In characters the sample of a line would touch its title. */
 static void title_words(arc_writer *w, const char *title) {
   arc_text_word(w->out, w->canvas->text && *title ? " title ' '." : " title ");
-  arc_writer_words(w, "", title, "");
+  arc_writer_label(w, "", title, "");
+}
+
+/* Of curves on a scale of colours characters name the first, the last, and some between. */
+static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t position) {
+  const arc_plot_curve *curve = &panel->curves[position];
+  size_t last = panel->curve_count - 1;
+  if (!curve->title || is_scaled(w, curve) || (curve->labelled && !w->canvas->text)) return 0;
+  if (!curve->scaled || last < KEY_ENTRIES) return 1;
+  for (size_t k = 0; k < KEY_ENTRIES; k++)
+    if (position == k * last / (KEY_ENTRIES - 1)) return 1;
+  return 0;
+}
+
+/* Points have one mark where the curves come as dots. */
+static void mark_words(arc_writer *w, const arc_plot_curve *curve) {
+  int marked = curve->error || curve->style == ARC_PLOT_POINTS;
+  if (w->canvas->text && (w->canvas->dots || w->canvas->fine) &&
+      (marked || curve->style == ARC_PLOT_LINESPOINTS))
+    arc_text_format(w->out, " pointtype '%c'", ARC_DOT_MARK);
+}
+
+/* Where the curves come as dots: black holds their place, and the key has their colours. */
+static void place_holder(arc_writer *w, const arc_plot_panel *panel, size_t position) {
+  arc_plot_curve sample = panel->curves[position];
+  style_words(w, panel, &sample);
+  arc_text_word(w->out, " linecolor rgb 'black' notitle");
+  if (!in_key(w, panel, position)) return;
+  if (sample.error) sample.style = ARC_PLOT_POINTS;
+  sample.error = NULL;
+  arc_text_word(w->out, ", NaN");
+  look(w, panel, &sample, position);
+  mark_words(w, &sample);
+  title_words(w, sample.title);
 }
 
 void arc_look_curve(arc_writer *w, const arc_plot_panel *panel, size_t position) {
   const arc_plot_curve *curve = &panel->curves[position];
+  if (w->canvas->fine) {
+    place_holder(w, panel, position);
+    return;
+  }
   look(w, panel, curve, position);
-  title_words(w, curve->title ? curve->title : "");
+  mark_words(w, curve);
+  title_words(w, in_key(w, panel, position) ? curve->title : "");
 }
 
 /* --- the key of all panels -------------------------------------------------------------------- */
@@ -137,19 +235,21 @@ static const arc_plot_curve *first_of(const arc_writer *w, size_t title, size_t 
 
 void arc_look_draw_key(arc_writer *w) {
   double height = (arc_look_key_rows(w) + 0.6) / w->canvas->rows;
-  arc_text_word(
-      w->out, "unset border\nunset tics\nunset label\nunset logscale\nunset colorbox\n"
-              "set size noratio\nset title ''\nset xlabel ''\nset ylabel ''\n"
-              "set lmargin at screen 0\nset rmargin at screen 1\n"
-              "set bmargin at screen 0\n"
-              "set xrange [0:1]\nset yrange [0:1]\n"
-              "set key on inside center center horizontal Left reverse width 2 noenhanced nobox\n");
+  arc_text_word(w->out, "unset border\nunset tics\nunset label\nunset logscale\nunset colorbox\n"
+                        "set size noratio\nset title ''\nset xlabel ''\nset ylabel ''\n"
+                        "set lmargin at screen 0\nset rmargin at screen 1\n"
+                        "set bmargin at screen 0\n"
+                        "set xrange [0:1]\nset yrange [0:1]\n"
+                        "set key on inside center center horizontal Left reverse width 2 nobox\n");
   arc_text_format(w->out, "set tmargin at screen %.6g\nplot", height);
   for (size_t i = 0; i < w->title_count; i++) {
     size_t position;
     const arc_plot_curve *curve = first_of(w, i, &position);
     arc_text_word(w->out, i ? ", NaN" : " NaN");
-    if (curve) look(w, NULL, curve, position);
+    arc_plot_curve sample = curve ? *curve : (arc_plot_curve){.title = NULL};
+    sample.error = NULL; /* NaN has no bars */
+    if (curve && curve->error) sample.style = ARC_PLOT_POINTS;
+    look(w, NULL, &sample, position);
     title_words(w, w->titles[i]);
   }
   arc_text_word(w->out, "\n");

@@ -31,23 +31,26 @@ static void axis_words(arc_writer *w, const char *axis, const arc_plot_axis *a) 
                 a->reverse && (isnan(a->min) || isnan(a->max)) ? " reverse\n" : " noreverse\n");
   arc_text_format(w->out, a->log ? "set logscale %s\n" : "unset logscale %s\n", axis);
   arc_text_format(w->out, "set %slabel ", axis);
-  arc_writer_words(w, "", a->label ? a->label : "", " noenhanced\n");
+  arc_writer_label(w, "", a->label ? a->label : "", "\n");
 }
 
 /* Characters cannot be turned: the label of y stands above its axis, the title one line higher. */
 static void heading(arc_writer *w, const arc_plot_panel *panel) {
   int above = w->canvas->text && panel->y.label;
-  arc_writer_words(w, "set title ", panel->title ? panel->title : "", " noenhanced");
+  arc_writer_label(w, "set title ", panel->title ? panel->title : "", "");
   arc_text_word(w->out, above ? " offset character 0,1\n" : " offset 0,0\n");
   arc_text_word(w->out, "unset label\n");
   if (!above) return;
-  arc_writer_words(w, "set ylabel '' noenhanced\nset label 99 ", panel->y.label,
-                   " at graph 0, graph 1 left offset character -5,1 noenhanced\n");
+  arc_writer_label(w, "set ylabel ''\nset label 99 ", panel->y.label,
+                   " at graph 0, graph 1 left offset character -5,1\n");
 }
 
 static arc_plot_key place_of_key(const arc_writer *w, const arc_plot_panel *panel) {
   int levels = panel->field && w->canvas->text, titled = levels;
-  for (size_t i = 0; i < panel->curve_count; i++) titled |= panel->curves[i].title != NULL;
+  for (size_t i = 0; i < panel->curve_count; i++) {
+    const arc_plot_curve *curve = &panel->curves[i];
+    titled |= curve->title && (w->canvas->text || !(curve->scaled || curve->labelled));
+  }
   if (levels) return ARC_PLOT_KEY_RIGHT;
   return titled && !arc_look_one_key(w) ? panel->key : ARC_PLOT_KEY_NONE;
 }
@@ -67,7 +70,7 @@ static void key_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot
     arc_text_word(w->out, "unset key\n");
     return;
   }
-  arc_text_format(w->out, "set key on %s noenhanced nobox%s\n", places[place],
+  arc_text_format(w->out, "set key on %s nobox%s\n", places[place],
                   w->canvas->text ? " width 1" : " samplen 2.5");
   if (place == ARC_PLOT_KEY_BELOW && framed) /* gnuplot would put it at the canvas' edge */
     arc_text_format(w->out, "set key at screen %.6g, screen %.6g center top horizontal height 0\n",
@@ -118,11 +121,35 @@ static void frame_words(arc_writer *w, const arc_plot_frame *frame) {
 /* Numbers need room: gnuplot writes them over each other. In a window it chooses anew when the user
  * zooms. */
 static void tic_words(arc_writer *w, const char *axis, arc_ticks ticks) {
-  arc_text_format(w->out, "set format %s '%%.%dg'\n", axis, ticks.digits);
-  if (ticks.step == 0 || w->canvas->window)
-    arc_text_format(w->out, "set %stics autofreq\n", axis);
+  const char *times = w->canvas->text ? "e%T" : "\303\22710^{%T}";
+  if (ticks.powers)
+    arc_text_format(w->out, "set format %s '%%.%dt%s'\n", axis, ticks.decimals, times);
   else
-    arc_text_format(w->out, "set %stics %.17g\n", axis, ticks.step);
+    arc_text_format(w->out, "set format %s '%%.%dg'\n", axis, ticks.digits);
+  if (ticks.step == 0 || w->canvas->window)
+    arc_text_format(w->out, "set %stics autofreq enhanced\n", axis);
+  else
+    arc_text_format(w->out, "set %stics %.17g enhanced\n", axis, ticks.step);
+  if (ticks.powers) arc_text_format(w->out, "set %stics add ('0' 0)\n", axis);
+}
+
+/* Words at places of an axis. */
+static void place_words(arc_writer *w, const char *name, const arc_plot_axis *axis) {
+  arc_text_format(w->out, "set %stics (", name);
+  for (size_t i = 0; i < axis->place_count; i++) {
+    arc_text_word(w->out, i ? ", " : "");
+    arc_text_quoted(w->out, axis->words[i], w->canvas->ascii);
+    arc_text_format(w->out, " %.17g", axis->places[i]);
+  }
+  arc_text_word(w->out, ") noenhanced\n");
+}
+
+static void axis_ticks(arc_writer *w, const char *name, const arc_plot_axis *axis,
+                       arc_ticks ticks) {
+  if (axis->places)
+    place_words(w, name, axis);
+  else
+    tic_words(w, name, ticks);
 }
 
 static double ticks_in_rows(const arc_writer *w, double rows) {
@@ -142,7 +169,13 @@ static arc_ticks ticks_of_x(const arc_writer *w, const arc_plot_panel *panel,
 
 size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double rows) {
   arc_plot_box box = arc_plot_extent(panel);
-  return ticks_of_y(w, panel, &box, rows).longest;
+  arc_ticks ticks = ticks_of_y(w, panel, &box, rows);
+  size_t longest = ticks.longest + (ticks.powers && !w->canvas->text ? 2 : 0);
+  for (size_t i = 0; panel->y.places && i < panel->y.place_count; i++)
+    longest = i && longest > arc_text_characters(panel->y.words[i])
+                  ? longest
+                  : arc_text_characters(panel->y.words[i]);
+  return longest;
 }
 
 /* A grid would lie over a field; characters have neither choice. */
@@ -157,14 +190,17 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
 
 /* Colours for values of one sign, and others, with white at zero, for values of both. */
 static void colour_words(arc_writer *w, const arc_plot_panel *panel, const double range[2]) {
-  arc_text_word(w->out, range[0] < 0 && range[1] > 0
+  int lines = panel->field == NULL; /* the lightest colours of a field would be lost on white */
+  arc_text_word(w->out, !lines && range[0] < 0 && range[1] > 0
                             ? "set palette defined (0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', "
                               "3 '#f4a582', 4 '#b2182b')\n"
-                            : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', "
-                              "3 '#5ec962', 4 '#fde725')\n");
+                        : lines ? "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', "
+                                  "3 '#3fae5f', 4 '#c9a800')\n"
+                                : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', "
+                                  "3 '#5ec962', 4 '#fde725')\n");
   arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
-  arc_writer_words(w, "set cblabel ", panel->value.label ? panel->value.label : "",
-                   " noenhanced offset 1,0\n");
+  arc_writer_label(w, "set cblabel ", panel->value.label ? panel->value.label : "",
+                   " offset 1,0\n");
 }
 
 /* The field on a grid, as many cells as the eye can tell apart. */
@@ -261,18 +297,31 @@ static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *bo
   return count;
 }
 
+/* On a surface of dots nothing but the curves is drawn; what places them stays. */
+static void hide_words(arc_writer *w, const arc_plot_panel *panel) {
+  arc_text_word(w->out, "set title ''\nset xlabel ''\nset ylabel ''\nunset label\nunset key\n"
+                        "unset border\n");
+  arc_text_word(w->out, panel->x.places ? "unset xtics\n" : "set format x ''\nset xtics scale 0\n");
+  arc_text_word(w->out, panel->y.places ? "unset ytics\n" : "set format y ''\nset ytics scale 0\n");
+  if (!panel->x.places && !panel->x.log) arc_text_word(w->out, "set xtics add ('' 0)\n");
+  if (!panel->y.places && !panel->y.log) arc_text_word(w->out, "set ytics add ('' 0)\n");
+}
+
 static void plot_command(arc_writer *w, size_t number, const grid *g, const arc_plot_box *box,
                          const double range[2], size_t contours) {
   const arc_plot_panel *panel = &w->figure->panels[number];
   arc_text_word(w->out, "plot");
-  if (panel->field && w->canvas->text) text_levels(w, number, range);
-  if (panel->field && !w->canvas->text) image_words(w, number, g, box);
+  int field = panel->field != NULL && !w->canvas->dots;
+  if (field && w->canvas->text) text_levels(w, number, range);
+  if (!field && panel->curve_count == 0) arc_text_word(w->out, " NaN notitle");
+  if (field && !w->canvas->text) image_words(w, number, g, box);
   if (contours)
     arc_text_format(w->out, ", $k%zu using 1:2 with lines linecolor rgb '#a0000000' linewidth 0.6",
                     number);
   if (contours) arc_text_word(w->out, " notitle");
   for (size_t i = 0; i < panel->curve_count; i++) {
-    arc_text_format(w->out, "%s $d%zu_%zu using 1:2", i || panel->field ? "," : "", number, i);
+    arc_text_format(w->out, "%s $d%zu_%zu using 1:2%s", i || field ? "," : "", number, i,
+                    panel->curves[i].error ? ":3" : "");
     arc_look_curve(w, panel, i);
   }
   arc_text_word(w->out, "\n");
@@ -290,17 +339,30 @@ static void values_shown(const arc_plot_panel *panel, const arc_plot_box *box, d
   }
 }
 
+/* What gnuplot shows: open ends of y reach to the next tick. */
+static arc_plot_box to_ticks(const arc_writer *w, const arc_plot_panel *panel, double rows) {
+  arc_plot_box box = arc_plot_extent(panel);
+  double step = ticks_of_y(w, panel, &box, rows).step;
+  if (step > 0 && isnan(panel->y.min)) box.y0 = step * floor(box.y0 / step + 1e-9);
+  if (step > 0 && isnan(panel->y.max)) box.y1 = step * ceil(box.y1 / step - 1e-9);
+  return box;
+}
+
 static void settings(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box,
                      const arc_plot_frame *frame, int framed, const double range[2]) {
   axis_words(w, "x", &panel->x);
   axis_words(w, "y", &panel->y);
-  tic_words(w, "x", ticks_of_x(w, panel, box, frame->columns));
-  tic_words(w, "y", ticks_of_y(w, panel, box, frame->rows));
+  axis_ticks(w, "x", &panel->x, ticks_of_x(w, panel, box, frame->columns));
+  axis_ticks(w, "y", &panel->y, ticks_of_y(w, panel, box, frame->rows));
   box_words(w, panel, box);
   ground_words(w, panel);
   heading(w, panel);
   key_words(w, panel, frame, framed);
+  double scale[2];
   if (panel->field && !w->canvas->text) colour_words(w, panel, range);
+  if (!panel->field && arc_look_scale(w, panel, scale)) colour_words(w, panel, scale);
+  arc_plot_box seen = to_ticks(w, panel, frame->rows);
+  arc_labels_write(w, panel, &seen, frame->rows);
 }
 
 static void margins(arc_writer *w, const arc_plot_panel *panel, const arc_plot_frame *frame,
@@ -310,6 +372,8 @@ static void margins(arc_writer *w, const arc_plot_panel *panel, const arc_plot_f
   else if (w->canvas->text)
     arc_text_format(w->out, "set tmargin %d\n",
                     1 + (panel->title != NULL) + (panel->y.label != NULL));
+  else if (arc_labels_room(panel) > 0)
+    arc_text_format(w->out, "set rmargin %g\n", arc_labels_room(panel));
 }
 
 void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed) {
@@ -317,7 +381,8 @@ void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, 
   arc_plot_box box = shown_box(w, panel, frame);
   double range[2];
   grid g = {0, 0, NULL};
-  framed = framed || (w->canvas->text && (panel->field || panel->equal));
+  int dotted = w->canvas->fine || w->canvas->dots;
+  framed = framed || dotted || (w->canvas->text && (panel->field || panel->equal));
   values_shown(panel, &box, range);
   if (panel->field) g = sample(w, panel->field, &box, frame);
   if (g.values && w->canvas->text) level_blocks(w, number, &g, &box, range);
@@ -326,6 +391,7 @@ void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, 
   size_t contours = contour_block(w, number, &box, range);
   margins(w, panel, frame, framed);
   settings(w, panel, &box, frame, framed, range);
+  if (w->canvas->dots) hide_words(w, panel);
   plot_command(w, number, &g, &box, range, contours);
   free(g.values);
 }

@@ -4,7 +4,9 @@
  * (arc_plot_figure). Nothing here knows a mesh or a wear run. Nothing here prints: a picture in
  * characters is handed to the caller.
  *
- * Texts are UTF-8 and are shown as they stand: no character in them has a meaning for gnuplot.
+ * Texts are UTF-8 and no character in them has a meaning for gnuplot. They are shown as they stand
+ * but for three forms of the field: \alpha is the Greek letter; what follows a single letter and _
+ * (p_H, \alpha_c) is lowered, and digits after ^ (mm^2, 10^-8) are raised, where there are pixels.
  * The arrays and texts of a figure stay the caller's and are only read.
  */
 #ifndef ARCHARD_PLOT_H
@@ -92,10 +94,14 @@ typedef struct arc_plot_curve {
   size_t count;
   const char *title; /* NULL: not in the key */
   arc_plot_style style;
-  const char *colour; /* "#rrggbb" or one of ARC_PLOT_COLOURS; NULL: by `series` */
-  int series;         /* which of the eight colours and marks, from 1; 0: the next one */
-  int dash;           /* 1 full line, 2 to 5 dashed; 0: full */
-  double width;       /* relative; 0: the usual one */
+  const char *colour;  /* "#rrggbb" or one of ARC_PLOT_COLOURS; NULL: by `series` */
+  int series;          /* which of the eight colours and marks, from 1; 0: the next one */
+  int dash;            /* 1 full line, 2 to 5 dashed; 0: full */
+  double width;        /* relative; 0: the usual one */
+  const double *error; /* [count] half lengths of bars in y; NULL: none */
+  int scaled; /* non-zero: coloured by `value` on the panel's colour scale, not in the key */
+  double value;
+  int labelled; /* non-zero: its title stands at its end beside the frame, not in the key */
 } arc_plot_curve;
 
 /* Coloured polygons of four corners in order around; a triangle repeats its last corner. The value
@@ -106,10 +112,13 @@ typedef struct arc_plot_field {
 } arc_plot_field;
 
 typedef struct arc_plot_axis {
-  const char *label; /* NULL: none */
-  double min, max;   /* NaN: from the data; both given and min > max turns the axis round */
-  int log;           /* base 10 */
-  int reverse;       /* grows downwards or leftwards; not where both ends are given */
+  const char *label;        /* NULL: none */
+  const double *places;     /* [place_count] where words stand instead of numbers; NULL: numbers */
+  const char *const *words; /* [place_count] */
+  size_t place_count;
+  double min, max; /* NaN: from the data; both given and min > max turns the axis round */
+  int log;         /* base 10 */
+  int reverse;     /* grows downwards or leftwards; not where both ends are given */
 } arc_plot_axis;
 
 /* X(name, what a user types); those in corners stand inside, over the curves. */
@@ -131,7 +140,7 @@ typedef enum arc_plot_key {
 typedef struct arc_plot_panel {
   const char *title; /* NULL: none */
   arc_plot_axis x, y;
-  arc_plot_axis value; /* the field's values: label and range only */
+  arc_plot_axis value; /* the field's or the scaled curves' values: label and range only */
   arc_plot_key key;
   int equal;  /* non-zero: the same scale on both axes */
   int levels; /* contour lines of the field; 0: none */
@@ -161,6 +170,7 @@ arc_status arc_plot_check(const arc_plot_figure *figure, arc_error *error);
 typedef enum arc_plot_medium {
   ARC_PLOT_TEXT,   /* characters, returned */
   ARC_PLOT_SIXEL,  /* a picture in a terminal's escape codes, returned */
+  ARC_PLOT_PNG,    /* the bytes of a png, returned */
   ARC_PLOT_WINDOW, /* a window on the screen */
   ARC_PLOT_FILE    /* by the ending: png svg pdf eps gif txt gp */
 } arc_plot_medium;
@@ -172,6 +182,11 @@ typedef struct arc_plot_output {
   int width, height;    /* characters for text, else pixels; 0: chosen by the figure */
   int colour;           /* text: non-zero writes ANSI colours */
   int ascii;            /* text: non-zero writes no character beyond ASCII */
+  int fine;             /* text with colour: curves in Braille dots, eight to a character */
+  double dpi;           /* pixels of an inch, for files; 0: 100 */
+  double points;        /* size of the letters [pt]; 0: the usual one */
+  double lines;         /* width of lines and size of marks, relative; 0: 1 */
+  const char *family;   /* of the letters; NULL: the usual one */
 } arc_plot_output;
 
 /* The file endings arc_plot_draw knows, separated by blanks. */

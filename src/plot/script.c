@@ -14,6 +14,15 @@ typedef struct room {
   double left, right, top, bottom;
 } room;
 
+static double longest_title(const arc_plot_panel *panel) {
+  size_t longest = 0;
+  for (size_t i = 0; i < panel->curve_count; i++) {
+    size_t length = arc_text_characters(panel->curves[i].title);
+    longest = length > longest ? length : longest;
+  }
+  return (double)longest;
+}
+
 static room room_around(const arc_writer *w) {
   const arc_plot_figure *figure = w->figure;
   int text = w->canvas->text;
@@ -21,7 +30,11 @@ static room room_around(const arc_writer *w) {
   for (size_t i = 0; i < figure->panel_count; i++) {
     const arc_plot_panel *panel = &figure->panels[i];
     int labelled = panel->y.label != NULL, titled = panel->title != NULL;
+    double range[2];
     if (panel->field) r.right = text ? 25 : 13;
+    if (arc_look_scale(w, panel, range)) r.right = 13;
+    if (!text) r.right = fmax(r.right, arc_labels_room(panel));
+    if (panel->key == ARC_PLOT_KEY_RIGHT) r.right = fmax(r.right, longest_title(panel) + 9);
     if (panel->x.label) r.bottom = text ? 3 : 3.2;
     r.top = fmax(r.top, text ? titled + labelled + 1 : titled ? 2.5 : 0.7);
     if (!text && labelled) r.left = 9.5;
@@ -86,13 +99,13 @@ static void common_settings(arc_writer *w) {
 }
 
 static void several_panels(arc_writer *w) {
-  arc_writer_words(w, "set multiplot title ", w->figure->title ? w->figure->title : "",
-                   " noenhanced\n");
+  const char *title = w->figure->title && !w->canvas->dots ? w->figure->title : "";
+  arc_writer_label(w, "set multiplot title ", title, "\n");
   for (size_t i = 0; i < w->figure->panel_count; i++) {
     arc_plot_frame frame = frame_of(w, i);
     arc_panel_write(w, i, &frame, 1);
   }
-  if (arc_look_one_key(w)) arc_look_draw_key(w);
+  if (arc_look_one_key(w) && !w->canvas->dots) arc_look_draw_key(w);
   arc_text_word(w->out, "unset multiplot\n");
 }
 

@@ -18,6 +18,16 @@ void arc_text_format(arc_text *text, const char *format, ...) __attribute__((for
 /* Quoted as arc_plot_quote (archard/plot.h) says. */
 void arc_text_quoted(arc_text *text, const char *words, int ascii);
 
+/* Whether something in the words is to be lowered or raised. */
+int arc_text_marked(const char *words);
+
+/* The words with \alpha and its like as Greek letters. */
+void arc_text_greek(arc_text *text, const char *words);
+
+/* Quoted for gnuplot's enhanced text, in which the marks of archard/plot.h are its own and all
+ * else is shown as it stands. */
+void arc_text_enhanced(arc_text *text, const char *words);
+
 /* Characters (not bytes) of a UTF-8 text; 0 for NULL. */
 size_t arc_text_characters(const char *words);
 

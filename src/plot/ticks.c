@@ -5,11 +5,13 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "plot/figure.h"
 
 /* Digits beyond these are the noise of doubles. */
-enum { DIGITS = 6, MOST_DIGITS = 15, MOST_TICKS = 200 };
+enum { DIGITS = 6, MOST_DIGITS = 15, MOST_TICKS = 200, LONG_LABEL = 5 };
 
 /* 1, 2 or 5 times a power of ten, at most so many to the span. */
 static double round_step(double span, double steps) {
@@ -37,9 +39,41 @@ static size_t longest_label(double low, double high, const arc_ticks *ticks) {
   return longest;
 }
 
+/* Characters of the longest label written as 7e-4, with as many decimals as the step needs. */
+static size_t longest_power(double low, double high, const arc_ticks *ticks) {
+  double largest = fmax(fabs(low), fabs(high));
+  int lowest = (int)floor(log10(ticks->step) + 1e-9), highest = (int)floor(log10(largest) + 1e-9);
+  int exponent = abs(lowest) > abs(highest) ? lowest : highest;
+  return (size_t)(ticks->decimals ? ticks->decimals + 2 : 1) + (low < 0) + 1 + (exponent < 0) +
+         (abs(exponent) > 9) + 1;
+}
+
+/* Decimals that tell 1.2e-3 from 1e-3. */
+static int decimals_of(double value) {
+  char text[40];
+  snprintf(text, sizeof text, "%.*e", DIGITS - 1, value);
+  char *end = strchr(text, 'e'), *point = strchr(text, '.');
+  if (!end || !point) return 0;
+  while (end > point + 1 && end[-1] == '0') end--;
+  return (int)(end - point) - 1;
+}
+
+/* Powers of ten where plain numbers would be long and they are shorter. */
+static void choose_form(double low, double high, arc_ticks *ticks) {
+  double first = floor(low / ticks->step + 1e-9), last = ceil(high / ticks->step - 1e-9);
+  for (int i = 0; i < MOST_TICKS && first + i <= last; i++) {
+    int decimals = decimals_of((first + i) * ticks->step);
+    ticks->decimals = decimals > ticks->decimals ? decimals : ticks->decimals;
+  }
+  size_t power = longest_power(low, high, ticks);
+  ticks->powers = ticks->digits == DIGITS && ticks->longest >= LONG_LABEL && power < ticks->longest;
+  if (ticks->powers) ticks->longest = power;
+}
+
 static arc_ticks with_step(double low, double high, double step) {
-  arc_ticks ticks = {step, digits_of(low, high, step), 0};
+  arc_ticks ticks = {.step = step, .digits = digits_of(low, high, step)};
   ticks.longest = longest_label(low, high, &ticks);
+  choose_form(low, high, &ticks);
   return ticks;
 }
 
@@ -49,7 +83,7 @@ static int is_free(const arc_plot_axis *axis, double span) {
 }
 
 static arc_ticks free_ticks(const arc_plot_axis *axis) {
-  return (arc_ticks){0, DIGITS, axis->log ? 6 : 5};
+  return (arc_ticks){.digits = DIGITS, .longest = axis->log ? 6 : 5};
 }
 
 arc_ticks arc_ticks_up(const arc_plot_axis *axis, double from, double to, double most) {

@@ -121,6 +121,16 @@ static void same_length(reader *r, const char *name, size_t count, size_t expect
 /* --- the parts of a figure, each read from the table on top of the stack -----------------------
  */
 
+static const double *read_error(reader *r, size_t expected) {
+  size_t count;
+  int given = lua_getfield(r->L, -1, "error") != LUA_TNIL;
+  lua_pop(r->L, 1);
+  if (!given) return NULL;
+  const double *error = read_column(r, "error", &count);
+  same_length(r, "error", count, expected);
+  return error;
+}
+
 static void read_curve(reader *r, arc_plot_curve *curve) {
   size_t count;
   curve->x = read_column(r, "x", &curve->count);
@@ -132,6 +142,10 @@ static void read_curve(reader *r, arc_plot_curve *curve) {
   curve->series = read_count(r, "series");
   curve->dash = read_count(r, "dash");
   curve->width = read_number(r, "width", 0);
+  curve->error = read_error(r, curve->count);
+  curve->value = read_number(r, "value", NAN);
+  curve->scaled = !isnan(curve->value);
+  curve->labelled = read_flag(r, "labelled");
 }
 
 static const arc_plot_field *read_field(reader *r) {
@@ -152,6 +166,24 @@ static const arc_plot_field *read_field(reader *r) {
   return field;
 }
 
+/* places = { at = { numbers }, words = { strings } } of the axis on top of the stack. */
+static void read_places(reader *r, arc_plot_axis *axis) {
+  if (lua_getfield(r->L, -1, "places") == LUA_TTABLE) {
+    axis->places = read_column(r, "at", &axis->place_count);
+    const char **words = anchored(r, axis->place_count, sizeof *words);
+    axis->words = words;
+    lua_getfield(r->L, -1, "words");
+    for (size_t i = 0; i < axis->place_count; i++) {
+      if (lua_geti(r->L, -1, (lua_Integer)i + 1) != LUA_TSTRING)
+        luaL_error(r->L, "place %d of an axis has no words", (int)i + 1);
+      words[i] = lua_tostring(r->L, -1);
+      lua_rawseti(r->L, r->anchors, (lua_Integer)lua_rawlen(r->L, r->anchors) + 1);
+    }
+    lua_pop(r->L, 1);
+  }
+  lua_pop(r->L, 1);
+}
+
 static arc_plot_axis read_axis(reader *r, const char *name) {
   arc_plot_axis axis = arc_plot_axis_default();
   if (lua_getfield(r->L, -1, name) == LUA_TTABLE) {
@@ -160,6 +192,7 @@ static arc_plot_axis read_axis(reader *r, const char *name) {
     axis.max = read_number(r, "max", NAN);
     axis.log = read_flag(r, "log");
     axis.reverse = read_flag(r, "reverse");
+    read_places(r, &axis);
   }
   lua_pop(r->L, 1);
   return axis;
@@ -211,7 +244,7 @@ static void read_figure(reader *r, arc_plot_figure *figure) {
 }
 
 static arc_plot_output read_output(reader *r) {
-  static const char *const media[] = {"text", "sixel", "window", "file", NULL};
+  static const char *const media[] = {"text", "sixel", "png", "window", "file", NULL};
   arc_plot_output output = {.medium = (arc_plot_medium)read_choice(r, "medium", media)};
   output.file = read_string(r, "file");
   output.terminal = read_string(r, "terminal");
@@ -219,6 +252,11 @@ static arc_plot_output read_output(reader *r) {
   output.height = read_count(r, "height");
   output.colour = read_flag(r, "colour");
   output.ascii = read_flag(r, "ascii");
+  output.fine = read_flag(r, "fine");
+  output.dpi = read_number(r, "dpi", 0);
+  output.points = read_number(r, "points", 0);
+  output.lines = read_number(r, "lines", 0);
+  output.family = read_string(r, "family");
   return output;
 }
 

@@ -1,6 +1,7 @@
 /* The module `archard.term`: what the terminal is and can do. Leans on POSIX alone; a script asks
  * here instead of guessing from the environment. */
 #include "lua/base/archard.h"
+#include "lua/system/term_ask.h"
 
 #include <langinfo.h>
 #include <lauxlib.h>
@@ -66,6 +67,25 @@ static int term_utf8(lua_State *L) {
   return 1;
 }
 
+/* pixels() -> width, height of the whole screen; nothing where the terminal does not tell. */
+static int term_pixels(lua_State *L) {
+  struct winsize size = {0};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_xpixel == 0 || size.ws_ypixel == 0)
+    return 0;
+  lua_pushinteger(L, size.ws_xpixel);
+  lua_pushinteger(L, size.ws_ypixel);
+  return 2;
+}
+
+/* pictures() -> "kitty", "sixel" or nothing, as the terminal itself answers. */
+static int term_pictures(lua_State *L) {
+  if (is_dumb()) return 0;
+  term_answer answer = term_ask_pictures();
+  if (!answer.kitty && !answer.sixel) return 0;
+  lua_pushstring(L, answer.kitty ? "kitty" : "sixel");
+  return 1;
+}
+
 /* Seconds of a clock that only goes forward. */
 static int term_clock(lua_State *L) {
   struct timespec now;
@@ -76,13 +96,9 @@ static int term_clock(lua_State *L) {
 
 int luaopen_archard_term(lua_State *L) {
   static const luaL_Reg functions[] = {
-      {"is_terminal", term_is_terminal},
-      {"size", term_size},
-      {"movable", term_movable},
-      {"colour", term_colour},
-      {"utf8", term_utf8},
-      {"clock", term_clock},
-      {NULL, NULL},
+      {"is_terminal", term_is_terminal}, {"size", term_size},         {"movable", term_movable},
+      {"colour", term_colour},           {"utf8", term_utf8},         {"clock", term_clock},
+      {"pixels", term_pixels},           {"pictures", term_pictures}, {NULL, NULL},
   };
   luaL_newlib(L, functions);
   return 1;

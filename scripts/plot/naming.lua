@@ -1,0 +1,188 @@
+-- What the objects of a picture are called: for several the settings in which they differ, for one
+-- its main settings, as far as they hold for all of its run. Of the objects it uses only what users
+-- can.
+
+local check = require "archard.lib.check"
+local known = require "archard.settings"
+
+local naming = {}
+
+-- A field of an object, or nil: objects refuse names they do not know.
+function naming.get(object, name)
+  local ok, value = pcall(function() return object[name] end)
+  if ok then return value end
+end
+local get = naming.get
+
+-- --- one setting of an object --------------------------------------------------------------------
+
+-- Field, how its numbers or words are said, its name where it is neither, and on an axis.
+local settings = {
+  { "alpha", "α = %g", "α", axis = "α" }, { "stroke", "s = %g mm", axis = "s / mm" },
+  { "load", "load %g N", axis = "load / N" }, { "k", "k = %g", "k", axis = "k / (mm²/N)" },
+  { "x", "x = %g mm", axis = "x / mm" }, { "jump", "jump %s", "jump", axis = "cycles of an update" },
+  { "procedure", "procedure %s", follows = true }, { "scheme", "scheme %s" },
+  { "tolerance", "tolerance %g", axis = "tolerance" },
+  { "increments", "%s increments", axis = "increments" }, { "law", "law %s" },
+  { "law_exponent", "exponent %g", axis = "exponent" },
+  { "local_factor", "local factor %s", "local factor" }, { "geometry", "%s geometry" },
+  { "slip", "%s slip" }, { "cycle", "%.6g cycles", follows = true, axis = "cycles" },
+}
+
+-- What has no words of its own is told by its name.
+local worded = {}
+for _, setting in ipairs(settings) do worded[setting[1]] = true end
+for _, setting in ipairs(known.wear) do
+  if setting.plain and not worded[setting.name] then
+    local unit = setting.unit and setting.unit ~= "" and setting.unit
+    settings[#settings + 1] = { setting.name, setting.name .. " %s" .. (unit and " " .. unit or ""),
+      axis = setting.name .. (unit and " / " .. unit or "") }
+  end
+end
+
+local by_name = {}
+for _, setting in ipairs(settings) do by_name[setting[1]] = setting end
+
+-- The axis label of a setting, for studies too, whose names may have a path ("model.radius").
+function naming.axis_of(name) return by_name[name] and by_name[name].axis or name end
+
+-- "α = 0.5" of a number.
+function naming.value_of(name, value)
+  local setting = by_name[name]
+  local form = setting and setting[2]:gsub("%%s", "%%g") or name .. " = %g"
+  if type(value) == "number" then return form:format(value) end
+  return name .. " = " .. tostring(value)
+end
+
+local unnamed = { ["function"] = "%s by function", table = "%s by table" }
+
+-- Columns of the history that tell what a setting was all along.
+local course = { load = "load", alpha = "alpha", stroke = "travel" }
+
+-- Smallest and largest of a column from its first update on; nil: there is no such column.
+local function span_of(object, name)
+  local history = course[name] and get(object, "history")
+  local column = history and get(history, course[name])
+  if not column then return nil end
+  local low, high = math.huge, -math.huge
+  for i = math.min(2, #column), #column do
+    if column[i] == column[i] then low, high = math.min(low, column[i]), math.max(high, column[i]) end
+  end
+  if low <= high then return low, high end
+end
+
+local function same(low, high) return high - low <= 1e-9 * math.max(1, math.abs(high)) end
+
+-- A loading has no one stroke and load of its own: nothing is said of it that no column tells.
+local function under_loading(object, setting)
+  local low, high = span_of(object, setting[1])
+  if not low then return nil end
+  local name = setting[1] == "stroke" and "travel %s mm" or "load %s N"
+  return name:format(same(low, high) and ("%g"):format(low) or ("%g to %g"):format(low, high))
+end
+
+-- As it was set, or what it has been where that has changed.
+local function said(object, setting)
+  local name = setting[1]
+  if (name == "stroke" or name == "load") and get(object, "loading") then
+    return under_loading(object, setting)
+  end
+  local value = get(object, name)
+  local form = setting[3] and unnamed[type(value)]
+  if form then return form:format(setting[3]) end
+  local low, high = nil, nil
+  if name ~= "stroke" then low, high = span_of(object, name) end
+  if low and not same(low, high) then
+    return (setting[2]:gsub("%%g", "%%s")):format(("%g to %g"):format(low, high))
+  end
+  if type(value) == "number" and setting[2]:find("%s", 1, true) then value = ("%g"):format(value) end
+  if type(value) ~= "number" and type(value) ~= "string" then return nil end
+  return setting[2]:format(value)
+end
+
+-- --- several objects -----------------------------------------------------------------------------
+
+-- For each object what is said of a setting in which they differ; nil where they do not.
+local function differing(objects, setting)
+  local first, differs, all = said(objects[1], setting), false, {}
+  for i, object in ipairs(objects) do
+    all[i] = said(object, setting) or false
+    differs = differs or (all[i] or nil) ~= first
+  end
+  return differs and all or nil
+end
+
+local function are_distinct(parts)
+  local seen = {}
+  for _, part in ipairs(parts) do
+    local name = table.concat(part, ", ")
+    if seen[name] then return false end
+    seen[name] = true
+  end
+  return true
+end
+
+-- The settings that differ are added to the objects' parts, and those settings returned.
+local function add_differing(objects, parts, follows)
+  local used = {}
+  for _, setting in ipairs(settings) do
+    local all = not setting.follows == not follows and differing(objects, setting)
+    for i = 1, all and #objects or 0 do
+      if all[i] then parts[i][#parts[i] + 1] = all[i] end
+    end
+    if all then used[#used + 1] = setting end
+  end
+  return used
+end
+
+local most_in_key = 8
+
+-- The values of the one setting that differs, for a scale of colours.
+local function scale_of(objects, used)
+  if #objects <= most_in_key or #used ~= 1 or not used[1].axis then return nil end
+  local values = {}
+  for i, object in ipairs(objects) do
+    values[i] = get(object, used[1][1])
+    if type(values[i]) ~= "number" then return nil end
+  end
+  return { label = used[1].axis, values = values }
+end
+
+-- The settings in which the objects differ, for each object; what follows from others (SP or NSP
+-- from the stroke, the cycles from the distance) only where nothing else tells them apart. With
+-- more than eight that differ in one number, also a scale { label=, values= }.
+function naming.names_of(where, objects, titles)
+  if titles and #titles ~= #objects then
+    check.fail(where, ("field 'titles': expected one for each of %d objects, got %d"):format(
+      #objects, #titles))
+  end
+  local names, parts = {}, {}
+  for i in ipairs(objects) do parts[i] = {} end
+  local used = titles and {} or add_differing(objects, parts, false)
+  if not titles and not are_distinct(parts) then
+    table.move(add_differing(objects, parts, true), 1, 9, #used + 1, used)
+  end
+  for i in ipairs(objects) do
+    names[i] = titles and tostring(titles[i]) or table.concat(parts[i], ", ")
+    if names[i] == "" then names[i] = tostring(i) end
+  end
+  return names, not titles and scale_of(objects, used) or nil
+end
+
+-- --- one object ----------------------------------------------------------------------------------
+
+-- What an object alone on a picture is: its main settings.
+function naming.summary(object)
+  local parts = {}
+  for _, name in ipairs { "stroke", "alpha", "load", "cycle" } do
+    parts[#parts + 1] = said(object, by_name[name])
+  end
+  return table.concat(parts, ", ")
+end
+
+function naming.title_of(what, objects, options)
+  local about = #objects == 1 and not options.titles and naming.summary(objects[1]) or ""
+  return about == "" and what or what .. ": " .. about
+end
+
+return naming

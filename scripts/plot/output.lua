@@ -1,0 +1,172 @@
+-- Where a figure is drawn: characters, dots or pixels of the terminal, a window, a file; and how
+-- large. Leans on archard.term, which asks the terminal, and on plot/style.lua.
+
+local gnuplot = require "archard.gnuplot"
+local term = require "archard.term"
+local check = require "archard.lib.check"
+local style = require "archard.plot.style"
+
+local output = {}
+
+output.default = {} -- term, size, colour, key where a call does not give them
+
+local windows = { window = true, qt = true, wxt = true, x11 = true }
+local vectors = { svg = true, pdf = true, eps = true }
+local file_kinds = {}
+output.terms = { "dumb", "dots", "kitty", "sixel", "window", "qt", "wxt", "x11" }
+for ending in gnuplot.endings:gmatch("%S+") do
+  output.terms[#output.terms + 1], file_kinds[ending] = ending, true
+end
+
+local function grid_of(figure)
+  local count = #figure.panels
+  local columns = figure.columns or figure.rows and math.ceil(count / figure.rows)
+    or math.ceil(math.sqrt(count))
+  return figure.rows or math.ceil(count / columns), columns
+end
+
+-- --- the terminal --------------------------------------------------------------------------------
+
+-- As wide as the terminal, as high as it can be read without scrolling away; panels in rows need
+-- more.
+local function text_size(figure)
+  local columns, lines = term.size()
+  local width = math.max(40, math.min(columns, 160))
+  local height = math.min(math.max(24, width * 9 // 25), math.max(16, lines - 2))
+  local rows = grid_of(figure)
+  return width, math.max(height, rows > 1 and 12 * rows + 2 or 0)
+end
+
+local function to_text(figure, given, fine)
+  local width, height = text_size(figure)
+  local colour = given.colour
+  if colour == nil then colour = output.default.colour end
+  if colour == nil then colour = fine or term.colour() end
+  return { medium = "text", width = width, height = height, colour = colour, fine = fine,
+    ascii = not term.utf8() }
+end
+
+-- A picture of pixels covers what one in characters would; its letters are as large as those around
+-- it. Terminals that do not tell have cells of 8 by 16.
+local function to_pixels(figure, kind)
+  local columns, lines = term.size()
+  local wide, high = term.pixels()
+  local cell_x, cell_y = (wide or 8 * columns) / columns, (high or 16 * lines) / lines
+  local width, height = text_size(figure)
+  return { medium = kind == "kitty" and "png" or kind, shown_by = kind,
+    width = math.floor(math.min(width, 110) * cell_x), height = math.floor(height * cell_y),
+    dpi = math.max(50, 100 * cell_y / 18) }
+end
+
+-- What the terminal can do best: pixels where it answers so, else dots, where it has colours and
+-- UTF-8, else characters.
+local function best(figure, given, moving)
+  local colour = given.colour
+  if colour == nil then colour = output.default.colour end
+  if colour == false or not term.is_terminal() then return to_text(figure, given, false) end
+  local pictures = not moving and term.pictures()
+  if pictures == "kitty" then return to_pixels(figure, pictures) end
+  if pictures == "sixel" and select(2, gnuplot.about()):find(" sixelgd ", 1, true) then
+    return to_pixels(figure, pictures)
+  end
+  return to_text(figure, given, term.colour() and term.utf8())
+end
+
+local function to_window(where, name)
+  local screen = (os.getenv("DISPLAY") or "") .. (os.getenv("WAYLAND_DISPLAY") or "")
+  if screen == "" then
+    check.fail(where, "there is no screen for a window: neither DISPLAY nor WAYLAND_DISPLAY is "
+      .. "set. Leave out term to draw in the terminal, or give file=", "MISSING")
+  end
+  return { medium = "window", terminal = name ~= "window" and name or nil }
+end
+
+-- On the screen; `moving`: it will be drawn over soon, which pixels are too slow for.
+local function to_screen(where, figure, given, kind, moving)
+  if windows[kind] then return to_window(where, kind) end
+  if kind == "sixel" or kind == "kitty" then return to_pixels(figure, kind) end
+  if kind then return to_text(figure, given, kind == "dots") end
+  return best(figure, given, moving)
+end
+
+-- --- files ---------------------------------------------------------------------------------------
+
+function output.to_file(where, figure, file, kind, size)
+  local ending = (file:match("%.([^./]+)$") or ""):lower()
+  if not file_kinds[ending] or (kind and kind ~= ending) then
+    check.fail(where, ("field 'file': expected a name that ends in .%s, got \"%s\""):format(
+      kind or gnuplot.endings:gsub(" ", ", ."):gsub(", (%S+)$", " or %1"), file))
+  end
+  if file:find("%z") then check.fail(where, "field 'file': a zero byte in the name") end
+  local to = { medium = "file", file = file, ascii = false }
+  if size then to.width, to.height = size[1], size[2] end
+  if ending ~= "txt" then
+    local rows, columns = grid_of(figure)
+    style.apply(to, rows, columns, size, vectors[ending])
+  end
+  return to
+end
+
+-- --- which ---------------------------------------------------------------------------------------
+
+function output.choose(where, figure, given, moving)
+  local kind = given.term
+  if given.file then
+    if kind and not file_kinds[kind] and kind ~= "dumb" then
+      check.fail(where, ("field 'term': \"%s\" draws on the screen, but there is a file"):format(
+        kind))
+    end
+    return output.to_file(where, figure, given.file, kind == "dumb" and "txt" or kind, given.size)
+  end
+  kind = kind or output.default.term
+  if file_kinds[kind] then
+    check.fail(where, ('field \'file\': term="%s" needs the name of a file, got nil'):format(kind))
+  end
+  local to = to_screen(where, figure, given, kind, moving)
+  local size = given.size or output.default.size
+  if size and not (to.shown_by and not given.term and not output.default.term) then
+    to.width, to.height = size[1], size[2]
+  elseif size then -- meant for characters
+    local columns, lines = term.size()
+    local wide, high = term.pixels()
+    to.width = math.floor(size[1] * (wide or 8 * columns) / columns)
+    to.height = math.floor(size[2] * (high or 16 * lines) / lines)
+  end
+  return to
+end
+
+-- --- pictures for the terminal -------------------------------------------------------------------
+
+local letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+
+local function base64(bytes)
+  local out = {}
+  for i = 1, #bytes, 3 do
+    local a, b, c = bytes:byte(i, i + 2)
+    local n = a << 16 | (b or 0) << 8 | (c or 0)
+    for k = 3, 0, -1 do
+      local at = (n >> 6 * k & 63) + 1
+      out[#out + 1] = (k == 1 and not b or k == 0 and not c) and "=" or letters:sub(at, at)
+    end
+  end
+  return table.concat(out)
+end
+
+-- In pieces of 4096 characters, as kitty's protocol asks.
+local function for_kitty(png)
+  local text, pieces = base64(png), {}
+  for i = 1, #text, 4096 do
+    local more = i + 4096 <= #text and 1 or 0
+    pieces[#pieces + 1] = ("\27_G%sm=%d;%s\27\\"):format(i == 1 and "a=T,f=100,q=2," or "", more,
+      text:sub(i, i + 4095))
+  end
+  return table.concat(pieces) .. "\n"
+end
+
+-- What to write for a picture that was drawn to this output.
+function output.written(picture, to)
+  if to.shown_by == "kitty" then return for_kitty(picture) end
+  return picture:sub(-1) == "\n" and picture or picture .. "\n"
+end
+
+return output

@@ -1,0 +1,189 @@
+-- plot.response: what the cases of a study come to against what was varied in it; curves for a
+-- second setting, or a map of two. Leans on plot/draw.lua; of the cases it uses only what users can.
+
+local check = require "archard.lib.check"
+local draw = require "archard.plot.draw"
+local naming = require "archard.plot.naming"
+local curves = require "archard.plot.curves"
+
+local where = "plot.response"
+
+-- --- what was varied -----------------------------------------------------------------------------
+
+local function setting_of(study, case, name)
+  local value = (study.flat and study.flat[case.id] or case.settings)[name]
+  if value == nil then value = naming.get(case, name) end
+  return value
+end
+
+local function check_varied(study, field, name)
+  for _, each in ipairs(study.varied) do
+    if each == name then return end
+  end
+  check.fail(where, ("field '%s': \"%s\" was not varied in this study%s"):format(field, name,
+    check.hint(name, study.varied)))
+end
+
+local function held(study, case, wanted)
+  for name, value in pairs(wanted) do
+    local is = setting_of(study, case, name)
+    local close = type(is) == "number" and type(value) == "number"
+      and math.abs(is - value) <= 1e-9 * math.max(math.abs(is), math.abs(value))
+    if is ~= value and not close then return false end
+  end
+  return true
+end
+
+-- The finished cases that are asked for, each as { x=, by=, y= }.
+local function points_of(study, options)
+  local points = {}
+  for _, case in ipairs(study:cases()) do
+    if case.status == "done" and held(study, case, options.where or {}) then
+      local point = { case = case, x = setting_of(study, case, options.x),
+        by = options.by and setting_of(study, case, options.by),
+        y = naming.get(case, options.y) or case.last and case.last[options.y] }
+      if type(point.y) ~= "number" then
+        local known = {}
+        for name in pairs(case.last or {}) do known[#known + 1] = name end
+        check.fail(where, ("field 'y': the cases have no number '%s'%s"):format(options.y,
+          check.hint(options.y, known)))
+      end
+      points[#points + 1] = point
+    end
+  end
+  if #points == 0 then check.fail(where, "no finished case is among those asked for") end
+  return points
+end
+
+-- Two cases at one place differ in something that the picture would hide.
+local function refuse_hidden(study, points)
+  local seen = {}
+  for _, point in ipairs(points) do
+    local place = tostring(point.x) .. "|" .. tostring(point.by)
+    local other = seen[place]
+    for _, name in ipairs(other and study.varied or {}) do
+      local a, b = setting_of(study, other, name), setting_of(study, point.case, name)
+      if a ~= b then
+        check.fail(where, ("cases %d and %d stand at the same place and differ in %s: choose with "
+          .. "by=\"%s\" or where={ %s=%s }"):format(other.id, point.case.id, name, name, name,
+          tostring(a)))
+      end
+    end
+    seen[place] = point.case
+  end
+end
+
+-- The distinct values of a field, numbers by size, words as they come.
+local function values_of(points, field)
+  local values, seen, numbers = {}, {}, true
+  for _, point in ipairs(points) do
+    local value = point[field]
+    if value ~= nil and not seen[value] then
+      seen[value] = true
+      values[#values + 1] = value
+      numbers = numbers and type(value) == "number"
+    end
+  end
+  if numbers then table.sort(values) end
+  return values, numbers
+end
+
+-- --- curves --------------------------------------------------------------------------------------
+
+-- Words, and numbers beside them, stand at 1, 2, 3, ...
+local function places_for(values, numbers)
+  if numbers then return nil end
+  local at, words = {}, {}
+  for i, value in ipairs(values) do at[i], words[i] = i, tostring(value) end
+  return { at = at, words = words }
+end
+
+local function position_in(values, numbers)
+  local positions = {}
+  for i, value in ipairs(values) do positions[value] = numbers and value or i end
+  return positions
+end
+
+local function curve_of(points, by, positions, factor)
+  local mine, curve = {}, { x = {}, y = {}, style = "linespoints" }
+  for _, point in ipairs(points) do
+    if point.by == by and positions[point.x] then mine[#mine + 1] = point end
+  end
+  table.sort(mine, function(a, b) return positions[a.x] < positions[b.x] end)
+  for i, point in ipairs(mine) do curve.x[i], curve.y[i] = positions[point.x], point.y * factor end
+  return curve
+end
+
+local function as_curves(points, options, label, factor)
+  local xs, numbers = values_of(points, "x")
+  local positions, result = position_in(xs, numbers), { xlabel = naming.axis_of(options.x),
+    ylabel = label, xplaces = places_for(xs, numbers) }
+  local others, are_numbers = values_of(points, "by")
+  for i, by in ipairs(options.by and others or { false }) do
+    local curve = curve_of(points, options.by and by or nil, positions, factor)
+    curve.title = options.by and naming.value_of(options.by, by) or nil
+    curve.value = are_numbers and #others > 8 and by or nil
+    result[i] = curve
+  end
+  if are_numbers and #others > 8 then result.vlabel = naming.axis_of(options.by) end
+  return result
+end
+
+-- --- map -----------------------------------------------------------------------------------------
+
+-- One square a case: strokes of .11 and 20 mm have no common scale.
+local function as_map(points, options, label, factor)
+  local xs, ys = values_of(points, "x"), values_of(points, "by")
+  local across, up = position_in(xs, false), position_in(ys, false)
+  local field, n = { x = {}, y = {}, value = {} }, 0
+  for _, point in ipairs(points) do
+    local i, j = across[point.x], up[point.by]
+    for k, corner in ipairs { { -.5, -.5 }, { .5, -.5 }, { .5, .5 }, { -.5, .5 } } do
+      field.x[n + k], field.y[n + k] = i + corner[1], j + corner[2]
+      field.value[n + k] = point.y * factor
+    end
+    n = n + 4
+  end
+  return { field, xlabel = naming.axis_of(options.x), ylabel = naming.axis_of(options.by),
+    vlabel = label, xplaces = places_for(xs, false), yplaces = places_for(ys, false),
+    xrange = { 0.5, #xs + 0.5 }, yrange = { 0.5, #ys + 0.5 } }
+end
+
+-- --- the picture ---------------------------------------------------------------------------------
+
+local spoken = { cylinder = "cylinder", plate = "plate" }
+
+-- What a column is and whose: "wear depth / µm" of the cylinder.
+local function label_of(name)
+  local label, factor = curves.quantity_of(name)
+  local body = spoken[name:match("_(%l+)$") or ""]
+  if not label then return name, 1 end
+  return body and label:gsub(" /", " of the " .. body .. " /", 1) or label, factor
+end
+
+local own = { x = check.text, y = check.text, by = check.text, where = check.table,
+  map = check.flag }
+
+-- plot.response(study, { x="alpha", y="depth_cylinder", by="stroke", map=true, where={ k=1e-8 } })
+return function(study, options)
+  local cases = naming.get(study, "cases")
+  if not cases or not naming.get(study, "varied") then
+    check.fail(where, "expected a study as the first argument, got " .. check.shown(study))
+  end
+  options = draw.options(where, options, own)
+  for _, name in ipairs { "x", "y" } do
+    if type(options[name]) ~= "string" then check.refuse(where, name, "a string", options[name]) end
+  end
+  check_varied(study, "x", options.x)
+  if options.by then check_varied(study, "by", options.by) end
+  if options.map and not options.by then check.refuse(where, "by", "a string (for map)", nil) end
+  local points = points_of(study, options)
+  refuse_hidden(study, points)
+  local label, factor = label_of(options.y)
+  local given = (options.map and as_map or as_curves)(points, options, label, factor)
+  local taken = {}
+  for name, value in pairs(options) do
+    if not own[name] then taken[name] = value end
+  end
+  draw.draw(where, draw.over(given, taken))
+end

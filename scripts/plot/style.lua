@@ -1,0 +1,101 @@
+-- plot.style: the size of figures and of their letters and lines for print, slides or the screen.
+-- Leans on nothing but checks; plot/output.lua asks here.
+
+local check = require "archard.lib.check"
+local merged = require "archard.lib.merged"
+
+local style = {}
+
+-- Widths in mm, letters in points, lines relative to those of the screen; `shape` is height over
+-- width of a figure of one panel. The screen has pixels and no width of its own.
+local presets = {
+  screen = { name = "screen" },
+  paper = { name = "paper", column = 85, page = 170, points = 8, lines = 0.8, dpi = 600,
+    shape = 0.72 },
+  slides = { name = "slides", column = 254, page = 254, points = 20, lines = 1.8, dpi = 150,
+    shape = 0.5625 },
+}
+style.names = { "paper", "slides", "screen" }
+
+local current = presets.screen
+
+local function of_numbers(low, high)
+  return check.kind(("a number in [%g, %g]"):format(low, high), function(v)
+    return type(v) == "number" and v >= low and v <= high
+  end)
+end
+
+local fields = {
+  width = check.one_of({ "column", "page" }, of_numbers(20, 1000)), height = of_numbers(15, 1000),
+  font = check.text, points = of_numbers(3, 72), dpi = of_numbers(30, 2400),
+  lines = of_numbers(0.1, 10),
+}
+
+local function shown(chosen)
+  local copy = {}
+  for name, value in pairs(chosen) do copy[name] = value end
+  return copy
+end
+
+local function refuse_on_screen(given)
+  for _, name in ipairs { "width", "height", "dpi" } do
+    if given[name] ~= nil then
+      check.fail("plot.style", ("field '%s': the screen's figures have their size in pixels, by size "
+        .. 'of the plot; give "paper" or "slides" for one in mm'):format(name))
+    end
+  end
+end
+
+-- plot.style "paper", plot.style{ "paper", width="page", ... }: from now on; returns what holds.
+function style.choose(given)
+  if given == nil then return shown(current) end
+  if type(given) == "string" then given = { given } end
+  if type(given) ~= "table" then
+    check.fail("plot.style", "expected a name or a table of options, got " .. check.shown(given))
+  end
+  local name, options = given[1] == nil and current.name or given[1], {}
+  if not presets[name] then
+    check.refuse("plot.style", "1", '"paper", "slides" or "screen"', name)
+  end
+  for key, value in pairs(given) do
+    if key ~= 1 then options[key] = value end
+  end
+  check.fields("plot.style", options, fields)
+  if name == "screen" then refuse_on_screen(options) end
+  current = merged(given[1] == nil and current or presets[name], options)
+  return shown(current)
+end
+
+-- --- the size of a figure ------------------------------------------------------------------------
+
+-- Figures of several columns of panels want the page.
+local function width_of(columns)
+  local width = current.width or (columns > 1 and "page" or "column")
+  return current[width] or width
+end
+
+-- One panel has the style's shape; panels in a grid are a little higher than wide, for their titles.
+local function height_of(width, rows, columns, size)
+  if current.height then return current.height end
+  if size then return width * size[2] / size[1] end
+  if rows * columns == 1 then return width * current.shape end
+  return math.min(width * 1.4, width / columns * 0.85 * rows + 8)
+end
+
+-- Fills an output to a file: pixels, their number in an inch, letters and lines. `size`: what the
+-- caller asks for [pixels], which are then spread over the style's width.
+function style.apply(output, rows, columns, size, is_vector)
+  output.points, output.lines, output.family = current.points, current.lines, current.font
+  if not current.column then return end
+  local width = width_of(columns)
+  local height = height_of(width, rows, columns, size)
+  local dpi = is_vector and 96 or size and size[1] / (width / 25.4) or current.dpi
+  output.dpi = dpi
+  output.width = math.floor(width / 25.4 * dpi + 0.5)
+  output.height = math.floor(height / 25.4 * dpi + 0.5)
+end
+
+-- Whether pictures have a size of their own, in mm.
+function style.in_mm() return current.column ~= nil end
+
+return style

@@ -1,0 +1,97 @@
+/* What a reader of the field expects lowered, raised or in Greek. Leans on text.c.
+ *
+ * Only forms that cannot be a file's or a column's name are taken: a single letter before _, digits
+ * after ^. Everything else gnuplot could take for a mark is escaped.
+ */
+#include <ctype.h>
+#include <string.h>
+
+#include "plot/text.h"
+
+static int is_letter(unsigned char c) {
+  return isalpha(c) || c >= 0x80;
+}
+
+/* Bytes of the character that ends at `at`; it must begin a word. 0: none that can bear a mark. */
+static size_t symbol_before(const char *words, const char *at) {
+  size_t length = 1;
+  while (at - length > words && ((unsigned char)at[-(long)length] & 0xc0) == 0x80) length++;
+  if ((size_t)(at - words) < length || !is_letter((unsigned char)at[-(long)length])) return 0;
+  const char *before = at - length;
+  if (before == words) return length;
+  unsigned char c = (unsigned char)before[-1];
+  return isalnum(c) || c == '_' || c >= 0x80 ? 0 : length;
+}
+
+/* Bytes after the _ or ^ at `at` that are lowered or raised; 0: it is no mark. */
+static size_t marked(const char *words, const char *at) {
+  size_t count = 0;
+  if (at == words) return 0;
+  if (*at == '_' && symbol_before(words, at) > 0) {
+    while (is_letter((unsigned char)at[1 + count]) || isdigit((unsigned char)at[1 + count]))
+      count++;
+    return at[1 + count] == '_' ? 0 : count;
+  }
+  if (*at != '^' || !(isalnum((unsigned char)at[-1]) || at[-1] == ')')) return 0;
+  size_t sign = at[1] == '-';
+  while (isdigit((unsigned char)at[1 + sign + count])) count++;
+  return count ? sign + count : 0;
+}
+
+int arc_text_marked(const char *words) {
+  for (const char *at = words; *at; at++)
+    if ((*at == '_' || *at == '^') && marked(words, at) > 0) return 1;
+  return 0;
+}
+
+/* `words` may begin anywhere in a quoted text; the quotes around it are not ours to escape. */
+void arc_text_enhanced(arc_text *text, const char *words) {
+  for (const char *at = words; *at; at++) {
+    size_t count = *at == '_' || *at == '^' ? marked(words, at) : 0;
+    if (count > 0) {
+      arc_text_add(text, at, 1);
+      arc_text_word(text, "{");
+      arc_text_add(text, at + 1, count);
+      arc_text_word(text, "}");
+      at += count;
+    } else {
+      if (strchr("_^{}@&~\\", *at)) arc_text_word(text, "\\");
+      arc_text_add(text, at, 1);
+    }
+  }
+}
+
+/* --- Greek ------------------------------------------------------------------------------------ */
+
+typedef struct letter {
+  const char *name, *utf8;
+} letter;
+
+/* Returns the letter whose name follows the backslash and ends there, or NULL. */
+static const letter *letter_at(const char *name) {
+  static const letter letters[] = {
+      {"alpha", "\316\261"},   {"beta", "\316\262"},  {"gamma", "\316\263"}, {"delta", "\316\264"},
+      {"epsilon", "\316\265"}, {"eta", "\316\267"},   {"kappa", "\316\272"}, {"lambda", "\316\273"},
+      {"mu", "\316\274"},      {"nu", "\316\275"},    {"pi", "\317\200"},    {"rho", "\317\201"},
+      {"sigma", "\317\203"},   {"tau", "\317\204"},   {"phi", "\317\206"},   {"omega", "\317\211"},
+      {"Delta", "\316\224"},   {"Sigma", "\316\243"},
+  };
+  for (size_t i = 0; i < sizeof letters / sizeof *letters; i++) {
+    size_t length = strlen(letters[i].name);
+    if (strncmp(name, letters[i].name, length) == 0 && !isalpha((unsigned char)name[length]))
+      return &letters[i];
+  }
+  return NULL;
+}
+
+void arc_text_greek(arc_text *text, const char *words) {
+  arc_text_word(text, "");
+  for (const char *at = words; *at; at++) {
+    const letter *found = *at == '\\' ? letter_at(at + 1) : NULL;
+    if (found)
+      arc_text_word(text, found->utf8);
+    else
+      arc_text_add(text, at, 1);
+    if (found) at += strlen(found->name);
+  }
+}
