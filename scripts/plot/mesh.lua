@@ -113,7 +113,7 @@ function mesh.mesh(model, options)
       local curve = edge_curve(x, y, elements, false, around(box))
       nodes, count = nodes + #x, count + #elements // 4
       if curve then
-        curve.title, curve.series, curve.width = name, series, 0.5
+        curve.title, curve.series, curve.dash, curve.width = name, series, 1, 0.5
         defaults[#defaults + 1] = curve
       end
     end

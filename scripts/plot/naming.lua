@@ -29,13 +29,16 @@ local settings = {
   { "slip", "%s slip" }, { "cycle", "%.6g cycles", follows = true, axis = "cycles" },
 }
 
+-- How far a run has come is told once.
+local courses = { distance = true, update = true, cycles = true }
+
 -- What has no words of its own is told by its name.
 local worded = {}
 for _, setting in ipairs(settings) do worded[setting[1]] = true end
 for _, setting in ipairs(known.wear) do
   if setting.plain and not worded[setting.name] then
     local unit = setting.unit and setting.unit ~= "" and setting.unit
-    settings[#settings + 1] = { setting.name, setting.name .. " %s" .. (unit and " " .. unit or ""),
+    settings[#settings + 1] = { setting.name, follows = courses[setting.name], setting.name .. " %s" .. (unit and " " .. unit or ""),
       axis = setting.name .. (unit and " / " .. unit or "") }
   end
 end
@@ -112,27 +115,39 @@ local function differing(objects, setting)
   return differs and all or nil
 end
 
-local function are_distinct(parts)
-  local seen = {}
+local function count_names(parts)
+  local seen, count = {}, 0
   for _, part in ipairs(parts) do
     local name = table.concat(part, ", ")
-    if seen[name] then return false end
-    seen[name] = true
+    if not seen[name] then seen[name], count = true, count + 1 end
   end
-  return true
+  return count
 end
 
--- The settings that differ are added to the objects' parts, and those settings returned.
-local function add_differing(objects, parts, follows)
-  local used = {}
-  for _, setting in ipairs(settings) do
-    local all = not setting.follows == not follows and differing(objects, setting)
-    for i = 1, all and #objects or 0 do
-      if all[i] then parts[i][#parts[i] + 1] = all[i] end
-    end
-    if all then used[#used + 1] = setting end
+local function with_said(parts, all)
+  local longer = {}
+  for i, part in ipairs(parts) do
+    longer[i] = table.move(part, 1, #part, 1, {})
+    if all[i] then longer[i][#part + 1] = all[i] end
   end
-  return used
+  return longer
+end
+
+-- Parts with the settings that differ, and those settings. What follows from others is added only
+-- where it tells more objects apart.
+local function parts_of(objects)
+  local parts, used = {}, {}
+  for i in ipairs(objects) do parts[i] = {} end
+  for _, follows in ipairs { false, true } do
+    for _, setting in ipairs(settings) do
+      local all = not setting.follows == not follows and differing(objects, setting)
+      local longer = all and with_said(parts, all)
+      if longer and (not follows or count_names(longer) > count_names(parts)) then
+        parts, used[#used + 1] = longer, setting
+      end
+    end
+  end
+  return parts, used
 end
 
 local most_in_key = 8
@@ -156,12 +171,8 @@ function naming.names_of(where, objects, titles)
     check.fail(where, ("field 'titles': expected one for each of %d objects, got %d"):format(
       #objects, #titles))
   end
-  local names, parts = {}, {}
-  for i in ipairs(objects) do parts[i] = {} end
-  local used = titles and {} or add_differing(objects, parts, false)
-  if not titles and not are_distinct(parts) then
-    table.move(add_differing(objects, parts, true), 1, 9, #used + 1, used)
-  end
+  local names, parts, used = {}, nil, {}
+  if not titles then parts, used = parts_of(objects) end
   for i in ipairs(objects) do
     names[i] = titles and tostring(titles[i]) or table.concat(parts[i], ", ")
     if names[i] == "" then names[i] = tostring(i) end

@@ -132,7 +132,7 @@ end
 -- --- map -----------------------------------------------------------------------------------------
 
 -- One square a case: strokes of .11 and 20 mm have no common scale.
-local function as_map(points, options, label, factor)
+local function as_map(points, options, _, factor)
   local xs, ys = values_of(points, "x"), values_of(points, "by")
   local across, up = position_in(xs, false), position_in(ys, false)
   local field, n = { x = {}, y = {}, value = {} }, 0
@@ -145,20 +145,19 @@ local function as_map(points, options, label, factor)
     n = n + 4
   end
   return { field, xlabel = naming.axis_of(options.x), ylabel = naming.axis_of(options.by),
-    vlabel = label, xplaces = places_for(xs, false), yplaces = places_for(ys, false),
+    xplaces = places_for(xs, false), yplaces = places_for(ys, false),
     xrange = { 0.5, #xs + 0.5 }, yrange = { 0.5, #ys + 0.5 } }
 end
 
 -- --- the picture ---------------------------------------------------------------------------------
 
-local spoken = { cylinder = "cylinder", plate = "plate" }
-
--- What a column is and whose: "wear depth / µm" of the cylinder.
-local function label_of(name)
+-- What a column is called over its picture and on its axis: "wear depth of the cylinder",
+-- "wear depth / µm"; and the factor to that unit.
+local function labels_of(name)
   local label, factor = curves.quantity_of(name)
-  local body = spoken[name:match("_(%l+)$") or ""]
-  if not label then return name, 1 end
-  return body and label:gsub(" /", " of the " .. body .. " /", 1) or label, factor
+  if not label then return name, name, 1 end
+  local body = name:match("_(cylinder)$") or name:match("_(plate)$")
+  return label:match("^(.-) / ") or label, label, factor, body and " of the " .. body or ""
 end
 
 local own = { x = check.text, y = check.text, by = check.text, where = check.table,
@@ -179,8 +178,9 @@ return function(study, options)
   if options.map and not options.by then check.refuse(where, "by", "a string (for map)", nil) end
   local points = points_of(study, options)
   refuse_hidden(study, points)
-  local label, factor = label_of(options.y)
+  local name, label, factor, body = labels_of(options.y)
   local given = (options.map and as_map or as_curves)(points, options, label, factor)
+  given.title = name .. (body or "") .. (options.map and label:sub(#name + 1) or "")
   local taken = {}
   for name, value in pairs(options) do
     if not own[name] then taken[name] = value end

@@ -60,6 +60,9 @@ arc_ticks arc_ticks_up(const arc_plot_axis *axis, double from, double to, double
 arc_ticks arc_ticks_across(const arc_plot_axis *axis, double from, double to, double most,
                            double columns);
 
+/* Characters in a line of a panel's title. */
+double arc_panel_columns(const arc_writer *w);
+
 /* The grid of panels: as given, or about as wide as high. */
 void arc_plot_grid(const arc_plot_figure *figure, int *rows, int *columns);
 
@@ -79,6 +82,11 @@ void arc_plot_commands(const arc_plot_figure *figure, const arc_canvas *canvas, 
  */
 void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after);
 void arc_writer_label(arc_writer *w, const char *before, const char *words, const char *after);
+
+/* The same of a title that has so many characters in a line; and in how many lines it comes. */
+void arc_writer_title(arc_writer *w, const char *before, const char *words, double columns,
+                      const char *after);
+int arc_title_lines(const char *words, double columns);
 
 /* The titles that stand beside the frame at the ends of their curves: the room they take in
  * characters, and their commands. */

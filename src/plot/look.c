@@ -34,22 +34,52 @@ void arc_writer_words(arc_writer *w, const char *before, const char *words, cons
   arc_text_word(w->out, after);
 }
 
-/* Words without marks stay out of gnuplot's reach. */
-void arc_writer_label(arc_writer *w, const char *before, const char *words, const char *after) {
-  arc_text greek = {0}, quoted = {0};
-  arc_text_greek(&greek, words);
-  arc_text_quoted(&quoted, greek.data ? greek.data : "", w->canvas->ascii);
-  int marked = !w->canvas->text && quoted.data && arc_text_marked(quoted.data);
-  arc_text_word(w->out, before);
-  if (marked)
+/* Words without marks stay out of gnuplot's reach. A long title is broken by a line break of ours.
+ */
+static void add_label(arc_writer *w, const char *words, double columns, int marked) {
+  arc_text quoted = {0};
+  size_t count = arc_text_line(words, columns);
+  char *line = strndup(words, count);
+  if (line) arc_text_quoted(&quoted, line, w->canvas->ascii);
+  if (!line || quoted.failed)
+    w->out->failed = 1;
+  else if (marked)
     arc_text_enhanced(w->out, quoted.data);
   else
-    arc_text_word(w->out, quoted.data ? quoted.data : "''");
+    arc_text_word(w->out, quoted.data);
+  free(line);
+  arc_text_free(&quoted);
+  while (words[count] == ' ') count++;
+  if (!words[count] || count == 0) return;
+  arc_text_word(w->out, ".\"\\n\".");
+  add_label(w, words + count, columns, marked);
+}
+
+void arc_writer_title(arc_writer *w, const char *before, const char *words, double columns,
+                      const char *after) {
+  arc_text greek = {0};
+  arc_text_greek(&greek, words);
+  int marked = !w->canvas->text && greek.data && arc_text_marked(greek.data);
+  arc_text_word(w->out, before);
+  add_label(w, greek.data ? greek.data : "", columns, marked);
   arc_text_word(w->out, marked ? " enhanced" : " noenhanced");
   arc_text_word(w->out, after);
-  w->out->failed |= greek.failed || quoted.failed;
+  w->out->failed |= greek.failed;
   arc_text_free(&greek);
-  arc_text_free(&quoted);
+}
+
+void arc_writer_label(arc_writer *w, const char *before, const char *words, const char *after) {
+  arc_writer_title(w, before, words, INFINITY, after);
+}
+
+int arc_title_lines(const char *words, double columns) {
+  int lines = 0;
+  while (words && *words) {
+    words += arc_text_line(words, columns);
+    while (*words == ' ') words++;
+    lines++;
+  }
+  return lines;
 }
 
 /* --- scale of colours --------------------------------------------------------------------------
@@ -165,7 +195,9 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
   else if (curve->colour)
     arc_writer_words(w, " linecolor rgb ", curve->colour, "");
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
-  if (p.dash > 1 && curve->style != ARC_PLOT_POINTS && !w->canvas->text && !is_scaled(w, curve))
+  int chosen = curve->colour && curve->dash == 0; /* by a colour: the line stays full */
+  if (p.dash > 1 && !chosen && curve->style != ARC_PLOT_POINTS && !w->canvas->text &&
+      !is_scaled(w, curve))
     arc_text_format(w->out, " dashtype %s", dashes[p.dash - 1]);
 }
 

@@ -37,7 +37,7 @@ static void axis_words(arc_writer *w, const char *axis, const arc_plot_axis *a) 
 /* Characters cannot be turned: the label of y stands above its axis, the title one line higher. */
 static void heading(arc_writer *w, const arc_plot_panel *panel) {
   int above = w->canvas->text && panel->y.label;
-  arc_writer_label(w, "set title ", panel->title ? panel->title : "", "");
+  arc_writer_title(w, "set title ", panel->title ? panel->title : "", arc_panel_columns(w), "");
   arc_text_word(w->out, above ? " offset character 0,1\n" : " offset 0,0\n");
   arc_text_word(w->out, "unset label\n");
   if (!above) return;
@@ -352,8 +352,9 @@ static void settings(arc_writer *w, const arc_plot_panel *panel, const arc_plot_
                      const arc_plot_frame *frame, int framed, const double range[2]) {
   axis_words(w, "x", &panel->x);
   axis_words(w, "y", &panel->y);
-  axis_ticks(w, "x", &panel->x, ticks_of_x(w, panel, box, frame->columns));
-  axis_ticks(w, "y", &panel->y, ticks_of_y(w, panel, box, frame->rows));
+  arc_plot_box data = panel->equal || panel->field ? *box : arc_plot_extent(panel);
+  axis_ticks(w, "x", &panel->x, ticks_of_x(w, panel, &data, frame->columns));
+  axis_ticks(w, "y", &panel->y, ticks_of_y(w, panel, &data, frame->rows));
   box_words(w, panel, box);
   ground_words(w, panel);
   heading(w, panel);
@@ -371,7 +372,8 @@ static void margins(arc_writer *w, const arc_plot_panel *panel, const arc_plot_f
     frame_words(w, frame);
   else if (w->canvas->text)
     arc_text_format(w->out, "set tmargin %d\n",
-                    1 + (panel->title != NULL) + (panel->y.label != NULL));
+                    1 + arc_title_lines(panel->title, arc_panel_columns(w)) +
+                        (panel->y.label != NULL));
   else if (arc_labels_room(panel) > 0)
     arc_text_format(w->out, "set rmargin %g\n", arc_labels_room(panel));
 }

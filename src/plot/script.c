@@ -23,20 +23,21 @@ static double longest_title(const arc_plot_panel *panel) {
   return (double)longest;
 }
 
-static room room_around(const arc_writer *w) {
+static room room_around(const arc_writer *w, double columns) {
   const arc_plot_figure *figure = w->figure;
   int text = w->canvas->text;
   room r = {text ? 8 : 7.5, text ? 2 : 2.5, 0.7, 2};
   for (size_t i = 0; i < figure->panel_count; i++) {
     const arc_plot_panel *panel = &figure->panels[i];
-    int labelled = panel->y.label != NULL, titled = panel->title != NULL;
+    int labelled = panel->y.label != NULL;
+    int titled = arc_title_lines(panel->title, columns);
     double range[2];
     if (panel->field) r.right = text ? 25 : 13;
     if (arc_look_scale(w, panel, range)) r.right = 13;
     if (!text) r.right = fmax(r.right, arc_labels_room(panel));
     if (panel->key == ARC_PLOT_KEY_RIGHT) r.right = fmax(r.right, longest_title(panel) + 9);
     if (panel->x.label) r.bottom = text ? 3 : 3.2;
-    r.top = fmax(r.top, text ? titled + labelled + 1 : titled ? 2.5 : 0.7);
+    r.top = fmax(r.top, text ? titled + labelled + 1 : titled ? 1.5 + titled : 0.7);
     if (!text && labelled) r.left = 9.5;
   }
   return r;
@@ -66,13 +67,20 @@ static double left_of_frames(const arc_writer *w, double least, double rows) {
   return fmax(least, wide + (labelled && !w->canvas->text ? 3.2 : 0));
 }
 
+double arc_panel_columns(const arc_writer *w) {
+  int rows, columns;
+  arc_plot_grid(w->figure, &rows, &columns);
+  return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns / columns; /* it is over the frame */
+}
+
 static arc_plot_frame frame_of(const arc_writer *w, size_t number) {
   int rows, columns;
   arc_plot_grid(w->figure, &rows, &columns);
-  room r = room_around(w);
-  double above = w->figure->title ? (w->canvas->text ? 1 : 1.6) : 0;
+  double above = arc_title_lines(w->figure->title, w->canvas->columns);
+  if (above > 0 && !w->canvas->text) above += 0.6;
   double below = arc_look_key_rows(w) + (arc_look_one_key(w) && !w->canvas->text ? 0.6 : 0);
   double wide = w->canvas->columns / columns;
+  room r = room_around(w, arc_panel_columns(w));
   double high = (w->canvas->rows - above - below) / rows;
   double left = wide * (double)(number % (size_t)columns);
   r.left = left_of_frames(w, r.left, high - r.top - r.bottom - own_keys(w));
@@ -100,7 +108,7 @@ static void common_settings(arc_writer *w) {
 
 static void several_panels(arc_writer *w) {
   const char *title = w->figure->title && !w->canvas->dots ? w->figure->title : "";
-  arc_writer_label(w, "set multiplot title ", title, "\n");
+  arc_writer_title(w, "set multiplot title ", title, w->canvas->columns, "\n");
   for (size_t i = 0; i < w->figure->panel_count; i++) {
     arc_plot_frame frame = frame_of(w, i);
     arc_panel_write(w, i, &frame, 1);

@@ -129,6 +129,18 @@ size_t arc_text_characters(const char *words) {
   return count;
 }
 
+size_t arc_text_line(const char *words, double columns) {
+  size_t best = 0, clause = 0, i = 0;
+  for (double seen = 0; words[i] && (seen <= columns || best == 0); i++) {
+    if (((unsigned char)words[i] & 0xc0) != 0x80) seen++;
+    if (words[i] != ' ' || i == 0) continue;
+    best = i;
+    if (strchr(",:;", words[i - 1])) clause = i;
+  }
+  if (!words[i] && arc_text_characters(words) <= columns) return i;
+  return clause ? clause : best ? best : strlen(words);
+}
+
 char *arc_plot_quote(const char *words, int ascii) {
   arc_text text = {0};
   arc_text_quoted(&text, words, ascii);

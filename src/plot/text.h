@@ -31,6 +31,10 @@ void arc_text_enhanced(arc_text *text, const char *words);
 /* Characters (not bytes) of a UTF-8 text; 0 for NULL. */
 size_t arc_text_characters(const char *words);
 
+/* Bytes of the first line of words that has at most so many characters: up to a comma, colon or
+ * blank, or all. */
+size_t arc_text_line(const char *words, double columns);
+
 void arc_text_free(arc_text *text);
 
 #endif
