@@ -63,13 +63,14 @@ end
 local function best(figure, given, moving)
   local colour = given.colour
   if colour == nil then colour = output.default.colour end
-  if colour == false or not term.is_terminal() then return to_text(figure, given, false) end
+  if colour == nil then colour = term.colour() end
+  if not colour or not term.is_terminal() then return to_text(figure, given, false) end
   local pictures = not moving and term.pictures()
   if pictures == "kitty" then return to_pixels(figure, pictures) end
   if pictures == "sixel" and select(2, gnuplot.about()):find(" sixelgd ", 1, true) then
     return to_pixels(figure, pictures)
   end
-  return to_text(figure, given, term.colour() and term.utf8())
+  return to_text(figure, given, term.utf8())
 end
 
 local function to_window(where, name)

@@ -111,6 +111,17 @@ static void put_dots(const screen *dots, size_t row, size_t column, arc_text *ou
   put_colour(out, NO_COLOUR);
 }
 
+/* A point on the frame is seen; of a line there the frame itself. */
+static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size_t column) {
+  int found = 0;
+  if (c->colour != NO_COLOUR || !strchr("|+-", *c->bytes)) return 0;
+  for (size_t i = 0; i < 8; i++) {
+    const cell *dot = cell_at(dots, 4 * row + i / 2, 2 * column + i % 2);
+    found |= dot->bytes && *dot->bytes == ARC_DOT_MARK;
+  }
+  return found;
+}
+
 static void put_cell(const cell *c, arc_text *out) {
   if (c->colour != NO_COLOUR) put_colour(out, c->colour);
   if (c->colour != NO_COLOUR && *c->bytes == ARC_DOT_MARK)
@@ -128,7 +139,7 @@ void arc_braille(const char *picture, size_t length, const char *dots, size_t do
   for (size_t row = 0; !out->failed && row < words.rows; row++) {
     for (size_t column = 0; column < words.columns; column++) {
       const cell *c = cell_at(&words, row, column);
-      if (c->bytes && c->colour != BLACK)
+      if (c->bytes && c->colour != BLACK && !is_point_on_frame(&curves, c, row, column))
         put_cell(c, out);
       else
         put_dots(&curves, row, column, out);
