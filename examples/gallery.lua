@@ -15,9 +15,9 @@ for _, cycles in ipairs{ 200, 600, 1500, 3000, 6000 } do
   states[#states + 1] = w:clone()
 end
 local pressures = table.move(states, 1, #states, 1, {})
-pressures[#pressures + 1] = { file = to "pressure", scaled = true, size = { 900, 600 }, title = "Contact pressure, s = a, alpha = 0.5" }
+pressures[#pressures + 1] = { file = to "pressure", scaled = true, size = { 900, 600 }, title = "Contact pressure, s = a, \\alpha = 0.5" }
 plot.pressure(table.unpack(pressures))
 
-plot.profile(w, { file = to "profiles", size = { 900, 600 }, title = "Wear profiles after 1320 mm, s = a, alpha = 0.5" })
+plot.profile(w, { file = to "profiles", size = { 900, 600 }, title = "Wear profiles after 1320 mm, s = a, \\alpha = 0.5" })
 plot.history(w, "p_center", { file = to "p_center", size = { 900, 600 }, title = "Pressure at the centre" })
 plot.stress(contact{ model = m }, { file = to "mises", size = { 900, 800 }, title = "Von Mises stress, unworn contact" })

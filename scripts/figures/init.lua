@@ -5,6 +5,7 @@ local archard = require "archard"
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
 local parts = require "archard.figures.parts"
+local style = require "archard.plot.style"
 
 local figures = {}
 
@@ -92,7 +93,7 @@ end
 local function draw_one(options, dir, name, term)
   local file = term ~= "dumb" and ("%s/%s.%s"):format(dir, name, term) or nil
   local copy = merged(options, { file = file })
-  if not file then copy.size = nil end
+  if not file or style.in_mm() then copy.size = nil end
   archard.plot(copy)
   return file
 end

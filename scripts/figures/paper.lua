@@ -81,7 +81,7 @@ local function evolution(cases)
     panels[6][i].title, panels[6][i].dash = body, i
   end
   for i = 1, 6 do panels[i].key = i == 3 and "top right" or i > 4 and "top left" or "none" end
-  return { panels = parts.lettered(panels), layout = { 2, 3 }, size = { 1500, 840 } }
+  return { panels = panels, layout = { 2, 3 }, size = { 1500, 840 } }
 end
 
 -- --- Figs. 10 to 12 ------------------------------------------------------------------------------
@@ -94,7 +94,7 @@ local function effect_of_alpha(cases)
     append(panels, row(curves, title, { reach = 3.4, plate_reach = 5, cylinder = { 0, 8 },
       plate = { -4, 0.5 }, pressure = { 0, 600 } }))
   end
-  return { panels = parts.lettered(panels), layout = { 4, 3 }, size = { 1260, 1500 } }
+  return { panels = panels, layout = { 4, 3 }, size = { 1260, 1500 } }
 end
 
 local function courses(cases)
@@ -108,7 +108,7 @@ local function courses(cases)
       parts.course("p_center", 1, "p at the centre / MPa", curves,
         { title = stroke_titles[column], yrange = { 0, 600 } }))
   end
-  return { panels = parts.lettered(panels), layout = { 2, 3 }, size = { 1260, 800 } }
+  return { panels = panels, layout = { 2, 3 }, size = { 1260, 800 } }
 end
 
 local function effect_of_stroke(cases)
@@ -119,7 +119,7 @@ local function effect_of_stroke(cases)
     append(panels, row(curves, alpha_title(alpha), { reach = 3.4, plate_reach = 5,
       cylinder = { 0, 8 }, plate = { -4, 0.5 }, pressure = { 0, 600 } }))
   end
-  return { panels = parts.lettered(panels), layout = { 5, 3 }, size = { 1260, 1860 } }
+  return { panels = panels, layout = { 5, 3 }, size = { 1260, 1860 } }
 end
 
 -- --- Figs. 13 and 14 -----------------------------------------------------------------------------
@@ -140,7 +140,7 @@ local function depth_partition(cases)
     panels[5][i] = parts.local_partition(curve.case)
     panels[5][i].title, panels[5][i].series = curve.title, curve.series
   end
-  return { panels = parts.lettered(panels), layout = { 2, 3 }, size = { 1260, 800 } }
+  return { panels = panels, layout = { 2, 3 }, size = { 1260, 800 } }
 end
 
 local function sums(cases)
@@ -155,7 +155,7 @@ local function sums(cases)
     if #panel == 0 then return nil end
     panels[column] = panel
   end
-  return { panels = parts.lettered(panels), layout = { 2, 2 }, size = { 1000, 800 } }
+  return { panels = panels, layout = { 2, 2 }, size = { 1000, 800 } }
 end
 
 -- --- what there is to see ------------------------------------------------------------------------

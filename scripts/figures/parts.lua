@@ -95,14 +95,6 @@ function parts.course(column, factor, label, curves, options)
   return panel
 end
 
--- "(a) title" on the panels of a figure, in their order.
-function parts.lettered(panels)
-  for i, panel in ipairs(panels) do
-    panel.title = ("(%s) %s"):format(("abcdefghijklmnopqrstuvwxyz"):sub(i, i), panel.title or "")
-  end
-  return panels
-end
-
 -- --- cases by their settings -----------------------------------------------------------------------
 
 -- The finished case whose settings are these; nil: there is none.

@@ -45,7 +45,7 @@ local function meshes(cases)
   if not model then return nil end
   local panels = {}
   for i, which in ipairs(views) do panels[i] = view(model, which) end
-  return { panels = parts.lettered(panels), layout = { 2, 2 }, size = { 1300, 1100 } }
+  return { panels = panels, layout = { 2, 2 }, size = { 1300, 1100 } }
 end
 
 local function caption_meshes(cases)
@@ -74,7 +74,7 @@ local function ways(cases)
       y = back and { -s / 2, s / 2, -s / 2 } or { -s / 2, s / 2 }, title = "s = " .. name,
       series = column }
   end
-  return { panels = parts.lettered(panels), layout = { 1, 2 }, size = { 1100, 430 } }
+  return { panels = panels, layout = { 1, 2 }, size = { 1100, 430 } }
 end
 
 return {

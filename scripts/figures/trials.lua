@@ -51,7 +51,7 @@ local function trials(chosen, name)
         panels[#panels].key = places[kind]
       end
     end
-    return { panels = parts.lettered(panels), layout = { 2, 3 }, size = { 1320, 880 } }
+    return { panels = panels, layout = { 2, 3 }, size = { 1320, 880 } }
   end
 end
 
@@ -137,7 +137,7 @@ local function meshes(cases)
       title = ("α = %g"):format(alpha), yrange = { 0, 300 } })
     panels[#panels].key = "top right"
   end
-  return { panels = parts.lettered(panels), layout = { 2, 2 }, size = { 1200, 860 } }
+  return { panels = panels, layout = { 2, 2 }, size = { 1200, 860 } }
 end
 
 local function shows_meshes(cases)

@@ -18,16 +18,22 @@ return {
   { "plot", kind = "function", use = "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
     text = "Draws curves through gnuplot: in the terminal, in a window, or to a file. The list part "
       .. "holds the curves; numbers that are NaN or infinite break a line. Titles are shown as they "
-      .. "are written." },
+      .. "are written, but for three forms: \\alpha is the Greek letter, p_H is p with the H lowered, "
+      .. "mm^2 has the 2 raised (in files and windows). More than eight curves are named at their ends." },
   { "plot{x}", type = "list", text = "In a curve: its abscissae; 1, 2, 3, ... where left out." },
   { "plot{y}", type = "list", text = "In a curve: its ordinates." },
   { "plot{value}", type = "list",
     text = "In the list part: a field, polygons with four corners each in x, y and value; a "
-      .. "triangle repeats its last." },
+      .. "triangle repeats its last. In a curve: a number, by which a scale of colours names it." },
+  { "plot{error}", type = "list", text = "In a curve: half lengths of error bars in y." },
+  { "plot{points}", type = "table { x=, y=, error=, title= }",
+    text = "Measured points over the curves, as plot.points takes them." },
   { "plot{title}", type = "string", text = "Title of the plot; in a curve, its name in the key." },
   { "plot{term}", values = require "archard.plot.draw".terms,
-    text = "Where to draw; the terminal in characters where left out. sixel is a picture in "
-      .. "terminals that know it, window the first of qt, wxt and x11 that gnuplot has." },
+    text = "Where to draw. Where left out, the best the terminal can do: a picture where it answers "
+      .. "that it shows kitty's or sixel, else curves in Braille dots where it has colours and UTF-8, "
+      .. "else characters. dots and dumb ask for these two, window is the first of qt, wxt and x11 "
+      .. "that gnuplot has." },
   { "plot{file}", type = "string",
     text = "File to draw to; its ending (png, svg, pdf, eps, gif, txt, or gp for gnuplot's commands) "
       .. "tells the kind. It appears whole or not at all." },
@@ -59,13 +65,50 @@ return {
   { "plot{equal}", type = "boolean", default = false, text = "The same scale on both axes." },
   { "plot{levels}", type = "whole number >= 1", text = "Contour lines of a field." },
   { "plot{size}", type = "table { width, height }",
-    text = "Size of the picture: characters in the terminal, pixels in a file." },
+    text = "Size of the picture: characters in the terminal, pixels in a file. With a plot.style in "
+      .. "mm these pixels are spread over its width, and letters and lines grow with them." },
   { "plot{panels}", type = "list of tables",
     text = "Several plots in one picture, each a table as for plot{}; what one leaves out it takes "
       .. "from the whole." },
   { "plot{layout}", type = "table { rows, columns }", text = "The grid of the panels." },
+  { "plot{letters}", type = "boolean", default = true,
+    text = "Writes (a), (b), ... before the titles of panels." },
+  { "plot{xplaces}", type = "table { at=, words= }", text = "Words at these places of the x axis, for numbers." },
+  { "plot{yplaces}", type = "table { at=, words= }", text = "The same of the y axis." },
   { "plot.default", kind = "field", type = "table",
     text = "Options where a call does not give them: term, size, colour, key." },
+  { "plot.style", kind = "function", values = { "paper", "slides", "screen" },
+    use = 'plot.style{ "paper", width="page" }',
+    text = "Sizes of the figures in files from now on. paper: 85 mm wide (170 mm where panels stand "
+      .. "side by side), letters of 8 points, png with 600 pixels to an inch; slides: 254 mm, 20 points, 150; screen: in "
+      .. "pixels, as at the start. Returns what holds." },
+  { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page" },
+    text = "Width of the figure: of a column, of the page, or in mm." },
+  { "plot.style{height}", type = "number in [15, 1000]", unit = "mm", text = "Height of the figure." },
+  { "plot.style{font}", type = "string", text = "Name of the letters, such as Helvetica." },
+  { "plot.style{points}", type = "number in [3, 72]", unit = "pt", text = "Size of the letters." },
+  { "plot.style{lines}", type = "number in [0.1, 10]",
+    text = "Width of lines and size of marks, relative to the screen's." },
+  { "plot.style{dpi}", type = "number in [30, 2400]", text = "Pixels of an inch, for png and gif." },
+  { "plot.points", kind = "function", takes = "plot",
+    use = "plot.points{ x=..., y=..., error=..., title=... }",
+    text = "Draws the last picture again with measured points over its curves, to the terminal or to "
+      .. "file=. Takes what a curve of plot{} does." },
+  { "plot.points{panel}", type = "whole number >= 1", default = 1, text = "In which panel." },
+  { "plot.again", kind = "function", use = "plot.again()",
+    text = "Draws the last picture once more in the terminal or window, as large as it is now." },
+  { "plot.response", kind = "function", takes = "plot",
+    use = 'plot.response(s, { x="alpha", y="depth_cylinder", by="stroke" })',
+    text = "What the finished cases of a study came to, against a setting that was varied. Takes the "
+      .. "options of plot{} too." },
+  { "plot.response{x}", type = "string", text = "The varied setting on the abscissa." },
+  { "plot.response{y}", type = "string",
+    text = "The result: a column of the history, at its end." },
+  { "plot.response{by}", type = "string", text = "Another varied setting, a curve for each value." },
+  { "plot.response{map}", type = "boolean", default = false,
+    text = "Draws a map of x and by with a field of colour for each case." },
+  { "plot.response{where}", type = "table",
+    text = "Settings of the cases to draw, such as { k=1e-8 }, where more than x and by were varied." },
   { "plot.pressure", kind = "function", takes = "plot", use = "plot.pressure(w1, w2, ..., { scaled=true })",
     text = "Contact pressure against x, of wear and contact objects. The key names the settings in "
       .. "which they differ. Takes the options of plot{} too." },

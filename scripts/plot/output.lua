@@ -11,7 +11,6 @@ local output = {}
 output.default = {} -- term, size, colour, key where a call does not give them
 
 local windows = { window = true, qt = true, wxt = true, x11 = true }
-local vectors = { svg = true, pdf = true, eps = true }
 local file_kinds = {}
 output.terms = { "dumb", "dots", "kitty", "sixel", "window", "qt", "wxt", "x11" }
 for ending in gnuplot.endings:gmatch("%S+") do
@@ -103,7 +102,7 @@ function output.to_file(where, figure, file, kind, size)
   if size then to.width, to.height = size[1], size[2] end
   if ending ~= "txt" then
     local rows, columns = grid_of(figure)
-    style.apply(to, rows, columns, size, vectors[ending])
+    style.apply(to, rows, columns, size, ending)
   end
   return to
 end

@@ -82,14 +82,17 @@ local function height_of(width, rows, columns, size)
   return math.min(width * 1.4, width / columns * 0.85 * rows + 8)
 end
 
+-- Units of an inch where there are no pixels: those of a browser; a thousandth, to round little.
+local units = { svg = 96, pdf = 1000, eps = 1000 }
+
 -- Fills an output to a file: pixels, their number in an inch, letters and lines. `size`: what the
 -- caller asks for [pixels], which are then spread over the style's width.
-function style.apply(output, rows, columns, size, is_vector)
+function style.apply(output, rows, columns, size, ending)
   output.points, output.lines, output.family = current.points, current.lines, current.font
   if not current.column then return end
   local width = width_of(columns)
   local height = height_of(width, rows, columns, size)
-  local dpi = is_vector and 96 or size and size[1] / (width / 25.4) or current.dpi
+  local dpi = units[ending] or size and size[1] / (width / 25.4) or current.dpi
   output.dpi = dpi
   output.width = math.floor(width / 25.4 * dpi + 0.5)
   output.height = math.floor(height / 25.4 * dpi + 0.5)

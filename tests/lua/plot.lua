@@ -359,6 +359,191 @@ do
     "no such component")
 end
 
+-- --- for print -----------------------------------------------------------------------------------
+
+-- Width and height of a png, and where it says so its pixels in a metre.
+local function png_size(name)
+  local png = read(name) or ""
+  if #png < 24 then return 0, 0 end
+  return string.unpack(">I4", png, 17), string.unpack(">I4", png, 21)
+end
+
+local function script_of(draw)
+  draw(folder .. "/s.gp")
+  return read("s.gp") or ""
+end
+
+do
+  plot.style "paper"
+  plot { line, file = folder .. "/c.png" }
+  local width, height = png_size("c.png")
+  ok(width == 2008 and height == 1446, "paper: a column of 85 mm at 600 dpi (" .. width .. ")")
+  plot { panels = { { line }, { line } }, layout = { 1, 2 }, file = folder .. "/c.png" }
+  ok(png_size("c.png") == 4016, "panels side by side take the page's 170 mm")
+  plot.style { width = "page", dpi = 300 }
+  plot { line, file = folder .. "/c.png" }
+  ok(png_size("c.png") == 2008, "what the style is told later holds from then on")
+  plot { line, file = folder .. "/c.png", size = { 1000, 500 } }
+  width, height = png_size("c.png")
+  ok(width == 1000 and height == 500, "pixels that are asked for are given")
+  plot.style { "paper", font = "Serif" }
+  plot { line, file = folder .. "/c.pdf" }
+  local box_x, box_y = (read("c.pdf") or ""):match("/MediaBox %[ 0 0 (%d+) (%d+) ?%]")
+  ok(box_x == "240" and box_y == "173", "a pdf is as large on paper: 240 by 173 pt, whole ones")
+  local held = plot.style()
+  ok(held.name == "paper" and held.points == 8 and held.font == "Serif", "plot.style() tells")
+  plot.style "slides"
+  plot { line, file = folder .. "/c.png" }
+  ok(png_size("c.png") == 1500, "slides: 254 mm at 150 dpi")
+  refused(function() plot.style "poster" end, '"paper", "slides" or "screen"', "no such style")
+  refused(function() plot.style { "paper", widht = 3 } end, "did you mean 'width'", "a wrong option")
+  refused(function() plot.style { "paper", width = 5 } end, "a number in [20, 1000]", "5 mm")
+  refused(function() plot.style { "screen", width = 85 } end, "size in pixels", "mm on the screen")
+  plot.style "screen"
+  plot { line, file = folder .. "/c.png" }
+  ok(png_size("c.png") == 900, "and screen is as before")
+end
+
+do
+  local curves = {}
+  for i = 1, 8 do curves[i] = { x = { 0, 1 }, y = { 0, i }, title = "curve " .. i } end
+  local script, dashes = script_of(function(file) curves.file = file plot(curves) end), {}
+  local different = 0
+  for dash in script:gmatch("dashtype (%S+)") do
+    if not dashes[dash] then dashes[dash], different = true, different + 1 end
+  end
+  ok(different == 7, "eight curves, eight dashes, the first of them full")
+  for i = 9, 12 do curves[i] = { x = { 0, 1 }, y = { 0, i }, title = "curve " .. i } end
+  script = script_of(function(file) curves.file = file plot(curves) end)
+  has(script, "unset key", "more than eight have no key")
+  has(script, "set label 12 'curve 12' noenhanced at graph 1.015, graph 1", "but names at their ends")
+  ok(not script:find("title 'curve"), "and nowhere else")
+  for i = 1, 12 do curves[i].value = i end
+  curves.vlabel = "\\alpha"
+  script = script_of(function(file) curves.file = file plot(curves) end)
+  has(script, "linecolor palette cb 7", "or a scale of colours")
+  has(script, "set cblabel 'α'", "that says of what")
+  curves.file, curves.size = folder .. "/s.txt", { 100, 40 }
+  plot(curves)
+  local named = select(2, (read("s.txt") or ""):gsub("curve %d", ""))
+  ok(named == 8, "of which characters name eight (" .. named .. ")")
+end
+
+do
+  local many = {}
+  for i = 1, 10 do many[i] = stand_in { alpha = i / 10, stroke = 0.11, load = 100 } end
+  many[11] = { file = folder .. "/s.gp" }
+  plot.pressure(table.unpack(many))
+  has(read("s.gp"), "linecolor palette cb 0.5 ", "many runs that differ in alpha: its scale")
+  has(read("s.gp"), "set cblabel 'α'", "named")
+  local sp = stand_in { stroke = 0.11, procedure = "SP", cycle = 9 }
+  local nsp = stand_in { stroke = 20, procedure = "NSP", cycle = 7 }
+  local text = picture_of(function(file) plot.pressure(sp, nsp, { file = file }) end)
+  ok(text:find("s = 20 mm") and not text:find("SP") and not text:find("cycles"),
+    "a key names what differs, not what follows from it")
+  local a, b = stand_in { stroke = 1, cycle = 10 }, stand_in { stroke = 1, cycle = 20 }
+  text = picture_of(function(file) plot.pressure(a, b, { file = file }) end)
+  has(text, "20 cycles", "unless nothing else differs")
+end
+
+-- What a title may say of a run whose load changed on the way.
+do
+  local changed = stand_in { alpha = 0.5, stroke = 0.11, load = 150 }
+  changed.history.load = { 0, 100, 150 }
+  local text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
+  has(text, "load 100 to 150 N", "a load that has changed is told as a range")
+  changed.history.load = nil
+  local loaded = stand_in { alpha = 0.5, stroke = 0.11, load = 100, loading = {} }
+  text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
+  ok(text:find("α = 0.5") and not text:find("0.11") and not text:find("100 N"),
+    "a run with a loading has no one stroke and load")
+end
+
+do
+  local script = script_of(function(file)
+    plot { panels = { { line, title = "left" }, { line } }, file = file }
+  end)
+  has(script, "set title '(a) left'", "panels have letters")
+  has(script, "set title '(b)'", "without a title too")
+  script = script_of(function(file)
+    plot { panels = { { line, title = "left" }, { line } }, letters = false, file = file }
+  end)
+  has(script, "set title 'left'", "or have not")
+  script = script_of(function(file)
+    plot { line, title = ("a long title of many words, "):rep(6), file = file }
+  end)
+  ok(script:match("set title '[^\n]+,'%.\"\\n\"%.'a long"), "a long title has lines")
+  script = script_of(function(file) plot { x = { 0, 1 }, y = { 0, 7e-4 }, file = file } end)
+  has(script, "set format y '%.0t×10^{%T}'", "small numbers as powers of ten")
+  script = script_of(function(file) plot { x = { 0, 1 }, y = { 0, 0.7 }, file = file } end)
+  has(script, "set format y '%.6g'", "others plain")
+end
+
+-- --- measured points, responses -------------------------------------------------------------------
+
+do
+  local measured = { x = { 1, 2 }, y = { 2, 5 }, error = { 0.5, 1 }, title = "measured" }
+  local script = script_of(function(file) plot { line, points = measured, file = file } end)
+  has(script, "using 1:2:3 with yerrorbars", "points have bars")
+  has(script, "2 5 1\n", "as long as was said")
+  plot { line, file = folder .. "/p.txt" }
+  measured.file = folder .. "/q.txt"
+  plot.points(measured)
+  local text = read("q.txt") or ""
+  ok(text:find("squares") and text:find("measured"), "plot.points adds to the last picture")
+  ok(not read("p.txt"):find("measured"), "whose own file stays")
+  measured.error = { 0.5 }
+  refused(function() plot.points(measured) end, "error 1; they must be as many", "a bar is missing")
+  measured.error = { 0.5, -1 }
+  refused(function() plot.points(measured) end, "error[2] must be a finite number >= 0", "a bar < 0")
+  refused(function() plot.points { x = { 1 } } end, "y", "points without y")
+  measured.error, measured.panel = nil, 3
+  refused(function() plot.points(measured) end, "one of the 1 panels", "no such panel")
+end
+
+-- Four cases of two strokes and two alphas; depth = stroke * alpha in mm.
+local function sweep(extra)
+  local study_, list = { varied = { "alpha", "stroke", extra }, flat = {} }, {}
+  for _, stroke in ipairs { 1, 2 } do
+    for _, alpha in ipairs { 0.75, 0.25 } do
+      local id = #list + 1
+      study_.flat[id] = { alpha = alpha, stroke = stroke, k = extra and id }
+      list[id] = { id = id, status = "done", last = { depth_plate = stroke * alpha } }
+    end
+  end
+  list[#list + 1] = { id = 5, status = "failed" }
+  study_.flat[5] = { alpha = 0.5, stroke = 1 }
+  study_.cases = function() return list end
+  return study_
+end
+
+do
+  local script = script_of(function(file)
+    plot.response(sweep(), { x = "alpha", y = "depth_plate", by = "stroke", file = file })
+  end)
+  has(script, "$d0_0 << END\n0.25 250\n0.75 750\nEND", "plot.response: by size of x, in µm")
+  has(script, "$d0_1 << END\n0.25 500\n0.75 1500\nEND", "a curve for each value")
+  has(script, "title 's = 2 mm'", "that the key names")
+  has(script, "set title 'wear depth of the plate'", "the body is named")
+  script = script_of(function(file)
+    plot.response(sweep(), { x = "alpha", y = "depth_plate", by = "stroke", map = true, file = file })
+  end)
+  has(script, "set xtics ('0.25' 1, '0.75' 2)", "a map has the values at its sides")
+  has(script, "with image", "and colours")
+  refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate" }) end,
+    'by="stroke" or where={ stroke=1 }', "what the picture would hide")
+  script = script_of(function(file)
+    plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { stroke = 2 }, file = file })
+  end)
+  has(script, "0.25 500\n0.75 1500", "is chosen with where")
+  refused(function() plot.response(sweep(), { x = "alfa", y = "depth_plate" }) end,
+    "did you mean 'alpha'", "x was not varied")
+  refused(function()
+    plot.response(sweep(), { x = "alpha", by = "stroke", y = "depth_plat" })
+  end, "did you mean 'depth_plate'", "no such result")
+  refused(function() plot.response(7) end, "expected a study", "no study")
+end
+
 -- --- animation ----------------------------------------------------------------------------------
 
 do

@@ -50,6 +50,55 @@ static void test_quote_is_one_string(void **state) {
   }
 }
 
+/* What of a label gnuplot is told to lower, raise or leave alone. */
+static void assert_label(const char *label, const char *expected) {
+  arc_plot_curve c = curve(NULL);
+  arc_plot_panel panel = panel_of(&c, 1);
+  panel.x.label = label;
+  arc_plot_figure figure = {.panels = &panel, .panel_count = 1};
+  arc_plot_output output = {.medium = ARC_PLOT_FILE, .file = "x.gp"};
+  char *script;
+  assert_int_equal(arc_plot_script(&figure, &output, &script, NULL, NULL), ARC_OK);
+  char *found = strstr(script, "set xlabel ");
+  assert_non_null(found);
+  found[strcspn(found, "\n")] = '\0';
+  assert_string_equal(found + strlen("set xlabel "), expected);
+  free(script);
+}
+
+static void test_marks(void **state) {
+  (void)state;
+  assert_label("p / p_H", "'p / p_{H}' enhanced");
+  assert_label("\\alpha_c in mm^2", "'\316\261_{c} in mm^{2}' enhanced");
+  assert_label("10^-8 {x} a\\b @ & ~", "'10^{-8} \\{x\\} a\\\\b \\@ \\& \\~' enhanced");
+  assert_label("file_name, p_max_of_all, _H, x_", "'file_name, p_max_of_all, _H, x_' noenhanced");
+  assert_label("{/Symbol a} \\alphabet ^2", "'{/Symbol a} \\alphabet ^2' noenhanced");
+  assert_label("it's p_H'", "'it''s p_{H}''' enhanced");
+}
+
+/* The dots of a known line: from corner to corner each cell holds some. */
+static void test_dots(void **state) {
+  arc_gnuplot *session = *state;
+  double x[2] = {0, 1}, y[2] = {0, 1};
+  arc_plot_curve c = {.x = x, .y = y, .count = 2, .title = "line"};
+  arc_plot_panel panel = panel_of(&c, 1);
+  arc_plot_figure figure = {.panels = &panel, .panel_count = 1};
+  arc_plot_output output = {
+      .medium = ARC_PLOT_TEXT, .width = 60, .height = 20, .colour = 1, .fine = 1};
+  char *picture;
+  size_t cells = 0;
+  assert_int_equal(arc_plot_draw(session, &figure, &output, &picture, NULL, NULL), ARC_OK);
+  for (char *at = picture; (at = strstr(at, "\342")) != NULL; at++)
+    cells += (unsigned char)at[1] >= 0xa0 && (unsigned char)at[1] <= 0xa3;
+  assert_in_range(cells, 40, 60);
+  assert_non_null(strstr(picture, "line"));
+  free(picture);
+  output.ascii = 1;
+  assert_int_equal(arc_plot_draw(session, &figure, &output, &picture, NULL, NULL), ARC_OK);
+  assert_null(strstr(picture, "\342"));
+  free(picture);
+}
+
 /* Titles, labels and file names full of what gnuplot or a shell would run. */
 static void test_nothing_is_run(void **state) {
   arc_gnuplot *session = *state;
@@ -322,6 +371,8 @@ static void test_breaks(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_quote),
+      cmocka_unit_test(test_marks),
+      cmocka_unit_test(test_dots),
       cmocka_unit_test(test_quote_is_one_string),
       cmocka_unit_test(test_nothing_is_run),
       cmocka_unit_test(test_strange_file_names),
