@@ -129,7 +129,8 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
     canvas->window = output->medium == ARC_PLOT_WINDOW;
   }
   canvas->colour = output->medium == ARC_PLOT_TEXT && output->colour;
-  canvas->ascii = canvas->text && output->ascii;
+  int eight_bit = found && strcmp(found->terminal, "x11") == 0; /* the letters of the X server */
+  canvas->ascii = (canvas->text && output->ascii) || eight_bit;
   canvas->fine = canvas->colour && !canvas->ascii && output->fine;
   choose_size(figure, output, canvas);
   choose_letters(output, found, canvas);

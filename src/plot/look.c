@@ -74,7 +74,8 @@ void arc_writer_label(arc_writer *w, const char *before, const char *words, cons
 
 int arc_title_lines(const char *words, double columns) {
   int lines = 0;
-  while (words && *words) {
+  if (!words) return 0;
+  while (*words) {
     words += arc_text_line(words, columns);
     while (*words == ' ') words++;
     lines++;
