@@ -5,6 +5,7 @@ local archard = require "archard"
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
 local parts = require "archard.figures.parts"
+local naming = require "archard.plot.naming"
 local style = require "archard.plot.style"
 
 local figures = {}
@@ -13,11 +14,22 @@ local figures = {}
 
 local most_curves = 8 -- as many as a picture has colours
 
+-- "α = 0.25, s = 0.11 mm" where all that was varied are numbers.
+local function title_of(case)
+  local parts = {}
+  for _, name in ipairs(case.study.varied) do
+    local value = case.study.flat[case.id][name]
+    if type(value) ~= "number" then return case.label end
+    parts[#parts + 1] = naming.value_of(name, value)
+  end
+  return parts[1] and table.concat(parts, ", ") or case.label
+end
+
 local function finished(cases)
   local curves = {}
   for _, case in ipairs(cases) do
     if case.status == "done" and case.last and #curves < most_curves then
-      curves[#curves + 1] = { case = case, title = case.label, series = #curves + 1 }
+      curves[#curves + 1] = { case = case, title = title_of(case), series = #curves + 1 }
     end
   end
   return curves

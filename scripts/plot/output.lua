@@ -123,7 +123,7 @@ function output.choose(where, figure, given, moving)
     check.fail(where, ('field \'file\': term="%s" needs the name of a file, got nil'):format(kind))
   end
   local to = to_screen(where, figure, given, kind, moving)
-  local size = given.size or output.default.size
+  local size = given.size or to.medium ~= "window" and output.default.size -- it is of characters
   if size and not (to.shown_by and not given.term and not output.default.term) then
     to.width, to.height = size[1], size[2]
   elseif size then -- meant for characters
