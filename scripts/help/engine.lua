@@ -229,6 +229,9 @@ return {
       .. "or p_max where that is larger. A groove's edge presses on the other body's near the ends "
       .. "of the stroke, so that it may be far above p_max. It does not settle as elements get "
       .. "smaller. NaN in runs of files older than format 3, until they go on." },
+  { "wear.travel", kind = "field", unit = "mm",
+    text = "The plate's way from one end to the other in the last update's cycle, or in its increment of a generic "
+      .. "history. NaN, as history.load, in runs of files older than format 4, until they go on." },
   { "wear.half_width", kind = "field", unit = "mm",
     text = "Half the width of the contact, plate at x = 0, nominal load: good to a tenth of an "
       .. "element in smooth contacts, to half an element at the edges of scars." },
@@ -249,6 +252,9 @@ return {
       .. "depths (Eq. 29)." },
 
   -- --- the definition, read back --------------------------------------------------------------
+  { "wear.stroke", kind = "field", unit = "mm",
+    text = "The plate's way from one end to the other: the stroke, or that of the present block of loading. "
+      .. "history.travel has it update by update." },
   { "wear.strokes", kind = "field", text = "Strokes of a cycle, r of Eq. (21): 2, or 1 at 2 radius." },
   { "wear.cycles", kind = "field", unit = "cycles", text = "Cycles of the whole distance (Eq. 21)." },
   { "wear.total_distance", kind = "field", unit = "mm", text = "Travelled distance to simulate." },

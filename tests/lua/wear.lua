@@ -55,7 +55,7 @@ fails(function() w.step(material{}) end, { "expected a wear object", "material" 
 -- history
 local history = w.history
 is(#history.distance, 13, "a row a step, and one before")
-for _, name in ipairs{ "update", "cycle", "distance", "jump", "k", "alpha", "p_center", "p_max",
+for _, name in ipairs{ "update", "cycle", "distance", "jump", "k", "alpha", "load", "travel", "p_center", "p_max",
   "p_peak", "half_width", "depth_cylinder", "error", "depth_plate", "volume_cylinder", "volume_plate", "depth_partition",
   "solutions" } do
   is(#history[name], 13, "history." .. name)
