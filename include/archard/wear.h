@@ -228,7 +228,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(distance, "mm", "travelled distance d")                                                        \
   X(jump, "", "cycles of this update")                                                             \
   X(load, "N", "largest normal load of the update's cycle")                                        \
-  X(travel, "mm", "the plate's way from one end to the other in the update's cycle")               \
+  X(travel, "mm", "way of the plate in it, from one end to the other")                             \
   X(k, "mm2/N", "wear coefficient of this update")                                                 \
   X(alpha, "", "wear partition factor of this update")                                             \
   X(p_center, "MPa", "pressure at the centre")                                                     \

@@ -148,8 +148,10 @@ static int asks_to_leave(const prompt *self, const char *line) {
   int word = 0;
   while (word < 4 && strcmp(line, words[word]) != 0) word++;
   if (self->chunk.text || word == 4) return 0;
-  int taken = lua_getglobal(self->L, words[word % 2]) != LUA_TNIL;
-  lua_pop(self->L, 1);
+  lua_pushglobaltable(self->L);
+  lua_pushstring(self->L, words[word % 2]);
+  int taken = lua_rawget(self->L, -2) != LUA_TNIL;
+  lua_pop(self->L, 2);
   return !taken;
 }
 

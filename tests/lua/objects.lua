@@ -8,7 +8,7 @@ local steel = material{}
 is(steel.E, 200e3, "default E")
 is(steel.nu, 0.3, "default nu")
 near(steel.E_star, 200e3 / (1 - 0.09), 1e-15, "E_star")
-is(steel.colour, nil, "unknown field reads nil")
+fails(function() return steel.colour end, "material: no field 'colour'", "an unknown field is an error")
 fails(function() steel.E = 1 end, "field 'E' cannot be set", "materials are read-only")
 holds(tostring(material{ E = 1000, nu = 0.4 }), { "E 1000 MPa", "nu 0.4" }, "print(material)")
 

@@ -5,6 +5,7 @@
 #include "archard/base.h"
 #include "lua/engine/classes.h"
 #include "lua/base/scripts.h"
+#include "lua/base/strict.h"
 
 #include <lauxlib.h>
 
@@ -25,7 +26,8 @@ static const luaL_Reg modules[] = {
     {"archard.store", luaopen_archard_store},       {"archard.process", luaopen_archard_process},
     {"archard.warnings", luaopen_archard_warnings}, {"archard.names", luaopen_archard_names},
     {"archard.settings", luaopen_archard_settings}, {"archard.measure", luaopen_archard_measure},
-    {"archard.files", luaopen_archard_files},       {NULL, NULL},
+    {"archard.files", luaopen_archard_files},       {"archard.strict", luaopen_archard_strict},
+    {NULL, NULL},
 };
 
 /* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
@@ -45,6 +47,7 @@ static void preload_modules(lua_State *L) {
 /* Pops a value and makes it the field and the global `name`; the module table is on top below it.
  */
 static void publish(lua_State *L, const char *name) {
+  if (lua_istable(L, -1)) strict_module(L, name);
   lua_pushvalue(L, -1);
   lua_setglobal(L, name);
   lua_setfield(L, -2, name);
@@ -87,5 +90,6 @@ int luaopen_archard(lua_State *L) {
 
   open_classes(L);
   open_scripted(L);
+  strict_module(L, "archard");
   return 1;
 }

@@ -4,6 +4,7 @@
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
+#include "lua/base/strict.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -57,6 +58,7 @@ static int push_numbers(lua_State *L, const int *numbers, int count) {
     lua_pushinteger(L, (lua_Integer)numbers[i] + 1);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
   }
+  strict_table(L, "list of numbers");
   return 1;
 }
 
@@ -115,6 +117,7 @@ static void push_axis(lua_State *L, const arc_mesh *mesh, int axis) {
     lua_pushnumber(L, mesh->xy[2 * i + axis]);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
   }
+  strict_table(L, "list of numbers");
 }
 
 /* mesh:coordinates() -> { x=, y= } of all nodes */
@@ -125,6 +128,7 @@ static int mesh_coordinates(lua_State *L) {
   lua_setfield(L, -2, "x");
   push_axis(L, mesh, 1);
   lua_setfield(L, -2, "y");
+  strict_table(L, "mesh:coordinates");
   return 1;
 }
 
@@ -142,6 +146,7 @@ static int mesh_quality(lua_State *L) {
   set_number(L, "aspect", quality.aspect);
   set_number(L, "jacobian_ratio", quality.jacobian_ratio);
   set_number(L, "smallest_jacobian", quality.smallest_jacobian);
+  strict_table(L, "mesh:quality");
   return 1;
 }
 

@@ -280,9 +280,10 @@ static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   show_material(alike ? "both" : body_names[0], of[0], first, sizeof first);
   show_material(body_names[1], of[1], second, sizeof second);
   snprintf(line, sizeof line,
-           "  bodies    radius %.6g mm, thickness %.6g mm, %s%s%s, elements %.6g x %.6g mm\n",
-           model->radius, model->thickness, first, alike ? "" : ", ", alike ? "" : second,
-           model->mesh.size, model->mesh.height);
+           "  bodies    radius %.6g mm, thickness %.6g mm, elements %.6g x %.6g mm\n"
+           "  materials %s%s%s\n",
+           model->radius, model->thickness, model->mesh.size, model->mesh.height, first,
+           alike ? "" : ", ", alike ? "" : second);
   luaL_addstring(text, line);
 }
 
