@@ -89,7 +89,8 @@ function help.definition(address, path)
 end
 
 -- Follows a path into tables whose fields are those of another definition: wear{ model={ ... } },
--- or all of plot{} in plot.pressure(w, { ... }). Returns an address and the path left within it.
+-- or all of plot{} in plot.pressure(w, { ... }). Returns an address and the path left within it; nil
+-- where that is in a field that only a new object can have.
 local function follow(address, path)
   local at = address
   local rest = ""
@@ -97,7 +98,11 @@ local function follow(address, path)
     rest = rest == "" and name or rest .. "." .. name
     local entry = entries[("%s{%s}"):format(at, rest)]
     local taken = not entry and entries[at] and entries[at].takes
-    if taken then at, entry = taken, entries[("%s{%s}"):format(taken, rest)] end
+    if taken then
+      local changes = entries[at].kind == "method"
+      at, entry = taken, entries[("%s{%s}"):format(taken, rest)]
+      if changes and entry and entry.fixed then return nil end
+    end
     local other = entry and (entry.takes or entry.class)
     if other and #help.definition(at, rest) == 0 then at, rest = other, "" end
   end
@@ -110,6 +115,7 @@ function help.fields(address, path)
   if not address then return {} end
   load_entries()
   local at, rest = follow(address, path)
+  if not at then return {} end
   local list = help.definition(at, rest)
   local taken = rest == "" and entries[at] and entries[at].takes
   for _, entry in ipairs(taken and help.definition(taken) or {}) do

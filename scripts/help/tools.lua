@@ -47,8 +47,8 @@ return {
   { "plot{vrange}", type = "table { low, high }", text = "Range of the colours of a field." },
   { "plot{logx}", type = "boolean", default = false, text = "Logarithmic x axis." },
   { "plot{logy}", type = "boolean", default = false, text = "Logarithmic y axis." },
-  { "plot{xdown}", type = "boolean", default = false, text = "x grows to the left." },
-  { "plot{ydown}", type = "boolean", default = false, text = "y grows downwards." },
+  { "plot{xdown}", type = "boolean", default = false, text = "x grows to the left, whichever end xrange names first." },
+  { "plot{ydown}", type = "boolean", default = false, text = "y grows downwards, whichever end yrange names first." },
   { "plot{key}", type = "string or boolean", default = '"below"',
     values = require "archard.gnuplot".keys,
     text = "Place of the key; false for none. Panels share one below where none is named." },
@@ -76,7 +76,8 @@ return {
   { "plot{xplaces}", type = "table { at=, words= }", text = "Words at these places of the x axis, for numbers." },
   { "plot{yplaces}", type = "table { at=, words= }", text = "The same of the y axis." },
   { "plot.default", kind = "field", type = "table",
-    text = "Options where a call does not give them: term, size, colour, key." },
+    text = "Options where a call does not give them: term, size (of pictures in the terminal and in "
+      .. "windows), file_size (in pixels), colour, key. Any other is refused." },
   { "plot.style", kind = "function", values = { "paper", "slides", "screen" },
     use = 'plot.style{ "paper", width="page" }',
     text = "Sizes of the figures in files from now on. paper: 85 mm wide (170 mm where panels stand "

@@ -141,6 +141,12 @@ offers("wear{ model={ mesh={ he", "height|=")
 offers("wear{ local_factor={ v", "vector|=")
 offers("w:set{ al", "alpha|=")
 offers("w:set{ loading={ { cy", "cycles|=")
+has("w:set{ ", "alpha load loading stroke", "model worn geometry wear print")
+has("w:set{ model={ ", "", "radius mesh")
+for _, name in ipairs(complete.words "w:set{ ") do
+  local _, err = pcall(w.set, w, { [name] = print })
+  tap.ok(not tostring(err):find "unknown field" and not tostring(err):find "cannot be changed", "w:set takes " .. name)
+end
 offers("w:run{ st", "stop_when|=")
 offers("w:run{ depth={ c", "cylinder|=")
 offers("csv.", "read")

@@ -207,3 +207,18 @@ local wider = wear{ worn = start, stroke = 0.9 }
 ok(wider.model.mesh.zone.plate > start.model.mesh.zone.plate, "worn: a wider zone where it is needed")
 near(wider.p_center, start.p_center, 5e-3, "worn: and the shape goes along")
 fails(function() wear{ model = model{}, stroke = 3 } end, { "mesh.zone" }, "a given model too small")
+
+-- a step of a finished run says that there is none
+do
+  local warnings = require "archard.warnings"
+  local run = wear{ increments = 8, jump = 10, distance = 2.2 }
+  run:step()
+  warnings.keep()
+  warnings.take()
+  is(run:step(3).update, 1, "a step at the end of the distance")
+  holds(warnings.take(), { "wear:step: nothing to do", "its distance of 2.2 mm", "w:set{ distance" }, "says so")
+  run:set{ distance = 4.4 }
+  warnings.take()
+  is(run:step(3).update, 2, "fewer steps than asked for are made")
+  ok(not (warnings.take() or ""):find "nothing to do", "and are no news")
+end
