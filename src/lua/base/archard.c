@@ -34,7 +34,9 @@ static const luaL_Reg modules[] = {
 static const char *const scripted[][2] = {
     {"help", "archard.help"},   {"plot", "archard.plot"},
     {"study", "archard.study"}, {"calibrate", "archard.study.calibrate"},
-    {"csv", "archard.lib.csv"},
+    {"csv", "archard.lib.csv"},   {"who", "archard.lib.who"},
+    {"time", "archard.lib.time"}, {"session", "archard.lib.session"},
+    {"examples", "archard.lib.examples"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 

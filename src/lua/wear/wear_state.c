@@ -65,6 +65,12 @@ static int wear_done(lua_State *L) {
   return 1;
 }
 
+static int wear_saved(lua_State *L) {
+  self(L);
+  lua_pushboolean(L, wear_is_saved(lua_touserdata(L, 1)));
+  return 1;
+}
+
 /* --- the definition -------------------------------------------------------------------------- */
 
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
@@ -154,6 +160,7 @@ const luaL_Reg wear_fields[] = {
     {"volume", wear_volume},
     {"history", wear_history},
     {"done", wear_done},
+    {"saved", wear_saved},
     {"k", wear_k},
     {"alpha", wear_alpha},
     {"total_distance", wear_total_distance},
@@ -292,8 +299,7 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   char line[400], motion[80], k[40], alpha[40], steps[40], increments[40];
   show_motion(wear, motion, sizeof motion);
   show_steps(settings, steps, sizeof steps);
-  snprintf(line, sizeof line,
-           "wear: %s, load %.6g N, k %s, alpha %s\n", motion, settings->load,
+  snprintf(line, sizeof line, "wear: %s, load %.6g N, k %s, alpha %s\n", motion, settings->load,
            show_k(settings, k, sizeof k),
            show_coefficient(settings->alpha, &settings->alpha_series,
                             settings->alpha_function != NULL, alpha, sizeof alpha));
