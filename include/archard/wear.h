@@ -220,8 +220,8 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
  * configuration (plate at x = 0, nominal load). Only p_peak looks further: over the whole cycle
  * that the wear of the update comes from (explicit: on the shape before it, implicit: on the one
  * after), and never less than p_max; and load and travel tell what went by in the update: of a
- * cycle, or of the increment of a generic history (row 0: of the first to come). NaN where a file is
- * older than they are. X(name, unit, text). */
+ * cycle, or of the increment of a generic history (row 0: of the first to come). NaN where a file
+ * is older than they are. X(name, unit, text). */
 #define ARC_WEAR_COLUMNS(X)                                                                        \
   X(update, "", "geometry updates so far")                                                         \
   X(cycle, "", "loading cycles so far")                                                            \
@@ -316,8 +316,8 @@ const arc_wear_def *arc_wear_definition(const arc_wear *wear);
 arc_procedure arc_wear_procedure(const arc_wear *wear); /* never ARC_AUTO */
 double arc_wear_strokes(const arc_wear *wear);          /* r of Eq. (21): 2 or 1 */
 double arc_wear_cycles(const arc_wear *wear);           /* N of Eq. (21), for the whole distance */
-double arc_wear_travel(const arc_wear *wear); /* from one end of the present block's way to the other
-                                                [mm]: the stroke, or that of the loading */
+double arc_wear_travel(const arc_wear *wear); /* from one end of the present block's way to the
+                                                other [mm]: the stroke, or that of the loading */
 const arc_shape *arc_wear_shape(const arc_wear *wear);
 arc_model *arc_wear_model(const arc_wear *wear);
 const arc_wear_record *arc_wear_history(const arc_wear *wear, size_t *count);

@@ -1,6 +1,7 @@
 -- The globals that the session has made: all but those that were there at its start.
 
-local debug, math, next, rawequal, table, tostring, type = debug, math, next, rawequal, table, tostring, type
+local debug, math, next, rawequal, rawget, table, tostring, type =
+  debug, math, next, rawequal, rawget, table, tostring, type
 local globals = _G
 
 local help = require "archard.help"
@@ -39,6 +40,17 @@ local function is_plain(value)
   return type(value) == "table" and (metatable == nil or (type(metatable) == "table" and metatable.__plain))
 end
 
+-- A list of numbers that doubles hold: one value, however long.
+local function is_list(value)
+  local count = #value
+  for i = 1, count do
+    local number = rawget(value, i)
+    local held = type(number) == "number" and (number ~= number or number + 0.0 == number)
+    if not held then return false end
+  end
+  return count > 0 and next(value, count) == nil
+end
+
 local function sorted_keys(value)
   local keys = {}
   for key in next, value do keys[#keys + 1] = key end
@@ -55,6 +67,7 @@ function own.visit(visit)
   local seen = {}
   local function look(path, value, class)
     if not is_plain(value) then return visit(path, value, class) end
+    if is_list(value) then return visit(path, value, "list") end
     if seen[value] or visit(path, value, "table") == false then return end
     seen[value] = true
     for _, key in ipairs(sorted_keys(value)) do

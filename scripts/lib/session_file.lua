@@ -68,6 +68,17 @@ function readers.number(given)
   return given.whole and math.tointeger(tonumber(given.is)) or tonumber(given.is)
 end
 
+function writers.list(value, given)
+  given.is, given.whole = value, true
+  for _, number in ipairs(value) do given.whole = given.whole and math.type(number) == "integer" end
+end
+
+function readers.list(given)
+  local list = {}
+  for i, number in ipairs(given.is) do list[i] = given.whole and math.tointeger(number) or number end
+  return list
+end
+
 -- Of a table its place alone: what is in it comes by itself.
 function writers.table() end
 

@@ -138,8 +138,8 @@ static void push_text(lua_State *L, const char *which) {
 
 /* --- leaving ---------------------------------------------------------------------------------- */
 
-/* Calls a function of scripts/lib/leave.lua with the text on top of the stack; its answer takes that
- * place, nil where it fails. */
+/* Calls a function of scripts/lib/leave.lua with the text on top of the stack; its answer takes
+ * that place, nil where it fails. */
 static run_status ask(lua_State *L, const char *name) {
   push_module_function(L, "archard.lib.leave", name);
   lua_insert(L, -2);
@@ -148,7 +148,8 @@ static run_status ask(lua_State *L, const char *name) {
   return status;
 }
 
-/* What a line answers to the question: 1 leave, 0 stay, -1 it says neither. What fails keeps here. */
+/* What a line answers to the question: 1 leave, 0 stay, -1 it says neither. What fails keeps here.
+ */
 static int understand(lua_State *L, const char *line) {
   lua_pushstring(L, line);
   const run_status status = ask(L, "answer");

@@ -70,6 +70,8 @@ computed = study{ name = "done", base = base, cases = { { alpha = 0.5 } } }:run{
   progress = false }
 base.distance = nil
 whole, share, text, yes, huge, numbers = 7, 0.1, "a\nb", true, math.maxinteger, { 1, 2.5, -0.0 }
+long, wide = {}, { 1, (2^53 | 0) + 1 }
+for i = 1, 200000 do long[i] = i end
 touch = contact{ model = m }
 function compute() return 1 end
 before = { w = tostring(w), volume = driven.volume.total, pair = runs.pair[1].depth.plate }
@@ -101,6 +103,8 @@ is(steel.E, 210e3, "a material")
 is(math.type(whole) .. " " .. whole .. " " .. share .. " " .. tostring(yes) .. " " .. text, "integer 7 0.1 true a\nb", "plain values")
 is(huge, math.maxinteger, "the largest whole number")
 is(#numbers .. " " .. 1 / numbers[3], "3 -inf", "lists, with the sign of zero")
+is(#long .. " " .. math.type(long[9]) .. " " .. long[200000], "200000 integer 200000", "long ones")
+is(wide[2] - 1, 2^53 | 0, "whole numbers that doubles do not hold")
 is(plan:cases()[2].stroke .. " " .. plan:cases()[2].alpha .. " " .. plan.name, "0.2 0.5 plan", "a study that has not run")
 is(computed:cases()[1].status, "done", "one that has, from its file")
 w_next = w:step(3)

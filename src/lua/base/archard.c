@@ -22,20 +22,29 @@ static const luaL_Reg classes[] = {
 
 /* Modules in C that are no globals: reached by require only. */
 static const luaL_Reg modules[] = {
-    {"archard.term", luaopen_archard_term},         {"archard.gnuplot", luaopen_archard_gnuplot},
-    {"archard.store", luaopen_archard_store},       {"archard.process", luaopen_archard_process},
-    {"archard.warnings", luaopen_archard_warnings}, {"archard.names", luaopen_archard_names},
-    {"archard.settings", luaopen_archard_settings}, {"archard.measure", luaopen_archard_measure},
-    {"archard.files", luaopen_archard_files},       {"archard.strict", luaopen_archard_strict},
+    {"archard.term", luaopen_archard_term},
+    {"archard.gnuplot", luaopen_archard_gnuplot},
+    {"archard.store", luaopen_archard_store},
+    {"archard.process", luaopen_archard_process},
+    {"archard.warnings", luaopen_archard_warnings},
+    {"archard.names", luaopen_archard_names},
+    {"archard.settings", luaopen_archard_settings},
+    {"archard.measure", luaopen_archard_measure},
+    {"archard.files", luaopen_archard_files},
+    {"archard.strict", luaopen_archard_strict},
     {NULL, NULL},
 };
 
 /* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
 static const char *const scripted[][2] = {
-    {"help", "archard.help"},   {"plot", "archard.plot"},
-    {"study", "archard.study"}, {"calibrate", "archard.study.calibrate"},
-    {"csv", "archard.lib.csv"},   {"who", "archard.lib.who"},
-    {"time", "archard.lib.time"}, {"session", "archard.lib.session"},
+    {"help", "archard.help"},
+    {"plot", "archard.plot"},
+    {"study", "archard.study"},
+    {"calibrate", "archard.study.calibrate"},
+    {"csv", "archard.lib.csv"},
+    {"who", "archard.lib.who"},
+    {"time", "archard.lib.time"},
+    {"session", "archard.lib.session"},
     {"examples", "archard.lib.examples"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };

@@ -115,9 +115,9 @@ void strict_module(lua_State *L, const char *where) {
 /* --- globals --------------------------------------------------------------------------------- */
 
 /* What Lua text asks for to find out where it runs, and the prompt's last value. */
-static const char *const asked_for[] = {"_",      "unpack", "loadstring", "setfenv", "getfenv",
-                                        "module", "jit",    "bit",        "bit32",   "newproxy",
-                                        "ngx",    NULL};
+static const char *const asked_for[] = {"_",       "unpack",   "loadstring", "setfenv",
+                                        "getfenv", "module",   "jit",        "bit",
+                                        "bit32",   "newproxy", "ngx",        NULL};
 
 static int is_asked_for(const char *name) {
   int i = 0;
@@ -186,9 +186,9 @@ static int is_listed(lua_State *L, int known, int name) {
   return found;
 }
 
-/* refuse(where, name, known), called by an __index function itself, so that the one who reads is two
- * levels up. nil where that is not the user's text, or for a name in the list, which may be without
- * a value. */
+/* refuse(where, name, known), called by an __index function itself, so that the one who reads is
+ * two levels up. nil where that is not the user's text, or for a name in the list, which may be
+ * without a value. */
 static int module_refuse(lua_State *L) {
   if (lua_type(L, 2) != LUA_TSTRING || !reads_at(L, 2) || is_listed(L, 3, 2)) return 0;
   strict_refuse(L, luaL_checkstring(L, 1), lua_tostring(L, 2), 3);

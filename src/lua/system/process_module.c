@@ -344,7 +344,8 @@ static int list_folder(lua_State *L) {
   return 1;
 }
 
-/* process.files(folder) -> names of what is in it, in no order; nil where there is no such folder */
+/* process.files(folder) -> names of what is in it, in no order; nil where there is no such folder
+ */
 static int process_files(lua_State *L) {
   DIR *folder = opendir(luaL_checkstring(L, 1));
   if (!folder) return 0;

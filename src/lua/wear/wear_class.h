@@ -7,8 +7,8 @@
 /* The run at index 1. */
 arc_wear *wear_self(lua_State *L, const char *where);
 
-/* Whether a file holds the run in a box as it stands; and that one does. A box remembers the rows of
- * the history that were there. */
+/* Whether a file holds the run in a box as it stands; and that one does. A box remembers the rows
+ * of the history that were there. */
 int wear_is_saved(const box *made);
 void wear_note_saved(box *made);
 
