@@ -129,8 +129,10 @@ typedef struct arc_contact_result {
   double p_center;    /* [MPa] at the cylinder's lowest node, x = 0 of the cylinder */
   double p_max;       /* [MPa] largest nodal pressure; at scar edges it grows as the mesh shrinks */
   double p_average;   /* [MPa] largest pressure averaged over the length `average`: settles */
-  double half_width;  /* [mm] half the contact width, interpolated between nodes */
-  double left, right; /* [mm] contact edges, cylinder frame */
+  double half_width;  /* [mm] half the contact width */
+  double left, right; /* [mm] contact edges, cylinder frame, between nodes: to 0.05 of an element
+                         where the surfaces meet smoothly, as unworn, to 0.6 (r.m.s. 0.2) at the
+                         edges of scars */
   double approach;    /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
   int iterations;     /* active-set iterations */
 } arc_contact_result;
@@ -156,8 +158,10 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 /* The columns of a field, in the order of files: first where the nodes are, then what is there.
  * Stresses are of second order in the element size. On the boundary they fulfil the tractions (the
  * pressure at the node, no shear) and follow along it the strain of the surface; inside they are
- * polynomials fitted around each node. Next to an edge of the contact they are no better than the
- * pressure. X(name, unit, text). */
+ * polynomials fitted around each node. The pressure of the last node in contact is what its element
+ * gets, the one beside the edge at a point follows the square-root law where the surfaces meet
+ * smoothly: to 4 % of the largest; at the edges of scars the node's is taken. X(name, unit, text).
+ */
 #define ARC_FIELD_STRESSES(X)                                                                      \
   X(sxx, "MPa", "stress along the surface")                                                        \
   X(syy, "MPa", "stress across the surface")                                                       \

@@ -104,8 +104,9 @@ return {
     text = "Fields on both bodies, f.cylinder and f.plate: lists x, y (mm, nodes), ux, uy (mm, "
       .. "displacements), mises, shear, sxx, syy, szz, sxy (MPa), elements (four corners "
       .. "each). Of second order in the element size: at the surface from its tractions and the strain "
-      .. "along it, inside from the elements' centres. Next to an edge of the contact they are as "
-      .. "uncertain as the pressure, some per cent of the largest." },
+      .. "along it, inside from the elements' centres. Next to a smooth edge of the contact the "
+      .. "pressure is the square-root law's at the point (4 % of the largest at worst), at kinks of "
+      .. "scars the node's." },
   { "stress.cylinder", kind = "field", text = "Lists of the cylinder." },
   { "stress.plate", kind = "field", text = "Lists of the plate." },
   { "stress.contact", kind = "field", class = "contact", text = "The contact it was made of." },

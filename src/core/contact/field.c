@@ -38,13 +38,25 @@ void arc_field_destroy(arc_field **field) {
   *field = NULL;
 }
 
+/* Normal tractions at the surface nodes, next to smooth edges as they are at the points. */
+static void read_tractions(const arc_contact *c, arc_body body, double *normal) {
+  memcpy(normal, c->p[body], (size_t)c->count[body] * sizeof *normal);
+  for (int right = 0; right < 2; right++) {
+    const contact_edge edge = arc_pose_edge(&c->pose, c->shape, right);
+    arc_edge_sharpen(&edge, c->count[body], c->x[body], normal);
+  }
+}
+
 static arc_status recover(const arc_contact *c, arc_body body, const double *xy, const double *u,
                           arc_field *field) {
-  double *stress = malloc(3 * (size_t)field->nodes * sizeof *stress);
-  arc_status status = stress ? ARC_OK : ARC_MEMORY;
-  if (status == ARC_OK)
-    status = arc_recover_stresses(c->shape->side[body].body, xy, u, c->p[body], stress);
-  for (int n = 0; n < field->nodes && status == ARC_OK; n++) {
+  const size_t nodes = (size_t)field->nodes;
+  double *stress = malloc((3 * nodes + (size_t)c->count[body]) * sizeof *stress);
+  if (!stress) return ARC_MEMORY;
+  surface_traction traction = {.normal = stress + 3 * nodes, .load = c->p[body]};
+  read_tractions(c, body, traction.normal);
+  const arc_status status =
+      arc_recover_stresses(c->shape->side[body].body, xy, u, &traction, stress);
+  for (size_t n = 0; n < nodes && status == ARC_OK; n++) {
     field->sxx[n] = stress[3 * n];
     field->syy[n] = stress[3 * n + 1];
     field->sxy[n] = stress[3 * n + 2];
