@@ -39,7 +39,8 @@ return {
   -- --- mesh -----------------------------------------------------------------------------------
   { "mesh", kind = "object", use = "m.mesh.cylinder, m.mesh.plate",
     text = "Finite elements of one body, an exact mirror image about x = 0. The origin is the first "
-      .. "point of contact, x along the plate's surface, y up." },
+      .. "point of contact, x along the plate's surface, y up. w.mesh.cylinder and w.mesh.plate of a "
+      .. "run have the nodes where wear has moved them by then." },
   { "mesh.nodes", kind = "field", text = "Number of nodes." },
   { "mesh.quads", kind = "field", text = "Number of quadrilaterals." },
   { "mesh.triangles", kind = "field", text = "Number of triangles." },
@@ -49,8 +50,9 @@ return {
   { "mesh.body", kind = "field", text = '"cylinder" or "plate".' },
   { "mesh.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },
   { "mesh.quality", kind = "method", use = "m.mesh.plate:quality()",
-    text = "Smallest and largest angle (degrees), aspect ratio, and Jacobian ratio of the worst "
-      .. "elements, as a table." },
+    text = "Of the worst elements, as a table: smallest_angle, largest_angle (degrees), aspect (longest "
+      .. "edge over shortest), jacobian_ratio (smallest over largest at a quad's corners), "
+      .. "smallest_jacobian (mm2, positive); the same of the wear box alone in the table box." },
   { "mesh.write", kind = "method", use = "m.mesh.plate:write(path)",
     text = "Writes the mesh to a file, by its ending: .vtk, .inp (Abaqus, CalculiX) or .csv (nodes)." },
   { "mesh.node", kind = "method", use = "x, y = m.mesh.plate:node(i)",
@@ -79,7 +81,8 @@ return {
   { "contact{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",
     text = "Wear depth of the plate against x." },
   { "contact.half_width", kind = "field", unit = "mm",
-    text = "Half the width of the contact, interpolated between nodes." },
+    text = "Half the width of the contact: good to 0.05 of an element where surfaces meet smoothly, "
+      .. "as unworn, to 0.2 in the mean and 0.6 at worst at the edges of scars." },
   { "contact.p_max", kind = "field", unit = "MPa",
     text = "Largest nodal pressure. At the edge of a scar it grows as the mesh shrinks." },
   { "contact.p_average", kind = "field", unit = "MPa",
@@ -212,6 +215,9 @@ return {
     text = "{ eigenvalue=, jump_limit= }: the growth rate of ripples in 1/cycle, linearised about the "
       .. "present state, and 2 / eigenvalue. Explicit updates with a larger jump get rough." },
   { "wear.model", kind = "field", class = "model", text = "The model it runs on." },
+  { "wear.mesh", kind = "field", use = "w.mesh.plate:quality()",
+    text = "The meshes as they are worn by now, cylinder and plate: objects like those of a model, for "
+      .. "quality, plot.mesh(w) and files. Wear that is the same all over the plate leaves its nodes." },
   { "wear.distance", kind = "field", unit = "mm", text = "Travelled distance so far." },
   { "wear.cycle", kind = "field", unit = "cycles", text = "Loading cycles so far." },
   { "wear.update", kind = "field", text = "Geometry updates so far." },
@@ -234,8 +240,9 @@ return {
     text = "The plate's way from one end to the other in the last update's cycle, or in its increment of a generic "
       .. "history. NaN, as history.load, in runs of files older than format 4, until they go on." },
   { "wear.half_width", kind = "field", unit = "mm",
-    text = "Half the width of the contact, plate at x = 0, nominal load: good to a tenth of an "
-      .. "element in smooth contacts, to half an element at the edges of scars." },
+    text = "Half the width of the contact, plate at x = 0, nominal load: good to 0.05 of an element "
+      .. "where surfaces meet smoothly, as unworn; to 0.2 in the mean and 0.6 at worst at the edges of "
+      .. "scars (the paper's cases, against 5 um)." },
   { "wear.depth", kind = "field", unit = "mm", text = "Largest wear depth of each body." },
   { "wear.depth.cylinder", kind = "field", unit = "mm",
     text = "Largest wear depth of the cylinder." },

@@ -132,7 +132,8 @@ return {
     text = "The abscissa." },
   { "plot.history{titles}", type = "list of strings", text = "Names of the objects in the key." },
   { "plot.mesh", kind = "function", takes = "plot", use = 'plot.mesh(m, { zoom="wear box" })',
-    text = "The elements of a model, whole or near the contact. Takes the options of plot{} too." },
+    text = "The elements of a model, or of a run w as they are worn by now, whole or near the contact. "
+      .. "Takes the options of plot{} too." },
   { "plot.mesh{zoom}", type = "table { x0, x1, y0, y1 }", values = { "wear box", "all" },
     text = "What part to show." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "One body alone." },

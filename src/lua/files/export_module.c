@@ -205,10 +205,8 @@ static int write_bodies(lua_State *L, const char *path, const arc_model *model,
 }
 
 static int write_mesh(lua_State *L, const char *path) {
-  box *mesh = box_check(L, 1, &mesh_class, vtk_where);
   arc_error error = {0};
-  arc_status status =
-      arc_export_vtk(path, arc_model_mesh(mesh->thing, (arc_body)mesh->tag), NULL, &error);
+  arc_status status = arc_export_vtk(path, mesh_of(L, 1, vtk_where), NULL, &error);
   error_check(L, status, &error, vtk_where, -1);
   lua_pushvalue(L, 2);
   return 1;

@@ -148,6 +148,12 @@ static int wear_model(lua_State *L) {
   return 1;
 }
 
+/* The meshes by body, their nodes as they are worn by now. */
+static int wear_mesh(lua_State *L) {
+  mesh_push_worn(L, arc_wear_shape(self(L)));
+  return 1;
+}
+
 const luaL_Reg wear_fields[] = {
 #define COLUMN_ENTRY(name, unit, text) {#name, wear_column_##name},
     ARC_WEAR_COLUMNS(COLUMN_ENTRY)
@@ -175,6 +181,7 @@ const luaL_Reg wear_fields[] = {
     {"loading", wear_loading},
     {"functions", wear_functions_given},
     {"model", wear_model},
+    {"mesh", wear_mesh},
     {NULL, NULL},
 };
 
