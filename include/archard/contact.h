@@ -8,6 +8,7 @@
 #ifndef ARCHARD_CONTACT_H
 #define ARCHARD_CONTACT_H
 
+#include "archard/measure.h"
 #include "archard/model.h"
 
 #ifdef __cplusplus
@@ -52,6 +53,13 @@ void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth);
  * outside the other model's zones is left out. Errors of arc_shape_wear: `to` is then to be given
  * up. */
 arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *error);
+
+/* Depths [surface] at a body's unworn nodes by a measured profile of them over x, at least two
+ * points, none beyond its ends: by the same splines, and with the area under the broken line
+ * through the points where that is a whole scar, unworn at both ends and within the nodes' reach;
+ * so that points at the nodes stay what they are. ARC_MEMORY. */
+arc_status arc_shape_sample(const arc_shape *shape, arc_body body, arc_depths measured,
+                            double *depth, arc_error *error);
 
 /* A candidate-surface profile; arrays of `count` doubles owned by the shape, valid until it
  * changes. */

@@ -77,9 +77,11 @@ return {
     text = "One frictionless contact solution: the plate at x, pressed by the load. Without a model "
       .. "it uses one whose zones suit." },
   { "contact{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Wear depth of the cylinder against x." },
+    text = "Wear depth of the cylinder against x. A function is taken at the nodes; points by splines "
+      .. "without kinks inside a scar, with the area under them." },
   { "contact{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Wear depth of the plate against x." },
+    text = "Wear depth of the plate against x. A function is taken at the nodes; points by splines "
+      .. "without kinks inside a scar, with the area under them." },
   { "contact.half_width", kind = "field", unit = "mm",
     text = "Half the width of the contact: good to 0.05 of an element where surfaces meet smoothly, "
       .. "as unworn, to 0.2 in the mean and 0.6 at worst at the edges of scars." },
