@@ -241,6 +241,11 @@ return {
   { "wear.travel", kind = "field", unit = "mm",
     text = "The plate's way from one end to the other in the last update's cycle, or in its increment of a generic "
       .. "history. NaN, as history.load, in runs of files older than format 4, until they go on." },
+  { "wear.load_distance", kind = "field", unit = "N mm",
+    text = "Integral of the load over the sliding distance of this run, F d of Archard's law. Forces "
+      .. "balance, so that it is the integral of p ds dA on each body too, and under rigid slip a "
+      .. "volume is k of that body times it (Eq. 15); a law, local factors and elastic slip show in what "
+      .. "volumes differ by. NaN in runs of files older than format 4." },
   { "wear.half_width", kind = "field", unit = "mm",
     text = "Half the width of the contact, plate at x = 0, nominal load: good to 0.05 of an element "
       .. "where surfaces meet smoothly, as unworn; to 0.2 in the mean and 0.6 at worst at the edges of "

@@ -77,7 +77,8 @@ static const struct migration {
     {2, "", "ALTER TABLE history ADD COLUMN p_peak_MPa;"},
     {3, "",
      "ALTER TABLE history ADD COLUMN load_N;"
-     "ALTER TABLE history ADD COLUMN travel_mm;"},
+     "ALTER TABLE history ADD COLUMN travel_mm;"
+     "ALTER TABLE history ADD COLUMN load_distance_N_mm;"},
 };
 
 enum { MIGRATIONS = sizeof migrations / sizeof *migrations };

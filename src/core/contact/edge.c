@@ -79,9 +79,11 @@ static double ratio_at(const ending *e, double edge) {
          line_at(edge, place(e, 2), outside[0], place(e, 3), outside[1]);
 }
 
-/* Whether there are nodes enough on both sides for the laws to be compared. */
+/* Whether there are nodes enough on both sides for the laws to be compared: on this half of the
+ * contact. */
 static int has_nodes(const ending *e) {
-  enum { inside = 3, outside = 4 };
+  enum { inside = 3, outside = 4, active = 7 };
+  if (e->p->active < active) return 0;
   const int inner = e->last - e->out * inside, outer = e->last + e->out * outside;
   if (inner < 0 || inner >= e->p->count || outer < 0 || outer >= e->p->count) return 0;
   for (int step = -inside; step < 0; step++)
