@@ -48,15 +48,6 @@ for i, size in ipairs(sizes) do
     :format(1000 * size, 100 * errors[i], 100 * worst))
   if size == 0.02 then below(worst, 5e-3, "centre pressure at the worst of 21 loads, 20 x 25 um") end
 end
--- The half width does not jump with the nodes: the gaps outside place the edge between them.
-for _, size in ipairs{ 0.02, 0.01 } do
-  local m, worst = model{ mesh = { size = size, height = 1.25 * size } }, 0
-  for load = 60, 140, 2 do
-    local off = contact{ model = m, load = load }.half_width - hertz{ load = load }.half_width
-    worst = math.max(worst, math.abs(off) / size)
-  end
-  below(worst, 0.06, ("half width at the worst of 41 loads, %g um, in elements"):format(1000 * size))
-end
 for i = 2, #sizes do
   local order = math.log(errors[i - 1] / errors[i], 2)
   above(order, 1.6, ("order of convergence from %g to %g um")
