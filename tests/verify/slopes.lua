@@ -98,12 +98,12 @@ local function peak(c)
   return top * math.sqrt(a - b * b / (4 * q))
 end
 
-local inclined = model{ radius = 2, mesh = { size = 0.01, height = 0.01, rows = 24, far = 0.3,
-  zone = { cylinder = 1.6, plate = 1.6 } } }
+local inclined = model{ radius = 2, mesh = { size = 0.01, height = 0.01, rows = 14, far = 0.3,
+  zone = { cylinder = 0.8, plate = 0.8 } } }
 for _, slope in ipairs{ 0.06, 0.12 } do
   local sum, count = 0, 0
   for load = 160, 240, 20 do
-    local function plane(x) return 0.1 + slope * x end
+    local function plane(x) return 0.06 + slope * x end
     local c = contact{ model = inclined, load = load, worn = { plate = plane } }
     sum = sum + peak(c) / hertz{ radius = 2, load = load }.p_max
     count = count + 1
