@@ -196,6 +196,8 @@ arc_status arc_contact_field(const arc_contact *contact, arc_body body, arc_fiel
 void arc_field_destroy(arc_field **field);
 /* The model a contact was solved on (borrowed). */
 arc_model *arc_contact_model(const arc_contact *contact);
+/* The surfaces it was solved on (borrowed). */
+const arc_shape *arc_contact_shape(const arc_contact *contact);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

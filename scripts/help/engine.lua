@@ -54,7 +54,7 @@ return {
       .. "edge over shortest), jacobian_ratio (smallest over largest at a quad's corners), "
       .. "smallest_jacobian (mm2, positive); the same of the wear box alone in the table box." },
   { "mesh.write", kind = "method", use = "m.mesh.plate:write(path)",
-    text = "Writes the mesh to a file, by its ending: .vtk, .inp (Abaqus, CalculiX) or .csv (nodes)." },
+    text = "Writes the mesh to a file, by its ending: .vtk, .vtu, .inp (Abaqus, CalculiX) or .csv (nodes)." },
   { "mesh.node", kind = "method", use = "x, y = m.mesh.plate:node(i)",
     text = "Position of node i = 1 ... nodes, in mm." },
   { "mesh.elements", kind = "method", use = "m.mesh.plate:elements()",

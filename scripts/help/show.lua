@@ -130,8 +130,9 @@ Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
              plot.mesh(m)  plot.stress(c)  plot{ {x=..., y=...} }
 Many cases   study{ base=..., vary=... }  study.paper()  study.converge{}
 Measured     calibrate{ volume={...}, load=100, distance=1320 }
-Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtk")
-             export.inp(m, "m.inp")
+Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtu")
+             export.pvd(w, "w.pvd")  export.inp(w, "w.inp")
+             export.json(w, "w.json")
 Session      who()  session.save("s.archard")  session.open("s.archard")
              examples()  examples.run("demo")  time(f)
 Topics       help "units"  "running in"  "files"  "meshes"  "steps"

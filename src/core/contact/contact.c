@@ -125,3 +125,7 @@ arc_pressure arc_contact_pressure(const arc_contact *c, arc_body body) {
 arc_model *arc_contact_model(const arc_contact *contact) {
   return contact->shape->model;
 }
+
+const arc_shape *arc_contact_shape(const arc_contact *contact) {
+  return contact->shape;
+}

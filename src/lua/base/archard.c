@@ -11,13 +11,9 @@
 
 /* Classes in C: name of the global, and the function that leaves its value on the stack. */
 static const luaL_Reg classes[] = {
-    {"material", luaopen_archard_material},
-    {"hertz", luaopen_archard_hertz},
-    {"model", luaopen_archard_model},
-    {"contact", luaopen_archard_contact},
-    {"wear", luaopen_archard_wear},
-    {"export", luaopen_archard_export},
-    {NULL, NULL},
+    {"material", luaopen_archard_material}, {"hertz", luaopen_archard_hertz},
+    {"model", luaopen_archard_model},       {"contact", luaopen_archard_contact},
+    {"wear", luaopen_archard_wear},         {NULL, NULL},
 };
 
 /* Modules in C that are no globals: reached by require only. */
@@ -42,6 +38,7 @@ static const char *const scripted[][2] = {
     {"study", "archard.study"},
     {"calibrate", "archard.study.calibrate"},
     {"csv", "archard.lib.csv"},
+    {"export", "archard.export"},
     {"who", "archard.lib.who"},
     {"time", "archard.lib.time"},
     {"session", "archard.lib.session"},

@@ -1,7 +1,7 @@
 /* lua/classes.h - the classes of the engine, as the files of the binding see each other.
  *
  * luaopen_archard_NAME leaves what the global NAME is: the constructor (a function, or a table that
- * can be called), or for export its table of functions.
+ * can be called).
  */
 #ifndef LUA_CLASSES_H
 #define LUA_CLASSES_H
@@ -23,7 +23,6 @@ int luaopen_archard_hertz(lua_State *L);
 int luaopen_archard_model(lua_State *L);
 int luaopen_archard_contact(lua_State *L);
 int luaopen_archard_wear(lua_State *L);
-int luaopen_archard_export(lua_State *L);
 
 extern const box_class model_class;   /* thing: arc_model, one reference */
 extern const box_class mesh_class;    /* thing: a view of mesh_class.c */

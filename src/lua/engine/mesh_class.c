@@ -172,7 +172,7 @@ static int mesh_quality(lua_State *L) {
 /* Writes node, x, y as columns. */
 static arc_status write_csv(lua_State *L, const char *path, const arc_mesh *mesh,
                             arc_error *error) {
-  static const char *const names[] = {"node", "x", "y"};
+  static const char *const names[] = {"node", "x", "y"}, *const units[] = {"", "mm", "mm"};
   size_t rows = (size_t)mesh->nodes;
   double *columns = array_buffer(L, 3 * rows);
   for (size_t i = 0; i < rows; i++) {
@@ -181,7 +181,7 @@ static arc_status write_csv(lua_State *L, const char *path, const arc_mesh *mesh
     columns[2 * rows + i] = mesh->xy[2 * i + 1];
   }
   const double *data[] = {columns, columns + rows, columns + 2 * rows};
-  return arc_export_csv(path, 3, names, data, rows, error);
+  return arc_export_csv(path, 3, names, units, data, rows, error);
 }
 
 /* mesh:write(path): the format goes by the ending */
@@ -195,12 +195,15 @@ static int mesh_write(lua_State *L) {
   arc_status status = ARC_OK;
   if (ending && strcmp(ending, ".vtk") == 0)
     status = arc_export_vtk(path, mesh, NULL, &error);
+  else if (ending && strcmp(ending, ".vtu") == 0)
+    status = arc_export_vtu(path, mesh, NULL, 0, &error);
   else if (ending && strcmp(ending, ".inp") == 0)
     status = arc_export_mesh_inp(path, mesh, &error);
   else if (ending && strcmp(ending, ".csv") == 0)
     status = write_csv(L, path, mesh, &error);
   else
-    args_refuse(L, (args_place){where, ""}, "path", "a file name that ends in .vtk, .inp or .csv");
+    args_refuse(L, (args_place){where, ""}, "path",
+                "a file name that ends in .vtk, .vtu, .inp or .csv");
   error_check(L, status, &error, where, -1);
   return 0;
 }
