@@ -19,7 +19,7 @@ comma := ,
 BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),-checks)
 OBJ   = $(BUILD)/obj
 
-.PHONY: all demo check study figures test-programs bench gallery man format lint install \
+.PHONY: all demo check study figures test-programs bench peer gallery man format lint install \
         install-files uninstall clean setup
 .DELETE_ON_ERROR:
 
@@ -148,6 +148,11 @@ gallery: $(program)
 # One BLAS thread from the start: an idle one would spin for its first 50 ms and be counted.
 bench: $(program)
 	OPENBLAS_NUM_THREADS=1 $(program) scripts/tools/bench.lua
+
+# The exported decks through CalculiX, side by side with archard.
+peer: $(program)
+	@scripts/setup peer
+	OPENBLAS_NUM_THREADS=1 $(program) scripts/tools/peer.lua
 
 # The paper's study. What an older program computed is not gone on with.
 study figures: $(program)
