@@ -76,6 +76,7 @@ return function(run, path)
   local asked = definition("wear", run, units, "definition.")
   asked.model = definition("model", run.model, units, "definition.model.")
   asked.loading = run.loading and plain(run.loading) or json.null
+  units["definition.loading.x"], units["definition.loading.load"] = "mm", "N"
   asked.local_factor = run.local_factor and "function" or json.null
   files.write(where, path, json.encode{
     versions = { archard = require "archard".version, lua = _VERSION:match("[%d.]+") },
