@@ -134,16 +134,17 @@ test-programs: all $(unit_tests)
 demo:
 	@scripts/setup
 	@$(MAKE) --no-print-directory -j$(jobs) all
-	@$(program) examples/demo.lua
+	@$(program) examples/02_wear.lua
 
 check:
 	@scripts/setup test
 	@$(MAKE) --no-print-directory -j$(jobs) test-programs
 	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run
 
-# The pictures of examples/gallery/.
+# The pictures of examples/gallery/, one of each example.
 gallery: $(program)
-	$(program) examples/gallery.lua
+	@mkdir -p $(BUILD)/gallery examples/gallery
+	cd $(BUILD)/gallery && $(abspath $(program)) $(CURDIR)/scripts/tools/gallery.lua $(CURDIR)/examples/gallery >/dev/null
 
 # One BLAS thread from the start: an idle one would spin for its first 50 ms and be counted.
 bench: $(program)
@@ -161,9 +162,10 @@ study figures: $(program)
 	$(program) scripts/tools/study20.lua --file $(BUILD)/study.archard --figures $(BUILD)/figures \
 	  $(if $(filter figures,$@),--fine --converge)
 
-# The reference part of the manual comes from the help entries inside the program.
+# The reference comes from the help entries inside the program, the format of run files from their header.
 man: $(program)
-	$(program) scripts/tools/manpage.lua > man/archard.1
+	$(program) scripts/tools/manpage.lua > man/archard-lua.7
+	$(program) scripts/tools/manfile.lua include/archard/store.h > man/archard-file.5
 
 # --- care -------------------------------------------------------------------------------------
 c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] examples/c/*.c)
@@ -178,7 +180,7 @@ lint:
 	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --error-exitcode=1 --suppress=missingIncludeSystem -Iinclude -Isrc src $(filter examples/%,$(c_files))
 	@shellcheck -S warning $(sh_files)
-	@mandoc -T lint -W warning man/*.1
+	@mandoc -T lint -W warning man/*.[1-9]
 
 # What stands behind the library, for archard.pc: by .pc file where there is one.
 private      = cholmod blas sqlite omp

@@ -134,7 +134,7 @@ Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtu")
              export.pvd(w, "w.pvd")  export.inp(w, "w.inp")
              export.json(w, "w.json")
 Session      who()  session.save("s.archard")  session.open("s.archard")
-             examples()  examples.run("demo")  time(f)
+             examples()  examples.run("wear")  time(f)
 Topics       help "units"  "running in"  "files"  "meshes"  "steps"
              "troubleshooting"
 

@@ -1,5 +1,7 @@
 -- From a worn pair to the numbers of the model, and to a forecast: volumes measured on three
 -- specimens give k and alpha, and those the depths after twice the distance.
+--   archard examples/11_calibrate.lua
+
 local measured = calibrate{
   volume = { cylinder = { 0.41e-3, 0.44e-3, 0.39e-3 }, plate = { 0.92e-3, 0.88e-3, 0.97e-3 } },
   load = 100, distance = 1320,
@@ -29,7 +31,7 @@ local course = calibrate{
 print(course)
 local band = course.band.k
 plot{ { x = course.k.distance, y = course.k.value, title = "k" },
-  { x = band.distance, y = band.low, title = "low", dash = 2, series = 2 },
+  { x = band.distance, y = band.low, title = "range of its mean, low", dash = 2, series = 2 },
   { x = band.distance, y = band.high, title = "high", dash = 2, series = 2 },
   xlabel = "distance / mm", ylabel = "k / (mm2/N)" }
 

@@ -1,6 +1,6 @@
 -- A study of nine cases, its table, and the case that wears the plate least. Run it twice: the
 -- second time nothing is computed again.
---   archard examples/study.lua [run file]
+--   archard examples/10_study.lua [run file]
 local s = study{
   name = "strokes",
   base = { distance = 660, increments = 40 },

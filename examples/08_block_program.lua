@@ -1,7 +1,7 @@
 -- A program of variable amplitude, read from a table of blocks: each block is a sine under its own load.
---   archard examples/block_program.lua [file.csv]
+--   archard examples/08_block_program.lua [file.csv]
 
-local path = arg[1] or (arg[0]:match("^(.*)/") or ".") .. "/block_program.csv"
+local path = arg[1] or (arg[0]:match("^(.*)/") or ".") .. "/08_block_program.csv"
 local program = csv.read(path, { name = "block", amplitude = "amplitude [mm]", load = "load [N]", cycles = "cycles" })
 
 local blocks = {}

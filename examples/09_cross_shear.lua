@@ -1,7 +1,7 @@
 -- Cross-shear: polymers such as UHMWPE wear faster where the direction of sliding turns. Here the
 -- counterface swings a little across the plane as well, the more the further from the middle; the
 -- share CS of the friction work done across the main direction sets a local factor on k.
---   archard examples/cross_shear.lua
+--   archard examples/09_cross_shear.lua
 
 local reach = 0.25 -- mm from the middle at which the swing across is fully there
 local unidirectional, across = 0.4, 2.4 -- factor on k at CS = 0, and its slope

@@ -1,7 +1,7 @@
 -- A coated plate: the coating is 0.4 um thick and wears little. When the deepest point is through, the
 -- bare plate takes most of the wear. Twice: alpha as a function of the state, which looks at the depth
 -- in the middle of every update; and a run that ends exactly there, goes on with what has changed.
---   archard examples/coating.lua
+--   archard examples/06_coating.lua
 
 local thickness = 0.4e-3 -- mm
 local coated, bare = 0.85, 0.3 -- alpha: the cylinder's share of the wear

@@ -1,7 +1,7 @@
 -- Reciprocating under a load that swings with the motion: in phase with the position it wears one side
 -- of the plate, in phase with the speed it does not. Both swing between 40 and 160 N over a sine of
 -- 0.22 mm, and the plate sees the same volume.
---   archard examples/in_phase_load.lua
+--   archard examples/07_in_phase_load.lua
 
 local amplitude = 0.11 -- mm
 

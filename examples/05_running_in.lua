@@ -1,6 +1,6 @@
 -- Running-in: fresh surfaces wear five times as fast, and settle within some 100 mm of sliding. The
 -- implicit scheme takes short steps while k falls and long ones after.
---   archard examples/running_in.lua
+--   archard examples/05_running_in.lua
 
 local settled, fresh, length = 1e-8, 5e-8, 100 -- mm2/N, mm2/N, mm
 
