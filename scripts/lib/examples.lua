@@ -62,7 +62,7 @@ local function overview()
     lines[i] = { name = name, text = title(folder() .. "/" .. name .. ".lua") }
   end
   return show.listing("Examples", lines)
-    .. '\n\nexamples "wear" or examples(2) shows one, examples.run("wear", ...) runs it with its arguments'
+    .. '\n\nexamples "wear" or examples(2) shows one, examples.run "wear" runs it'
 end
 
 -- examples.run(name, ...): as a script of that name with these arguments, whose globals stay.
