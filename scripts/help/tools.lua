@@ -141,8 +141,8 @@ return {
     text = "What part to show." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "One body alone." },
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
-    text = "A stress inside both bodies in colours, with contour lines and outlines; of a contact, or "
-      .. "of a field f = c:stress(). Takes the options of plot{} too." },
+    text = "A stress inside both bodies in colours, with contour lines and outlines; of a contact, a "
+      .. "run as worn, or a field f = c:stress(). Takes the options of plot{} too." },
   { "plot.stress{component}", values = require "archard.plot.mesh".components,
     default = '"mises"', text = "Which stress; shear is the largest in the plane." },
   { "plot.stress{zoom}", type = "table { x0, x1, y0, y1 }", values = { "all" },
@@ -176,7 +176,7 @@ return {
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
     text = "Columns of numbers with a line of names and units: the history of a wear run, a pressure, "
       .. "a table of lists such as a profile, whose units a third argument may give, { x=\"mm\" }. A "
-      .. "stress becomes two files, path-cylinder.csv and path-plate.csv." },
+      .. "stress becomes two files, path-cylinder.csv and path-plate.csv. Returns what was written." },
   { "export.vtk", kind = "function", use = 'export.vtk(obj, "c.vtu")',
     text = "Meshes and fields for ParaView and others, as .vtu (XML) or .vtk (legacy text). Of a "
       .. "model, a run, a contact or its stress come two files, path-cylinder.vtu and path-plate.vtu, "

@@ -187,6 +187,7 @@ local function quantity_of(name)
   for _, quantity in ipairs(quantities) do
     if name:find(quantity[1]) then return quantity[2] or name, quantity[3] end
   end
+  return name
 end
 
 local function column_of(where, history, name)

@@ -33,7 +33,7 @@ end
 -- CSV
 local w = wear{ increments = 20 }
 w:step(3)
-export.csv(w, at "history.csv")
+is(export.csv(w, at "history.csv"), at "history.csv", "it says what it wrote")
 local columns, names, headers = read_csv "history.csv"
 holds(headers, { "cycle,distance [mm],", ",p_center [MPa],", ",volume_plate [mm3],", ",depth_partition," },
   "history: units behind the names")
