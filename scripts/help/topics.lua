@@ -32,8 +32,8 @@ volumes measured on the way. See help "state", and examples "running_in".]] },
   plot.save                   the last picture, and its data beside it
 
 Run files are SQLite databases: sqlite3 run.archard "select * from history_of". Files of older releases go on. Functions in a
-definition cannot be stored: they are given again when the file is opened. On leaving the prompt with runs that are in no
-file it asks whether to save the session.]] },
+definition cannot be stored: they are given again when the file is opened. examples "files" writes and reads most
+of these. On leaving the prompt with runs that are in no file it asks whether to save the session.]] },
   { "meshes", [[
 A model{} meshes both bodies and condenses them once; contact and wear then work on the surfaces alone. Elements under the
 contact are mesh.size wide and mesh.height high, and grow towards mesh.far. A half width of the contact should hold at least
@@ -43,21 +43,22 @@ mesh.zone is the full width of the fine contact zone of each body. Without a mod
 suit; a given model that is too small is refused with the zone it needs. study.converge{} finds a size, a jump and increments
 for a case. Pressures at edges of scars (p_max, p_peak) grow as elements shrink: p_average settles.]] },
   { "steps", [[
-One update of the geometry wears jump cycles together. Too large a jump makes the surfaces rough: w:stability() tells the
-limit, and runs past it warn. What to do, from the simplest on:
+One update of the geometry wears jump cycles together. Past a limit ripples grow and make the surfaces rough: w:stability()
+tells it, and runs past it warn. Longer strokes and smaller elements have lower limits. What to do, from the simplest on:
 
   jump = "auto"        explicit steps that follow an estimate of their error
   scheme = "implicit"  with tolerance = 1e-3: long steps, by accuracy
-  jump = 50            fixed, as the paper does; 100 is its choice at 20 um
+  jump = 50            fixed, as the paper does: 100 for 0.11 mm and alpha 0.5,
+                       20 to 50 for longer strokes, at elements of 20 um
 
 increments divide a cycle: "auto" takes enough of them that the plate moves by less than an eighth of the half width in each.
-w:step() makes one update, w:run() all; Ctrl-C stops after the running step, and w:run() goes on.]] },
+w:step() makes one update, w:run() all; Ctrl-C stops after the running step, and w:run() goes on. examples "steps" compares them.]] },
   { "troubleshooting", [[
 "no global 'x'": a name that nothing was assigned to. rawget(_G, "x") asks without an error; archard --lax reads nil instead.
 
 "no field ... did you mean ...": an object has no such field or method. help(wear) lists those of runs.
 
-Rough profiles, pressures that saw: the jump is too large. See help "steps".
+Rough profiles, ripples, pressures that saw: the jump is too large. See help "steps".
 
 A zone too narrow: the stroke or the scar outgrows the fine zone. Leave the model out, or give the mesh.zone that the message names.
 
