@@ -48,7 +48,7 @@ tells it, and runs past it warn. Longer strokes and smaller elements have lower 
 
   jump = "auto"        explicit steps that follow an estimate of their error
   scheme = "implicit"  with tolerance = 1e-3: long steps, by accuracy
-  jump = 50            fixed, as the paper does: 100 for 0.11 mm and alpha 0.5,
+  jump = 50            fixed, as the paper does: 100 for most at 0.11 mm,
                        20 to 50 for longer strokes, at elements of 20 um
 
 increments divide a cycle: "auto" takes enough of them that the plate moves by less than an eighth of the half width in each.
