@@ -42,8 +42,9 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
                           arc_field *field) {
   double *stress = malloc(3 * (size_t)field->nodes * sizeof *stress);
   arc_status status = stress ? ARC_OK : ARC_MEMORY;
+  const arc_tractions on = {c->p[body], c->rubs ? c->q[body] : NULL, body == ARC_CYLINDER ? 1 : -1};
   if (status == ARC_OK)
-    status = arc_recover_stresses(c->shape->side[body].body, xy, u, c->p[body], stress);
+    status = arc_recover_stresses(c->shape->side[body].body, xy, u, &on, stress);
   for (int n = 0; n < field->nodes && status == ARC_OK; n++) {
     field->sxx[n] = stress[3 * n];
     field->syy[n] = stress[3 * n + 1];
@@ -58,6 +59,7 @@ static void derive_invariants(double nu, arc_field *field) {
     const double x = field->sxx[n], y = field->syy[n], t = field->sxy[n], z = nu * (x + y);
     field->szz[n] = z;
     field->shear[n] = hypot((x - y) / 2, t);
+    field->principal[n] = fmax((x + y) / 2 + field->shear[n], z);
     field->mises[n] =
         sqrt(((x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x)) / 2 + 3 * t * t);
   }
@@ -69,9 +71,9 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   const shape_side *side = &c->shape->side[body];
   const size_t n = (size_t)field->nodes;
   double *u = work, *xy = work + 2 * n, *f = box + 2 * (size_t)side->body->box_count;
-  memcpy(f, c->force[body], (size_t)side->n * sizeof *f);
+  memcpy(f, c->force[body], 2 * (size_t)side->n * sizeof *f);
   const double sign = body == ARC_CYLINDER ? 1 : -1;
-  for (int i = 0; i < side->n; i++) f[side->n + i] = sign * c->f[body][i];
+  for (int i = 0; i < side->n && !c->rubs; i++) f[side->n + i] = sign * c->f[body][i];
   arc_shape_box(side, side->xy, box);
   const arc_status status = arc_body_displacements(side->body, box, f, u, error);
   if (status != ARC_OK) return status;

@@ -1,5 +1,5 @@
 /* Stresses at nodes. Elements know stresses best at their centres (superconvergence); on a boundary
- * without friction the normal stress is the pressure and the stress along it follows from the
+ * normal and shear stress are the tractions and the stress along it follows from the
  * strain along it, which the nodes' displacements give to second order. Inside, quadratic
  * polynomials are fitted to both around each node (patch recovery after Zienkiewicz and Zhu, with
  * the boundary's values among the data). */
@@ -114,10 +114,11 @@ static void sample_elements(recovery *r) {
 typedef struct boundary {
   int count;
   double *p;      /* [count] pressure at the nodes [MPa] */
+  double *q;      /* [count] shear on the body along +x [MPa] */
   double *bend;   /* [count] second difference of the pressure */
   double *length; /* [count] of the edges [mm] */
   double *rest;   /* [count] stress along the edge, but for what its own pressure does there */
-  double *work;   /* [2 * nodes] */
+  double *work;   /* [3 * nodes] */
 } boundary;
 
 static int next_of(const boundary *o, int k) {
@@ -182,18 +183,21 @@ static void sample_boundary_node(recovery *r, const boundary *o, int k) {
   const double length = hypot(t[0], t[1]), tx = t[0] / length, ty = t[1] / length;
   const double along = (o->rest[before] * lb + o->rest[k] * la) / (la + lb) - o->p[k];
   const int s = r->mesh->elements + at;
+  const double shear = tx > 0 ? o->q[k] : -o->q[k]; /* along the boundary */
   r->place[2 * s] = x[0];
   r->place[2 * s + 1] = x[1];
-  r->value[3 * s] = along * tx * tx - o->p[k] * ty * ty;
-  r->value[3 * s + 1] = along * ty * ty - o->p[k] * tx * tx;
-  r->value[3 * s + 2] = (along + o->p[k]) * tx * ty;
+  r->value[3 * s] = along * tx * tx - o->p[k] * ty * ty + 2 * shear * tx * ty;
+  r->value[3 * s + 1] = along * ty * ty - o->p[k] * tx * tx - 2 * shear * tx * ty;
+  r->value[3 * s + 2] = (along + o->p[k]) * tx * ty + shear * (ty * ty - tx * tx);
   r->known[s] = 1;
 }
 
-static void sample_boundary(recovery *r, boundary *o, const double *p) {
+static void sample_boundary(recovery *r, boundary *o, const arc_tractions *on) {
   const arc_mesh *m = r->mesh;
-  double *pressure = o->work, *fixed = pressure + m->nodes;
-  for (int i = 0; i < m->surface; i++) pressure[m->surface_node[i]] = p[i];
+  double *pressure = o->work, *fixed = pressure + m->nodes, *shear = fixed + m->nodes;
+  for (int i = 0; i < m->surface; i++) pressure[m->surface_node[i]] = on->p[i];
+  for (int i = 0; i < m->surface && on->q; i++) shear[m->surface_node[i]] = on->sign * on->q[i];
+  for (int k = 0; k < o->count; k++) o->q[k] = shear[m->outline_node[k]];
   for (int k = 0; k < m->fixed; k++) fixed[m->fixed_node[k]] = 1;
   for (int k = 0; k < o->count; k++) o->p[k] = pressure[m->outline_node[k]];
   split_edges(r, o);
@@ -202,12 +206,13 @@ static void sample_boundary(recovery *r, boundary *o, const double *p) {
     if (fixed[m->outline_node[k]] == 0) sample_boundary_node(r, o, k);
 }
 
-static arc_status make_boundary(recovery *r, const double *p) {
+static arc_status make_boundary(recovery *r, const arc_tractions *on) {
   const size_t n = (size_t)r->mesh->outline, nodes = (size_t)r->mesh->nodes;
-  double *block = calloc(4 * n + 2 * nodes, sizeof *block);
+  double *block = calloc(5 * n + 3 * nodes, sizeof *block);
   if (!block) return ARC_MEMORY;
-  boundary o = {(int)n, block, block + n, block + 2 * n, block + 3 * n, block + 4 * n};
-  sample_boundary(r, &o, p);
+  boundary o = {(int)n,        block,         block + n,    block + 2 * n,
+                block + 3 * n, block + 4 * n, block + 5 * n};
+  sample_boundary(r, &o, on);
   free(block);
   return ARC_OK;
 }
@@ -288,13 +293,13 @@ static void fit_node(recovery *r, int node, double stress[3]) {
 }
 
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
-                                const double *p, double *stress) {
+                                const arc_tractions *on, double *stress) {
   recovery r;
   arc_status status = recovery_create(body, xy, u, &r);
   if (status != ARC_OK) return status;
   list_elements_around(&r);
   sample_elements(&r);
-  status = make_boundary(&r, p);
+  status = make_boundary(&r, on);
   for (int n = 0; n < body->mesh->nodes && status == ARC_OK; n++) {
     const int own = body->mesh->elements + n;
     if (r.known[own])

@@ -4,11 +4,18 @@
 
 #include "core/elastic/body.h"
 
+/* What acts on the candidate surface, by its nodes. */
+typedef struct arc_tractions {
+  const double *p; /* pressures [MPa] */
+  const double *q; /* shear along the surface [MPa], or NULL */
+  double sign;     /* 1 where q acts on this body along +x, -1 along -x */
+} arc_tractions;
+
 /* Stresses [3 * nodes] (xx, yy, xy, [MPa]) with nodes at xy and displacements u [2 * nodes] under
- * the pressures p [surface] on the candidate surface; the rest of the boundary is free or fixed. On
+ * tractions on the candidate surface; the rest of the boundary is free or fixed. On
  * the boundary they fulfil the tractions, inside they are fitted to the elements' centres; of
  * second order in the element size both. ARC_MEMORY. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
-                                const double *p, double *stress);
+                                const arc_tractions *on, double *stress);
 
 #endif
