@@ -110,7 +110,7 @@ static int find_rigid(coupled *c, double rigid[2]) {
   const double load = c->k->step->line - sum[0][0], side = c->k->step->tangential - sum[0][1];
   rigid[1] = 0;
   rigid[0] = load / sum[1][0];
-  if (!c->k->step->by_force) return isfinite(rigid[0]);
+  if (!c->k->by_force) return isfinite(rigid[0]);
   const double det = sum[1][0] * sum[2][1] - sum[2][0] * sum[1][1];
   rigid[0] = (load * sum[2][1] - side * sum[2][0]) / det;
   rigid[1] = (side * sum[1][0] - load * sum[1][1]) / det;
@@ -122,7 +122,7 @@ static int solve_on_sets(coupled *c) {
   pose *p = k->p;
   grip *g = k->g;
   double rigid[2];
-  if (c->na == 0 || (k->step->by_force && c->ns == 0)) return 0;
+  if (c->na == 0) return 0;
   for (int i = 0; i < c->na; i++) fill_force(c, i, p->set[i]);
   for (int i = 0; i < c->ns; i++) fill_shear(c, c->na + i, c->stuck[i]);
   fill_sides(c);

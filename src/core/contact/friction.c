@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { sweep_limit = 1000, first_newton = 4 };
+enum { sweep_limit = 1000, limit_by_force = 50, first_newton = 4 };
 
 /* Gaps may be off by this share of the elastic displacement. */
 static const double settled = 1e-13;
@@ -34,7 +34,7 @@ void arc_friction_set_shear(friction_task *k) {
   s->at = p->set;
   s->a = k->g->tt;
   s->ld = p->count;
-  s->by_force = k->step->by_force;
+  s->by_force = k->by_force;
   for (int i = 0; i < s->n; i++) {
     const int at = p->set[i];
     const double up = p->slope[p->lo + at] * (p->approach - k->approach);
@@ -67,55 +67,70 @@ static double carried_by_shear(const friction_task *k) {
 }
 
 static void set_gaps(friction_task *k) {
-  const double shift = k->g->shear.shift;
   for (int i = 0; i < k->p->count; i++)
-    k->p->gap[i] = k->g->gap[i] + k->p->slope[k->p->lo + i] * shift + k->g->sheared[i];
+    k->p->gap[i] = k->g->gap[i] + k->p->slope[k->p->lo + i] * k->shift + k->g->sheared[i];
 }
 
 /* The largest change of gaps in contact, by the displacement that pressures cause there. */
-static double changed(const friction_task *k, const double *sheared, double shift) {
+static double changed(const friction_task *k, const double *sheared) {
   double most = 0, all = 0;
   for (int i = 0; i < k->p->active; i++) {
     const int at = k->p->set[i];
-    const double up = k->p->slope[k->p->lo + at] * (k->g->shear.shift - shift);
+    const double up = k->p->slope[k->p->lo + at] * (k->g->shear.shift - k->shift);
     most = fmax(most, fabs(sheared[at] - k->g->sheared[at] + up));
     all = fmax(all, fabs(k->p->approach - k->p->gap[at]));
   }
   return most / all;
 }
 
+/* The next sweep's shear: the new one or, where sweeps come back to where they were, on the way
+ * there. */
+static void take_over(friction_task *k, const double *sheared, double held) {
+  const double share = k->g->sweeps < 20 ? 1 : k->g->sweeps < 100 ? 0.5 : 0.1;
+  for (int i = 0; i < k->p->count; i++)
+    k->g->sheared[i] += share * (sheared[i] - k->g->sheared[i]);
+  k->shift += share * (k->g->shear.shift - k->shift);
+  k->held += share * (held - k->held);
+}
+
 /* One sweep. Returns 1 where nothing changed any more, 0 where something did, -1 on breakdown. */
 static int sweep(friction_task *k) {
   grip *g = k->g;
-  const double shift = g->shear.shift, held = carried_by_shear(k);
   double *sheared = g->work;
   set_gaps(k);
-  if (arc_lcp_solve(k->p, k->step->line - held) != ARC_OK) return -1;
+  if (arc_lcp_solve(k->p, k->step->line - k->held) != ARC_OK) return -1;
   arc_friction_set_shear(k);
   g->shear.iterations = 0;
   if (arc_shear_solve(&g->shear) != 1) return -1;
   g->iterations += k->p->iterations + g->shear.iterations;
   arc_friction_take_shear(k);
   arc_grip_gaps(g, k->p, g->t, sheared);
-  const double change = changed(k, sheared, shift);
-  memcpy(g->sheared, sheared, (size_t)k->p->count * sizeof *sheared);
-  return change <= settled && fabs(carried_by_shear(k) - held) <= settled * k->step->line;
+  const double held = carried_by_shear(k), change = changed(k, sheared);
+  if (change <= settled && fabs(held - k->held) <= settled * k->step->line) return 1;
+  take_over(k, sheared, held);
+  return 0;
 }
 
-/* Sweeps from the present shear. 1 solved, 0 or -1 not. */
-static int solve(friction_task *k) {
+int arc_friction_sweeps(friction_task *k, int limit) {
   int trial = first_newton;
-  k->g->newton = 0;
+  k->g->newton = k->g->sweeps = 0;
   arc_grip_gaps(k->g, k->p, k->g->t, k->g->sheared);
-  for (int i = 1; i <= sweep_limit; i++) {
+  k->held = carried_by_shear(k);
+  k->shift = k->g->shear.shift;
+  while (k->g->sweeps < limit) {
     const int done = sweep(k);
     k->g->sweeps++;
     if (done != 0) return done;
-    if (i < trial) continue;
+    if (k->g->sweeps < trial) continue;
     trial *= 2;
     if (!k->over && arc_friction_newton(k)) return 1;
   }
   return 0;
+}
+
+static int solve(friction_task *k) {
+  const int solved = arc_friction_sweeps(k, k->by_force ? limit_by_force : sweep_limit);
+  return solved == 0 && k->by_force ? arc_friction_bracket(k) : solved;
 }
 
 /* As in pose.c: once more with what the drift of the compliance adds under the forces found. */
@@ -158,10 +173,11 @@ static void begin(friction_task *k) {
     g->t[i] = k->from->t[p->lo + i];
     g->slip[i] = k->from->slip[p->lo + i];
   }
+  k->by_force = k->step->by_force;
   k->dx = at - k->from->x;
   k->approach = k->from->line > 0 ? k->from->approach : touch(p);
   g->shear.shift = 0;
-  g->sweeps = g->iterations = 0;
+  g->iterations = 0;
 }
 
 /* Slip of the candidates that do not touch. */

@@ -126,9 +126,16 @@ typedef struct friction_task {
   const friction_step *step;
   const friction_state *from;
   double approach; /* [mm] before the increment; from nothing, where it first touches */
+  int by_force;    /* whether the tangential force is given, or the motion */
   double dx; /* [mm] the plate's way; by force g->shear.shift comes on top */
-  int over;  /* the last shear problem was asked for more than friction carries */
+  double shift, held; /* motion [mm] and load that shear carries [N/mm], as the gaps have them */
+  int over;           /* the last shear problem was asked for more than friction carries */
 } friction_task;
+
+/* Pressures and shear by turns, for a given force or motion. 1 solved, 0 not, -1 broke down. */
+int arc_friction_sweeps(friction_task *k, int limit);
+/* A given force by the motion that leads to it (bracket.c), where the sweeps do not end. */
+int arc_friction_bracket(friction_task *k);
 
 /* The shear problem of the pose's present forces, from the ways of g->slip. */
 void arc_friction_set_shear(friction_task *k);
