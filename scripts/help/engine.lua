@@ -72,8 +72,9 @@ return {
 
   -- --- contact --------------------------------------------------------------------------------
   { "contact", kind = "constructor", use = "c = contact{ load=100, x=0 }",
-    text = "One frictionless contact solution: the plate at x, pressed by the load. Without a model "
-      .. "it uses one whose zones suit." },
+    text = "One contact solution: the plate at x, pressed by the load; c:move goes on from there. "
+      .. "Without a model it uses one whose zones suit. With friction, shear, slip and tangential "
+      .. "force are positive where the plate is pushed along x." },
   { "contact{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
     text = "Wear depth of the cylinder against x." },
   { "contact{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",
@@ -96,13 +97,34 @@ return {
     use = 'c:pressure("cylinder" | "plate")', default = '"cylinder"',
     text = "Pressure at the surface nodes of a body, as { x=, p= } in mm and MPa; x is counted from "
       .. "the cylinder's axis." },
+  { "contact.move", kind = "method", class = "contact",
+    use = "c:move{ x= | tangential=, load=, increments= }",
+    text = "The contact after the plate's base has gone to x, or has been driven by a tangential "
+      .. "force, and the load has changed; linear in all of them, c stays as it is. Coulomb "
+      .. "friction keeps its history: which points slipped, and how far. Where neither x nor tangential "
+      .. "is given the base is held. x may go far: then the bodies slide over each other." },
+  { "contact.tangential", kind = "field", unit = "N",
+    text = "Force that drives the plate along x. Without friction that which slopes bear." },
+  { "contact.energy", kind = "field", unit = "N mm",
+    text = "Energy dissipated by friction since the bodies came together: shear force times slip, "
+      .. "summed over nodes. Good to some per cent where ten nodes or more slip." },
+  { "contact.stick", kind = "field", unit = "mm",
+    text = "The zones that stuck in the last increment, a list of { left=, right= }; empty in gross "
+      .. "slip. Good to half an element." },
+  { "contact.shear", kind = "method", values = { "cylinder", "plate" },
+    use = 'c:shear("cylinder" | "plate")', default = '"cylinder"',
+    text = "Shear traction at the surface nodes of a body, as { x=, q= } in mm and MPa: on the "
+      .. "cylinder along +x, on the plate along -x. |q| is friction times the pressure at most." },
+  { "contact.slip", kind = "method", use = "c:slip()",
+    text = "How far the plate's surface has slipped over the cylinder's nodes since the bodies came "
+      .. "together, { x=, s= } in mm, along +x. Nodes that do not touch go on too." },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
     text = "Displacements and stresses inside both bodies: a field for plot.stress, export.vtk and export.csv." },
   { "contact.close", kind = "method", use = "c:close()",
     text = "Lets go of it now instead of when it is collected." },
   { "stress", kind = "object", use = "f = c:stress()",
     text = "Fields on both bodies, f.cylinder and f.plate: lists x, y (mm, nodes), ux, uy (mm, "
-      .. "displacements), mises, shear, sxx, syy, szz, sxy (MPa), elements (four corners "
+      .. "displacements), mises, principal (the largest), shear, sxx, syy, szz, sxy (MPa), elements (four corners "
       .. "each). Of second order in the element size: at the surface from its tractions and the strain "
       .. "along it, inside from the elements' centres. Next to an edge of the contact they are as "
       .. "uncertain as the pressure, some per cent of the largest." },
