@@ -201,8 +201,230 @@ static void test_random_histories(void **state) {
   assert_true(t.increments > 20 * histories);
 }
 
+/* --- single increments ------------------------------------------------------------------------- */
+
+/* Pressed, then moved to and fro: ends in partial slip on worn surfaces. */
+static void play(history *h, int first, int last) {
+  static const double x[] = {0, 1.5e-3, -1e-3, 0, 5e-4, 0.03, 0.0285};
+  static const double force[] = {0, 0, 0, 8, 0, 0, 0};
+  for (int i = first; i < last; i++) {
+    const friction_step step = {h->mu, 100, force[i] != 0, x[i], force[i]};
+    go(h, &step);
+    check_increment(h, &step);
+  }
+}
+
+enum { played = 7 };
+
+/* Without friction it is the solver without friction, to the same bits. */
+static void test_no_friction(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  pose plain;
+  begin(&h, model, 0, 1);
+  assert_int_equal(arc_pose_create(&plain, model), ARC_OK);
+  for (int i = 0; i < 4; i++) {
+    const friction_step step = {.line = 60 + 20 * i, .x = 0.03 * i};
+    go(&h, &step);
+    check_ok(arc_pose_update(&plain, h.shape, step.x, why));
+    check_ok(arc_pose_solve(&plain, step.line, why));
+    assert_memory_equal(h.pose.f, plain.f, (size_t)plain.count * sizeof(double));
+    assert_true(h.pose.approach == plain.approach);
+    for (int k = 0; k < plain.count; k++) assert_true(h.grip.t[k] == 0);
+  }
+  arc_pose_free(&plain);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* A state that was saved goes on to the same bits on other poses. */
+static void test_saved(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history one, two;
+  begin(&one, model, 0.6, 0.5);
+  begin(&two, model, 0.6, 0.5);
+  play(&one, 0, 3);
+  double *numbers = calloc(2 * arc_friction_size(&one.state), sizeof *numbers);
+  double *others = numbers + arc_friction_size(&one.state);
+  arc_friction_save(&one.state, numbers);
+  arc_friction_restore(&two.state, numbers);
+  check_ok(arc_pose_update(&two.pose, two.shape, one.pose.x, why));
+  play(&one, 3, played);
+  play(&two, 3, played);
+  arc_friction_save(&one.state, numbers);
+  arc_friction_save(&two.state, others);
+  assert_memory_equal(numbers, others, arc_friction_size(&one.state) * sizeof *numbers);
+  free(numbers);
+  end(&two);
+  end(&one);
+  arc_model_release(&model);
+}
+
+/* What is refused leaves the state as it was. */
+static void test_refused(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.3, 0);
+  play(&h, 0, 2);
+  const size_t bytes = arc_friction_size(&h.state) * sizeof(double);
+  double *before = calloc(2, bytes), *after = before + arc_friction_size(&h.state);
+  arc_friction_save(&h.state, before);
+  const friction_step far[] = {{0.3, 100, 1, 0, 30.001}, {0.3, 0, 1, 0, 1}, {0.3, 1e5, 0, 0, 0}};
+  const arc_status wanted[] = {ARC_ARGUMENT, ARC_ARGUMENT, ARC_ZONE};
+  const char *const words[] = {"friction does not carry", "friction does not carry", "zone"};
+  for (int i = 0; i < 3; i++) {
+    check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
+    check_refused(arc_friction_solve(&h.pose, &h.grip, &far[i], &h.state, why), wanted[i],
+                  words[i]);
+    arc_friction_save(&h.state, after);
+    assert_memory_equal(before, after, bytes);
+  }
+  free(before);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* Lifted off and pressed again: the points start anew, what was dissipated stays. */
+static void test_lifted(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.6, 0);
+  play(&h, 0, 3);
+  const double energy = h.state.energy;
+  assert_true(energy > 0);
+  go(&h, &(friction_step){.mu = 0.6, .x = 5e-3});
+  assert_true(h.state.line == 0 && h.state.tangential == 0 && h.state.x == 5e-3);
+  const friction_step again = {.mu = 0.6, .line = 100, .x = 5e-3};
+  go(&h, &again);
+  check_increment(&h, &again);
+  check_near(h.state.tangential, 0, 0.05);
+  assert_true(h.state.energy >= energy);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* After wear the displacements are made anew from the forces, as the matrices of the worn shape have
+ * them: what is held then has not slipped. */
+static void test_follow(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.6, 0.5);
+  play(&h, 0, 2);
+  wear_down(&h, 0.1);
+  check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
+  arc_friction_follow(&h.pose, &h.grip, &h.state);
+  const pose *p = &h.pose;
+  double *r = calloc((size_t)(p->nc + p->np), sizeof *r);
+  arc_grip_relative(p, h.state.u, r + p->nc, r);
+  for (int c = 0; c < p->count; c++) {
+    double wanted = 0;
+    for (int k = 0; k < p->count; k++)
+      wanted += h.grip.nt[dense_at(k, c, p->count)] * h.state.f[p->lo + k] +
+                h.grip.tt[dense_at(k, c, p->count)] * h.state.t[p->lo + k];
+    check_near(r[c], wanted, 1e-15);
+  }
+  free(r);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* Bodies alike press without shear; a plate pushed to +x is driven by a positive force and slips
+ * along +x at the edges; back from gross slip it is the other way round. */
+static void test_signs(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.6, 0);
+  go(&h, &(friction_step){.mu = 0.6, .line = 100});
+  for (int i = 0; i < h.state.nc; i++) check_near(h.state.t[i], 0, 0.1);
+  go(&h, &(friction_step){.mu = 0.6, .line = 100, .x = 1.5e-3});
+  assert_true(h.state.tangential > 20 && h.state.tangential < 60);
+  for (int i = 0; i < h.state.nc; i++)
+    if (h.state.f[i] > 0) assert_true(h.state.slip[i] >= 0 && h.state.t[i] > 0);
+  go(&h, &(friction_step){.mu = 0.6, .line = 100, .x = 0.01});
+  check_near(h.state.tangential, 60, 1e-10);
+  go(&h, &(friction_step){.mu = 0.6, .line = 100, .x = -0.01});
+  check_near(h.state.tangential, -60, 1e-10);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* --- the public face --------------------------------------------------------------------------- */
+
+static arc_contact *pressed(arc_model *model, double friction) {
+  arc_shape *shape;
+  arc_contact *contact;
+  arc_contact_def def = arc_contact_default();
+  def.friction = friction;
+  check_ok(arc_shape_create(model, ARC_MOVING, 0.05, &shape, why));
+  check_ok(arc_contact_solve(shape, &def, NULL, &contact, why));
+  arc_shape_destroy(&shape);
+  check_ok(arc_contact_validate(contact, why));
+  return contact;
+}
+
+static void test_validated(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  arc_contact *from = pressed(model, 0.6), *c;
+  arc_motion_def motion = arc_contact_motion(from);
+  motion.x = 1.5e-3;
+  check_ok(arc_contact_move(from, &motion, NULL, &c, why));
+  check_ok(arc_contact_validate(c, why));
+  const int middle = c->pose.active / 2, edge = 0, last = c->pose.active - 1;
+  double *const numbers[] = {&c->grip.t[c->pose.set[middle]], &c->grip.slip[c->pose.set[edge]],
+                             &c->grip.slip[c->pose.set[middle]], &c->grip.slip[c->pose.set[last]]};
+  const double wrong[] = {1e3, -1e-4, 1e-4, NAN};
+  const char *const named[] = {"shear", "slip", "slip", "slip"};
+  for (int k = 0; k < 4; k++) {
+    const double right = *numbers[k];
+    *numbers[k] = wrong[k];
+    check_refused(arc_contact_validate(c, why), ARC_NUMERIC, named[k]);
+    *numbers[k] = right;
+  }
+  arc_contact_destroy(&c);
+  arc_contact_destroy(&from);
+  arc_model_release(&model);
+}
+
+static void warned(void *context, const char *text) {
+  *(int *)context += strstr(text, "Dundurs") != NULL;
+}
+
+static void test_uniqueness(void **state) {
+  (void)state;
+  arc_model_def def = coarse_definition();
+  def.material[ARC_PLATE] = (arc_material){20e3, 0.1};
+  arc_model *model = build_model(&def);
+  for (int i = 0; i < 2; i++) {
+    int warnings = 0;
+    const arc_callbacks callbacks = {.warn = warned, .context = &warnings};
+    arc_shape *shape;
+    arc_contact *contact;
+    arc_contact_def rough = arc_contact_default();
+    rough.load = 20;
+    rough.friction = i ? 1.2 : 0.3;
+    check_ok(arc_shape_create(model, ARC_MOVING, 0.05, &shape, why));
+    check_ok(arc_contact_solve(shape, &rough, &callbacks, &contact, why));
+    check_ok(arc_contact_validate(contact, why));
+    assert_int_equal(warnings, i);
+    arc_contact_destroy(&contact);
+    arc_shape_destroy(&shape);
+  }
+  arc_model_release(&model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_no_friction),     cmocka_unit_test(test_saved),
+      cmocka_unit_test(test_refused),         cmocka_unit_test(test_lifted),
+      cmocka_unit_test(test_follow),          cmocka_unit_test(test_signs),
+      cmocka_unit_test(test_validated),       cmocka_unit_test(test_uniqueness),
       cmocka_unit_test(test_random_histories),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -22,6 +22,7 @@ static arc_status go_to(arc_contact *c, double pairing, const friction_step *ste
   arc_status status = arc_pose_update(&c->pose, c->shape, pairing, error);
   if (status == ARC_OK) status = arc_friction_solve(&c->pose, &c->grip, step, &c->state, error);
   c->iterations += c->grip.iterations;
+  c->mu = step->mu;
   return status;
 }
 
@@ -74,7 +75,8 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* Under a force the plate's way is small: the nodes stay paired as they are. */
+/* Nodes stay paired as they are under a force, as the plate's way is small; they go along with a
+ * given motion. */
 static arc_status travel(arc_contact *c, const arc_contact *from, const arc_motion_def *motion,
                          arc_error *error) {
   const double thickness = thickness_of(c);
@@ -85,7 +87,8 @@ static arc_status travel(arc_contact *c, const arc_contact *from, const arc_moti
     step.line = between(from->def.load, motion->load, share) / thickness;
     step.x = between(from->def.x, motion->x, share);
     step.tangential = between(from->result.tangential, motion->tangential, share) / thickness;
-    status = go_to(c, motion->by_force ? from->pose.x : step.x, &step, error);
+    const double way = motion->by_force ? 0 : step.x - from->def.x;
+    status = go_to(c, from->pose.x + way, &step, error);
   }
   c->def.x = c->state.x;
   return status;

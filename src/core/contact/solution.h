@@ -14,7 +14,8 @@ struct arc_contact {
   double *q[ARC_BODIES]; /* [surface] shear traction */
   int count[ARC_BODIES];
   int iterations;        /* of all increments */
-  int rubs; /* whether there is friction, and the two below */
+  int rubs;  /* whether there is friction, and what is below */
+  double mu; /* coefficient of the last increment */
   grip grip;
   friction_state state;
 };
