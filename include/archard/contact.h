@@ -148,10 +148,12 @@ size_t arc_contact_bytes(const arc_contact *contact);
 /* A motion that starts from a contact, which stays: linear in all that changes. */
 #define ARC_MOTION_SETTINGS(NUMBER, WHOLE)                                                         \
   NUMBER(x, "mm", 0, ANY, ARC_OPTIONAL, "Position the plate's base goes to.")                      \
-  NUMBER(load, "N", 0, ABOVE(0), ARC_OPTIONAL, "Normal load at the end; as before where left out.") \
-  NUMBER(tangential, "N", 0, ANY, ARC_OPTIONAL,                                                    \
-         "Force that drives the plate along x, at the end; instead of x, less than friction times " \
-         "the load.")                                                                              \
+  NUMBER(load, "N", 0, ABOVE(0), ARC_OPTIONAL,                                                     \
+         "Normal load at the end; as before where left out.")                                      \
+  NUMBER(                                                                                          \
+      tangential, "N", 0, ANY, ARC_OPTIONAL,                                                       \
+      "Force that drives the plate along x, at the end; instead of x, less than friction times "   \
+      "the load.")                                                                                 \
   WHOLE(increments, "", 1, WITHIN(1, 100000), 0,                                                   \
         "Steps of equal size; more where load and motion change together, or materials differ.")
 
@@ -179,9 +181,10 @@ typedef struct arc_contact_result {
   double half_width;  /* [mm] half the contact width, interpolated between nodes */
   double left, right; /* [mm] contact edges, cylinder frame */
   double approach;    /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
-  double tangential;  /* [N] force that drives the plate along x; without friction what slopes bear */
-  double energy;      /* [N mm] dissipated by friction since the bodies came together */
-  int iterations;     /* active-set iterations */
+  double
+      tangential; /* [N] force that drives the plate along x; without friction what slopes bear */
+  double energy;  /* [N mm] dissipated by friction since the bodies came together */
+  int iterations; /* active-set iterations */
 } arc_contact_result;
 arc_contact_result arc_contact_get(const arc_contact *contact);
 
@@ -220,9 +223,9 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 
 /* The columns of a field, in the order of files: first where the nodes are, then what is there.
  * Stresses are of second order in the element size. On the boundary they fulfil the tractions (the
- * pressure and the shear at the node) and follow along it the strain of the surface; inside they are
- * polynomials fitted around each node. Next to an edge of the contact they are no better than the
- * pressure. X(name, unit, text). */
+ * pressure and the shear at the node) and follow along it the strain of the surface; inside they
+ * are polynomials fitted around each node. Next to an edge of the contact they are no better than
+ * the pressure. X(name, unit, text). */
 #define ARC_FIELD_STRESSES(X)                                                                      \
   X(sxx, "MPa", "stress along the surface")                                                        \
   X(syy, "MPa", "stress across the surface")                                                       \

@@ -7,7 +7,8 @@
 #include "core/contact/friction.h"
 #include "core/contact/solution.h"
 
-/* --- a history --------------------------------------------------------------------------------- */
+/* --- a history ---------------------------------------------------------------------------------
+ */
 
 typedef struct history {
   arc_shape *shape;
@@ -58,7 +59,8 @@ static void go(history *h, const friction_step *step) {
   check_ok(arc_friction_solve(&h->pose, &h->grip, step, &h->state, why));
 }
 
-/* --- its conditions ---------------------------------------------------------------------------- */
+/* --- its conditions ----------------------------------------------------------------------------
+ */
 
 /* Gaps by the matrices and the gaps of the shape alone. */
 static void check_gaps(const history *h) {
@@ -127,7 +129,8 @@ static void check_increment(history *h, const friction_step *step) {
   check_resultants(h, step);
 }
 
-/* --- random histories -------------------------------------------------------------------------- */
+/* --- random histories --------------------------------------------------------------------------
+ */
 
 enum { histories = 1000, length = 24 };
 
@@ -201,7 +204,8 @@ static void test_random_histories(void **state) {
   assert_true(t.increments > 20 * histories);
 }
 
-/* --- single increments ------------------------------------------------------------------------- */
+/* --- single increments -------------------------------------------------------------------------
+ */
 
 /* Pressed, then moved to and fro: ends in partial slip on worn surfaces. */
 static void play(history *h, int first, int last) {
@@ -307,8 +311,8 @@ static void test_lifted(void **state) {
   arc_model_release(&model);
 }
 
-/* After wear the displacements are made anew from the forces, as the matrices of the worn shape have
- * them: what is held then has not slipped. */
+/* After wear the displacements are made anew from the forces, as the matrices of the worn shape
+ * have them: what is held then has not slipped. */
 static void test_follow(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -354,7 +358,8 @@ static void test_signs(void **state) {
   arc_model_release(&model);
 }
 
-/* --- the public face --------------------------------------------------------------------------- */
+/* --- the public face ---------------------------------------------------------------------------
+ */
 
 static arc_contact *pressed(arc_model *model, double friction) {
   arc_shape *shape;
@@ -421,10 +426,10 @@ static void test_uniqueness(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_no_friction),     cmocka_unit_test(test_saved),
-      cmocka_unit_test(test_refused),         cmocka_unit_test(test_lifted),
-      cmocka_unit_test(test_follow),          cmocka_unit_test(test_signs),
-      cmocka_unit_test(test_validated),       cmocka_unit_test(test_uniqueness),
+      cmocka_unit_test(test_no_friction),      cmocka_unit_test(test_saved),
+      cmocka_unit_test(test_refused),          cmocka_unit_test(test_lifted),
+      cmocka_unit_test(test_follow),           cmocka_unit_test(test_signs),
+      cmocka_unit_test(test_validated),        cmocka_unit_test(test_uniqueness),
       cmocka_unit_test(test_random_histories),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -22,8 +22,7 @@ static double excess(friction_task *k, double dx) {
   double sum = -k->step->tangential;
   move_to(k, dx);
   if (arc_friction_sweeps(k, sweeps) != 1) return NAN;
-  for (int c = 0; c < k->p->count; c++)
-    sum += k->g->t[c] - k->p->slope[k->p->lo + c] * k->p->f[c];
+  for (int c = 0; c < k->p->count; c++) sum += k->g->t[c] - k->p->slope[k->p->lo + c] * k->p->f[c];
   return sum;
 }
 

@@ -1,6 +1,7 @@
-/* Pressures and shear of an increment at once: semismooth Newton on the sets (touches or not; sticks,
- * slips along or against x). The matrix of a set is not symmetric, as shear follows pressure where
- * it slips. Quick from good sets, but not sure to end: friction.c starts it and goes on without it.
+/* Pressures and shear of an increment at once: semismooth Newton on the sets (touches or not;
+ * sticks, slips along or against x). The matrix of a set is not symmetric, as shear follows
+ * pressure where it slips. Quick from good sets, but not sure to end: friction.c starts it and goes
+ * on without it.
  *
  * Unknowns: forces f in contact, then shear t of the nodes that stick; approach and the plate's
  * motion under a given tangential force come out of the resultants. */
@@ -15,9 +16,9 @@ enum { newton_limit = 10, right_hand_sides = 3 };
 
 typedef struct coupled {
   friction_task *k;
-  int na, ns, n;     /* in contact, sticking, unknowns */
-  int *way, *stuck;  /* [nc] by candidate; [ns] candidates that stick */
-  double *a, *b;     /* [n x n], [n x 3]: base, by approach, by motion */
+  int na, ns, n;    /* in contact, sticking, unknowns */
+  int *way, *stuck; /* [nc] by candidate; [ns] candidates that stick */
+  double *a, *b;    /* [n x n], [n x 3]: base, by approach, by motion */
 } coupled;
 
 static int make_room(coupled *c) {

@@ -1,6 +1,6 @@
-/* One increment of Coulomb friction: pressures with shear held, shear with its bounds held, by turns
- * until gaps no longer change; each is a symmetric problem with a solver that always ends. For
- * similar bodies that is quick; where the coupling is strong coupled.c is tried in between. */
+/* One increment of Coulomb friction: pressures with shear held, shear with its bounds held, by
+ * turns until gaps no longer change; each is a symmetric problem with a solver that always ends.
+ * For similar bodies that is quick; where the coupling is strong coupled.c is tried in between. */
 #include "core/contact/friction.h"
 #include "core/base/dense.h"
 
@@ -12,7 +12,8 @@ enum { sweep_limit = 1000, limit_by_force = 50, first_newton = 4 };
 /* Gaps may be off by this share of the elastic displacement. */
 static const double settled = 1e-13;
 
-/* --- the shear problem of an increment ---------------------------------------------------------- */
+/* --- the shear problem of an increment ----------------------------------------------------------
+ */
 
 /* More than friction carries is cut back, as it may be only on the way that it is too much. */
 static void set_total(friction_task *k) {
@@ -87,8 +88,7 @@ static double changed(const friction_task *k, const double *sheared) {
  * there. */
 static void take_over(friction_task *k, const double *sheared, double held) {
   const double share = k->g->sweeps < 20 ? 1 : k->g->sweeps < 100 ? 0.5 : 0.1;
-  for (int i = 0; i < k->p->count; i++)
-    k->g->sheared[i] += share * (sheared[i] - k->g->sheared[i]);
+  for (int i = 0; i < k->p->count; i++) k->g->sheared[i] += share * (sheared[i] - k->g->sheared[i]);
   k->shift += share * (k->g->shear.shift - k->shift);
   k->held += share * (held - k->held);
 }

@@ -11,8 +11,8 @@
  *   sum (f + m t) = line,   sum (t - m f) = tangential, the force that drives the plate along x
  *
  * so that x, tangential, q and ds all have the sign of a plate that is pushed. d is the change over
- * the increment (backward Euler); r before it is made from the displacements that the points of both
- * surfaces had, whichever points face each other now.
+ * the increment (backward Euler); r before it is made from the displacements that the points of
+ * both surfaces had, whichever points face each other now.
  */
 #ifndef CONTACT_FRICTION_H
 #define CONTACT_FRICTION_H
@@ -31,7 +31,7 @@ typedef struct shear_problem {
   double shift; /* [mm] the plate's motion that total needs; 0 by motion */
   double *bound, *drive;
   double *t, *slip;
-  int *way;        /* 0 sticks, 1 and -1 slip along and against x; warm start and result */
+  int *way;         /* 0 sticks, 1 and -1 slip along and against x; warm start and result */
   int *list, *pick; /* stuck nodes: candidates, positions */
   int stuck;
   int factored; /* factor and ones belong to list and a */
@@ -47,10 +47,10 @@ typedef struct grip {
   int nc, np, count;
   long version; /* of the pose it was made for; 0: none */
   double x;
-  int flat;      /* no slopes anywhere */
-  double *nt;    /* [count x count] gaps under shear forces; A_tn is its transpose */
-  double *tt;    /* [count x count] */
-  double *gap;   /* [nc] gaps with the plate at the increment's x, without those of shear */
+  int flat;        /* no slopes anywhere */
+  double *nt;      /* [count x count] gaps under shear forces; A_tn is its transpose */
+  double *tt;      /* [count x count] */
+  double *gap;     /* [nc] gaps with the plate at the increment's x, without those of shear */
   double *sheared; /* [nc] A_nt t */
   double *before;  /* [nc] r before the increment, by candidate */
   double *t;       /* [nc] solution: shear forces [N/mm], by candidate */
@@ -73,14 +73,14 @@ void arc_grip_update(grip *g, const pose *p);
 /* What is carried from increment to increment; nothing else has influence on the next solution. */
 typedef struct friction_state {
   int nc, np;
-  double x;          /* [mm] position of the plate's base */
-  double approach;   /* [mm] */
-  double line;       /* [N/mm] */
-  double tangential; /* [N/mm] */
-  double energy;     /* [N] dissipated per thickness, all increments */
-  double *f, *t;     /* [nc] forces by cylinder node [N/mm] */
-  double *slip;      /* [nc] ds of the last increment [mm] */
-  double *way;       /* [nc] sum of ds [mm] */
+  double x;              /* [mm] position of the plate's base */
+  double approach;       /* [mm] */
+  double line;           /* [N/mm] */
+  double tangential;     /* [N/mm] */
+  double energy;         /* [N] dissipated per thickness, all increments */
+  double *f, *t;         /* [nc] forces by cylinder node [N/mm] */
+  double *slip;          /* [nc] ds of the last increment [mm] */
+  double *way;           /* [nc] sum of ds [mm] */
   double *u[ARC_BODIES]; /* [2 * surface] displacements of the surfaces, along x, then along y */
 } friction_state;
 
@@ -110,8 +110,8 @@ typedef struct friction_step {
 arc_status arc_friction_solve(pose *p, grip *g, const friction_step *step, friction_state *s,
                               arc_error *error);
 
-/* The state's displacements anew, from its forces on a pose up to date: after wear, so that what the
- * change of compliance does is not taken for slip. */
+/* The state's displacements anew, from its forces on a pose up to date: after wear, so that what
+ * the change of compliance does is not taken for slip. */
 void arc_friction_follow(const pose *p, grip *g, friction_state *s);
 
 /* Forces of the solution on a body's surface [N/mm], as arc_pose_forces_on. */
@@ -125,9 +125,9 @@ typedef struct friction_task {
   grip *g;
   const friction_step *step;
   const friction_state *from;
-  double approach; /* [mm] before the increment; from nothing, where it first touches */
-  int by_force;    /* whether the tangential force is given, or the motion */
-  double dx; /* [mm] the plate's way; by force g->shear.shift comes on top */
+  double approach;    /* [mm] before the increment; from nothing, where it first touches */
+  int by_force;       /* whether the tangential force is given, or the motion */
+  double dx;          /* [mm] the plate's way; by force g->shear.shift comes on top */
   double shift, held; /* motion [mm] and load that shear carries [N/mm], as the gaps have them */
   int over;           /* the last shear problem was asked for more than friction carries */
 } friction_task;
@@ -142,8 +142,8 @@ void arc_friction_set_shear(friction_task *k);
 /* Its solution to g->t and g->slip, by candidate. */
 void arc_friction_take_shear(friction_task *k);
 
-/* The increment at once by semismooth Newton, from the sets of the last sweep (coupled.c). Returns 1
- * solved, 0 not; then only p's set and g's ways have changed. */
+/* The increment at once by semismooth Newton, from the sets of the last sweep (coupled.c). Returns
+ * 1 solved, 0 not; then only p's set and g's ways have changed. */
 int arc_friction_newton(friction_task *k);
 
 /* result [count] := A_nt t, by candidate. */

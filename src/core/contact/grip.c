@@ -1,5 +1,6 @@
 /* The tangential part of a pose's contact matrix, and displacements of both surfaces. Tangents go
- * with the normals of mortar.c: the plate's own at its nodes, the one it shows the cylinder there. */
+ * with the normals of mortar.c: the plate's own at its nodes, the one it shows the cylinder there.
+ */
 #include "core/base/dense.h"
 #include "core/contact/friction.h"
 

@@ -11,11 +11,11 @@ struct arc_contact {
   arc_contact_result result;
   double *x[ARC_BODIES], *p[ARC_BODIES], *f[ARC_BODIES];
   double *force[ARC_BODIES]; /* [2 * surface] as arc_pose_forces, on the body */
-  double *q[ARC_BODIES]; /* [surface] shear traction */
+  double *q[ARC_BODIES];     /* [surface] shear traction */
   int count[ARC_BODIES];
-  int iterations;        /* of all increments */
-  int rubs;  /* whether there is friction, and what is below */
-  double mu; /* coefficient of the last increment */
+  int iterations; /* of all increments */
+  int rubs;       /* whether there is friction, and what is below */
+  double mu;      /* coefficient of the last increment */
   grip grip;
   friction_state state;
 };

@@ -117,7 +117,8 @@ static int contact_slip(lua_State *L) {
   int count;
   const double *slip = arc_contact_slip(contact, &count);
   if (!slip)
-    error_raise(L, ARC_ARGUMENT, "contact:slip", "expected a contact with friction, got friction 0");
+    error_raise(L, ARC_ARGUMENT, "contact:slip",
+                "expected a contact with friction, got friction 0");
   lua_createtable(L, 0, 2);
   array_set(L, "x", arc_contact_shear(contact, ARC_CYLINDER).x, (size_t)count);
   array_set(L, "s", slip, (size_t)count);
@@ -204,23 +205,17 @@ static int contact_move(lua_State *L) {
 }
 
 static const luaL_Reg fields[] = {
-    {"p_center", contact_p_center},
-    {"p_max", contact_p_max},
-    {"p_average", contact_p_average},
-    {"edges", contact_edges},
-    {"half_width", contact_half_width},
-    {"approach", contact_approach},
-    {"tangential", contact_tangential},
-    {"energy", contact_energy},
-    {"stick", contact_stick},
-    {"iterations", contact_iterations},
-    {"model", contact_model},
-    {NULL, NULL},
+    {"p_center", contact_p_center},     {"p_max", contact_p_max},
+    {"p_average", contact_p_average},   {"edges", contact_edges},
+    {"half_width", contact_half_width}, {"approach", contact_approach},
+    {"tangential", contact_tangential}, {"energy", contact_energy},
+    {"stick", contact_stick},           {"iterations", contact_iterations},
+    {"model", contact_model},           {NULL, NULL},
 };
 
-static const luaL_Reg methods[] = {
-    {"pressure", contact_pressure}, {"shear", contact_shear}, {"slip", contact_slip},
-    {"move", contact_move},         {"stress", stress_new},   {NULL, NULL}};
+static const luaL_Reg methods[] = {{"pressure", contact_pressure}, {"shear", contact_shear},
+                                   {"slip", contact_slip},         {"move", contact_move},
+                                   {"stress", stress_new},         {NULL, NULL}};
 
 static const void *definition(lua_State *L) {
   return arc_contact_definition(self(L));
