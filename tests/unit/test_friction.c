@@ -7,13 +7,13 @@
 #include "core/contact/friction.h"
 #include "core/contact/solution.h"
 
-/* --- a history ---------------------------------------------------------------------------------
- */
+/* --- a history ------------------------------------------------------------------------------- */
 
 typedef struct history {
   arc_shape *shape;
   pose pose;
   grip grip;
+  friction_room room;
   friction_state state, before;
   double mu, slope; /* steepest of the surfaces */
 } history;
@@ -40,6 +40,7 @@ static void begin(history *h, arc_model *model, double mu, double worn) {
   if (worn > 0) wear_down(h, worn);
   assert_int_equal(arc_pose_create(&h->pose, model), ARC_OK);
   assert_int_equal(arc_grip_create(&h->grip, model), ARC_OK);
+  assert_int_equal(arc_friction_room_create(&h->room, model), ARC_OK);
   assert_int_equal(arc_friction_create(&h->state, model, 0), ARC_OK);
   assert_int_equal(arc_friction_create(&h->before, model, 0), ARC_OK);
 }
@@ -47,6 +48,7 @@ static void begin(history *h, arc_model *model, double mu, double worn) {
 static void end(history *h) {
   arc_friction_free(&h->before);
   arc_friction_free(&h->state);
+  arc_friction_room_free(&h->room);
   arc_grip_free(&h->grip);
   arc_pose_free(&h->pose);
   arc_shape_destroy(&h->shape);
@@ -56,16 +58,16 @@ static void go(history *h, const friction_step *step) {
   const double pairing = step->by_force ? h->pose.x : step->x;
   arc_friction_copy(&h->before, &h->state);
   check_ok(arc_pose_update(&h->pose, h->shape, pairing, why));
-  check_ok(arc_friction_solve(&h->pose, &h->grip, step, &h->state, why));
+  check_ok(arc_friction_solve(&h->pose, &h->grip, &h->room, step, &h->state, why));
 }
 
-/* --- its conditions ----------------------------------------------------------------------------
- */
+/* --- its conditions -------------------------------------------------------------------------- */
 
 /* Gaps by the matrices and the gaps of the shape alone. */
 static void check_gaps(const history *h) {
   const pose *p = &h->pose;
   const grip *g = &h->grip;
+  const friction_room *w = &h->room;
   pose plain;
   assert_int_equal(arc_pose_create(&plain, h->shape->model), ARC_OK);
   check_ok(arc_pose_update(&plain, h->shape, p->x, why));
@@ -73,7 +75,7 @@ static void check_gaps(const history *h) {
     const double m = p->slope[p->lo + c];
     double gap = plain.gap[c] + m * (h->state.x - p->x) - p->approach;
     for (int k = 0; k < p->count; k++)
-      gap += p->a[dense_at(c, k, p->count)] * p->f[k] + g->nt[dense_at(c, k, p->count)] * g->t[k];
+      gap += p->a[dense_at(c, k, p->count)] * p->f[k] + g->nt[dense_at(c, k, p->count)] * w->t[k];
     assert_true(p->f[c] >= 0);
     assert_true(gap > -1e-13);
     if (p->f[c] > 0) check_near(gap, 0, 1e-13);
@@ -106,7 +108,7 @@ static void check_resultants(history *h, const friction_step *step) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const int n = b == ARC_CYLINDER ? h->pose.nc : h->pose.np;
     double *force = calloc(2 * (size_t)n, sizeof *force);
-    arc_friction_forces_on(&h->pose, &h->grip, (arc_body)b, force);
+    arc_friction_forces_on(&h->pose, &h->room, (arc_body)b, force);
     for (int i = 0; i < 2 * n; i++) sum[b][i / n] += force[i];
     free(force);
   }
@@ -129,8 +131,7 @@ static void check_increment(history *h, const friction_step *step) {
   check_resultants(h, step);
 }
 
-/* --- random histories --------------------------------------------------------------------------
- */
+/* --- random histories ------------------------------------------------------------------------ */
 
 enum { histories = 1000, length = 24 };
 
@@ -141,11 +142,11 @@ typedef struct tally {
 
 static void count(tally *t, const history *h) {
   t->increments++;
-  t->sweeps += h->grip.sweeps;
-  t->sets += h->grip.iterations;
-  t->newton += h->grip.newton;
-  t->over_10 += h->grip.sweeps > 10;
-  if (h->grip.sweeps > t->most) t->most = h->grip.sweeps;
+  t->sweeps += h->room.sweeps;
+  t->sets += h->room.iterations;
+  t->newton += h->room.newton;
+  t->over_10 += h->room.sweeps > 10;
+  if (h->room.sweeps > t->most) t->most = h->room.sweeps;
 }
 
 /* Small and large motions, forces up to what friction carries, other loads, lifting off. */
@@ -204,8 +205,7 @@ static void test_random_histories(void **state) {
   assert_true(t.increments > 20 * histories);
 }
 
-/* --- single increments -------------------------------------------------------------------------
- */
+/* --- single increments ----------------------------------------------------------------------- */
 
 /* Pressed, then moved to and fro: ends in partial slip on worn surfaces. */
 static void play(history *h, int first, int last) {
@@ -235,7 +235,7 @@ static void test_no_friction(void **state) {
     check_ok(arc_pose_solve(&plain, step.line, why));
     assert_memory_equal(h.pose.f, plain.f, (size_t)plain.count * sizeof(double));
     assert_true(h.pose.approach == plain.approach);
-    for (int k = 0; k < plain.count; k++) assert_true(h.grip.t[k] == 0);
+    for (int k = 0; k < plain.count; k++) assert_true(h.room.t[k] == 0);
   }
   arc_pose_free(&plain);
   end(&h);
@@ -281,7 +281,7 @@ static void test_refused(void **state) {
   const char *const words[] = {"friction does not carry", "friction does not carry", "zone"};
   for (int i = 0; i < 3; i++) {
     check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
-    check_refused(arc_friction_solve(&h.pose, &h.grip, &far[i], &h.state, why), wanted[i],
+    check_refused(arc_friction_solve(&h.pose, &h.grip, &h.room, &far[i], &h.state, why), wanted[i],
                   words[i]);
     arc_friction_save(&h.state, after);
     assert_memory_equal(before, after, bytes);
@@ -321,7 +321,7 @@ static void test_follow(void **state) {
   play(&h, 0, 2);
   wear_down(&h, 0.1);
   check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
-  arc_friction_follow(&h.pose, &h.grip, &h.state);
+  arc_friction_follow(&h.pose, &h.grip, &h.room, &h.state);
   const pose *p = &h.pose;
   double *r = calloc((size_t)(p->nc + p->np), sizeof *r);
   arc_grip_relative(p, h.state.u, r + p->nc, r);
@@ -358,8 +358,7 @@ static void test_signs(void **state) {
   arc_model_release(&model);
 }
 
-/* --- the public face ---------------------------------------------------------------------------
- */
+/* --- the public face ------------------------------------------------------------------------- */
 
 static arc_contact *pressed(arc_model *model, double friction) {
   arc_shape *shape;
@@ -382,8 +381,8 @@ static void test_validated(void **state) {
   check_ok(arc_contact_move(from, &motion, NULL, &c, why));
   check_ok(arc_contact_validate(c, why));
   const int middle = c->pose.active / 2, edge = 0, last = c->pose.active - 1;
-  double *const numbers[] = {&c->grip.t[c->pose.set[middle]], &c->grip.slip[c->pose.set[edge]],
-                             &c->grip.slip[c->pose.set[middle]], &c->grip.slip[c->pose.set[last]]};
+  double *const numbers[] = {&c->room.t[c->pose.set[middle]], &c->room.slip[c->pose.set[edge]],
+                             &c->room.slip[c->pose.set[middle]], &c->room.slip[c->pose.set[last]]};
   const double wrong[] = {1e3, -1e-4, 1e-4, NAN};
   const char *const named[] = {"shear", "slip", "slip", "slip"};
   for (int k = 0; k < 4; k++) {

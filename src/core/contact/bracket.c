@@ -13,7 +13,7 @@ static const double close_enough = 1e-13;
 
 /* The motion becomes `dx`; gaps follow along the slopes. */
 static void move_to(friction_task *k, double dx) {
-  for (int c = 0; c < k->p->count; c++) k->g->gap[c] += k->p->slope[k->p->lo + c] * (dx - k->dx);
+  for (int c = 0; c < k->p->count; c++) k->w->gap[c] += k->p->slope[k->p->lo + c] * (dx - k->dx);
   k->dx = dx;
 }
 
@@ -22,7 +22,7 @@ static double excess(friction_task *k, double dx) {
   double sum = -k->step->tangential;
   move_to(k, dx);
   if (arc_friction_sweeps(k, sweeps) != 1) return NAN;
-  for (int c = 0; c < k->p->count; c++) sum += k->g->t[c] - k->p->slope[k->p->lo + c] * k->p->f[c];
+  for (int c = 0; c < k->p->count; c++) sum += k->w->t[c] - k->p->slope[k->p->lo + c] * k->p->f[c];
   return sum;
 }
 
@@ -68,12 +68,12 @@ int arc_friction_bracket(friction_task *k) {
   const double base = k->dx;
   range r;
   move_to(k, base + k->shift);
-  k->g->shear.shift = 0;
+  k->w->shear.shift = 0;
   k->by_force = 0;
   const int found = enclose(k, &r) && narrow(k, &r);
   k->by_force = 1;
   k->over = 0;
-  k->g->shear.shift = k->dx - base;
+  k->w->shear.shift = k->dx - base;
   move_to(k, base);
   return found;
 }

@@ -9,7 +9,6 @@
 #include "core/contact/friction.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { newton_limit = 10, right_hand_sides = 3 };
@@ -21,16 +20,13 @@ typedef struct coupled {
   double *a, *b;    /* [n x n], [n x 3]: base, by approach, by motion */
 } coupled;
 
-static int make_room(coupled *c) {
-  grip *g = c->k->g;
-  const size_t n = 2 * (size_t)g->nc;
-  if (!g->coupled) g->coupled = malloc(n * (n + right_hand_sides) * sizeof *g->coupled);
-  if (!g->pivots) g->pivots = malloc(3 * n * sizeof *g->pivots);
-  c->a = g->coupled;
-  c->b = g->coupled + n * n;
-  c->way = g->pivots + n;
-  c->stuck = c->way + g->nc;
-  return g->coupled && g->pivots;
+static void take_room(coupled *c) {
+  friction_room *w = c->k->w;
+  const size_t n = 2 * (size_t)w->nc;
+  c->a = w->coupled;
+  c->b = w->coupled + n * n;
+  c->way = w->pivots + n;
+  c->stuck = c->way + w->nc;
 }
 
 static void list_sets(coupled *c) {
@@ -78,13 +74,13 @@ static void fill_sides(coupled *c) {
   double *base = c->b, *approach = base + c->n, *motion = approach + c->n;
   for (int i = 0; i < c->na; i++) {
     const int at = k->p->set[i];
-    base[i] = -k->g->gap[at];
+    base[i] = -k->w->gap[at];
     approach[i] = 1;
     motion[i] = -slope_at(c, at);
   }
   for (int i = 0; i < c->ns; i++) {
     const int at = c->stuck[i];
-    base[c->na + i] = k->dx + k->g->before[at] - slope_at(c, at) * k->approach;
+    base[c->na + i] = k->dx + k->w->before[at] - slope_at(c, at) * k->approach;
     approach[c->na + i] = slope_at(c, at);
     motion[c->na + i] = 1;
   }
@@ -121,19 +117,19 @@ static int find_rigid(coupled *c, double rigid[2]) {
 static int solve_on_sets(coupled *c) {
   friction_task *k = c->k;
   pose *p = k->p;
-  grip *g = k->g;
+  friction_room *w = k->w;
   double rigid[2];
   if (c->na == 0) return 0;
   for (int i = 0; i < c->na; i++) fill_force(c, i, p->set[i]);
   for (int i = 0; i < c->ns; i++) fill_shear(c, c->na + i, c->stuck[i]);
   fill_sides(c);
-  if (arc_dense_factor(c->n, c->a, g->pivots)) return 0;
-  arc_dense_factor_solve(c->n, right_hand_sides, c->a, g->pivots, c->b);
+  if (arc_dense_factor(c->n, c->a, w->pivots)) return 0;
+  arc_dense_factor_solve(c->n, right_hand_sides, c->a, w->pivots, c->b);
   if (!find_rigid(c, rigid)) return 0;
   for (int u = 0; u < c->n; u++)
     c->b[u] += rigid[0] * c->b[c->n + u] + rigid[1] * c->b[2 * c->n + u];
   p->approach = rigid[0];
-  g->shear.shift = rigid[1];
+  w->shear.shift = rigid[1];
   return 1;
 }
 
@@ -141,16 +137,17 @@ static int solve_on_sets(coupled *c) {
 static void spread(coupled *c) {
   const pose *p = c->k->p;
   grip *g = c->k->g;
+  friction_room *w = c->k->w;
   memset(p->f, 0, (size_t)p->count * sizeof *p->f);
-  memset(g->t, 0, (size_t)p->count * sizeof *g->t);
+  memset(w->t, 0, (size_t)p->count * sizeof *w->t);
   for (int i = 0; i < c->na; i++) {
     p->f[p->set[i]] = c->b[i];
-    g->t[p->set[i]] = pull_at(c, p->set[i]) * c->b[i];
+    w->t[p->set[i]] = pull_at(c, p->set[i]) * c->b[i];
   }
-  for (int i = 0; i < c->ns; i++) g->t[c->stuck[i]] = c->b[c->na + i];
-  arc_grip_gaps(g, p, g->t, g->sheared);
+  for (int i = 0; i < c->ns; i++) w->t[c->stuck[i]] = c->b[c->na + i];
+  arc_grip_gaps(g, p, w->t, w->sheared);
   for (int i = 0; i < p->count; i++) {
-    p->gap[i] = g->gap[i] + slope_at(c, i) * g->shear.shift + g->sheared[i];
+    p->gap[i] = w->gap[i] + slope_at(c, i) * w->shear.shift + w->sheared[i];
     p->open[i] = p->gap[i] - p->approach;
   }
   for (int s = 0; s < p->active; s++) {
@@ -162,20 +159,20 @@ static void spread(coupled *c) {
 static double slip_at(const coupled *c, int at) {
   const friction_task *k = c->k;
   const pose *p = k->p;
-  double slip = k->dx + k->g->shear.shift + slope_at(c, at) * (p->approach - k->approach) +
-                k->g->before[at] - arc_grip_dragged(k->g, p, at);
+  double slip = k->dx + k->w->shear.shift + slope_at(c, at) * (p->approach - k->approach) +
+                k->w->before[at] - arc_grip_dragged(k->g, p, at);
   for (int i = 0; i < p->active; i++)
-    slip -= k->g->tt[dense_at(p->set[i], at, p->count)] * k->g->t[p->set[i]];
+    slip -= k->g->tt[dense_at(p->set[i], at, p->count)] * k->w->t[p->set[i]];
   return slip;
 }
 
 /* The way of a node in contact. */
 static int next_way(const coupled *c, int at) {
-  const grip *g = c->k->g;
+  friction_room *w = c->k->w;
   const int way = c->way[at];
-  if (way != 0) return way * g->slip[at] < 0 ? 0 : way;
-  if (fabs(g->t[at]) <= c->k->step->mu * c->k->p->f[at]) return 0;
-  return g->t[at] > 0 ? 1 : -1;
+  if (way != 0) return way * w->slip[at] < 0 ? 0 : way;
+  if (fabs(w->t[at]) <= c->k->step->mu * c->k->p->f[at]) return 0;
+  return w->t[at] > 0 ? 1 : -1;
 }
 
 /* Whether a set changed. */
@@ -198,14 +195,14 @@ static int update_sets(coupled *c) {
 
 static int iterate(coupled *c) {
   const pose *p = c->k->p;
-  grip *g = c->k->g;
+  friction_room *w = c->k->w;
   for (int i = 0; i < newton_limit; i++) {
     list_sets(c);
     if (!solve_on_sets(c)) return 0;
     spread(c);
     for (int s = 0; s < p->active; s++)
-      g->slip[p->set[s]] = c->way[p->set[s]] != 0 ? slip_at(c, p->set[s]) : 0;
-    g->iterations++;
+      w->slip[p->set[s]] = c->way[p->set[s]] != 0 ? slip_at(c, p->set[s]) : 0;
+    w->iterations++;
     if (!update_sets(c)) return 1;
   }
   return 0;
@@ -213,31 +210,32 @@ static int iterate(coupled *c) {
 
 /* Sets and shear as they were, for the sweeps to go on with. */
 static void save(const coupled *c, double *t, double *slip, int *set) {
-  memcpy(t, c->k->g->t, (size_t)c->k->g->count * sizeof *t);
-  memcpy(slip, c->k->g->slip, (size_t)c->k->g->count * sizeof *slip);
+  memcpy(t, c->k->w->t, (size_t)c->k->g->count * sizeof *t);
+  memcpy(slip, c->k->w->slip, (size_t)c->k->g->count * sizeof *slip);
   memcpy(set, c->k->p->set, (size_t)c->k->p->active * sizeof *set);
 }
 
 int arc_friction_newton(friction_task *k) {
   grip *g = k->g;
+  friction_room *w = k->w;
   pose *p = k->p;
   coupled c = {.k = k};
-  double *t = g->work, *slip = t + g->nc, *sheared = slip + g->nc;
-  const double shift = g->shear.shift;
+  double *t = w->work, *slip = t + g->nc, *sheared = slip + g->nc;
+  const double shift = w->shear.shift;
   const int active = p->active;
-  if (!make_room(&c)) return 0;
-  int *set = g->pivots + 4 * (size_t)g->nc;
+  take_room(&c);
+  int *set = w->pivots + 4 * (size_t)g->nc;
   save(&c, t, slip, set);
-  memcpy(sheared, g->sheared, (size_t)g->count * sizeof *sheared);
-  for (int i = 0; i < g->count; i++) c.way[i] = (g->slip[i] > 0) - (g->slip[i] < 0);
+  memcpy(sheared, w->sheared, (size_t)g->count * sizeof *sheared);
+  for (int i = 0; i < g->count; i++) c.way[i] = (w->slip[i] > 0) - (w->slip[i] < 0);
   p->factored = 0;
-  g->newton = iterate(&c);
-  if (g->newton) return 1;
-  memcpy(g->t, t, (size_t)g->count * sizeof *t);
-  memcpy(g->slip, slip, (size_t)g->count * sizeof *slip);
-  memcpy(g->sheared, sheared, (size_t)g->count * sizeof *sheared);
+  w->newton = iterate(&c);
+  if (w->newton) return 1;
+  memcpy(w->t, t, (size_t)g->count * sizeof *t);
+  memcpy(w->slip, slip, (size_t)g->count * sizeof *slip);
+  memcpy(w->sheared, sheared, (size_t)g->count * sizeof *sheared);
   memcpy(p->set, set, (size_t)active * sizeof *set);
   p->active = active;
-  g->shear.shift = shift;
+  w->shear.shift = shift;
   return 0;
 }

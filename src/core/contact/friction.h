@@ -42,14 +42,25 @@ typedef struct shear_problem {
 /* Returns 1 solved, 0 gave up, -1 broke down. */
 int arc_shear_solve(shear_problem *s);
 
-/* What a pose needs besides: the tangential part of its contact matrix, room, and the solution. */
+/* What a pose needs besides: the tangential part of its contact matrix. */
 typedef struct grip {
   int nc, np, count;
   long version; /* of the pose it was made for; 0: none */
   double x;
-  int flat;        /* no slopes anywhere */
-  double *nt;      /* [count x count] gaps under shear forces; A_tn is its transpose */
-  double *tt;      /* [count x count] */
+  int flat;   /* no slopes anywhere */
+  double *nt; /* [count x count] gaps under shear forces; A_tn is its transpose */
+  double *tt; /* [count x count] */
+} grip;
+
+arc_status arc_grip_create(grip *g, const arc_model *model);
+void arc_grip_free(grip *g);
+size_t arc_grip_bytes(const grip *g);
+/* Brings the matrices up to date with a pose that is; work [2 * np]. */
+void arc_grip_update(grip *g, const pose *p, double *work);
+
+/* Room for an increment, and its solution until the next one; one serves any number of poses. */
+typedef struct friction_room {
+  int nc, np;
   double *gap;     /* [nc] gaps with the plate at the increment's x, without those of shear */
   double *sheared; /* [nc] A_nt t */
   double *before;  /* [nc] r before the increment, by candidate */
@@ -57,18 +68,19 @@ typedef struct grip {
   double *slip;    /* [nc] solution: ds [mm], by candidate, 0 where it sticks; open ones too */
   double *work;    /* [4 * (nc + np)] */
   shear_problem shear;
-  double *coupled; /* [(2 nc) x (2 nc + 3)] room of coupled.c; NULL until needed */
+  const grip *grip; /* the shear problem's factor belongs to */
+  long version;
+  double x;
+  double *coupled; /* [(2 nc) x (2 nc + 3)] of coupled.c */
   int *pivots;     /* [6 * nc] as well */
   int sweeps;      /* of the last increment */
   int iterations;  /* sets it went through, all of them */
   int newton;      /* whether the coupled iteration found it */
-} grip;
+} friction_room;
 
-arc_status arc_grip_create(grip *g, const arc_model *model);
-void arc_grip_free(grip *g);
-size_t arc_grip_bytes(const grip *g);
-/* Brings the matrices up to date with a pose that is. */
-void arc_grip_update(grip *g, const pose *p);
+arc_status arc_friction_room_create(friction_room *w, const arc_model *model);
+void arc_friction_room_free(friction_room *w);
+size_t arc_friction_room_bytes(const friction_room *w);
 
 /* What is carried from increment to increment; nothing else has influence on the next solution. */
 typedef struct friction_state {
@@ -104,18 +116,18 @@ typedef struct friction_step {
 
 /* Goes one increment on from `s`, on a pose just brought up to date and measured at the position
  * where points face each other: step->x, or where the plate's way is small (as under forces) any
- * near it. p->f, p->approach, g->t and g->slip hold the solution, p->gap the gaps with what shear
+ * near it. p->f, p->approach, w->t and w->slip hold the solution, p->gap the gaps with what shear
  * does to them. ARC_ARGUMENT (friction does not carry the tangential force), ARC_ZONE,
  * ARC_NUMERIC: the state is unchanged. */
-arc_status arc_friction_solve(pose *p, grip *g, const friction_step *step, friction_state *s,
-                              arc_error *error);
+arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction_step *step,
+                              friction_state *s, arc_error *error);
 
 /* The state's displacements anew, from its forces on a pose up to date: after wear, so that what
  * the change of compliance does is not taken for slip. */
-void arc_friction_follow(const pose *p, grip *g, friction_state *s);
+void arc_friction_follow(const pose *p, grip *g, friction_room *w, friction_state *s);
 
 /* Forces of the solution on a body's surface [N/mm], as arc_pose_forces_on. */
-void arc_friction_forces_on(const pose *p, grip *g, arc_body body, double *force);
+void arc_friction_forces_on(const pose *p, friction_room *w, arc_body body, double *force);
 
 /* --- between its files ------------------------------------------------------------------------ */
 
@@ -123,11 +135,12 @@ void arc_friction_forces_on(const pose *p, grip *g, arc_body body, double *force
 typedef struct friction_task {
   pose *p;
   grip *g;
+  friction_room *w;
   const friction_step *step;
   const friction_state *from;
   double approach;    /* [mm] before the increment; from nothing, where it first touches */
   int by_force;       /* whether the tangential force is given, or the motion */
-  double dx;          /* [mm] the plate's way; by force g->shear.shift comes on top */
+  double dx;          /* [mm] the plate's way; by force w->shear.shift comes on top */
   double shift, held; /* motion [mm] and load that shear carries [N/mm], as the gaps have them */
   int over;           /* the last shear problem was asked for more than friction carries */
 } friction_task;
@@ -137,13 +150,13 @@ int arc_friction_sweeps(friction_task *k, int limit);
 /* A given force by the motion that leads to it (bracket.c), where the sweeps do not end. */
 int arc_friction_bracket(friction_task *k);
 
-/* The shear problem of the pose's present forces, from the ways of g->slip. */
+/* The shear problem of the pose's present forces, from the ways of w->slip. */
 void arc_friction_set_shear(friction_task *k);
-/* Its solution to g->t and g->slip, by candidate. */
+/* Its solution to w->t and w->slip, by candidate. */
 void arc_friction_take_shear(friction_task *k);
 
 /* The increment at once by semismooth Newton, from the sets of the last sweep (coupled.c). Returns
- * 1 solved, 0 not; then only p's set and g's ways have changed. */
+ * 1 solved, 0 not; then only p's set and w's ways have changed. */
 int arc_friction_newton(friction_task *k);
 
 /* result [count] := A_nt t, by candidate. */

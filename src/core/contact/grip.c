@@ -7,56 +7,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-static arc_status create_shear(shear_problem *s, size_t n) {
-  s->bound = calloc(6 * n, sizeof(double));
-  s->factor = malloc(n * n * sizeof(double));
-  s->way = calloc(3 * n, sizeof(int));
-  if (!s->bound || !s->factor || !s->way) return ARC_MEMORY;
-  s->drive = s->bound + n;
-  s->t = s->drive + n;
-  s->slip = s->t + n;
-  s->ones = s->slip + n;
-  s->target = s->ones + n;
-  s->list = s->way + n;
-  s->pick = s->list + n;
-  return ARC_OK;
-}
-
 arc_status arc_grip_create(grip *g, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
-  const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
-  *g = (grip){.nc = (int)nc, .np = (int)np};
+  *g = (grip){.nc = (int)nc, .np = arc_model_mesh(model, ARC_PLATE)->surface};
   g->nt = malloc(2 * nc * nc * sizeof(double));
-  g->gap = calloc(5 * nc + 4 * (nc + np), sizeof(double));
-  if (!g->nt || !g->gap || create_shear(&g->shear, nc) != ARC_OK) {
-    arc_grip_free(g);
-    return ARC_MEMORY;
-  }
+  if (!g->nt) return ARC_MEMORY;
   g->tt = g->nt + nc * nc;
-  g->sheared = g->gap + nc;
-  g->before = g->sheared + nc;
-  g->t = g->before + nc;
-  g->slip = g->t + nc;
-  g->work = g->slip + nc;
   return ARC_OK;
 }
 
 void arc_grip_free(grip *g) {
   free(g->nt);
-  free(g->gap);
-  free(g->shear.bound);
-  free(g->shear.factor);
-  free(g->shear.way);
-  free(g->coupled);
-  free(g->pivots);
   *g = (grip){0};
 }
 
 size_t arc_grip_bytes(const grip *g) {
-  const size_t nc = (size_t)g->nc, np = (size_t)g->np;
-  const size_t coupled = g->coupled ? 2 * nc * (2 * nc + 3) : 0;
-  return sizeof *g + (3 * nc * nc + 15 * nc + 4 * np + coupled) * sizeof(double) +
-         3 * nc * sizeof(int);
+  return sizeof *g + 2 * (size_t)g->nc * (size_t)g->nc * sizeof(double);
 }
 
 /* --- matrices --------------------------------------------------------------------------------- */
@@ -84,10 +50,10 @@ static void pull_plate(const pose *p, const compliance *c, int k, double *n, dou
   }
 }
 
-static void fill_column(grip *g, const pose *p, int k) {
+static void fill_column(grip *g, const pose *p, int k, double *work) {
   const compliance *cylinder = shape_compliance(&p->shape->side[ARC_CYLINDER]);
   const compliance *plate = shape_compliance(&p->shape->side[ARC_PLATE]);
-  double *n = g->work, *t = g->work + p->np;
+  double *n = work, *t = work + p->np;
   memset(n, 0, 2 * (size_t)p->np * sizeof *n);
   pull_plate(p, plate, k, n, t);
   for (int r = 0; r < p->count; r++) {
@@ -104,12 +70,11 @@ static void fill_column(grip *g, const pose *p, int k) {
   }
 }
 
-void arc_grip_update(grip *g, const pose *p) {
+void arc_grip_update(grip *g, const pose *p, double *work) {
   if (g->version == p->version && g->x == p->x) return;
   const compliance *plate = shape_compliance(&p->shape->side[ARC_PLATE]);
   g->count = p->count;
-  g->shear.factored = 0;
-  for (int k = 0; k < p->count; k++) fill_column(g, p, k);
+  for (int k = 0; k < p->count; k++) fill_column(g, p, k, work);
   g->flat = 1;
   for (int l = 0; l < p->np; l++) g->flat = g->flat && plate->slope[l] == 0;
   g->version = p->version;
@@ -174,21 +139,4 @@ void arc_grip_displace(const pose *p, int flat, const double *f, const double *t
     tp[l] = -tp[l];
   }
   displace(plate, plate->slope, flat, fp, tp, u[ARC_PLATE]);
-}
-
-void arc_friction_forces_on(const pose *p, grip *g, arc_body body, double *force) {
-  double *fx = g->work, *fy = fx + p->nc;
-  memset(fx, 0, 2 * (size_t)p->nc * sizeof *fx);
-  for (int k = 0; k < p->count; k++) {
-    const double m = p->slope[p->lo + k];
-    fx[p->lo + k] = g->t[k] - m * p->f[k];
-    fy[p->lo + k] = p->f[k] + m * g->t[k];
-  }
-  if (body == ARC_CYLINDER) {
-    memcpy(force, fx, 2 * (size_t)p->nc * sizeof *fx);
-    return;
-  }
-  arc_pose_to_plate(p, fx, force);
-  arc_pose_to_plate(p, fy, &force[p->np]);
-  for (int l = 0; l < 2 * p->np; l++) force[l] *= -1;
 }

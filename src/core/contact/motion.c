@@ -20,8 +20,9 @@ static double thickness_of(const arc_contact *c) {
 static arc_status go_to(arc_contact *c, double pairing, const friction_step *step,
                         arc_error *error) {
   arc_status status = arc_pose_update(&c->pose, c->shape, pairing, error);
-  if (status == ARC_OK) status = arc_friction_solve(&c->pose, &c->grip, step, &c->state, error);
-  c->iterations += c->grip.iterations;
+  if (status == ARC_OK)
+    status = arc_friction_solve(&c->pose, &c->grip, &c->room, step, &c->state, error);
+  c->iterations += c->room.iterations;
   c->mu = step->mu;
   return status;
 }

@@ -4,13 +4,13 @@
 #include <math.h>
 
 static int sticks(const arc_contact *c, int set) {
-  return set >= 0 && set < c->pose.active && c->grip.slip[c->pose.set[set]] == 0;
+  return set >= 0 && set < c->pose.active && c->room.slip[c->pose.set[set]] == 0;
 }
 
 /* What friction holds back at a node: mu p - |q| [MPa]. */
 static double reserve(const arc_contact *c, int set) {
   const int k = c->pose.set[set];
-  return (c->def.friction * c->pose.f[k] - fabs(c->grip.t[k])) / c->pose.wc[c->pose.lo + k];
+  return (c->def.friction * c->pose.f[k] - fabs(c->room.t[k])) / c->pose.wc[c->pose.lo + k];
 }
 
 static double x_of(const arc_contact *c, int set) {
