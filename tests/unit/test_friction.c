@@ -205,6 +205,47 @@ static void test_random_histories(void **state) {
   assert_true(t.increments > 20 * histories);
 }
 
+/* Without the coupled iteration the sweeps find the same, and so does bracketing of forces. */
+static void test_ways_to_solve(void **state) {
+  (void)state;
+  static const double worn[] = {0, 0.2, 1};
+  int most = 0, bracketed = 0;
+  random_start(5);
+  for (int i = 0; i < 90; i++) {
+    arc_model *model = i % 30 ? NULL : random_model(i / 30 % 2);
+    static arc_model *kept;
+    if (model) {
+      arc_model_release(&kept);
+      kept = model;
+    }
+    history quick, slow;
+    const double mu = exp(random_in(log(0.05), log(1.2)));
+    begin(&quick, kept, mu, worn[i % 3]);
+    begin(&slow, kept, mu, worn[i % 3]);
+    slow.room.patience = 1 << 20;
+    slow.room.by_force = 0;
+    for (int k = 0; k < length; k++) {
+      const friction_step step = random_step(&quick);
+      go(&quick, &step);
+      go(&slow, &step);
+      if (step.line == 0) continue;
+      check_increment(&slow, &step);
+      assert_false(slow.room.newton);
+      if (slow.room.sweeps > most) most = slow.room.sweeps;
+      bracketed += slow.room.bracketed;
+      assert_int_equal(slow.room.bracketed, step.by_force);
+      for (int c = 0; c < quick.state.nc; c++) {
+        check_near(slow.state.f[c], quick.state.f[c], 1e-7 * step.line);
+        check_near(slow.state.t[c], quick.state.t[c], 1e-7 * step.line);
+      }
+    }
+    end(&slow);
+    end(&quick);
+    if (i == 89) arc_model_release(&kept);
+  }
+  printf("# sweeps alone: %d at most, %d increments by bracketing\n", most, bracketed);
+}
+
 /* --- single increments ----------------------------------------------------------------------- */
 
 /* Pressed, then moved to and fro: ends in partial slip on worn surfaces. */
@@ -429,7 +470,7 @@ int main(void) {
       cmocka_unit_test(test_refused),          cmocka_unit_test(test_lifted),
       cmocka_unit_test(test_follow),           cmocka_unit_test(test_signs),
       cmocka_unit_test(test_validated),        cmocka_unit_test(test_uniqueness),
-      cmocka_unit_test(test_random_histories),
+      cmocka_unit_test(test_random_histories), cmocka_unit_test(test_ways_to_solve),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

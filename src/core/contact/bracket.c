@@ -33,13 +33,14 @@ typedef struct range {
 /* Steps away from the first motion, twice as far each time, until the force has passed the given
  * one. */
 static int enclose(friction_task *k, range *r) {
-  double step = 1e-3 * fabs(k->p->approach - k->p->gap[k->p->set[k->p->active / 2]]);
-  const double from = k->dx;
-  const double off = excess(k, from);
+  const pose *p = k->p;
+  const double from = k->dx, off = excess(k, from);
+  if (isnan(off)) return 0;
+  double step = 1e-3 * fabs(p->approach - p->gap[p->set[p->active / 2]]);
   const int side = off < 0;
   r->x[!side] = from;
   r->off[!side] = off;
-  for (int i = 0; i < doublings && !isnan(off); i++, step *= 2) {
+  for (int i = 0; i < doublings; i++, step *= 2) {
     r->x[side] = from + (side ? step : -step);
     r->off[side] = excess(k, r->x[side]);
     if (isnan(r->off[side])) return 0;
@@ -70,6 +71,7 @@ int arc_friction_bracket(friction_task *k) {
   move_to(k, base + k->shift);
   k->w->shear.shift = 0;
   k->by_force = 0;
+  k->w->bracketed = 1;
   const int found = enclose(k, &r) && narrow(k, &r);
   k->by_force = 1;
   k->over = 0;

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { sweep_limit = 1000, limit_by_force = 50, first_newton = 4 };
+enum { sweep_limit = 1000 };
 
 /* Gaps may be off by this share of the elastic displacement. */
 static const double settled = 1e-13;
@@ -114,7 +114,7 @@ static int sweep(friction_task *k) {
 }
 
 int arc_friction_sweeps(friction_task *k, int limit) {
-  int trial = first_newton;
+  int trial = k->w->patience;
   k->w->newton = k->w->sweeps = 0;
   arc_grip_gaps(k->g, k->p, k->w->t, k->w->sheared);
   k->held = carried_by_shear(k);
@@ -131,7 +131,7 @@ int arc_friction_sweeps(friction_task *k, int limit) {
 }
 
 static int solve(friction_task *k) {
-  const int solved = arc_friction_sweeps(k, k->by_force ? limit_by_force : sweep_limit);
+  const int solved = arc_friction_sweeps(k, k->by_force ? k->w->by_force : sweep_limit);
   return solved == 0 && k->by_force ? arc_friction_bracket(k) : solved;
 }
 
@@ -189,7 +189,7 @@ static void begin(friction_task *k) {
   k->dx = at - k->from->x;
   k->approach = k->from->line > 0 ? k->from->approach : touch(p);
   w->shear.shift = 0;
-  w->iterations = 0;
+  w->iterations = w->bracketed = 0;
 }
 
 /* Slip of the candidates that do not touch. */

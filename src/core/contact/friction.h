@@ -73,9 +73,12 @@ typedef struct friction_room {
   double x;
   double *coupled; /* [(2 nc) x (2 nc + 3)] of coupled.c */
   int *pivots;     /* [6 * nc] as well */
+  int patience;    /* sweeps before the coupled iteration is tried: 4, tests take more */
+  int by_force;    /* sweeps before a given force is bracketed: 50, tests take none */
   int sweeps;      /* of the last increment */
   int iterations;  /* sets it went through, all of them */
   int newton;      /* whether the coupled iteration found it */
+  int bracketed;   /* whether the motion under a given force had to be bracketed */
 } friction_room;
 
 arc_status arc_friction_room_create(friction_room *w, const arc_model *model);

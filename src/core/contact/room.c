@@ -25,7 +25,7 @@ static size_t coupled_size(size_t nc) {
 arc_status arc_friction_room_create(friction_room *w, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
-  *w = (friction_room){.nc = (int)nc, .np = (int)np};
+  *w = (friction_room){.nc = (int)nc, .np = (int)np, .patience = 4, .by_force = 50};
   w->gap = calloc(5 * nc + 4 * (nc + np), sizeof(double));
   w->coupled = malloc(coupled_size(nc) * sizeof(double));
   w->pivots = malloc(6 * nc * sizeof(int));
