@@ -9,7 +9,7 @@ local shear = {}
 
 local bodies = { "cylinder", "plate" }
 
-local function scaled_bounds(pressure, friction)
+local function bounds_of(pressure, friction)
   local upper, lower, most = {}, {}, 0
   for i, p in ipairs(pressure.p) do
     upper[i], lower[i] = friction * p, -friction * p
@@ -18,15 +18,23 @@ local function scaled_bounds(pressure, friction)
   return upper, lower, most
 end
 
--- A bar over each zone that sticks; the first one names them.
-local function stick_bars(contact, most)
-  local bars = {}
+local in_characters = { dumb = true, dots = true, txt = true }
+
+-- Characters do not show what lies behind others.
+local function can_shade(options)
+  local ending = options.file and options.file:match("%.(%w+)$")
+  return not in_characters[ending or options.term or draw.default.term or "dots"]
+end
+
+-- Each zone that sticks, shaded up to `top`; the first one names them.
+local function stick_zones(contact, bottom, top)
+  local zones = {}
   for i, zone in ipairs(contact.stick) do
-    bars[i] = { x = { zone.left, zone.right, zone.right, zone.left, zone.left },
-      y = { -most, -most, most, most, -most }, style = "filled", series = 3,
+    zones[i] = { x = { zone.left, zone.right, zone.right, zone.left, zone.left },
+      y = { bottom, bottom, top, top, bottom }, style = "filled", series = 3,
       title = i == 1 and "sticks" or nil }
   end
-  return bars
+  return zones
 end
 
 local function around(contact)
@@ -44,8 +52,8 @@ function shear.shear(contact, options)
   options = draw.options(where, options, { body = check.one_of(bodies) })
   local body = options.body or "cylinder"
   local q = contact:shear(body)
-  local upper, lower, most = scaled_bounds(contact:pressure(body), contact.friction)
-  local given = stick_bars(contact, 1.05 * most)
+  local upper, lower, most = bounds_of(contact:pressure(body), contact.friction)
+  local given = stick_zones(contact, -1.05 * most, (can_shade(options) and 1.05 or -0.95) * most)
   given[#given + 1] = { x = q.x, y = upper, series = 2, dash = 2, title = "±μp" }
   given[#given + 1] = { x = q.x, y = lower, series = 2, dash = 2 }
   given[#given + 1] = { x = q.x, y = q.q, series = 1, title = "q" }
