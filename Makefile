@@ -19,7 +19,7 @@ comma := ,
 BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),-checks)
 OBJ   = $(BUILD)/obj
 
-.PHONY: all demo check study figures test-programs bench gallery man format lint install \
+.PHONY: all demo check study figures test-programs bench peer gallery man format lint install \
         install-files uninstall clean setup
 .DELETE_ON_ERROR:
 
@@ -149,6 +149,11 @@ gallery: $(program)
 bench: $(program)
 	OPENBLAS_NUM_THREADS=1 $(program) scripts/tools/bench.lua
 
+# The exported decks through CalculiX, side by side with archard.
+peer: $(program)
+	@scripts/setup peer
+	OPENBLAS_NUM_THREADS=1 $(program) scripts/tools/peer.lua
+
 # The paper's study. What an older program computed is not gone on with.
 study figures: $(program)
 	@for file in $(BUILD)/study.archard $(BUILD)/study-*.archard; do \
@@ -186,7 +191,7 @@ install: all
 # What is there, without building it.
 to = $(DESTDIR)$(1)
 install-files:
-	install -d $(foreach d,$(BINDIR) $(LIBDIR)/pkgconfig $(INCLUDEDIR)/archard $(MANDIR)/man1,$(call to,$(d)))
+	install -d $(foreach d,$(BINDIR) $(LIBDIR)/pkgconfig $(INCLUDEDIR)/archard $(MANDIR)/man1 $(DATADIR)/archard/examples,$(call to,$(d)))
 	install -m 755 $(program) $(call to,$(BINDIR)/archard)
 	install -m 644 $(static_lib) $(call to,$(LIBDIR)/libarchard.a)
 	install -m 755 $(shared_lib) $(call to,$(LIBDIR)/)
@@ -194,6 +199,7 @@ install-files:
 	ln -sf $(soname) $(call to,$(LIBDIR)/libarchard.so)
 	install -m 644 include/archard/*.h $(call to,$(INCLUDEDIR)/archard/)
 	install -m 644 man/archard.1 $(call to,$(MANDIR)/man1/archard.1)
+	install -m 644 examples/*.lua examples/*.csv $(call to,$(DATADIR)/archard/examples/)
 	printf '%s\n' 'prefix=$(PREFIX)' \
 	  'libdir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(LIBDIR))' \
 	  'includedir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(INCLUDEDIR))' '' \
@@ -205,7 +211,7 @@ install-files:
 uninstall:
 	rm -f $(call to,$(BINDIR)/archard) $(call to,$(MANDIR)/man1/archard.1) \
 	  $(foreach f,libarchard.a libarchard.so $(soname) $(notdir $(shared_lib)) pkgconfig/archard.pc,$(call to,$(LIBDIR)/$(f)))
-	rm -rf $(call to,$(INCLUDEDIR)/archard)
+	rm -rf $(call to,$(INCLUDEDIR)/archard) $(call to,$(DATADIR)/archard)
 
 clean:
 	rm -rf build build-*

@@ -104,6 +104,8 @@ typedef struct arc_quality {
 
 /* Quality with the nodes at `xy` ([2 * nodes], NULL: the mesh's own). */
 arc_quality arc_mesh_quality(const arc_mesh *mesh, const double *xy);
+/* That of the wear box alone, whose elements wear deforms. */
+arc_quality arc_mesh_box_quality(const arc_mesh *mesh, const double *xy);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -21,7 +21,7 @@ extern "C" {
 #pragma GCC visibility push(default)
 
 /* The file's user_version. One more whenever a table changes; see src/store/schema.c. */
-#define ARC_STORE_FORMAT 3
+#define ARC_STORE_FORMAT 4
 
 typedef struct arc_store arc_store;
 

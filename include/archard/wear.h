@@ -219,12 +219,16 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
 /* One row of history: the state after an update (row 0: before the first), in the reference
  * configuration (plate at x = 0, nominal load). Only p_peak looks further: over the whole cycle
  * that the wear of the update comes from (explicit: on the shape before it, implicit: on the one
- * after), and never less than p_max. X(name, unit, text). */
+ * after), and never less than p_max; and load and travel tell what went by in the update: of a
+ * cycle, or of the increment of a generic history (row 0: of the first to come). NaN where a file
+ * is older than they are. X(name, unit, text). */
 #define ARC_WEAR_COLUMNS(X)                                                                        \
   X(update, "", "geometry updates so far")                                                         \
   X(cycle, "", "loading cycles so far")                                                            \
   X(distance, "mm", "travelled distance d")                                                        \
   X(jump, "", "cycles of this update")                                                             \
+  X(load, "N", "largest normal load of the update's cycle")                                        \
+  X(travel, "mm", "way of the plate in it, from one end to the other")                             \
   X(k, "mm2/N", "wear coefficient of this update")                                                 \
   X(alpha, "", "wear partition factor of this update")                                             \
   X(p_center, "MPa", "pressure at the centre")                                                     \
@@ -235,6 +239,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(depth_plate, "mm", "largest wear depth of the plate")                                          \
   X(volume_cylinder, "mm3", "wear volume of the cylinder")                                         \
   X(volume_plate, "mm3", "wear volume of the plate")                                               \
+  X(load_distance, "N mm", "integral of the load over the sliding distance")                       \
   X(depth_partition, "", "depth partition factor alpha-tilde; NaN before any wear")                \
   X(error, "", "estimated error of an adaptive step, over its tolerance")                          \
   X(solutions, "", "contact solutions so far")
@@ -312,6 +317,8 @@ const arc_wear_def *arc_wear_definition(const arc_wear *wear);
 arc_procedure arc_wear_procedure(const arc_wear *wear); /* never ARC_AUTO */
 double arc_wear_strokes(const arc_wear *wear);          /* r of Eq. (21): 2 or 1 */
 double arc_wear_cycles(const arc_wear *wear);           /* N of Eq. (21), for the whole distance */
+double arc_wear_travel(const arc_wear *wear); /* from one end of the present block's way to the
+                                                other [mm]: the stroke, or that of the loading */
 const arc_shape *arc_wear_shape(const arc_wear *wear);
 arc_model *arc_wear_model(const arc_wear *wear);
 const arc_wear_record *arc_wear_history(const arc_wear *wear, size_t *count);

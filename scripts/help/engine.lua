@@ -39,7 +39,8 @@ return {
   -- --- mesh -----------------------------------------------------------------------------------
   { "mesh", kind = "object", use = "m.mesh.cylinder, m.mesh.plate",
     text = "Finite elements of one body, an exact mirror image about x = 0. The origin is the first "
-      .. "point of contact, x along the plate's surface, y up." },
+      .. "point of contact, x along the plate's surface, y up. w.mesh.cylinder and w.mesh.plate of a "
+      .. "run have the nodes where wear has moved them by then." },
   { "mesh.nodes", kind = "field", text = "Number of nodes." },
   { "mesh.quads", kind = "field", text = "Number of quadrilaterals." },
   { "mesh.triangles", kind = "field", text = "Number of triangles." },
@@ -49,10 +50,11 @@ return {
   { "mesh.body", kind = "field", text = '"cylinder" or "plate".' },
   { "mesh.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },
   { "mesh.quality", kind = "method", use = "m.mesh.plate:quality()",
-    text = "Smallest and largest angle (degrees), aspect ratio, and Jacobian ratio of the worst "
-      .. "elements, as a table." },
+    text = "Of the worst elements, as a table: smallest_angle, largest_angle (degrees), aspect (longest "
+      .. "edge over shortest), jacobian_ratio (smallest over largest at a quad's corners), "
+      .. "smallest_jacobian (mm2, positive); the same of the wear box alone in the table box." },
   { "mesh.write", kind = "method", use = "m.mesh.plate:write(path)",
-    text = "Writes the mesh to a file, by its ending: .vtk, .inp (Abaqus, CalculiX) or .csv (nodes)." },
+    text = "Writes the mesh to a file, by its ending: .vtk, .vtu, .inp (Abaqus, CalculiX) or .csv (nodes)." },
   { "mesh.node", kind = "method", use = "x, y = m.mesh.plate:node(i)",
     text = "Position of node i = 1 ... nodes, in mm." },
   { "mesh.elements", kind = "method", use = "m.mesh.plate:elements()",
@@ -76,11 +78,14 @@ return {
       .. "Without a model it uses one whose zones suit. With friction, shear, slip and tangential "
       .. "force are positive where the plate is pushed along x." },
   { "contact{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Wear depth of the cylinder against x." },
+    text = "Wear depth of the cylinder against x. A function is taken at the nodes; points by splines "
+      .. "without kinks inside a scar, with the area under them." },
   { "contact{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",
-    text = "Wear depth of the plate against x." },
+    text = "Wear depth of the plate against x. A function is taken at the nodes; points by splines "
+      .. "without kinks inside a scar, with the area under them." },
   { "contact.half_width", kind = "field", unit = "mm",
-    text = "Half the width of the contact, interpolated between nodes." },
+    text = "Half the width of the contact: good to 0.05 of an element where surfaces meet smoothly, "
+      .. "as unworn, to 0.2 in the mean and 0.6 at worst at the edges of scars." },
   { "contact.p_max", kind = "field", unit = "MPa",
     text = "Largest nodal pressure. At the edge of a scar it grows as the mesh shrinks." },
   { "contact.p_average", kind = "field", unit = "MPa",
@@ -126,8 +131,9 @@ return {
     text = "Fields on both bodies, f.cylinder and f.plate: lists x, y (mm, nodes), ux, uy (mm, "
       .. "displacements), mises, principal (the largest), shear, sxx, syy, szz, sxy (MPa), elements (four corners "
       .. "each). Of second order in the element size: at the surface from its tractions and the strain "
-      .. "along it, inside from the elements' centres. Next to an edge of the contact they are as "
-      .. "uncertain as the pressure, some per cent of the largest." },
+      .. "along it, inside from the elements' centres. Next to a smooth edge of the contact the "
+      .. "pressure is the square-root law's at the point (4 % of the largest at worst), at kinks of "
+      .. "scars the node's." },
   { "stress.cylinder", kind = "field", text = "Lists of the cylinder." },
   { "stress.plate", kind = "field", text = "Lists of the plate." },
   { "stress.contact", kind = "field", class = "contact", text = "The contact it was made of." },
@@ -233,6 +239,9 @@ return {
     text = "{ eigenvalue=, jump_limit= }: the growth rate of ripples in 1/cycle, linearised about the "
       .. "present state, and 2 / eigenvalue. Explicit updates with a larger jump get rough." },
   { "wear.model", kind = "field", class = "model", text = "The model it runs on." },
+  { "wear.mesh", kind = "field", use = "w.mesh.plate:quality()",
+    text = "The meshes as they are worn by now, cylinder and plate: objects like those of a model, for "
+      .. "quality, plot.mesh(w) and files. Wear that is the same all over the plate leaves its nodes." },
   { "wear.distance", kind = "field", unit = "mm", text = "Travelled distance so far." },
   { "wear.cycle", kind = "field", unit = "cycles", text = "Loading cycles so far." },
   { "wear.update", kind = "field", text = "Geometry updates so far." },
@@ -251,9 +260,18 @@ return {
       .. "or p_max where that is larger. A groove's edge presses on the other body's near the ends "
       .. "of the stroke, so that it may be far above p_max. It does not settle as elements get "
       .. "smaller. NaN in runs of files older than format 3, until they go on." },
+  { "wear.travel", kind = "field", unit = "mm",
+    text = "The plate's way from one end to the other in the last update's cycle, or in its increment of a generic "
+      .. "history. NaN, as history.load, in runs of files older than format 4, until they go on." },
+  { "wear.load_distance", kind = "field", unit = "N mm",
+    text = "Integral of the load over the sliding distance of this run, F d of Archard's law. Forces "
+      .. "balance, so that it is the integral of p ds dA on each body too, and under rigid slip a "
+      .. "volume is k of that body times it (Eq. 15); a law, local factors and elastic slip show in what "
+      .. "volumes differ by. NaN in runs of files older than format 4." },
   { "wear.half_width", kind = "field", unit = "mm",
-    text = "Half the width of the contact, plate at x = 0, nominal load: good to a tenth of an "
-      .. "element in smooth contacts, to half an element at the edges of scars." },
+    text = "Half the width of the contact, plate at x = 0, nominal load: good to 0.05 of an element "
+      .. "where surfaces meet smoothly, as unworn; to 0.2 in the mean and 0.6 at worst at the edges of "
+      .. "scars (the paper's cases, against 5 um)." },
   { "wear.depth", kind = "field", unit = "mm", text = "Largest wear depth of each body." },
   { "wear.depth.cylinder", kind = "field", unit = "mm",
     text = "Largest wear depth of the cylinder." },
@@ -271,6 +289,9 @@ return {
       .. "depths (Eq. 29)." },
 
   -- --- the definition, read back --------------------------------------------------------------
+  { "wear.stroke", kind = "field", unit = "mm",
+    text = "The plate's way from one end to the other: the stroke, or that of the present block of loading. "
+      .. "history.travel has it update by update." },
   { "wear.strokes", kind = "field", text = "Strokes of a cycle, r of Eq. (21): 2, or 1 at 2 radius." },
   { "wear.cycles", kind = "field", unit = "cycles", text = "Cycles of the whole distance (Eq. 21)." },
   { "wear.total_distance", kind = "field", unit = "mm", text = "Travelled distance to simulate." },

@@ -1,5 +1,6 @@
 -- help(): what every object, field and method is. The entries are in help/engine.lua,
--- help/tools.lua and help/study.lua; this file finds them and shows them. Completion asks here for names that no table
+-- help/tools.lua, help/session.lua and help/study.lua, topics in help/topics.lua; this file finds
+-- them and shows them. Completion asks here for names that no table
 -- holds, the manual page is written from here. Leans on archard.term and archard.names.
 --
 -- Addresses: "wear" an object, "wear.step" its method or field, "wear{jump}" a field of its
@@ -9,11 +10,13 @@ local debug, next, print, rawget, select, string, table, type =
   debug, next, print, rawget, select, string, table, type
 
 local names = require "archard.names"
+local pager = require "archard.lib.pager"
 
 local help = {}
 
 local entries     -- by address
 local ordered     -- as written
+local topics = {}  -- by name, and as written
 
 -- Splits an address: the owner, the name within it, and whether that is in its definition table.
 local function split(address)
@@ -45,6 +48,11 @@ local function load_entries()
   add(require "archard.help.settings"(require "archard.help.engine"))
   add(require "archard.help.tools")
   add(require "archard.help.study")
+  add(require "archard.help.session")
+  for i, topic in ipairs(require "archard.help.topics") do
+    topics[i] = { address = topic[1], name = topic[1], kind = "topic", text = topic[2] }
+    topics[topic[1]] = topics[i]
+  end
 end
 
 -- --- for completion and the manual ------------------------------------------------------------
@@ -65,6 +73,7 @@ end
 function help.addresses()
   local list = {}
   for i, entry in ipairs(help.all()) do list[i] = entry.address end
+  for _, topic in ipairs(topics) do list[#list + 1] = topic.name end
   return list
 end
 
@@ -89,7 +98,8 @@ function help.definition(address, path)
 end
 
 -- Follows a path into tables whose fields are those of another definition: wear{ model={ ... } },
--- or all of plot{} in plot.pressure(w, { ... }). Returns an address and the path left within it.
+-- or all of plot{} in plot.pressure(w, { ... }). Returns an address and the path left within it; nil
+-- where that is in a field that only a new object can have.
 local function follow(address, path)
   local at = address
   local rest = ""
@@ -97,7 +107,11 @@ local function follow(address, path)
     rest = rest == "" and name or rest .. "." .. name
     local entry = entries[("%s{%s}"):format(at, rest)]
     local taken = not entry and entries[at] and entries[at].takes
-    if taken then at, entry = taken, entries[("%s{%s}"):format(taken, rest)] end
+    if taken then
+      local changes = entries[at].kind == "method"
+      at, entry = taken, entries[("%s{%s}"):format(taken, rest)]
+      if changes and entry and entry.fixed then return nil end
+    end
     local other = entry and (entry.takes or entry.class)
     if other and #help.definition(at, rest) == 0 then at, rest = other, "" end
   end
@@ -110,6 +124,7 @@ function help.fields(address, path)
   if not address then return {} end
   load_entries()
   local at, rest = follow(address, path)
+  if not at then return {} end
   local list = help.definition(at, rest)
   local taken = rest == "" and entries[at] and entries[at].takes
   for _, entry in ipairs(taken and help.definition(taken) or {}) do
@@ -181,6 +196,7 @@ local function nearest(name)
   for _, entry in ipairs(ordered) do
     known[#known + 1], known[#known + 2] = entry.name, entry.address
   end
+  for _, topic in ipairs(topics) do known[#known + 1] = topic.name end
   return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
 end
 
@@ -196,16 +212,24 @@ local function by_object(name)
 end
 
 -- Every entry a name can mean: its full address first, else all that end in it.
-function help.search(name)
+function help.find(name)
   load_entries()
+  local topic = topics[name:lower():match("^%s*(.-)%s*$")]
   name = spoken(name)
   local exact = entries[name] or by_object(name)
   if exact then return { exact } end
-  local found = {}
+  local found = { topic }
   for _, entry in ipairs(ordered) do
     if entry.name == name then found[#found + 1] = entry end
   end
   return found
+end
+
+-- Topics and entries in which all words of the text stand.
+function help.matches(text)
+  load_entries()
+  return require "archard.help.search"(table.move(ordered, 1, #ordered, #topics + 1,
+    table.move(topics, 1, #topics, 1, {})), text)
 end
 
 -- --- showing -----------------------------------------------------------------------------------
@@ -213,10 +237,10 @@ end
 local show = require "archard.help.show"
 
 local function explain_name(name)
-  local found = help.search(name)
+  local found = help.find(name)
   if #found == 0 then
     local near = nearest(spoken(name))
-    return ("no help for %q%s; help() lists what there is"):format(name,
+    return ("no help for %q%s; help() lists what there is, help.search looks into all texts"):format(name,
       near and (", did you mean %q?"):format(near) or "")
   end
   local texts = {}
@@ -236,7 +260,16 @@ function help.text(...)
   return ("no help for this %s; help() lists what there is"):format(type(value))
 end
 
+-- help.search(text): a list of what tells of it.
+function help.search(text)
+  local found = help.matches(type(text) == "string" and text or "")
+  if not found[1] then
+    return print(('nothing tells of %s; it is called as help.search "units"'):format(names.shown(text)))
+  end
+  pager.show(show.found(found, text))
+end
+
 return setmetatable(help, {
-  __call = function(_, ...) print(help.text(...)) end,
+  __call = function(_, ...) pager.show(help.text(...)) end,
   __tostring = function() return show.overview() end,
 })

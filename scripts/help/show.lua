@@ -56,6 +56,7 @@ end
 -- A table of entries: name, then the facts and the first sentence.
 local function listing(title, entries, width)
   if #entries == 0 then return nil end
+  width = width or page_width()
   local size = 0
   for _, entry in ipairs(entries) do size = math.max(size, #entry.name) end
   local lines = { heading(title) }
@@ -68,6 +69,18 @@ local function listing(title, entries, width)
     lines[#lines + 1] = name .. body:sub(#name + 1)
   end
   return table.concat(lines, "\n")
+end
+
+show.listing = listing
+
+-- What a search has found, by address.
+function show.found(found, text)
+  local list = {}
+  for i, entry in ipairs(found) do
+    local title = entry.kind == "topic" and ('help "%s"'):format(entry.address) or entry.address
+    list[i] = { name = title, text = show.first_sentence(entry.text) }
+  end
+  return listing(("%d about %s"):format(#list, text), list)
 end
 
 local function of_kind(entries, wanted)
@@ -117,10 +130,16 @@ Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
              plot.mesh(m)  plot.stress(c)  plot{ {x=..., y=...} }
 Many cases   study{ base=..., vary=... }  study.paper()  study.converge{}
 Measured     calibrate{ volume={...}, load=100, distance=1320 }
-Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtk")
-             export.inp(m, "m.inp")
+Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtu")
+             export.pvd(w, "w.pvd")  export.inp(w, "w.inp")
+             export.json(w, "w.json")
+Session      who()  session.save("s.archard")  session.open("s.archard")
+             examples()  examples.run("demo")  time(f)
+Topics       help "units"  "running in"  "files"  "meshes"  "steps"
+             "troubleshooting"
 
-help(wear) explains an object, help(w.step) a method, help "jump" a name.
+help(wear) explains an object, help(w.step) a method, help "jump" a name;
+help.search "stability" looks into all texts.
 Tab completes names, also the fields inside wear{ }. The last value is in _ .
 Ctrl-C stops a run after its step, Ctrl-D leaves.]]
 

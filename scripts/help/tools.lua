@@ -11,8 +11,11 @@ return {
     text = "Reads a file of columns under a line of names, separated by commas, semicolons or tabs; "
       .. "lines that are empty or begin with # are left out. Returns the columns by their names, as "
       .. "lists: a file with the columns t, x and load can stand as it is, loading = "
-      .. "csv.read(path). A second argument chooses columns and renames them, by their name in the "
-      .. "file or their number. A column is text where its first cell is." },
+      .. "csv.read(path), one with x and h as worn = { plate = csv.read(path) }, and what export.csv "
+      .. "wrote comes back. Units behind names, as in h [um] or h (um), are taken off and the numbers "
+      .. "brought to mm, N, MPa and s; a column in a unit that means nothing here keeps its whole "
+      .. "name. A second argument chooses columns and renames them, by their name in the file or "
+      .. "their number. A column is text where its first cell is." },
 
   -- --- plot -----------------------------------------------------------------------------------
   { "plot", kind = "function", use = "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
@@ -47,8 +50,8 @@ return {
   { "plot{vrange}", type = "table { low, high }", text = "Range of the colours of a field." },
   { "plot{logx}", type = "boolean", default = false, text = "Logarithmic x axis." },
   { "plot{logy}", type = "boolean", default = false, text = "Logarithmic y axis." },
-  { "plot{xdown}", type = "boolean", default = false, text = "x grows to the left." },
-  { "plot{ydown}", type = "boolean", default = false, text = "y grows downwards." },
+  { "plot{xdown}", type = "boolean", default = false, text = "x grows to the left, whichever end xrange names first." },
+  { "plot{ydown}", type = "boolean", default = false, text = "y grows downwards, whichever end yrange names first." },
   { "plot{key}", type = "string or boolean", default = '"below"',
     values = require "archard.gnuplot".keys,
     text = "Place of the key; false for none. Panels share one below where none is named." },
@@ -76,7 +79,8 @@ return {
   { "plot{xplaces}", type = "table { at=, words= }", text = "Words at these places of the x axis, for numbers." },
   { "plot{yplaces}", type = "table { at=, words= }", text = "The same of the y axis." },
   { "plot.default", kind = "field", type = "table",
-    text = "Options where a call does not give them: term, size, colour, key." },
+    text = "Options where a call does not give them: term, size (of pictures in the terminal and in "
+      .. "windows), file_size (in pixels), colour, key. Any other is refused." },
   { "plot.style", kind = "function", values = { "paper", "slides", "screen" },
     use = 'plot.style{ "paper", width="page" }',
     text = "Sizes of the figures in files from now on. paper: 85 mm wide (170 mm where panels stand "
@@ -140,7 +144,8 @@ return {
     text = "The abscissa." },
   { "plot.history{titles}", type = "list of strings", text = "Names of the objects in the key." },
   { "plot.mesh", kind = "function", takes = "plot", use = 'plot.mesh(m, { zoom="wear box" })',
-    text = "The elements of a model, whole or near the contact. Takes the options of plot{} too." },
+    text = "The elements of a model, or of a run w as they are worn by now, whole or near the contact. "
+      .. "Takes the options of plot{} too." },
   { "plot.mesh{zoom}", type = "table { x0, x1, y0, y1 }", values = { "wear box", "all" },
     text = "What part to show." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "One body alone." },
@@ -174,17 +179,34 @@ return {
       .. "plot.save{ ..., file= } draws what plot{} would. A second table gives size." },
 
   -- --- export ---------------------------------------------------------------------------------
-  { "export", kind = "object", use = "export.csv  export.vtk  export.inp",
-    text = "Writes files for other tools. A file is complete or not there." },
+  { "export", kind = "object", use = "export.csv  export.vtk  export.pvd  export.inp  export.json",
+    text = "Writes files for other tools. A file is complete or not there; a wrong ending is refused, "
+      .. "a missing one added." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
-    text = "Columns of numbers with a line of names: the history of a wear run, a profile, a "
-      .. "pressure. A stress becomes two files, path-cylinder.csv and path-plate.csv." },
-  { "export.vtk", kind = "function", use = "export.vtk(obj, path)",
-    text = "Meshes and stress fields, for ParaView and others (legacy VTK text). Of a model, a contact "
-      .. "or its stress come two files, path-cylinder.vtk and path-plate.vtk." },
-  { "export.inp", kind = "function", use = "export.inp(model, path)",
-    text = "Input deck of both meshes for Abaqus and CalculiX: nodes, elements, surfaces, boundary "
-      .. "sets, materials." },
+    text = "Columns of numbers with a line of names and units: the history of a wear run, a pressure, "
+      .. "a table of lists such as a profile, whose units a third argument may give, { x=\"mm\" }. A "
+      .. "stress becomes two files, path-cylinder.csv and path-plate.csv." },
+  { "export.vtk", kind = "function", use = 'export.vtk(obj, "c.vtu")',
+    text = "Meshes and fields for ParaView and others, as .vtu (XML) or .vtk (legacy text). Of a "
+      .. "model, a run, a contact or its stress come two files, path-cylinder.vtu and path-plate.vtu, "
+      .. "whose names are returned. A .vtu has nodes as worn, displacements, stresses, wear depth and "
+      .. "pressure (0 off the surface), with their units." },
+  { "export.pvd", kind = "function", use = 'w:run{ progress = export.pvd(w, "w.pvd", { every=10 }) }',
+    text = "A run as it wears, for ParaView: a .vtu for each body and state, and the list of them by "
+      .. "travelled distance in w.pvd. Writes the present state and returns a function that adds the "
+      .. "next ones: in w:run after each `every` updates and where the distance of its definition ends, "
+      .. "and wherever it is called without arguments, as after a run that ended earlier." },
+  { "export.pvd{every}", type = "number", default = "1", text = "Updates between two states." },
+  { "export.inp", kind = "function", use = "export.inp(obj, path)",
+    text = "Input deck of the whole problem of a contact, a run (as worn) or a model (at the usual "
+      .. "load): both bodies, supports, contact pair, load, output requests, in the keywords that "
+      .. "Abaqus and CalculiX share. CalculiX runs it as it is, ccx path without its ending. The "
+      .. "bodies are slabs one element thick, held along z: C3D8, C3D8I where the model has CPE4I, "
+      .. "C3D6 for triangles. Where nu nears 1/2 the triangles, all away from the contact, are "
+      .. "stiffer there than in the model." },
+  { "export.json", kind = "function", use = "export.json(w, path)",
+    text = "Summary of a wear run: versions, definition with its model, results, units. NaN is null, "
+      .. "a function of the user the word \"function\"." },
 
   -- --- help -----------------------------------------------------------------------------------
   { "help", kind = "function", use = 'help()  help(wear)  help(w.step)  help "jump"',

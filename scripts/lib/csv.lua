@@ -1,7 +1,8 @@
 -- csv.read: columns of numbers from a text file, for loadings, profiles and coefficients that were
--- measured elsewhere. Leans on check for its errors.
+-- measured elsewhere, in the units that stand behind their names. Leans on check for its errors.
 
 local check = require "archard.lib.check"
+local units = require "archard.lib.csv_units"
 
 local where = "csv.read"
 local csv = {}
@@ -46,6 +47,7 @@ end
 -- A number; with semicolons between the cells, a comma may stand for its point.
 local function number_in(cell, separator)
   if separator == ";" then cell = cell:gsub(",", ".") end
+  if cell:lower():find("^[+-]?nan$") then return 0 / 0 end
   return not cell:find("^%s*[+-]?0[xX]") and tonumber(cell) or nil
 end
 
@@ -79,35 +81,69 @@ local function lines_of(path)
   return lines
 end
 
+-- Numbers in a unit that is known become numbers in ours.
+local function scale(values, unit)
+  for i, value in ipairs(values) do values[i] = units.scaled(value, unit) end
+end
+
+-- What a column is called: without its unit where that is known, as in the file where it is not.
+local function column_of(header)
+  local name, unit = units.split(header)
+  local known = unit and units.known(unit)
+  return { header = header, bare = name, name = known and name or header, unit = known and unit or nil, values = {} }
+end
+
 local function read_columns(path)
   local lines = lines_of(path)
   if not lines[1] then refuse(path, nil, "expected a line of names, the file is empty") end
   local separator = separator_of(lines[1][2])
-  local names = names_of(path, lines[1][1], lines[1][2], separator)
-  local columns = {}
-  for i in ipairs(names) do columns[i] = {} end
+  local columns = names_of(path, lines[1][1], lines[1][2], separator)
+  for i, header in ipairs(columns) do columns[i] = column_of(header) end
   for row = 2, #lines do
     local number, line = lines[row][1], lines[row][2]
     local cells = split(line, separator)
-    if #cells ~= #names then refuse(path, number, "expected %d cells, got %d", #names, #cells) end
+    if #cells ~= #columns then refuse(path, number, "expected %d cells, got %d", #columns, #cells) end
     for i, cell in ipairs(cells) do
-      local value = number_in(cell, separator)
-      if not value and type(columns[i][1]) == "number" then
-        refuse(path, number, "column %q: expected a number, got %q", names[i], cell)
+      local value, values = number_in(cell, separator), columns[i].values
+      if not value and type(values[1]) == "number" then
+        refuse(path, number, "column %q: expected a number, got %q", columns[i].header, cell)
       end
-      columns[i][row - 1] = type(columns[i][1]) ~= "string" and value or cell
+      values[row - 1] = type(values[1]) ~= "string" and value or cell
     end
   end
-  return names, columns
+  for _, column in ipairs(columns) do
+    if column.unit and type(column.values[1]) == "number" then scale(column.values, column.unit) end
+  end
+  return columns
 end
 
-local function find(path, names, columns, wanted)
-  if type(wanted) == "number" and columns[wanted] then return columns[wanted] end
-  for i, name in ipairs(names) do
-    if name == wanted then return columns[i] end
+-- The column of that number or name, with or without its unit.
+local function find(path, columns, wanted)
+  if type(wanted) == "number" and columns[wanted] then return columns[wanted].values end
+  local headers = {}
+  for i, column in ipairs(columns) do
+    if column.header == wanted or column.name == wanted then return column.values end
+    headers[i] = column.header
+  end
+  for _, column in ipairs(columns) do
+    if column.bare == wanted then
+      refuse(path, nil, "column %q: expected one of the units %s; by its whole name it is read as it is",
+        column.header, units.list())
+    end
   end
   refuse(path, nil, "no column %s; there are %s", type(wanted) == "string" and ("%q"):format(wanted)
-    or tostring(wanted), table.concat(names, ", "))
+    or tostring(wanted), table.concat(headers, ", "))
+end
+
+local function all_of(path, columns)
+  local result = {}
+  for i, column in ipairs(columns) do
+    if result[column.name] then
+      refuse(path, nil, "column %d: expected a name of its own, got %q again", i, column.name)
+    end
+    result[column.name] = column.values
+  end
+  return result
 end
 
 function csv.read(path, choice)
@@ -117,13 +153,10 @@ function csv.read(path, choice)
   if choice ~= nil and type(choice) ~= "table" then
     check.fail(where, "expected a table { name = column, ... }, got " .. check.shown(choice))
   end
-  local names, columns = read_columns(path)
+  local columns = read_columns(path)
+  if not choice then return all_of(path, columns) end
   local result = {}
-  if choice then
-    for name, wanted in pairs(choice) do result[name] = find(path, names, columns, wanted) end
-  else
-    for i, name in ipairs(names) do result[name] = columns[i] end
-  end
+  for name, wanted in pairs(choice) do result[name] = find(path, columns, wanted) end
   return result
 end
 

@@ -4,6 +4,8 @@
 local debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8 =
   debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8
 
+local term = require "archard.term"
+
 local pretty = {}
 
 -- How much is shown of lists and tables before "...".
@@ -49,7 +51,8 @@ end
 -- Text of an object that knows how to show itself, or nil.
 local function own_text(value)
   local metatable = debug.getmetatable(value)
-  if type(metatable) ~= "table" or rawget(metatable, "__tostring") == nil then return nil end
+  if type(metatable) ~= "table" or rawget(metatable, "__tostring") == nil
+    or rawget(metatable, "__plain") then return nil end
   local fine, text = pcall(tostring, value)
   return fine and text or "(its __tostring failed: " .. tostring(text) .. ")"
 end
@@ -220,5 +223,8 @@ function pretty.format(value, options)
   }, writer)
   return self:any(value, 0, 0)
 end
+
+-- As the prompt shows it: what print() makes of lists of ours.
+function pretty.fitted(value) return pretty.format(value, { width = (term.size()) }) end
 
 return pretty

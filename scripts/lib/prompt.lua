@@ -49,7 +49,8 @@ end
 -- A chunk that ends with the values of `expression`. A plain `return f()` would be a tail call: the
 -- chunk's frame would be gone, and with it the line that an error in f is to be reported at.
 local function handed_on(head, expression)
-  return head .. "return (function(...) return ... end)(" .. expression .. "\n)"
+  local ended = expression:find("--", 1, true) and "\n)" or ")" -- on its line, as errors are told by it
+  return head .. "return (function(...) return ... end)(" .. expression .. ended
 end
 
 local told_about_locals = false

@@ -10,7 +10,8 @@ local merged = require "archard.lib.merged"
 
 local draw = {}
 
--- Used where a call does not say otherwise: term, size, colour, key. The user's to change.
+-- Used where a call does not say otherwise: term, size (of pictures in the terminal), file_size,
+-- colour, key. The user's to change.
 draw.default = output.default
 
 -- --- what may be given --------------------------------------------------------------------------
@@ -93,7 +94,7 @@ end
 -- Both ends are given in the order they are drawn.
 local function to_axis(label, range, log, down, places)
   local low, high = range and range[1], range and range[2]
-  if down and low and high and low < high then low, high = high, low end
+  if down and low and high then low, high = math.max(low, high), math.min(low, high) end
   return { label = words(label), min = low, max = high, log = log, reverse = down, places = places }
 end
 
@@ -219,7 +220,7 @@ end
 -- Checks the options, draws, and returns the picture where it is one for the terminal.
 local function render(where, given, moving)
   check.fields(where .. ": plot.default", draw.default,
-    { term = check.one_of(terms), size = check.size, colour = check.flag,
+    { term = check.one_of(terms), size = check.size, file_size = check.size, colour = check.flag,
       key = check.one_of(keys, check.flag) })
   return paint(where, to_figure(where, given), given, moving)
 end

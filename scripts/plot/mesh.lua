@@ -94,12 +94,12 @@ end
 local mesh_options = { body = check.one_of(bodies), zoom = check.one_of({ "wear box", "all" },
   check.box) }
 
--- plot.mesh(model, { zoom="wear box" or { x0, x1, y0, y1 }, body=, ... })
+-- plot.mesh(model or wear, { zoom="wear box" or { x0, x1, y0, y1 }, body=, ... })
 function mesh.mesh(model, options)
   local where = "plot.mesh"
   local ok, meshes = pcall(function() return model.mesh end)
   if not ok or not meshes then
-    check.fail(where, "expected a model as the first argument, got " .. check.shown(model))
+    check.fail(where, "expected a model or a wear run as the first argument, got " .. check.shown(model))
   end
   options = draw.options(where, options, mesh_options)
   local box = view_of(where, model, options.zoom)

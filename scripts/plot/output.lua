@@ -116,14 +116,15 @@ function output.choose(where, figure, given, moving)
       check.fail(where, ("field 'term': \"%s\" draws on the screen, but there is a file"):format(
         kind))
     end
-    return output.to_file(where, figure, given.file, kind == "dumb" and "txt" or kind, given.size)
+    return output.to_file(where, figure, given.file, kind == "dumb" and "txt" or kind,
+      given.size or output.default.file_size)
   end
   kind = kind or output.default.term
   if file_kinds[kind] then
     check.fail(where, ('field \'file\': term="%s" needs the name of a file, got nil'):format(kind))
   end
   local to = to_screen(where, figure, given, kind, moving)
-  local size = given.size or to.medium ~= "window" and output.default.size -- it is of characters
+  local size = given.size or output.default.size -- the default is of characters
   if size and not (to.shown_by and not given.term and not output.default.term) then
     to.width, to.height = size[1], size[2]
   elseif size then -- meant for characters

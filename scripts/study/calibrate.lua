@@ -5,6 +5,7 @@
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
 local statistics = require "archard.lib.statistics"
+local strict = require "archard.strict"
 local volumes = require "archard.study.volumes"
 
 local where = "calibrate"
@@ -220,7 +221,9 @@ local shown = {
   { "depth_partition", "%.4f", "measured alpha-tilde" },
 }
 
-local class = { __name = "calibration" }
+local class = strict.class{ __name = "calibration", __fields = { "k", "alpha", "k_cylinder", "k_plate",
+  "depth_partition", "spread", "low", "high", "confidence", "measurements", "points", "band", "mean",
+  "simulated_depth", "measured_depth", "runs" } }
 
 -- One number with what is known of how sure it is.
 local function number_line(self, name, format, text)

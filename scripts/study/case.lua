@@ -5,6 +5,8 @@ local check = require "archard.lib.check"
 local hertz_of = require "archard.lib.hertz_of"
 local measure = require "archard.measure"
 local settings = require "archard.study.settings"
+local strict = require "archard.strict"
+local settable = require "archard.settings".wear
 
 local case = {}
 
@@ -35,18 +37,19 @@ function computed.last(self)
   if not history then return nil end
   local row = {}
   for name, column in pairs(history) do row[name] = column[#column] end
-  return row
+  return strict.table(row, "case.last")
 end
 
 function computed.depth(self)
   local last = self.last
-  return last and { cylinder = last.depth_cylinder, plate = last.depth_plate }
+  return last and strict.table({ cylinder = last.depth_cylinder, plate = last.depth_plate },
+    "case.depth")
 end
 
 function computed.volume(self)
   local last = self.last
-  return last and { cylinder = last.volume_cylinder, plate = last.volume_plate,
-    total = last.volume_cylinder + last.volume_plate }
+  return last and strict.table({ cylinder = last.volume_cylinder, plate = last.volume_plate,
+    total = last.volume_cylinder + last.volume_plate }, "case.volume")
 end
 
 function computed.model(self)
@@ -91,12 +94,13 @@ end
 
 function methods:profile(body, distance)
   local found = surface(self, "case:profile", body, distance)
-  return { x = found.x, h = found.h, y = found.y, distance = found.distance }
+  return strict.table({ x = found.x, h = found.h, y = found.y, distance = found.distance },
+    "case:profile")
 end
 
 function methods:pressure(body, distance)
   local found = surface(self, "case:pressure", body, distance)
-  return { x = found.x, p = found.p, distance = found.distance }
+  return strict.table({ x = found.x, p = found.p, distance = found.distance }, "case:pressure")
 end
 
 -- The distances [mm] at which surfaces are stored.
@@ -124,6 +128,13 @@ function methods:wear() return self.study:store():wear(self.id) end
 
 -- --- the object ----------------------------------------------------------------------------------
 
+-- Names of all that a case may tell of, with a value or without one.
+local known = { "id", "label", "status", "message", "seconds", "settings", "study" }
+for name in pairs(methods) do known[#known + 1] = name end
+for name in pairs(computed) do known[#known + 1] = name end
+for name in pairs(measures) do known[#known + 1] = name end
+for _, setting in ipairs(settable) do known[#known + 1] = setting.name end
+
 -- Settings as given come before those of the stored definition, that come with defaults.
 function case.__index(self, name)
   local value = methods[name]
@@ -138,7 +149,8 @@ function case.__index(self, name)
       value = self.definition[name]
     end
   end
-  if value ~= nil and self.status == "done" then rawset(self, name, value) end
+  if value == nil then return strict.refuse("case", name, known) end
+  if self.status == "done" then rawset(self, name, value) end
   return value
 end
 

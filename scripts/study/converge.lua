@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
 local search = require "archard.study.search"
 local settings = require "archard.study.settings"
+local strict = require "archard.strict"
 local align = require "archard.study.table".align
 
 local where = "study.converge"
@@ -222,7 +223,7 @@ local function paper_rows(rows)
 end
 
 local methods = {}
-local class = { __index = methods, __name = "convergence", __methods = methods }
+local class = { __name = "convergence", __methods = methods, __fields = { "mesh", "cases" } }
 
 -- The paper's Table 1 with what was found beside it, as rows of texts; nil for other cases.
 function methods:table_1()
@@ -249,6 +250,8 @@ function class.__tostring(self)
   if notes[1] then parts[#parts + 1] = table.concat(notes, "\n") end
   return table.concat(parts, "\n\n")
 end
+
+strict.class(class)
 
 -- (study module, study object or table of fields, options) -> { mesh=, cases= }
 return function(study, given, options)

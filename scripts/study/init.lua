@@ -4,11 +4,11 @@
 
 local check = require "archard.lib.check"
 local settings = require "archard.study.settings"
+local strict = require "archard.strict"
 
 local study = {}
 local methods = {}
-local class = { __index = methods, __name = "study", __methods = methods,
-  __fields = { "name", "file" } }
+local class = { __name = "study", __methods = methods, __fields = { "name", "file" } }
 
 -- How often the surfaces of a case are kept on the way, unless `looks` says otherwise.
 local usual_looks = 6
@@ -292,5 +292,7 @@ function class.__tostring(self)
   if #self.varied > 0 then lines[#lines + 1] = "  varied: " .. table.concat(self.varied, ", ") end
   return table.concat(lines, "\n")
 end
+
+strict.class(class)
 
 return setmetatable(study, { __call = function(_, given) return new("study", given or {}) end })

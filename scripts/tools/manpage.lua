@@ -122,6 +122,7 @@ local head = [[
 .Sh SYNOPSIS
 .Nm
 .Op Fl i
+.Op Fl -lax
 .Op Fl e Ar chunk
 .Op Fl l Ar module
 .Op Ar script Op Ar argument ...
@@ -161,6 +162,14 @@ Require
 and put it into the global of that name.
 .It Fl i
 Go to the prompt after the script.
+.It Fl -lax
+Names that nobody has given are
+.Li nil .
+Without it, to read an undefined global, or an unknown field of an object or table of
+.Nm ,
+is an error that says the nearest name; a global may be declared by any assignment, and
+.Li rawget(_G, name)
+asks.
 .It Fl v , Fl -version
 Print the version.
 .It Fl h , Fl -help

@@ -7,6 +7,7 @@
 #include "cli/signals.h"
 #include "lua/base/archard.h"
 #include "lua/base/interrupt.h"
+#include "lua/base/strict.h"
 
 #include <getopt.h>
 #include <lauxlib.h>
@@ -26,7 +27,7 @@ typedef struct command {
     const char *text; /* the chunk, or the module */
   } * steps;
   int step_count;
-  int interactive, version, help, wrong;
+  int interactive, lax, version, help, wrong;
   int script; /* index of the script in argv; argc when there is none */
   int argc;
   char **argv;
@@ -37,6 +38,7 @@ static void print_usage(FILE *stream) {
         "  -e CHUNK        run the Lua text CHUNK\n"
         "  -l MODULE       require MODULE and put it into the global of that name\n"
         "  -i              go to the prompt after the script\n"
+        "  --lax           names that nobody has given are nil, not errors\n"
         "  -v, --version   print the version\n"
         "  -h, --help      print this help\n"
         "  -               run standard input as a script\n"
@@ -50,6 +52,7 @@ static void read_options(command *self) {
   static const struct option names[] = {
       {"version", no_argument, NULL, 'v'},
       {"help", no_argument, NULL, 'h'},
+      {"lax", no_argument, NULL, 'x'},
       {NULL, 0, NULL, 0},
   };
   int letter;
@@ -62,6 +65,9 @@ static void read_options(command *self) {
       break;
     case 'i':
       self->interactive = 1;
+      break;
+    case 'x':
+      self->lax = 1;
       break;
     case 'v':
       self->version = 1;
@@ -161,6 +167,8 @@ static int session(lua_State *L) {
   signals_install(0);
   set_arg_table(L, self);
   luaopen_archard(L);
+  strict_globals(L);
+  if (self->lax) strict_lax(L);
   lua_settop(L, 0);
   lua_pushinteger(L, run_command(L, self));
   return 1;

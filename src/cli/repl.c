@@ -136,6 +136,48 @@ static void push_text(lua_State *L, const char *which) {
   lua_call(L, 1, 1);
 }
 
+/* --- leaving ---------------------------------------------------------------------------------- */
+
+/* Calls a function of scripts/lib/leave.lua with the text on top of the stack; its answer takes
+ * that place, nil where it fails. */
+static run_status ask(lua_State *L, const char *name) {
+  push_module_function(L, "archard.lib.leave", name);
+  lua_insert(L, -2);
+  const run_status status = run_call(L, 1, 1);
+  if (status != RUN_OK) lua_pushnil(L);
+  return status;
+}
+
+/* What a line answers to the question: 1 leave, 0 stay, -1 it says neither. What fails keeps here.
+ */
+static int understand(lua_State *L, const char *line) {
+  lua_pushstring(L, line);
+  const run_status status = ask(L, "answer");
+  const int answer = status != RUN_OK ? 0 : lua_isnil(L, -1) ? -1 : lua_toboolean(L, -1);
+  lua_pop(L, 1);
+  return answer;
+}
+
+/* Asks before runs that are in no file are lost. Ctrl-D is the second one then, and leaves. */
+static int may_leave(lua_State *L) {
+  lua_pushnil(L);
+  int answer = ask(L, "question") == RUN_OK && lua_isstring(L, -1) ? -1 : 1;
+  while (answer < 0) {
+    char *line = NULL;
+    const char *question = lua_tostring(L, -1), *last = strrchr(question, '\n');
+    if (last) printf("%.*s\n", (int)(last - question), question);
+    fflush(stdout);
+    const edit_result result = edit_read(last ? last + 1 : question, &line);
+    answer = result == EDIT_END ? 1 : result == EDIT_INTERRUPTED ? 0 : understand(L, line);
+    free(line);
+    interrupt_clear();
+  }
+  lua_pop(L, 1);
+  return answer;
+}
+
+/* --- lines ------------------------------------------------------------------------------------ */
+
 static edit_result read_line(prompt *self, char **line) {
   push_text(self->L, self->chunk.text ? "more" : "first");
   edit_result result = edit_read(lua_tostring(self->L, -1), line);
@@ -148,8 +190,10 @@ static int asks_to_leave(const prompt *self, const char *line) {
   int word = 0;
   while (word < 4 && strcmp(line, words[word]) != 0) word++;
   if (self->chunk.text || word == 4) return 0;
-  int taken = lua_getglobal(self->L, words[word % 2]) != LUA_TNIL;
-  lua_pop(self->L, 1);
+  lua_pushglobaltable(self->L);
+  lua_pushstring(self->L, words[word % 2]);
+  int taken = lua_rawget(self->L, -2) != LUA_TNIL;
+  lua_pop(self->L, 2);
   return !taken;
 }
 
@@ -171,25 +215,30 @@ static void take_line(prompt *self, const char *line) {
   interrupt_clear();
 }
 
+/* Reads a line and does what it says; returns whether the user wants to leave. */
+static int next_line(prompt *self) {
+  char *line = NULL;
+  const edit_result result = read_line(self, &line);
+  if (result == EDIT_END) pending_clear(&self->chunk);
+  if (result == EDIT_END) return 1;
+  if (result == EDIT_INTERRUPTED) {
+    pending_clear(&self->chunk);
+    interrupt_clear();
+    return 0;
+  }
+  const int leave = asks_to_leave(self, line);
+  if (!leave) take_line(self, line);
+  free(line);
+  return leave;
+}
+
 void repl_run(lua_State *L) {
   prompt self = {L, {NULL, 0}};
   edit_start(complete, &self);
   push_text(L, "banner");
   fputs(lua_tostring(L, -1), isatty(STDOUT_FILENO) ? stdout : stderr);
   lua_pop(L, 1);
-  char *line = NULL;
-  edit_result result;
-  while ((result = read_line(&self, &line)) != EDIT_END) {
-    if (result == EDIT_INTERRUPTED) {
-      pending_clear(&self.chunk);
-      interrupt_clear();
-      continue;
-    }
-    int leave = asks_to_leave(&self, line);
-    if (!leave) take_line(&self, line);
-    free(line);
-    if (leave) break;
-  }
+  while (!(next_line(&self) && may_leave(L))) continue;
   pending_clear(&self.chunk);
   edit_finish();
 }

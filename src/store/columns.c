@@ -38,7 +38,7 @@ static void put_name(FILE *to, const column *c) {
     if (*at == '/')
       fputs("_per_", to);
     else
-      fputc(*at, to);
+      fputc(*at == ' ' ? '_' : *at, to);
 }
 
 static void put_text(FILE *to, const char *text) {

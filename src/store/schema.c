@@ -75,6 +75,10 @@ static const struct migration {
      "ALTER TABLE cases ADD COLUMN created TEXT;"
      "ALTER TABLE cases ADD COLUMN finished TEXT;"},
     {2, "", "ALTER TABLE history ADD COLUMN p_peak_MPa;"},
+    {3, "",
+     "ALTER TABLE history ADD COLUMN load_N;"
+     "ALTER TABLE history ADD COLUMN travel_mm;"
+     "ALTER TABLE history ADD COLUMN load_distance_N_mm;"},
 };
 
 enum { MIGRATIONS = sizeof migrations / sizeof *migrations };

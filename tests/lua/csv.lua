@@ -17,7 +17,7 @@ is(t.x[1], -0.05, "a number")
 is(t.x[2], 0.05, "with an exponent")
 is(t.load[2], 120, "the last column")
 t = csv.read(file "\xEF\xBB\xBFt [s];x\r\n# measured\r\n\r\n 0,5 ; 1 \r\n1;-2,25")
-is(t["t [s]"][1], 0.5, "semicolons, decimal commas, blanks, a mark at the start, no end of line")
+is(t.t[1], 0.5, "semicolons, decimal commas, blanks, a mark at the start, no end of line")
 is(t.x[2], -2.25, "a number with both")
 is(#t.x, 2, "comments and empty lines are left out")
 t = csv.read(file 'name\tcycles\n"a ""b"",\tc"\t3\nd\t4\n')
@@ -28,6 +28,53 @@ t = csv.read(file "time,position\n0,1\n1,2\n", { t = "time", x = 2 })
 is(t.t[2], 1, "a column by its name")
 is(t.x[1], 1, "and by its number")
 is(t.time, nil, "only those that are asked for")
+
+-- units behind names
+t = csv.read(file "x [mm],h [um],p (GPa),T [K],w/h,\"\"\"a\"\" [nm]\"\n1,0.3,0.5,300,2,7\n2,-1.7,0.25,301,3,8\n")
+is(t.x[2], 2, "mm stay")
+is(t.h[1], 0.0003, "um to mm, rounded once")
+is(t.h[2], -0.0017, "and below zero")
+is(t.p[1], 500, "GPa to MPa")
+is(t["T [K]"][1], 300, "a unit that means nothing here stays in the name")
+is(t["w/h"][2], 3, "no unit")
+is(t['"a"'][1], 7e-6, "nm behind quotes")
+t = csv.read(file "s [mm],h [um]\n1,5\n", { x = "s", h = "h [um]", again = 2 })
+is(t.x[1], 1, "chosen without its unit")
+is(t.h[1], 0.005, "and with it")
+is(t.again[1], 0.005, "or by number")
+t = csv.read(file "x [\xC2\xB5m],t [min]\n1500,2\n")
+is(t.x[1], 1.5, "the letter mu")
+is(t.t[1], 120, "minutes")
+t = csv.read(file "x [in],h [mm3/Nm],a [%]\n2,1e-5,35\n")
+is(t.x[1], 50.8, "inches")
+is(t.h[1], 1e-8, "wear coefficients as tables of others have them")
+is(t.a[1], 0.35, "per cent")
+t = csv.read(file "part [mm],x\nlid,1\n")
+is(t.part[1], "lid", "text has no unit to scale")
+fails(function() csv.read(file "x [mm],x [um]\n1,2\n") end, "column 2: expected a name of its own, got \"x\" again",
+  "a name twice but for the unit")
+is(csv.read(file "x [mm],x [um]\n1,2\n", { x = "x [um]" }).x[1], 0.002, "unless it is chosen")
+fails(function() csv.read(file "x [furlong]\n1\n", { x = "x" }) end, { 'column "x [furlong]"', "expected one of the units",
+  "um" }, "a strange unit")
+
+-- a measured profile, and a history of ours read back
+local measured = csv.read(file "x [mm];h [um]\n-0,2;0\n-0,1;1,5\n0;2\n0,1;1,5\n0,2;0\n")
+local start = wear{ worn = { plate = measured } }
+near(start.depth.plate, 0.002, 1e-6, "a measured profile as the start of a run")
+local worn = wear{ increments = 20 }
+worn:step(3)
+export.csv(worn, path)
+t = csv.read(path)
+local same, columns = true, 0
+for name, values in pairs(worn.history) do
+  columns = columns + 1
+  for i, value in ipairs(values) do
+    local got = t[name] and t[name][i]
+    same = same and (got == value or value ~= value and got ~= got)
+  end
+end
+is(columns, #require "archard.settings".columns, "all columns of a history")
+tap.ok(same, "come back by name, to the bit")
 
 -- what it is for
 local w = wear{ loading = csv.read(file "t,x,load\n0,-0.05,100\n3,0.05,50\n4,-0.05,100\n"), cycles = 3 }

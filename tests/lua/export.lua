@@ -15,26 +15,28 @@ local function read(name)
   return text
 end
 
--- The columns of a CSV file by name, numbers from row 1.
+-- The columns of a CSV file by name, numbers from row 1; names come without units, and as they are.
 local function read_csv(name)
-  local names, columns = {}, {}
+  local names, columns, headers = {}, {}, read(name):match("[^\n]*")
   for line in read(name):gmatch("[^\n]+") do
     local column = 0
     for cell in line:gmatch("[^,]+") do
       column = column + 1
       local of = columns[names[column]]
-      if of then of[#of + 1] = tonumber(cell) or 0 / 0 else names[column] = cell end
+      if of then of[#of + 1] = tonumber(cell) or 0 / 0 else names[column] = cell:gsub(" %[.*", "") end
     end
     if not columns[names[1]] then for _, n in ipairs(names) do columns[n] = {} end end
   end
-  return columns, names
+  return columns, names, headers
 end
 
 -- CSV
 local w = wear{ increments = 20 }
 w:step(3)
 export.csv(w, at "history.csv")
-local columns, names = read_csv "history.csv"
+local columns, names, headers = read_csv "history.csv"
+holds(headers, { "cycle,distance [mm],", ",p_center [MPa],", ",volume_plate [mm3],", ",depth_partition," },
+  "history: units behind the names")
 is(#names, #require "archard.settings".columns, "history: all columns")
 is(#columns.distance, 4, "history: all rows")
 local same = true
@@ -49,12 +51,19 @@ ok(same, "history: the same bits")
 local c = w:contact()
 export.csv(c, at "pressure.csv")
 columns = read_csv "pressure.csv"
+is(select(3, read_csv "pressure.csv"), "x_cylinder [mm],p_cylinder [MPa],x_plate [mm],p_plate [MPa]",
+  "pressures have units")
 is(columns.p_cylinder[26], c:pressure("cylinder").p[26], "pressures of the cylinder")
 is(#columns.p_plate, #c:pressure("plate").p, "and of the plate")
 export.csv(w:profile("plate"), at "profile.csv")
 columns, names = read_csv "profile.csv"
 is(table.concat(names, ","), "x,y,h,way,worn_x", "a plain table: x first")
 is(columns.h[31], w:profile("plate").h[31], "its numbers")
+export.csv(w:profile("plate"), at "profile.csv", { x = "mm", h = "mm" })
+is(select(3, read_csv "profile.csv"), "x [mm],y,h [mm],way,worn_x", "units as they are given")
+fails(function() export.csv({ x = { 1 } }, at "a.csv", { y = "mm" }) end, { "the unit of a column", "'y' = \"mm\"" },
+  "a unit of nothing")
+fails(function() export.csv({ x = { 1 } }, at "a.csv", "mm") end, "expected units by name", "units of what")
 fails(function() export.csv({}, at "a.csv") end, "export.csv: the table is empty", "empty table")
 fails(function() export.csv({ 1, 2 }, at "a.csv") end, { "arrays by name", "found [1]" }, "a list")
 fails(function() export.csv({ x = { 1 }, y = { 1, 2 } }, at "a.csv") end,
@@ -79,20 +88,21 @@ export.vtk(c:stress(), at "field.vtk")
 is(read "field-plate.vtk", text, "a stress in VTK, the same file")
 files = { export.csv(c:stress(), at "field.csv") }
 is(files[1], at "field-cylinder.csv", "a stress in CSV: a file a body")
-local columns = read_csv "field-plate.csv"
+local columns, _, headers = read_csv "field-plate.csv"
+is(headers:match("^[^,]*,[^,]*,[^,]*"), "x [mm],y [mm],ux [mm]", "with units")
 is(#columns.mises, w.model.mesh.plate.nodes, "node by node")
 is(columns.mises[7], c:stress().plate.mises[7], "the same bits")
 export.vtk(w.model, at "mesh")
 ok(not read("mesh-plate.vtk"):find("mises"), "a model in VTK has no stresses; the ending is added")
 is(export.vtk(w.model.mesh.plate, at "plate.vtk"), at "plate.vtk", "a mesh is one file")
 holds(read "plate.vtk", "POINTS " .. w.model.mesh.plate.nodes, "with its nodes")
-fails(function() export.vtk(w, at "w.vtk") end, "expected a contact, its stress, a model or a mesh", "a run")
+is(#{ export.vtk(w, at "run.vtk") }, 2, "a run: two files")
+is(read "run-plate.vtk", text, "those of its contact")
+fails(function() export.vtk(hertz{}, at "w.vtk") end, "expected a run, a contact, its stress, a model or a mesh",
+  "anything else")
+fails(function() export.vtk(c, at "c.stl") end, { "field 'path': expected a file name that ends in .vtk (legacy) or .vtu",
+  "c.stl" }, "another ending")
 
--- decks
-export.inp(w.model, at "model.inp")
-holds(read "model.inp", { "*NODE, NSET=cylinder", "*NODE, NSET=plate", "*ELASTIC", "200000" }, "a deck")
-fails(function() export.inp(c, at "c.inp") end, "export.inp: expected a model object, got contact",
-  "a deck of a contact")
 local mesh = w.model.mesh.cylinder
 mesh:write(at "cylinder.inp")
 text = read "cylinder.inp"
@@ -101,11 +111,75 @@ ok(not text:find("plate"), "has nothing of the other")
 mesh:write(at "cylinder.vtk")
 holds(read "cylinder.vtk", "CELLS " .. mesh.elements_count, "a mesh as VTK")
 mesh:write(at "cylinder.csv")
-columns = read_csv "cylinder.csv"
+columns, _, headers = read_csv "cylinder.csv"
+is(headers, "node,x [mm],y [mm]", "a mesh has units")
 is(#columns.node, mesh.nodes, "a mesh as CSV")
 local x, y = mesh:node(7)
 ok(columns.x[7] == x and columns.y[7] == y, "node by node")
-fails(function() mesh:write(at "mesh.stl") end, "ends in .vtk, .inp or .csv", "another ending")
+fails(function() mesh:write(at "mesh.stl") end, "ends in .vtk, .vtu, .inp or .csv", "another ending")
 fails(function() mesh:write() end, "expected a file name", "no name")
+
+-- decks: tests/verify/calculix.lua runs them
+is(export.inp(w.model, at "model"), at "model.inp", "a deck, the ending is added")
+local deck = read "model.inp"
+holds(deck, { "*NODE, NSET=cylinder", "*ELEMENT, TYPE=C3D8, ELSET=plate", "TYPE=C3D6", "*ELASTIC\n200000, 0.3",
+  "*CONTACT PAIR", "*CLOAD\nbase, 2, 100\n", "*CONTACT FILE" }, "of a model at the usual load")
+export.inp(contact{ model = w.model }, at "unworn.inp")
+is(read "unworn.inp", deck, "as of its contact")
+export.inp(w, at "run.inp")
+export.inp(c, at "c.inp")
+is(read "run.inp", read "c.inp", "a run is its contact")
+export.inp(c:stress(), at "stress.inp")
+is(read "stress.inp", read "c.inp", "and so is a stress")
+ok(read "run.inp" ~= deck, "worn")
+local soft = model{ plate = { E = 1000, nu = 0.48 }, mesh = { size = 0.04, height = 0.05 } }
+export.inp(contact{ model = soft, load = 1 }, at "soft.inp")
+holds(read "soft.inp", { "TYPE=C3D8, ELSET=cylinder", "TYPE=C3D8I, ELSET=plate" }, "elements as each body has them")
+fails(function() export.inp(hertz{}, at "h.inp") end, "export.inp: expected a run, a contact or a model", "of others")
+fails(function() export.inp(c, at "c.dat") end, "ends in .inp", "another ending")
+
+-- series: tests/cli/test_vtk reads them
+local add = export.pvd(w, at "series.pvd")
+add()
+local _, states = read "series.pvd":gsub("<DataSet", "")
+is(states, 2, "a state is there once")
+w:step()
+add(w)
+_, states = read "series.pvd":gsub("<DataSet", "")
+is(states, 4, "the next one joins")
+holds(read "series.pvd", { 'file="series-00001-plate.vtu"', 'timestep="' .. require "archard.files".number(w.distance) },
+  "files and distances")
+holds(read "series-00001-plate.vtu", { 'Name="wear_depth"', 'Name="pressure"', 'Name="mises"', 'Name="displacement"' },
+  "arrays")
+fails(function() export.pvd(c, at "c.pvd") end, "export.pvd: expected a wear object", "of a contact")
+fails(function() export.pvd(w, at "c.vtu") end, "ends in .pvd", "another ending")
+fails(function() export.pvd(w, at "c.pvd", { every = 0 }) end, "field 'every': expected a whole number >= 1", "never")
+fails(function() export.pvd(w, at "c.pvd", { each = 2 }) end, "unknown field 'each'", "an unknown field")
+ok(not io.open(at "c.pvd"), "nothing was written")
+fails(function() export.pvd(w, at "no/c.pvd") end, "cannot write", "no folder")
+
+-- summaries
+w = wear{ model = w.model, increments = 20 }
+w:step(3)
+is(export.json(w, at "w"), at "w.json", "a summary, the ending is added")
+local summary = read "w.json"
+holds(summary, { '"archard": "' .. require "archard".version .. '"', '"stroke": 0.11', '"definition.load": "N"', '"update": 3,',
+  '"definition.model.radius": "mm"', '"depth_plate": ' .. require "archard.files".number(w.depth.plate) }, "what it holds")
+local fresh = wear{ model = w.model, k = function() return 1e-8 end }
+export.json(fresh, at "fresh.json")
+holds(read "fresh.json", { '"depth_partition": null', '"k": "function"' }, "NaN is null, a function is named")
+fails(function() export.json(c, at "c.json") end, "export.json: expected a wear object", "of a contact")
+fails(function() export.json(w, at "w.txt") end, "ends in .json", "another ending")
+fails(function() export.json(w) end, "field 'path': expected a file name, got nil", "no path")
+if os.execute("command -v sqlite3 >/dev/null") then
+  local pipe = io.popen("sqlite3 :memory: \"select json_valid(readfile('" .. at "w.json" .. "')), json_valid(readfile('"
+    .. at "fresh.json" .. "'))\"")
+  is(pipe:read("a"), "1|1\n", "another program finds both valid")
+  pipe:close()
+else
+  tap.note("no sqlite3: not asked whether the JSON is valid")
+end
+local json = require "archard.export.json"
+is(json.encode{ 1, 0 / 0, { a = 'x"\n\1\xFF' } }, '[1, null, {\n  "a": "x\\"\\n\\u0001\xC3\xBF"\n}]\n', "odd values")
 
 os.execute("rm -r " .. folder)

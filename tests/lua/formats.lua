@@ -105,9 +105,11 @@ local function test_format(format)
   local run, direct = wear.open(copy(file "wear", "wear")), fresh.wear()
   direct:step(2)
   same(history_of(run), history_of(direct), of "a saved run")
-  local peak = run.p_peak
+  local peak, travel = run.p_peak, run.travel
   run:run()
   ok((format > 2 or peak ~= peak) and run.p_peak >= run.p_max, of "what was not recorded yet is no number, later on it is")
+  ok((format > 3 or travel ~= travel) and run.travel == 0.11 and run.history.load[#run.history.load] == 100,
+    of "load and travel are recorded from here on")
   direct:run()
   same(history_of(run), history_of(direct), of "which goes on")
   is(run:save(path "wear"), run, of "and takes its file's place")

@@ -271,7 +271,13 @@ near(w.total_distance, 88 + 300 * 0.22, 1e-12, "cycles count from the start of t
 w:set{ loading = { { x = { 0, 0.1, 0 }, load = 30, cycles = 50 }, { x = { 0, 0.2, 0 }, cycles = 40 } } }
 near(w.total_distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "a new loading begins at its start")
 is(w.load, 200, "the nominal load stays")
+near(w.stroke, 0.1, 1e-15, "the stroke is the way of the loading")
+holds(tostring(w), "loading of 2 blocks, now over 0.1 mm", "and print says so")
+w:step()
+is(w.travel .. " " .. w.history.load[#w.history.load], "0.1 30.0", "load and travel of the last update")
 w:run{ distance = 105 }
+is(w.travel .. " " .. w.history.load[#w.history.load], "0.2 200.0", "of the next block")
+is(w.history.load[1] .. " " .. w.history.travel[1], "100.0 0.11", "and of the first")
 local volume = w.volume.total
 w:set{ k = 2e-8 }
 w:run()

@@ -39,7 +39,7 @@ do
 end
 fails(function() return reused.cycle end, "closed", "to-be-closed variables close")
 fails(function() w.close(3) end, "close is called as object:close()", "close of a number")
-is(material{}.close, nil, "values need no closing")
+fails(function() return material{}.close end, "no field 'close'", "values need no closing")
 
 -- a user function that closes what is being used
 local doomed = model{ radius = 6.5 }

@@ -8,7 +8,7 @@ local steel = material{}
 is(steel.E, 200e3, "default E")
 is(steel.nu, 0.3, "default nu")
 near(steel.E_star, 200e3 / (1 - 0.09), 1e-15, "E_star")
-is(steel.colour, nil, "unknown field reads nil")
+fails(function() return steel.colour end, "material: no field 'colour'", "an unknown field is an error")
 fails(function() steel.E = 1 end, "field 'E' cannot be set", "materials are read-only")
 holds(tostring(material{ E = 1000, nu = 0.4 }), { "E 1000 MPa", "nu 0.4" }, "print(material)")
 
@@ -81,6 +81,41 @@ for body, mesh in pairs{ cylinder = m.mesh.cylinder, plate = m.mesh.plate } do
   ok(quality.smallest_angle > 5 and quality.largest_angle < 175, body .. ": angles")
   ok(quality.smallest_jacobian > 0, body .. ": Jacobians")
   holds(tostring(mesh), { body, "nodes", "degrees" }, body .. ": print(mesh)")
+end
+
+-- the worn mesh: the nodes where wear has moved them, as they were when it was asked for
+do
+  local w = wear{ k = 1e-7, jump = "auto", distance = 100 }
+  w:run()
+  local worn = w.mesh
+  for _, body in ipairs{ "cylinder", "plate" } do
+    local profile, unworn = w:profile(body), w.model.mesh[body]
+    local mesh, worst, moved = worn[body], 0, 0
+    for i, node in ipairs(mesh:surface()) do
+      local x, y = mesh:node(node)
+      worst = math.max(worst, math.abs(x - profile.worn_x[i]), math.abs(y - profile.y[i]))
+    end
+    ok(worst == 0, body .. ": surface nodes of the worn mesh are the profile's")
+    for i = 1, mesh.nodes do
+      local x, y = mesh:node(i)
+      local x0, y0 = unworn:node(i)
+      if x ~= x0 or y ~= y0 then moved = moved + 1 end
+    end
+    ok(moved > 0 and moved <= #mesh:box(), body .. ": and only those of the wear box have moved")
+    local now, before = mesh:quality().box, unworn:quality().box
+    ok(now.smallest_jacobian > 0.5 * before.smallest_jacobian
+      and now.smallest_jacobian < before.smallest_jacobian,
+      body .. ": elements of the worn wear box are thinner")
+    holds(tostring(mesh), { "worn mesh of the " .. body }, body .. ": print(worn mesh)")
+  end
+  local node = worn.plate:surface()[#worn.plate:surface() // 2]
+  local _, y = worn.plate:node(node)
+  w:run{ distance = 120 }
+  ok(select(2, worn.plate:node(node)) == y, "a worn mesh stays as it was")
+  ok(select(2, w.mesh.plate:node(node)) < y, "the run's next one has worn on")
+  w:close()
+  collectgarbage()
+  ok(worn.plate:quality().aspect > 1, "and outlives the run")
 end
 fails(function() m.mesh.plate:node(0) end, "expected a node number from 1 to", "node 0")
 fails(function() m.mesh.plate:node("a") end, "expected a node number", "node by name")

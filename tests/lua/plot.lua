@@ -161,6 +161,28 @@ do
   plot.default.term = "dump"
   refused(function() plot { line } end, "plot.default: field 'term'", "a wrong default")
   plot.default.term = nil
+  plot.default.sise = { 60, 12 }
+  refused(function() plot { line } end, "plot.default: unknown field 'sise' (did you mean 'size'?)", "an unknown one")
+  plot.default.sise = nil
+  plot.default.file_size = { 44, 11 }
+  local small = picture_of(function(file) plot { line, file = file } end)
+  local longest = 0
+  for row in small:gmatch("[^\n]+") do longest = math.max(longest, utf8.len(row)) end
+  ok(longest > 30 and longest <= 44, ("files have a default size of their own (%d columns)"):format(longest))
+  plot.default.file_size = nil
+end
+
+-- --- downwards --------------------------------------------------------------------------------------
+do
+  local function first_tick(options)
+    local text = picture_of(function(file)
+      plot { line, yrange = options[1], ydown = options[2], size = { 60, 14 }, file = file }
+    end)
+    return text:match("(%d+) +%+")
+  end
+  ok(first_tick{ { 0, 20 }, false } == "20", "the larger end of the range is above")
+  ok(first_tick{ { 0, 20 }, true } == "0", "ydown turns a range")
+  ok(first_tick{ { 20, 0 }, true } == "0", "whichever end it names first")
 end
 
 -- --- nothing is run -----------------------------------------------------------------------------

@@ -55,13 +55,35 @@ fails(function() w.step(material{}) end, { "expected a wear object", "material" 
 -- history
 local history = w.history
 is(#history.distance, 13, "a row a step, and one before")
-for _, name in ipairs{ "update", "cycle", "distance", "jump", "k", "alpha", "p_center", "p_max",
-  "p_peak", "half_width", "depth_cylinder", "error", "depth_plate", "volume_cylinder", "volume_plate", "depth_partition",
+for _, name in ipairs{ "update", "cycle", "distance", "jump", "k", "alpha", "load", "travel", "p_center", "p_max",
+  "p_peak", "half_width", "depth_cylinder", "error", "depth_plate", "volume_cylinder", "volume_plate", "load_distance", "depth_partition",
   "solutions" } do
   is(#history[name], 13, "history." .. name)
 end
 is(history.p_center[13], w.p_center, "its end is the state")
 is(history.distance[1], 0, "its beginning the start")
+
+-- Eq. (15): the volume of each body is its k times the integral of p ds dA, which is that of the load over the way,
+-- whatever the path, the steps and the procedure
+for name, case in pairs{ explicit = {}, by_half = { rule = "simple" },
+  implicit = { scheme = "implicit", tolerance = 1e-3 }, over_the_plate = { stroke = 20, increments = 10 },
+  increments = { update = "increment", geometry = "frozen" },
+  thick = { model = { thickness = 3 }, load = 300 },
+  loading = { distance = false, loading = { increments = 20, cycles = 40,
+    x = function(t) return 0.055 * math.sin(2 * math.pi * t) end,
+    load = function(t) return 100 + 50 * math.cos(2 * math.pi * t) end } },
+  once = { distance = false, k = 1e-6, loading = { x = { 0, 0.05, -0.05, 0.1 }, t = { 0, 0.3, 0.6, 1 }, load = 80,
+    increments = 20, periodic = false } } } do
+  local def = { k = 1e-8, alpha = 0.25, jump = 10, distance = 40 }
+  for key, value in pairs(case) do def[key] = value or nil end
+  local run = wear(def)
+  run:run()
+  local sum = run.load_distance
+  if not run.loading then near(sum / (run.load * run.distance), 1, 1e-12, name .. ": the load over the way") end
+  near(run.volume.cylinder / (0.25 * def.k * sum), 1, 1e-9, name .. ": volume of the cylinder over k_c times it")
+  near(run.volume.plate / (0.75 * def.k * sum), 1, 1e-9, name .. ": volume of the plate over k_p times it")
+  is(run.history.load_distance[#run.history.load_distance], sum, name .. ": in the history")
+end
 
 -- the largest pressure on the way: that of contacts along the stroke, on the shape before the update
 do
@@ -207,3 +229,18 @@ local wider = wear{ worn = start, stroke = 0.9 }
 ok(wider.model.mesh.zone.plate > start.model.mesh.zone.plate, "worn: a wider zone where it is needed")
 near(wider.p_center, start.p_center, 5e-3, "worn: and the shape goes along")
 fails(function() wear{ model = model{}, stroke = 3 } end, { "mesh.zone" }, "a given model too small")
+
+-- a step of a finished run says that there is none
+do
+  local warnings = require "archard.warnings"
+  local run = wear{ increments = 8, jump = 10, distance = 2.2 }
+  run:step()
+  warnings.keep()
+  warnings.take()
+  is(run:step(3).update, 1, "a step at the end of the distance")
+  holds(warnings.take(), { "wear:step: nothing to do", "its distance of 2.2 mm", "w:set{ distance" }, "says so")
+  run:set{ distance = 4.4 }
+  warnings.take()
+  is(run:step(3).update, 2, "fewer steps than asked for are made")
+  ok(not (warnings.take() or ""):find "nothing to do", "and are no news")
+end

@@ -299,21 +299,36 @@ static void test_implicit_steps(void **state) {
   check_run_survives(&def, step);
 }
 
-/* Writers: out of memory, or the file. */
-static void test_export(void **state) {
-  (void)state;
+static arc_status write_deck(const char *path) {
+  return arc_export_inp(path, contact, NULL);
+}
+
+static arc_status write_grid(const char *path) {
+  return arc_export_vtu(path, arc_model_mesh(model, ARC_PLATE), contact, 0, NULL);
+}
+
+/* Writers: out of memory, or the file. A factor may give up its room and take it again. */
+static void check_writer(arc_status (*writer)(const char *path)) {
   char path[64];
-  snprintf(path, sizeof path, "/tmp/archard-oom-%ld.inp", (long)getpid());
+  snprintf(path, sizeof path, "/tmp/archard-oom-%ld", (long)getpid());
+  assert_int_equal(writer(path), ARC_OK);
   const long before = live;
   arc_status status = ARC_MEMORY;
   for (long n = 0; status != ARC_OK; n++) {
+    remove(path);
     until_failure = n;
-    status = arc_export_inp(path, model, NULL);
+    status = writer(path);
     until_failure = -1;
     assert_true(status == ARC_OK || (status == ARC_MEMORY && access(path, F_OK) != 0));
-    assert_int_equal(live, before);
+    assert_true(live <= before);
   }
   assert_int_equal(remove(path), 0);
+}
+
+static void test_export(void **state) {
+  (void)state;
+  check_writer(write_deck);
+  check_writer(write_grid);
 }
 
 int main(void) {

@@ -69,3 +69,47 @@ for _, case in ipairs{ {}, { alpha = 0.25, stroke = 0.22 }, { alpha = 1 }, { alp
     end
   end
 end
+
+-- Measured profiles: points of a known scar, 20 um apart and off the nodes, put on meshes of 20 to 5 um. The scar
+-- itself, a function, is evaluated as it is; broken lines through the points give 2.4, 13 and 22 % too much pressure.
+local depth, reach = 2e-3, 0.25
+local function scar(x) return math.abs(x) < reach and depth * (1 - (x / reach) ^ 2) ^ 2 or 0 end
+local function points(spacing, offset)
+  local t = { x = {}, h = {} }
+  for i = -25, 25 do
+    t.x[#t.x + 1] = spacing * i + offset
+    t.h[#t.h + 1] = scar(t.x[#t.x])
+  end
+  return t
+end
+local function area(t)
+  local sum = 0
+  for i = 2, #t.x do sum = sum + (t.x[i] - t.x[i - 1]) * (t.h[i] + t.h[i - 1]) / 2 end
+  return sum
+end
+for _, size in ipairs{ 0.02, 0.01, 0.005 } do
+  local m = model{ mesh = mesh(size) }
+  for _, body in ipairs{ "cylinder", "plate" } do
+    local what = ("%g um, a scar measured every 20 um on the %s: "):format(1000 * size, body)
+    local given = points(0.02, 0.007)
+    local by_function = contact{ model = m, worn = { [body] = scar } }
+    local by_points = contact{ model = m, worn = { [body] = given } }
+    within(by_points.p_center, by_function.p_center, 0.01, what .. "centre pressure [MPa]")
+    local p, q, largest = by_points:pressure(), by_function:pressure(), 0
+    for i in ipairs(p.p) do largest = math.max(largest, math.abs(p.p[i] - q.p[i])) end
+    below(largest / q.p[#q.p // 2 + 1], 0.02, what .. "pressures differ by")
+    for _, geometry in ipairs{ "moving", "frozen" } do
+      local t = wear{ model = m, worn = { [body] = given }, k = 1e-12, geometry = geometry }:profile(body)
+      local least = math.huge
+      for _, h in ipairs(t.h) do least = math.min(least, h) end
+      within(area(t), area(given), 1e-12, what .. "area [mm2], " .. geometry)
+      ok(least >= 0, what .. "no depth below zero, " .. geometry)
+    end
+  end
+end
+local nodes = wear{ model = { mesh = mesh(0.02) } }:profile("plate")
+local at_nodes = { x = nodes.x, h = {} }
+for i, x in ipairs(nodes.x) do at_nodes.h[i] = scar(x) end
+local put, off = wear{ model = { mesh = mesh(0.02) }, worn = { plate = at_nodes } }:profile("plate"), 0
+for i, h in ipairs(put.h) do off = math.max(off, math.abs(h - at_nodes.h[i])) end
+below(off / depth, 1e-15, "points at the nodes stay what they are, off by a share of the depth of")

@@ -73,3 +73,41 @@ for _, alpha in ipairs{ 0.25, 0.5 } do
   within(w.depth.cylinder + w.depth.plate, one.depth.cylinder, 1e-3, "its sum of depths against alpha = 1 [mm]")
   within(w.p_center, one.p_center, 1e-3, "its centre pressure against alpha = 1 [MPa]")
 end
+
+-- An inclined plate is exact by rotation: the cylinder meets it beside its axis, pressed by L sqrt(1 + m2) along the
+-- normal, so that the largest pressure is Hertz' times (1 + m2)^(1/4). Forces along y would give (1 + m2)^(3/4):
+-- what normals change is of second order in the slope, -m2 / 2, and they are what is right.
+local function peak(c)
+  local p, sum, top, at = c:pressure("cylinder"), {}, 0, 0
+  for i, value in ipairs(p.p) do
+    if value > top then top, at = value, i end
+  end
+  for i = 0, 4 do sum[i], sum[5 + i] = 0, 0 end
+  for i, value in ipairs(p.p) do -- p^2 is a parabola: least squares over its upper part
+    local x, y = (p.x[i] - p.x[at]) / 0.05, (value / top) ^ 2
+    for power = 0, value > 0.6 * top and 4 or -1 do
+      sum[power], sum[5 + power] = sum[power] + x ^ power, sum[5 + power] + y * x ^ power
+    end
+  end
+  local s0, s1, s2, s3, s4 = table.unpack(sum, 0, 4)
+  local t0, t1, t2 = table.unpack(sum, 5, 7)
+  local det = s0 * (s2 * s4 - s3 * s3) - s1 * (s1 * s4 - s2 * s3) + s2 * (s1 * s3 - s2 * s2)
+  local a = (t0 * (s2 * s4 - s3 * s3) - s1 * (t1 * s4 - t2 * s3) + s2 * (t1 * s3 - t2 * s2)) / det
+  local b = (s0 * (t1 * s4 - t2 * s3) - t0 * (s1 * s4 - s2 * s3) + s2 * (s1 * t2 - s2 * t1)) / det
+  local q = (s0 * (s2 * t2 - s3 * t1) - s1 * (s1 * t2 - s2 * t1) + t0 * (s1 * s3 - s2 * s2)) / det
+  return top * math.sqrt(a - b * b / (4 * q))
+end
+
+local inclined = model{ radius = 2, mesh = { size = 0.01, height = 0.01, rows = 14, far = 0.3,
+  zone = { cylinder = 0.8, plate = 0.8 } } }
+for _, slope in ipairs{ 0.06, 0.12 } do
+  local sum, count = 0, 0
+  for load = 160, 240, 20 do
+    local function plane(x) return 0.06 + slope * x end
+    local c = contact{ model = inclined, load = load, worn = { plate = plane } }
+    sum = sum + peak(c) / hertz{ radius = 2, load = load }.p_max
+    count = count + 1
+  end
+  within(sum / count, (1 + slope * slope) ^ 0.25, 4e-4,
+    ("plate inclined by %g: largest pressure over Hertz', five loads"):format(slope))
+end

@@ -206,3 +206,7 @@ const double *arc_contact_slip(const arc_contact *c, int *count) {
 arc_model *arc_contact_model(const arc_contact *contact) {
   return contact->shape->model;
 }
+
+const arc_shape *arc_contact_shape(const arc_contact *contact) {
+  return contact->shape;
+}

@@ -38,14 +38,30 @@ void arc_field_destroy(arc_field **field) {
   *field = NULL;
 }
 
+/* Tractions at the surface nodes, the normal ones next to smooth edges as they are at the points.
+ */
+static void read_tractions(const arc_contact *c, arc_body body, const surface_traction *on) {
+  const double sign = body == ARC_CYLINDER ? 1 : -1;
+  double *normal = on->normal;
+  for (int i = 0; i < c->count[body] && c->rubs; i++) on->tangential[i] = sign * c->q[body][i];
+  memcpy(normal, c->p[body], (size_t)c->count[body] * sizeof *normal);
+  for (int right = 0; right < 2; right++) {
+    const contact_edge edge = arc_pose_edge(&c->pose, c->shape, right);
+    arc_edge_sharpen(&edge, c->count[body], c->x[body], normal);
+  }
+}
+
 static arc_status recover(const arc_contact *c, arc_body body, const double *xy, const double *u,
                           arc_field *field) {
-  double *stress = malloc(3 * (size_t)field->nodes * sizeof *stress);
-  arc_status status = stress ? ARC_OK : ARC_MEMORY;
-  const arc_tractions on = {c->p[body], c->rubs ? c->q[body] : NULL, body == ARC_CYLINDER ? 1 : -1};
-  if (status == ARC_OK)
-    status = arc_recover_stresses(c->shape->side[body].body, xy, u, &on, stress);
-  for (int n = 0; n < field->nodes && status == ARC_OK; n++) {
+  const size_t nodes = (size_t)field->nodes;
+  double *stress = malloc((3 * nodes + 2 * (size_t)c->count[body]) * sizeof *stress);
+  if (!stress) return ARC_MEMORY;
+  surface_traction traction = {.normal = stress + 3 * nodes, .load = c->p[body]};
+  if (c->rubs) traction.tangential = traction.normal + c->count[body];
+  read_tractions(c, body, &traction);
+  const arc_status status =
+      arc_recover_stresses(c->shape->side[body].body, xy, u, &traction, stress);
+  for (size_t n = 0; n < nodes && status == ARC_OK; n++) {
     field->sxx[n] = stress[3 * n];
     field->syy[n] = stress[3 * n + 1];
     field->sxy[n] = stress[3 * n + 2];

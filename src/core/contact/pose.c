@@ -197,30 +197,3 @@ void arc_pose_tangential(const pose *p, const arc_shape *shape, arc_body body, d
   arc_dense_multiply(c->n, 1, c->n, 1, c->xx, c->n, force, c->n, 0, u, c->n);
   arc_dense_multiply(c->n, 1, c->n, 1, c->xy, c->n, force + c->n, c->n, 1, u, c->n);
 }
-
-/* Between the last node in contact (pressure q at distance 0) and the next one (gap g at distance
- * h) lies the edge, at e from the first: near the edge of a smooth contact q = c sqrt(e) and g = 4
- * c (h - e)^(3/2) / (3 E*). Solves for e. */
-static double edge_offset(double q, double g, double h, double E_star) {
-  double low = 0, high = h;
-  for (int i = 0; i < 60; i++) {
-    const double e = (low + high) / 2;
-    if (4 * q * pow(h - e, 1.5) > 3 * E_star * g * sqrt(e))
-      low = e;
-    else
-      high = e;
-  }
-  return (low + high) / 2;
-}
-
-void arc_pose_edges(const pose *p, const arc_shape *shape, double edges[2]) {
-  const double E_star = arc_contact_modulus(arc_model_definition(shape->model)->material);
-  const double *cyl = shape->side[ARC_CYLINDER].xy;
-  for (int side = 0; side < 2; side++) {
-    const int direction = side ? 1 : -1;
-    const int k = side ? p->set[p->active - 1] : p->set[0], node = p->lo + k;
-    const double x = cyl[2 * node], h = fabs(cyl[2 * (node + direction)] - x);
-    edges[side] =
-        x + direction * edge_offset(p->f[k] / p->wc[node], p->open[k + direction], h, E_star);
-  }
-}

@@ -93,9 +93,20 @@ void arc_pose_tangential(const pose *p, const arc_shape *shape, arc_body body, d
 void arc_pose_to_cylinder(const pose *p, const double *v, double *result);
 /* result [np] := B' v; v by cylinder node [nc]. */
 void arc_pose_to_plate(const pose *p, const double *v, double *result);
-/* Contact edges [mm], interpolated between nodes with the square-root law of smooth contacts.
- */
+/* One end of the contact (edge.c). */
+typedef struct contact_edge {
+  double x;      /* [mm] in the cylinder's frame */
+  double width;  /* [mm] of the element it lies in */
+  double smooth; /* 1: the surfaces meet smoothly there, as Hertz' do; 0: at a kink */
+  int out;       /* 1: the right end, -1: the left one */
+} contact_edge;
+contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right);
+/* Contact edges [mm], left and right. */
 void arc_pose_edges(const pose *p, const arc_shape *shape, double edges[2]);
+/* Nodal pressures p [n] [MPa] at x [n] (the cylinder's frame) become those at the points: within an
+ * element of a smooth edge and beyond it the square-root law replaces them, with what the nodes
+ * farther inside tell. Forces are no longer kept. */
+void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double *p);
 
 /* The complementarity problem (lcp.c): finds p's set, factor, ones, f, approach for a load
  * per thickness [N/mm], from the set as a warm start. */

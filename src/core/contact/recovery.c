@@ -113,12 +113,12 @@ static void sample_elements(recovery *r) {
 /* The boundary as a closed polygon; edge k runs from node k to the next one. */
 typedef struct boundary {
   int count;
-  double *p;      /* [count] pressure at the nodes [MPa] */
-  double *q;      /* [count] shear on the body along +x [MPa] */
+  double *p, *q;  /* [count] traction at the nodes: pressure, shear along the boundary [MPa] */
+  double *load;   /* [count] pressure that the nodes have answered to */
   double *bend;   /* [count] second difference of the pressure */
   double *length; /* [count] of the edges [mm] */
   double *rest;   /* [count] stress along the edge, but for what its own pressure does there */
-  double *work;   /* [3 * nodes] */
+  double *work;   /* [4 * nodes] */
 } boundary;
 
 static int next_of(const boundary *o, int k) {
@@ -141,8 +141,9 @@ static void split_edges(const recovery *r, boundary *o) {
     const double dx = b[0] - a[0], dy = b[1] - a[1];
     const double strain = ((ub[0] - ua[0]) * dx + (ub[1] - ua[1]) * dy) / (dx * dx + dy * dy);
     o->length[k] = hypot(dx, dy);
-    o->rest[k] = modulus * strain + (1 - 2 * nu) / (1 - nu) * (o->p[k] + o->p[next_of(o, k)]) / 2;
-    o->bend[k] = o->p[next_of(o, k)] - 2 * o->p[k] + o->p[last_of(o, k)];
+    o->rest[k] =
+        modulus * strain + (1 - 2 * nu) / (1 - nu) * (o->load[k] + o->load[next_of(o, k)]) / 2;
+    o->bend[k] = o->load[next_of(o, k)] - 2 * o->load[k] + o->load[last_of(o, k)];
   }
 }
 
@@ -157,7 +158,7 @@ static void sharpen(boundary *o) {
   double across = 0, square = 0;
   for (int k = 0; k < o->count; k++) {
     const int a = last_of(o, k), b = next_of(o, k);
-    if (o->p[k] == 0 && o->p[b] == 0 && o->p[a] == 0) continue;
+    if (o->load[k] == 0 && o->load[b] == 0 && o->load[a] == 0) continue;
     const double rough = o->rest[a] - 2 * o->rest[k] + o->rest[b];
     const double source = mean_bend(o, a) - 2 * mean_bend(o, k) + mean_bend(o, b);
     across += rough * source;
@@ -183,36 +184,49 @@ static void sample_boundary_node(recovery *r, const boundary *o, int k) {
   const double length = hypot(t[0], t[1]), tx = t[0] / length, ty = t[1] / length;
   const double along = (o->rest[before] * lb + o->rest[k] * la) / (la + lb) - o->p[k];
   const int s = r->mesh->elements + at;
-  const double shear = tx > 0 ? o->q[k] : -o->q[k]; /* along the boundary */
   r->place[2 * s] = x[0];
   r->place[2 * s + 1] = x[1];
-  r->value[3 * s] = along * tx * tx - o->p[k] * ty * ty + 2 * shear * tx * ty;
-  r->value[3 * s + 1] = along * ty * ty - o->p[k] * tx * tx - 2 * shear * tx * ty;
-  r->value[3 * s + 2] = (along + o->p[k]) * tx * ty + shear * (ty * ty - tx * tx);
+  r->value[3 * s] = along * tx * tx - o->p[k] * ty * ty + 2 * o->q[k] * tx * ty;
+  r->value[3 * s + 1] = along * ty * ty - o->p[k] * tx * tx - 2 * o->q[k] * tx * ty;
+  r->value[3 * s + 2] = (along + o->p[k]) * tx * ty + o->q[k] * (ty * ty - tx * tx);
   r->known[s] = 1;
 }
 
-static void sample_boundary(recovery *r, boundary *o, const arc_tractions *on) {
+/* The boundary is passed with the body on the left: at the cylinder's surface along x, at the
+ * plate's against it. */
+static void read_tractions(const arc_mesh *m, const surface_traction *traction, boundary *o) {
+  double *normal = o->work, *shear = normal + m->nodes, *load = shear + m->nodes;
+  const double sign = m->body == ARC_CYLINDER ? 1 : -1;
+  for (int i = 0; i < m->surface; i++) {
+    normal[m->surface_node[i]] = traction->normal[i];
+    load[m->surface_node[i]] = traction->load[i];
+    if (traction->tangential) shear[m->surface_node[i]] = sign * traction->tangential[i];
+  }
+  for (int k = 0; k < o->count; k++) {
+    o->p[k] = normal[m->outline_node[k]];
+    o->q[k] = shear[m->outline_node[k]];
+    o->load[k] = load[m->outline_node[k]];
+  }
+}
+
+static void sample_boundary(recovery *r, boundary *o, const surface_traction *traction) {
   const arc_mesh *m = r->mesh;
-  double *pressure = o->work, *fixed = pressure + m->nodes, *shear = fixed + m->nodes;
-  for (int i = 0; i < m->surface; i++) pressure[m->surface_node[i]] = on->p[i];
-  for (int i = 0; i < m->surface && on->q; i++) shear[m->surface_node[i]] = on->sign * on->q[i];
-  for (int k = 0; k < o->count; k++) o->q[k] = shear[m->outline_node[k]];
+  double *fixed = o->work + 3 * (size_t)m->nodes;
   for (int k = 0; k < m->fixed; k++) fixed[m->fixed_node[k]] = 1;
-  for (int k = 0; k < o->count; k++) o->p[k] = pressure[m->outline_node[k]];
+  read_tractions(m, traction, o);
   split_edges(r, o);
   sharpen(o);
   for (int k = 0; k < o->count; k++)
     if (fixed[m->outline_node[k]] == 0) sample_boundary_node(r, o, k);
 }
 
-static arc_status make_boundary(recovery *r, const arc_tractions *on) {
+static arc_status make_boundary(recovery *r, const surface_traction *traction) {
   const size_t n = (size_t)r->mesh->outline, nodes = (size_t)r->mesh->nodes;
-  double *block = calloc(5 * n + 3 * nodes, sizeof *block);
+  double *block = calloc(6 * n + 4 * nodes, sizeof *block);
   if (!block) return ARC_MEMORY;
-  boundary o = {(int)n,        block,         block + n,    block + 2 * n,
-                block + 3 * n, block + 4 * n, block + 5 * n};
-  sample_boundary(r, &o, on);
+  boundary o = {(int)n,        block,         block + n,     block + 2 * n,
+                block + 3 * n, block + 4 * n, block + 5 * n, block + 6 * n};
+  sample_boundary(r, &o, traction);
   free(block);
   return ARC_OK;
 }
@@ -293,13 +307,13 @@ static void fit_node(recovery *r, int node, double stress[3]) {
 }
 
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
-                                const arc_tractions *on, double *stress) {
+                                const surface_traction *traction, double *stress) {
   recovery r;
   arc_status status = recovery_create(body, xy, u, &r);
   if (status != ARC_OK) return status;
   list_elements_around(&r);
   sample_elements(&r);
-  status = make_boundary(&r, on);
+  status = make_boundary(&r, traction);
   for (int n = 0; n < body->mesh->nodes && status == ARC_OK; n++) {
     const int own = body->mesh->elements + n;
     if (r.known[own])

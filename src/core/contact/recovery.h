@@ -4,18 +4,19 @@
 
 #include "core/elastic/body.h"
 
-/* What acts on the candidate surface, by its nodes. */
-typedef struct arc_tractions {
-  const double *p; /* pressures [MPa] */
-  const double *q; /* shear along the surface [MPa], or NULL */
-  double sign;     /* 1 where q acts on this body along +x, -1 along -x */
-} arc_tractions;
+/* What acts on the candidate surface of a body [MPa]; on the rest of the boundary nothing does, but
+ * where it is fixed. */
+typedef struct surface_traction {
+  double *normal;     /* [surface] pressure */
+  double *load;       /* [surface] nodal forces over tributary widths: the pressure that the nodes
+                         have answered to */
+  double *tangential; /* [surface] along the surface, towards larger x; NULL: none */
+} surface_traction;
 
 /* Stresses [3 * nodes] (xx, yy, xy, [MPa]) with nodes at xy and displacements u [2 * nodes] under
- * tractions on the candidate surface; the rest of the boundary is free or fixed. On
- * the boundary they fulfil the tractions, inside they are fitted to the elements' centres; of
- * second order in the element size both. ARC_MEMORY. */
+ * a traction. On the boundary they fulfil the tractions, inside they are fitted to the elements'
+ * centres; of second order in the element size both. ARC_MEMORY. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
-                                const arc_tractions *on, double *stress);
+                                const surface_traction *traction, double *stress);
 
 #endif

@@ -1,4 +1,5 @@
-/* Worn surfaces taken over to another mesh of the same bodies. Leans on shape.c.
+/* Worn surfaces taken over to another mesh of the same bodies, and measured profiles put on one.
+ * Leans on shape.c.
  *
  * Pressures answer to curvature, so that the ways of the nodes are interpolated by cubic splines
  * with two continuous derivatives, one for each scar: its edge is a kink, where the spline of the
@@ -178,7 +179,7 @@ static void stand_upright(const shape_side *side, track *t) {
   memset(t->value[WAY_X], 0, (size_t)t->n * sizeof(double));
 }
 
-/* Whether the whole scar lies on the side; else part of it is left out, and so are its areas. */
+/* Whether the whole scar lies on the side; else part of it is left out, and so is its area. */
 static int covers(const shape_side *side, const track *from) {
   for (int i = 0; i < from->n; i++)
     if (is_worn(from, i) && (from->x[i] < side->x0[0] || from->x[i] > side->x0[side->n - 1]))
@@ -217,4 +218,37 @@ arc_status arc_shape_remap(const arc_shape *from, arc_shape *to, arc_error *erro
     free(t.x);
   }
   return status;
+}
+
+/* --- measured profiles ------------------------------------------------------------------------ */
+
+/* The area under the broken line through (x, h) [n] [mm2]. */
+static double area_of(const double *x, const double *h, size_t n) {
+  double area = 0;
+  for (size_t i = 1; i < n; i++) area += (x[i] - x[i - 1]) * (h[i] + h[i - 1]) / 2;
+  return area;
+}
+
+arc_status arc_shape_sample(const arc_shape *shape, arc_body body, arc_depths measured,
+                            double *depth, arc_error *error) {
+  const shape_side *side = &shape->side[body];
+  const size_t n = (size_t)side->n;
+  track t;
+  if (track_create(&t, (int)measured.count) != ARC_OK)
+    return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
+  memcpy(t.x, measured.x, measured.count * sizeof *t.x);
+  memcpy(t.value[DEPTH], measured.h, measured.count * sizeof *t.x);
+  bend(&t);
+  for (size_t i = 0; i < n; i++) {
+    double value[QUANTITIES];
+    track_at(&t, side->x0[i], value);
+    depth[i] = value[DEPTH];
+  }
+  const double wanted = area_of(t.x, t.value[DEPTH], measured.count);
+  const double taken = area_of(side->x0, depth, n);
+  const int whole = measured.h[0] == 0 && measured.h[measured.count - 1] == 0;
+  if (taken > 0 && whole && covers(side, &t))
+    for (size_t i = 0; i < n; i++) depth[i] *= wanted / taken;
+  free(t.x);
+  return ARC_OK;
 }

@@ -1,38 +1,70 @@
-/* Abaqus and CalculiX input deck: both bodies as one mesh with sets, surfaces and materials. The
- * plate's nodes and elements follow the cylinder's; numbers start at 1. */
+/* Input decks: one mesh with its sets for a preprocessor, and the whole problem of a contact, which
+ * CalculiX runs as it is. The plate's nodes and elements follow the cylinder's; numbers start at 1.
+ *
+ * The whole problem is a slab one element thick, held along z on both faces: plane strain in the
+ * formulation of the model. CalculiX makes such slabs of its own plane elements, and has none of
+ * these with incompatible modes. */
 #include "core/export/file.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 typedef struct numbering {
   int node, element; /* added to 0-based numbers */
+  int layer;         /* added to nodes of one face of the slab for those of the other; 0: plane */
 } numbering;
 
-static void write_mesh(FILE *out, const arc_mesh *m, numbering at, const char *name) {
-  fprintf(out, "*NODE, NSET=%s\n", name);
-  for (int n = 0; n < m->nodes; n++)
-    fprintf(out, "%d, %s, %s, 0\n", n + at.node, arc_number_to_text(m->xy[2 * n]).text,
-            arc_number_to_text(m->xy[2 * n + 1]).text);
+/* --- numbers ---------------------------------------------------------------------------------- */
+
+/* CalculiX reads 20 characters of a number: what follows is lost, an exponent too. 13 digits fit
+ * with sign, point and any exponent. */
+enum { DECK_WIDTH = 20 };
+
+static arc_number_text number(double value) {
+  arc_number_text result = arc_number_to_text(value);
+  for (int digits = 16; strlen(result.text) > DECK_WIDTH; digits--)
+    snprintf(result.text, sizeof result.text, "%.*g", digits, value);
+  return result;
+}
+
+/* --- one body --------------------------------------------------------------------------------- */
+
+static void write_nodes(FILE *out, int count, const double *xy, double shift, double z, int first) {
+  for (int n = 0; n < count; n++)
+    fprintf(out, "%d, %s, %s, %s\n", n + first, number(xy[2 * n] + shift).text,
+            number(xy[2 * n + 1]).text, number(z).text);
+}
+
+static const char *element_type(const arc_mesh *m, int corners, int solid) {
+  if (corners == 3) return solid ? "C3D6" : "CPE3";
+  if (m->def.element == ARC_CPE4I) return solid ? "C3D8I" : "CPE4I";
+  return solid ? "C3D8" : "CPE4";
+}
+
+static void write_elements(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   for (int corners = 4; corners >= 3; corners--) {
-    const char *type = corners == 3 ? "CPE3" : m->def.element == ARC_CPE4I ? "CPE4I" : "CPE4";
-    fprintf(out, "*ELEMENT, TYPE=%s, ELSET=%s\n", type, name);
+    fprintf(out, "*ELEMENT, TYPE=%s, ELSET=%s\n", element_type(m, corners, at.layer), name);
     for (int e = 0; e < m->elements; e++) {
       const int *c = &m->element[4 * e];
       if ((c[3] < 0 ? 3 : 4) != corners) continue;
       fprintf(out, "%d", e + at.element);
       for (int k = 0; k < corners; k++) fprintf(out, ", %d", c[k] + at.node);
+      for (int k = 0; k < corners && at.layer; k++) fprintf(out, ", %d", c[k] + at.node + at.layer);
       fputc('\n', out);
     }
   }
 }
 
-static void write_set(FILE *out, const char *kind, const char *body, const char *name,
-                      const int *list, int count, int offset) {
-  fprintf(out, "*%s=%s-%s\n", kind, body, name);
-  for (int k = 0; k < count; k++)
-    fprintf(out, "%d%s", list[k] + offset, k % 12 == 11 || k + 1 == count ? "\n" : ", ");
+static void write_set(FILE *out, const char *body, const char *name, const int *list, int count,
+                      numbering at) {
+  fprintf(out, "*NSET, NSET=%s-%s\n", body, name);
+  for (int layer = 0; layer <= at.layer; layer += at.layer ? at.layer : 1)
+    for (int k = 0; k < count; k++)
+      fprintf(out, "%d%s", list[k] + at.node + layer, k % 12 == 11 || k + 1 == count ? "\n" : ", ");
 }
 
 /* The face of each top element of the wear box that lies on the surface: the one between surface
- * nodes. */
+ * nodes. A solid's first two faces are those of the slab. */
 static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   fprintf(out, "*SURFACE, NAME=%s-contact, TYPE=ELEMENT\n", name);
   for (int column = 0; column + 1 < m->surface; column++) {
@@ -41,25 +73,17 @@ static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char
     for (int k = 0; k < 4; k++) {
       const int p = c[k], q = c[(k + 1) % 4];
       if ((p == a && q == b) || (p == b && q == a))
-        fprintf(out, "%d, S%d\n", e + at.element, k + 1);
+        fprintf(out, "%d, S%d\n", e + at.element, k + (at.layer ? 3 : 1));
     }
   }
 }
 
-static void write_section(FILE *out, const arc_model_def *def, arc_body body, const char *name) {
-  const arc_material m = def->material[body];
-  fprintf(out, "*MATERIAL, NAME=%s\n*ELASTIC\n%s, %s\n", name, arc_number_to_text(m.E).text,
-          arc_number_to_text(m.nu).text);
-  fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n%s\n", name, name,
-          arc_number_to_text(def->thickness).text);
-}
-
-/* Everything of one body but its material. */
+/* Elements and sets. */
 static void write_body(FILE *out, const arc_mesh *m, numbering at) {
   const char *name = arc_body_name(m->body);
-  write_mesh(out, m, at, name);
-  write_set(out, "NSET, NSET", name, "surface", m->surface_node, m->surface, at.node);
-  write_set(out, "NSET, NSET", name, "fixed", m->fixed_node, m->fixed, at.node);
+  write_elements(out, m, at, name);
+  write_set(out, name, "surface", m->surface_node, m->surface, at);
+  write_set(out, name, "fixed", m->fixed_node, m->fixed, at);
   fprintf(out, "*ELSET, ELSET=%s-wear-box, GENERATE\n%d, %d, 1\n", name, at.element,
           at.element + m->box_elements - 1);
   write_surface(out, m, at, name);
@@ -69,22 +93,122 @@ arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error
   output_file file;
   const arc_status status = arc_output_open(&file, path, error);
   if (status != ARC_OK) return status;
-  fprintf(file.stream, "*HEADING\narchard: %s, units mm\n", arc_body_name(mesh->body));
-  write_body(file.stream, mesh, (numbering){1, 1});
+  const char *name = arc_body_name(mesh->body);
+  fprintf(file.stream, "*HEADING\narchard: %s, units mm\n*NODE, NSET=%s\n", name, name);
+  write_nodes(file.stream, mesh->nodes, mesh->xy, 0, 0, 1);
+  write_body(file.stream, mesh, (numbering){1, 1, 0});
   return arc_output_close(&file, error);
 }
 
-arc_status arc_export_inp(const char *path, const arc_model *model, arc_error *error) {
-  output_file file;
-  const arc_status status = arc_output_open(&file, path, error);
-  if (status != ARC_OK) return status;
-  fprintf(file.stream, "*HEADING\narchard: half cylinder on a plate, units mm, N, MPa\n");
-  numbering at = {1, 1};
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const arc_mesh *m = arc_model_mesh(model, (arc_body)b);
-    write_body(file.stream, m, at);
-    write_section(file.stream, arc_model_definition(model), (arc_body)b, arc_body_name(m->body));
-    at = (numbering){at.node + m->nodes, at.element + m->elements};
+/* --- the whole problem ------------------------------------------------------------------------ */
+
+typedef struct deck {
+  FILE *out;
+  const arc_contact *contact;
+  arc_model *model;
+  const arc_model_def *def;
+  double *xy; /* room for the nodes of either body */
+  int nodes;  /* of one face of the slab */
+} deck;
+
+static const arc_mesh *mesh_of(const deck *d, int body) {
+  return arc_model_mesh(d->model, (arc_body)body);
+}
+
+/* The node that stands for the rigid base of the plate, after all others. */
+static int base_node(const deck *d) {
+  return 2 * d->nodes + 1;
+}
+
+static void write_heading(const deck *d) {
+  const arc_contact_def *def = arc_contact_definition(d->contact);
+  fprintf(d->out, "*HEADING\narchard: half cylinder on a plate, units mm, N, MPa\n");
+  fprintf(d->out, "** load %s N, plate at x = %s mm; a slab held along z: plane strain\n",
+          number(def->load).text, number(def->x).text);
+}
+
+static void write_solid(const deck *d, int body, numbering at) {
+  const arc_mesh *m = mesh_of(d, body);
+  const char *name = arc_body_name(m->body);
+  const arc_material material = d->def->material[body];
+  const double shift = body == ARC_PLATE ? arc_contact_definition(d->contact)->x : 0;
+  arc_shape_nodes(arc_contact_shape(d->contact), m->body, d->xy);
+  fprintf(d->out, "*NODE, NSET=%s\n", name);
+  write_nodes(d->out, m->nodes, d->xy, shift, 0, at.node);
+  write_nodes(d->out, m->nodes, d->xy, shift, d->def->thickness, at.node + at.layer);
+  write_body(d->out, m, at);
+  fprintf(d->out, "*MATERIAL, NAME=%s\n*ELASTIC\n%s, %s\n", name, number(material.E).text,
+          number(material.nu).text);
+  fprintf(d->out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n", name, name);
+}
+
+/* The plate's base goes up and down as one. */
+static void write_base(const deck *d) {
+  const arc_mesh *m = mesh_of(d, ARC_PLATE);
+  const int first = mesh_of(d, ARC_CYLINDER)->nodes + 1;
+  fprintf(d->out, "*NODE, NSET=base\n%d, 0, %s, 0\n", base_node(d), number(-d->def->radius).text);
+  for (int k = 0; k < 2 * m->fixed; k++)
+    fprintf(d->out, "*EQUATION\n2\n%d, 2, 1, %d, 2, -1\n",
+            m->fixed_node[k / 2] + first + k % 2 * d->nodes, base_node(d));
+}
+
+/* A penalty that lets the bodies overlap by a small part of the gap at the contact's edge, however
+ * fine the elements. */
+static double penalty(const deck *d) {
+  return 20 * arc_contact_modulus(d->def->material) / d->def->mesh.size;
+}
+
+static void write_contact(const deck *d) {
+  fprintf(d->out, "*SURFACE INTERACTION, NAME=frictionless\n");
+  fprintf(d->out, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n%s\n", number(penalty(d)).text);
+  fprintf(d->out, "*CONTACT PAIR, INTERACTION=frictionless, TYPE=SURFACE TO SURFACE\n"
+                  "plate-contact, cylinder-contact\n");
+}
+
+static void write_supports(FILE *out) {
+  fprintf(out, "cylinder, 3, 3\nplate, 3, 3\ncylinder-fixed, 1, 2\nplate-fixed, 1, 1\n");
+}
+
+/* A load alone would find nothing to press against: the bodies are brought together first, by the
+ * approach that belongs to the load. */
+static void write_steps(const deck *d) {
+  fprintf(d->out, "*STEP, INC=200\n*STATIC\n1, 1\n*BOUNDARY\n");
+  write_supports(d->out);
+  fprintf(d->out, "base, 2, 2, %s\n*END STEP\n", number(arc_contact_get(d->contact).approach).text);
+  fprintf(d->out, "*STEP, INC=200\n*STATIC\n1, 1\n*BOUNDARY, OP=NEW\n");
+  write_supports(d->out);
+  fprintf(d->out, "*CLOAD\nbase, 2, %s\n", number(arc_contact_definition(d->contact)->load).text);
+  fprintf(d->out, "*NODE FILE\nU\n*EL FILE\nS\n*CONTACT FILE\nCDIS, CSTR\n"
+                  "*NODE PRINT, NSET=base\nU\n"
+                  "*NODE PRINT, NSET=cylinder-fixed, TOTALS=ONLY\nRF\n*END STEP\n");
+}
+
+static void write_deck(const deck *d) {
+  numbering at = {1, 1, d->nodes};
+  write_heading(d);
+  for (int body = 0; body < ARC_BODIES; body++) {
+    write_solid(d, body, at);
+    at.node += mesh_of(d, body)->nodes;
+    at.element += mesh_of(d, body)->elements;
   }
-  return arc_output_close(&file, error);
+  write_base(d);
+  write_contact(d);
+  write_steps(d);
+}
+
+arc_status arc_export_inp(const char *path, const arc_contact *contact, arc_error *error) {
+  deck d = {.contact = contact, .model = arc_contact_model(contact)};
+  d.def = arc_model_definition(d.model);
+  for (int body = 0; body < ARC_BODIES; body++) d.nodes += mesh_of(&d, body)->nodes;
+  d.xy = malloc(2 * (size_t)d.nodes * sizeof *d.xy);
+  if (!d.xy) return arc_fail(error, ARC_MEMORY, "out of memory for writing %s", path);
+  output_file file;
+  arc_status status = arc_output_open(&file, path, error);
+  if (status == ARC_OK) {
+    d.out = file.stream;
+    write_deck(&d);
+    status = arc_output_close(&file, error);
+  }
+  free(d.xy);
+  return status;
 }

@@ -35,9 +35,16 @@ static void add_element(arc_quality *worst, const double *xy, const int *element
   if (corners == 4) worst->jacobian_ratio = fmin(worst->jacobian_ratio, least / most);
 }
 
-arc_quality arc_mesh_quality(const arc_mesh *mesh, const double *xy) {
+static arc_quality quality_of(const arc_mesh *mesh, const double *xy, int elements) {
   arc_quality worst = {.smallest_angle = 180, .jacobian_ratio = 1, .smallest_jacobian = INFINITY};
-  for (int e = 0; e < mesh->elements; e++)
-    add_element(&worst, xy ? xy : mesh->xy, &mesh->element[4 * e]);
+  for (int e = 0; e < elements; e++) add_element(&worst, xy ? xy : mesh->xy, &mesh->element[4 * e]);
   return worst;
+}
+
+arc_quality arc_mesh_quality(const arc_mesh *mesh, const double *xy) {
+  return quality_of(mesh, xy, mesh->elements);
+}
+
+arc_quality arc_mesh_box_quality(const arc_mesh *mesh, const double *xy) {
+  return quality_of(mesh, xy, mesh->box_elements);
 }

@@ -31,6 +31,7 @@ arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double s
   arc_wear_record state = *arc_wear_last(w);
   state.distance += share * (plan->end - state.distance);
   state.cycle += share * plan->cycles;
+  arc_wear_note_motion(w, plan->block, plan->first, &state);
   if (!rate) return state;
   wear_depths *depth = &w->work.depth;
   double *deepest[ARC_BODIES] = {&state.depth_cylinder, &state.depth_plate};

@@ -48,9 +48,14 @@ static void find_poses(wear_block *b) {
 }
 
 static void finish(wear_block *b, const arc_wear_def *def, arc_procedure procedure) {
-  double once = 0;
-  for (int i = 1; i < b->count; i++) once += fabs(b->x[i] - b->x[i - 1]);
+  double once = 0, low = b->x[0], high = b->x[0];
+  for (int i = 1; i < b->count; i++) {
+    once += fabs(b->x[i] - b->x[i - 1]);
+    low = fmin(low, b->x[i]);
+    high = fmax(high, b->x[i]);
+  }
   b->sliding = b->repeat * once;
+  b->travel = high - low;
   if (procedure == ARC_NSP || def->slide == ARC_SLIDE_Z)
     one_pose(b);
   else
@@ -86,6 +91,8 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   finish(b, def, procedure);
   /* r s to the bit, whatever the increments add up to */
   b->sliding = (over ? 1 : 2) * def->stroke;
+  b->travel = def->stroke;
+  b->load = def->load;
   return ARC_OK;
 }
 
@@ -119,6 +126,7 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model,
       b->line[at] = (left * from->load[i - 1] + right * from->load[i]) / model->thickness;
     }
   }
+  for (int i = 0; i < from->count; i++) b->load = fmax(b->load, from->load[i]);
   b->periodic = from->periodic;
   b->cycles = from->cycles;
   finish(b, def, arc_wear_choose_procedure(def, model));

@@ -15,6 +15,7 @@ typedef struct wear_block {
   int *place;     /* [count] which pose a point belongs to */
   int poses;
   int periodic;
+  double load, travel;                /* largest [N]; from one end of the way to the other [mm] */
   double repeat;                      /* 2 where a half cycle stands for a whole one, else 1 */
   double sliding;                     /* travelled distance of a cycle [mm] */
   double cycles;                      /* how often, may be INFINITY for the last */

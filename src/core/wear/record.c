@@ -2,6 +2,7 @@
 #include "core/wear/run.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 
 double arc_wear_record_get(const arc_wear_record *record, int column) {
@@ -23,6 +24,16 @@ const char *arc_wear_column_name(int column) {
 #undef COLUMN_NAME
   assert(0 <= column && column < ARC_WEAR_COLUMN_COUNT);
   return names[column];
+}
+
+void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
+                          arc_wear_record *record) {
+  const double *x = &block->x[first], *line = &block->line[first];
+  record->load = block->load;
+  record->travel = block->travel;
+  if (block->periodic) return;
+  record->load = fmax(line[0], line[1]) * arc_model_definition(w->model)->thickness;
+  record->travel = fabs(x[1] - x[0]);
 }
 
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error) {

@@ -41,6 +41,7 @@ static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_
   arc_wear_record *record = &out->record;
   *record = *last;
   record->error = record->p_peak = 0;
+  arc_wear_note_motion(w, plan->block, plan->first, record);
   arc_shape_destroy(&out->shape);
   arc_status status = arc_shape_clone(w->shape, &out->shape, error);
   if (status == ARC_OK) status = arc_wear_update(w, plan, watch, out, error);

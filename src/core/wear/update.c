@@ -27,6 +27,19 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
   return ARC_OK;
 }
 
+/* Integral of the load over the sliding of a window [N mm], by the rule the wear goes by. Forces on
+ * both bodies balance it: under rigid slip it is the integral of p ds over the area of each (Eq.
+ * 15), whatever the pressures are. */
+static double load_distance(const arc_wear *w, const wear_block *b, int first, int last) {
+  double sum = 0;
+  for (int at = first + 1; at <= last; at++) {
+    const double line =
+        w->def.rule == ARC_TRAPEZOID ? (b->line[at] + b->line[at - 1]) / 2 : b->line[at];
+    sum += line * fabs(b->x[at] - b->x[at - 1]);
+  }
+  return b->repeat * sum * arc_model_definition(w->model)->thickness;
+}
+
 /* --- by which scheme --- */
 
 static int is_explicit(const arc_wear *w, const wear_plan *plan) {
@@ -194,5 +207,9 @@ arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear
   const arc_status status =
       split ? split_update(w, plan, watch, out, error) : whole_update(w, plan, watch, out, error);
   out->record.update += split ? plan->block->count - 1 : 1;
+  const int generic = !plan->block->periodic;
+  const int first = generic ? plan->first : 0, last = plan->block->count - 1;
+  out->record.load_distance +=
+      plan->times * load_distance(w, plan->block, first, generic ? first + 1 : last);
   return status;
 }

@@ -33,6 +33,7 @@ static arc_status check_growth(const arc_wear_record *before, const arc_wear_rec
   CHECK_GROWTH(distance)
   CHECK_GROWTH(volume_cylinder)
   CHECK_GROWTH(volume_plate)
+  CHECK_GROWTH(load_distance)
   CHECK_GROWTH(solutions)
 #undef CHECK_GROWTH
   return ARC_OK;

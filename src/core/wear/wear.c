@@ -90,6 +90,7 @@ static arc_status first_record(arc_wear *w, arc_error *error) {
   const wear_block *block = &w->block[0];
   arc_wear_record first = {.distance = block->start_distance, .cycle = block->start_cycle};
   double k[ARC_BODIES];
+  arc_wear_note_motion(w, block, 0, &first);
   arc_status status = arc_wear_measure(w, w->shape, &first, error);
   if (status == ARC_OK)
     status = arc_wear_coefficients(w, first.distance, first.distance, &first, k, error);
@@ -198,6 +199,10 @@ double arc_wear_cycles(const arc_wear *w) {
     left -= w->block[b].cycles * w->block[b].sliding;
   }
   return w->block[0].start_cycle + cycles;
+}
+
+double arc_wear_travel(const arc_wear *w) {
+  return arc_wear_block_at(w, arc_wear_last(w)->cycle)->travel;
 }
 
 const arc_shape *arc_wear_shape(const arc_wear *w) {

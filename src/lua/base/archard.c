@@ -5,34 +5,44 @@
 #include "archard/base.h"
 #include "lua/engine/classes.h"
 #include "lua/base/scripts.h"
+#include "lua/base/strict.h"
 
 #include <lauxlib.h>
 
 /* Classes in C: name of the global, and the function that leaves its value on the stack. */
 static const luaL_Reg classes[] = {
-    {"material", luaopen_archard_material},
-    {"hertz", luaopen_archard_hertz},
-    {"model", luaopen_archard_model},
-    {"contact", luaopen_archard_contact},
-    {"wear", luaopen_archard_wear},
-    {"export", luaopen_archard_export},
-    {NULL, NULL},
+    {"material", luaopen_archard_material}, {"hertz", luaopen_archard_hertz},
+    {"model", luaopen_archard_model},       {"contact", luaopen_archard_contact},
+    {"wear", luaopen_archard_wear},         {NULL, NULL},
 };
 
 /* Modules in C that are no globals: reached by require only. */
 static const luaL_Reg modules[] = {
-    {"archard.term", luaopen_archard_term},         {"archard.gnuplot", luaopen_archard_gnuplot},
-    {"archard.store", luaopen_archard_store},       {"archard.process", luaopen_archard_process},
-    {"archard.warnings", luaopen_archard_warnings}, {"archard.names", luaopen_archard_names},
-    {"archard.settings", luaopen_archard_settings}, {"archard.measure", luaopen_archard_measure},
-    {"archard.files", luaopen_archard_files},       {NULL, NULL},
+    {"archard.term", luaopen_archard_term},
+    {"archard.gnuplot", luaopen_archard_gnuplot},
+    {"archard.store", luaopen_archard_store},
+    {"archard.process", luaopen_archard_process},
+    {"archard.warnings", luaopen_archard_warnings},
+    {"archard.names", luaopen_archard_names},
+    {"archard.settings", luaopen_archard_settings},
+    {"archard.measure", luaopen_archard_measure},
+    {"archard.files", luaopen_archard_files},
+    {"archard.strict", luaopen_archard_strict},
+    {NULL, NULL},
 };
 
 /* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
 static const char *const scripted[][2] = {
-    {"help", "archard.help"},   {"plot", "archard.plot"},
-    {"study", "archard.study"}, {"calibrate", "archard.study.calibrate"},
+    {"help", "archard.help"},
+    {"plot", "archard.plot"},
+    {"study", "archard.study"},
+    {"calibrate", "archard.study.calibrate"},
     {"csv", "archard.lib.csv"},
+    {"export", "archard.export"},
+    {"who", "archard.lib.who"},
+    {"time", "archard.lib.time"},
+    {"session", "archard.lib.session"},
+    {"examples", "archard.lib.examples"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 
@@ -45,6 +55,7 @@ static void preload_modules(lua_State *L) {
 /* Pops a value and makes it the field and the global `name`; the module table is on top below it.
  */
 static void publish(lua_State *L, const char *name) {
+  if (lua_istable(L, -1)) strict_module(L, name);
   lua_pushvalue(L, -1);
   lua_setglobal(L, name);
   lua_setfield(L, -2, name);
@@ -87,5 +98,6 @@ int luaopen_archard(lua_State *L) {
 
   open_classes(L);
   open_scripted(L);
+  strict_module(L, "archard");
   return 1;
 }

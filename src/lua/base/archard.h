@@ -46,6 +46,9 @@ int luaopen_archard_measure(lua_State *L);
  * raising of errors. */
 int luaopen_archard_names(lua_State *L);
 
+/* The module `archard.strict`: unknown names as errors. */
+int luaopen_archard_strict(lua_State *L);
+
 /* The module `archard.settings`: what can be set and what is recorded. */
 int luaopen_archard_settings(lua_State *L);
 

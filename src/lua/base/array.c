@@ -1,6 +1,7 @@
 /* Arrays of numbers: to and from Lua tables. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/base/strict.h"
 
 #include <lauxlib.h>
 #include <math.h>
@@ -11,6 +12,7 @@ void array_push(lua_State *L, const double *values, size_t count) {
     lua_pushnumber(L, values[i]);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
   }
+  strict_table(L, "list of numbers");
 }
 
 void array_set(lua_State *L, const char *name, const double *values, size_t count) {

@@ -2,6 +2,7 @@
 #include "lua/base/box.h"
 #include "lua/base/error.h"
 #include "lua/base/settings.h"
+#include "lua/base/strict.h"
 
 #include <stdalign.h>
 #include <stdint.h>
@@ -11,28 +12,45 @@ static const box_class *class_upvalue(lua_State *L) {
   return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* A setting that the class shows, by the name at index 2; nil where there is none. */
+/* Refuses the unknown name at index 2 where the user reads it; upvalue 4: all names. */
+static int unknown_field(lua_State *L) {
+  if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
+    strict_refuse(L, class_upvalue(L)->name, lua_tostring(L, 2), lua_upvalueindex(4));
+  return 0;
+}
+
+/* Returns the value at index 3. Tables of values are told apart by their field: "wear.depth". */
+static int guarded(lua_State *L) {
+  if (!lua_istable(L, 3) || lua_getmetatable(L, 3)) return lua_settop(L, 3), 1;
+  const char *where = lua_pushfstring(L, "%s.%s", class_upvalue(L)->name, lua_tostring(L, 2));
+  lua_pushvalue(L, 3);
+  strict_table(L, where);
+  return 1;
+}
+
+/* A setting that the class shows, by the name at index 2. */
 static int push_setting(lua_State *L) {
   const box_class *class = class_upvalue(L);
   const arc_setting *setting = class->settings && lua_type(L, 2) == LUA_TSTRING
                                    ? arc_setting_find(class->settings, lua_tostring(L, 2))
                                    : NULL;
-  if (!setting || setting->kind == ARC_OTHER) return lua_pushnil(L), 1;
+  if (!setting || setting->kind == ARC_OTHER) return unknown_field(L);
   settings_push(L, setting, class->definition(L));
-  return 1;
+  return guarded(L);
 }
 
-/* __index(object, name): a method, the value of a computed field or of a setting, or nil. Upvalues:
- * class, methods, fields. */
+/* __index(object, name): a method, the value of a computed field or of a setting. Upvalues: class,
+ * methods, fields, names of all. */
 static int class_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) return 1;
+  lua_settop(L, 2);
   lua_pushvalue(L, 2);
-  if (lua_rawget(L, lua_upvalueindex(3)) == LUA_TNIL) return push_setting(L);
+  if (lua_rawget(L, lua_upvalueindex(3)) == LUA_TNIL) return lua_settop(L, 2), push_setting(L);
   lua_pushvalue(L, 1);
   lua_call(L, 1, 1);
-  return 1;
+  return guarded(L);
 }
 
 static int class_newindex(lua_State *L) {
@@ -116,6 +134,15 @@ static void push_field_names(lua_State *L, const box_class *class) {
   }
 }
 
+/* The names of methods too. */
+static void push_names(lua_State *L, const box_class *class) {
+  push_field_names(L, class);
+  for (const luaL_Reg *method = class->methods; method && method->name; method++) {
+    lua_pushstring(L, method->name);
+    lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+  }
+}
+
 /* Fills the new metatable on top of the stack. */
 static void fill_metatable(lua_State *L, const box_class *class) {
   lua_pushstring(L, class->name);
@@ -129,7 +156,8 @@ static void fill_metatable(lua_State *L, const box_class *class) {
   lua_insert(L, -2);
   lua_newtable(L);
   if (class->fields) luaL_setfuncs(L, class->fields, 0);
-  lua_pushcclosure(L, class_index, 3);
+  push_names(L, class);
+  lua_pushcclosure(L, class_index, 4);
   lua_setfield(L, -2, "__index");
   set_function(L, "__newindex", class, class_newindex);
   set_function(L, "__tostring", class, class_tostring);

@@ -40,8 +40,9 @@ names_search names_begin(const char *name) {
 void names_offer(names_search *search, const char *known) {
   int distance = distance_of(search->name, known);
   if (distance > search->limit) return;
+  if (search->best && distance == search->limit && strcmp(known, search->best) >= 0) return;
   search->best = known;
-  search->limit = distance - 1;
+  search->limit = distance;
 }
 
 /* nearest(name, list of known names) -> the nearest, or nil where none is near */

@@ -9,7 +9,7 @@
 /* A search for the known name nearest to `name`. */
 typedef struct names_search {
   const char *name;
-  const char *best; /* NULL where none is near; of those equally near the first */
+  const char *best; /* NULL where none is near; of those equally near the first by the alphabet */
   int limit;        /* letters that may differ */
 } names_search;
 

@@ -1,7 +1,7 @@
 /* lua/classes.h - the classes of the engine, as the files of the binding see each other.
  *
  * luaopen_archard_NAME leaves what the global NAME is: the constructor (a function, or a table that
- * can be called), or for export its table of functions.
+ * can be called).
  */
 #ifndef LUA_CLASSES_H
 #define LUA_CLASSES_H
@@ -23,10 +23,9 @@ int luaopen_archard_hertz(lua_State *L);
 int luaopen_archard_model(lua_State *L);
 int luaopen_archard_contact(lua_State *L);
 int luaopen_archard_wear(lua_State *L);
-int luaopen_archard_export(lua_State *L);
 
 extern const box_class model_class;   /* thing: arc_model, one reference */
-extern const box_class mesh_class;    /* thing: arc_model, one reference; tag: arc_body */
+extern const box_class mesh_class;    /* thing: a view of mesh_class.c */
 extern const box_class contact_class; /* thing: arc_contact; user value: the model's box */
 extern const box_class wear_class;    /* thing: arc_wear; user value: the model's box */
 
@@ -63,11 +62,14 @@ arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where)
 /* Pushes a mesh object of one body of the model whose box is at `index`. */
 void mesh_push(lua_State *L, int index, arc_body body);
 
+/* Pushes { cylinder=, plate= }: the meshes with the nodes as they are worn by now. */
+void mesh_push_worn(lua_State *L, const arc_shape *shape);
+
+/* The mesh in the box at `index`; box_check's errors. */
+const arc_mesh *mesh_of(lua_State *L, int index, const char *where);
+
 /* Pushes the corners of all elements, four numbers from 1 each; a triangle has 0 as its fourth. */
 void mesh_push_elements(lua_State *L, const arc_mesh *mesh);
-
-/* Gives up one reference: `destroy` of the classes that hold a model. */
-void model_release(void *thing);
 
 /* --- worn shapes (worn.c) --- */
 

@@ -3,6 +3,7 @@
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
+#include "lua/base/strict.h"
 
 #include <stdio.h>
 
@@ -91,6 +92,7 @@ void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body bo
   lua_createtable(L, 0, 2);
   array_set(L, "x", pressure.x, (size_t)pressure.count);
   array_set(L, "p", pressure.p, (size_t)pressure.count);
+  strict_table(L, "pressure");
 }
 
 /* contact:pressure(body) -> { x=, p= }; both bodies in the frame of the cylinder */

@@ -4,6 +4,7 @@
 #include "lua/base/archard.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/base/strict.h"
 
 #include <lauxlib.h>
 
@@ -13,6 +14,7 @@ int measure_push_combined(lua_State *L, arc_depths cylinder, arc_depths plate) {
   lua_createtable(L, 0, 2);
   array_set(L, "x", plate.x, plate.count);
   array_set(L, "h", sum, plate.count);
+  strict_table(L, "combined");
   return 1;
 }
 
@@ -22,6 +24,7 @@ int measure_push_partition(lua_State *L, arc_depths cylinder, arc_depths plate) 
   lua_createtable(L, 0, 2);
   array_set(L, "x", x, worn);
   array_set(L, "value", value, worn);
+  strict_table(L, "local_partition");
   return 1;
 }
 

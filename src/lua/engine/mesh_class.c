@@ -1,16 +1,31 @@
-/* Class mesh: the finite element mesh of one body of a model, read-only. Numbers of nodes and
- * elements count from 1 here, from 0 in the engine. */
+/* Class mesh: the finite element mesh of one body of a model, or of a run as it is worn by now,
+ * read-only. Numbers of nodes and elements count from 1 here, from 0 in the engine. */
 #include "archard/export.h"
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
+#include "lua/base/strict.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+typedef struct mesh_view {
+  arc_model *model; /* one reference */
+  arc_mesh mesh;    /* the model's, or a shallow copy with nodes of its own */
+  double *xy;       /* these; NULL: the model's */
+} mesh_view;
+
+const arc_mesh *mesh_of(lua_State *L, int index, const char *where) {
+  return &((mesh_view *)box_check(L, index, &mesh_class, where)->thing)->mesh;
+}
+
+static const mesh_view *view_self(lua_State *L) {
+  return box_self(L, &mesh_class, "mesh")->thing;
+}
+
 static const arc_mesh *self(lua_State *L) {
-  box *opened = box_self(L, &mesh_class, "mesh");
-  return arc_model_mesh(opened->thing, (arc_body)opened->tag);
+  return &view_self(L)->mesh;
 }
 
 NUMBER_FIELD(mesh, radius, self(L)->radius)
@@ -57,6 +72,7 @@ static int push_numbers(lua_State *L, const int *numbers, int count) {
     lua_pushinteger(L, (lua_Integer)numbers[i] + 1);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
   }
+  strict_table(L, "list of numbers");
   return 1;
 }
 
@@ -115,6 +131,7 @@ static void push_axis(lua_State *L, const arc_mesh *mesh, int axis) {
     lua_pushnumber(L, mesh->xy[2 * i + axis]);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
   }
+  strict_table(L, "list of numbers");
 }
 
 /* mesh:coordinates() -> { x=, y= } of all nodes */
@@ -125,6 +142,7 @@ static int mesh_coordinates(lua_State *L) {
   lua_setfield(L, -2, "x");
   push_axis(L, mesh, 1);
   lua_setfield(L, -2, "y");
+  strict_table(L, "mesh:coordinates");
   return 1;
 }
 
@@ -133,22 +151,28 @@ static void set_number(lua_State *L, const char *name, double value) {
   lua_setfield(L, -2, name);
 }
 
-/* mesh:quality() -> the worst of each measure of shape over all elements */
-static int mesh_quality(lua_State *L) {
-  arc_quality quality = arc_mesh_quality(self(L), NULL);
-  lua_createtable(L, 0, 5);
+static void push_quality(lua_State *L, arc_quality quality) {
+  lua_createtable(L, 0, 6);
   set_number(L, "smallest_angle", quality.smallest_angle);
   set_number(L, "largest_angle", quality.largest_angle);
   set_number(L, "aspect", quality.aspect);
   set_number(L, "jacobian_ratio", quality.jacobian_ratio);
   set_number(L, "smallest_jacobian", quality.smallest_jacobian);
+  strict_table(L, "mesh:quality");
+}
+
+/* mesh:quality() -> the worst of each measure of shape over all elements; box: over the wear box */
+static int mesh_quality(lua_State *L) {
+  push_quality(L, arc_mesh_quality(self(L), NULL));
+  push_quality(L, arc_mesh_box_quality(self(L), NULL));
+  lua_setfield(L, -2, "box");
   return 1;
 }
 
 /* Writes node, x, y as columns. */
 static arc_status write_csv(lua_State *L, const char *path, const arc_mesh *mesh,
                             arc_error *error) {
-  static const char *const names[] = {"node", "x", "y"};
+  static const char *const names[] = {"node", "x", "y"}, *const units[] = {"", "mm", "mm"};
   size_t rows = (size_t)mesh->nodes;
   double *columns = array_buffer(L, 3 * rows);
   for (size_t i = 0; i < rows; i++) {
@@ -157,7 +181,7 @@ static arc_status write_csv(lua_State *L, const char *path, const arc_mesh *mesh
     columns[2 * rows + i] = mesh->xy[2 * i + 1];
   }
   const double *data[] = {columns, columns + rows, columns + 2 * rows};
-  return arc_export_csv(path, 3, names, data, rows, error);
+  return arc_export_csv(path, 3, names, units, data, rows, error);
 }
 
 /* mesh:write(path): the format goes by the ending */
@@ -171,27 +195,34 @@ static int mesh_write(lua_State *L) {
   arc_status status = ARC_OK;
   if (ending && strcmp(ending, ".vtk") == 0)
     status = arc_export_vtk(path, mesh, NULL, &error);
+  else if (ending && strcmp(ending, ".vtu") == 0)
+    status = arc_export_vtu(path, mesh, NULL, 0, &error);
   else if (ending && strcmp(ending, ".inp") == 0)
     status = arc_export_mesh_inp(path, mesh, &error);
   else if (ending && strcmp(ending, ".csv") == 0)
     status = write_csv(L, path, mesh, &error);
   else
-    args_refuse(L, (args_place){where, ""}, "path", "a file name that ends in .vtk, .inp or .csv");
+    args_refuse(L, (args_place){where, ""}, "path",
+                "a file name that ends in .vtk, .vtu, .inp or .csv");
   error_check(L, status, &error, where, -1);
   return 0;
 }
 
 static int mesh_tostring(lua_State *L) {
-  const arc_mesh *mesh = self(L);
+  const mesh_view *view = view_self(L);
+  const arc_mesh *mesh = &view->mesh;
   arc_quality quality = arc_mesh_quality(mesh, NULL);
-  char text[320];
+  const arc_quality inner = arc_mesh_box_quality(mesh, NULL);
+  char text[440];
   snprintf(text, sizeof text,
-           "mesh of the %s: %d nodes, %d quads, %d triangles, %d at the contact\n"
+           "%smesh of the %s: %d nodes, %d quads, %d triangles, %d at the contact\n"
            "  size     %.6g x %.6g mm at the contact, up to %.6g mm elsewhere\n"
-           "  quality  angles %.3g to %.4g degrees, aspect to %.3g, Jacobian ratio from %.3g",
-           body_names[mesh->body], mesh->nodes, mesh->quads, mesh->triangles, mesh->surface,
-           mesh->def.size, mesh->def.height, mesh->def.far, quality.smallest_angle,
-           quality.largest_angle, quality.aspect, quality.jacobian_ratio);
+           "  quality  angles %.3g to %.4g degrees, aspect to %.3g, Jacobian ratio from %.3g\n"
+           "  wear box angles %.3g to %.4g degrees, aspect to %.3g, Jacobian ratio from %.3g",
+           view->xy ? "worn " : "", body_names[mesh->body], mesh->nodes, mesh->quads,
+           mesh->triangles, mesh->surface, mesh->def.size, mesh->def.height, mesh->def.far,
+           quality.smallest_angle, quality.largest_angle, quality.aspect, quality.jacobian_ratio,
+           inner.smallest_angle, inner.largest_angle, inner.aspect, inner.jacobian_ratio);
   lua_pushstring(L, text);
   return 1;
 }
@@ -221,19 +252,47 @@ static const luaL_Reg methods[] = {
     {NULL, NULL},
 };
 
+static void destroy_view(void *thing) {
+  mesh_view *view = thing;
+  if (!view) return;
+  arc_model_release(&view->model);
+  free(view->xy);
+  free(view);
+}
+
 const box_class mesh_class = {
     .name = "mesh",
     .methods = methods,
     .fields = fields,
     .tostring = mesh_tostring,
-    .destroy = model_release,
+    .destroy = destroy_view,
 };
+
+/* Pushes a view of a body's mesh, with the nodes as they are worn where a shape is given. */
+static void push_view(lua_State *L, arc_model *model, arc_body body, const arc_shape *shape) {
+  box *made = box_push(L, &mesh_class);
+  mesh_view *view = made->thing = calloc(1, sizeof *view);
+  if (!view) error_raise(L, ARC_MEMORY, "mesh", "out of memory");
+  view->model = arc_model_retain(model);
+  view->mesh = *arc_model_mesh(model, body);
+  if (!shape) return;
+  const size_t bytes = 2 * (size_t)view->mesh.nodes * sizeof *view->xy;
+  view->mesh.xy = view->xy = malloc(bytes);
+  if (!view->xy) error_raise(L, ARC_MEMORY, "mesh", "out of memory for the nodes of a worn mesh");
+  arc_shape_nodes(shape, body, view->xy);
+  box_weigh(L, bytes);
+}
 
 void mesh_push(lua_State *L, int index, arc_body body) {
   index = lua_absindex(L, index);
-  box *model = box_check(L, index, &model_class, "mesh");
-  box *made = box_push(L, &mesh_class);
-  made->thing = arc_model_retain(model->thing);
-  made->tag = (int)body;
+  push_view(L, box_check(L, index, &model_class, "mesh")->thing, body, NULL);
   box_keep(L, index);
+}
+
+void mesh_push_worn(lua_State *L, const arc_shape *shape) {
+  lua_createtable(L, 0, ARC_BODIES);
+  for (int body = 0; body < ARC_BODIES; body++) {
+    push_view(L, arc_shape_model(shape), (arc_body)body, shape);
+    lua_setfield(L, -2, body_names[body]);
+  }
 }

@@ -156,7 +156,7 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zo
 
 /* --- the object ------------------------------------------------------------------------------ */
 
-void model_release(void *thing) {
+static void model_release(void *thing) {
   arc_model *model = thing;
   arc_model_release(&model);
 }

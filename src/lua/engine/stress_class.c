@@ -2,6 +2,7 @@
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
+#include "lua/base/strict.h"
 
 #include <stdio.h>
 
@@ -40,6 +41,7 @@ static void push_field(lua_State *L, const arc_contact *contact, arc_body body) 
   ARC_FIELD_COLUMNS(SET_COLUMN)
   mesh_push_elements(L, arc_model_mesh(arc_contact_model(contact), body));
   lua_setfield(L, -2, "elements");
+  strict_table(L, "stress");
   box_empty(lua_touserdata(L, -2), &field_class);
   lua_replace(L, -2);
 }
@@ -121,7 +123,11 @@ const arc_contact *stress_contact(lua_State *L, int index, const char *where) {
 static int stress_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushliteral(L, "contact");
-  if (!lua_rawequal(L, 2, 3)) return 0;
+  if (!lua_rawequal(L, 2, 3)) {
+    if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
+      strict_refuse(L, "stress", lua_tostring(L, 2), 1);
+    return 0;
+  }
   push_origins(L);
   lua_pushvalue(L, 1);
   lua_gettable(L, -2);

@@ -1,6 +1,5 @@
 /* The field `worn` of contacts and wear runs: a wear object, or by body a function x -> depth or a
  * profile { x=, h= }; turned into a shape of the engine. */
-#include "archard/measure.h"
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
@@ -30,11 +29,6 @@ static const char *const prefixes[ARC_BODIES] = {"worn.cylinder.", "worn.plate."
 
 /* --- profiles given as arrays ---------------------------------------------------------------- */
 
-typedef struct given_profile {
-  const double *x, *h;
-  size_t count;
-} given_profile;
-
 /* Pushes field `name` of the profile at `index` and its numbers. */
 static const double *push_column(lua_State *L, int index, args_place place, const char *name,
                                  size_t *count) {
@@ -42,7 +36,7 @@ static const double *push_column(lua_State *L, int index, args_place place, cons
   return array_read(L, place, name, count);
 }
 
-static void check_profile(lua_State *L, args_place place, given_profile profile) {
+static void check_profile(lua_State *L, args_place place, arc_depths profile) {
   for (size_t i = 0; i < profile.count; i++) {
     if (profile.h[i] < 0)
       error_raise(L, ARC_ARGUMENT, place.where,
@@ -57,9 +51,9 @@ static void check_profile(lua_State *L, args_place place, given_profile profile)
 }
 
 /* Reads and checks { x=, h= } at `index`; leaves what holds the numbers on the stack. */
-static given_profile push_profile(lua_State *L, int index, args_place place) {
+static arc_depths push_profile(lua_State *L, int index, args_place place) {
   size_t depths = 0;
-  given_profile profile = {NULL, NULL, 0};
+  arc_depths profile = {0, NULL, NULL};
   index = lua_absindex(L, index);
   luaL_checkstack(L, 12, place.where);
   profile.x = push_column(L, index, place, "x", &profile.count);
@@ -104,11 +98,12 @@ const arc_model_def *worn_model_def(lua_State *L, int worn) {
 /* --- depths at the nodes --------------------------------------------------------------------- */
 
 /* Depths from the profile at `index`. */
-static void sample_profile(lua_State *L, int index, args_place place, arc_profile nodes,
-                           double *depth) {
-  given_profile profile = push_profile(L, index, place);
-  for (int i = 0; i < nodes.count; i++)
-    depth[i] = arc_measure_interpolate(profile.x, profile.h, profile.count, nodes.x[i], 0);
+static void sample_profile(lua_State *L, int index, args_place place, const arc_shape *shape,
+                           arc_body body, double *depth) {
+  arc_error error = {0};
+  const arc_depths profile = push_profile(L, index, place);
+  const arc_status status = arc_shape_sample(shape, body, profile, depth, &error);
+  error_check(L, status, &error, place.where, -1);
 }
 
 /* The depth at `x` by the function at `index`. */
@@ -127,12 +122,13 @@ static double call_depth(lua_State *L, int index, const char *where, const char 
 }
 
 /* Fills `depth` for one body; returns 0 where it is not worn. The value stands at `worn`. */
-static int sample(lua_State *L, int worn, arc_body body, arc_profile nodes, double *depth,
+static int sample(lua_State *L, int worn, const arc_shape *shape, arc_body body, double *depth,
                   const char *where) {
+  const arc_profile nodes = arc_shape_profile(shape, body);
   const char *name = body_names[body];
   int type = lua_getfield(L, worn, name), value = lua_gettop(L);
   if (type == LUA_TTABLE)
-    sample_profile(L, value, (args_place){where, prefixes[body]}, nodes, depth);
+    sample_profile(L, value, (args_place){where, prefixes[body]}, shape, body, depth);
   for (int i = 0; type == LUA_TFUNCTION && i < nodes.count; i++)
     depth[i] = call_depth(L, value, where, name, nodes.x[i]);
   return type != LUA_TNIL;
@@ -152,7 +148,7 @@ static void wear_body(lua_State *L, int worn, arc_shape *shape, arc_body body, c
   arc_profile nodes = arc_shape_profile(shape, body);
   arc_error error = {0};
   double *depth = array_buffer(L, (size_t)nodes.count);
-  if (sample(L, worn, body, nodes, depth, where)) {
+  if (sample(L, worn, shape, body, depth, where)) {
     double even = body == ARC_PLATE ? split_even(depth, nodes.count) : 0;
     if (even > 0) arc_shape_wear_evenly(shape, body, even);
     error_check(L, arc_shape_wear(shape, body, depth, &error), &error, where, -1);

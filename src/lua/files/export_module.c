@@ -1,87 +1,28 @@
-/* The table export: files for other tools, out of objects and of plain tables; and for scripts the
- * module `archard.files`, the writing of texts and numbers below it. */
+/* The module `archard.files`: files for other tools, out of objects and of plain tables, and the
+ * writing of texts and numbers below them. The table export (scripts/export) is made of it. */
 #include "archard/export.h"
 #include "lua/base/archard.h"
-#include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
+#include "lua/files/export.h"
 #include "lua/wear/wear_class.h"
 
 #include <string.h>
 
-static const char *path_argument(lua_State *L, int index, const char *where) {
+const char *export_path(lua_State *L, int index, const char *where) {
   if (lua_type(L, index) == LUA_TSTRING) return lua_tostring(L, index);
   lua_settop(L, index);
   args_refuse(L, (args_place){where, ""}, "path", "a file name");
 }
 
-/* --- CSV ------------------------------------------------------------------------------------- */
-
-static const char csv_where[] = "export.csv";
-
-/* Columns on their way to a file; what holds them stands on the stack. */
-typedef struct csv_table {
-  const char **names;
-  const double **data;
-  size_t columns, rows;
-} csv_table;
-
-/* Pushes room for so many columns. */
-static csv_table push_columns(lua_State *L, size_t columns) {
-  csv_table table = {.columns = columns};
-  size_t unit = sizeof(void *) * (columns ? columns : 1);
-  table.names = lua_newuserdatauv(L, unit, 0);
-  table.data = lua_newuserdatauv(L, unit, 0);
-  return table;
-}
-
-static void write_columns(lua_State *L, const char *path, csv_table table) {
-  arc_error error = {0};
-  arc_status status =
-      arc_export_csv(path, table.columns, table.names, table.data, table.rows, &error);
-  error_check(L, status, &error, csv_where, -1);
-}
-
-static void write_history(lua_State *L, const char *path, const arc_wear *wear) {
-  csv_table table = push_columns(L, ARC_WEAR_COLUMN_COUNT);
-  const arc_wear_record *records = arc_wear_history(wear, &table.rows);
-  for (int column = 0; column < ARC_WEAR_COLUMN_COUNT; column++) {
-    double *values = array_buffer(L, table.rows);
-    for (size_t i = 0; i < table.rows; i++) values[i] = arc_wear_record_get(records + i, column);
-    table.names[column] = arc_wear_column_name(column);
-    table.data[column] = values;
-  }
-  write_columns(L, path, table);
-}
-
-/* A copy of `count` values on the stack, filled up with NaN to `rows`. */
-static const double *push_padded(lua_State *L, const double *values, size_t count, size_t rows) {
-  double *padded = array_buffer(L, rows);
-  for (size_t i = 0; i < rows; i++) padded[i] = i < count ? values[i] : NAN;
-  return padded;
-}
-
-/* The pressures of both bodies side by side; the shorter columns end early. */
-static void write_pressures(lua_State *L, const char *path, const arc_contact *contact) {
-  static const char *const names[] = {"x_cylinder", "p_cylinder", "x_plate", "p_plate"};
-  csv_table table = push_columns(L, 4);
-  for (int body = 0; body < ARC_BODIES; body++) {
-    size_t count = (size_t)arc_contact_pressure(contact, (arc_body)body).count;
-    if (count > table.rows) table.rows = count;
-  }
-  for (int body = 0; body < ARC_BODIES; body++) {
-    arc_pressure pressure = arc_contact_pressure(contact, (arc_body)body);
-    table.data[2 * body] = push_padded(L, pressure.x, (size_t)pressure.count, table.rows);
-    table.data[2 * body + 1] = push_padded(L, pressure.p, (size_t)pressure.count, table.rows);
-  }
-  memcpy(table.names, names, sizeof names);
-  write_columns(L, path, table);
-}
-
-/* Pushes "file-cylinder.ending" for "file.ending". */
-static const char *push_path(lua_State *L, const char *path, arc_body body, const char *usual) {
+/* The ending of the last name of a path, ".vtk"; NULL where it has none. */
+static const char *ending_of(const char *path) {
   const char *name = strrchr(path, '/');
-  const char *ending = strrchr(name ? name : path, '.');
+  return strrchr(name ? name : path, '.');
+}
+
+const char *export_push_path(lua_State *L, const char *path, arc_body body, const char *usual) {
+  const char *ending = ending_of(path);
   size_t stem = ending ? (size_t)(ending - path) : strlen(path);
   lua_pushlstring(L, path, stem);
   lua_pushfstring(L, "%s-%s%s", lua_tostring(L, -1), body_names[body], ending ? ending : usual);
@@ -89,165 +30,124 @@ static const char *push_path(lua_State *L, const char *path, arc_body body, cons
   return lua_tostring(L, -1);
 }
 
-/* The fields of both bodies, one file each; leaves the names of the files on the stack. */
-static int write_stress(lua_State *L, const char *path, const arc_contact *contact) {
-#define NAME(name, unit, text)   #name,
-#define COLUMN(name, unit, text) f->name,
-  static const char *const names[] = {ARC_FIELD_COLUMNS(NAME)};
-  const size_t count = sizeof names / sizeof *names;
-  for (int body = 0; body < ARC_BODIES; body++) {
-    const char *file = push_path(L, path, (arc_body)body, ".csv");
-    const arc_field *f = field_push_holder(L, contact, (arc_body)body, csv_where);
-    const double *const columns[] = {ARC_FIELD_COLUMNS(COLUMN)};
-    arc_error error = {0};
-    arc_status status = arc_export_csv(file, count, names, columns, (size_t)f->nodes, &error);
-    error_check(L, status, &error, csv_where, -1);
-    lua_pop(L, 1);
+/* The file name at index 2, with the first of the endings where it has none; it is replaced. */
+static const char *path_ending(lua_State *L, const char *where, const char *const endings[],
+                               const char *expected) {
+  const char *path = export_path(L, 2, where), *ending = ending_of(path);
+  if (!ending) {
+    lua_pushfstring(L, "%s%s", path, endings[0]);
+    lua_replace(L, 2);
+    return lua_tostring(L, 2);
   }
-  return ARC_BODIES;
-}
-
-/* The order of columns of a plain table: positions first, then by name. */
-static int rank_of(const char *name) {
-  static const char *const first[] = {"distance", "t", "x", "y"};
-  for (int i = 0; i < 4; i++)
-    if (strcmp(name, first[i]) == 0) return i;
-  return 4;
-}
-
-static int goes_before(const char *a, const char *b) {
-  int ranks = rank_of(a) - rank_of(b);
-  return ranks ? ranks < 0 : strcmp(a, b) < 0;
-}
-
-/* Puts a name into its place among the first `count`. */
-static void insert_name(const char **names, size_t count, const char *name) {
-  while (count > 0 && goes_before(name, names[count - 1])) {
-    names[count] = names[count - 1];
-    count--;
-  }
-  names[count] = name;
-}
-
-/* Collects the names of the columns of the table at `index`, sorted. */
-static csv_table push_names(lua_State *L, int index, args_place place) {
-  size_t columns = 0;
-  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) columns++;
-  if (columns == 0)
-    error_raise(L, ARC_ARGUMENT, place.where, "the table is empty; expected arrays by name");
-  csv_table table = push_columns(L, columns);
-  size_t count = 0;
-  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING)
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "expected a table of arrays by name, as { x={...}, h={...} }; found [%s]",
-                  luaL_tolstring(L, -2, NULL));
-    insert_name(table.names, count++, lua_tostring(L, -2));
-  }
-  return table;
-}
-
-/* Writes a plain table of arrays of one length. */
-static void write_table(lua_State *L, const char *path, int index) {
-  args_place place = {csv_where, ""};
-  csv_table table = push_names(L, index, place);
-  luaL_checkstack(L, 2 * (int)table.columns + 12, csv_where);
-  for (size_t i = 0; i < table.columns; i++) {
-    size_t rows;
-    lua_getfield(L, index, table.names[i]);
-    table.data[i] = array_read(L, place, table.names[i], &rows);
-    if (i > 0 && rows != table.rows)
-      error_raise(L, ARC_ARGUMENT, csv_where,
-                  "expected arrays of one length, got %d numbers in '%s' and %d in '%s'",
-                  (int)table.rows, table.names[0], (int)rows, table.names[i]);
-    table.rows = rows;
-  }
-  write_columns(L, path, table);
-}
-
-/* export.csv(wear | contact | stress | table of arrays, path) -> the two files of a stress */
-static int export_csv(lua_State *L) {
+  for (int i = 0; endings[i]; i++)
+    if (strcmp(ending, endings[i]) == 0) return path;
   lua_settop(L, 2);
-  const char *path = path_argument(L, 2, csv_where);
-  luaL_checkstack(L, 2 * ARC_WEAR_COLUMN_COUNT + 12, csv_where);
-  if (box_test(L, 1, &wear_class))
-    write_history(L, path, box_check(L, 1, &wear_class, csv_where)->thing);
-  else if (box_test(L, 1, &contact_class))
-    write_pressures(L, path, box_check(L, 1, &contact_class, csv_where)->thing);
-  else if (stress_contact(L, 1, csv_where))
-    return write_stress(L, path, stress_contact(L, 1, csv_where));
-  else if (lua_istable(L, 1))
-    write_table(L, path, 1);
-  else
-    error_raise(L, ARC_ARGUMENT, csv_where,
-                "expected a wear or contact object, a stress or a table of arrays, got %s",
-                names_push_shown(L, 1));
-  return 0;
+  args_refuse(L, (args_place){where, ""}, "path", expected);
+}
+
+/* The contact that the object at index 1 stands for, or NULL; pushes what keeps it. A run stands
+ * for its contact with the plate at x = 0. */
+static const arc_contact *push_contact(lua_State *L, const char *where) {
+  const arc_contact *of_stress = stress_contact(L, 1, where);
+  if (of_stress || !(box_test(L, 1, &wear_class) || box_test(L, 1, &contact_class))) {
+    lua_pushnil(L);
+    return of_stress;
+  }
+  if (box_test(L, 1, &wear_class)) {
+    lua_pushcfunction(L, wear_contact);
+    lua_pushvalue(L, 1);
+    lua_call(L, 1, 1);
+  } else {
+    lua_pushvalue(L, 1);
+  }
+  return box_check(L, -1, &contact_class, where)->thing;
 }
 
 /* --- VTK ------------------------------------------------------------------------------------- */
 
 static const char vtk_where[] = "export.vtk";
 
-/* One file a body; returns their names. */
-static int write_bodies(lua_State *L, const char *path, const arc_model *model,
-                        const arc_contact *contact) {
+/* What goes into the files of one object. */
+typedef struct vtk_source {
+  const arc_model *model;
+  const arc_contact *contact; /* NULL: the mesh alone */
+  double time;
+} vtk_source;
+
+static void write_vtk(lua_State *L, const char *file, const arc_mesh *mesh, vtk_source from) {
   arc_error error = {0};
-  for (int body = 0; body < ARC_BODIES; body++) {
-    const char *file = push_path(L, path, (arc_body)body, ".vtk");
+  arc_status status;
+  if (strcmp(ending_of(file), ".vtu") == 0) {
+    status = arc_export_vtu(file, mesh, from.contact, from.time, &error);
+  } else {
     const arc_field *field =
-        contact ? field_push_holder(L, contact, (arc_body)body, vtk_where) : NULL;
-    arc_status status = arc_export_vtk(file, arc_model_mesh(model, (arc_body)body), field, &error);
-    error_check(L, status, &error, vtk_where, -1);
+        from.contact ? field_push_holder(L, from.contact, mesh->body, vtk_where) : NULL;
+    status = arc_export_vtk(file, mesh, field, &error);
     if (field) lua_pop(L, 1);
   }
-  return ARC_BODIES;
-}
-
-static int write_mesh(lua_State *L, const char *path) {
-  box *mesh = box_check(L, 1, &mesh_class, vtk_where);
-  arc_error error = {0};
-  arc_status status =
-      arc_export_vtk(path, arc_model_mesh(mesh->thing, (arc_body)mesh->tag), NULL, &error);
   error_check(L, status, &error, vtk_where, -1);
-  lua_pushvalue(L, 2);
-  return 1;
 }
 
-/* export.vtk(contact | stress | model | mesh, path) -> the files written: one of a mesh, else one a
+static vtk_source read_source(lua_State *L) {
+  if (box_test(L, 1, &model_class))
+    return (vtk_source){.model = box_check(L, 1, &model_class, vtk_where)->thing};
+  vtk_source from = {.contact = push_contact(L, vtk_where)};
+  if (!from.contact)
+    error_raise(L, ARC_ARGUMENT, vtk_where,
+                "expected a run, a contact, its stress, a model or a mesh, got %s",
+                names_push_shown(L, 1));
+  from.model = arc_contact_model(from.contact);
+  box *run = box_test(L, 1, &wear_class);
+  if (run) from.time = arc_wear_last(run->thing)->distance;
+  return from;
+}
+
+/* vtk(wear | contact | stress | model | mesh, path) -> the files written: one of a mesh, else one a
  * body */
 static int export_vtk(lua_State *L) {
+  static const char *const endings[] = {".vtk", ".vtu", NULL};
   lua_settop(L, 2);
-  const char *path = path_argument(L, 2, vtk_where);
-  if (box_test(L, 1, &mesh_class)) return write_mesh(L, path);
-  if (box_test(L, 1, &model_class))
-    return write_bodies(L, path, box_check(L, 1, &model_class, vtk_where)->thing, NULL);
-  const arc_contact *contact = stress_contact(L, 1, vtk_where);
-  if (!contact && !box_test(L, 1, &contact_class))
-    error_raise(
-        L, ARC_ARGUMENT, vtk_where, "expected a contact, its stress, a model or a mesh, got %s%s",
-        names_push_shown(L, 1), box_test(L, 1, &wear_class) ? " (its contact is w:contact())" : "");
-  if (!contact) contact = box_check(L, 1, &contact_class, vtk_where)->thing;
-  return write_bodies(L, path, arc_contact_model(contact), contact);
+  const char *path =
+      path_ending(L, vtk_where, endings, "a file name that ends in .vtk (legacy) or .vtu (XML)");
+  if (box_test(L, 1, &mesh_class)) {
+    write_vtk(L, path, mesh_of(L, 1, vtk_where), (vtk_source){0});
+    lua_pushvalue(L, 2);
+    return 1;
+  }
+  const vtk_source from = read_source(L);
+  for (int body = 0; body < ARC_BODIES; body++)
+    write_vtk(L, export_push_path(L, path, (arc_body)body, ".vtk"),
+              arc_model_mesh(from.model, (arc_body)body), from);
+  return ARC_BODIES;
 }
 
 /* --- input decks ----------------------------------------------------------------------------- */
 
-/* export.inp(model, path) */
-static int export_inp(lua_State *L) {
-  static const char where[] = "export.inp";
-  lua_settop(L, 2);
-  const char *path = path_argument(L, 2, where);
-  const arc_model *model = box_check(L, 1, &model_class, where)->thing;
-  arc_error error = {0};
-  error_check(L, arc_export_inp(path, model, &error), &error, where, -1);
-  return 0;
+/* Pushes the contact of a model under the usual load. */
+static const arc_contact *push_usual_contact(lua_State *L, const char *where) {
+  lua_pushcfunction(L, luaopen_archard_contact);
+  lua_call(L, 0, 1);
+  lua_newtable(L);
+  lua_pushvalue(L, 1);
+  lua_setfield(L, -2, "model");
+  lua_call(L, 1, 1);
+  return box_check(L, -1, &contact_class, where)->thing;
 }
 
-int luaopen_archard_export(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"csv", export_csv}, {"vtk", export_vtk}, {"inp", export_inp}, {NULL, NULL}};
-  luaL_newlib(L, functions);
+/* inp(wear | contact | stress | model, path) -> the file written */
+static int export_inp(lua_State *L) {
+  static const char where[] = "export.inp";
+  static const char *const endings[] = {".inp", NULL};
+  lua_settop(L, 2);
+  const char *path = path_ending(L, where, endings, "a file name that ends in .inp");
+  const arc_contact *contact =
+      box_test(L, 1, &model_class) ? push_usual_contact(L, where) : push_contact(L, where);
+  if (!contact)
+    error_raise(L, ARC_ARGUMENT, where, "expected a run, a contact or a model, got %s",
+                names_push_shown(L, 1));
+  arc_error error = {0};
+  error_check(L, arc_export_inp(path, contact, &error), &error, where, -1);
+  lua_pushvalue(L, 2);
   return 1;
 }
 
@@ -270,8 +170,9 @@ static int files_number(lua_State *L) {
 }
 
 int luaopen_archard_files(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"write", files_write}, {"number", files_number}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"csv", export_csv},      {"vtk", export_vtk},
+                                       {"inp", export_inp},      {"write", files_write},
+                                       {"number", files_number}, {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

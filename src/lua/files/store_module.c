@@ -254,8 +254,10 @@ const box_class store_class = {
 };
 
 int luaopen_archard_store(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"open", store_open}, {"replace", store_replace}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"open", store_open},
+                                       {"replace", store_replace},
+                                       {"note_saved", store_note_saved},
+                                       {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

@@ -29,5 +29,6 @@ int store_save(lua_State *L);
 int store_history(lua_State *L);
 int store_surfaces(lua_State *L);
 int store_wear(lua_State *L);
+int store_note_saved(lua_State *L);
 
 #endif

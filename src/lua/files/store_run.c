@@ -228,6 +228,7 @@ void store_push_wear(lua_State *L, arc_store *store, int id, int given, const ch
   made->thing = wear;
   box_empty(stored, &stored_class);
   error_check(L, status, &error, where, -1);
+  wear_note_saved(made);
   box_weigh(L, arc_wear_bytes(wear));
 }
 
@@ -236,6 +237,14 @@ int store_wear(lua_State *L) {
   int given = lua_istable(L, 3) ? 3 : 0;
   store_push_wear(L, self(L, "store:wear"), id_at(L, 2), given, "store:wear");
   return 1;
+}
+
+/* store.note_saved(wear): what store:save wrote has become a file */
+int store_note_saved(lua_State *L) {
+  box *made = lua_touserdata(L, 1);
+  box_check(L, 1, &wear_class, "store.note_saved");
+  wear_note_saved(made);
+  return 0;
 }
 
 /* The results of a plain run: its last record. */
@@ -268,6 +277,7 @@ int wear_save(lua_State *L) {
   if (status == ARC_OK) status = arc_store_publish(&store, &error);
   arc_store_close(&store);
   error_check(L, status, &error, "wear:save", -1);
+  wear_note_saved(lua_touserdata(L, 1));
   lua_settop(L, 1);
   return 1;
 }

@@ -8,6 +8,7 @@
 #include "lua/base/interrupt.h"
 #include "system/child.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -323,10 +324,44 @@ static int process_make_folder(lua_State *L) {
   return 2;
 }
 
+/* process.program() -> the path of this program, or nil */
+static int process_program(lua_State *L) {
+  char path[4096];
+  const ssize_t length = readlink("/proc/self/exe", path, sizeof path);
+  if (length <= 0 || (size_t)length == sizeof path) return 0;
+  lua_pushlstring(L, path, (size_t)length);
+  return 1;
+}
+
+static int list_folder(lua_State *L) {
+  DIR *folder = lua_touserdata(L, 1);
+  lua_newtable(L);
+  const struct dirent *entry;
+  while ((entry = readdir(folder)) != NULL) {
+    lua_pushstring(L, entry->d_name);
+    lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+  }
+  return 1;
+}
+
+/* process.files(folder) -> names of what is in it, in no order; nil where there is no such folder
+ */
+static int process_files(lua_State *L) {
+  DIR *folder = opendir(luaL_checkstring(L, 1));
+  if (!folder) return 0;
+  lua_pushcfunction(L, list_folder);
+  lua_pushlightuserdata(L, folder);
+  const int failed = lua_pcall(L, 1, 1, 0);
+  closedir(folder);
+  return failed ? lua_error(L) : 1;
+}
+
 int luaopen_archard_process(lua_State *L) {
   static const luaL_Reg functions[] = {{"pool", process_pool},
                                        {"processors", process_processors},
                                        {"make_folder", process_make_folder},
+                                       {"program", process_program},
+                                       {"files", process_files},
                                        {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;

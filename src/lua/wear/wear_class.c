@@ -64,6 +64,22 @@ static int wear_new(lua_State *L) {
   return 1;
 }
 
+/* --- what is in a file ----------------------------------------------------------------------- */
+
+static int rows_of(const box *made) {
+  size_t rows;
+  arc_wear_history(made->thing, &rows);
+  return (int)rows;
+}
+
+int wear_is_saved(const box *made) {
+  return made->tag == rows_of(made);
+}
+
+void wear_note_saved(box *made) {
+  made->tag = rows_of(made);
+}
+
 /* wear:clone() -> an independent copy on the same model */
 static int wear_clone(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:clone");
@@ -78,6 +94,7 @@ static int wear_clone(lua_State *L) {
   arc_status status = arc_wear_clone(wear, &copy, &error);
   made->thing = copy;
   error_check(L, status, &error, "wear:clone", -1);
+  made->tag = ((const box *)lua_touserdata(L, 1))->tag;
   box_weigh(L, arc_wear_bytes(copy));
   return 1;
 }
@@ -112,6 +129,7 @@ static int wear_set(lua_State *L) {
   made->busy = RUN_IDLE;
   functions_leave(L, &call, where);
   error_check(L, status, &error, where, -1);
+  made->tag = 0;
   lua_pushvalue(L, request.functions);
   lua_setiuservalue(L, 1, RUN_FUNCTIONS);
   lua_settop(L, 1);

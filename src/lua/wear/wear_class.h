@@ -7,6 +7,11 @@
 /* The run at index 1. */
 arc_wear *wear_self(lua_State *L, const char *where);
 
+/* Whether a file holds the run in a box as it stands; and that one does. A box remembers the rows
+ * of the history that were there. */
+int wear_is_saved(const box *made);
+void wear_note_saved(box *made);
+
 /* --- wear_def.c: the definition table --- */
 
 typedef struct wear_request {

@@ -1,6 +1,7 @@
 /* Class wear: profiles, pressures and what is computed from them. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/base/strict.h"
 #include "lua/engine/measure_module.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
@@ -16,6 +17,7 @@ int wear_profile(lua_State *L) {
   array_set(L, "y", profile.y, (size_t)profile.count);
   array_set(L, "worn_x", profile.worn_x, (size_t)profile.count);
   array_set(L, "way", profile.way, (size_t)profile.count);
+  strict_table(L, "wear:profile");
   return 1;
 }
 
@@ -106,5 +108,6 @@ int wear_stability(lua_State *L) {
   lua_setfield(L, -2, "eigenvalue");
   lua_pushnumber(L, 2 / eigenvalue);
   lua_setfield(L, -2, "jump_limit");
+  strict_table(L, "wear:stability");
   return 1;
 }

@@ -1,5 +1,6 @@
 /* Rows of a run's history: as tables, as aligned lines, as columns. */
 #include "lua/base/error.h"
+#include "lua/base/strict.h"
 #include "lua/wear/wear_class.h"
 
 #include <math.h>
@@ -26,6 +27,7 @@ void record_push(lua_State *L, const arc_wear_record *record) {
     lua_setfield(L, -2, "__tostring");
   }
   lua_setmetatable(L, -2);
+  strict_module(L, "record");
 }
 
 /* Writes alpha-tilde, or "-" before there is any wear. */
@@ -77,8 +79,10 @@ void records_push_columns(lua_State *L, const arc_wear_record *records, size_t c
       lua_pushnumber(L, arc_wear_record_get(records + i, column));
       lua_rawseti(L, -2, (lua_Integer)i + 1);
     }
+    strict_table(L, "list of numbers");
     lua_setfield(L, -2, arc_wear_column_name(column));
   }
+  strict_table(L, "history");
 }
 
 void history_push(lua_State *L, const arc_wear *wear) {

@@ -69,6 +69,16 @@ static void step_once(lua_State *L, box *made, const char *where) {
   lua_settop(L, 2);
 }
 
+/* A step at the end of the distance does nothing, and says so. */
+static void warn_finished(lua_State *L, const arc_wear *wear) {
+  char text[160];
+  snprintf(text, sizeof text,
+           "wear:step: nothing to do: the run has come to its distance of %.10g mm; "
+           "w:set{ distance = ... } gives it more",
+           arc_wear_definition(wear)->distance);
+  lua_warning(L, text, 0);
+}
+
 /* wear:step(n) -> the last record; nothing happens at the end of the distance */
 int wear_step(lua_State *L) {
   static const char where[] = "wear:step";
@@ -84,6 +94,9 @@ int wear_step(lua_State *L) {
     if (arc_wear_last(wear)->cycle <= before) break;
     if (interrupt_pending(NULL)) refuse_interrupted(L, wear);
   }
+  size_t rows;
+  arc_wear_history(wear, &rows);
+  if (rows == first) warn_finished(L, wear);
   push_progress(L, wear, first);
   return 1;
 }

@@ -65,11 +65,21 @@ static int wear_done(lua_State *L) {
   return 1;
 }
 
+static int wear_saved(lua_State *L) {
+  self(L);
+  lua_pushboolean(L, wear_is_saved(lua_touserdata(L, 1)));
+  return 1;
+}
+
 /* --- the definition -------------------------------------------------------------------------- */
 
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
 NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
+/* Of the reference configuration; the last record has that of its update. */
+NUMBER_FIELD(wear, load, def(L)->load)
+/* What the plate does, whether by a stroke or by a loading. */
+NUMBER_FIELD(wear, stroke, arc_wear_travel(self(L)))
 
 /* Pushes the function of a field; returns 0 where it is none. */
 static int push_function(lua_State *L, const char *field) {
@@ -138,6 +148,12 @@ static int wear_model(lua_State *L) {
   return 1;
 }
 
+/* The meshes by body, their nodes as they are worn by now. */
+static int wear_mesh(lua_State *L) {
+  mesh_push_worn(L, arc_wear_shape(self(L)));
+  return 1;
+}
+
 const luaL_Reg wear_fields[] = {
 #define COLUMN_ENTRY(name, unit, text) {#name, wear_column_##name},
     ARC_WEAR_COLUMNS(COLUMN_ENTRY)
@@ -150,10 +166,13 @@ const luaL_Reg wear_fields[] = {
     {"volume", wear_volume},
     {"history", wear_history},
     {"done", wear_done},
+    {"saved", wear_saved},
     {"k", wear_k},
     {"alpha", wear_alpha},
     {"total_distance", wear_total_distance},
     {"jump", wear_jump},
+    {"load", wear_load},
+    {"stroke", wear_stroke},
     {"strokes", wear_strokes},
     {"cycles", wear_cycles},
     {"procedure", wear_procedure},
@@ -162,6 +181,7 @@ const luaL_Reg wear_fields[] = {
     {"loading", wear_loading},
     {"functions", wear_functions_given},
     {"model", wear_model},
+    {"mesh", wear_mesh},
     {NULL, NULL},
 };
 
@@ -176,13 +196,15 @@ static const char *show_coefficient(double number, const arc_series *series, int
   return text;
 }
 
-/* "stroke 0.11 mm", or "loading of 3 blocks". */
-static void show_motion(const arc_wear_def *settings, char *text, size_t size) {
-  if (settings->blocks == 0)
-    snprintf(text, size, "stroke %.6g mm", settings->stroke);
+/* "stroke 0.11 mm", or "loading of 3 blocks, now over 0.2 mm". */
+static void show_motion(const arc_wear *wear, char *text, size_t size) {
+  const int blocks = arc_wear_definition(wear)->blocks;
+  const double travel = arc_wear_travel(wear);
+  if (blocks == 0)
+    snprintf(text, size, "stroke %.6g mm", travel);
   else
-    snprintf(text, size, "loading of %d block%s", settings->blocks,
-             settings->blocks == 1 ? "" : "s");
+    snprintf(text, size, "loading of %d block%s%s over %.6g mm", blocks, blocks == 1 ? "" : "s",
+             blocks == 1 ? "" : ", now", travel);
 }
 
 /* "jump 100", "jump auto", "tolerance 0.001": what the length of a step goes by. */
@@ -259,17 +281,38 @@ static const char *show_increments(const arc_wear *wear, char *text, size_t size
   return text;
 }
 
+/* "cylinder E 200000 MPa nu 0.3" */
+static void show_material(const char *name, arc_material material, char *text, size_t size) {
+  snprintf(text, size, "%s E %.6g MPa nu %.6g", name, material.E, material.nu);
+}
+
+/* What rubs: radius, materials, mesh. */
+static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
+  const arc_material *of = model->material;
+  const int alike = of[0].E == of[1].E && of[0].nu == of[1].nu;
+  char line[300], first[80], second[80];
+  show_material(alike ? "both" : body_names[0], of[0], first, sizeof first);
+  show_material(body_names[1], of[1], second, sizeof second);
+  snprintf(line, sizeof line,
+           "  bodies    radius %.6g mm, thickness %.6g mm, elements %.6g x %.6g mm\n"
+           "  materials %s%s%s\n",
+           model->radius, model->thickness, model->mesh.size, model->mesh.height, first,
+           alike ? "" : ", ", alike ? "" : second);
+  luaL_addstring(text, line);
+}
+
 static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_def *settings = arc_wear_definition(wear);
-  char line[400], motion[60], k[40], alpha[40], steps[40], increments[40];
-  show_motion(settings, motion, sizeof motion);
+  char line[400], motion[80], k[40], alpha[40], steps[40], increments[40];
+  show_motion(wear, motion, sizeof motion);
   show_steps(settings, steps, sizeof steps);
-  snprintf(line, sizeof line,
-           "wear: %s, load %.6g N, k %s, alpha %s\n"
-           "  settings  %s %s, %s, increments %s, %s, %s slip, %s\n",
-           motion, settings->load, show_k(settings, k, sizeof k),
+  snprintf(line, sizeof line, "wear: %s, load %.6g N, k %s, alpha %s\n", motion, settings->load,
+           show_k(settings, k, sizeof k),
            show_coefficient(settings->alpha, &settings->alpha_series,
-                            settings->alpha_function != NULL, alpha, sizeof alpha),
+                            settings->alpha_function != NULL, alpha, sizeof alpha));
+  luaL_addstring(text, line);
+  add_bodies(text, arc_model_definition(arc_wear_model(wear)));
+  snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s slip, %s\n",
            arc_procedure_names[arc_wear_procedure(wear)], arc_scheme_names[settings->scheme], steps,
            show_increments(wear, increments, sizeof increments),
            arc_geometry_names[settings->geometry], arc_slip_names[settings->slip],

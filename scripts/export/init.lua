@@ -1,0 +1,12 @@
+-- The table export: files for other programs. The writers stand in archard.files; a series of
+-- files and the summary of a run are made of these here.
+
+local files = require "archard.files"
+
+return {
+  csv = files.csv,
+  vtk = files.vtk,
+  inp = files.inp,
+  pvd = require "archard.export.series",
+  json = require "archard.export.summary",
+}

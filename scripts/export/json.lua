@@ -1,0 +1,50 @@
+-- Values as JSON text: tables with [1] are arrays, others objects with their keys in order; numbers
+-- that JSON has no word for (NaN, infinite) are null.
+
+local files = require "archard.files"
+
+local json = { null = setmetatable({}, { __name = "null" }) }
+
+local escapes = { ['"'] = '\\"', ["\\"] = "\\\\", ["\b"] = "\\b", ["\f"] = "\\f", ["\n"] = "\\n", ["\r"] = "\\r",
+  ["\t"] = "\\t" }
+
+-- Bytes that are no UTF-8 stand as the characters of their numbers.
+local function quoted(text)
+  if not utf8.len(text) then text = text:gsub("[\x80-\xFF]", function(c) return utf8.char(c:byte()) end) end
+  return '"' .. text:gsub('[%c"\\\x7F]', function(c)
+    return escapes[c] or ("\\u%04x"):format(c:byte())
+  end) .. '"'
+end
+
+local encode
+
+local function array(values, indent)
+  local parts = {}
+  for i, value in ipairs(values) do parts[i] = encode(value, indent) end
+  return "[" .. table.concat(parts, ", ") .. "]"
+end
+
+local function object(values, indent)
+  local names, parts, deeper = {}, {}, indent .. "  "
+  for name in pairs(values) do names[#names + 1] = name end
+  table.sort(names)
+  for i, name in ipairs(names) do parts[i] = deeper .. quoted(name) .. ": " .. encode(values[name], deeper) end
+  if #parts == 0 then return "{}" end
+  return "{\n" .. table.concat(parts, ",\n") .. "\n" .. indent .. "}"
+end
+
+function encode(value, indent)
+  local kind = type(value)
+  if kind == "number" then
+    return value == value and math.abs(value) < math.huge and files.number(value) or "null"
+  end
+  if kind == "string" then return quoted(value) end
+  if kind == "boolean" then return tostring(value) end
+  if value == nil or value == json.null then return "null" end
+  if value[1] ~= nil then return array(value, indent) end
+  return object(value, indent)
+end
+
+function json.encode(value) return encode(value, "") .. "\n" end
+
+return json

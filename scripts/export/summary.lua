@@ -1,0 +1,86 @@
+-- export.json: what a run was asked for, how far it is and what came out, for programs to read.
+-- Follows the engine's own lists of settings and columns.
+
+local check = require "archard.lib.check"
+local files = require "archard.files"
+local json = require "archard.export.json"
+local known = require "archard.settings"
+
+local where = "export.json"
+
+-- Settings that a run holds under another name: the plain one says how far it is.
+local held_as = { distance = "total_distance", update = "update_at" }
+
+local function value_at(object, path)
+  for name in path:gmatch("[^.]+") do object = object[name] end
+  return object
+end
+
+-- A value as JSON can hold it: no program can read a function.
+local function plain(value)
+  if type(value) == "function" then return "function" end
+  if type(value) ~= "table" then return value end
+  local copy = {}
+  for name, inner in pairs(value) do copy[name] = plain(inner) end
+  return copy
+end
+
+local function put(into, units, prefix, path, value, unit)
+  local inner = into
+  for group in path:gmatch("([^.]+)%.") do
+    inner[group] = inner[group] or {}
+    inner = inner[group]
+  end
+  inner[path:match("[^.]+$")] = plain(value)
+  if unit and unit ~= "" then units[prefix .. path] = unit end
+end
+
+-- The settings of a class as the object has them.
+local function definition(class, object, units, prefix)
+  local into = {}
+  for _, setting in ipairs(known[class]) do
+    local path = setting.path
+    if setting.class == "material" then
+      into[path] = definition("material", object[path], units, prefix .. path .. ".")
+    elseif setting.plain and not setting.group then
+      local value = value_at(object, class == "wear" and held_as[path] or path)
+      put(into, units, prefix, path, value, setting.unit)
+    end
+  end
+  return into
+end
+
+local function results(run, units)
+  local into = {}
+  for _, column in ipairs(known.columns) do
+    local values = run.history[column.name]
+    put(into, units, "results.", column.name, values[#values], column.unit)
+  end
+  put(into, units, "results.", "volume_total", run.volume.total, "mm3")
+  into.done = run.done
+  return into
+end
+
+-- (run, path) -> the file written
+return function(run, path)
+  if check.shown(run) ~= "a wear object" then
+    check.fail(where, "expected a wear object, got " .. check.shown(run))
+  end
+  if type(path) ~= "string" then check.refuse(where, "path", "a file name", path) end
+  local ending = path:match("%.[^./]*$")
+  if not ending then path = path .. ".json" end
+  if ending and ending ~= ".json" then
+    check.refuse(where, "path", "a file name that ends in .json", path)
+  end
+  local units = {}
+  local asked = definition("wear", run, units, "definition.")
+  asked.model = definition("model", run.model, units, "definition.model.")
+  asked.loading = run.loading and plain(run.loading) or json.null
+  units["definition.loading.x"], units["definition.loading.load"] = "mm", "N"
+  asked.local_factor = run.local_factor and "function" or json.null
+  files.write(where, path, json.encode{
+    versions = { archard = require "archard".version, lua = _VERSION:match("[%d.]+") },
+    definition = asked, results = results(run, units), units = units,
+  })
+  return path
+end

@@ -1,0 +1,70 @@
+-- Topics of help: what belongs to no single name. { title, text }, in the order of the overview. Lines
+-- that begin with two spaces stay as they are.
+
+return {
+  { "units", [[
+Lengths are in mm, forces in N, pressures and moduli in MPa (N/mm2), wear coefficients in mm2/N, volumes in mm3, angles in
+degrees. Loads count for the thickness, which is 1 mm unless model{ thickness= } says otherwise: plane strain.
+
+Travelled distance d is the way of the plate in mm, both strokes counted: d = cycles * strokes * stroke, with two strokes a
+cycle, or one at a stroke of 2 radius. Depths are in mm everywhere; tables and plots show um where they say so.
+
+k = 1e-8 mm2/N is 1e-8 mm3 of wear for each N and mm of sliding, both bodies together. In mm3/(N m) the same k is a thousand
+times the number: 1e-8 mm2/N = 1e-5 mm3/(N m).
+
+Run files carry units in the names of columns (half_width_mm), and have a view of them all (units).]] },
+  { "running in", [[
+Fresh surfaces often wear faster and then settle. Give k as a function of the state, or as a table over the distance:
+
+  k = function(state) return 1e-8 + 4e-8 * math.exp(-state.distance / 100) end
+  k = { distance = { 0, 200, 1320 }, value = { 5e-8, 1e-8, 1e-8 } }
+
+Both are integrated along every update, and an update ends where a table jumps. alpha takes the same forms. Short steps while
+k falls, long ones after: scheme = "implicit" with tolerance = 1e-3, or jump = "auto". calibrate{} makes such tables out of
+volumes measured on the way. See help "state", and examples "running_in".]] },
+  { "files", [[
+  w:save, wear.open           runs with all they need to go on
+  s:run{ file= }, study.open  cases, each stored as it ends
+  session.save, session.open  runs, models, studies, values by name
+  export.csv, .vtk, .inp      tables, fields, input decks for other programs
+  csv.read                    measured loadings and profiles
+  plot{ ..., file= }          pictures: .png, .svg, .pdf, .eps, .txt
+  plot.save                   the last picture, and its data beside it
+
+Run files are SQLite databases: sqlite3 run.archard "select * from history_of". Files of older releases go on. Functions in a
+definition cannot be stored: they are given again when the file is opened. On leaving the prompt with runs that are in no
+file it asks whether to save the session.]] },
+  { "meshes", [[
+A model{} meshes both bodies and condenses them once; contact and wear then work on the surfaces alone. Elements under the
+contact are mesh.size wide and mesh.height high, and grow towards mesh.far. A half width of the contact should hold at least
+four of them, better five or more: plot.mesh(m, { zoom = "wear box" }) shows it, hertz{} tells the half width.
+
+mesh.zone is the full width of the fine contact zone of each body. Without a model, wear{} and contact{} build one whose zones
+suit; a given model that is too small is refused with the zone it needs. study.converge{} finds a size, a jump and increments
+for a case. Pressures at edges of scars (p_max, p_peak) grow as elements shrink: p_average settles.]] },
+  { "steps", [[
+One update of the geometry wears jump cycles together. Too large a jump makes the surfaces rough: w:stability() tells the
+limit, and runs past it warn. What to do, from the simplest on:
+
+  jump = "auto"        explicit steps that follow an estimate of their error
+  scheme = "implicit"  with tolerance = 1e-3: long steps, by accuracy
+  jump = 50            fixed, as the paper does; 100 is its choice at 20 um
+
+increments divide a cycle: "auto" takes enough of them that the plate moves by less than an eighth of the half width in each.
+w:step() makes one update, w:run() all; Ctrl-C stops after the running step, and w:run() goes on.]] },
+  { "troubleshooting", [[
+"no global 'x'": a name that nothing was assigned to. rawget(_G, "x") asks without an error; archard --lax reads nil instead.
+
+"no field ... did you mean ...": an object has no such field or method. help(wear) lists those of runs.
+
+Rough profiles, pressures that saw: the jump is too large. See help "steps".
+
+A zone too narrow: the stroke or the scar outgrows the fine zone. Leave the model out, or give the mesh.zone that the message names.
+
+Too coarse for the contact: fewer than four elements to the half width. Smaller mesh.size; see help "meshes".
+
+It takes long: time(function() w:step() end) tells how long a step takes. Larger elements, fewer increments, longer steps;
+studies use all processors by themselves.
+
+No picture: gnuplot has to be installed. plot{ ..., file = "p.png" } draws to a file, plot.default.term chooses the terminal.]] },
+}

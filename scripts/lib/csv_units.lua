@@ -1,0 +1,35 @@
+-- Units behind the names of columns, "h [um]" or "h (um)", and what brings their numbers to mm, N,
+-- MPa and s.
+
+local larger = { mm = 1, cm = 10, m = 1000, ["in"] = 25.4, N = 1, kN = 1000, MPa = 1, ["N/mm2"] = 1, GPa = 1000, s = 1,
+  min = 60, h = 3600, mm2 = 1, mm3 = 1, ["mm2/N"] = 1, ["N mm"] = 1, J = 1000, ["m2/N"] = 1e6, ["1/MPa"] = 1, cycles = 1, ["-"] = 1 }
+-- Divisors: a tenth is no number of a computer, ten is.
+local smaller = { um = 1000, ["µm"] = 1000, ["μm"] = 1000, nm = 1e6, mN = 1000, kPa = 1000, Pa = 1e6, ms = 1000,
+  um3 = 1e9, ["mm3/(N m)"] = 1000, ["mm3/Nm"] = 1000, ["%"] = 100 }
+
+local units = {}
+
+-- "h [um]" -> "h", "um"; a name without a unit comes back alone.
+function units.split(header)
+  local name, unit = header:match("^(.-)%s*%[%s*(.-)%s*%]$")
+  if not name then name, unit = header:match("^(.-)%s*%(%s*(.-)%s*%)$") end
+  if not name or name == "" then return header end
+  return name, unit
+end
+
+function units.known(unit) return (larger[unit] or smaller[unit]) ~= nil end
+
+-- A number in that unit, in ours.
+function units.scaled(value, unit)
+  return larger[unit] and value * larger[unit] or value / smaller[unit]
+end
+
+function units.list()
+  local all = {}
+  for unit in pairs(larger) do all[#all + 1] = unit end
+  for unit in pairs(smaller) do all[#all + 1] = unit end
+  table.sort(all)
+  return table.concat(all, ", ")
+end
+
+return units

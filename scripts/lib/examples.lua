@@ -1,0 +1,78 @@
+-- examples(): the programs that came with this one, to read and to run.
+
+local check = require "archard.lib.check"
+local pager = require "archard.lib.pager"
+local process = require "archard.process"
+
+local examples = {}
+
+-- Beside the installed program, and above the one that was just built.
+local function folder()
+  local bin = (process.program() or ""):match("^(.*)/[^/]*$") or "."
+  for _, place in ipairs{ "/../share/archard/examples", "/../examples", "/../../examples" } do
+    if process.files(bin .. place) then return bin .. place end
+  end
+  check.fail("examples", "they are not there: looked in share/archard/examples beside " .. bin, "MISSING")
+end
+
+local function names()
+  local list = {}
+  for _, file in ipairs(process.files(folder())) do
+    list[#list + 1] = file:match("^([^.].*)%.lua$")
+  end
+  table.sort(list)
+  return list
+end
+
+local function path_of(where, name)
+  local known = names()
+  for _, each in ipairs(known) do
+    if each == name then return folder() .. "/" .. name .. ".lua" end
+  end
+  check.fail(where, ("no example %s%s"):format(check.shown(name), check.hint(tostring(name), known)))
+end
+
+local function text_of(path)
+  local file <close> = assert(io.open(path, "r"))
+  return file:read "a"
+end
+
+-- The first sentence of the comment that an example begins with.
+local function title(path)
+  local head = {}
+  for line in text_of(path):gmatch("[^\n]+") do
+    if not line:find("^%-%-") then break end
+    head[#head + 1] = line:gsub("^%-%-%s*", "")
+  end
+  local text = table.concat(head, " ")
+  return text:match("^(.-[.])%s") or text
+end
+
+-- The list of all, a line or more for each.
+local function overview()
+  local show = require "archard.help.show"
+  local lines = {}
+  for i, name in ipairs(names()) do
+    lines[i] = { name = name, text = title(folder() .. "/" .. name .. ".lua") }
+  end
+  return show.listing("Examples", lines)
+    .. '\n\nexamples "demo" shows one, examples.run("demo", ...) runs it with its arguments'
+end
+
+-- examples.run(name, ...): as a script of that name with these arguments, whose globals stay.
+function examples.run(name, ...)
+  local path = path_of("examples.run", name)
+  local before = rawget(_G, "arg")
+  rawset(_G, "arg", { [0] = path, ... })
+  local chunk <const> = assert(loadfile(path))
+  local restored <close> = setmetatable({}, { __close = function() rawset(_G, "arg", before) end })
+  chunk(...)
+end
+
+
+return setmetatable(examples, {
+  __call = function(_, name)
+    pager.show(name == nil and overview() or text_of(path_of("examples", name)))
+  end,
+  __tostring = function() return overview() end,
+})

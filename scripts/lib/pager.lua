@@ -1,0 +1,64 @@
+-- Shows a text page by page where it is longer than the terminal: through $PAGER, through less where
+-- that is there, or by itself. Anywhere but on a terminal it prints.
+
+local term = require "archard.term"
+
+local pager = {}
+
+local function count_lines(text)
+  local _, breaks = text:gsub("\n", "")
+  return breaks + 1
+end
+
+-- Colours and all; what less shows stays on the screen.
+local function command()
+  local wished = os.getenv "PAGER"
+  if wished and wished ~= "" then return wished end
+  return os.execute "command -v less >/dev/null 2>&1" and "less -R -X" or nil
+end
+
+-- A file, not a pipe: who leaves the pager early leaves nobody writing.
+local function through(program, text)
+  local name = os.tmpname()
+  local file = io.open(name, "w")
+  if not file then return false end
+  file:write(text, "\n")
+  file:close()
+  local fine = os.execute(("%s < %s"):format(program, name))
+  os.remove(name)
+  return fine
+end
+
+-- Calls write(page) for as many lines as fit, and ask() after each but the last; true ends it.
+function pager.pages(text, lines, write, ask)
+  local page, count = {}, 0
+  for line in (text .. "\n"):gmatch("(.-)\n") do
+    if count == lines then
+      write(table.concat(page, "\n"))
+      if ask() then return end
+      page, count = {}, 0
+    end
+    count = count + 1
+    page[count] = line
+  end
+  write(table.concat(page, "\n"))
+end
+
+local function ask_for_more()
+  io.write("-- Enter shows more, q ends -- ")
+  io.flush()
+  local answer = io.read()
+  return answer == nil or answer:find("^%s*q") ~= nil
+end
+
+function pager.show(text)
+  local _, lines = term.size()
+  local terminal = term.is_terminal "stdin" and term.is_terminal "stdout"
+  if not terminal or count_lines(text) < lines then return print(text) end
+  io.flush()
+  local program = command()
+  if program and through(program, text) then return end
+  pager.pages(text, math.max(2, lines - 1), print, ask_for_more)
+end
+
+return pager

@@ -1,0 +1,300 @@
+-- What session.save and session.open do: what the session has made, by name, in one run file: runs
+-- with all they need to go on, models, studies, and plain values. Leans on archard.store; who made
+-- what is the business of lib/own.lua.
+--
+-- Every value is a case of the file; its settings tell what it is (kind), where it belongs (key.1,
+-- key.2, ... as in runs[1].first) and what it takes to make it again.
+
+local check = require "archard.lib.check"
+local own = require "archard.lib.own"
+local settings = require "archard.study.settings"
+local store = require "archard.store"
+
+local session = {}
+
+-- The file that this session was saved to or opened from last.
+local last
+
+-- --- from values to cases and back: writers[class](value, given, run) fills `given` --------------
+
+local writers, readers = {}, {}
+
+-- A case is in the file by then: the run goes under its number.
+function writers.wear(value, _, file, id) file:save(id, value) end
+
+function readers.wear(_, file, id, functions) return file:wear(id, functions) end
+
+function writers.model(value, given)
+  for name, one in pairs(settings.flatten("session.save", { is = value })) do given[name] = one end
+end
+
+function readers.model(given) return model(settings.nest(given).is) end
+
+function writers.material(value, given) given["is.E"], given["is.nu"] = value.E, value.nu end
+
+function readers.material(given) return material(settings.nest(given).is) end
+
+-- A study that has run is in a file of its own; of another its cases are kept.
+function writers.study(value, given)
+  given.file, given.name, given.looks, given.task = value.file, value.name, value.looks, value.task
+  for i, flat in ipairs(value.file and {} or value.flat) do
+    given["count"] = i
+    for name, one in pairs(flat) do given[("is.%d.%s"):format(i, name)] = one end
+  end
+end
+
+function readers.study(given)
+  if given.file then return study.open(given.file) end
+  local nested, cases = settings.nest(given).is or {}, {}
+  for i = 1, given.count do cases[i] = nested[i] or {} end
+  return study{ name = given.name, looks = math.tointeger(given.looks), task = given.task, cases = cases }
+end
+
+local function write_plain(value, given) given.is = value end
+
+local function read_plain(given) return given.is end
+
+for _, class in ipairs{ "string", "boolean" } do
+  writers[class], readers[class] = write_plain, read_plain
+end
+
+-- Files hold doubles; whole numbers of more digits than those have go as text.
+function writers.number(value, given)
+  given.is, given.whole = value, math.type(value) == "integer"
+  if given.whole and math.tointeger(value + 0.0) ~= value then given.is = tostring(value) end
+end
+
+function readers.number(given)
+  return given.whole and math.tointeger(tonumber(given.is)) or tonumber(given.is)
+end
+
+function writers.list(value, given)
+  given.is, given.whole = value, true
+  for _, number in ipairs(value) do given.whole = given.whole and math.type(number) == "integer" end
+end
+
+function readers.list(given)
+  local list = {}
+  for i, number in ipairs(given.is) do list[i] = given.whole and math.tointeger(number) or number end
+  return list
+end
+
+-- Of a table its place alone: what is in it comes by itself.
+function writers.table() end
+
+function readers.table() return {} end
+
+-- --- paths ---------------------------------------------------------------------------------------
+
+-- Keys as a file can hold them: texts and whole numbers.
+local function write_path(given, path)
+  for i, key in ipairs(path) do
+    if type(key) ~= "string" and math.type(key) ~= "integer" then return false end
+    given["key." .. i] = key
+    given["whole." .. i] = math.type(key) == "integer"
+  end
+  return true
+end
+
+local function read_path(given)
+  local path = {}
+  while given["key." .. #path + 1] ~= nil do
+    local i = #path + 1
+    path[i] = given["whole." .. i] and math.tointeger(given["key." .. i]) or given["key." .. i]
+  end
+  return path
+end
+
+local function put(into, path, value)
+  for i = 1, #path - 1 do into = into[path[i]] end
+  into[path[#path]] = value
+end
+
+-- --- saving --------------------------------------------------------------------------------------
+
+-- What is to be written, in order: a table before what is in it, one object under several names
+-- once and then by the number of its case.
+local function gather()
+  local cases, left, number = {}, {}, {}
+  own.visit(function(path, value, class)
+    local given = { kind = class }
+    local name = own.spoken(path)
+    local closed = type(value) == "userdata" and tostring(value):find("%(closed%)$")
+    local torn = type(value) == "string" and value:find("\0", 1, true)
+    if not writers[class] or closed or torn or not write_path(given, path) then
+      left[#left + 1] = ("%s (%s)"):format(name, closed and "closed" or class)
+      return false
+    end
+    local object = type(value) == "table" or type(value) == "userdata"
+    if object and number[value] then given.kind, given.same = "same", number[value] end
+    cases[#cases + 1] = { name = name, given = given, value = value, class = given.kind }
+    if object then number[value] = number[value] or #cases end
+    return class == "table" and given.kind == "table"
+  end)
+  return cases, left
+end
+
+local function write(file, cases)
+  file:begin()
+  file:set_info("program", "archard " .. require "archard".version)
+  for id, each in ipairs(cases) do
+    file:add(id, each.name:sub(1, 190))
+    if each.class ~= "same" then writers[each.class](each.value, each.given, file, id) end
+    file:set_values(id, "settings", each.given)
+    file:mark(id, "done")
+  end
+  file:commit()
+end
+
+-- "2 runs, 1 model", and what a reader has to know besides.
+local function summary(cases)
+  local count, order = {}, { "wear", "model", "study" }
+  local words = { wear = { "run", "runs" }, model = { "model", "models" }, study = { "study", "studies" } }
+  local others, parts = 0, {}
+  for _, each in ipairs(cases) do
+    if words[each.class] then
+      count[each.class] = (count[each.class] or 0) + 1
+    else
+      others = others + 1
+    end
+  end
+  for _, class in ipairs(order) do
+    local n = count[class]
+    if n then parts[#parts + 1] = ("%d %s"):format(n, words[class][n == 1 and 1 or 2]) end
+  end
+  if others > 0 then parts[#parts + 1] = ("%d other value%s"):format(others, others == 1 and "" or "s") end
+  return parts[1] and table.concat(parts, ", ") or "nothing"
+end
+
+local function notes(cases, left)
+  local lines = {}
+  for _, each in ipairs(cases) do
+    if each.class == "wear" and #each.value.functions > 0 then
+      lines[#lines + 1] = ("  %s: give its functions again when you open it (%s)"):format(each.name,
+        table.concat(each.value.functions, ", "))
+    elseif each.class == "study" and each.value.file then
+      lines[#lines + 1] = ("  %s: its cases stay in %s"):format(each.name, each.value.file)
+    end
+  end
+  if left[1] then lines[#lines + 1] = "  not kept: " .. table.concat(left, ", ") end
+  return #lines > 0 and "\n" .. table.concat(lines, "\n") or ""
+end
+
+local function check_path(where, path)
+  if type(path) == "string" and path ~= "" then return end
+  check.fail(where, "expected the name of a file, got " .. check.shown(path))
+end
+
+-- Runs a function of the store; what it raises is told of as the call that the user made.
+local function as(where, f, ...)
+  local results = table.pack(pcall(f, ...))
+  if results[1] then return table.unpack(results, 2, results.n) end
+  local err = results[2]
+  if type(err) == "table" and err.message then check.fail(where, err.message, err.code) end
+  error(err, 0)
+end
+
+-- save(path) -> what was saved, in words. A session that was saved there before is replaced, anything
+-- else is refused; the file is there whole or not at all.
+function session.save(path)
+  if path == nil then path = last end
+  check_path("session.save", path)
+  local cases, left = gather()
+  as("session.save", function()
+    local file <close> = store.replace(path, "session")
+    write(file, cases)
+    file:publish()
+  end)
+  last = path
+  for _, each in ipairs(cases) do
+    if each.class == "wear" then store.note_saved(each.value) end
+  end
+  return ("saved in %s: %s%s"):format(path, summary(cases), notes(cases, left))
+end
+
+-- --- opening -------------------------------------------------------------------------------------
+
+local function check_kind(file, path)
+  local kind = file:info "kind"
+  if kind ~= "session" then
+    check.fail("session.open", ("%s: expected a file of session.save, got a run file of kind %s"):format(
+      path, tostring(kind)), "FORMAT")
+  end
+end
+
+-- The functions of runs, by the names the runs have: { w = { k = f } }.
+local function functions_of(given, name)
+  if given == nil then return nil end
+  if type(given) ~= "table" then
+    check.fail("session.open", "expected a table of runs' functions, { w = { k = f } }, got " .. check.shown(given))
+  end
+  return given[name]
+end
+
+local function is_there(path)
+  local file <close> = io.open(path, "r")
+  return file ~= nil
+end
+
+-- Makes all values of a file; nothing of the session has changed yet.
+local function read(file, functions)
+  local values, cases, missing = {}, {}, {}
+  for _, case in ipairs(file:cases()) do
+    local given = file:values(case.id, "settings")
+    local path = read_path(given)
+    local each = { path = path, name = own.spoken(path), class = given.kind }
+    if given.same then
+      each.value = values[math.tointeger(given.same)]
+    elseif given.kind == "study" and given.file and not is_there(given.file) then
+      missing[#missing + 1] = ("%s: %s is not there"):format(each.name, given.file)
+    else
+      each.value = readers[given.kind](given, file, case.id, functions_of(functions, each.name))
+    end
+    values[case.id] = each.value
+    if each.value ~= nil then cases[#cases + 1] = each end
+  end
+  return cases, missing
+end
+
+-- What has not been saved is not overwritten.
+local function refuse_loss(cases)
+  local new = {}
+  for _, each in ipairs(cases) do new[each.path[1]] = true end
+  for _, each in ipairs(own.unsaved()) do
+    if new[each.path[1]] then
+      check.fail("session.open", ("%s is a run that has not been saved, and the file has %s too: save it, "
+        .. "or set %s = nil"):format(own.spoken(each.path), each.path[1], each.path[1]))
+    end
+  end
+end
+
+-- open(path [, functions]) -> what was opened, in words: all of it as globals, or nothing. Functions
+-- of the runs cannot be stored: session.open(path, { w = { k = f } }) gives them again.
+function session.open(path, functions)
+  check_path("session.open", path)
+  local cases, missing = as("session.open", function()
+    local file <close> = store.open(path, "read")
+    file:check()
+    check_kind(file, path)
+    return read(file, functions)
+  end)
+  refuse_loss(cases)
+  for _, each in ipairs(cases) do put(_G, each.path, each.value) end
+  last = path
+  local text = { ("opened %s: %s"):format(path, summary(cases)) }
+  for i, line in ipairs(missing) do text[i + 1] = "  left out: " .. line end
+  return table.concat(text, "\n")
+end
+
+-- --- leaving -------------------------------------------------------------------------------------
+
+-- A name that is this session's own, or free.
+function session.suggested()
+  if last then return last end
+  for i = 1, math.huge do
+    local name = i == 1 and "session.archard" or ("session-%d.archard"):format(i)
+    if not is_there(name) then return name end
+  end
+end
+
+return session

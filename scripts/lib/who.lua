@@ -1,0 +1,48 @@
+-- who(): what the session has made, a line for each global.
+
+local own = require "archard.lib.own"
+local pretty = require "archard.lib.pretty"
+local term = require "archard.term"
+
+-- What tells objects of a class apart, in a few words; others by the first line they print as.
+local tell = {}
+
+function tell.wear(w)
+  return ("cycle %.6g of %.6g, %d update%s%s"):format(w.cycle, w.cycles, math.tointeger(w.update) or 0,
+    w.update == 1 and "" or "s", w.update > 0 and (w.saved and ", saved" or ", not saved") or "")
+end
+
+tell["function"] = function(f)
+  local where = debug.getinfo(f, "S")
+  return where.what == "C" and "in C" or ("%s:%d"):format(where.short_src, where.linedefined)
+end
+
+local function words(each)
+  local text = tostring(each.value)
+  if text:find("%(closed%)$") then return "closed" end
+  if tell[each.class] then return tell[each.class](each.value) end
+  if each.class ~= "string" then text = pretty.format(each.value, { width = 1000 }) end
+  return (text:match("^[^\n]*"):gsub("^" .. each.class .. ":? ", ""))
+end
+
+local function cut(text, room)
+  return utf8.len(text) and utf8.len(text) > room
+    and text:sub(1, utf8.offset(text, room - 2) - 1) .. "..." or text
+end
+
+-- The lines as text.
+local function lines()
+  local rows, wide, class_wide = own.list(), 0, 0
+  for _, each in ipairs(rows) do
+    wide, class_wide = math.max(wide, #each.name), math.max(class_wide, #each.class)
+  end
+  local width = term.size()
+  for i, each in ipairs(rows) do
+    local head = each.name .. (" "):rep(wide - #each.name + 2)
+      .. each.class .. (" "):rep(class_wide - #each.class + 2)
+    rows[i] = head .. cut(words(each), math.max(20, width - #head))
+  end
+  return rows[1] and table.concat(rows, "\n") or "nothing yet: w = wear{} makes a run"
+end
+
+return function() print(lines()) end

@@ -1,0 +1,93 @@
+-- make peer: the exported decks run through CalculiX, side by side with archard. Linear elements of the same kind on the
+-- same nodes; CalculiX presses by a penalty, archard without. CPU seconds of one
+-- thread; an increment of archard's is one of a run, with its share of wear and of new geometry.
+
+local ccx = dofile(arg[0]:match("^.*/") .. "ccx.lua")
+
+local function largest(values)
+  local most = -math.huge
+  for _, value in ipairs(values) do most = math.max(most, value) end
+  return most
+end
+
+local function timed(f)
+  local start = os.clock()
+  f()
+  return os.clock() - start
+end
+
+local function ours(c)
+  local stress = c:stress()
+  return { p_center = c.p_center, p_max = c.p_max,
+    mises = { cylinder = largest(stress.cylinder.mises), plate = largest(stress.plate.mises) } }
+end
+
+-- What all nodes of the cylinder carry across.
+local function force_on(c)
+  local x, p = c:pressure("cylinder").x, c:pressure("cylinder").p
+  local sum = 0
+  for i = 2, #x - 1 do sum = sum + p[i] * (x[i + 1] - x[i - 1]) / 2 end
+  return sum * c.model.thickness
+end
+
+local function theirs(folder, name, c)
+  export.inp(c, ("%s/%s.inp"):format(folder, name))
+  local meshes = c.model.mesh
+  return assert(ccx.solve(folder, name, meshes.cylinder.nodes, meshes.cylinder.nodes + meshes.plate.nodes))
+end
+
+-- One case: both results, and the seconds of an increment of the run that it comes from.
+local function case(folder, title, c, seconds)
+  local a, b = ours(c), theirs(folder, "deck", c)
+  a.force, a.seconds = force_on(c), seconds
+  b.seconds = b.seconds / b.increments
+  for _, result in ipairs{ a, b } do
+    result.cylinder, result.plate = result.mises.cylinder, result.mises.plate
+  end
+  return { title = title, ours = a, theirs = b }
+end
+
+local rows = { { "p_center", "centre pressure [MPa]" }, { "p_max", "largest pressure [MPa] (*)" },
+  { "cylinder", "largest von Mises stress, cylinder [MPa]" }, { "plate", "the same, plate [MPa]" },
+  { "force", "force on the cylinder [N]" } }
+
+local function show(cases)
+  local head, rule = "| archard / CalculiX |", "|---|"
+  for _, c in ipairs(cases) do
+    head, rule = head .. " " .. c.title .. " |", rule .. "---|"
+  end
+  io.write(head, "\n", rule, "\n")
+  for _, row in ipairs(rows) do
+    io.write("| ", row[2], " |")
+    for _, c in ipairs(cases) do
+      local a, b = c.ours[row[1]], c.theirs[row[1]]
+      io.write((" %.4g / %.4g (%+.1f %%) |"):format(a, b, 100 * (b / a - 1)))
+    end
+    io.write("\n")
+  end
+  io.write("| CPU seconds an increment (+) |")
+  for _, c in ipairs(cases) do io.write((" %.1g / %.1f |"):format(c.ours.seconds, c.theirs.seconds)) end
+  io.write("\n\n(*) CalculiX extrapolates pressures to nodes from points within the elements: too much at the edge of a scar.\n",
+    "(+) archard: of a whole run, wear and new geometry included; CalculiX: of two, reading and writing included.\n")
+end
+
+local function run_of(definition)
+  local w = wear(definition)
+  local seconds = timed(function() w:run{ progress = false } end)
+  return w, seconds / w.solutions
+end
+
+local function main()
+  local folder = os.tmpname()
+  os.remove(folder)
+  assert(os.execute("mkdir " .. folder))
+  local w, seconds = run_of{}
+  local soft, soft_seconds = run_of{ model = { plate = { E = 1000, nu = 0.46 } }, load = 1, k = 1e-7, distance = 200 }
+  local cases = { case(folder, "unworn", contact{ model = w.model }, seconds),
+    case(folder, "worn, after 1320 mm", w:contact(), seconds),
+    case(folder, "plate of 1 GPa, nu = 0.46, after 200 mm", soft:contact(), soft_seconds) }
+  os.execute("rm -r " .. folder)
+  show(cases)
+end
+
+main()

@@ -1,0 +1,244 @@
+/* Unknown names: who reads, what is known, the error. Leans on names.c for the nearest name. */
+#include "lua/base/strict.h"
+#include "lua/base/archard.h"
+#include "lua/base/error.h"
+#include "lua/base/names.h"
+
+#include <lauxlib.h>
+#include <string.h>
+
+static const char lax_key = 0; /* its address names the registry's entry */
+
+void strict_lax(lua_State *L) {
+  lua_pushboolean(L, 1);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &lax_key);
+}
+
+static int is_lax(lua_State *L) {
+  const int lax = lua_rawgetp(L, LUA_REGISTRYINDEX, &lax_key) == LUA_TBOOLEAN;
+  lua_pop(L, 1);
+  return lax;
+}
+
+static int reads_at(lua_State *L, int level) {
+  lua_Debug reader;
+  if (is_lax(L) || !lua_getstack(L, level, &reader)) return 0;
+  lua_getinfo(L, "S", &reader);
+  return strcmp(reader.what, "C") != 0 && strncmp(reader.source, "@scripts/", 9) != 0;
+}
+
+int strict_reads(lua_State *L) {
+  return reads_at(L, 1);
+}
+
+/* --- what is known --------------------------------------------------------------------------- */
+
+/* Offers the texts among the keys of the table at `index`, and among the values of its list. */
+static void offer_all(lua_State *L, int index, names_search *search) {
+  index = lua_absindex(L, index);
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    if (lua_type(L, -2) == LUA_TSTRING)
+      names_offer(search, lua_tostring(L, -2));
+    else if (lua_type(L, -1) == LUA_TSTRING)
+      names_offer(search, lua_tostring(L, -1));
+  }
+}
+
+void strict_refuse(lua_State *L, const char *where, const char *name, int known) {
+  names_search search = names_begin(name);
+  luaL_checkstack(L, 10, where);
+  offer_all(L, known, &search);
+  if (search.best)
+    error_raise(L, ARC_ARGUMENT, where, "no field '%s'; did you mean '%s'?", name, search.best);
+  error_raise(L, ARC_ARGUMENT, where, "no field '%s'", name);
+}
+
+/* --- tables ---------------------------------------------------------------------------------- */
+
+/* __index(table, name); upvalue: the table's name. */
+static int table_index(lua_State *L) {
+  if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
+    strict_refuse(L, lua_tostring(L, lua_upvalueindex(1)), lua_tostring(L, 2), 1);
+  return 0;
+}
+
+/* As the prompt shows it, fitted to the terminal. */
+static int table_tostring(lua_State *L) {
+  lua_settop(L, 1);
+  lua_getglobal(L, "require");
+  lua_pushliteral(L, "archard.lib.pretty");
+  lua_call(L, 1, 1);
+  lua_getfield(L, -1, "fitted");
+  lua_pushvalue(L, 1);
+  lua_call(L, 1, 1);
+  return 1;
+}
+
+static void set_index(lua_State *L, const char *where) {
+  lua_pushstring(L, where);
+  lua_pushcclosure(L, table_index, 1);
+  lua_setfield(L, -2, "__index");
+}
+
+/* The metatable says that nothing of the table is hidden by its text: it is shown as others are. */
+static void fill_metatable(lua_State *L, const char *where) {
+  set_index(L, where);
+  lua_pushcfunction(L, table_tostring);
+  lua_setfield(L, -2, "__tostring");
+  lua_pushboolean(L, 1);
+  lua_setfield(L, -2, "__plain");
+}
+
+void strict_table(lua_State *L, const char *where) {
+  luaL_checkstack(L, 6, where);
+  if (luaL_newmetatable(L, lua_pushfstring(L, "archard.table %s", where))) {
+    lua_pushnil(L);
+    lua_setfield(L, -2, "__name");
+    fill_metatable(L, where);
+  }
+  lua_setmetatable(L, -3);
+  lua_pop(L, 1);
+}
+
+void strict_module(lua_State *L, const char *where) {
+  if (!lua_getmetatable(L, -1)) lua_newtable(L);
+  lua_pushliteral(L, "__index");
+  if (lua_rawget(L, -2) == LUA_TNIL) {
+    lua_pop(L, 1);
+    set_index(L, where);
+  } else {
+    lua_pop(L, 1);
+  }
+  lua_setmetatable(L, -2);
+}
+
+/* --- globals --------------------------------------------------------------------------------- */
+
+/* What Lua text asks for to find out where it runs, and the prompt's last value. */
+static const char *const asked_for[] = {"_",       "unpack",   "loadstring", "setfenv",
+                                        "getfenv", "module",   "jit",        "bit",
+                                        "bit32",   "newproxy", "ngx",        NULL};
+
+static int is_asked_for(const char *name) {
+  int i = 0;
+  while (asked_for[i] && strcmp(asked_for[i], name) != 0) i++;
+  return asked_for[i] != NULL;
+}
+
+static int was_assigned(lua_State *L) {
+  lua_pushvalue(L, 2);
+  const int found = lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL;
+  lua_pop(L, 1);
+  return found;
+}
+
+/* __index(globals, name); upvalue: the names that were assigned, maybe nil. */
+static int global_index(lua_State *L) {
+  if (lua_type(L, 2) != LUA_TSTRING || !strict_reads(L) || was_assigned(L)) return 0;
+  const char *name = lua_tostring(L, 2);
+  if (is_asked_for(name)) return 0;
+  names_search search = names_begin(name);
+  offer_all(L, 1, &search);
+  if (search.best) return luaL_error(L, "no global '%s'; did you mean '%s'?", name, search.best);
+  return luaL_error(L, "no global '%s'", name);
+}
+
+static int global_newindex(lua_State *L) {
+  lua_pushvalue(L, 2);
+  lua_pushboolean(L, 1);
+  lua_rawset(L, lua_upvalueindex(1));
+  lua_rawset(L, 1);
+  return 0;
+}
+
+void strict_globals(lua_State *L) {
+  lua_pushglobaltable(L);
+  lua_createtable(L, 0, 2);
+  lua_newtable(L);
+  lua_pushvalue(L, -1);
+  lua_pushcclosure(L, global_index, 1);
+  lua_setfield(L, -3, "__index");
+  lua_pushcclosure(L, global_newindex, 1);
+  lua_setfield(L, -2, "__newindex");
+  lua_setmetatable(L, -2);
+  lua_pop(L, 1);
+}
+
+/* --- for scripts ----------------------------------------------------------------------------- */
+
+/* table(t, where) -> t */
+static int module_table(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const char *where = luaL_checkstring(L, 2);
+  lua_pushvalue(L, 1);
+  strict_table(L, where);
+  return 1;
+}
+
+/* Whether the text at `name` is among the values of the list at `known`. */
+static int is_listed(lua_State *L, int known, int name) {
+  int found = 0;
+  for (lua_Integer i = 1; !found && lua_rawgeti(L, known, i) != LUA_TNIL; i++) {
+    found = lua_rawequal(L, -1, name);
+    lua_pop(L, 1);
+  }
+  if (!found) lua_pop(L, 1);
+  return found;
+}
+
+/* refuse(where, name, known), called by an __index function itself, so that the one who reads is
+ * two levels up. nil where that is not the user's text, or for a name in the list, which may be
+ * without a value. */
+static int module_refuse(lua_State *L) {
+  if (lua_type(L, 2) != LUA_TSTRING || !reads_at(L, 2) || is_listed(L, 3, 2)) return 0;
+  strict_refuse(L, luaL_checkstring(L, 1), lua_tostring(L, 2), 3);
+}
+
+/* __index(object, name); upvalues: the class' methods, names of all it may have, its name. */
+static int object_index(lua_State *L) {
+  lua_settop(L, 2);
+  if (lua_type(L, 2) != LUA_TSTRING) return 0;
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
+  if (!strict_reads(L) || is_listed(L, lua_upvalueindex(2), 2)) return 0;
+  strict_refuse(L, lua_tostring(L, lua_upvalueindex(3)), lua_tostring(L, 2), lua_upvalueindex(2));
+}
+
+/* Appends the texts among the keys, and the values of the list, of the table on top to the list
+ * below it; pops it. */
+static void gather(lua_State *L) {
+  for (lua_pushnil(L); lua_istable(L, -2) && lua_next(L, -2); lua_pop(L, 1)) {
+    lua_pushvalue(L, lua_type(L, -2) == LUA_TSTRING ? -2 : -1);
+    lua_rawseti(L, -5, (lua_Integer)lua_rawlen(L, -5) + 1);
+  }
+  lua_settop(L, 2);
+}
+
+/* class(metatable) -> metatable, of objects made in Lua: they gain an __index that knows the
+ * methods in __methods, and the names in __fields, which may be without a value. */
+static int module_class(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_settop(L, 1);
+  lua_newtable(L);
+  lua_getfield(L, 1, "__methods");
+  gather(L);
+  lua_getfield(L, 1, "__fields");
+  gather(L);
+  if (lua_getfield(L, 1, "__methods") != LUA_TTABLE) {
+    lua_pop(L, 1);
+    lua_newtable(L);
+  }
+  lua_pushvalue(L, 2);
+  lua_getfield(L, 1, "__name");
+  lua_pushcclosure(L, object_index, 3);
+  lua_setfield(L, 1, "__index");
+  lua_settop(L, 1);
+  return 1;
+}
+
+int luaopen_archard_strict(lua_State *L) {
+  static const luaL_Reg functions[] = {
+      {"table", module_table}, {"refuse", module_refuse}, {"class", module_class}, {NULL, NULL}};
+  luaL_newlib(L, functions);
+  return 1;
+}

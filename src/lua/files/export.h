@@ -1,0 +1,16 @@
+/* lua/files/export.h - the parts of the export of files among themselves. */
+#ifndef LUA_EXPORT_H
+#define LUA_EXPORT_H
+
+#include "lua/engine/classes.h"
+
+/* The file name at `index`. */
+const char *export_path(lua_State *L, int index, const char *where);
+
+/* Pushes "file-cylinder.ending" for "file.ending"; `usual` is the ending where there is none. */
+const char *export_push_path(lua_State *L, const char *path, arc_body body, const char *usual);
+
+/* export.csv (export_csv.c). */
+int export_csv(lua_State *L);
+
+#endif

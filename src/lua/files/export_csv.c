@@ -1,0 +1,200 @@
+/* Columns of numbers in files: histories, pressures, stresses, and plain tables of arrays. */
+#include "archard/export.h"
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+#include "lua/base/names.h"
+#include "lua/files/export.h"
+#include "lua/wear/wear_class.h"
+
+#include <string.h>
+
+static const char where[] = "export.csv";
+
+/* Columns on their way to a file; what holds them stands on the stack. */
+typedef struct csv_table {
+  const char **names, **units;
+  const double **data;
+  size_t columns, rows;
+} csv_table;
+
+/* Pushes room for so many columns, without units. */
+static csv_table push_columns(lua_State *L, size_t columns) {
+  csv_table table = {.columns = columns};
+  const size_t room = sizeof(void *) * (columns ? columns : 1);
+  table.names = lua_newuserdatauv(L, room, 0);
+  table.units = memset(lua_newuserdatauv(L, room, 0), 0, room);
+  table.data = lua_newuserdatauv(L, room, 0);
+  return table;
+}
+
+static void write_columns(lua_State *L, const char *path, csv_table table) {
+  arc_error error = {0};
+  arc_status status =
+      arc_export_csv(path, table.columns, table.names, table.units, table.data, table.rows, &error);
+  error_check(L, status, &error, where, -1);
+}
+
+static void write_history(lua_State *L, const char *path, const arc_wear *wear) {
+#define UNIT(name, unit, text) unit,
+  static const char *const units[] = {ARC_WEAR_COLUMNS(UNIT)};
+#undef UNIT
+  csv_table table = push_columns(L, ARC_WEAR_COLUMN_COUNT);
+  const arc_wear_record *records = arc_wear_history(wear, &table.rows);
+  for (int column = 0; column < ARC_WEAR_COLUMN_COUNT; column++) {
+    double *values = array_buffer(L, table.rows);
+    for (size_t i = 0; i < table.rows; i++) values[i] = arc_wear_record_get(records + i, column);
+    table.names[column] = arc_wear_column_name(column);
+    table.units[column] = units[column];
+    table.data[column] = values;
+  }
+  write_columns(L, path, table);
+}
+
+/* A copy of `count` values on the stack, filled up with NaN to `rows`. */
+static const double *push_padded(lua_State *L, const double *values, size_t count, size_t rows) {
+  double *padded = array_buffer(L, rows);
+  for (size_t i = 0; i < rows; i++) padded[i] = i < count ? values[i] : NAN;
+  return padded;
+}
+
+/* The pressures of both bodies side by side; the shorter columns end early. */
+static void write_pressures(lua_State *L, const char *path, const arc_contact *contact) {
+  static const char *const names[] = {"x_cylinder", "p_cylinder", "x_plate", "p_plate"};
+  static const char *const units[] = {"mm", "MPa", "mm", "MPa"};
+  csv_table table = push_columns(L, 4);
+  for (int body = 0; body < ARC_BODIES; body++) {
+    size_t count = (size_t)arc_contact_pressure(contact, (arc_body)body).count;
+    if (count > table.rows) table.rows = count;
+  }
+  for (int body = 0; body < ARC_BODIES; body++) {
+    arc_pressure pressure = arc_contact_pressure(contact, (arc_body)body);
+    table.data[2 * body] = push_padded(L, pressure.x, (size_t)pressure.count, table.rows);
+    table.data[2 * body + 1] = push_padded(L, pressure.p, (size_t)pressure.count, table.rows);
+  }
+  memcpy(table.names, names, sizeof names);
+  memcpy(table.units, units, sizeof units);
+  write_columns(L, path, table);
+}
+
+/* The fields of both bodies, one file each; leaves the names of the files on the stack. */
+static int write_stress(lua_State *L, const char *path, const arc_contact *contact) {
+#define NAME(name, unit, text)   #name,
+#define UNIT(name, unit, text)   unit,
+#define COLUMN(name, unit, text) f->name,
+  static const char *const names[] = {ARC_FIELD_COLUMNS(NAME)};
+  static const char *const units[] = {ARC_FIELD_COLUMNS(UNIT)};
+  const size_t count = sizeof names / sizeof *names;
+  for (int body = 0; body < ARC_BODIES; body++) {
+    const char *file = export_push_path(L, path, (arc_body)body, ".csv");
+    const arc_field *f = field_push_holder(L, contact, (arc_body)body, where);
+    const double *const columns[] = {ARC_FIELD_COLUMNS(COLUMN)};
+    arc_error error = {0};
+    arc_status status =
+        arc_export_csv(file, count, names, units, columns, (size_t)f->nodes, &error);
+    error_check(L, status, &error, where, -1);
+    lua_pop(L, 1);
+  }
+  return ARC_BODIES;
+#undef NAME
+#undef UNIT
+#undef COLUMN
+}
+
+/* --- plain tables ----------------------------------------------------------------------------- */
+
+/* The order of columns of a plain table: positions first, then by name. */
+static int rank_of(const char *name) {
+  static const char *const first[] = {"distance", "t", "x", "y"};
+  for (int i = 0; i < 4; i++)
+    if (strcmp(name, first[i]) == 0) return i;
+  return 4;
+}
+
+static int goes_before(const char *a, const char *b) {
+  int ranks = rank_of(a) - rank_of(b);
+  return ranks ? ranks < 0 : strcmp(a, b) < 0;
+}
+
+/* Puts a name into its place among the first `count`. */
+static void insert_name(const char **names, size_t count, const char *name) {
+  while (count > 0 && goes_before(name, names[count - 1])) {
+    names[count] = names[count - 1];
+    count--;
+  }
+  names[count] = name;
+}
+
+/* Collects the names of the columns of the table at `index`, sorted. */
+static csv_table push_names(lua_State *L, int index) {
+  size_t columns = 0;
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) columns++;
+  if (columns == 0)
+    error_raise(L, ARC_ARGUMENT, where, "the table is empty; expected arrays by name");
+  csv_table table = push_columns(L, columns);
+  size_t count = 0;
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING)
+      error_raise(L, ARC_ARGUMENT, where,
+                  "expected a table of arrays by name, as { x={...}, h={...} }; found [%s]",
+                  luaL_tolstring(L, -2, NULL));
+    insert_name(table.names, count++, lua_tostring(L, -2));
+  }
+  return table;
+}
+
+/* Gives the columns the units in the table { name = unit } at `index`, if there is one. */
+static void read_units(lua_State *L, int index, csv_table table) {
+  if (lua_isnil(L, index)) return;
+  if (!lua_istable(L, index))
+    error_raise(L, ARC_ARGUMENT, where, "expected units by name as { x = \"mm\" }, got %s",
+                names_push_shown(L, index));
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    const char *name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
+    size_t i = 0;
+    while (i < table.columns && strcmp(table.names[i], name) != 0) i++;
+    if (i == table.columns || lua_type(L, -1) != LUA_TSTRING)
+      error_raise(L, ARC_ARGUMENT, where,
+                  "expected the unit of a column as a string, got '%s' = %s", name,
+                  names_push_shown(L, -1));
+    table.units[i] = lua_tostring(L, -1);
+  }
+}
+
+/* Writes a plain table of arrays of one length. */
+static void write_table(lua_State *L, const char *path, int index, int units) {
+  csv_table table = push_names(L, index);
+  read_units(L, units, table);
+  luaL_checkstack(L, 2 * (int)table.columns + 12, where);
+  for (size_t i = 0; i < table.columns; i++) {
+    size_t rows;
+    lua_getfield(L, index, table.names[i]);
+    table.data[i] = array_read(L, (args_place){where, ""}, table.names[i], &rows);
+    if (i > 0 && rows != table.rows)
+      error_raise(L, ARC_ARGUMENT, where,
+                  "expected arrays of one length, got %d numbers in '%s' and %d in '%s'",
+                  (int)table.rows, table.names[0], (int)rows, table.names[i]);
+    table.rows = rows;
+  }
+  write_columns(L, path, table);
+}
+
+/* csv(wear | contact | stress | table of arrays, path [, units of the table's columns by name]) ->
+ * the two files of a stress */
+int export_csv(lua_State *L) {
+  lua_settop(L, 3);
+  const char *path = export_path(L, 2, where);
+  luaL_checkstack(L, 2 * ARC_WEAR_COLUMN_COUNT + 12, where);
+  if (box_test(L, 1, &wear_class))
+    write_history(L, path, box_check(L, 1, &wear_class, where)->thing);
+  else if (box_test(L, 1, &contact_class))
+    write_pressures(L, path, box_check(L, 1, &contact_class, where)->thing);
+  else if (stress_contact(L, 1, where))
+    return write_stress(L, path, stress_contact(L, 1, where));
+  else if (lua_istable(L, 1))
+    write_table(L, path, 1, 3);
+  else
+    error_raise(L, ARC_ARGUMENT, where,
+                "expected a wear or contact object, a stress or a table of arrays, got %s",
+                names_push_shown(L, 1));
+  return 0;
+}

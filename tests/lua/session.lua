@@ -1,0 +1,161 @@
+-- session.save and session.open: what a session has made comes back by name, runs to the same bits;
+-- who(), time(), examples() beside it.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
+local own = require "archard.lib.own"
+local leave = require "archard.lib.leave"
+local file_module = require "archard.lib.session_file"
+
+local folder = os.tmpname()
+os.remove(folder)
+assert(os.execute("mkdir " .. folder))
+local function path(name) return folder .. "/" .. name end
+
+-- What a function prints, in one text.
+local function printed(f, ...)
+  local lines, kept = {}, print
+  print = function(...)
+    local words = table.pack(...)
+    for i = 1, words.n do words[i] = tostring(words[i]) end
+    lines[#lines + 1] = table.concat(words, "\t")
+  end
+  local results = table.pack(pcall(f, ...))
+  print = kept
+  assert(results[1], results[2])
+  return table.concat(lines, "\n"), table.unpack(results, 2, results.n)
+end
+
+-- Forgets all globals but Lua's and ours.
+local function forget()
+  for _, each in ipairs(own.list()) do rawset(_G, each.name, nil) end
+end
+
+local base = { increments = 20, jump = 20, model = { mesh = { size = 0.04, height = 0.05 } } }
+local function quickened(given)
+  for name, value in pairs(base) do given[name] = value end
+  return wear(given)
+end
+
+-- --- saved ---------------------------------------------------------------------------------------
+
+is(leave.question(), nil, "nothing made, nothing to ask")
+w = quickened{}
+is(w.saved, false, "a new run is in no file")
+is(leave.question(), nil, "but nothing would be lost")
+w:step(2)
+holds(leave.question(), { "not saved: w\n", "session.archard before leaving? yes, no or stay" }, "what it has computed would")
+w:save(path "w.archard")
+is(w.saved, true, "a saved run is in a file")
+is(w:clone().saved, true, "and so is its clone")
+is(leave.question(), nil, "nothing to ask then")
+w:step()
+is(w.saved, false, "a step makes it another")
+is(wear.open(path "w.archard").saved, true, "an opened run is in a file")
+
+-- --- everything by name --------------------------------------------------------------------------
+
+base.k = function() return 2e-8 end
+driven = quickened{}
+driven:step(2)
+base.k = nil
+m = w.model
+steel = material{ E = 210e3 }
+runs = { w, pair = { quickened{ alpha = 0.25 } }, [7] = "text" }
+runs.pair[1]:step(2)
+plan = study{ name = "plan", vary = { alpha = { 0.25, 0.5 } }, base = { stroke = 0.2 } }
+computed = study{ name = "done", base = base, vary = { alpha = { 0.5 } }, looks = 0 }
+base.distance = 44
+computed = study{ name = "done", base = base, cases = { { alpha = 0.5 } } }:run{ file = path "computed.archard", workers = 1,
+  progress = false }
+base.distance = nil
+whole, share, text, yes, huge, numbers = 7, 0.1, "a\nb", true, math.maxinteger, { 1, 2.5, -0.0 }
+long, wide = {}, { 1, (2^53 | 0) + 1 }
+for i = 1, 200000 do long[i] = i end
+touch = contact{ model = m }
+function compute() return 1 end
+before = { w = tostring(w), volume = driven.volume.total, pair = runs.pair[1].depth.plate }
+holds(leave.question(), "not saved: driven, runs.pair[1], w\n", "runs in tables are asked about, each once")
+
+local said = session.save(path "s.archard")
+holds(said, { "saved in " .. path "s.archard", "3 runs, 1 model, 2 studies", "not kept: ", "compute (function)", "touch (contact)",
+  "driven: give its functions again when you open it (k)", "computed: its cases stay in " .. path "computed.archard" },
+  "it says what was kept and what was not")
+is(w.saved and driven.saved and runs.pair[1].saved, true, "the runs are in a file now")
+is(leave.question(), nil, "nothing to ask")
+local w_next = w:clone():step(3)
+local expected = { w_next.p_center, w_next.depth_plate, w_next.volume_cylinder }
+
+local kept = table.move({ path, tap, expected }, 1, 3, 1, {})
+forget()
+is(rawget(_G, "w"), nil, "an empty session")
+fails(function() session.open(path "s.archard") end, { "session.open", "'k': expected the function again" }, "functions are asked for")
+is(#own.list(), 0, "and nothing has come without them")
+holds(session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }), "3 runs, 1 model, 2 studies", "it opens")
+is(tostring(w), before.w, "a run as it was")
+is(driven.volume.total, before.volume, "one with a function too")
+is(driven.k(), 2e-8, "which it has again")
+is(runs.pair[1].depth.plate, before.pair, "and one in a table")
+ok(rawequal(runs[1], w), "one object under two names is one again")
+is(runs[7], "text", "values stand at their numbers")
+is(w.model, m, "the model is that of the run")
+is(steel.E, 210e3, "a material")
+is(math.type(whole) .. " " .. whole .. " " .. share .. " " .. tostring(yes) .. " " .. text, "integer 7 0.1 true a\nb", "plain values")
+is(huge, math.maxinteger, "the largest whole number")
+is(#numbers .. " " .. 1 / numbers[3], "3 -inf", "lists, with the sign of zero")
+is(#long .. " " .. math.type(long[9]) .. " " .. long[200000], "200000 integer 200000", "long ones")
+is(wide[2] - 1, 2^53 | 0, "whole numbers that doubles do not hold")
+is(plan:cases()[2].stroke .. " " .. plan:cases()[2].alpha .. " " .. plan.name, "0.2 0.5 plan", "a study that has not run")
+is(computed:cases()[1].status, "done", "one that has, from its file")
+w_next = w:step(3)
+is(w_next.p_center == kept[3][1] and w_next.depth_plate == kept[3][2] and w_next.volume_cylinder == kept[3][3], true,
+  "a run goes on to the same bits")
+
+-- --- nothing lost --------------------------------------------------------------------------------
+
+fails(function() session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }) end,
+  { "session.open", "is a run that has not been saved" }, "what is not saved is not overwritten")
+is(w.update, 6, "it is still there")
+holds(session.save(), "saved in " .. path "s.archard", "saved again without a name")
+fails(function() session.save(path "w.archard") end, { "session.save", "w.archard" }, "another file is not replaced")
+is(wear.open(path "w.archard").update, 2, "and is whole")
+fails(function() session.save(path "none/s.archard") end, "session.save", "a folder that is not there")
+fails(function() session.open(path "w.archard") end, { "session.open", "expected a file of session.save, got a run file of kind wear" },
+  "a run is no session")
+fails(function() session.open(path "none") end, { "session.open", "none" }, "a missing file")
+fails(function() session.open(3) end, "expected the name of a file, got 3", "a number for a name")
+os.remove(path "computed.archard")
+local opened = session.open(path "s.archard", { driven = { k = function() return 2e-8 end } })
+holds(opened, { "left out: computed: ", "computed.archard is not there" }, "a study whose file is gone is told of")
+
+-- --- the question --------------------------------------------------------------------------------
+
+w:step()
+is(leave.answer "no", true, "no leaves")
+is(leave.answer "s", false, "stay stays")
+is(leave.answer "what", nil, "anything else is asked again")
+is(file_module.suggested(), path "s.archard", "it proposes the session's file")
+holds(printed(leave.answer, "yes"), "saved in " .. path "s.archard", "yes saves")
+is(w.saved, true, "indeed")
+
+-- --- who, time, examples ---------------------------------------------------------------------------
+
+forget()
+holds(printed(who), "nothing yet", "an empty session")
+w, length, title = quickened{}, 0.5, "a title"
+w:step()
+local list = printed(who)
+holds(list, { "length  number  0.5\n", "title   string  a title\n", "w       wear    cycle 20 of 6000, 1 update, not saved" }, "who lists names, classes and states")
+ok(not list:find "print" and not list:find "session", "and nothing else")
+local told, a, b = printed(time, function(...) return ..., 5 end, 4)
+holds(told, { "time: ", " ms, processors " }, "time tells how long")
+is(a + b, 9, "and hands on the results")
+fails(function() time(3) end, { "time", "expected a function", "got 3" }, "of a function")
+holds(printed(examples), { "demo", "running_in", "examples.run" }, "examples are listed")
+holds(printed(examples, "coating"), "local thickness", "and shown")
+fails(function() examples "coatin" end, "did you mean 'coating'?", "by name")
+local script = arg
+holds(printed(examples.run, "calibrate"), { "calibration from 3 measurements", "alpha" }, "and run")
+is(arg, script, "with arguments of their own")
+
+os.execute("rm -r " .. folder)

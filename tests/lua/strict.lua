@@ -1,0 +1,80 @@
+-- Names that nobody has given: globals, fields and methods of objects and tables of ours are errors
+-- that say the nearest; what Lua's own habits ask for still is nil.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
+
+-- --- globals -------------------------------------------------------------------------------------
+
+stroke = 0.2
+fails(function() return wear{ stroke = strok } end, { "strict.lua:10: ", "no global 'strok'; did you mean 'stroke'?" },
+  "a misspelt global is no silent nil")
+fails(function() return quite_another_thing end, "no global 'quite_another_thing'", "nothing near, no guess")
+fails(function() plott{} end, "did you mean 'plot'?", "nor is a call of one")
+is(rawget(_G, "strok"), nil, "rawget asks without an error")
+nothing = nil
+is(nothing, nil, "a global that was assigned nil is nil")
+stroke = nil
+is(stroke, nil, "and one that became nil")
+local function declare() inner = 3 end
+declare()
+is(inner, 3, "functions declare globals too")
+is(_ or unpack or jit or setfenv, nil, "what Lua text asks for to know where it runs is nil")
+is(load("return strok", "=own", "t", {})(), nil, "other environments are their owner's")
+local count = 0
+for _ in pairs(_G) do count = count + 1 end
+ok(count > 30, "the globals can be listed")
+
+-- --- objects -------------------------------------------------------------------------------------
+
+local m = model{ mesh = { size = 0.04, height = 0.05 } }
+local w = wear{ model = m, increments = 8, jump = 10 }
+local row = w:step(2)
+local c = w:contact()
+local s = study{ vary = { alpha = { 0.25, 0.5 } } }
+for _, each in ipairs{
+  { function() return material{}.e_star end, "material: no field 'e_star'; did you mean 'E_star'?" },
+  { function() return hertz{}.pmax end, "hertz: no field 'pmax'; did you mean 'p_max'?" },
+  { function() return m.radios end, "model: no field 'radios'; did you mean 'radius'?" },
+  { function() return m.mesh.plat end, "model.mesh: no field 'plat'; did you mean 'plate'?" },
+  { function() return m.mesh.plate.node_count end, "mesh: no field 'node_count'" },
+  { function() return w.p_centre end, "wear: no field 'p_centre'; did you mean 'p_center'?" },
+  { function() w:runn() end, "wear: no field 'runn'; did you mean 'run'?" },
+  { function() return c.pmax end, "contact: no field 'pmax'; did you mean 'p_max'?" },
+  { function() return c:stress().cilinder end, "stress: no field 'cilinder'; did you mean 'cylinder'?" },
+  { function() return c:stress().plate.mise end, "stress: no field 'mise'; did you mean 'mises'?" },
+  { function() return s:caes() end, "study: no field 'caes'; did you mean 'cases'?" },
+  { function() return s:cases()[1].p_centre end, "case: no field 'p_centre'; did you mean 'p_center'?" },
+  -- tables that objects hand out
+  { function() return w.depth.cilinder end, "wear.depth: no field 'cilinder'" },
+  { function() return w.volume.sum end, "wear.volume: no field 'sum'" },
+  { function() return w.history.p_centre end, "history: no field 'p_centre'; did you mean 'p_center'?" },
+  { function() return row.p_centre end, "record: no field 'p_centre'; did you mean 'p_center'?" },
+  { function() return w:profile("plate").depth end, "wear:profile: no field 'depth'" },
+  { function() return w:pressure().P end, "pressure: no field 'P'; did you mean 'p'?" },
+  { function() return w:combined().hh end, "combined: no field 'hh'" },
+  { function() return w:stability().jumplimit end, "did you mean 'jump_limit'?" },
+  { function() return m.mesh.plate:quality().aspekt end, "did you mean 'aspect'?" },
+  -- and functions of ours
+  { function() plot.presure(w) end, "plot: no field 'presure'; did you mean 'pressure'?" },
+  { function() export.cvs(w, "w.csv") end, "export: no field 'cvs'; did you mean 'csv'?" },
+  { function() study.papr() end, "study: no field 'papr'; did you mean 'paper'?" },
+  { function() wear.opn "x" end, "wear: no field 'opn'; did you mean 'open'?" },
+  { function() return require "archard".hertzz end, "did you mean 'hertz'?" },
+} do
+  fails(each[1], { "strict.lua:", each[2] }, each[2])
+end
+is(s.file, nil, "a field that may be without a value is nil")
+is(s:cases()[1].message, nil, "as of a case that has not failed")
+is(w.history.distance[9], nil, "a list ends with nil")
+is(#w.history.distance .. " " .. table.concat(w.history.distance, " "), "3 0.0 2.2 4.4", "and is a list")
+local kept = 0
+for _ in ipairs(w.history.distance) do kept = kept + 1 end
+is(kept, 3, "to ipairs too")
+
+-- --- as text -------------------------------------------------------------------------------------
+
+is(tostring(hertz{}.cylinder), "material: E 200000 MPa, nu 0.3, E_star 219780 MPa", "objects as ever")
+is(tostring(w.history.distance), "{ 0, 2.2, 4.4 }", "print shows lists of ours as the prompt does")
+holds(tostring(w.depth), { "{ cylinder = ", "plate = " }, "and tables by name")
+holds(tostring(w:profile("plate")), { "worn_x = { ", " items)" }, "long ones shortened")
