@@ -142,7 +142,7 @@ typedef struct arc_contact arc_contact;
 /* Solves one problem. The solution keeps what it needs and does not follow later changes of the
  * shape. Errors: ARC_ARGUMENT (a setting out of its range), ARC_ZONE (the contact reaches the edge
  * of a candidate zone, the message names the zone it needs), ARC_MEMORY, ARC_NUMERIC. Warns where
- * the contact is narrower than two elements, and where friction times Dundurs' beta is above 0.4:
+ * the contact has less than four elements, and where friction times Dundurs' beta is above 0.4:
  * there may be more than one solution. */
 arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              const arc_callbacks *callbacks, arc_contact **contact,

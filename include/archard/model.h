@@ -58,6 +58,7 @@ typedef struct arc_model_def {
 
 extern const arc_setting arc_model_settings[];
 
+/* The paper's case: all in numbers, see arc_mesh_default. */
 arc_model_def arc_model_default(void);
 
 /* Closed-form Hertz line contact of a cylinder on a half-space. */
@@ -91,7 +92,8 @@ arc_status arc_hertz_solve(double radius, double thickness, double load,
  * fields share the factor's workspace). */
 typedef struct arc_model arc_model;
 
-/* Meshes, assembles, factorises and condenses both bodies. Errors: those of arc_mesh_build,
+/* Meshes, assembles, factorises and condenses both bodies. What is "auto" is that of
+ * arc_model_fit_alone. Errors: those of arc_mesh_build,
  * ARC_ARGUMENT, ARC_NUMERIC (not positive definite), ARC_MEMORY. On failure *model is NULL. */
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error);
 
@@ -105,6 +107,17 @@ const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body);
 size_t arc_model_bytes(const arc_model *model);
 /* Seconds arc_model_build took. */
 double arc_model_seconds(const arc_model *model);
+
+/* Sets what is still "auto" of a mesh (0 in the struct), but for the zones: size, height and far,
+ * for the unworn contact under `load` [N]. Large elements keep within the bodies. */
+void arc_model_fit(arc_model_def *def, double load);
+/* Sets the zones that are still "auto" to those needed, in steps of ten elements, as far as there
+ * is room for them. */
+void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
+
+/* All of it for a model that nobody asks for with a load of its own: the paper's load and zones in
+ * proportion. */
+void arc_model_fit_alone(arc_model_def *def);
 
 /* Zones (full widths, by body) [mm] that hold contacts up to half_width [mm] wide on either side of
  * the cylinder's axis, over plate positions |x| <= reach [mm]. Never under 50 and 60 elements of

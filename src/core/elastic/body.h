@@ -84,8 +84,8 @@ arc_status arc_body_displacements(const elastic_body *body, const double *box_xy
 /* The model's body (not public: contact and wear lean on it). */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
-/* Warns where half a contact's width [mm] is less than one element of the model (its pressures are
- * off by a tenth and more), and where a body's elements lock. */
+/* Warns where a contact of this half width [mm] has less than four elements of the model, and where
+ * a body's elements lock. */
 void arc_model_warn(const arc_model *model, double half_width, const arc_callbacks *callbacks);
 
 /* Numbers for compliances, so that what was made from one knows when it is stale. The model counts
@@ -93,6 +93,10 @@ void arc_model_warn(const arc_model *model, double half_width, const arc_callbac
  * first one; none is 0. */
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
+
+/* The size that "auto" is at a fineness of 1 under a load [N], before it is kept within the bodies.
+ */
+double arc_model_fitted_size(const arc_model_def *def, double load);
 
 /* Room for the edge peaks of worn contacts, in half widths. */
 #define ARC_CONTACT_ROOM 1.3

@@ -57,6 +57,7 @@ arc_status arc_material_check(arc_material m, arc_error *error) {
 arc_model_def arc_model_default(void) {
   arc_model_def def;
   arc_settings_default(arc_model_settings, &def);
+  def.mesh = arc_mesh_default();
   return def;
 }
 
@@ -75,9 +76,10 @@ arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_err
   m->references = 1;
   m->version = ARC_UNWORN_VERSION;
   m->def = *def;
+  arc_model_fit_alone(&m->def);
   m->seconds = -now();
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status = arc_body_create(def, (arc_body)b, &m->body[b], error);
+    status = arc_body_create(&m->def, (arc_body)b, &m->body[b], error);
   m->seconds += now();
   if (status != ARC_OK) arc_model_release(&m);
   *result = m;
@@ -125,13 +127,14 @@ static void warn_locking(const elastic_body *body, const arc_callbacks *callback
 }
 
 void arc_model_warn(const arc_model *model, double half_width, const arc_callbacks *callbacks) {
+  enum { fewest = 4 }; /* elements in a contact */
   for (int b = 0; b < ARC_BODIES; b++) warn_locking(model->body[b], callbacks);
   const double size = model->def.mesh.size;
-  if (half_width < size)
+  if (2 * half_width < fewest * size)
     arc_warn(callbacks,
-             "half the contact's width, %.2g mm, is less than an element of %g mm: pressures may "
-             "be far off; use a smaller mesh.size and mesh.height",
-             half_width, size);
+             "the contact, %.2g mm wide, has fewer than %d elements of %g mm: pressures may be far "
+             "off; use mesh.size = \"auto\" or a smaller one",
+             2 * half_width, fewest, size);
 }
 
 long arc_model_next_version(arc_model *model) {
@@ -140,11 +143,4 @@ long arc_model_next_version(arc_model *model) {
 
 const elastic_body *arc_model_body(const arc_model *model, arc_body which) {
   return model->body[which];
-}
-
-void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
-  const arc_mesh_def usual = arc_mesh_default();
-  const double contact = ARC_CONTACT_ROOM * half_width, scale = size / usual.size;
-  zone[ARC_CYLINDER] = fmax(scale * usual.zone[ARC_CYLINDER], 2 * contact);
-  zone[ARC_PLATE] = fmax(scale * usual.zone[ARC_PLATE], 2 * (reach + contact));
 }

@@ -20,14 +20,14 @@ _Static_assert(0 ARC_ELEMENT_LIST(ARC_CHOICE_ONE) == 3,
 static const arc_setting zone_settings[] = {
     {.name = "cylinder",
      .unit = "mm",
-     .usual_text = "1.0",
-     .usual = 1.0,
+     .kind = ARC_NUMBER,
+     .forms = ARC_AUTOMATIC,
      ARC_RANGE_ABOVE(0),
      .text = "Full width of the fine contact zone of the cylinder."},
     {.name = "plate",
      .unit = "mm",
-     .usual_text = "1.2",
-     .usual = 1.2,
+     .kind = ARC_NUMBER,
+     .forms = ARC_AUTOMATIC,
      ARC_RANGE_ABOVE(0),
      .offset = sizeof(double),
      .text = "Full width of the fine contact zone of the plate; it holds the contact at both ends "
@@ -45,8 +45,8 @@ const arc_setting arc_mesh_settings[] = {
         .group = zone_settings,
         .type = "a table { cylinder=, plate= }",
         .text = "Full width of the fine contact zone of each body. Depth and margins of the finer "
-                "parts scale with the cylinder's. Contact cannot be found outside; an error then "
-                "names the zone it needs."},
+                "parts scale with the cylinder's. Contact cannot be found outside. \"auto\": what "
+                "the contact or run needs."},
     {.name = NULL},
 };
 #undef ARC_SETTING_OF
@@ -54,6 +54,11 @@ const arc_setting arc_mesh_settings[] = {
 arc_mesh_def arc_mesh_default(void) {
   arc_mesh_def def = {0};
   arc_settings_default(arc_mesh_settings, &def);
+  def.size = 0.020;
+  def.height = 0.025;
+  def.far = 1.0;
+  def.zone[ARC_CYLINDER] = 1.0;
+  def.zone[ARC_PLATE] = 1.2;
   return def;
 }
 

@@ -185,7 +185,7 @@ static int contact_new(lua_State *L) {
   args_read(L, 1, (args_place){"contact", ""}, arc_contact_settings, &def);
   worn_check(L, 1, "contact");
   int worn = lua_gettop(L);
-  arc_model *model = model_argument(L, worn, "contact", needed_zones, &def);
+  arc_model *model = model_argument(L, worn, "contact", def.load, needed_zones, &def);
   int holder = lua_gettop(L);
   const arc_shape *shape = push_shape(L, worn, model);
   return solve_new(L, holder, "contact", &(request){.shape = shape, .def = &def});

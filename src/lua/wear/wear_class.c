@@ -54,7 +54,7 @@ static int wear_new(lua_State *L) {
   wear_request request = wear_request_read(L, 1, 0);
   worn_check(L, 1, "wear");
   int worn = lua_gettop(L);
-  arc_model *model = model_argument(L, worn, "wear", needed_zones, &request);
+  arc_model *model = model_argument(L, worn, "wear", request.def.load, needed_zones, &request);
   int holder = lua_gettop(L);
   const arc_shape *start = push_start(L, worn, model, &request.def);
   box *made = box_push(L, &wear_class);

@@ -1,0 +1,71 @@
+/* Meshes that fit: what is "auto" in a model's definition, found for the contact it is to hold. All
+ * lengths of the paper's mesh are kept in proportion to the half width of the contact, so that its
+ * error is the same for every contact. */
+#include "core/elastic/body.h"
+
+#include <math.h>
+
+/* Widest zone in radii: the cylinder curls away from the contact. */
+static const double widest_zone = 1.6;
+
+static double half_width_of(const arc_model_def *def, double load) {
+  arc_hertz hertz = {0};
+  arc_hertz_solve(def->radius, def->thickness, load, def->material, &hertz, NULL);
+  return hertz.half_width;
+}
+
+double arc_model_fitted_size(const arc_model_def *def, double load) {
+  const arc_mesh_def paper = arc_mesh_default();
+  const arc_hertz_def h = arc_hertz_default();
+  arc_model_def usual = {.radius = h.radius, .thickness = h.thickness};
+  for (int b = 0; b < ARC_BODIES; b++) usual.material[b] = h.material[b];
+  return paper.size * (half_width_of(def, load) / half_width_of(&usual, h.load));
+}
+
+/* Rows of the usual height take a tenth of the radius at the most, and leave room for the rest. */
+static double largest_size(const arc_model_def *def) {
+  const arc_mesh_def paper = arc_mesh_default();
+  const double stretch = paper.height / paper.size;
+  return fmin(def->radius / 10 / stretch, def->radius / 4 / stretch / def->mesh.rows);
+}
+
+static void fit_size(arc_model_def *def, double load) {
+  arc_mesh_def *mesh = &def->mesh;
+  if (mesh->fineness == 0) mesh->fineness = 1;
+  mesh->size = fmin(arc_model_fitted_size(def, load) / mesh->fineness, largest_size(def));
+}
+
+void arc_model_fit(arc_model_def *def, double load) {
+  const arc_mesh_def paper = arc_mesh_default();
+  arc_mesh_def *mesh = &def->mesh;
+  if (mesh->size == 0) fit_size(def, load);
+  if (mesh->height == 0) mesh->height = paper.height * (mesh->size / paper.size);
+  if (mesh->far == 0) mesh->far = fmax(def->radius / 10, fmax(mesh->size, mesh->height));
+}
+
+void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
+  const arc_mesh_def paper = arc_mesh_default();
+  const double contact = ARC_CONTACT_ROOM * half_width, scale = size / paper.size;
+  zone[ARC_CYLINDER] = fmax(scale * paper.zone[ARC_CYLINDER], 2 * contact);
+  zone[ARC_PLATE] = fmax(scale * paper.zone[ARC_PLATE], 2 * (reach + contact));
+}
+
+/* Rounded up, so that runs that differ a little share a model. */
+static double rounded_zone(const arc_model_def *def, double needed) {
+  const double unit = 10 * def->mesh.size, rounded = ceil(needed / unit - 1e-9) * unit;
+  return fmin(rounded, widest_zone * def->radius);
+}
+
+void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (def->mesh.zone[b] == 0) def->mesh.zone[b] = rounded_zone(def, needed[b]);
+}
+
+void arc_model_fit_alone(arc_model_def *def) {
+  const double load = arc_hertz_default().load;
+  double zone[ARC_BODIES];
+  arc_model_fit(def, load);
+  arc_zone_for(0, half_width_of(def, load), arc_model_fitted_size(def, load), zone);
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (def->mesh.zone[b] == 0) def->mesh.zone[b] = fmin(zone[b], widest_zone * def->radius);
+}
