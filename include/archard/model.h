@@ -97,6 +97,11 @@ typedef struct arc_model arc_model;
  * ARC_ARGUMENT, ARC_NUMERIC (not positive definite), ARC_MEMORY. On failure *model is NULL. */
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error);
 
+/* The same, and asks and tells on its way: it may be stopped (ARC_STOPPED), and shows how far it is.
+ */
+arc_status arc_model_build_watched(const arc_model_def *def, const arc_callbacks *callbacks,
+                                   arc_model **model, arc_error *error);
+
 arc_model *arc_model_retain(arc_model *model);
 /* Gives up one reference and nulls the handle. */
 void arc_model_release(arc_model **model);

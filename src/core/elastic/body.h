@@ -94,9 +94,8 @@ void arc_model_warn(const arc_model *model, double half_width, const arc_callbac
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
-/* The size that "auto" is at a fineness of 1 under a load [N], before it is kept within the bodies.
- */
-double arc_model_fitted_size(const arc_model_def *def, double load);
+/* The size that "auto" is at a fineness of 1 for a half width [mm]. */
+double arc_model_size_for(double half_width);
 
 /* Room for the edge peaks of worn contacts, in half widths. */
 #define ARC_CONTACT_ROOM 1.3

@@ -14,12 +14,11 @@ static double half_width_of(const arc_model_def *def, double load) {
   return hertz.half_width;
 }
 
-double arc_model_fitted_size(const arc_model_def *def, double load) {
-  const arc_mesh_def paper = arc_mesh_default();
-  const arc_hertz_def h = arc_hertz_default();
-  arc_model_def usual = {.radius = h.radius, .thickness = h.thickness};
-  for (int b = 0; b < ARC_BODIES; b++) usual.material[b] = h.material[b];
-  return paper.size * (half_width_of(def, load) / half_width_of(&usual, h.load));
+double arc_model_size_for(double half_width) {
+  const arc_hertz_def paper = arc_hertz_default();
+  arc_hertz hertz = {0};
+  arc_hertz_solve(paper.radius, paper.thickness, paper.load, paper.material, &hertz, NULL);
+  return arc_mesh_default().size * (half_width / hertz.half_width);
 }
 
 /* Rows of the usual height take a tenth of the radius at the most, and leave room for the rest. */
@@ -32,7 +31,8 @@ static double largest_size(const arc_model_def *def) {
 static void fit_size(arc_model_def *def, double load) {
   arc_mesh_def *mesh = &def->mesh;
   if (mesh->fineness == 0) mesh->fineness = 1;
-  mesh->size = fmin(arc_model_fitted_size(def, load) / mesh->fineness, largest_size(def));
+  mesh->size =
+      fmin(arc_model_size_for(half_width_of(def, load)) / mesh->fineness, largest_size(def));
 }
 
 void arc_model_fit(arc_model_def *def, double load) {
@@ -63,9 +63,10 @@ void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]) {
 
 void arc_model_fit_alone(arc_model_def *def) {
   const double load = arc_hertz_default().load;
+  const double half_width = half_width_of(def, load);
   double zone[ARC_BODIES];
   arc_model_fit(def, load);
-  arc_zone_for(0, half_width_of(def, load), arc_model_fitted_size(def, load), zone);
+  arc_zone_for(0, half_width, arc_model_size_for(half_width), zone);
   for (int b = 0; b < ARC_BODIES; b++)
     if (def->mesh.zone[b] == 0) def->mesh.zone[b] = fmin(zone[b], widest_zone * def->radius);
 }

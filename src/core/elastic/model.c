@@ -67,7 +67,8 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_error *error) {
+arc_status arc_model_build_watched(const arc_model_def *def, const arc_callbacks *callbacks, arc_model **result, arc_error *error) {
+  (void)callbacks;
   *result = NULL;
   arc_status status = arc_settings_check(arc_model_settings, "", def, error);
   if (status != ARC_OK) return status;
@@ -84,6 +85,10 @@ arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_err
   if (status != ARC_OK) arc_model_release(&m);
   *result = m;
   return status;
+}
+
+arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_error *error) {
+  return arc_model_build_watched(def, NULL, result, error);
 }
 
 arc_model *arc_model_retain(arc_model *model) {

@@ -54,6 +54,9 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
 /* Pushes the box of a model of this definition: one that lives already, or a new one. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
 
+/* Pushes a box of a model that lives without one. */
+void model_push_living(lua_State *L, arc_model *model);
+
 /* Pushes a mesh object of one body of the model whose box is at `index`. */
 void mesh_push(lua_State *L, int index, arc_body body);
 

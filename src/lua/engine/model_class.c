@@ -126,6 +126,12 @@ arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where)
   return made->thing;
 }
 
+void model_push_living(lua_State *L, arc_model *model) {
+  box *made = box_push(L, &model_class);
+  made->thing = arc_model_retain(model);
+  box_weigh(L, arc_model_bytes(model));
+}
+
 /* model{ radius=, cylinder=, plate=, thickness=, mesh={...} } */
 static int model_new(lua_State *L) {
   arc_model_def def = begin_definition();

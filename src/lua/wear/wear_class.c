@@ -80,13 +80,24 @@ void wear_note_saved(box *made) {
   made->tag = rows_of(made);
 }
 
+/* A run that has grown lives on another model than the one it keeps. */
+void run_push_model(lua_State *L, int index, const arc_wear *wear) {
+  lua_getiuservalue(L, index, RUN_MODEL);
+  const box *kept = box_test(L, -1, &model_class);
+  if (kept && kept->thing == arc_wear_model(wear)) return;
+  lua_pop(L, 1);
+  model_push_living(L, arc_wear_model(wear));
+  lua_pushvalue(L, -1);
+  lua_setiuservalue(L, index, RUN_MODEL);
+}
+
 /* wear:clone() -> an independent copy on the same model */
 static int wear_clone(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:clone");
   arc_error error = {0};
   arc_wear *copy = NULL;
   lua_settop(L, 1);
-  lua_getiuservalue(L, 1, RUN_MODEL);
+  run_push_model(L, 1, wear);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   box *made = box_push(L, &wear_class);
   box_keep(L, 2);

@@ -80,6 +80,10 @@ int wear_local_partition(lua_State *L);
 int wear_roughness(lua_State *L);
 int wear_stability(lua_State *L);
 
+/* --- wear_class.c --- */
+/* Pushes the box of the model that the run in the box at `index` lives on now. */
+void run_push_model(lua_State *L, int index, const arc_wear *wear);
+
 /* --- wear_record.c: rows of history --- */
 
 /* Pushes a table of the record's columns by name; its text is what the string on top of the stack

@@ -143,8 +143,7 @@ static int wear_update_at(lua_State *L) {
 }
 
 static int wear_model(lua_State *L) {
-  self(L);
-  lua_getiuservalue(L, 1, RUN_MODEL);
+  run_push_model(L, 1, self(L));
   return 1;
 }
 
