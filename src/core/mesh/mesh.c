@@ -116,7 +116,15 @@ static arc_status check_positive(const char *field, double value, double limit, 
                   limit, value);
 }
 
-static arc_status check(const arc_mesh_def *def, arc_body body, double radius, arc_error *error) {
+double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, double radius) {
+  const partitions p = partitions_of(def, body, radius);
+  const double outer_element = 16 * def->size * def->height;
+  return 2 * p.inner_s * p.inner_d / (def->size * def->height) +
+         2 * p.outer_s * p.outer_d / fmin(outer_element, def->far * def->far) +
+         radius * radius * 2 / (def->far * def->far);
+}
+
+arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, double radius, arc_error *error) {
   if (!(radius > 0) || !isfinite(radius))
     return arc_fail(error, ARC_ARGUMENT, "field 'radius': expected a number > 0 mm, got %g",
                     radius);
@@ -140,9 +148,7 @@ static arc_status check(const arc_mesh_def *def, arc_body body, double radius, a
                     "field 'mesh.rows': expected from 1 to radius / 4 / height = %d, got %d",
                     (int)(radius / 4 / def->height), def->rows);
   if ((status = check_zone(def, body, radius, error))) return status;
-  const partitions p = partitions_of(def, body, radius);
-  const double estimate = 2 * p.inner_s * p.inner_d / (def->size * def->height) +
-                          radius * radius * 2 / (def->far * def->far);
+  const double estimate = arc_mesh_nodes(def, body, radius);
   if (estimate > most_elements)
     return arc_fail(error, ARC_ARGUMENT,
                     "mesh.size: %g mm asks for about %.0f elements, at most %d are allowed",
@@ -290,7 +296,7 @@ static arc_status tile_and_fill(arc_mesh *mesh, int half) {
 arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius, arc_mesh **out,
                           arc_error *error) {
   *out = NULL;
-  arc_status status = check(def, body, radius, error);
+  arc_status status = arc_mesh_check(def, body, radius, error);
   if (status != ARC_OK) return status;
   arc_mesh *mesh = calloc(1, sizeof *mesh);
   if (!mesh)

@@ -2,6 +2,7 @@
  * a weak table in the registry finds the living ones, and the one asked for last is kept. */
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
+#include "lua/base/interrupt.h"
 
 #include <stdio.h>
 
@@ -86,13 +87,57 @@ static void push_cache(lua_State *L) {
   lua_rawsetp(L, LUA_REGISTRYINDEX, &cache_key);
 }
 
+/* How a long construction is shown: by archard.lib.build_progress, once it takes its time. */
+typedef struct building {
+  lua_State *L;
+  int begun; /* the function stands on top of the stack */
+} building;
+
+static void begin_showing(building *b) {
+  b->begun = 1;
+  lua_getglobal(b->L, "require");
+  lua_pushliteral(b->L, "archard.lib.build_progress");
+  if (lua_pcall(b->L, 1, 1, 0) == LUA_OK && lua_pcall(b->L, 0, 1, 0) == LUA_OK) return;
+  lua_pop(b->L, 1);
+  lua_pushnil(b->L); /* a model does not fail for want of a display */
+}
+
+static void tell(building *b, int arguments) {
+  if (lua_pcall(b->L, arguments, 0, 0) != LUA_OK) lua_pop(b->L, 1);
+}
+
+static void show(void *context, const char *what, double share, double seconds) {
+  static const double patience = 1; /* [s] */
+  building *b = context;
+  if (seconds < patience || interrupt_pending(NULL)) return;
+  if (!b->begun) begin_showing(b);
+  if (lua_isnil(b->L, -1)) return;
+  lua_pushvalue(b->L, -1);
+  lua_pushstring(b->L, what);
+  lua_pushnumber(b->L, share);
+  lua_pushnumber(b->L, seconds);
+  tell(b, 3);
+}
+
+static void end_showing(building *b) {
+  if (!b->begun) return;
+  if (lua_isnil(b->L, -1))
+    lua_pop(b->L, 1);
+  else
+    tell(b, 0);
+}
+
 /* Pushes a holder with a new model. */
 static void build_holder(lua_State *L, const arc_model_def *def, const char *where) {
   arc_error error = {0};
   arc_model *model = NULL;
   box *holder = box_push(L, &model_class);
-  arc_status status = arc_model_build(def, &model, &error);
+  building shown = {.L = L};
+  const arc_callbacks callbacks = {.stop = interrupt_pending, .working = show, .context = &shown};
+  arc_status status = arc_model_build_watched(def, &callbacks, &model, &error);
   holder->thing = model;
+  end_showing(&shown);
+  if (status == ARC_STOPPED && interrupt_pending(NULL)) interrupt_raise(L, "building a model");
   error_check(L, status, &error, where, -1);
   box_weigh(L, arc_model_bytes(model));
 }
