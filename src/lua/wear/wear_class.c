@@ -47,6 +47,18 @@ static void create_run(lua_State *L, box *made, arc_model *model, const wear_req
   box_weigh(L, arc_wear_bytes(wear));
 }
 
+/* Those of the couple and those of the bodies say the same twice. */
+static void check_coefficients(lua_State *L, const wear_request *request,
+                               const arc_model_def *model) {
+  arc_wear_def def = request->def;
+  if (request->own_k && arc_wear_def_of_bodies(&def, model))
+    error_raise(L, ARC_ARGUMENT, "wear",
+                "fields 'k' and 'alpha': the bodies have coefficients of their own, %s and %s "
+                "mm2/N (model.cylinder.k, model.plate.k); expected one or the other",
+                args_show_number(L, model->material[ARC_CYLINDER].k),
+                args_show_number(L, model->material[ARC_PLATE].k));
+}
+
 /* wear{ model=, k=, alpha=, load=, stroke=, ... }; called as a method of the table `wear`. */
 static int wear_new(lua_State *L) {
   lua_remove(L, 1);
@@ -56,6 +68,7 @@ static int wear_new(lua_State *L) {
   int worn = lua_gettop(L);
   arc_model *model = model_argument(L, worn, "wear", request.def.load, needed_zones, &request);
   int holder = lua_gettop(L);
+  check_coefficients(L, &request, arc_model_definition(model));
   const arc_shape *start = push_start(L, worn, model, &request.def);
   box *made = box_push(L, &wear_class);
   box_keep(L, holder);

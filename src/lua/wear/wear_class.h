@@ -18,6 +18,7 @@ typedef struct wear_request {
   arc_wear_def def;
   double cycles;                        /* in place of a distance; 0: not given */
   double distance_before, cycle_before; /* where the run stands that is changed */
+  int own_k;                            /* k or alpha were given, or are a run's */
   int functions;                        /* index of the holder of the user's functions, or of nil */
 } wear_request;
 
