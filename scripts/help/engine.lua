@@ -5,7 +5,7 @@
 
 return {
   -- --- material -------------------------------------------------------------------------------
-  { "material", kind = "constructor", use = "material{ E=200e3, nu=0.3 }",
+  { "material", kind = "constructor", use = "material{ E=200e3, nu=0.3, k=1e-9 }",
     text = "A linear elastic material. The defaults are the reference case's steel." },
   { "material.E_star", kind = "field", unit = "MPa",
     text = "Plane-strain modulus E / (1 - nu^2)." },
@@ -22,7 +22,7 @@ return {
     text = "Contact modulus 1 / (1/E*_c + 1/E*_p) of the pair." },
 
   -- --- model ----------------------------------------------------------------------------------
-  { "model", kind = "constructor", use = "model{ radius=10, mesh={ size=0.020 } }",
+  { "model", kind = "constructor", use = "model{ radius=10, mesh={ fineness=2 } }",
     text = "The two elastic bodies, meshed and condensed once: a half cylinder, its flat top built "
       .. "in, on a plate 2 radius wide and radius high. A model never changes, so that any number of "
       .. "contact and wear objects share one. Plane strain." },
@@ -31,8 +31,8 @@ return {
   { "model.close", kind = "method", use = "m:close()",
     text = "Lets go of it now instead of when it is collected; runs and contacts on it stay." },
   { "model.mesh", kind = "field",
-    text = "The two meshes, m.mesh.cylinder and m.mesh.plate, and their definition: size, height, far, "
-      .. "zone, rows, element." },
+    text = "The two meshes, m.mesh.cylinder and m.mesh.plate, and their definition: size, height, "
+      .. "fineness, far, zone, rows, element; numbers in place of \"auto\"." },
   { "model.mesh.cylinder", kind = "field", class = "mesh", text = "Mesh of the half cylinder." },
   { "model.mesh.plate", kind = "field", class = "mesh", text = "Mesh of the plate." },
 
@@ -293,6 +293,9 @@ return {
     text = "The plate's way from one end to the other: the stroke, or that of the present block of loading. "
       .. "history.travel has it update by update." },
   { "wear.strokes", kind = "field", text = "Strokes of a cycle, r of Eq. (21): 2, or 1 at 2 radius." },
+  { "wear.k_cylinder", kind = "field", unit = "mm2/N",
+    text = "Wear coefficient of the cylinder, alpha k; where that changes, of the last update." },
+  { "wear.k_plate", kind = "field", unit = "mm2/N", text = "That of the plate, (1 - alpha) k." },
   { "wear.cycles", kind = "field", unit = "cycles", text = "Cycles of the whole distance (Eq. 21)." },
   { "wear.total_distance", kind = "field", unit = "mm", text = "Travelled distance to simulate." },
   { "wear.procedure", kind = "field", text = 'The one chosen, "SP" or "NSP".' },
