@@ -17,9 +17,10 @@ extern "C" {
 #define ARC_MATERIAL_SETTINGS(NUMBER)                                                              \
   NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
   NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")                                     \
-  NUMBER(k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                     \
-         "Wear coefficient of the body, for wear{} without k and alpha. A body without one beside " \
-         "one that has it does not wear.")
+  NUMBER(                                                                                          \
+      k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                        \
+      "Wear coefficient of the body, for wear{} without k and alpha. A body without one beside "   \
+      "one that has it does not wear.")
 
 typedef struct arc_material {
   ARC_MATERIAL_SETTINGS(ARC_MEMBER_NUMBER)
@@ -32,7 +33,8 @@ extern const arc_setting arc_material_settings[];
   {                                                                                                \
     .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_material_settings,                  \
     .offset = offsetof(owner, material[body]), .class_name = "material",                           \
-    .usual_text = "material{}", .type = "a material object or a table { E=, nu=, k= }", .text = text_  \
+    .usual_text = "material{}", .type = "a material object or a table { E=, nu=, k= }",            \
+    .text = text_                                                                                  \
   }
 
 /* Steel of the reference case: 200e3 MPa, 0.3. */
@@ -100,7 +102,8 @@ typedef struct arc_model arc_model;
  * ARC_ARGUMENT, ARC_NUMERIC (not positive definite), ARC_MEMORY. On failure *model is NULL. */
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error);
 
-/* The same, and asks and tells on its way: it may be stopped (ARC_STOPPED), and shows how far it is.
+/* The same, and asks and tells on its way: it may be stopped (ARC_STOPPED), and shows how far it
+ * is.
  */
 arc_status arc_model_build_watched(const arc_model_def *def, const arc_callbacks *callbacks,
                                    arc_model **model, arc_error *error);

@@ -197,8 +197,8 @@ static void test_volume_apart(void **state) {
     for (int r = 0; r < 36; r++)
       check_near(shape[r] + bulk / area * swelling[r / 6] * swelling[r % 6], whole[r],
                  1e-12 * largest(whole, 36));
-    check_near(arc_elasticity_bulk(arc_elasticity_of((arc_material){.E = 210e3, .nu = 0.45})), 210e3 / 0.3,
-               1e-6);
+    check_near(arc_elasticity_bulk(arc_elasticity_of((arc_material){.E = 210e3, .nu = 0.45})),
+               210e3 / 0.3, 1e-6);
   }
 }
 

@@ -32,8 +32,7 @@ static double of_group(void) {
 static double of_limits(void) {
   struct rlimit limit;
   if (getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == RLIM_INFINITY) return INFINITY;
-  return (double)limit.rlim_cur -
-         number_in("/proc/self/statm", "") * (double)sysconf(_SC_PAGESIZE);
+  return (double)limit.rlim_cur - number_in("/proc/self/statm", "") * (double)sysconf(_SC_PAGESIZE);
 }
 
 double arc_memory_free(void) {

@@ -52,8 +52,8 @@ static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
 }
 
-/* Meshes, assembles, factorises, condenses: ARC_BODY_STAGES of the watch (NULL: nobody's). On failure
- * *body is NULL. */
+/* Meshes, assembles, factorises, condenses: ARC_BODY_STAGES of the watch (NULL: nobody's). On
+ * failure *body is NULL. */
 enum { ARC_BODY_STAGES = 4 };
 arc_status arc_body_create(const arc_model_def *def, arc_body which, work_watch *seen,
                            elastic_body **body, arc_error *error);

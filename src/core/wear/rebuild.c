@@ -93,8 +93,7 @@ static arc_status take_over(const arc_wear *w, arc_model *model, arc_wear **resu
   arc_shape *shape = NULL;
   size_t records;
   const arc_wear_record *history = arc_wear_history(w, &records);
-  arc_status status =
-      arc_shape_create(model, w->def.geometry, w->def.refresh, &shape, error);
+  arc_status status = arc_shape_create(model, w->def.geometry, w->def.refresh, &shape, error);
   if (status == ARC_OK) status = arc_shape_remap(w->shape, shape, error);
   if (status == ARC_OK)
     status = arc_wear_restore(model, &w->def, shape, history, records, result, error);
@@ -114,8 +113,8 @@ arc_status arc_wear_onto(const arc_wear *w, const arc_model_def *def,
 }
 
 static int like(const arc_mesh_def *a, const arc_mesh_def *b) {
-  return a->size == b->size && a->rows == b->rows && a->zone[ARC_CYLINDER] == b->zone[ARC_CYLINDER] &&
-         a->zone[ARC_PLATE] == b->zone[ARC_PLATE];
+  return a->size == b->size && a->rows == b->rows &&
+         a->zone[ARC_CYLINDER] == b->zone[ARC_CYLINDER] && a->zone[ARC_PLATE] == b->zone[ARC_PLATE];
 }
 
 arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,

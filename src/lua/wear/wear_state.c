@@ -104,13 +104,13 @@ static int wear_alpha(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_alpha]);
 }
 
-/* The bodies' own coefficients: those of the definition, or, where that changes on the way, those of
- * the last update. */
+/* The bodies' own coefficients: those of the definition, or, where that changes on the way, those
+ * of the last update. */
 static double coefficient(lua_State *L, int of_cylinder) {
   const arc_wear_def *d = def(L);
   const arc_wear_record *now = last(L);
-  const int plain = !d->k_function && !d->alpha_function && d->k_series.count == 0 &&
-                    d->alpha_series.count == 0;
+  const int plain =
+      !d->k_function && !d->alpha_function && d->k_series.count == 0 && d->alpha_series.count == 0;
   const double k = plain ? d->k : now->k, alpha = plain ? d->alpha : now->alpha;
   return k * (of_cylinder ? alpha : 1 - alpha);
 }
