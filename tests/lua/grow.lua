@@ -32,6 +32,8 @@ ok(changed and off(changed[2], changed[3]) < 0.002, "pressures within 0.2 % acro
 ok(off(w.volume.total, 3e-8 * 100 * 1320) < 1e-9, "the volume is exact")
 ok(off(w.depth.cylinder, held.depth.cylinder) < 1e-3, "the depth is that on the large mesh")
 ok(off(w.p_center, held.p_center) < 0.002, "and so is the pressure")
+local elements = w.history.elements
+ok(elements[1] < elements[#elements] and held.history.elements[1] == held.elements, "the history tells of it")
 is(before.mesh.zone.cylinder, 0.8, "the model that was given is what it was")
 
 -- The wear box.
