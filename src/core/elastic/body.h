@@ -103,6 +103,9 @@ double arc_model_size_for(double half_width);
 /* Bytes that building the model takes at its height, about. */
 double arc_model_memory(const arc_model_def *def);
 
+/* The widest zone of a body, in radii: the cylinder curls away from the contact. */
+#define ARC_WIDEST_ZONE 1.6
+
 /* Room for the edge peaks of worn contacts, in half widths. */
 #define ARC_CONTACT_ROOM 1.3
 

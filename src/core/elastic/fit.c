@@ -6,9 +6,6 @@
 
 #include <math.h>
 
-/* Widest zone in radii: the cylinder curls away from the contact. */
-static const double widest_zone = 1.6;
-
 static double half_width_of(const arc_model_def *def, double load) {
   arc_hertz hertz = {0};
   arc_hertz_solve(def->radius, def->thickness, load, def->material, &hertz, NULL);
@@ -54,7 +51,7 @@ void arc_zone_for(double reach, double half_width, double size, double zone[ARC_
 /* Rounded up, so that runs that differ a little share a model. */
 static double rounded_zone(const arc_model_def *def, double needed) {
   const double unit = 10 * def->mesh.size, rounded = ceil(needed / unit - 1e-9) * unit;
-  return fmin(rounded, widest_zone * def->radius);
+  return fmin(rounded, ARC_WIDEST_ZONE * def->radius);
 }
 
 void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]) {
@@ -69,7 +66,7 @@ void arc_model_fit_alone(arc_model_def *def) {
   arc_model_fit(def, load);
   arc_zone_for(0, half_width, arc_model_size_for(half_width), zone);
   for (int b = 0; b < ARC_BODIES; b++)
-    if (def->mesh.zone[b] == 0) def->mesh.zone[b] = fmin(zone[b], widest_zone * def->radius);
+    if (def->mesh.zone[b] == 0) def->mesh.zone[b] = fmin(zone[b], ARC_WIDEST_ZONE * def->radius);
 }
 
 /* --- what it costs ---------------------------------------------------------------------------- */

@@ -49,6 +49,13 @@ int arc_wear_has_outgrown(const arc_wear *w, arc_status why) {
          (why == ARC_GEOMETRY && has_grown_into_box(w));
 }
 
+int arc_wear_has_room(const arc_wear *w) {
+  const arc_model_def *def = arc_model_definition(w->model);
+  double needed[ARC_BODIES];
+  arc_wear_zones(&w->def, def, needed);
+  return fmax(needed[ARC_CYLINDER], needed[ARC_PLATE]) <= ARC_WIDEST_ZONE * def->radius;
+}
+
 /* --- the meshes that would do ----------------------------------------------------------------- */
 
 static void widen(const arc_wear *w, arc_model_def *def) {
@@ -126,7 +133,7 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
     return arc_fail(error, why,
                     "no larger mesh fits into bodies of radius %g mm: zones end at %g mm, wear "
                     "boxes at %g mm",
-                    def.radius, 1.6 * def.radius, def.radius / 4);
+                    def.radius, ARC_WIDEST_ZONE * def.radius, def.radius / 4);
   return arc_wear_onto(w, &def, callbacks, result, error);
 }
 

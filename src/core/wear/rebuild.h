@@ -8,6 +8,9 @@
  * grown into, and not the step itself. */
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
 
+/* Whether bodies of that radius have room for the zones that the run needs. */
+int arc_wear_has_room(const arc_wear *w);
+
 /* A copy of the run on larger meshes. Errors: those of arc_model_build, `why` where
  * there is no room for larger ones; *result is NULL then. */
 arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,

@@ -167,7 +167,8 @@ static arc_status make_room(arc_wear **w, arc_error *error) {
     *w = suited;
   }
   if (status != ARC_OK || (status = check_reach(*w, &why)) == ARC_OK) return status;
-  if (status != ARC_ZONE || arc_wear_grow(*w, status, NULL, &suited, error) != ARC_OK)
+  if (status != ARC_ZONE || !arc_wear_has_room(*w) ||
+      arc_wear_grow(*w, status, NULL, &suited, error) != ARC_OK)
     return arc_fail(error, status, "%s", why.message);
   arc_wear_destroy(w);
   *w = suited;
