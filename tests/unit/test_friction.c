@@ -444,7 +444,7 @@ static void warned(void *context, const char *text) {
 static void test_uniqueness(void **state) {
   (void)state;
   arc_model_def def = coarse_definition();
-  def.material[ARC_PLATE] = (arc_material){20e3, 0.1};
+  def.material[ARC_PLATE] = (arc_material){.E = 20e3, .nu = 0.1};
   arc_model *model = build_model(&def);
   for (int i = 0; i < 2; i++) {
     int warnings = 0;
