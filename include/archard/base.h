@@ -61,12 +61,16 @@ typedef int (*arc_stop_fn)(void *context);
  * all of them. They must return, and leave alone what is being computed. */
 struct arc_wear;
 typedef struct arc_callbacks {
-  /* Asked between contact solutions; non-zero stops with ARC_STOPPED. */
+  /* Asked between contact solutions, and while a model is built; non-zero stops with ARC_STOPPED.
+   */
   arc_stop_fn stop;
   /* Told, in one line, why results may mean little; the computation goes on. */
   void (*warn)(void *context, const char *text);
   /* Called after each step of a run; non-zero stops it with ARC_STOPPED (the step stays). */
   int (*progress)(void *context, const struct arc_wear *wear);
+  /* Told some twenty times a second while `what` is made, as "model": the share that is done, as
+   * far as it can be told, and how long it has taken [s]. */
+  void (*working)(void *context, const char *what, double share, double seconds);
   void *context; /* handed to each */
 } arc_callbacks;
 

@@ -1,9 +1,16 @@
-/* archard/contact.h - worn shapes, and one frictionless contact solution on them.
+/* archard/contact.h - worn shapes, and contact solutions on them.
  *
- * Frictionless hard contact, mortar coupling in x with a dual basis on the cylinder's side: nodal
+ * Hard contact, mortar coupling in x with a dual basis on the cylinder's side: nodal
  * forces f of the cylinder and B'f of the plate balance identically, along x too. Pressures act
  * along the normals of the worn surface. Solved exactly for f >= 0, gap >= 0, f gap = 0, sum f =
  * load, where f are the components along the load.
+ *
+ * With Coulomb friction a solution follows from the one before it, over increments of load and
+ * motion: |q| <= mu p, no slip where less, and slip ds never against q. q is the shear traction on
+ * the cylinder along +x (on the plate along -x), ds the way of the plate's surface over the
+ * cylinder's, Q the force that drives the plate along x: a plate that moves to +x has all of them
+ * positive. In two dimensions the way under a force is that of these bodies: the cylinder's top and
+ * the plate's base are rigid.
  */
 #ifndef ARCHARD_CONTACT_H
 #define ARCHARD_CONTACT_H
@@ -97,12 +104,24 @@ arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double ref
                              const arc_surface_state state[ARC_BODIES], arc_shape **shape,
                              arc_error *error);
 
+/* How a contact with friction comes about. */
+#define ARC_PRESS_LIST(X)                                                                          \
+  X(PRESS_FRICTION, "friction")                                                                    \
+  X(PRESS_FRICTIONLESS, "frictionless")
+typedef enum arc_press { ARC_PRESS_LIST(ARC_CHOICE_ENUM) } arc_press;
+extern const char *const arc_press_names[];
+
 /* One contact problem. */
-#define ARC_CONTACT_SETTINGS(NUMBER, OTHER)                                                        \
+#define ARC_CONTACT_SETTINGS(NUMBER, WHOLE, CHOICE, OTHER)                                         \
   NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N.")                                          \
   NUMBER(x, "mm", 0, ANY, 0, "Position of the plate.")                                             \
   NUMBER(average, "mm", 0.08, FROM(0), 0,                                                          \
          "Length over which p_average is taken; it should hold four elements or more. 0: p_max.")  \
+  NUMBER(friction, "", 0, FROM(0), 0, "Coefficient of Coulomb friction; 0: without.")              \
+  CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
+         "Whether friction acts while the bodies are pressed together, or only from then on.")     \
+  WHOLE(increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                       \
+        "Steps in which the load is put on with friction, the plate's base held. \"auto\": 20.")   \
   OTHER(model, "a model object or a table of its fields", "model", 0,                              \
         "The bodies. One is built where none is given.")                                           \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", 0,                         \
@@ -110,7 +129,7 @@ arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double ref
         "the depth, or a measured profile { x={...}, h={...} }, in mm. Left out: unworn.")
 
 typedef struct arc_contact_def {
-  ARC_CONTACT_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_OTHER)
+  ARC_CONTACT_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_OTHER)
 } arc_contact_def;
 
 extern const arc_setting arc_contact_settings[];
@@ -123,7 +142,8 @@ typedef struct arc_contact arc_contact;
 /* Solves one problem. The solution keeps what it needs and does not follow later changes of the
  * shape. Errors: ARC_ARGUMENT (a setting out of its range), ARC_ZONE (the contact reaches the edge
  * of a candidate zone, the message names the zone it needs), ARC_MEMORY, ARC_NUMERIC. Warns where
- * the contact is narrower than two elements. */
+ * the contact has less than four elements, and where friction times Dundurs' beta is above 0.4:
+ * there may be more than one solution. */
 arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              const arc_callbacks *callbacks, arc_contact **contact,
                              arc_error *error);
@@ -132,6 +152,35 @@ void arc_contact_destroy(arc_contact **contact);
 const arc_contact_def *arc_contact_definition(const arc_contact *contact);
 /* Bytes held by the contact, for a garbage collector. */
 size_t arc_contact_bytes(const arc_contact *contact);
+
+/* A motion that starts from a contact, which stays: linear in all that changes. */
+#define ARC_MOTION_SETTINGS(NUMBER, WHOLE)                                                         \
+  NUMBER(x, "mm", 0, ANY, ARC_OPTIONAL, "Position the plate's base goes to.")                      \
+  NUMBER(load, "N", 0, ABOVE(0), ARC_OPTIONAL,                                                     \
+         "Normal load at the end; as before where left out.")                                      \
+  NUMBER(                                                                                          \
+      tangential, "N", 0, ANY, ARC_OPTIONAL,                                                       \
+      "Force that drives the plate along x, at the end; instead of x, less than friction times "   \
+      "the load.")                                                                                 \
+  WHOLE(increments, "", 1, WITHIN(1, 100000), 0,                                                   \
+        "Steps of equal size; more where load and motion change together, or materials differ.")
+
+typedef struct arc_motion_def {
+  ARC_MOTION_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE)
+  int by_force; /* `tangential` counts, not `x` */
+} arc_motion_def;
+
+extern const arc_setting arc_motion_settings[];
+
+/* The motion that goes nowhere: to the contact's own x and load in one step. */
+arc_motion_def arc_contact_motion(const arc_contact *contact);
+
+/* The contact after a motion. Points that stick stay together whatever they were; under x the
+ * pairing of nodes follows the plate, so that it may slide as far as the zones reach. Errors as
+ * arc_contact_solve, and ARC_ARGUMENT for a tangential force that friction does not carry. */
+arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motion,
+                            const arc_callbacks *callbacks, arc_contact **contact,
+                            arc_error *error);
 
 typedef struct arc_contact_result {
   double p_center;    /* [MPa] at the cylinder's lowest node, x = 0 of the cylinder */
@@ -142,7 +191,10 @@ typedef struct arc_contact_result {
                          where the surfaces meet smoothly, as unworn, to 0.6 (r.m.s. 0.2) at the
                          edges of scars */
   double approach;    /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
-  int iterations;     /* active-set iterations */
+  double
+      tangential; /* [N] force that drives the plate along x; without friction what slopes bear */
+  double energy;  /* [N mm] dissipated by friction since the bodies came together */
+  int iterations; /* active-set iterations */
 } arc_contact_result;
 arc_contact_result arc_contact_get(const arc_contact *contact);
 
@@ -158,6 +210,22 @@ typedef struct arc_pressure {
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
 
+/* Shear on a body's candidate nodes, arrays of `count` as arc_pressure; zero without friction. */
+typedef struct arc_shear {
+  int count;
+  const double *x; /* [mm] */
+  const double *q; /* [MPa] shear traction: on the cylinder along +x, on the plate along -x */
+} arc_shear;
+arc_shear arc_contact_shear(const arc_contact *contact, arc_body body);
+
+/* Way of the plate's surface over the cylinder's nodes [mm] since the bodies came together, `count`
+ * values at the cylinder's x; NULL without friction. */
+const double *arc_contact_slip(const arc_contact *contact, int *count);
+
+/* Zones that stuck in the last increment, from left to right: writes the edges [mm] of zone `index`
+ * (from 0), or returns 0 where there are no more. Interpolated between nodes. */
+int arc_contact_stick(const arc_contact *contact, int index, double edges[2]);
+
 /* Whether the solution is one, for tests and builds with checks: forces of both bodies balance the
  * load, nothing is pulled, no gap is negative, no force bridges a gap. ARC_NUMERIC says what failed
  * and by how much. */
@@ -165,10 +233,11 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 
 /* The columns of a field, in the order of files: first where the nodes are, then what is there.
  * Stresses are of second order in the element size. On the boundary they fulfil the tractions (the
- * pressure at the node, no shear) and follow along it the strain of the surface; inside they are
- * polynomials fitted around each node. The pressure of the last node in contact is what its element
- * gets, the one beside the edge at a point follows the square-root law where the surfaces meet
- * smoothly: to 4 % of the largest; at the edges of scars the node's is taken. X(name, unit, text).
+ * pressure and the shear at the node) and follow along it the strain of the surface; inside they
+ * are polynomials fitted around each node. The pressure of the last node in contact is what its
+ * element gets, the one beside the edge at a point follows the square-root law where the surfaces
+ * meet smoothly: to 4 % of the largest; at the edges of scars the node's is taken. X(name, unit,
+ * text).
  */
 #define ARC_FIELD_STRESSES(X)                                                                      \
   X(sxx, "MPa", "stress along the surface")                                                        \
@@ -176,6 +245,7 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
   X(szz, "MPa", "stress out of the plane: plane strain, nu (sxx + syy)")                           \
   X(sxy, "MPa", "shear stress")                                                                    \
   X(mises, "MPa", "von Mises stress")                                                              \
+  X(principal, "MPa", "largest principal stress, tension positive")                                \
   X(shear, "MPa", "largest shear stress in the plane")
 #define ARC_FIELD_COLUMNS(X)                                                                       \
   X(x, "mm", "node as worn")                                                                       \

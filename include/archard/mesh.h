@@ -30,12 +30,20 @@ const char *arc_body_name(arc_body body);
 typedef enum arc_element { ARC_ELEMENT_LIST(ARC_CHOICE_ENUM) } arc_element;
 extern const char *const arc_element_names[];
 
-/* What to mesh. The plate is 2 radius wide and radius high. */
+/* What to mesh. The plate is 2 radius wide and radius high. "auto" is 0 in the struct, and becomes
+ * a number in arc_model_fit: a mesh is built of numbers alone. */
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
-  NUMBER(size, "mm", 0.020, ABOVE(0), 0, "Width of the elements at the contact.")                  \
-  NUMBER(height, "mm", 0.025, ABOVE(0), 0,                                                         \
-         "Height of the elements at the contact; 1.25 size where only the size is given.")         \
-  NUMBER(far, "mm", 1.0, ABOVE(0), 0, "Largest size of the elements far from the contact.")        \
+  NUMBER(size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                   \
+         "Width of the elements at the contact. \"auto\": the unworn contact's half width over "   \
+         "5.4 and fineness, as in the paper, whose case gets 0.020 mm; under the load of the "     \
+         "contact or wear run that builds the model, of model{} alone under 100 N.")               \
+  NUMBER(fineness, "", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
+         "Divides the size that \"auto\" finds: 2 halves it. Left out: 1. A size that is given "   \
+         "has none.")                                                                              \
+  NUMBER(height, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                 \
+         "Height of the elements at the contact. \"auto\": 1.25 size.")                            \
+  NUMBER(far, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                    \
+         "Largest size of the elements far from the contact. \"auto\": a tenth of the radius.")    \
   WHOLE(rows, "", 3, WITHIN(1, 100), 0,                                                            \
         "Element rows of the wear box: its nodes move with the worn surface.")                     \
   CHOICE(                                                                                          \
@@ -47,14 +55,14 @@ extern const char *const arc_element_names[];
 typedef struct arc_mesh_def {
   ARC_MESH_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE)
   double
-      zone[ARC_BODIES]; /* [mm] full width of the fine candidate contact zone, 1.0 and 1.2;
+      zone[ARC_BODIES]; /* [mm] full width of the fine candidate contact zone;
                            the cylinder's is the measure of the contact: depths and margins of the
                            two nested partitions scale with it, the plate's adds the stroke */
 } arc_mesh_def;
 
 extern const arc_setting arc_mesh_settings[];
 
-/* The defaults above. */
+/* The mesh of the paper's case, in numbers: 0.020 x 0.025 mm, far 1 mm, zones 1.0 and 1.2 mm. */
 arc_mesh_def arc_mesh_default(void);
 
 /* A mesh; read-only for its users, owned by arc_mesh_build's caller. Indices are 0-based.

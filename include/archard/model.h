@@ -16,7 +16,11 @@ extern "C" {
 
 #define ARC_MATERIAL_SETTINGS(NUMBER)                                                              \
   NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
-  NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")
+  NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")                                     \
+  NUMBER(                                                                                          \
+      k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                        \
+      "Wear coefficient of the body, for wear{} without k and alpha. A body without one beside "   \
+      "one that has it does not wear.")
 
 typedef struct arc_material {
   ARC_MATERIAL_SETTINGS(ARC_MEMBER_NUMBER)
@@ -29,7 +33,8 @@ extern const arc_setting arc_material_settings[];
   {                                                                                                \
     .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_material_settings,                  \
     .offset = offsetof(owner, material[body]), .class_name = "material",                           \
-    .usual_text = "material{}", .type = "a material object or a table { E=, nu= }", .text = text_  \
+    .usual_text = "material{}", .type = "a material object or a table { E=, nu=, k= }",            \
+    .text = text_                                                                                  \
   }
 
 /* Steel of the reference case: 200e3 MPa, 0.3. */
@@ -58,6 +63,7 @@ typedef struct arc_model_def {
 
 extern const arc_setting arc_model_settings[];
 
+/* The paper's case: all in numbers, see arc_mesh_default. */
 arc_model_def arc_model_default(void);
 
 /* Closed-form Hertz line contact of a cylinder on a half-space. */
@@ -91,9 +97,16 @@ arc_status arc_hertz_solve(double radius, double thickness, double load,
  * fields share the factor's workspace). */
 typedef struct arc_model arc_model;
 
-/* Meshes, assembles, factorises and condenses both bodies. Errors: those of arc_mesh_build,
+/* Meshes, assembles, factorises and condenses both bodies. What is "auto" is that of
+ * arc_model_fit_alone. Errors: those of arc_mesh_build,
  * ARC_ARGUMENT, ARC_NUMERIC (not positive definite), ARC_MEMORY. On failure *model is NULL. */
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error);
+
+/* The same, and asks and tells on its way: it may be stopped (ARC_STOPPED), and shows how far it
+ * is.
+ */
+arc_status arc_model_build_watched(const arc_model_def *def, const arc_callbacks *callbacks,
+                                   arc_model **model, arc_error *error);
 
 arc_model *arc_model_retain(arc_model *model);
 /* Gives up one reference and nulls the handle. */
@@ -105,6 +118,17 @@ const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body);
 size_t arc_model_bytes(const arc_model *model);
 /* Seconds arc_model_build took. */
 double arc_model_seconds(const arc_model *model);
+
+/* Sets what is still "auto" of a mesh (0 in the struct), but for the zones: size, height and far,
+ * for the unworn contact under `load` [N]. Large elements keep within the bodies. */
+void arc_model_fit(arc_model_def *def, double load);
+/* Sets the zones that are still "auto" to those needed, in steps of ten elements, as far as there
+ * is room for them. */
+void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]);
+
+/* All of it for a model that nobody asks for with a load of its own: the paper's load and zones in
+ * proportion. */
+void arc_model_fit_alone(arc_model_def *def);
 
 /* Zones (full widths, by body) [mm] that hold contacts up to half_width [mm] wide on either side of
  * the cylinder's axis, over plate positions |x| <= reach [mm]. Never under 50 and 60 elements of

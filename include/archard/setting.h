@@ -37,7 +37,7 @@ typedef enum arc_setting_kind {
 enum {
   ARC_FUNCTION = 1,  /* a function of the state */
   ARC_SERIES = 2,    /* a table over distance */
-  ARC_AUTOMATIC = 4, /* the word "auto"; of whole numbers 0 in the struct */
+  ARC_AUTOMATIC = 4, /* the word "auto"; 0 in the struct where it has no member of its own */
   ARC_OPTIONAL = 8,  /* 0 in the struct: not given */
   ARC_FIXED = 16     /* cannot be changed in what has been made */
 };

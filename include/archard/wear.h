@@ -103,6 +103,12 @@ typedef struct arc_loading {
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19): the share of the volume that the cylinder "    \
            "loses. 0: only the plate wears, 1: only the cylinder.")                                \
+  OTHER(k_cylinder, "a number >= 0 mm2/N", NULL, 0,                                                \
+        "Wear coefficient of the cylinder alone, k_c = alpha k. Give this and k_plate, or k and "  \
+        "alpha; or each body its own, as model = { cylinder = { k = ... }, plate = { k = ... } "   \
+        "}.")                                                                                      \
+  OTHER(k_plate, "a number >= 0 mm2/N", NULL, 0,                                                   \
+        "Wear coefficient of the plate alone, k_p = (1 - alpha) k.")                               \
   NUMBER(load, "N", 100, ABOVE(0), 0,                                                              \
          "Normal load L_N; with loading, that of the reference configuration.")                    \
   NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
@@ -202,6 +208,12 @@ enum {
 
 arc_wear_def arc_wear_default(void);
 
+/* Sets k = k_c + k_p and alpha = k_c / k (Eqs. 18 and 19) from the coefficients of the bodies
+ * [mm2/N]. */
+void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]);
+/* The same from the materials, where one of them has a wear coefficient; else returns 0. */
+int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model);
+
 /* Checks a definition against the model it is to run on: ranges, and what goes together.
  * ARC_ARGUMENT names field, expectation and value. */
 arc_status arc_wear_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
@@ -242,7 +254,8 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(load_distance, "N mm", "integral of the load over the sliding distance")                       \
   X(depth_partition, "", "depth partition factor alpha-tilde; NaN before any wear")                \
   X(error, "", "estimated error of an adaptive step, over its tolerance")                          \
-  X(solutions, "", "contact solutions so far")
+  X(solutions, "", "contact solutions so far")                                                     \
+  X(elements, "", "elements of both meshes, new where outgrown")
 
 struct arc_wear_record {
 #define ARC_WEAR_MEMBER(name, unit, text) double name;

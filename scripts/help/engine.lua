@@ -5,7 +5,7 @@
 
 return {
   -- --- material -------------------------------------------------------------------------------
-  { "material", kind = "constructor", use = "material{ E=200e3, nu=0.3 }",
+  { "material", kind = "constructor", use = "material{ E=200e3, nu=0.3, k=1e-9 }",
     text = "A linear elastic material. The defaults are the reference case's steel." },
   { "material.E_star", kind = "field", unit = "MPa",
     text = "Plane-strain modulus E / (1 - nu^2)." },
@@ -22,7 +22,7 @@ return {
     text = "Contact modulus 1 / (1/E*_c + 1/E*_p) of the pair." },
 
   -- --- model ----------------------------------------------------------------------------------
-  { "model", kind = "constructor", use = "model{ radius=10, mesh={ size=0.020 } }",
+  { "model", kind = "constructor", use = "model{ radius=10, mesh={ fineness=2 } }",
     text = "The two elastic bodies, meshed and condensed once: a half cylinder, its flat top built "
       .. "in, on a plate 2 radius wide and radius high. A model never changes, so that any number of "
       .. "contact and wear objects share one. Plane strain." },
@@ -31,8 +31,8 @@ return {
   { "model.close", kind = "method", use = "m:close()",
     text = "Lets go of it now instead of when it is collected; runs and contacts on it stay." },
   { "model.mesh", kind = "field",
-    text = "The two meshes, m.mesh.cylinder and m.mesh.plate, and their definition: size, height, far, "
-      .. "zone, rows, element." },
+    text = "The two meshes, m.mesh.cylinder and m.mesh.plate, and their definition: size, height, "
+      .. "fineness, far, zone, rows, element; numbers in place of \"auto\"." },
   { "model.mesh.cylinder", kind = "field", class = "mesh", text = "Mesh of the half cylinder." },
   { "model.mesh.plate", kind = "field", class = "mesh", text = "Mesh of the plate." },
 
@@ -74,8 +74,9 @@ return {
 
   -- --- contact --------------------------------------------------------------------------------
   { "contact", kind = "constructor", use = "c = contact{ load=100, x=0 }",
-    text = "One frictionless contact solution: the plate at x, pressed by the load. Without a model "
-      .. "it uses one whose zones suit." },
+    text = "One contact solution: the plate at x, pressed by the load; c:move goes on from there. "
+      .. "Without a model it uses one whose zones suit. With friction, shear, slip and tangential "
+      .. "force are positive where the plate is pushed along x." },
   { "contact{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
     text = "Wear depth of the cylinder against x. A function is taken at the nodes; points by splines "
       .. "without kinks inside a scar, with the area under them." },
@@ -101,13 +102,34 @@ return {
     use = 'c:pressure("cylinder" | "plate")', default = '"cylinder"',
     text = "Pressure at the surface nodes of a body, as { x=, p= } in mm and MPa; x is counted from "
       .. "the cylinder's axis." },
+  { "contact.move", kind = "method", class = "contact",
+    use = "c:move{ x= | tangential=, load=, increments= }",
+    text = "The contact after the plate's base has gone to x, or has been driven by a tangential "
+      .. "force, and the load has changed; linear in all of them, c stays as it is. Coulomb "
+      .. "friction keeps its history: which points slipped, and how far. Where neither x nor tangential "
+      .. "is given the base is held. x may go far: then the bodies slide over each other." },
+  { "contact.tangential", kind = "field", unit = "N",
+    text = "Force that drives the plate along x. Without friction that which slopes bear." },
+  { "contact.energy", kind = "field", unit = "N mm",
+    text = "Energy dissipated by friction since the bodies came together: shear force times slip, "
+      .. "summed over nodes. Good to some per cent where ten nodes or more slip." },
+  { "contact.stick", kind = "field", unit = "mm",
+    text = "The zones that stuck in the last increment, a list of { left=, right= }; empty in gross "
+      .. "slip. Good to half an element." },
+  { "contact.shear", kind = "method", values = { "cylinder", "plate" },
+    use = 'c:shear("cylinder" | "plate")', default = '"cylinder"',
+    text = "Shear traction at the surface nodes of a body, as { x=, q= } in mm and MPa: on the "
+      .. "cylinder along +x, on the plate along -x. |q| is friction times the pressure at most." },
+  { "contact.slip", kind = "method", use = "c:slip()",
+    text = "How far the plate's surface has slipped over the cylinder's nodes since the bodies came "
+      .. "together, { x=, s= } in mm, along +x. Nodes that do not touch go on too." },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
     text = "Displacements and stresses inside both bodies: a field for plot.stress, export.vtk and export.csv." },
   { "contact.close", kind = "method", use = "c:close()",
     text = "Lets go of it now instead of when it is collected." },
   { "stress", kind = "object", use = "f = c:stress()",
     text = "Fields on both bodies, f.cylinder and f.plate: lists x, y (mm, nodes), ux, uy (mm, "
-      .. "displacements), mises, shear, sxx, syy, szz, sxy (MPa), elements (four corners "
+      .. "displacements), mises, principal (the largest), shear, sxx, syy, szz, sxy (MPa), elements (four corners "
       .. "each). Of second order in the element size: at the surface from its tractions and the strain "
       .. "along it, inside from the elements' centres. Next to a smooth edge of the contact the "
       .. "pressure is the square-root law's at the point (4 % of the largest at worst), at kinks of "
@@ -271,6 +293,9 @@ return {
     text = "The plate's way from one end to the other: the stroke, or that of the present block of loading. "
       .. "history.travel has it update by update." },
   { "wear.strokes", kind = "field", text = "Strokes of a cycle, r of Eq. (21): 2, or 1 at 2 radius." },
+  { "wear.k_cylinder", kind = "field", unit = "mm2/N",
+    text = "Wear coefficient of the cylinder, alpha k; where that changes, of the last update." },
+  { "wear.k_plate", kind = "field", unit = "mm2/N", text = "That of the plate, (1 - alpha) k." },
   { "wear.cycles", kind = "field", unit = "cycles", text = "Cycles of the whole distance (Eq. 21)." },
   { "wear.total_distance", kind = "field", unit = "mm", text = "Travelled distance to simulate." },
   { "wear.procedure", kind = "field", text = 'The one chosen, "SP" or "NSP".' },

@@ -35,9 +35,10 @@ local function options_of(class)
   return list
 end
 
--- Settings read back from an object.
+-- Settings read back from an object; a method's cannot be.
 local function fields_of(class)
   local list = {}
+  if class:find(".", 1, true) then return list end
   for _, setting in ipairs(settings[class]) do
     if setting.plain and setting.path == setting.name then
       list[#list + 1] = { class .. "." .. setting.name, kind = "field", unit = setting.unit,

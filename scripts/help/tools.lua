@@ -121,6 +121,15 @@ return {
   { "plot.pressure{body}", values = { "cylinder", "plate" }, default = '"cylinder"',
     text = "Which body's pressure." },
   { "plot.pressure{titles}", type = "list of strings", text = "Names of the curves in the key." },
+  { "plot.shear", kind = "function", takes = "plot", use = "plot.shear(c, { body= })",
+    text = "Shear traction of a contact with friction against x, between the bounds that friction "
+      .. "times pressure sets; where it sticks is shaded. Takes the options of plot{} too." },
+  { "plot.shear{body}", values = { "cylinder", "plate" }, default = '"cylinder"',
+    text = "Which body's nodes." },
+  { "plot.slip", kind = "function", takes = "plot", use = "plot.slip(c1, c2, ...)",
+    text = "How far the plate's surface has slipped over the cylinder's, in um against x, within the "
+      .. "contact. Takes the options of plot{} too." },
+  { "plot.slip{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.profile", kind = "function", takes = "plot", values = { "cylinder", "plate" },
     use = 'plot.profile(w1, ..., "plate")',
     text = "Wear depth in um against x; both bodies where none is named. Takes the options of plot{} "
@@ -144,7 +153,7 @@ return {
     text = "A stress inside both bodies in colours, with contour lines and outlines; of a contact, a "
       .. "run as worn, or a field f = c:stress(). Takes the options of plot{} too." },
   { "plot.stress{component}", values = require "archard.plot.mesh".components,
-    default = '"mises"', text = "Which stress; shear is the largest in the plane." },
+    default = '"mises"', text = "Which stress; shear is the largest in the plane, principal the largest tension." },
   { "plot.stress{zoom}", type = "table { x0, x1, y0, y1 }", values = { "all" },
     text = "What part to show; three half widths of the contact where left out." },
   { "plot.stress{body}", values = { "cylinder", "plate" }, text = "One body alone." },

@@ -272,5 +272,6 @@ end
 
 curves.get, curves.summary, curves.quantity_of = get, naming.summary, quantity_of
 curves.profile_panel, curves.range_of = profile_panel, range_of
+curves.split = split
 
 return curves

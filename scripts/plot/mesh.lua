@@ -126,9 +126,9 @@ end
 
 -- --- stress -------------------------------------------------------------------------------------
 
-mesh.components = { "mises", "shear", "sxx", "syy", "szz", "sxy" }
-local labels = { mises = "von Mises stress / MPa", shear = "largest shear stress / MPa",
-  sxx = "σx / MPa", syy = "σy / MPa", szz = "σz / MPa", sxy = "τxy / MPa" }
+mesh.components = { "mises", "principal", "shear", "sxx", "syy", "szz", "sxy" }
+local labels = { mises = "von Mises stress / MPa", principal = "largest principal stress / MPa",
+  shear = "largest shear stress / MPa", sxx = "σx / MPa", syy = "σy / MPa", szz = "σz / MPa", sxy = "τxy / MPa" }
 
 local stress_options = { component = check.one_of(mesh.components), body = check.one_of(bodies),
   zoom = check.one_of({ "all" }, check.box), deformed = check.number }

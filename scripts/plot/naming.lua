@@ -27,6 +27,7 @@ local settings = {
   { "law_exponent", "exponent %g", axis = "exponent" },
   { "local_factor", "local factor %s", "local factor" }, { "geometry", "%s geometry" },
   { "slip", "%s slip" }, { "cycle", "%.6g cycles", follows = true, axis = "cycles" },
+  { "friction", "μ = %g", axis = "μ" }, { "tangential", "%.4g N tangential" },
 }
 
 -- How far a run has come is told once.

@@ -25,6 +25,27 @@ local function pick(given, fields)
   return picked
 end
 
+-- No file holds functions of the state; a single case needs none. -> base without them, they by name.
+local function without_functions(given)
+  local plain, functions = merged(given), {}
+  for name, value in pairs(given) do
+    if type(value) == "function" then plain[name], functions[name] = nil, value end
+  end
+  return plain, functions
+end
+
+local function flat_cases(study, given)
+  local base, functions = without_functions(given.base or {})
+  local flat = study{ base = base, vary = given.vary, cases = given.cases }.flat
+  local name = next(functions)
+  if name and #flat > 1 then
+    check.fail(where, ("field 'base.%s': many cases are searched through a file, which holds no "
+      .. "functions; expected a number or a table over distance, or one case"):format(name))
+  end
+  if name then flat = { merged(flat[1], functions) } end
+  return flat
+end
+
 -- A study object and options, or one table with both; -> flat cases, options, name.
 local function read(study, given, options)
   local metatable = type(given) == "table" and getmetatable(given)
@@ -34,8 +55,7 @@ local function read(study, given, options)
     return given.flat, options, given.name
   end
   check.definition(where, given, own_fields, "a study or ")
-  local plain = study{ base = given.base, vary = given.vary, cases = given.cases }
-  return plain.flat, given, given.name or "study"
+  return flat_cases(study, given), given, given.name or "study"
 end
 
 -- --- the mesh ------------------------------------------------------------------------------------

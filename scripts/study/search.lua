@@ -141,8 +141,12 @@ local function new_trial(given, limit, on_progress)
   local first <close> = wear(given)
   local self = setmetatable({ given = given, limit = limit, model = first.model, count = 0,
     strokes = first.strokes, cycles = first.cycles, procedure = first.procedure,
-    stroke = first.stroke, k = first.k, tell = on_progress, jumps = {}, roughnesses = {} }, trial)
+    stroke = first.stroke, k = first.k_cylinder + first.k_plate, tell = on_progress, jumps = {}, roughnesses = {} }, trial)
   self.p_hertz = hertz_of(first.model, first.load).p_max
+  if not (self.k > 0) then
+    error("study.converge: field 'k': nothing wears at the start (k = 0 there), so that no jump can be "
+      .. "judged; expected a k > 0 mm2/N at distance 0", 0)
+  end
   self.guess = limit.first_depth / (self.k * self.p_hertz * self.strokes * self.stroke)
   run_course(self)
   return self

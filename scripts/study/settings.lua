@@ -22,6 +22,9 @@ local function value_at(object, path)
   return object
 end
 
+-- What the size of a model that is there has come of; the size tells all.
+local implied = { ["mesh.fineness"] = true }
+
 -- Objects as the flat settings that would make them again.
 local function as_table(where, name, value)
   local class = (getmetatable(value) or {}).__name
@@ -31,7 +34,8 @@ local function as_table(where, name, value)
   end
   local flat = {}
   for _, setting in ipairs(known[class]) do
-    if not setting.group or setting.class then flat[setting.path] = value_at(value, setting.path) end
+    local own = (not setting.group or setting.class) and not implied[setting.path]
+    if own then flat[setting.path] = value_at(value, setting.path) end
   end
   return flat
 end

@@ -29,6 +29,14 @@ local function solution_cost(model, finer)
   return 1e6 * seconds / (w.solutions - before)
 end
 
+-- Microseconds an increment of a cycle of tangential force costs: half of it in partial slip.
+local function friction_cost(model)
+  local c = contact{ model = model, friction = 0.6 }:move{ tangential = 48 }
+  local count = 2000
+  local seconds = timed(function() c:move{ tangential = -48, increments = count } end)
+  return 1e6 * seconds / count
+end
+
 -- The 20 cases with Table 1's parameters, N-bar divided by `finer` (ripples grow faster on finer meshes).
 local function twenty_cases(model, geometry, finer)
   local solutions = 0
@@ -53,6 +61,7 @@ local function measure(size, finer, goals)
     1.25e3 * size, m.mesh.cylinder.elements_count + m.mesh.plate.elements_count, finer > 1 and " / " .. finer or ""))
   line("building the model", string.format("%.3f", building), "s", goals.building)
   line("a contact solution, warm", string.format("%.1f", solution_cost(m, finer)), "us", goals.solution)
+  line("an increment with friction, similar bodies", string.format("%.1f", friction_cost(m)), "us", goals.friction)
   local seconds = timed(function() wear{ model = m, jump = 100 / finer }:run{ progress = false } end)
   line("the reference case, moving", string.format("%.3f", seconds), "s")
   for _, geometry in ipairs{ "moving", "frozen" } do
@@ -130,7 +139,7 @@ end
 local mode = arg and arg[1]
 io.write("archard bench: CPU time, one thread\n")
 if mode == "sizes" then return sizes() end
-measure(0.020, 1, { moving = "0.3", frozen = "2", solution = "2.5", memory = "300" })
+measure(0.020, 1, { moving = "0.3", frozen = "2", solution = "2.5", friction = "4 of these", memory = "300" })
 studies()
 io.write("\n10000 cycles of 100 increments, an update at every increment, geometry frozen\n")
 package.path = arg[0]:match("^.*/") .. "?.lua"

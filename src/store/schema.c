@@ -78,7 +78,8 @@ static const struct migration {
     {3, "",
      "ALTER TABLE history ADD COLUMN load_N;"
      "ALTER TABLE history ADD COLUMN travel_mm;"
-     "ALTER TABLE history ADD COLUMN load_distance_N_mm;"},
+     "ALTER TABLE history ADD COLUMN load_distance_N_mm;"
+     "ALTER TABLE history ADD COLUMN elements;"},
 };
 
 enum { MIGRATIONS = sizeof migrations / sizeof *migrations };

@@ -49,7 +49,9 @@ holds(tostring(s), { "cylinder", "plate", "mises up to" }, "print(stress)")
 
 -- definitions
 near(contact{ load = 25 }.half_width, h.half_width / 2, 6e-2, "load")
-ok(contact{ load = 25 }.model.mesh.plate.nodes == c.model.mesh.plate.nodes, "default models alike")
+ok(contact{ load = 100 }.model.mesh.plate.nodes == c.model.mesh.plate.nodes, "default models alike")
+near(contact{ load = 25 }.model.mesh.size, 0.01, 1e-12, "elements follow the contact's width")
+near(contact{ load = 25, model = { mesh = { fineness = 2 } } }.model.mesh.size, 0.005, 1e-12, "and fineness")
 is(contact{ x = 0.1 }.x, 0.1, "position")
 near(contact{ model = { radius = 5 } }.half_width, hertz{ radius = 5 }.half_width, 8e-2,
   "model as a table")

@@ -48,6 +48,17 @@ is(found.judged, math.min(100, math.ceil(6000 / found.jump)), "it is judged by t
 ok(found.smooth > search.limits.smooth, "the limit of roughness that this mesh needs")
 holds(tostring(c), { "jump", "roughness", "stable to", "was allowed" }, "print")
 
+-- A k that depends on the state is searched as its table is.
+local stepped = study.converge{ base = { alpha = 1, model = coarse,
+  k = function(state) return state.distance < 300 and 2e-8 or 1e-8 end }, mesh = false }.cases[1].found
+local tabled = study.converge{ base = { alpha = 1, model = coarse,
+  k = { distance = { 0, 300, 301 }, value = { 2e-8, 2e-8, 1e-8 } } }, mesh = false }.cases[1].found
+is(stepped.jump, tabled.jump, "k as a function: the jump of the same k as a table")
+fails(function() study.converge{ base = { k = function() return 0 end, alpha = 1, model = coarse },
+  mesh = false } end, "k > 0 mm2/N at distance 0", "nothing wears at the start")
+fails(function() study.converge{ base = { k = function() return 1e-8 end }, vary = { alpha = { 0, 1 } } } end,
+  { "field 'base.k'", "table over distance" }, "functions in many cases")
+
 -- With a roughness that everything keeps to, only stability is left; or a tenth of all cycles.
 c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen" }, mesh = false, smooth = 0.99,
   symmetric = 0.99 }

@@ -294,7 +294,7 @@ fails(function() w:set{ alpha = 2 } end, "wear:set: field 'alpha': expected a nu
 fails(function() w:set{ alhpa = 0.2 } end, "did you mean 'alpha'", "misspelt")
 fails(function() w:set{ distance = 3 } end, "the run is at 200 mm already", "backwards")
 fails(function() w:set{ procedure = "NSP" } end, "NSP needs a plate that stays flat", "what does not go together")
-fails(function() w:set{ stroke = 3 } end, "zone", "a stroke that needs a larger model")
+fails(function() w:set{ loading = { x = { -8, 8, -8 } } } end, "zone", "a way that no model has room for")
 fails(function() w:set{ local_factor = function() error("no factor") end } end, "no factor", "a function that fails")
 is(tostring(w), before, "after a refusal all is as it was")
 w:set{ k = { distance = { 0, 1000 }, value = { 1e-8, 1e-8 } } }

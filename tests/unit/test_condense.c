@@ -113,7 +113,7 @@ static arc_model_def definition(arc_element kind, int rows) {
   arc_model_def def = coarse_definition();
   def.mesh.element = kind;
   def.mesh.rows = rows;
-  def.material[ARC_PLATE] = (arc_material){70e3, 0.33};
+  def.material[ARC_PLATE] = (arc_material){.E = 70e3, .nu = 0.33};
   return def;
 }
 

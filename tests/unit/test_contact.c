@@ -61,10 +61,10 @@ static void test_hertz_refused(void **state) {
     check_refused(arc_hertz_solve(10, bad[k], 100, material, &hertz, why), ARC_ARGUMENT,
                   "thickness");
     check_refused(arc_hertz_solve(10, 1, bad[k], material, &hertz, why), ARC_ARGUMENT, "load");
-    const arc_material soft[ARC_BODIES] = {{bad[k], 0.3}, material[1]};
+    const arc_material soft[ARC_BODIES] = {{.E = bad[k], .nu = 0.3}, material[1]};
     check_refused(arc_hertz_solve(10, 1, 100, soft, &hertz, why), ARC_ARGUMENT, "E'");
   }
-  const arc_material fluid[ARC_BODIES] = {material[0], {200e3, 0.5}};
+  const arc_material fluid[ARC_BODIES] = {material[0], {.E = 200e3, .nu = 0.5}};
   check_refused(arc_hertz_solve(10, 1, 100, fluid, &hertz, why), ARC_ARGUMENT, "nu'");
 }
 

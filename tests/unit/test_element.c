@@ -5,7 +5,7 @@
 #include "core/base/dense.h"
 #include "core/elastic/element.h"
 
-static const arc_material steel = {200e3, 0.3};
+static const arc_material steel = {.E = 200e3, .nu = 0.3};
 
 /* A linear field of displacements with every strain and a rotation. */
 static void linear_field(const double *xy, double *u) {
@@ -39,7 +39,7 @@ static element random_kind(int which) {
 }
 
 static elasticity random_elasticity(void) {
-  return arc_elasticity_of((arc_material){exp(random_in(0, 13)), random_in(-0.9, 0.49)});
+  return arc_elasticity_of((arc_material){.E = exp(random_in(0, 13)), .nu = random_in(-0.9, 0.49)});
 }
 
 static double largest(const double *value, int count) {
@@ -197,8 +197,8 @@ static void test_volume_apart(void **state) {
     for (int r = 0; r < 36; r++)
       check_near(shape[r] + bulk / area * swelling[r / 6] * swelling[r % 6], whole[r],
                  1e-12 * largest(whole, 36));
-    check_near(arc_elasticity_bulk(arc_elasticity_of((arc_material){210e3, 0.45})), 210e3 / 0.3,
-               1e-6);
+    check_near(arc_elasticity_bulk(arc_elasticity_of((arc_material){.E = 210e3, .nu = 0.45})),
+               210e3 / 0.3, 1e-6);
   }
 }
 

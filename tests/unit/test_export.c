@@ -169,9 +169,11 @@ static void test_vtk(void **state) {
           const double u[3] = {f->ux[n], f->uy[n], 0};
           check_numbers(file, u, 3, 1);
         }
-        static const char *const names[] = {"sxx", "syy", "szz", "sxy", "mises", "shear"};
-        const double *const columns[] = {f->sxx, f->syy, f->szz, f->sxy, f->mises, f->shear};
-        for (int c = 0; c < 6; c++) {
+        static const char *const names[] = {"sxx",   "syy",       "szz",  "sxy",
+                                            "mises", "principal", "shear"};
+        const double *const columns[] = {f->sxx,   f->syy,       f->szz,  f->sxy,
+                                         f->mises, f->principal, f->shear};
+        for (int c = 0; c < 7; c++) {
           find_line(file, "SCALARS");
           assert_int_equal(strncmp(line + 8, names[c], strlen(names[c])), 0);
           find_line(file, "LOOKUP_TABLE");

@@ -64,7 +64,7 @@ static void wrap_cholmod(void) {
 /* Everything the calls work on. */
 static arc_model *model;
 static arc_shape *shape;
-static arc_contact *contact;
+static arc_contact *contact, *rough;
 static arc_wear *wear;
 static arc_wear_def definition;
 
@@ -80,6 +80,8 @@ static int set_up_all(void **state) {
   check_ok(arc_shape_wear(shape, ARC_PLATE, depth, why));
   free(depth);
   check_ok(arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = 0}, NULL, &contact, why));
+  check_ok(arc_contact_solve(shape, &(arc_contact_def){.load = 100, .friction = 0.5}, NULL, &rough,
+                             why));
   check_ok(arc_wear_create(model, &definition, NULL, &wear, why));
   check_ok(arc_wear_step(wear, NULL, why));
   return 0;
@@ -87,6 +89,7 @@ static int set_up_all(void **state) {
 
 static int tear_down_all(void **state) {
   arc_contact_destroy(&contact);
+  arc_contact_destroy(&rough);
   arc_shape_destroy(&shape);
   arc_wear_destroy(&wear);
   arc_model_release(&model);
@@ -139,6 +142,11 @@ static arc_status make_contact(void **made, arc_error *error) {
   return arc_contact_solve(shape, &(arc_contact_def){.load = 100, .x = 0.05}, NULL,
                            (arc_contact **)made, error);
 }
+static arc_status make_motion(void **made, arc_error *error) {
+  arc_motion_def motion = arc_contact_motion(rough);
+  motion.x = 1e-3;
+  return arc_contact_move(rough, &motion, NULL, (arc_contact **)made, error);
+}
 static arc_status make_wear_contact(void **made, arc_error *error) {
   return arc_wear_contact(wear, (arc_contact **)made, error);
 }
@@ -170,6 +178,7 @@ static const maker makers[] = {
     {"arc_shape_clone", make_copy, unmake_shape},
     {"arc_shape_restore", make_restored, unmake_shape},
     {"arc_contact_solve", make_contact, unmake_contact},
+    {"arc_contact_move", make_motion, unmake_contact},
     {"arc_wear_contact", make_wear_contact, unmake_contact},
     {"arc_contact_field", make_field, unmake_field},
     {"arc_wear_create", make_wear, unmake_wear},

@@ -30,7 +30,7 @@ static void recover(recovered *r) {
 static arc_model *model_with(arc_element kind, double nu) {
   arc_model_def def = arc_model_default();
   def.mesh.element = kind;
-  for (int b = 0; b < ARC_BODIES; b++) def.material[b] = (arc_material){1000, nu};
+  for (int b = 0; b < ARC_BODIES; b++) def.material[b] = (arc_material){.E = 1000, .nu = nu};
   return build_model(&def);
 }
 

@@ -2,12 +2,15 @@
 #include "core/contact/solution.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define ARC_SETTING_OF arc_contact_def
+const char *const arc_press_names[] = {ARC_PRESS_LIST(ARC_CHOICE_NAME) NULL};
 const arc_setting arc_contact_settings[] = {
-    ARC_CONTACT_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_OTHER){.name = NULL},
+    ARC_CONTACT_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_WHOLE, ARC_SETTING_CHOICE,
+                         ARC_SETTING_OTHER){.name = NULL},
 };
 #undef ARC_SETTING_OF
 
@@ -26,13 +29,17 @@ static arc_status allocate(arc_contact *c) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const size_t n = (size_t)c->shape->side[b].n;
     c->count[b] = (int)n;
-    c->x[b] = calloc(5 * n, sizeof(double));
+    c->x[b] = calloc(6 * n, sizeof(double));
     if (!c->x[b]) return ARC_MEMORY;
     c->p[b] = c->x[b] + n;
     c->f[b] = c->p[b] + n;
     c->force[b] = c->f[b] + n;
+    c->q[b] = c->force[b] + 2 * n;
   }
-  return ARC_OK;
+  if (!c->rubs) return ARC_OK;
+  if (arc_grip_create(&c->grip, c->shape->model) != ARC_OK) return ARC_MEMORY;
+  if (arc_friction_room_create(&c->room, c->shape->model) != ARC_OK) return ARC_MEMORY;
+  return arc_friction_create(&c->state, c->shape->model, c->def.x);
 }
 
 static void read_pressures(arc_contact *c) {
@@ -47,7 +54,27 @@ static void read_pressures(arc_contact *c) {
   }
 }
 
+/* Shear along the surface, and with it the forces on the nodes. */
+static void read_shear(arc_contact *c) {
+  if (!c->rubs) return;
+  memcpy(c->q[ARC_CYLINDER], c->state.t, (size_t)c->pose.nc * sizeof(double));
+  arc_pose_to_plate(&c->pose, c->state.t, c->q[ARC_PLATE]);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const double *width = b == ARC_CYLINDER ? c->pose.wc : c->pose.wp;
+    for (int i = 0; i < c->count[b]; i++) c->q[b][i] /= width[i];
+    arc_friction_forces_on(&c->pose, &c->room, (arc_body)b, c->force[b]);
+  }
+}
+
+/* Force along x on the cylinder [N/mm]. */
+static double driving_force(const arc_contact *c) {
+  double sum = 0;
+  for (int i = 0; i < c->count[ARC_CYLINDER]; i++) sum += c->force[ARC_CYLINDER][i];
+  return sum;
+}
+
 static void read_result(arc_contact *c) {
+  const double thickness = arc_model_definition(c->shape->model)->thickness;
   double edges[2], center, largest;
   arc_pose_edges(&c->pose, c->shape, edges);
   arc_pose_peaks(&c->pose, &center, &largest);
@@ -59,7 +86,64 @@ static void read_result(arc_contact *c) {
                            .right = edges[1],
                            .half_width = (edges[1] - edges[0]) / 2,
                            .approach = c->pose.approach,
-                           .iterations = c->pose.iterations};
+                           .tangential = thickness * driving_force(c),
+                           .energy = thickness * c->state.energy,
+                           .iterations = c->rubs ? c->iterations : c->pose.iterations};
+}
+
+arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def,
+                              arc_contact **result, arc_error *error) {
+  arc_contact *c = calloc(1, sizeof *c);
+  *result = c;
+  if (!c) return out_of_memory(error);
+  c->def = *def;
+  c->rubs = def->friction > 0;
+  arc_status status = arc_shape_clone(shape, &c->shape, error);
+  if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
+  return status;
+}
+
+void arc_contact_read(arc_contact *c) {
+  read_pressures(c);
+  read_shear(c);
+  read_result(c);
+}
+
+arc_status arc_contact_finish(arc_contact **contact, arc_status status,
+                              const arc_callbacks *callbacks, arc_error *error) {
+  if (status == ARC_OK) {
+    arc_contact_read(*contact);
+    arc_model_warn((*contact)->shape->model, (*contact)->result.half_width, callbacks);
+  }
+#ifdef ARC_CHECKS
+  arc_error broken;
+  if (status == ARC_OK && arc_contact_validate(*contact, &broken) == ARC_NUMERIC)
+    status = arc_fail(error, ARC_NUMERIC, "%s", broken.message);
+#else
+  (void)error;
+#endif
+  if (status != ARC_OK) arc_contact_destroy(contact);
+  return status;
+}
+
+/* Dundurs' second constant of the pair, plane strain. */
+static double dundurs_beta(const arc_material material[ARC_BODIES]) {
+  double kappa[ARC_BODIES];
+  for (int b = 0; b < ARC_BODIES; b++)
+    kappa[b] = (1 - 2 * material[b].nu) * (1 + material[b].nu) / material[b].E;
+  return arc_contact_modulus(material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
+}
+
+static void warn_of_coupling(const arc_contact *c, const arc_callbacks *callbacks) {
+  static const double unique = 0.4;
+  const double beta = fabs(dundurs_beta(arc_model_definition(c->shape->model)->material));
+  char text[200];
+  if (!callbacks || !callbacks->warn || c->def.friction * beta <= unique) return;
+  snprintf(text, sizeof text,
+           "contact: friction %.3g times Dundurs' beta %.3g is above %g: the solution is one that "
+           "the motion leads to, it may not be the only one",
+           c->def.friction, beta, unique);
+  callbacks->warn(callbacks->context, text);
 }
 
 arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
@@ -68,30 +152,13 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
   *result = NULL;
   arc_status status = arc_settings_check(arc_contact_settings, "", def, error);
   if (status != ARC_OK) return status;
-  const double line = def->load / arc_model_definition(shape->model)->thickness;
-  arc_contact *c = calloc(1, sizeof *c);
-  if (!c) return out_of_memory(error);
-  c->def = *def;
-  status = arc_shape_clone(shape, &c->shape, error);
-  if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
+  status = arc_contact_create(shape, def, result, error);
+  arc_contact *c = *result;
   if (status == ARC_OK) status = arc_pose_update(&c->pose, c->shape, def->x, error);
-  if (status == ARC_OK) status = arc_pose_solve(&c->pose, line, error);
-  if (status == ARC_OK) {
-    read_pressures(c);
-    read_result(c);
-    arc_model_warn(shape->model, c->result.half_width, callbacks);
-  } else {
-    arc_contact_destroy(&c);
-  }
-#ifdef ARC_CHECKS
-  arc_error broken;
-  if (status == ARC_OK && arc_contact_validate(c, &broken) == ARC_NUMERIC) {
-    status = arc_fail(error, ARC_NUMERIC, "%s", broken.message);
-    arc_contact_destroy(&c);
-  }
-#endif
-  *result = c;
-  return status;
+  if (status == ARC_OK && c->rubs) status = arc_contact_press(c, error);
+  if (status == ARC_OK && !c->rubs) status = arc_pose_solve(&c->pose, contact_line(c), error);
+  if (status == ARC_OK) warn_of_coupling(c, callbacks);
+  return arc_contact_finish(result, status, callbacks, error);
 }
 
 const arc_contact_def *arc_contact_definition(const arc_contact *c) {
@@ -102,6 +169,9 @@ void arc_contact_destroy(arc_contact **contact) {
   if (!contact || !*contact) return;
   arc_contact *c = *contact;
   arc_pose_free(&c->pose);
+  arc_grip_free(&c->grip);
+  arc_friction_room_free(&c->room);
+  arc_friction_free(&c->state);
   for (int b = 0; b < ARC_BODIES; b++) free(c->x[b]);
   arc_shape_destroy(&c->shape);
   free(c);
@@ -111,7 +181,9 @@ void arc_contact_destroy(arc_contact **contact) {
 size_t arc_contact_bytes(const arc_contact *c) {
   const size_t nodes = (size_t)(c->count[ARC_CYLINDER] + c->count[ARC_PLATE]);
   return sizeof *c + arc_shape_bytes(c->shape) + arc_pose_bytes(&c->pose) +
-         5 * nodes * sizeof(double);
+         6 * nodes * sizeof(double) +
+         (c->rubs ? arc_grip_bytes(&c->grip) + arc_friction_room_bytes(&c->room) : 0) +
+         (c->rubs ? arc_friction_size(&c->state) * sizeof(double) : 0);
 }
 
 arc_contact_result arc_contact_get(const arc_contact *contact) {
@@ -120,6 +192,15 @@ arc_contact_result arc_contact_get(const arc_contact *contact) {
 
 arc_pressure arc_contact_pressure(const arc_contact *c, arc_body body) {
   return (arc_pressure){c->count[body], c->x[body], c->p[body], c->f[body], c->force[body]};
+}
+
+arc_shear arc_contact_shear(const arc_contact *c, arc_body body) {
+  return (arc_shear){c->count[body], c->x[body], c->q[body]};
+}
+
+const double *arc_contact_slip(const arc_contact *c, int *count) {
+  *count = c->count[ARC_CYLINDER];
+  return c->state.way;
 }
 
 arc_model *arc_contact_model(const arc_contact *contact) {

@@ -38,8 +38,12 @@ void arc_field_destroy(arc_field **field) {
   *field = NULL;
 }
 
-/* Normal tractions at the surface nodes, next to smooth edges as they are at the points. */
-static void read_tractions(const arc_contact *c, arc_body body, double *normal) {
+/* Tractions at the surface nodes, the normal ones next to smooth edges as they are at the points.
+ */
+static void read_tractions(const arc_contact *c, arc_body body, const surface_traction *on) {
+  const double sign = body == ARC_CYLINDER ? 1 : -1;
+  double *normal = on->normal;
+  for (int i = 0; i < c->count[body] && c->rubs; i++) on->tangential[i] = sign * c->q[body][i];
   memcpy(normal, c->p[body], (size_t)c->count[body] * sizeof *normal);
   for (int right = 0; right < 2; right++) {
     const contact_edge edge = arc_pose_edge(&c->pose, c->shape, right);
@@ -50,10 +54,11 @@ static void read_tractions(const arc_contact *c, arc_body body, double *normal) 
 static arc_status recover(const arc_contact *c, arc_body body, const double *xy, const double *u,
                           arc_field *field) {
   const size_t nodes = (size_t)field->nodes;
-  double *stress = malloc((3 * nodes + (size_t)c->count[body]) * sizeof *stress);
+  double *stress = malloc((3 * nodes + 2 * (size_t)c->count[body]) * sizeof *stress);
   if (!stress) return ARC_MEMORY;
   surface_traction traction = {.normal = stress + 3 * nodes, .load = c->p[body]};
-  read_tractions(c, body, traction.normal);
+  if (c->rubs) traction.tangential = traction.normal + c->count[body];
+  read_tractions(c, body, &traction);
   const arc_status status =
       arc_recover_stresses(c->shape->side[body].body, xy, u, &traction, stress);
   for (size_t n = 0; n < nodes && status == ARC_OK; n++) {
@@ -70,6 +75,7 @@ static void derive_invariants(double nu, arc_field *field) {
     const double x = field->sxx[n], y = field->syy[n], t = field->sxy[n], z = nu * (x + y);
     field->szz[n] = z;
     field->shear[n] = hypot((x - y) / 2, t);
+    field->principal[n] = fmax((x + y) / 2 + field->shear[n], z);
     field->mises[n] =
         sqrt(((x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x)) / 2 + 3 * t * t);
   }
@@ -81,9 +87,9 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   const shape_side *side = &c->shape->side[body];
   const size_t n = (size_t)field->nodes;
   double *u = work, *xy = work + 2 * n, *f = box + 2 * (size_t)side->body->box_count;
-  memcpy(f, c->force[body], (size_t)side->n * sizeof *f);
+  memcpy(f, c->force[body], 2 * (size_t)side->n * sizeof *f);
   const double sign = body == ARC_CYLINDER ? 1 : -1;
-  for (int i = 0; i < side->n; i++) f[side->n + i] = sign * c->f[body][i];
+  for (int i = 0; i < side->n && !c->rubs; i++) f[side->n + i] = sign * c->f[body][i];
   arc_shape_box(side, side->xy, box);
   const arc_status status = arc_body_displacements(side->body, box, f, u, error);
   if (status != ARC_OK) return status;

@@ -86,16 +86,21 @@ static arc_status solve(pose *p, double line) {
   return status;
 }
 
-arc_status arc_pose_solve(pose *p, double line, arc_error *error) {
-  assert(p->version > 0);
-  if (solve(p, line) != ARC_OK) {
-    p->active = p->factored = 0;
-    return arc_fail(error, ARC_NUMERIC,
-                    "the contact solution broke down with the plate at x = %g mm", p->x);
-  }
+arc_status arc_pose_check_zone(pose *p, arc_error *error) {
   if (p->set[0] == 0) return edge_reached(p, 1, error);
   if (p->set[p->active - 1] == p->count - 1) return edge_reached(p, 0, error);
   return ARC_OK;
+}
+
+arc_status arc_pose_broke_down(pose *p, arc_error *error) {
+  p->active = p->factored = 0;
+  return arc_fail(error, ARC_NUMERIC, "the contact solution broke down with the plate at x = %g mm",
+                  p->x);
+}
+
+arc_status arc_pose_solve(pose *p, double line, arc_error *error) {
+  assert(p->version > 0);
+  return solve(p, line) == ARC_OK ? arc_pose_check_zone(p, error) : arc_pose_broke_down(p, error);
 }
 
 void arc_pose_forces(const pose *p, double *f) {

@@ -62,6 +62,12 @@ void arc_pose_measure(pose *p, const arc_shape *shape);
  * candidates) and ARC_NUMERIC the warm start is dropped, nothing else changes. */
 arc_status arc_pose_solve(pose *p, double line, arc_error *error);
 
+/* Whether the solution keeps off the edges of the candidates; else ARC_ZONE, and the warm start is
+ * dropped. */
+arc_status arc_pose_check_zone(pose *p, arc_error *error);
+/* ARC_NUMERIC in words, and drops the warm start. */
+arc_status arc_pose_broke_down(pose *p, arc_error *error);
+
 /* Adds to the gaps what the drift of both compliances does under the solution's forces (drift.c).
  * Returns 0 where there is no drift. */
 int arc_pose_add_drift(pose *p);

@@ -237,8 +237,9 @@ static arc_status check_box(const shape_side *side, const double *xy, arc_error 
     return arc_fail(
         error, ARC_GEOMETRY,
         "the %s's wear at x = %.4g mm leaves %.3g mm of its wear box of %d rows of %g mm; "
-        "use more rows (mesh.rows), higher elements or smaller steps",
-        arc_body_name(mesh->body), side->x0[i], left, mesh->rows, mesh->def.height);
+        "use mesh.rows = %.0f, higher elements or smaller steps",
+        arc_body_name(mesh->body), side->x0[i], left, mesh->rows, mesh->def.height,
+        ceil(1.5 * fmax(box - left, box) / mesh->def.height));
   }
   return ARC_OK;
 }

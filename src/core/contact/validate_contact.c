@@ -9,6 +9,13 @@
 /* What rounding may leave, as a share of the largest number involved. */
 static const double rounding = 1e-9;
 
+/* Force along the load that presses on a node [N/mm]. */
+static double across(const arc_contact *c, arc_body body, int i) {
+  const double y = c->force[body][c->count[body] + i];
+  if (!c->rubs) return c->f[body][i];
+  return body == ARC_CYLINDER ? y : -y;
+}
+
 static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *error) {
   const double load = c->def.load / arc_model_definition(c->shape->model)->thickness;
   double sum = 0;
@@ -16,7 +23,7 @@ static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *e
     if (!(c->p[body][i] >= 0) || !isfinite(c->f[body][i]))
       return arc_fail(error, ARC_NUMERIC, "contact: pressure %g MPa at x = %g mm of the %s",
                       c->p[body][i], c->x[body][i], arc_body_name(body));
-    sum += c->f[body][i];
+    sum += across(c, body, i);
   }
   if (fabs(sum - load) <= rounding * load) return ARC_OK;
   return arc_fail(error, ARC_NUMERIC,
@@ -44,9 +51,29 @@ static arc_status check_complementarity(const pose *p, arc_error *error) {
   return ARC_OK;
 }
 
+/* |t| <= mu f, no slip where less, none against the shear. */
+static arc_status check_friction(const arc_contact *c, arc_error *error) {
+  const pose *p = &c->pose;
+  const double mu = c->mu;
+  for (int s = 0; s < p->active; s++) {
+    const int k = p->set[s];
+    const double t = c->room.t[k], bound = mu * p->f[k], slip = c->room.slip[k];
+    if (!(fabs(t) <= bound * (1 + rounding)))
+      return arc_fail(error, ARC_NUMERIC,
+                      "contact: shear %g N/mm where friction carries %g N/mm, at candidate %d", t,
+                      bound, k);
+    if (!isfinite(slip) || (slip != 0 && (fabs(t) < bound || t * slip < -rounding * bound)))
+      return arc_fail(error, ARC_NUMERIC,
+                      "contact: slip %g mm under shear %g N/mm of %g N/mm, at candidate %d", slip,
+                      t, bound, k);
+  }
+  return ARC_OK;
+}
+
 arc_status arc_contact_validate(const arc_contact *c, arc_error *error) {
   assert(c->pose.count > 0 && c->pose.lo >= 0 && c->pose.lo + c->pose.count <= c->pose.nc);
   arc_status status = check_forces(c, ARC_CYLINDER, error);
   if (status == ARC_OK) status = check_forces(c, ARC_PLATE, error);
-  return status == ARC_OK ? check_complementarity(&c->pose, error) : status;
+  if (status == ARC_OK) status = check_complementarity(&c->pose, error);
+  return status == ARC_OK && c->rubs ? check_friction(c, error) : status;
 }

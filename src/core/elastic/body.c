@@ -195,30 +195,39 @@ static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) 
   return status;
 }
 
-static arc_status condense_unworn(elastic_body *b, arc_error *error) {
+static arc_status condense_unworn(elastic_body *b, work_watch *seen, arc_error *error) {
   double *box = malloc(2 * (size_t)b->box_count * sizeof *box);
   if (!box) return out_of_memory(b, error);
   for (int k = 0; k < b->box_count; k++)
     memcpy(&box[2 * k], &b->mesh->xy[2 * b->mesh->box_node[k]], 2 * sizeof *box);
   arc_status status = arc_body_condense(b, box, &b->unworn, error);
+  if (status == ARC_OK) status = arc_watch_stage(seen);
   if (status == ARC_OK) status = find_thinning(b, box, error);
   free(box);
   return status;
 }
 
-arc_status arc_body_create(const arc_model_def *def, arc_body which, elastic_body **result,
-                           arc_error *error) {
+static arc_status make(elastic_body *b, const arc_model_def *def, arc_body which, work_watch *seen,
+                       arc_error *error) {
+  arc_mesh_def mesh = def->mesh;
+  mesh.element = arc_element_for(mesh.element, b->material.nu);
+  arc_status status = arc_mesh_build(&mesh, which, def->radius, &b->mesh, error);
+  if (status == ARC_OK) status = arc_watch_stage(seen);
+  if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);
+  if (status == ARC_OK) status = eliminate_far(b, error);
+  if (status == ARC_OK) status = arc_watch_stage(seen);
+  if (status == ARC_OK) status = condense_unworn(b, seen, error);
+  return status == ARC_OK ? arc_watch_stage(seen) : status;
+}
+
+arc_status arc_body_create(const arc_model_def *def, arc_body which, work_watch *seen,
+                           elastic_body **result, arc_error *error) {
   *result = NULL;
   elastic_body *b = calloc(1, sizeof *b);
   if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(which));
   b->material = def->material[which];
   b->d = arc_elasticity_of(b->material);
-  arc_mesh_def mesh = def->mesh;
-  mesh.element = arc_element_for(mesh.element, b->material.nu);
-  arc_status status = arc_mesh_build(&mesh, which, def->radius, &b->mesh, error);
-  if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);
-  if (status == ARC_OK) status = eliminate_far(b, error);
-  if (status == ARC_OK) status = condense_unworn(b, error);
+  const arc_status status = make(b, def, which, seen, error);
   if (status != ARC_OK) arc_body_destroy(&b);
   *result = b;
   return status;

@@ -8,6 +8,7 @@
 #define ELASTIC_BODY_H
 
 #include "archard/model.h"
+#include "core/base/watch.h"
 #include "core/elastic/element.h"
 #include "core/elastic/factor.h"
 
@@ -51,9 +52,11 @@ static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
 }
 
-/* Meshes, assembles, factorises, condenses. On failure *body is NULL. */
-arc_status arc_body_create(const arc_model_def *def, arc_body which, elastic_body **body,
-                           arc_error *error);
+/* Meshes, assembles, factorises, condenses: ARC_BODY_STAGES of the watch (NULL: nobody's). On
+ * failure *body is NULL. */
+enum { ARC_BODY_STAGES = 4 };
+arc_status arc_body_create(const arc_model_def *def, arc_body which, work_watch *seen,
+                           elastic_body **body, arc_error *error);
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
@@ -84,8 +87,8 @@ arc_status arc_body_displacements(const elastic_body *body, const double *box_xy
 /* The model's body (not public: contact and wear lean on it). */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
-/* Warns where half a contact's width [mm] is less than one element of the model (its pressures are
- * off by a tenth and more), and where a body's elements lock. */
+/* Warns where a contact of this half width [mm] has less than four elements of the model, and where
+ * a body's elements lock. */
 void arc_model_warn(const arc_model *model, double half_width, const arc_callbacks *callbacks);
 
 /* Numbers for compliances, so that what was made from one knows when it is stale. The model counts
@@ -93,6 +96,15 @@ void arc_model_warn(const arc_model *model, double half_width, const arc_callbac
  * first one; none is 0. */
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
+
+/* The size that "auto" is at a fineness of 1 for a half width [mm]. */
+double arc_model_size_for(double half_width);
+
+/* Bytes that building the model takes at its height, about. */
+double arc_model_memory(const arc_model_def *def);
+
+/* The widest zone of a body, in radii: the cylinder curls away from the contact. */
+#define ARC_WIDEST_ZONE 1.6
 
 /* Room for the edge peaks of worn contacts, in half widths. */
 #define ARC_CONTACT_ROOM 1.3

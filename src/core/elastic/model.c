@@ -1,6 +1,8 @@
 /* A model: two condensed bodies, reference counted. */
 #include "core/base/callbacks.h"
+#include "core/base/memory.h"
 #include "core/elastic/body.h"
+#include "core/mesh/build.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -57,6 +59,7 @@ arc_status arc_material_check(arc_material m, arc_error *error) {
 arc_model_def arc_model_default(void) {
   arc_model_def def;
   arc_settings_default(arc_model_settings, &def);
+  def.mesh = arc_mesh_default();
   return def;
 }
 
@@ -66,22 +69,83 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_error *error) {
-  *result = NULL;
-  arc_status status = arc_settings_check(arc_model_settings, "", def, error);
-  if (status != ARC_OK) return status;
-  arc_model *m = calloc(1, sizeof *m);
-  if (!m) return arc_fail(error, ARC_MEMORY, "out of memory for a model");
-  m->references = 1;
-  m->version = ARC_UNWORN_VERSION;
-  m->def = *def;
+/* A model under construction, by whoever waits for it or by a thread that is left behind. */
+typedef struct build {
+  arc_model *model;
+  work_watch progress;
+  arc_error error;
+} build;
+
+static arc_status build_bodies(void *job) {
+  build *b = job;
+  arc_model *m = b->model;
+  arc_status status = ARC_OK;
   m->seconds = -now();
-  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status = arc_body_create(def, (arc_body)b, &m->body[b], error);
+  for (int i = 0; i < ARC_BODIES && status == ARC_OK; i++)
+    status = arc_body_create(&m->def, (arc_body)i, &b->progress, &m->body[i], &b->error);
   m->seconds += now();
-  if (status != ARC_OK) arc_model_release(&m);
-  *result = m;
   return status;
+}
+
+static void discard(void *job) {
+  build *b = job;
+  arc_model_release(&b->model);
+  free(b);
+}
+
+static build *begin_build(const arc_model_def *def) {
+  build *b = calloc(1, sizeof *b);
+  if (b) b->model = calloc(1, sizeof *b->model);
+  if (!b || !b->model) {
+    free(b);
+    return NULL;
+  }
+  b->progress.stages = ARC_BODIES * ARC_BODY_STAGES;
+  b->model->references = 1;
+  b->model->version = ARC_UNWORN_VERSION;
+  b->model->def = *def;
+  return b;
+}
+
+static arc_status refuse_memory(const arc_model_def *def, arc_error *error) {
+  const double needed = arc_model_memory(def), free_bytes = arc_memory_free();
+  if (!(needed > free_bytes)) return ARC_OK;
+  return arc_fail(error, ARC_MEMORY,
+                  "the model needs about %.2g GB of memory, and %.2g GB are free: use a mesh.size "
+                  "above %.2g mm, or smaller zones (%g and %g mm)",
+                  needed / 1e9, free_bytes / 1e9, def->mesh.size * sqrt(needed / free_bytes),
+                  def->mesh.zone[ARC_CYLINDER], def->mesh.zone[ARC_PLATE]);
+}
+
+arc_status arc_model_build_watched(const arc_model_def *wanted, const arc_callbacks *callbacks,
+                                   arc_model **result, arc_error *error) {
+  *result = NULL;
+  arc_model_def def = *wanted;
+  arc_status status = arc_settings_check(arc_model_settings, "", &def, error);
+  if (status != ARC_OK) return status;
+  arc_model_fit_alone(&def);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    status = arc_mesh_check(&def.mesh, (arc_body)b, def.radius, error);
+  if (status == ARC_OK) status = refuse_memory(&def, error);
+  if (status != ARC_OK) return status;
+  build *b = begin_build(&def);
+  if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for a model");
+  const watched_work work = {build_bodies, discard, &b->progress};
+  int left_behind;
+  status = arc_watched(&work, b, "model", callbacks, &left_behind);
+  if (left_behind) return arc_fail(error, status, "stopped while a model was built");
+  if (status == ARC_OK) {
+    *result = b->model;
+    b->model = NULL;
+  } else {
+    arc_fail(error, status, "%s", b->error.message);
+  }
+  discard(b);
+  return status;
+}
+
+arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_error *error) {
+  return arc_model_build_watched(def, NULL, result, error);
 }
 
 arc_model *arc_model_retain(arc_model *model) {
@@ -125,13 +189,14 @@ static void warn_locking(const elastic_body *body, const arc_callbacks *callback
 }
 
 void arc_model_warn(const arc_model *model, double half_width, const arc_callbacks *callbacks) {
+  enum { fewest = 4 }; /* elements in a contact */
   for (int b = 0; b < ARC_BODIES; b++) warn_locking(model->body[b], callbacks);
   const double size = model->def.mesh.size;
-  if (half_width < size)
+  if (2 * half_width < fewest * size)
     arc_warn(callbacks,
-             "half the contact's width, %.2g mm, is less than an element of %g mm: pressures may "
-             "be far off; use a smaller mesh.size and mesh.height",
-             half_width, size);
+             "the contact, %.2g mm wide, has fewer than %d elements of %g mm: pressures may be far "
+             "off; use mesh.size = \"auto\" or a smaller one",
+             2 * half_width, fewest, size);
 }
 
 long arc_model_next_version(arc_model *model) {
@@ -140,11 +205,4 @@ long arc_model_next_version(arc_model *model) {
 
 const elastic_body *arc_model_body(const arc_model *model, arc_body which) {
   return model->body[which];
-}
-
-void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
-  const arc_mesh_def usual = arc_mesh_default();
-  const double contact = ARC_CONTACT_ROOM * half_width, scale = size / usual.size;
-  zone[ARC_CYLINDER] = fmax(scale * usual.zone[ARC_CYLINDER], 2 * contact);
-  zone[ARC_PLATE] = fmax(scale * usual.zone[ARC_PLATE], 2 * (reach + contact));
 }

@@ -17,6 +17,11 @@ typedef struct mesh_builder {
   mesh_key *corner; /* [4 * capacity] corners of each element; a triangle repeats its third */
 } mesh_builder;
 
+/* Errors of arc_mesh_build that are known beforehand. */
+arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, double radius, arc_error *error);
+/* About how many nodes a mesh will have. */
+double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, double radius);
+
 /* Adds the elements of the half body s >= 0: the wear box first, column by column, then the rest;
  * hanging nodes are closed with triangles. `columns` x `rows` is the half wear box. ARC_MEMORY. */
 arc_status arc_mesh_tile(mesh_builder *builder, const quadtree *tree, int columns, int rows);

@@ -20,14 +20,14 @@ _Static_assert(0 ARC_ELEMENT_LIST(ARC_CHOICE_ONE) == 3,
 static const arc_setting zone_settings[] = {
     {.name = "cylinder",
      .unit = "mm",
-     .usual_text = "1.0",
-     .usual = 1.0,
+     .kind = ARC_NUMBER,
+     .forms = ARC_AUTOMATIC,
      ARC_RANGE_ABOVE(0),
      .text = "Full width of the fine contact zone of the cylinder."},
     {.name = "plate",
      .unit = "mm",
-     .usual_text = "1.2",
-     .usual = 1.2,
+     .kind = ARC_NUMBER,
+     .forms = ARC_AUTOMATIC,
      ARC_RANGE_ABOVE(0),
      .offset = sizeof(double),
      .text = "Full width of the fine contact zone of the plate; it holds the contact at both ends "
@@ -45,8 +45,8 @@ const arc_setting arc_mesh_settings[] = {
         .group = zone_settings,
         .type = "a table { cylinder=, plate= }",
         .text = "Full width of the fine contact zone of each body. Depth and margins of the finer "
-                "parts scale with the cylinder's. Contact cannot be found outside; an error then "
-                "names the zone it needs."},
+                "parts scale with the cylinder's. Contact cannot be found outside. \"auto\": what "
+                "the contact or run needs."},
     {.name = NULL},
 };
 #undef ARC_SETTING_OF
@@ -54,6 +54,11 @@ const arc_setting arc_mesh_settings[] = {
 arc_mesh_def arc_mesh_default(void) {
   arc_mesh_def def = {0};
   arc_settings_default(arc_mesh_settings, &def);
+  def.size = 0.020;
+  def.height = 0.025;
+  def.far = 1.0;
+  def.zone[ARC_CYLINDER] = 1.0;
+  def.zone[ARC_PLATE] = 1.2;
   return def;
 }
 
@@ -111,7 +116,15 @@ static arc_status check_positive(const char *field, double value, double limit, 
                   limit, value);
 }
 
-static arc_status check(const arc_mesh_def *def, arc_body body, double radius, arc_error *error) {
+double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, double radius) {
+  const partitions p = partitions_of(def, body, radius);
+  const double outer_element = 16 * def->size * def->height;
+  return 2 * p.inner_s * p.inner_d / (def->size * def->height) +
+         2 * p.outer_s * p.outer_d / fmin(outer_element, def->far * def->far) +
+         radius * radius * 2 / (def->far * def->far);
+}
+
+arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, double radius, arc_error *error) {
   if (!(radius > 0) || !isfinite(radius))
     return arc_fail(error, ARC_ARGUMENT, "field 'radius': expected a number > 0 mm, got %g",
                     radius);
@@ -135,9 +148,7 @@ static arc_status check(const arc_mesh_def *def, arc_body body, double radius, a
                     "field 'mesh.rows': expected from 1 to radius / 4 / height = %d, got %d",
                     (int)(radius / 4 / def->height), def->rows);
   if ((status = check_zone(def, body, radius, error))) return status;
-  const partitions p = partitions_of(def, body, radius);
-  const double estimate = 2 * p.inner_s * p.inner_d / (def->size * def->height) +
-                          radius * radius * 2 / (def->far * def->far);
+  const double estimate = arc_mesh_nodes(def, body, radius);
   if (estimate > most_elements)
     return arc_fail(error, ARC_ARGUMENT,
                     "mesh.size: %g mm asks for about %.0f elements, at most %d are allowed",
@@ -285,7 +296,7 @@ static arc_status tile_and_fill(arc_mesh *mesh, int half) {
 arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius, arc_mesh **out,
                           arc_error *error) {
   *out = NULL;
-  arc_status status = check(def, body, radius, error);
+  arc_status status = arc_mesh_check(def, body, radius, error);
   if (status != ARC_OK) return status;
   arc_mesh *mesh = calloc(1, sizeof *mesh);
   if (!mesh)

@@ -71,6 +71,20 @@ arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model
   return alpha_stays_one(def) || arc_wear_over_plate(def, model) ? ARC_NSP : ARC_SP;
 }
 
+void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
+  def->k = k[ARC_CYLINDER] + k[ARC_PLATE];
+  if (def->k > 0) def->alpha = k[ARC_CYLINDER] / def->k;
+  def->k_function = def->alpha_function = NULL;
+  def->k_series = def->alpha_series = (arc_series){0};
+}
+
+int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model) {
+  const double k[ARC_BODIES] = {model->material[ARC_CYLINDER].k, model->material[ARC_PLATE].k};
+  const int have = k[ARC_CYLINDER] > 0 || k[ARC_PLATE] > 0;
+  if (have) arc_wear_def_partition(def, k);
+  return have;
+}
+
 /* --- checks --- */
 
 static arc_status check_points(const arc_loading *l, int number, arc_error *error) {

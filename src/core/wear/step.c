@@ -1,5 +1,6 @@
 /* One step of a run: planned, tried, cut, met with targets; then all of it or nothing. */
 #include "core/base/callbacks.h"
+#include "core/wear/rebuild.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -165,8 +166,8 @@ static arc_status meet_targets(arc_wear *w, const wear_plan *plan, wear_watch *w
   return ARC_OK;
 }
 
-static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *callbacks,
-                               wear_targets *targets, int *moved, arc_error *error) {
+static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
+                           wear_targets *targets, int *moved, arc_error *error) {
   wear_plan plan = {0};
   wear_outcome out = {0};
   wear_watch watch = {.callbacks = callbacks}; /* counts what is spent on attempts, too */
@@ -187,6 +188,38 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
     status = arc_fail(error, ARC_NUMERIC, "%s", broken.message);
 #endif
   return status;
+}
+
+/* A step that fails for want of room is tried again on larger meshes. If that fails too, the run is
+ * what it was, and so is the error. */
+static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *callbacks,
+                               wear_targets *targets, int *moved, arc_error *error) {
+  enum { most_tries = 4 };
+  arc_error why = {0}, trouble = {0};
+  arc_wear *before = NULL, *larger;
+  arc_status status = try_step(w, limit, callbacks, targets, moved, &why);
+  const arc_status first = status;
+  for (int i = 0; i < most_tries && arc_wear_has_outgrown(w, status); i++) {
+    const arc_status built = arc_wear_grow(w, status, callbacks, &larger, &trouble);
+    if (built == ARC_STOPPED) status = arc_fail(&why, built, "%s", trouble.message);
+    if (built != ARC_OK) break;
+    arc_wear_exchange(w, larger);
+    if (before)
+      arc_wear_destroy(&larger);
+    else
+      before = larger;
+    status = try_step(w, limit, callbacks, targets, moved, &trouble);
+    if (status == ARC_STOPPED) arc_fail(&why, status, "%s", trouble.message);
+  }
+  if (before && status == ARC_OK)
+    arc_wear_tell_grown(before, w, callbacks);
+  else if (before)
+    arc_wear_exchange(w, before);
+  arc_wear_destroy(&before);
+  if (status == ARC_OK || status == ARC_STOPPED)
+    return status == ARC_OK ? status : arc_fail(error, status, "%s", why.message);
+  why.status = first;
+  return arc_wear_refuse(w, &why, &trouble, error);
 }
 
 arc_status arc_wear_step(arc_wear *w, const arc_callbacks *callbacks, arc_error *error) {

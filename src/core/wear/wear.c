@@ -1,5 +1,6 @@
 /* A wear run as an object: creation, restoring, change of definition, what it tells. */
 #include "core/wear/rate.h"
+#include "core/wear/rebuild.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -156,6 +157,24 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
+/* Puts a changed run on meshes that suit it, where the ones it has do not. */
+static arc_status make_room(arc_wear **w, arc_error *error) {
+  arc_wear *suited = NULL;
+  arc_error why = {0};
+  arc_status status = arc_wear_suit(*w, &suited, error);
+  if (status == ARC_OK && suited) {
+    arc_wear_destroy(w);
+    *w = suited;
+  }
+  if (status != ARC_OK || (status = check_reach(*w, &why)) == ARC_OK) return status;
+  if (status != ARC_ZONE || !arc_wear_has_room(*w) ||
+      arc_wear_grow(*w, status, NULL, &suited, error) != ARC_OK)
+    return arc_fail(error, status, "%s", why.message);
+  arc_wear_destroy(w);
+  *w = suited;
+  return check_reach(*w, error);
+}
+
 arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
   arc_wear_def def = *wanted;
@@ -166,12 +185,8 @@ arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, arc_error *erro
   if (status != ARC_OK) return status;
   arc_wear *changed;
   status = take_up(w->model, &def, w->shape, w->history, w->records, &changed, error);
-  if (status == ARC_OK) status = check_reach(changed, error);
-  if (status == ARC_OK) {
-    const arc_wear old = *w;
-    *w = *changed;
-    *changed = old;
-  }
+  if (status == ARC_OK) status = make_room(&changed, error);
+  if (status == ARC_OK) arc_wear_exchange(w, changed);
   arc_wear_destroy(&changed);
   return status;
 }

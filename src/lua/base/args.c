@@ -100,6 +100,13 @@ int args_choice(lua_State *L, int index, args_place place, const char *name,
   refuse(L, place, &(arc_setting){.name = name, .kind = ARC_CHOICE, .choices = choices});
 }
 
+static void set_number(const arc_setting *s, void *definition, double value) {
+  if (s->kind == ARC_WHOLE)
+    *(int *)arc_setting_member(s, definition) = (int)value;
+  else
+    *(double *)arc_setting_member(s, definition) = value;
+}
+
 /* Whether the value on top of the stack is one of the other forms; "auto" is taken at once. */
 static int other_form(lua_State *L, const arc_setting *s, void *definition) {
   const int type = lua_type(L, -1);
@@ -107,19 +114,13 @@ static int other_form(lua_State *L, const arc_setting *s, void *definition) {
   if (s->forms & ARC_AUTOMATIC && type == LUA_TSTRING)
     automatic = strcmp(lua_tostring(L, -1), "auto") == 0;
   if (s->automatic) *(int *)(void *)((char *)definition + s->automatic) = automatic;
-  if (automatic && s->kind == ARC_WHOLE) *(int *)arc_setting_member(s, definition) = 0;
+  if (automatic && !s->automatic) set_number(s, definition, 0);
   return automatic || (s->forms & ARC_FUNCTION && type == LUA_TFUNCTION) ||
          (s->forms & ARC_SERIES && type == LUA_TTABLE);
 }
 
 static void read_number(lua_State *L, args_place place, const arc_setting *s, void *definition) {
-  void *member = arc_setting_member(s, definition);
-  if (other_form(L, s, definition)) return;
-  const double value = args_number(L, place, s);
-  if (s->kind == ARC_WHOLE)
-    *(int *)member = (int)value;
-  else
-    *(double *)member = value;
+  if (!other_form(L, s, definition)) set_number(s, definition, args_number(L, place, s));
 }
 
 /* A group from a table of its fields, or from an object of its class. */

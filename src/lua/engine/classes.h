@@ -40,24 +40,22 @@ void material_push(lua_State *L, arc_material material);
 
 /* --- models (model.c) --- */
 
-/* A model as a field or argument asks for it. */
-typedef struct model_request {
-  arc_model_def def;
-  int zone[ARC_BODIES]; /* whether the zone was given: then it is not touched */
-} model_request;
-
 /* Writes the zones that a contact or run needs on a model of `def`, or says why it cannot be. */
 typedef arc_status (*zones_fn)(const void *asker, const arc_model_def *def, double zone[ARC_BODIES],
                                arc_error *error);
 
 /* Pushes the box of the model that the field `model` of the definition table at index 1 means: an
  * object, or one of the table's fields; if there is none, one like that of the worn object at index
- * `worn`, or the default. Zones that were not given are widened to what `zones` asks for. */
-arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zones,
+ * `worn`, or the default. What is "auto" of its mesh suits the load [N], and what `zones` asks for.
+ */
+arc_model *model_argument(lua_State *L, int worn, const char *where, double load, zones_fn zones,
                           const void *asker);
 
 /* Pushes the box of a model of this definition: one that lives already, or a new one. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
+
+/* Pushes a box of a model that lives without one. */
+void model_push_living(lua_State *L, arc_model *model);
 
 /* Pushes a mesh object of one body of the model whose box is at `index`. */
 void mesh_push(lua_State *L, int index, arc_body body);

@@ -27,19 +27,37 @@ NUMBER_FIELD(contact, p_max, result(L).p_max)
 NUMBER_FIELD(contact, p_average, result(L).p_average)
 NUMBER_FIELD(contact, half_width, result(L).half_width)
 NUMBER_FIELD(contact, approach, result(L).approach)
+NUMBER_FIELD(contact, tangential, result(L).tangential)
+NUMBER_FIELD(contact, energy, result(L).energy)
 
 static int contact_iterations(lua_State *L) {
   lua_pushinteger(L, result(L).iterations);
   return 1;
 }
 
+static int push_edges(lua_State *L, double left, double right) {
+  lua_createtable(L, 0, 2);
+  lua_pushnumber(L, left);
+  lua_setfield(L, -2, "left");
+  lua_pushnumber(L, right);
+  lua_setfield(L, -2, "right");
+  return 1;
+}
+
 static int contact_edges(lua_State *L) {
   arc_contact_result solved = result(L);
-  lua_createtable(L, 0, 2);
-  lua_pushnumber(L, solved.left);
-  lua_setfield(L, -2, "left");
-  lua_pushnumber(L, solved.right);
-  lua_setfield(L, -2, "right");
+  return push_edges(L, solved.left, solved.right);
+}
+
+/* contact.stick: the zones that stick, from left to right */
+static int contact_stick(lua_State *L) {
+  const arc_contact *contact = self(L);
+  double edges[2];
+  lua_newtable(L);
+  for (int i = 0; arc_contact_stick(contact, i, edges); i++) {
+    push_edges(L, edges[0], edges[1]);
+    lua_seti(L, -2, i + 1);
+  }
   return 1;
 }
 
@@ -52,7 +70,7 @@ static int contact_model(lua_State *L) {
 static int contact_tostring(lua_State *L) {
   const arc_contact_def *def = arc_contact_definition(self(L));
   arc_contact_result solved = result(L);
-  char text[360];
+  char text[480];
   snprintf(text, sizeof text,
            "contact: load %.6g N, plate at x = %.6g mm\n"
            "  pressure  centre %.6g MPa, largest %.6g MPa\n"
@@ -61,6 +79,11 @@ static int contact_tostring(lua_State *L) {
            def->load, def->x, solved.p_center, solved.p_max, solved.half_width, solved.left,
            solved.right, solved.approach, solved.iterations);
   lua_pushstring(L, text);
+  if (def->friction == 0) return 1;
+  snprintf(text, sizeof text, "\n  friction  %.6g, tangential force %.6g N, %.6g N mm dissipated",
+           def->friction, solved.tangential, solved.energy);
+  lua_pushstring(L, text);
+  lua_concat(L, 2);
   return 1;
 }
 
@@ -76,6 +99,31 @@ void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body bo
 static int contact_pressure(lua_State *L) {
   const arc_contact *contact = self(L);
   contact_push_pressure(L, contact, body_argument(L, 2, "contact:pressure", ARC_CYLINDER));
+  return 1;
+}
+
+/* contact:shear(body) -> { x=, q= } */
+static int contact_shear(lua_State *L) {
+  const arc_contact *contact = self(L);
+  const arc_body body = body_argument(L, 2, "contact:shear", ARC_CYLINDER);
+  const arc_shear shear = arc_contact_shear(contact, body);
+  lua_createtable(L, 0, 2);
+  array_set(L, "x", shear.x, (size_t)shear.count);
+  array_set(L, "q", shear.q, (size_t)shear.count);
+  return 1;
+}
+
+/* contact:slip() -> { x=, s= } at the cylinder's nodes */
+static int contact_slip(lua_State *L) {
+  const arc_contact *contact = self(L);
+  int count;
+  const double *slip = arc_contact_slip(contact, &count);
+  if (!slip)
+    error_raise(L, ARC_ARGUMENT, "contact:slip",
+                "expected a contact with friction, got friction 0");
+  lua_createtable(L, 0, 2);
+  array_set(L, "x", arc_contact_shear(contact, ARC_CYLINDER).x, (size_t)count);
+  array_set(L, "s", slip, (size_t)count);
   return 1;
 }
 
@@ -106,42 +154,70 @@ static void warn(void *context, const char *text) {
   lua_warning(context, text, 0);
 }
 
-/* contact{ model=, load=, x=, worn= } */
-static int contact_new(lua_State *L) {
-  arc_contact_def def = arc_contact_default();
+/* What a new contact comes from: a shape and its definition, or a contact and its motion. */
+typedef struct request {
+  const arc_shape *shape;
+  const arc_contact_def *def;
+  const arc_contact *from;
+  const arc_motion_def *motion;
+} request;
+
+/* Pushes the contact that was asked for; the value at `holder` keeps its model alive. */
+static int solve_new(lua_State *L, int holder, const char *where, const request *asked) {
+  const arc_callbacks callbacks = {.warn = warn, .context = L};
   arc_error error = {0};
-  lua_settop(L, 1);
-  args_read(L, 1, (args_place){"contact", ""}, arc_contact_settings, &def);
-  worn_check(L, 1, "contact");
-  int worn = lua_gettop(L);
-  arc_model *model = model_argument(L, worn, "contact", needed_zones, &def);
-  int holder = lua_gettop(L);
-  const arc_shape *shape = push_shape(L, worn, model);
+  arc_contact *contact = NULL;
   box *made = box_push(L, &contact_class);
   box_keep(L, holder);
-  const arc_callbacks callbacks = {.warn = warn, .context = L};
-  arc_contact *contact = NULL;
-  arc_status status = arc_contact_solve(shape, &def, &callbacks, &contact, &error);
+  const arc_status status =
+      asked->from ? arc_contact_move(asked->from, asked->motion, &callbacks, &contact, &error)
+                  : arc_contact_solve(asked->shape, asked->def, &callbacks, &contact, &error);
   made->thing = contact;
-  error_check(L, status, &error, "contact", -1);
+  error_check(L, status, &error, where, -1);
   box_weigh(L, arc_contact_bytes(contact));
   return 1;
 }
 
+/* contact{ model=, load=, x=, worn=, friction= } */
+static int contact_new(lua_State *L) {
+  arc_contact_def def = arc_contact_default();
+  lua_settop(L, 1);
+  args_read(L, 1, (args_place){"contact", ""}, arc_contact_settings, &def);
+  worn_check(L, 1, "contact");
+  int worn = lua_gettop(L);
+  arc_model *model = model_argument(L, worn, "contact", def.load, needed_zones, &def);
+  int holder = lua_gettop(L);
+  const arc_shape *shape = push_shape(L, worn, model);
+  return solve_new(L, holder, "contact", &(request){.shape = shape, .def = &def});
+}
+
+/* contact:move{ x=, load=, tangential=, increments= } */
+static int contact_move(lua_State *L) {
+  const arc_contact *from = self(L);
+  const args_place place = {"contact:move", ""};
+  arc_motion_def motion = arc_contact_motion(from);
+  lua_settop(L, 2);
+  args_read(L, 2, place, arc_motion_settings, &motion);
+  motion.by_force = args_given(L, 2, "tangential");
+  if (motion.by_force && args_given(L, 2, "x"))
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "fields 'x' and 'tangential': expected one of them, the plate is moved or pulled");
+  lua_getiuservalue(L, 1, 1);
+  return solve_new(L, lua_gettop(L), place.where, &(request){.from = from, .motion = &motion});
+}
+
 static const luaL_Reg fields[] = {
-    {"p_center", contact_p_center},
-    {"p_max", contact_p_max},
-    {"p_average", contact_p_average},
-    {"edges", contact_edges},
-    {"half_width", contact_half_width},
-    {"approach", contact_approach},
-    {"iterations", contact_iterations},
-    {"model", contact_model},
-    {NULL, NULL},
+    {"p_center", contact_p_center},     {"p_max", contact_p_max},
+    {"p_average", contact_p_average},   {"edges", contact_edges},
+    {"half_width", contact_half_width}, {"approach", contact_approach},
+    {"tangential", contact_tangential}, {"energy", contact_energy},
+    {"stick", contact_stick},           {"iterations", contact_iterations},
+    {"model", contact_model},           {NULL, NULL},
 };
 
-static const luaL_Reg methods[] = {
-    {"pressure", contact_pressure}, {"stress", stress_new}, {NULL, NULL}};
+static const luaL_Reg methods[] = {{"pressure", contact_pressure}, {"shear", contact_shear},
+                                   {"slip", contact_slip},         {"move", contact_move},
+                                   {"stress", stress_new},         {NULL, NULL}};
 
 static const void *definition(lua_State *L) {
   return arc_contact_definition(self(L));

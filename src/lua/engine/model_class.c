@@ -2,6 +2,7 @@
  * a weak table in the registry finds the living ones, and the one asked for last is kept. */
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
+#include "lua/base/interrupt.h"
 
 #include <stdio.h>
 
@@ -24,20 +25,33 @@ void push_by_body(lua_State *L, double cylinder, double plate) {
 
 /* --- the definition -------------------------------------------------------------------------- */
 
-/* Reads the table at `index` over what the request has. Of a mesh, height and zones are 0 while
- * they are not given. Finer elements keep their shape: both sides of one matter to the pressure. */
-static void read_request(lua_State *L, int index, args_place place, model_request *request) {
-  arc_mesh_def *mesh = &request->def.mesh, usual = arc_mesh_default();
-  const arc_mesh_def before = *mesh;
-  const int meshed = !lua_isnil(L, index) && args_given(L, index, "mesh");
-  if (meshed) mesh->height = 0;
-  for (int body = 0; body < ARC_BODIES; body++) mesh->zone[body] = 0;
-  args_read(L, index, place, arc_model_settings, &request->def);
-  if (meshed && mesh->height == 0) mesh->height = usual.height * (mesh->size / usual.size);
-  for (int body = 0; body < ARC_BODIES; body++) {
-    request->zone[body] = mesh->zone[body] > 0;
-    if (!request->zone[body]) mesh->zone[body] = before.zone[body];
+/* A definition of which all is "auto" that can be. */
+static arc_model_def begin_definition(void) {
+  arc_model_def def = {0};
+  arc_settings_default(arc_model_settings, &def);
+  return def;
+}
+
+/* A size that is given is what it is; one that is not follows the contact. */
+static void check_fineness(lua_State *L, int index, args_place place, arc_mesh_def *mesh) {
+  if (args_get(L, index, "mesh") == LUA_TTABLE) {
+    const int at = lua_gettop(L);
+    const int size = args_given(L, at, "size") && mesh->size > 0;
+    if (size && args_given(L, at, "fineness"))
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "fields '%smesh.size' and '%smesh.fineness': expected one of them, got both",
+                  place.prefix, place.prefix);
+    if (size) mesh->fineness = 0;
   }
+  lua_pop(L, 1);
+}
+
+/* Reads the table at `index` over a definition; of a mesh that is given, nothing is left of what
+ * was there. */
+static void read_definition(lua_State *L, int index, args_place place, arc_model_def *def) {
+  if (lua_isnil(L, index)) return;
+  args_read(L, index, place, arc_model_settings, def);
+  check_fineness(L, index, place, &def->mesh);
 }
 
 /* --- building and sharing -------------------------------------------------------------------- */
@@ -73,13 +87,57 @@ static void push_cache(lua_State *L) {
   lua_rawsetp(L, LUA_REGISTRYINDEX, &cache_key);
 }
 
+/* How a long construction is shown: by archard.lib.build_progress, once it takes its time. */
+typedef struct building {
+  lua_State *L;
+  int begun; /* the function stands on top of the stack */
+} building;
+
+static void begin_showing(building *b) {
+  b->begun = 1;
+  lua_getglobal(b->L, "require");
+  lua_pushliteral(b->L, "archard.lib.build_progress");
+  if (lua_pcall(b->L, 1, 1, 0) == LUA_OK && lua_pcall(b->L, 0, 1, 0) == LUA_OK) return;
+  lua_pop(b->L, 1);
+  lua_pushnil(b->L); /* a model does not fail for want of a display */
+}
+
+static void tell(building *b, int arguments) {
+  if (lua_pcall(b->L, arguments, 0, 0) != LUA_OK) lua_pop(b->L, 1);
+}
+
+static void show(void *context, const char *what, double share, double seconds) {
+  static const double patience = 1; /* [s] */
+  building *b = context;
+  if (seconds < patience || interrupt_pending(NULL)) return;
+  if (!b->begun) begin_showing(b);
+  if (lua_isnil(b->L, -1)) return;
+  lua_pushvalue(b->L, -1);
+  lua_pushstring(b->L, what);
+  lua_pushnumber(b->L, share);
+  lua_pushnumber(b->L, seconds);
+  tell(b, 3);
+}
+
+static void end_showing(building *b) {
+  if (!b->begun) return;
+  if (lua_isnil(b->L, -1))
+    lua_pop(b->L, 1);
+  else
+    tell(b, 0);
+}
+
 /* Pushes a holder with a new model. */
 static void build_holder(lua_State *L, const arc_model_def *def, const char *where) {
   arc_error error = {0};
   arc_model *model = NULL;
   box *holder = box_push(L, &model_class);
-  arc_status status = arc_model_build(def, &model, &error);
+  building shown = {.L = L};
+  const arc_callbacks callbacks = {.stop = interrupt_pending, .working = show, .context = &shown};
+  arc_status status = arc_model_build_watched(def, &callbacks, &model, &error);
   holder->thing = model;
+  end_showing(&shown);
+  if (status == ARC_STOPPED && interrupt_pending(NULL)) interrupt_raise(L, "building a model");
   error_check(L, status, &error, where, -1);
   box_weigh(L, arc_model_bytes(model));
 }
@@ -113,45 +171,48 @@ arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where)
   return made->thing;
 }
 
+void model_push_living(lua_State *L, arc_model *model) {
+  box *made = box_push(L, &model_class);
+  made->thing = arc_model_retain(model);
+  box_weigh(L, arc_model_bytes(model));
+}
+
 /* model{ radius=, cylinder=, plate=, thickness=, mesh={...} } */
 static int model_new(lua_State *L) {
-  model_request request = {.def = arc_model_default(), .zone = {0, 0}};
-  read_request(L, 1, (args_place){"model", ""}, &request);
-  model_push(L, &request.def, "model");
+  arc_model_def def = begin_definition();
+  if (!lua_isnone(L, 1)) read_definition(L, 1, (args_place){"model", ""}, &def);
+  arc_model_fit_alone(&def);
+  model_push(L, &def, "model");
   return 1;
 }
 
 /* --- as an argument -------------------------------------------------------------------------- */
 
-/* Rounded up, so that runs that differ a little share a model. */
-static double rounded_zone(double needed, const arc_model_def *def) {
-  const double unit = 10 * def->mesh.size;
-  double rounded = ceil(needed / unit - 1e-9) * unit;
-  return rounded < def->radius ? rounded : needed;
-}
-
-static void suit_zones(lua_State *L, model_request *request, const char *where, zones_fn zones,
+static void suit_zones(lua_State *L, arc_model_def *def, const char *where, zones_fn zones,
                        const void *asker) {
-  double needed[ARC_BODIES], *zone = request->def.mesh.zone;
+  double needed[ARC_BODIES];
   arc_error error = {0};
-  error_check(L, zones(asker, &request->def, needed, &error), &error, where, -1);
-  for (int body = 0; body < ARC_BODIES; body++)
-    if (!request->zone[body]) zone[body] = rounded_zone(needed[body], &request->def);
+  error_check(L, zones(asker, def, needed, &error), &error, where, -1);
+  arc_model_fit_zones(def, needed);
 }
 
-arc_model *model_argument(lua_State *L, int worn, const char *where, zones_fn zones,
+arc_model *model_argument(lua_State *L, int worn, const char *where, double load, zones_fn zones,
                           const void *asker) {
   args_get(L, 1, "model");
   if (box_test(L, -1, &model_class)) return box_check(L, -1, &model_class, where)->thing;
   if (!lua_isnil(L, -1) && !lua_istable(L, -1))
     args_refuse(L, (args_place){where, ""}, "model", "a model object or a table of its fields");
-  model_request request = {.def = arc_model_default(), .zone = {0, 0}};
+  arc_model_def def = begin_definition();
   const arc_model_def *other = lua_isnil(L, -1) ? worn_model_def(L, worn) : NULL;
-  if (other) request.def = *other;
-  read_request(L, lua_gettop(L), (args_place){where, "model."}, &request);
+  if (other) {
+    def = *other;
+    for (int body = 0; body < ARC_BODIES; body++) def.mesh.zone[body] = 0;
+  }
+  read_definition(L, lua_gettop(L), (args_place){where, "model."}, &def);
   lua_pop(L, 1);
-  suit_zones(L, &request, where, zones, asker);
-  return model_push(L, &request.def, where);
+  arc_model_fit(&def, load);
+  suit_zones(L, &def, where, zones, asker);
+  return model_push(L, &def, where);
 }
 
 /* --- the object ------------------------------------------------------------------------------ */

@@ -9,7 +9,7 @@ static const struct {
 } definitions[] = {
     {"material", arc_material_settings}, {"hertz", arc_hertz_settings},
     {"model", arc_model_settings},       {"contact", arc_contact_settings},
-    {"wear", arc_wear_settings},
+    {"wear", arc_wear_settings},         {"contact.move", arc_motion_settings},
 };
 
 enum { DEFINITIONS = sizeof definitions / sizeof *definitions };
@@ -102,8 +102,8 @@ static void add_column(lua_State *L, const char *name, const char *unit, const c
   lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
 }
 
-/* { material=, hertz=, model=, contact=, wear=, columns= }: lists of settings, and of the columns
- * of a history. */
+/* { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, columns= }: lists of settings,
+ * and of the columns of a history. */
 int luaopen_archard_settings(lua_State *L) {
   push_definitions(L);
   lua_newtable(L);

@@ -47,6 +47,18 @@ static void create_run(lua_State *L, box *made, arc_model *model, const wear_req
   box_weigh(L, arc_wear_bytes(wear));
 }
 
+/* Those of the couple and those of the bodies say the same twice. */
+static void check_coefficients(lua_State *L, const wear_request *request,
+                               const arc_model_def *model) {
+  arc_wear_def def = request->def;
+  if (request->own_k && arc_wear_def_of_bodies(&def, model))
+    error_raise(L, ARC_ARGUMENT, "wear",
+                "fields 'k' and 'alpha': the bodies have coefficients of their own, %s and %s "
+                "mm2/N (model.cylinder.k, model.plate.k); expected one or the other",
+                args_show_number(L, model->material[ARC_CYLINDER].k),
+                args_show_number(L, model->material[ARC_PLATE].k));
+}
+
 /* wear{ model=, k=, alpha=, load=, stroke=, ... }; called as a method of the table `wear`. */
 static int wear_new(lua_State *L) {
   lua_remove(L, 1);
@@ -54,8 +66,9 @@ static int wear_new(lua_State *L) {
   wear_request request = wear_request_read(L, 1, 0);
   worn_check(L, 1, "wear");
   int worn = lua_gettop(L);
-  arc_model *model = model_argument(L, worn, "wear", needed_zones, &request);
+  arc_model *model = model_argument(L, worn, "wear", request.def.load, needed_zones, &request);
   int holder = lua_gettop(L);
+  check_coefficients(L, &request, arc_model_definition(model));
   const arc_shape *start = push_start(L, worn, model, &request.def);
   box *made = box_push(L, &wear_class);
   box_keep(L, holder);
@@ -80,13 +93,24 @@ void wear_note_saved(box *made) {
   made->tag = rows_of(made);
 }
 
+/* A run that has grown lives on another model than the one it keeps. */
+void run_push_model(lua_State *L, int index, const arc_wear *wear) {
+  lua_getiuservalue(L, index, RUN_MODEL);
+  const box *kept = box_test(L, -1, &model_class);
+  if (kept && kept->thing == arc_wear_model(wear)) return;
+  lua_pop(L, 1);
+  model_push_living(L, arc_wear_model(wear));
+  lua_pushvalue(L, -1);
+  lua_setiuservalue(L, index, RUN_MODEL);
+}
+
 /* wear:clone() -> an independent copy on the same model */
 static int wear_clone(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:clone");
   arc_error error = {0};
   arc_wear *copy = NULL;
   lua_settop(L, 1);
-  lua_getiuservalue(L, 1, RUN_MODEL);
+  run_push_model(L, 1, wear);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   box *made = box_push(L, &wear_class);
   box_keep(L, 2);

@@ -18,6 +18,7 @@ typedef struct wear_request {
   arc_wear_def def;
   double cycles;                        /* in place of a distance; 0: not given */
   double distance_before, cycle_before; /* where the run stands that is changed */
+  int own_k;                            /* k or alpha were given, or are a run's */
   int functions;                        /* index of the holder of the user's functions, or of nil */
 } wear_request;
 
@@ -79,6 +80,10 @@ int wear_combined(lua_State *L);
 int wear_local_partition(lua_State *L);
 int wear_roughness(lua_State *L);
 int wear_stability(lua_State *L);
+
+/* --- wear_class.c --- */
+/* Pushes the box of the model that the run in the box at `index` lives on now. */
+void run_push_model(lua_State *L, int index, const arc_wear *wear);
 
 /* --- wear_record.c: rows of history --- */
 

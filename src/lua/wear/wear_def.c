@@ -65,6 +65,7 @@ static void share_cycles(lua_State *L, args_place place, wear_request *request,
 
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model) {
   arc_wear_def def = request->def;
+  if (!request->own_k) arc_wear_def_of_bodies(&def, model);
   if (request->cycles > 0)
     def.distance = request->distance_before + (request->cycles - request->cycle_before) *
                                                   arc_wear_def_strokes(&def, model) * def.stroke;
@@ -103,6 +104,7 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_pla
   if (!changed) return request;
   const arc_wear *wear = box_check(L, changed, &wear_class, place.where)->thing;
   refuse_changes(L, index, place);
+  request.own_k = 1;
   request.def = *arc_wear_definition(wear);
   request.distance_before = arc_wear_last(wear)->distance;
   request.cycle_before = arc_wear_last(wear)->cycle;
@@ -142,12 +144,74 @@ static void settle_scheme(lua_State *L, int index, arc_wear_def *def) {
   if (def->scheme == ARC_IMPLICIT && !args_given(L, index, "jump")) def->jump_auto = 0;
 }
 
+/* --- coefficients of the bodies --------------------------------------------------------------- */
+
+static const arc_setting of_bodies[ARC_BODIES] = {
+    {.name = "k_cylinder", .unit = "mm2/N", ARC_RANGE_FROM(0)},
+    {.name = "k_plate", .unit = "mm2/N", ARC_RANGE_FROM(0)},
+};
+
+static void refuse_both(lua_State *L, int index, args_place place, const char *of_body) {
+  static const char *const of_couple[] = {"k", "alpha"};
+  for (int i = 0; i < 2; i++)
+    if (args_given(L, index, of_couple[i]))
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "fields '%s' and '%s': expected k and alpha, or k_cylinder and k_plate, got both",
+                  of_couple[i], of_body);
+}
+
+/* What a body has where nothing is given for it: in a run that is changed, what it had. */
+static double coefficient_now(lua_State *L, args_place place, const wear_request *request,
+                              int body) {
+  const arc_wear_def *def = &request->def;
+  const int plain = !def->k_function && !def->alpha_function && def->k_series.count == 0 &&
+                    def->alpha_series.count == 0;
+  if (!request->own_k || !plain)
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "field '%s': expected a number >= 0 mm2/N beside '%s', got nil",
+                of_bodies[body].name, of_bodies[!body].name);
+  return def->k * (body == ARC_CYLINDER ? def->alpha : 1 - def->alpha);
+}
+
+/* Replaces the table at `index` by a copy with the k and alpha that k_cylinder and k_plate make. */
+static void read_bodies(lua_State *L, int index, args_place place, wear_request *request) {
+  double k[ARC_BODIES];
+  int given[ARC_BODIES];
+  for (int b = 0; b < ARC_BODIES; b++)
+    if ((given[b] = args_given(L, index, of_bodies[b].name)))
+      refuse_both(L, index, place, of_bodies[b].name);
+  if (!given[ARC_CYLINDER] && !given[ARC_PLATE]) return;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    args_get(L, index, of_bodies[b].name);
+    k[b] = given[b] ? args_number(L, place, &of_bodies[b]) : coefficient_now(L, place, request, b);
+    lua_pop(L, 1);
+  }
+  arc_wear_def_partition(&request->def, k);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, -5);
+  }
+  for (int b = 0; b < ARC_BODIES; b++) {
+    lua_pushnil(L);
+    lua_setfield(L, -2, of_bodies[b].name);
+  }
+  lua_pushnumber(L, request->def.k);
+  lua_setfield(L, -2, "k");
+  lua_pushnumber(L, request->def.alpha);
+  lua_setfield(L, -2, "alpha");
+  lua_replace(L, index);
+}
+
 wear_request wear_request_read(lua_State *L, int index, int changed) {
   args_place place = {changed ? "wear:set" : "wear", ""};
   luaL_checkstack(L, 30, "wear");
   wear_request request = begin_request(L, index, changed, place);
   arc_setting settings[ARC_WEAR_SETTINGS_COUNT + 1];
   list_settings(settings, changed);
+  read_bodies(L, index, place, &request);
+  request.own_k = request.own_k || args_given(L, index, "k") || args_given(L, index, "alpha");
   args_read(L, index, place, settings, &request.def);
   read_cycles(L, index, place, &request);
   settle_scheme(L, index, &request.def);

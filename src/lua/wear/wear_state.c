@@ -104,6 +104,20 @@ static int wear_alpha(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_alpha]);
 }
 
+/* The bodies' own coefficients: those of the definition, or, where that changes on the way, those
+ * of the last update. */
+static double coefficient(lua_State *L, int of_cylinder) {
+  const arc_wear_def *d = def(L);
+  const arc_wear_record *now = last(L);
+  const int plain =
+      !d->k_function && !d->alpha_function && d->k_series.count == 0 && d->alpha_series.count == 0;
+  const double k = plain ? d->k : now->k, alpha = plain ? d->alpha : now->alpha;
+  return k * (of_cylinder ? alpha : 1 - alpha);
+}
+
+NUMBER_FIELD(wear, k_cylinder, coefficient(L, 1))
+NUMBER_FIELD(wear, k_plate, coefficient(L, 0))
+
 static int wear_jump(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_jump]);
 }
@@ -143,8 +157,7 @@ static int wear_update_at(lua_State *L) {
 }
 
 static int wear_model(lua_State *L) {
-  self(L);
-  lua_getiuservalue(L, 1, RUN_MODEL);
+  run_push_model(L, 1, self(L));
   return 1;
 }
 
@@ -169,6 +182,8 @@ const luaL_Reg wear_fields[] = {
     {"saved", wear_saved},
     {"k", wear_k},
     {"alpha", wear_alpha},
+    {"k_cylinder", wear_k_cylinder},
+    {"k_plate", wear_k_plate},
     {"total_distance", wear_total_distance},
     {"jump", wear_jump},
     {"load", wear_load},

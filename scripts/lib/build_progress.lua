@@ -1,0 +1,20 @@
+-- What a terminal shows while a model is built: a function to call with what is built, the share that
+-- is done and the seconds it took, and with nothing at its end; nil where no terminal would show it.
+-- Leans on archard.lib.progress.
+
+local term = require "archard.term"
+
+return function()
+  if not term.movable("stderr") then return nil end
+  local progress = require "archard.lib.progress"
+  local drawn
+  return function(what, share, seconds)
+    if not what then
+      if drawn then io.stderr:write("\r\27[K") end
+      return
+    end
+    drawn = true
+    io.stderr:write(("\rbuilding the %s %3.0f %% %s %.0f s\27[K"):format(what, 100 * share,
+      progress.bar(share, 20), seconds))
+  end
+end

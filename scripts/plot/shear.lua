@@ -1,0 +1,93 @@
+-- plot.shear, plot.slip: what friction does in a contact. Leans on plot/curves.lua and plot/draw.lua.
+
+local check = require "archard.lib.check"
+local curves = require "archard.plot.curves"
+local draw = require "archard.plot.draw"
+local naming = require "archard.plot.naming"
+
+local shear = {}
+
+local bodies = { "cylinder", "plate" }
+
+local function bounds_of(pressure, friction)
+  local upper, lower, most = {}, {}, 0
+  for i, p in ipairs(pressure.p) do
+    upper[i], lower[i] = friction * p, -friction * p
+    most = math.max(most, upper[i])
+  end
+  return upper, lower, most
+end
+
+local in_characters = { dumb = true, dots = true, txt = true }
+
+-- Characters do not show what lies behind others.
+local function can_shade(options)
+  local ending = options.file and options.file:match("%.(%w+)$")
+  return not in_characters[ending or options.term or draw.default.term or "dots"]
+end
+
+-- Each zone that sticks, shaded up to `top`; the first one names them.
+local function stick_zones(contact, bottom, top)
+  local zones = {}
+  for i, zone in ipairs(contact.stick) do
+    zones[i] = { x = { zone.left, zone.right, zone.right, zone.left, zone.left },
+      y = { bottom, bottom, top, top, bottom }, style = "filled", series = 3,
+      title = i == 1 and "sticks" or nil }
+  end
+  return zones
+end
+
+local function around(contact)
+  local edges = contact.edges
+  local room = 0.25 * contact.half_width
+  return { edges.left - room, edges.right + room }
+end
+
+-- plot.shear(c, { body=, ... })
+function shear.shear(contact, options)
+  local where = "plot.shear"
+  if type(contact) ~= "userdata" or not curves.get(contact, "stick") then
+    check.fail(where, "expected a contact, got " .. check.shown(contact))
+  end
+  options = draw.options(where, options, { body = check.one_of(bodies) })
+  local body = options.body or "cylinder"
+  local q = contact:shear(body)
+  local upper, lower, most = bounds_of(contact:pressure(body), contact.friction)
+  local given = stick_zones(contact, -1.05 * most, (can_shade(options) and 1.05 or -0.95) * most)
+  given[#given + 1] = { x = q.x, y = upper, series = 2, dash = 2, title = "±μp" }
+  given[#given + 1] = { x = q.x, y = lower, series = 2, dash = 2 }
+  given[#given + 1] = { x = q.x, y = q.q, series = 1, title = "q" }
+  given.xlabel, given.ylabel, given.xrange = "x / mm", "shear traction / MPa", around(contact)
+  if most > 0 then given.yrange = { -1.05 * most, 1.05 * most } end
+  given.title = ("shear: μ = %g, %.4g N on a load of %.4g N"):format(contact.friction,
+    contact.tangential, contact.load)
+  draw.draw(where, draw.over(given, options))
+end
+
+-- Slip where the contact is, um.
+local function slip_within(contact)
+  local slip, edges = contact:slip(), contact.edges
+  local x, s = {}, {}
+  for i, at in ipairs(slip.x) do
+    if at > edges.left and at < edges.right then
+      x[#x + 1], s[#s + 1] = at, 1000 * slip.s[i]
+    end
+  end
+  return { x = x, y = s }
+end
+
+-- plot.slip(c1, c2, ..., { titles=, ... })
+function shear.slip(...)
+  local where = "plot.slip"
+  local objects, words, options = curves.split(where, "stick", { titles = check.table }, ...)
+  if words[1] then check.fail(where, "expected contacts, got the word " .. check.shown(words[1])) end
+  local names = naming.names_of(where, objects, options.titles)
+  local given = { xlabel = "x / mm", ylabel = "slip / µm", title = "slip" }
+  for i, contact in ipairs(objects) do
+    given[i] = slip_within(contact)
+    given[i].title = #objects > 1 and names[i] or nil
+  end
+  draw.draw(where, draw.over(given, options))
+end
+
+return shear

@@ -1,0 +1,40 @@
+/* Free memory, as Linux tells it. */
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+/* The number after `key` at the beginning of a line of a file; "" takes the first number. */
+static double number_in(const char *path, const char *key) {
+  FILE *file = fopen(path, "r");
+  char line[200];
+  double value = NAN;
+  if (!file) return value;
+  while (isnan(value) && fgets(line, sizeof line, file))
+    if (strncmp(line, key, strlen(key)) == 0 && sscanf(line + strlen(key), "%lf", &value) != 1)
+      value = NAN;
+  fclose(file);
+  return value;
+}
+
+static double of_machine(void) {
+  return 1024 * number_in("/proc/meminfo", "MemAvailable:");
+}
+
+static double of_group(void) {
+  return number_in("/sys/fs/cgroup/memory.max", "") -
+         number_in("/sys/fs/cgroup/memory.current", "");
+}
+
+static double of_limits(void) {
+  struct rlimit limit;
+  if (getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == RLIM_INFINITY) return INFINITY;
+  return (double)limit.rlim_cur - number_in("/proc/self/statm", "") * (double)sysconf(_SC_PAGESIZE);
+}
+
+double arc_memory_free(void) {
+  return fmin(fmin(INFINITY, of_machine()), fmin(of_group(), of_limits())); /* NaN says nothing */
+}

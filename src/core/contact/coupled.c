@@ -1,0 +1,241 @@
+/* Pressures and shear of an increment at once: semismooth Newton on the sets (touches or not;
+ * sticks, slips along or against x). The matrix of a set is not symmetric, as shear follows
+ * pressure where it slips. Quick from good sets, but not sure to end: friction.c starts it and goes
+ * on without it.
+ *
+ * Unknowns: forces f in contact, then shear t of the nodes that stick; approach and the plate's
+ * motion under a given tangential force come out of the resultants. */
+#include "core/base/dense.h"
+#include "core/contact/friction.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { newton_limit = 10, right_hand_sides = 3 };
+
+typedef struct coupled {
+  friction_task *k;
+  int na, ns, n;    /* in contact, sticking, unknowns */
+  int *way, *stuck; /* [nc] by candidate; [ns] candidates that stick */
+  double *a, *b;    /* [n x n], [n x 3]: base, by approach, by motion */
+} coupled;
+
+static void take_room(coupled *c) {
+  friction_room *w = c->k->w;
+  const size_t n = 2 * (size_t)w->nc;
+  c->a = w->coupled;
+  c->b = w->coupled + n * n;
+  c->way = w->pivots + n;
+  c->stuck = c->way + w->nc;
+}
+
+static void list_sets(coupled *c) {
+  const pose *p = c->k->p;
+  c->na = p->active;
+  c->ns = 0;
+  for (int i = 0; i < p->active; i++)
+    if (c->way[p->set[i]] == 0) c->stuck[c->ns++] = p->set[i];
+  c->n = c->na + c->ns;
+}
+
+static double slope_at(const coupled *c, int candidate) {
+  return c->k->p->slope[c->k->p->lo + candidate];
+}
+
+/* Force at a slipping node pulls mu times as much along. */
+static double pull_at(const coupled *c, int candidate) {
+  return c->way[candidate] * c->k->step->mu;
+}
+
+/* Column of the force at `from`: gaps of the nodes in contact, then r of those that stick. */
+static void fill_force(coupled *c, int column, int from) {
+  const pose *p = c->k->p;
+  const grip *g = c->k->g;
+  const double pull = pull_at(c, from);
+  double *a = &c->a[dense_at(0, column, c->n)];
+  for (int i = 0; i < c->na; i++)
+    a[i] = p->a[dense_at(p->set[i], from, p->count)] +
+           pull * g->nt[dense_at(p->set[i], from, p->count)];
+  for (int i = 0; i < c->ns; i++)
+    a[c->na + i] = g->nt[dense_at(from, c->stuck[i], p->count)] +
+                   pull * g->tt[dense_at(c->stuck[i], from, p->count)];
+}
+
+static void fill_shear(coupled *c, int column, int from) {
+  const pose *p = c->k->p;
+  const grip *g = c->k->g;
+  double *a = &c->a[dense_at(0, column, c->n)];
+  for (int i = 0; i < c->na; i++) a[i] = g->nt[dense_at(p->set[i], from, p->count)];
+  for (int i = 0; i < c->ns; i++) a[c->na + i] = g->tt[dense_at(c->stuck[i], from, p->count)];
+}
+
+static void fill_sides(coupled *c) {
+  const friction_task *k = c->k;
+  double *base = c->b, *approach = base + c->n, *motion = approach + c->n;
+  for (int i = 0; i < c->na; i++) {
+    const int at = k->p->set[i];
+    base[i] = -k->w->gap[at];
+    approach[i] = 1;
+    motion[i] = -slope_at(c, at);
+  }
+  for (int i = 0; i < c->ns; i++) {
+    const int at = c->stuck[i];
+    base[c->na + i] = k->dx + k->w->before[at] - slope_at(c, at) * k->approach;
+    approach[c->na + i] = slope_at(c, at);
+    motion[c->na + i] = 1;
+  }
+}
+
+/* What an unknown adds to the load and to the tangential force. */
+static void share_of(const coupled *c, int unknown, double *load, double *tangential) {
+  const int shear = unknown >= c->na;
+  const int at = shear ? c->stuck[unknown - c->na] : c->k->p->set[unknown];
+  const double m = slope_at(c, at), pull = pull_at(c, at);
+  *load = shear ? m : 1 + m * pull;
+  *tangential = shear ? 1 : pull - m;
+}
+
+/* Approach and motion that give the resultants. 0: they do not determine them. */
+static int find_rigid(coupled *c, double rigid[2]) {
+  double sum[right_hand_sides][2] = {{0}};
+  for (int u = 0; u < c->n; u++) {
+    double share[2];
+    share_of(c, u, &share[0], &share[1]);
+    for (int s = 0; s < right_hand_sides; s++)
+      for (int d = 0; d < 2; d++) sum[s][d] += c->b[dense_at(u, s, c->n)] * share[d];
+  }
+  const double load = c->k->step->line - sum[0][0], side = c->k->step->tangential - sum[0][1];
+  rigid[1] = 0;
+  rigid[0] = load / sum[1][0];
+  if (!c->k->by_force) return isfinite(rigid[0]);
+  const double det = sum[1][0] * sum[2][1] - sum[2][0] * sum[1][1];
+  rigid[0] = (load * sum[2][1] - side * sum[2][0]) / det;
+  rigid[1] = (side * sum[1][0] - load * sum[1][1]) / det;
+  return isfinite(rigid[0]) && isfinite(rigid[1]);
+}
+
+static int solve_on_sets(coupled *c) {
+  friction_task *k = c->k;
+  pose *p = k->p;
+  friction_room *w = k->w;
+  double rigid[2];
+  if (c->na == 0) return 0;
+  for (int i = 0; i < c->na; i++) fill_force(c, i, p->set[i]);
+  for (int i = 0; i < c->ns; i++) fill_shear(c, c->na + i, c->stuck[i]);
+  fill_sides(c);
+  if (arc_dense_factor(c->n, c->a, w->pivots)) return 0;
+  arc_dense_factor_solve(c->n, right_hand_sides, c->a, w->pivots, c->b);
+  if (!find_rigid(c, rigid)) return 0;
+  for (int u = 0; u < c->n; u++)
+    c->b[u] += rigid[0] * c->b[c->n + u] + rigid[1] * c->b[2 * c->n + u];
+  p->approach = rigid[0];
+  w->shear.shift = rigid[1];
+  return 1;
+}
+
+/* Forces, gaps and slip of all candidates. */
+static void spread(coupled *c) {
+  const pose *p = c->k->p;
+  grip *g = c->k->g;
+  friction_room *w = c->k->w;
+  memset(p->f, 0, (size_t)p->count * sizeof *p->f);
+  memset(w->t, 0, (size_t)p->count * sizeof *w->t);
+  for (int i = 0; i < c->na; i++) {
+    p->f[p->set[i]] = c->b[i];
+    w->t[p->set[i]] = pull_at(c, p->set[i]) * c->b[i];
+  }
+  for (int i = 0; i < c->ns; i++) w->t[c->stuck[i]] = c->b[c->na + i];
+  arc_grip_gaps(g, p, w->t, w->sheared);
+  for (int i = 0; i < p->count; i++) {
+    p->gap[i] = w->gap[i] + slope_at(c, i) * w->shear.shift + w->sheared[i];
+    p->open[i] = p->gap[i] - p->approach;
+  }
+  for (int s = 0; s < p->active; s++) {
+    const double f = p->f[p->set[s]], *column = &p->a[dense_at(0, p->set[s], p->count)];
+    for (int i = 0; i < p->count; i++) p->open[i] += column[i] * f;
+  }
+}
+
+static double slip_at(const coupled *c, int at) {
+  const friction_task *k = c->k;
+  const pose *p = k->p;
+  double slip = k->dx + k->w->shear.shift + slope_at(c, at) * (p->approach - k->approach) +
+                k->w->before[at] - arc_grip_dragged(k->g, p, at);
+  for (int i = 0; i < p->active; i++)
+    slip -= k->g->tt[dense_at(p->set[i], at, p->count)] * k->w->t[p->set[i]];
+  return slip;
+}
+
+/* The way of a node in contact. */
+static int next_way(const coupled *c, int at) {
+  friction_room *w = c->k->w;
+  const int way = c->way[at];
+  if (way != 0) return way * w->slip[at] < 0 ? 0 : way;
+  if (fabs(w->t[at]) <= c->k->step->mu * c->k->p->f[at]) return 0;
+  return w->t[at] > 0 ? 1 : -1;
+}
+
+/* Whether a set changed. */
+static int update_sets(coupled *c) {
+  pose *p = c->k->p;
+  int n = 0, changed = 0;
+  for (int i = 0, s = 0; i < p->count; i++) {
+    const int was = s < p->active && p->set[s] == i, is = was ? p->f[i] > 0 : p->open[i] < 0;
+    s += was;
+    const int way = was && is ? next_way(c, i) : 0;
+    changed = changed || is != was || (is && way != c->way[i]);
+    c->way[i] = way;
+    if (is) p->joined[n++] = i;
+  }
+  if (!changed) return 0;
+  memcpy(p->set, p->joined, (size_t)n * sizeof *p->set);
+  p->active = n;
+  return 1;
+}
+
+static int iterate(coupled *c) {
+  const pose *p = c->k->p;
+  friction_room *w = c->k->w;
+  for (int i = 0; i < newton_limit; i++) {
+    list_sets(c);
+    if (!solve_on_sets(c)) return 0;
+    spread(c);
+    for (int s = 0; s < p->active; s++)
+      w->slip[p->set[s]] = c->way[p->set[s]] != 0 ? slip_at(c, p->set[s]) : 0;
+    w->iterations++;
+    if (!update_sets(c)) return 1;
+  }
+  return 0;
+}
+
+/* Sets and shear as they were, for the sweeps to go on with. */
+static void save(const coupled *c, double *t, double *slip, int *set) {
+  memcpy(t, c->k->w->t, (size_t)c->k->g->count * sizeof *t);
+  memcpy(slip, c->k->w->slip, (size_t)c->k->g->count * sizeof *slip);
+  memcpy(set, c->k->p->set, (size_t)c->k->p->active * sizeof *set);
+}
+
+int arc_friction_newton(friction_task *k) {
+  grip *g = k->g;
+  friction_room *w = k->w;
+  pose *p = k->p;
+  coupled c = {.k = k};
+  double *t = w->work, *slip = t + g->nc, *sheared = slip + g->nc;
+  const double shift = w->shear.shift;
+  const int active = p->active;
+  take_room(&c);
+  int *set = w->pivots + 4 * (size_t)g->nc;
+  save(&c, t, slip, set);
+  memcpy(sheared, w->sheared, (size_t)g->count * sizeof *sheared);
+  for (int i = 0; i < g->count; i++) c.way[i] = (w->slip[i] > 0) - (w->slip[i] < 0);
+  p->factored = 0;
+  w->newton = iterate(&c);
+  if (w->newton) return 1;
+  memcpy(w->t, t, (size_t)g->count * sizeof *t);
+  memcpy(w->slip, slip, (size_t)g->count * sizeof *slip);
+  memcpy(w->sheared, sheared, (size_t)g->count * sizeof *sheared);
+  memcpy(p->set, set, (size_t)active * sizeof *set);
+  p->active = active;
+  w->shear.shift = shift;
+  return 0;
+}

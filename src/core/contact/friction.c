@@ -1,0 +1,305 @@
+/* One increment of Coulomb friction: pressures with shear held, shear with its bounds held, by
+ * turns until gaps no longer change; each is a symmetric problem with a solver that always ends.
+ * For similar bodies that is quick; where the coupling is strong coupled.c is tried in between. */
+#include "core/contact/friction.h"
+#include "core/base/dense.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { sweep_limit = 1000 };
+
+/* Gaps may be off by this share of the elastic displacement. */
+static const double settled = 1e-13;
+
+/* --- the shear problem of an increment ----------------------------------------------------------
+ */
+
+/* More than friction carries is cut back, as it may be only on the way that it is too much. */
+static void set_total(friction_task *k) {
+  shear_problem *s = &k->w->shear;
+  double carried = 0;
+  s->total = k->step->tangential;
+  for (int i = 0; i < s->n; i++) {
+    carried += s->bound[i];
+    s->total += k->p->slope[k->p->lo + s->at[i]] * k->p->f[s->at[i]];
+  }
+  k->over = fabs(s->total) >= carried;
+  if (k->over) s->total = copysign((1 - 1e-9) * carried, s->total);
+}
+
+void arc_friction_set_shear(friction_task *k) {
+  const pose *p = k->p;
+  shear_problem *s = &k->w->shear;
+  s->n = p->active;
+  s->at = p->set;
+  s->a = k->g->tt;
+  s->ld = p->count;
+  s->by_force = k->by_force;
+  for (int i = 0; i < s->n; i++) {
+    const int at = p->set[i];
+    const double up = p->slope[p->lo + at] * (p->approach - k->approach);
+    s->bound[i] = k->step->mu * p->f[at];
+    s->drive[i] = k->dx + up + k->w->before[at] - arc_grip_dragged(k->g, p, at);
+    s->way[i] = (k->w->slip[at] > 0) - (k->w->slip[at] < 0);
+  }
+  k->over = 0;
+  if (s->by_force) set_total(k);
+}
+
+void arc_friction_take_shear(friction_task *k) {
+  grip *g = k->g;
+  friction_room *w = k->w;
+  memset(w->t, 0, (size_t)g->count * sizeof *w->t);
+  memset(w->slip, 0, (size_t)g->count * sizeof *w->slip);
+  for (int i = 0; i < w->shear.n; i++) {
+    w->t[w->shear.at[i]] = w->shear.t[i];
+    w->slip[w->shear.at[i]] = w->shear.way[i] != 0 ? w->shear.slip[i] : 0;
+  }
+}
+
+/* --- sweeps ----------------------------------------------------------------------------------- */
+
+/* The part of the load that the slopes' shear carries [N/mm]. */
+static double carried_by_shear(const friction_task *k) {
+  double sum = 0;
+  for (int i = 0; i < k->p->count && !k->g->flat; i++)
+    sum += k->p->slope[k->p->lo + i] * k->w->t[i];
+  return sum;
+}
+
+static void set_gaps(friction_task *k) {
+  for (int i = 0; i < k->p->count; i++)
+    k->p->gap[i] = k->w->gap[i] + k->p->slope[k->p->lo + i] * k->shift + k->w->sheared[i];
+}
+
+/* The largest change of gaps in contact, by the displacement that pressures cause there. */
+static double changed(const friction_task *k, const double *sheared) {
+  double most = 0, all = 0;
+  for (int i = 0; i < k->p->active; i++) {
+    const int at = k->p->set[i];
+    const double up = k->p->slope[k->p->lo + at] * (k->w->shear.shift - k->shift);
+    most = fmax(most, fabs(sheared[at] - k->w->sheared[at] + up));
+    all = fmax(all, fabs(k->p->approach - k->p->gap[at]));
+  }
+  return most / all;
+}
+
+/* The next sweep's shear: the new one or, where sweeps come back to where they were, on the way
+ * there. */
+static void take_over(friction_task *k, const double *sheared, double held) {
+  const double share = k->w->sweeps < 20 ? 1 : k->w->sweeps < 100 ? 0.5 : 0.1;
+  for (int i = 0; i < k->p->count; i++) k->w->sheared[i] += share * (sheared[i] - k->w->sheared[i]);
+  k->shift += share * (k->w->shear.shift - k->shift);
+  k->held += share * (held - k->held);
+}
+
+/* One sweep. Returns 1 where nothing changed any more, 0 where something did, -1 on breakdown. */
+static int sweep(friction_task *k) {
+  grip *g = k->g;
+  friction_room *w = k->w;
+  double *sheared = w->work;
+  set_gaps(k);
+  if (arc_lcp_solve(k->p, k->step->line - k->held) != ARC_OK) return -1;
+  arc_friction_set_shear(k);
+  w->shear.iterations = 0;
+  if (arc_shear_solve(&w->shear) != 1) return -1;
+  w->iterations += k->p->iterations + w->shear.iterations;
+  arc_friction_take_shear(k);
+  arc_grip_gaps(g, k->p, w->t, sheared);
+  const double held = carried_by_shear(k), change = changed(k, sheared);
+  if (change <= settled && fabs(held - k->held) <= settled * k->step->line) return 1;
+  take_over(k, sheared, held);
+  return 0;
+}
+
+int arc_friction_sweeps(friction_task *k, int limit) {
+  int trial = k->w->patience;
+  k->w->newton = k->w->sweeps = 0;
+  arc_grip_gaps(k->g, k->p, k->w->t, k->w->sheared);
+  k->held = carried_by_shear(k);
+  k->shift = k->w->shear.shift;
+  while (k->w->sweeps < limit) {
+    const int done = sweep(k);
+    k->w->sweeps++;
+    if (done != 0) return done;
+    if (k->w->sweeps < trial) continue;
+    trial *= 2;
+    if (!k->over && arc_friction_newton(k)) return 1;
+  }
+  return 0;
+}
+
+static int solve(friction_task *k) {
+  const int solved = arc_friction_sweeps(k, k->by_force ? k->w->by_force : sweep_limit);
+  return solved == 0 && k->by_force ? arc_friction_bracket(k) : solved;
+}
+
+/* As in pose.c: once more with what the drift of the compliance adds under the forces found. */
+static int add_drift(friction_task *k) {
+  pose *p = k->p;
+  const size_t bytes = (size_t)p->count * sizeof *p->gap;
+  double *gap = k->w->work;
+  memcpy(gap, p->gap, bytes);
+  memcpy(p->gap, k->w->gap, bytes);
+  const int drifts = arc_pose_add_drift(p);
+  memcpy(k->w->gap, p->gap, bytes);
+  memcpy(p->gap, gap, bytes);
+  return drifts;
+}
+
+/* --- increments ------------------------------------------------------------------------------- */
+
+/* The approach at which the bodies touch [mm]. */
+static double touch(const pose *p) {
+  double least = p->gap[0];
+  for (int c = 1; c < p->count; c++) least = fmin(least, p->gap[c]);
+  return least;
+}
+
+/* A pose that has no solution yet starts from the nodes that touched. */
+static void set_of(pose *p, const friction_state *s) {
+  for (int c = 0; c < p->count; c++)
+    if (s->f[p->lo + c] > 0) p->set[p->active++] = c;
+}
+
+/* The factor of the shear problem stays while increments stay on one pose. */
+static void take_grip(grip *g, const pose *p, friction_room *w) {
+  arc_grip_update(g, p, w->work);
+  if (w->grip != g || w->version != g->version || w->x != g->x) w->shear.factored = 0;
+  w->grip = g;
+  w->version = g->version;
+  w->x = g->x;
+}
+
+static void begin(friction_task *k) {
+  pose *p = k->p;
+  grip *g = k->g;
+  friction_room *w = k->w;
+  const double at = k->step->by_force ? k->from->x : k->step->x;
+  take_grip(g, p, w);
+  if (p->active == 0) set_of(p, k->from);
+  arc_grip_relative(p, k->from->u, w->work, w->before);
+  for (int i = 0; i < p->count; i++) {
+    w->gap[i] = p->gap[i] + p->slope[p->lo + i] * (at - p->x);
+    w->t[i] = k->from->t[p->lo + i];
+    w->slip[i] = k->from->slip[p->lo + i];
+  }
+  k->by_force = k->step->by_force;
+  k->dx = at - k->from->x;
+  k->approach = k->from->line > 0 ? k->from->approach : touch(p);
+  w->shear.shift = 0;
+  w->iterations = w->bracketed = 0;
+}
+
+/* Slip of the candidates that do not touch. */
+static void slip_of_open(friction_task *k) {
+  const pose *p = k->p;
+  grip *g = k->g;
+  friction_room *w = k->w;
+  for (int c = 0, s = 0; c < p->count; c++) {
+    if (s < p->active && p->set[s] == c) {
+      s++;
+      continue;
+    }
+    const double up = p->slope[p->lo + c] * (p->approach - k->approach);
+    double slip = k->dx + w->shear.shift + up + w->before[c] - arc_grip_dragged(g, p, c);
+    for (int i = 0; i < p->active; i++)
+      slip -= g->tt[dense_at(p->set[i], c, p->count)] * w->t[p->set[i]];
+    w->slip[c] = slip;
+  }
+}
+
+static void take_forces(const friction_task *k, friction_state *s) {
+  const pose *p = k->p;
+  friction_room *w = k->w;
+  const size_t bytes = (size_t)s->nc * sizeof *s->f;
+  double *before = k->w->work;
+  memcpy(before, s->f, bytes);
+  memset(s->f, 0, bytes);
+  memset(s->t, 0, bytes);
+  memset(s->slip, 0, bytes);
+  s->tangential = 0;
+  for (int c = 0; c < p->count; c++) {
+    const int i = p->lo + c;
+    s->f[i] = p->f[c];
+    s->t[i] = w->t[c];
+    s->slip[i] = w->slip[c];
+    s->way[i] += w->slip[c];
+    s->tangential += w->t[c] - p->slope[i] * p->f[c];
+    s->energy += k->step->mu * (before[i] + p->f[c]) / 2 * fabs(w->slip[c]);
+  }
+}
+
+static void commit(friction_task *k, friction_state *s) {
+  slip_of_open(k);
+  take_forces(k, s);
+  s->x += k->dx + k->w->shear.shift;
+  if (!k->step->by_force) s->x = k->step->x;
+  s->approach = k->p->approach;
+  s->line = k->step->line;
+  arc_grip_displace(k->p, k->g->flat, s->f, s->t, s->u, k->w->work);
+}
+
+/* Nothing touches any more. */
+static void lift(friction_task *k, friction_state *s) {
+  pose *p = k->p;
+  memset(p->f, 0, (size_t)p->count * sizeof *p->f);
+  memset(k->w->t, 0, (size_t)p->count * sizeof *k->w->t);
+  memset(k->w->slip, 0, (size_t)p->count * sizeof *k->w->slip);
+  p->approach = touch(p);
+  for (int c = 0; c < p->count; c++) p->open[c] = p->gap[c] - p->approach;
+  memset(s->f, 0, 3 * (size_t)s->nc * sizeof *s->f);
+  memset(s->u[ARC_CYLINDER], 0, 2 * (size_t)(s->nc + s->np) * sizeof(double));
+  s->line = s->tangential = 0;
+  s->approach = p->approach;
+  if (!k->step->by_force) s->x = k->step->x;
+}
+
+static arc_status slides(const friction_task *k, arc_error *error) {
+  return arc_fail(error, ARC_ARGUMENT,
+                  "friction does not carry the tangential force: %g N/mm under %g N/mm with a "
+                  "coefficient of %g; the plate would slide without end",
+                  k->step->tangential, k->step->line, k->step->mu);
+}
+
+arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction_step *step,
+                              friction_state *s, arc_error *error) {
+  friction_task k = {.p = p, .g = g, .w = w, .step = step, .from = s};
+  if (step->line == 0 && (!step->by_force || step->tangential == 0)) {
+    arc_grip_update(g, p, w->work);
+    lift(&k, s);
+    return ARC_OK;
+  }
+  if (step->by_force && step->line == 0) return slides(&k, error);
+  begin(&k);
+  int solved = solve(&k);
+  if (solved == 1 && add_drift(&k)) solved = solve(&k);
+  if (solved != 1) return arc_pose_broke_down(p, error);
+  if (k.over) return slides(&k, error);
+  const arc_status status = arc_pose_check_zone(p, error);
+  if (status == ARC_OK) commit(&k, s);
+  return status;
+}
+
+void arc_friction_follow(const pose *p, grip *g, friction_room *w, friction_state *s) {
+  arc_grip_update(g, p, w->work);
+  arc_grip_displace(p, g->flat, s->f, s->t, s->u, w->work);
+}
+
+void arc_friction_forces_on(const pose *p, friction_room *w, arc_body body, double *force) {
+  double *fx = w->work, *fy = fx + p->nc;
+  memset(fx, 0, 2 * (size_t)p->nc * sizeof *fx);
+  for (int k = 0; k < p->count; k++) {
+    const double m = p->slope[p->lo + k];
+    fx[p->lo + k] = w->t[k] - m * p->f[k];
+    fy[p->lo + k] = p->f[k] + m * w->t[k];
+  }
+  if (body == ARC_CYLINDER) {
+    memcpy(force, fx, 2 * (size_t)p->nc * sizeof *fx);
+    return;
+  }
+  arc_pose_to_plate(p, fx, force);
+  arc_pose_to_plate(p, fy, &force[p->np]);
+  for (int l = 0; l < 2 * p->np; l++) force[l] *= -1;
+}

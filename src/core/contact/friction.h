@@ -1,0 +1,175 @@
+/* Coulomb friction on a pose: what it adds to the contact matrix, what it remembers, and one
+ * increment of load and motion.
+ *
+ * Shear forces t belong to the cylinder's nodes as f do. t acts on the cylinder along (1, m), the
+ * tangent in +x of the surface with slope m, and on the plate the other way; q = t / w is the shear
+ * traction. Slip ds is the way of the plate's surface over the cylinder's, along +x:
+ *
+ *   gap - approach + m (x - pose x) + A_nn f + A_nt t >= 0,  f >= 0,  f gap = 0
+ *   ds = dx + m d(approach) - d(r),   r = A_tn f + A_tt t
+ *   |t| <= mu f,   ds = 0 where |t| < mu f,   t ds >= 0
+ *   sum (f + m t) = line,   sum (t - m f) = tangential, the force that drives the plate along x
+ *
+ * so that x, tangential, q and ds all have the sign of a plate that is pushed. d is the change over
+ * the increment (backward Euler); r before it is made from the displacements that the points of
+ * both surfaces had, whichever points face each other now.
+ */
+#ifndef CONTACT_FRICTION_H
+#define CONTACT_FRICTION_H
+
+#include "core/contact/pose.h"
+
+/* The shear problem with pressures held: min t'A t / 2 - drive't over |t| <= bound, where by_force
+ * also sum t = total, with `shift` its multiplier (shear.c). Arrays of n, by node in contact. */
+typedef struct shear_problem {
+  int n;
+  const int *at;   /* candidates */
+  const double *a; /* A_tt [ld x ld] */
+  int ld;
+  int by_force;
+  double total; /* [N/mm] */
+  double shift; /* [mm] the plate's motion that total needs; 0 by motion */
+  double *bound, *drive;
+  double *t, *slip;
+  int *way;         /* 0 sticks, 1 and -1 slip along and against x; warm start and result */
+  int *list, *pick; /* stuck nodes: candidates, positions */
+  int stuck;
+  int factored; /* factor and ones belong to list and a */
+  double *factor, *ones, *target;
+  int iterations;
+} shear_problem;
+
+/* Returns 1 solved, 0 gave up, -1 broke down. */
+int arc_shear_solve(shear_problem *s);
+
+/* What a pose needs besides: the tangential part of its contact matrix. */
+typedef struct grip {
+  int nc, np, count;
+  long version; /* of the pose it was made for; 0: none */
+  double x;
+  int flat;   /* no slopes anywhere */
+  double *nt; /* [count x count] gaps under shear forces; A_tn is its transpose */
+  double *tt; /* [count x count] */
+} grip;
+
+arc_status arc_grip_create(grip *g, const arc_model *model);
+void arc_grip_free(grip *g);
+size_t arc_grip_bytes(const grip *g);
+/* Brings the matrices up to date with a pose that is; work [2 * np]. */
+void arc_grip_update(grip *g, const pose *p, double *work);
+
+/* Room for an increment, and its solution until the next one; one serves any number of poses. */
+typedef struct friction_room {
+  int nc, np;
+  double *gap;     /* [nc] gaps with the plate at the increment's x, without those of shear */
+  double *sheared; /* [nc] A_nt t */
+  double *before;  /* [nc] r before the increment, by candidate */
+  double *t;       /* [nc] solution: shear forces [N/mm], by candidate */
+  double *slip;    /* [nc] solution: ds [mm], by candidate, 0 where it sticks; open ones too */
+  double *work;    /* [4 * (nc + np)] */
+  shear_problem shear;
+  const grip *grip; /* the shear problem's factor belongs to */
+  long version;
+  double x;
+  double *coupled; /* [(2 nc) x (2 nc + 3)] of coupled.c */
+  int *pivots;     /* [6 * nc] as well */
+  int patience;    /* sweeps before the coupled iteration is tried: 4, tests take more */
+  int by_force;    /* sweeps before a given force is bracketed: 50, tests take none */
+  int sweeps;      /* of the last increment */
+  int iterations;  /* sets it went through, all of them */
+  int newton;      /* whether the coupled iteration found it */
+  int bracketed;   /* whether the motion under a given force had to be bracketed */
+} friction_room;
+
+arc_status arc_friction_room_create(friction_room *w, const arc_model *model);
+void arc_friction_room_free(friction_room *w);
+size_t arc_friction_room_bytes(const friction_room *w);
+
+/* What is carried from increment to increment; nothing else has influence on the next solution. */
+typedef struct friction_state {
+  int nc, np;
+  double x;              /* [mm] position of the plate's base */
+  double approach;       /* [mm] */
+  double line;           /* [N/mm] */
+  double tangential;     /* [N/mm] */
+  double energy;         /* [N] dissipated per thickness, all increments */
+  double *f, *t;         /* [nc] forces by cylinder node [N/mm] */
+  double *slip;          /* [nc] ds of the last increment [mm] */
+  double *way;           /* [nc] sum of ds [mm] */
+  double *u[ARC_BODIES]; /* [2 * surface] displacements of the surfaces, along x, then along y */
+} friction_state;
+
+/* Unloaded: nothing touches, the plate's base at x [mm]. */
+arc_status arc_friction_create(friction_state *s, const arc_model *model, double x);
+void arc_friction_free(friction_state *s);
+void arc_friction_copy(friction_state *to, const friction_state *from);
+/* A state as numbers and back, to the same bits. */
+size_t arc_friction_size(const friction_state *s);
+void arc_friction_save(const friction_state *s, double *numbers);
+void arc_friction_restore(friction_state *s, const double *numbers);
+
+/* Where an increment ends. */
+typedef struct friction_step {
+  double mu;
+  double line;       /* [N/mm]; 0: lifted off */
+  int by_force;      /* `tangential` is given, else x */
+  double x;          /* [mm] position of the plate's base */
+  double tangential; /* [N/mm] */
+} friction_step;
+
+/* Goes one increment on from `s`, on a pose just brought up to date and measured at the position
+ * where points face each other: step->x, or where the plate's way is small (as under forces) any
+ * near it. p->f, p->approach, w->t and w->slip hold the solution, p->gap the gaps with what shear
+ * does to them. ARC_ARGUMENT (friction does not carry the tangential force), ARC_ZONE,
+ * ARC_NUMERIC: the state is unchanged. */
+arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction_step *step,
+                              friction_state *s, arc_error *error);
+
+/* The state's displacements anew, from its forces on a pose up to date: after wear, so that what
+ * the change of compliance does is not taken for slip. */
+void arc_friction_follow(const pose *p, grip *g, friction_room *w, friction_state *s);
+
+/* Forces of the solution on a body's surface [N/mm], as arc_pose_forces_on. */
+void arc_friction_forces_on(const pose *p, friction_room *w, arc_body body, double *force);
+
+/* --- between its files ------------------------------------------------------------------------ */
+
+/* One increment on its way. */
+typedef struct friction_task {
+  pose *p;
+  grip *g;
+  friction_room *w;
+  const friction_step *step;
+  const friction_state *from;
+  double approach;    /* [mm] before the increment; from nothing, where it first touches */
+  int by_force;       /* whether the tangential force is given, or the motion */
+  double dx;          /* [mm] the plate's way; by force w->shear.shift comes on top */
+  double shift, held; /* motion [mm] and load that shear carries [N/mm], as the gaps have them */
+  int over;           /* the last shear problem was asked for more than friction carries */
+} friction_task;
+
+/* Pressures and shear by turns, for a given force or motion. 1 solved, 0 not, -1 broke down. */
+int arc_friction_sweeps(friction_task *k, int limit);
+/* A given force by the motion that leads to it (bracket.c), where the sweeps do not end. */
+int arc_friction_bracket(friction_task *k);
+
+/* The shear problem of the pose's present forces, from the ways of w->slip. */
+void arc_friction_set_shear(friction_task *k);
+/* Its solution to w->t and w->slip, by candidate. */
+void arc_friction_take_shear(friction_task *k);
+
+/* The increment at once by semismooth Newton, from the sets of the last sweep (coupled.c). Returns
+ * 1 solved, 0 not; then only p's set and w's ways have changed. */
+int arc_friction_newton(friction_task *k);
+
+/* result [count] := A_nt t, by candidate. */
+void arc_grip_gaps(const grip *g, const pose *p, const double *t, double *result);
+/* (A_tn f) at a candidate, of the pose's set. */
+double arc_grip_dragged(const grip *g, const pose *p, int candidate);
+/* r of displacements u on a pose, by candidate; work [np]. */
+void arc_grip_relative(const pose *p, double *const u[ARC_BODIES], double *work, double *r);
+/* Displacements of both surfaces under forces f, t [nc] by cylinder node; work [4 * (nc + np)]. */
+void arc_grip_displace(const pose *p, int flat, const double *f, const double *t,
+                       double *const u[ARC_BODIES], double *work);
+
+#endif

@@ -1,0 +1,59 @@
+/* What friction remembers: room, copies, and the numbers that a file keeps. */
+#include "core/contact/friction.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { scalars = 5 };
+
+static size_t numbers_of(const friction_state *s) {
+  return 4 * (size_t)s->nc + 2 * (size_t)(s->nc + s->np);
+}
+
+arc_status arc_friction_create(friction_state *s, const arc_model *model, double x) {
+  *s = (friction_state){.nc = arc_model_mesh(model, ARC_CYLINDER)->surface,
+                        .np = arc_model_mesh(model, ARC_PLATE)->surface,
+                        .x = x};
+  const size_t nc = (size_t)s->nc;
+  s->f = calloc(numbers_of(s), sizeof(double)); /* one block for all */
+  if (!s->f) return ARC_MEMORY;
+  s->t = s->f + nc;
+  s->slip = s->t + nc;
+  s->way = s->slip + nc;
+  s->u[ARC_CYLINDER] = s->way + nc;
+  s->u[ARC_PLATE] = s->u[ARC_CYLINDER] + 2 * nc;
+  return ARC_OK;
+}
+
+void arc_friction_free(friction_state *s) {
+  free(s->f);
+  *s = (friction_state){0};
+}
+
+size_t arc_friction_size(const friction_state *s) {
+  return scalars + numbers_of(s);
+}
+
+void arc_friction_save(const friction_state *s, double *numbers) {
+  const double first[scalars] = {s->x, s->approach, s->line, s->tangential, s->energy};
+  memcpy(numbers, first, sizeof first);
+  memcpy(numbers + scalars, s->f, numbers_of(s) * sizeof *numbers);
+}
+
+void arc_friction_restore(friction_state *s, const double *numbers) {
+  s->x = numbers[0];
+  s->approach = numbers[1];
+  s->line = numbers[2];
+  s->tangential = numbers[3];
+  s->energy = numbers[4];
+  memcpy(s->f, numbers + scalars, numbers_of(s) * sizeof *numbers);
+}
+
+void arc_friction_copy(friction_state *to, const friction_state *from) {
+  to->x = from->x;
+  to->approach = from->approach;
+  to->line = from->line;
+  to->tangential = from->tangential;
+  to->energy = from->energy;
+  memcpy(to->f, from->f, numbers_of(from) * sizeof *from->f);
+}

@@ -1,0 +1,116 @@
+/* Contacts with friction: pressed together, and moved from there. Leans on friction.c. */
+#include "core/contact/solution.h"
+
+#include <math.h>
+#include <string.h>
+
+#define ARC_SETTING_OF arc_motion_def
+const arc_setting arc_motion_settings[] = {
+    ARC_MOTION_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_WHOLE){.name = NULL},
+};
+#undef ARC_SETTING_OF
+
+enum { usual_increments = 20 };
+
+static double thickness_of(const arc_contact *c) {
+  return arc_model_definition(c->shape->model)->thickness;
+}
+
+/* One increment; all that the contact holds follows. */
+static arc_status go_to(arc_contact *c, double pairing, const friction_step *step,
+                        arc_error *error) {
+  arc_status status = arc_pose_update(&c->pose, c->shape, pairing, error);
+  if (status == ARC_OK)
+    status = arc_friction_solve(&c->pose, &c->grip, &c->room, step, &c->state, error);
+  c->iterations += c->room.iterations;
+  c->mu = step->mu;
+  return status;
+}
+
+/* Without friction under the whole load; what it displaced is where friction starts from. */
+static arc_status press_frictionless(arc_contact *c, arc_error *error) {
+  friction_step step = {.mu = 0, .line = contact_line(c), .x = c->def.x};
+  return go_to(c, c->def.x, &step, error);
+}
+
+/* The width of the contact grows in equal steps. */
+arc_status arc_contact_press(arc_contact *c, arc_error *error) {
+  if (c->def.press == ARC_PRESS_FRICTIONLESS) return press_frictionless(c, error);
+  const int n = c->def.increments > 0 ? c->def.increments : usual_increments;
+  arc_status status = ARC_OK;
+  for (int i = 1; i <= n && status == ARC_OK; i++) {
+    const double share = (double)i / n;
+    const friction_step step = {
+        .mu = c->def.friction, .line = share * share * contact_line(c), .x = c->def.x};
+    status = go_to(c, c->def.x, &step, error);
+  }
+  return status;
+}
+
+arc_motion_def arc_contact_motion(const arc_contact *c) {
+  arc_motion_def motion;
+  arc_settings_default(arc_motion_settings, &motion);
+  motion.x = c->def.x;
+  motion.load = c->def.load;
+  motion.tangential = c->result.tangential;
+  motion.by_force = 0;
+  return motion;
+}
+
+static arc_status check_motion(const arc_contact *from, const arc_motion_def *motion,
+                               arc_error *error) {
+  const arc_status status = arc_settings_check(arc_motion_settings, "", motion, error);
+  if (status != ARC_OK || !motion->by_force) return status;
+  if (!from->rubs)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'tangential': expected none, as the contact has no friction, got %g N",
+                    motion->tangential);
+  const double carried = from->def.friction * motion->load;
+  if (fabs(motion->tangential) < carried) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'tangential': expected less than friction times the load, %g N, got %g N",
+                  carried, motion->tangential);
+}
+
+static double between(double from, double to, double share) {
+  return share < 1 ? from + share * (to - from) : to;
+}
+
+/* Nodes stay paired as they are under a force, as the plate's way is small; they go along with a
+ * given motion. */
+static arc_status travel(arc_contact *c, const arc_contact *from, const arc_motion_def *motion,
+                         arc_error *error) {
+  const double thickness = thickness_of(c);
+  arc_status status = ARC_OK;
+  for (int i = 1; i <= motion->increments && status == ARC_OK; i++) {
+    const double share = (double)i / motion->increments;
+    friction_step step = {.mu = c->def.friction, .by_force = motion->by_force};
+    step.line = between(from->def.load, motion->load, share) / thickness;
+    step.x = between(from->def.x, motion->x, share);
+    step.tangential = between(from->result.tangential, motion->tangential, share) / thickness;
+    const double way = motion->by_force ? 0 : step.x - from->def.x;
+    status = go_to(c, from->pose.x + way, &step, error);
+  }
+  c->def.x = c->state.x;
+  return status;
+}
+
+arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motion,
+                            const arc_callbacks *callbacks, arc_contact **result,
+                            arc_error *error) {
+  *result = NULL;
+  arc_contact_def def = from->def;
+  arc_status status = check_motion(from, motion, error);
+  if (status != ARC_OK) return status;
+  def.load = motion->load;
+  if (!from->rubs) {
+    def.x = motion->x;
+    return arc_contact_solve(from->shape, &def, callbacks, result, error);
+  }
+  status = arc_contact_create(from->shape, &def, result, error);
+  if (status == ARC_OK) {
+    arc_friction_copy(&(*result)->state, &from->state);
+    status = travel(*result, from, motion, error);
+  }
+  return arc_contact_finish(result, status, callbacks, error);
+}

@@ -1,0 +1,196 @@
+/* Shear forces under given bounds: a symmetric box-constrained problem.
+ *
+ * A primal-dual active set (semismooth Newton) over sticking, slipping along and against x, from
+ * the last ones. Should it cycle, or leave a given force nothing to hold on to, a primal active-set
+ * method takes over: its objective falls with every set, so no set comes back.
+ */
+#include "core/base/dense.h"
+#include "core/contact/friction.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { newton_limit = 20 };
+
+static double a_at(const shear_problem *s, int i, int j) {
+  return s->a[dense_at(s->at[i], s->at[j], s->ld)];
+}
+
+/* Lists the stuck nodes; whether they are the ones of the last time. */
+static int list_stuck(shear_problem *s) {
+  int n = 0, same = 1;
+  for (int i = 0; i < s->n; i++) {
+    if (s->way[i] != 0) continue;
+    same = same && n < s->stuck && s->list[n] == s->at[i];
+    s->list[n] = s->at[i];
+    s->pick[n++] = i;
+  }
+  same = same && n == s->stuck;
+  s->stuck = n;
+  return same;
+}
+
+static int factorise(shear_problem *s) {
+  if (list_stuck(s) && s->factored) return 0;
+  const int n = s->stuck;
+  s->factored = 0;
+  for (int c = 0; c < n; c++)
+    for (int r = c; r < n; r++)
+      s->factor[dense_at(r, c, n)] = s->a[dense_at(s->list[r], s->list[c], s->ld)];
+  if (arc_dense_cholesky(n, s->factor, n)) return 1;
+  for (int k = 0; k < n; k++) s->ones[k] = 1;
+  arc_dense_cholesky_solve(n, 1, s->factor, n, s->ones, n);
+  s->factored = 1;
+  return 0;
+}
+
+/* The motion by which the stuck nodes carry the rest of the given force. */
+static void find_shift(shear_problem *s) {
+  double rest = s->total, sum = 0;
+  for (int i = 0; i < s->n; i++)
+    if (s->way[i] != 0) rest -= s->way[i] * s->bound[i];
+  for (int k = 0; k < s->stuck; k++) {
+    rest -= s->target[k];
+    sum += s->ones[k];
+  }
+  s->shift = rest / sum;
+}
+
+/* target [stuck] that stops the stuck nodes, while the others pull with all they have. -1: broke
+ * down, 0: nothing holds the given force. */
+static int solve_on_ways(shear_problem *s) {
+  if (factorise(s)) return -1;
+  s->shift = 0;
+  if (s->stuck == 0) return !s->by_force;
+  for (int k = 0; k < s->stuck; k++) s->target[k] = s->drive[s->pick[k]];
+  for (int j = 0; j < s->n; j++) {
+    if (s->way[j] == 0) continue;
+    const double t = s->way[j] * s->bound[j], *column = &s->a[dense_at(0, s->at[j], s->ld)];
+    for (int k = 0; k < s->stuck; k++) s->target[k] -= column[s->list[k]] * t;
+  }
+  arc_dense_cholesky_solve(s->stuck, 1, s->factor, s->stuck, s->target, s->stuck);
+  if (!s->by_force) return 1;
+  find_shift(s);
+  for (int k = 0; k < s->stuck; k++) s->target[k] += s->shift * s->ones[k];
+  return 1;
+}
+
+static void take_target(shear_problem *s) {
+  for (int i = 0; i < s->n; i++) s->t[i] = s->way[i] * s->bound[i];
+  for (int k = 0; k < s->stuck; k++) s->t[s->pick[k]] = s->target[k];
+}
+
+/* Slip of the nodes that do not stick. */
+static void measure_slip(shear_problem *s) {
+  for (int i = 0; i < s->n; i++) {
+    s->slip[i] = 0;
+    if (s->way[i] == 0) continue;
+    double d = s->drive[i] + s->shift;
+    for (int j = 0; j < s->n; j++) d -= a_at(s, j, i) * s->t[j];
+    s->slip[i] = d;
+  }
+}
+
+/* Whether a way changed. */
+static int update_ways(shear_problem *s) {
+  int changed = 0;
+  for (int i = 0; i < s->n; i++) {
+    int way = s->way[i];
+    if (way != 0)
+      way = way * s->slip[i] < 0 ? 0 : way;
+    else if (fabs(s->t[i]) > s->bound[i])
+      way = s->t[i] > 0 ? 1 : -1;
+    changed = changed || way != s->way[i];
+    s->way[i] = way;
+  }
+  return changed;
+}
+
+static int newton(shear_problem *s) {
+  for (int i = 0; i < newton_limit; i++) {
+    s->iterations++;
+    const int solved = solve_on_ways(s);
+    if (solved <= 0) return solved;
+    take_target(s);
+    measure_slip(s);
+    if (!update_ways(s)) return 1;
+  }
+  return 0;
+}
+
+/* Forces within their bounds, with the given sum. */
+static void start_inside(shear_problem *s) {
+  double all = 0;
+  for (int i = 0; i < s->n; i++) all += s->bound[i];
+  for (int i = 0; i < s->n; i++) {
+    s->way[i] = 0;
+    s->t[i] = s->by_force ? s->bound[i] * (s->total / all) : 0;
+  }
+}
+
+/* Towards the target as far as the bounds allow; a node that reaches its bound slips from then on.
+ * Returns 1 where the way was free, 0 where one blocked, -1 on breakdown. */
+static int advance(shear_problem *s) {
+  const int solved = solve_on_ways(s);
+  if (solved <= 0) return solved < 0 ? -1 : 1;
+  double step = 1;
+  int blocking = -1;
+  for (int k = 0; k < s->stuck; k++) {
+    const int i = s->pick[k];
+    if (fabs(s->target[k]) <= s->bound[i]) continue;
+    const double limit = copysign(s->bound[i], s->target[k]);
+    const double share = (limit - s->t[i]) / (s->target[k] - s->t[i]);
+    if (share < step || blocking < 0) step = share, blocking = k;
+  }
+  for (int k = 0; k < s->stuck; k++) {
+    double *t = &s->t[s->pick[k]];
+    *t += step * (s->target[k] - *t);
+  }
+  if (blocking < 0) return 1;
+  const int i = s->pick[blocking];
+  s->way[i] = s->target[blocking] > 0 ? 1 : -1;
+  s->t[i] = s->way[i] * s->bound[i];
+  return 0;
+}
+
+/* The node that slips most against its force; -1 where none does beyond rounding. */
+static int most_wrong(const shear_problem *s) {
+  int worst = -1;
+  double most = 0;
+  for (int i = 0; i < s->n; i++) most = fmax(most, fabs(s->drive[i] + s->shift));
+  double least = -1e-14 * most;
+  for (int i = 0; i < s->n; i++)
+    if (s->way[i] * s->slip[i] < least) least = s->way[i] * s->slip[i], worst = i;
+  return worst;
+}
+
+static int descend(shear_problem *s) {
+  start_inside(s);
+  for (int guard = 0; guard < 100 * (s->n + 1); guard++) {
+    s->iterations++;
+    const int free_way = advance(s);
+    if (free_way < 0) return -1;
+    if (free_way == 0) continue;
+    measure_slip(s);
+    const int worst = most_wrong(s);
+    if (worst < 0) return 1;
+    s->way[worst] = 0;
+  }
+  return 0;
+}
+
+/* Without friction everything slips. */
+static int is_free(shear_problem *s) {
+  for (int i = 0; i < s->n; i++)
+    if (s->bound[i] > 0) return 0;
+  for (int i = 0; i < s->n; i++) s->t[i] = 0, s->way[i] = 1;
+  s->shift = 0;
+  measure_slip(s);
+  return 1;
+}
+
+int arc_shear_solve(shear_problem *s) {
+  if (is_free(s)) return 1;
+  const int solved = newton(s);
+  return solved == 0 ? descend(s) : solved;
+}

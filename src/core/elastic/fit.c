@@ -1,0 +1,86 @@
+/* Meshes that fit: what is "auto" in a model's definition, found for the contact it is to hold. All
+ * lengths of the paper's mesh are kept in proportion to the half width of the contact, so that its
+ * error is the same for every contact. */
+#include "core/elastic/body.h"
+#include "core/mesh/build.h"
+
+#include <math.h>
+
+static double half_width_of(const arc_model_def *def, double load) {
+  arc_hertz hertz = {0};
+  arc_hertz_solve(def->radius, def->thickness, load, def->material, &hertz, NULL);
+  return hertz.half_width;
+}
+
+double arc_model_size_for(double half_width) {
+  const arc_hertz_def paper = arc_hertz_default();
+  arc_hertz hertz = {0};
+  arc_hertz_solve(paper.radius, paper.thickness, paper.load, paper.material, &hertz, NULL);
+  return arc_mesh_default().size * (half_width / hertz.half_width);
+}
+
+/* Rows of the usual height take a tenth of the radius at the most, and leave room for the rest. */
+static double largest_size(const arc_model_def *def) {
+  const arc_mesh_def paper = arc_mesh_default();
+  const double stretch = paper.height / paper.size;
+  return fmin(def->radius / 10 / stretch, def->radius / 4 / stretch / def->mesh.rows);
+}
+
+static void fit_size(arc_model_def *def, double load) {
+  arc_mesh_def *mesh = &def->mesh;
+  if (mesh->fineness == 0) mesh->fineness = 1;
+  mesh->size =
+      fmin(arc_model_size_for(half_width_of(def, load)) / mesh->fineness, largest_size(def));
+}
+
+void arc_model_fit(arc_model_def *def, double load) {
+  const arc_mesh_def paper = arc_mesh_default();
+  arc_mesh_def *mesh = &def->mesh;
+  if (mesh->size == 0) fit_size(def, load);
+  if (mesh->height == 0) mesh->height = paper.height * (mesh->size / paper.size);
+  if (mesh->far == 0) mesh->far = fmax(def->radius / 10, fmax(mesh->size, mesh->height));
+}
+
+void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
+  const arc_mesh_def paper = arc_mesh_default();
+  const double contact = ARC_CONTACT_ROOM * half_width, scale = size / paper.size;
+  zone[ARC_CYLINDER] = fmax(scale * paper.zone[ARC_CYLINDER], 2 * contact);
+  zone[ARC_PLATE] = fmax(scale * paper.zone[ARC_PLATE], 2 * (reach + contact));
+}
+
+/* Rounded up, so that runs that differ a little share a model. */
+static double rounded_zone(const arc_model_def *def, double needed) {
+  const double unit = 10 * def->mesh.size, rounded = ceil(needed / unit - 1e-9) * unit;
+  return fmin(rounded, ARC_WIDEST_ZONE * def->radius);
+}
+
+void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (def->mesh.zone[b] == 0) def->mesh.zone[b] = rounded_zone(def, needed[b]);
+}
+
+void arc_model_fit_alone(arc_model_def *def) {
+  const double load = arc_hertz_default().load;
+  const double half_width = half_width_of(def, load);
+  double zone[ARC_BODIES];
+  arc_model_fit(def, load);
+  arc_zone_for(0, half_width, arc_model_size_for(half_width), zone);
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (def->mesh.zone[b] == 0) def->mesh.zone[b] = fmin(zone[b], ARC_WIDEST_ZONE * def->radius);
+}
+
+/* --- what it costs ---------------------------------------------------------------------------- */
+
+/* Found on meshes of 20 to 2.5 um: per node the stiffness and its factor; beside them dense blocks
+ * over the wear box. */
+static double body_memory(const arc_model_def *def, arc_body body) {
+  const double nodes = arc_mesh_nodes(&def->mesh, body, def->radius);
+  const double surface = def->mesh.zone[body] / def->mesh.size + 1, rows = def->mesh.rows;
+  const double rim = 2 * (surface + 2 * rows), inner = 2 * surface * rows;
+  const double dense = inner * (rim + 2 * surface) + 4 * rim * rim + 10 * surface * surface;
+  return 150 * nodes * log2(nodes) + 8 * dense;
+}
+
+double arc_model_memory(const arc_model_def *def) {
+  return body_memory(def, ARC_CYLINDER) + body_memory(def, ARC_PLATE);
+}

@@ -1,0 +1,184 @@
+/* Runs that outgrow their meshes: both are built anew, wider, deeper or coarser, the worn surfaces
+ * are taken over, and the run goes on. Which meshes these are follows from the state of the run
+ * alone: one that was stored in between comes to the same. */
+#include "core/base/callbacks.h"
+#include "core/wear/rebuild.h"
+
+#include <math.h>
+
+/* So much wider, in shares of the cylinder's zone, and deeper at once. */
+static const double wider = 0.5, deeper = 2;
+
+enum { most_rows = 100 };
+
+/* The element size goes with the contact where nobody chose it: a contact of so many times the
+ * elements of a new one may do with half of them. */
+static const double rich = 8;
+
+/* --- what has been outgrown ------------------------------------------------------------------- */
+
+/* A contact, or a wear box, that suddenly needs much more than it did comes of a step that is too
+ * long: a larger mesh would hide that. */
+static int has_grown_into_zone(const arc_wear *w) {
+  static const double share = 0.4; /* of the zone */
+  const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
+  const arc_wear_record *last = arc_wear_last(w);
+  double most[ARC_BODIES] = {last->half_width, last->half_width};
+  for (int b = 0; b < w->blocks && w->procedure == ARC_SP; b++)
+    for (int i = 0; i < w->block[b].count; i++)
+      most[ARC_PLATE] = fmax(most[ARC_PLATE], last->half_width + fabs(w->block[b].pose_x[i]));
+  return 2 * most[ARC_CYLINDER] > share * mesh->zone[ARC_CYLINDER] ||
+         2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
+}
+
+/* The deepest wear of either body that its wear box has to hold [mm]. */
+static double depth_in_box(const arc_wear *w) {
+  double deepest = 0;
+  for (int b = 0; b < ARC_BODIES; b++)
+    deepest = fmax(deepest, arc_shape_depth(w->shape, (arc_body)b) - w->shape->side[b].even);
+  return deepest;
+}
+
+static int has_grown_into_box(const arc_wear *w) {
+  const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
+  return depth_in_box(w) > mesh->rows * mesh->height / 3;
+}
+
+int arc_wear_has_outgrown(const arc_wear *w, arc_status why) {
+  return (why == ARC_ZONE && has_grown_into_zone(w)) ||
+         (why == ARC_GEOMETRY && has_grown_into_box(w));
+}
+
+int arc_wear_has_room(const arc_wear *w) {
+  const arc_model_def *def = arc_model_definition(w->model);
+  double needed[ARC_BODIES];
+  arc_wear_zones(&w->def, def, needed);
+  return fmax(needed[ARC_CYLINDER], needed[ARC_PLATE]) <= ARC_WIDEST_ZONE * def->radius;
+}
+
+/* --- the meshes that would do ----------------------------------------------------------------- */
+
+static void widen(const arc_wear *w, arc_model_def *def) {
+  double needed[ARC_BODIES];
+  arc_wear_zones(&w->def, def, needed);
+  const double more = wider * def->mesh.zone[ARC_CYLINDER];
+  for (int b = 0; b < ARC_BODIES; b++) {
+    needed[b] = fmax(needed[b], def->mesh.zone[b] + more);
+    def->mesh.zone[b] = 0;
+  }
+  arc_model_fit_zones(def, needed);
+}
+
+static void deepen(arc_model_def *def) {
+  const double room = def->radius / 4 / def->mesh.height;
+  def->mesh.rows = (int)fmin(fmin(deeper * def->mesh.rows, most_rows), floor(room));
+}
+
+static void coarsen(const arc_wear *w, arc_model_def *def) {
+  arc_mesh_def *mesh = &def->mesh;
+  const double fitted = arc_model_size_for(arc_wear_last(w)->half_width);
+  if (mesh->fineness == 0 || mesh->size * mesh->fineness > fitted / rich) return;
+  mesh->size *= 2;
+  mesh->height *= 2;
+  mesh->rows = (mesh->rows + 1) / 2;
+}
+
+static arc_model_def grown(const arc_wear *w, arc_status why) {
+  arc_model_def def = *arc_model_definition(w->model);
+  if (why == ARC_ZONE)
+    widen(w, &def);
+  else
+    deepen(&def);
+  coarsen(w, &def);
+  return def;
+}
+
+/* --- going over ------------------------------------------------------------------------------- */
+
+static arc_status take_over(const arc_wear *w, arc_model *model, arc_wear **result,
+                            arc_error *error) {
+  arc_shape *shape = NULL;
+  size_t records;
+  const arc_wear_record *history = arc_wear_history(w, &records);
+  arc_status status = arc_shape_create(model, w->def.geometry, w->def.refresh, &shape, error);
+  if (status == ARC_OK) status = arc_shape_remap(w->shape, shape, error);
+  if (status == ARC_OK)
+    status = arc_wear_restore(model, &w->def, shape, history, records, result, error);
+  arc_shape_destroy(&shape);
+  return status;
+}
+
+arc_status arc_wear_onto(const arc_wear *w, const arc_model_def *def,
+                         const arc_callbacks *callbacks, arc_wear **result, arc_error *error) {
+  arc_model *model = NULL;
+  *result = NULL;
+  arc_status status = arc_model_build_watched(def, callbacks, &model, error);
+  if (status == ARC_OK) status = take_over(w, model, result, error);
+  arc_model_release(&model);
+  if (status == ARC_OK) (*result)->warned = w->warned;
+  return status;
+}
+
+static int like(const arc_mesh_def *a, const arc_mesh_def *b) {
+  return a->size == b->size && a->rows == b->rows &&
+         a->zone[ARC_CYLINDER] == b->zone[ARC_CYLINDER] && a->zone[ARC_PLATE] == b->zone[ARC_PLATE];
+}
+
+arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
+                         arc_wear **result, arc_error *error) {
+  const arc_mesh_def *now = &arc_model_definition(w->model)->mesh;
+  const arc_model_def def = grown(w, why);
+  *result = NULL;
+  if (like(now, &def.mesh))
+    return arc_fail(error, why,
+                    "no larger mesh fits into bodies of radius %g mm: zones end at %g mm, wear "
+                    "boxes at %g mm",
+                    def.radius, ARC_WIDEST_ZONE * def.radius, def.radius / 4);
+  return arc_wear_onto(w, &def, callbacks, result, error);
+}
+
+void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,
+                         const arc_callbacks *callbacks) {
+  const arc_mesh_def *old = &arc_model_definition(before->model)->mesh;
+  const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
+  const int wider_now = mesh->zone[ARC_PLATE] > old->zone[ARC_PLATE];
+  arc_warn(callbacks,
+           "after %.6g mm the %s its mesh: both bodies have new ones from there on, elements "
+           "%.4g x %.4g mm in %d rows, zones %.4g and %.4g mm",
+           arc_wear_last(before)->distance, wider_now ? "contact outgrows" : "wear outgrows",
+           mesh->size, mesh->height, mesh->rows, mesh->zone[ARC_CYLINDER], mesh->zone[ARC_PLATE]);
+}
+
+arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
+                           arc_error *error) {
+  if (trouble->message[0])
+    return arc_fail(error, why->status, "%.250s; %.250s", why->message, trouble->message);
+  if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
+  const arc_model_def def = grown(w, why->status);
+  return arc_fail(error, why->status,
+                  "%.300s; its last step changed much at once: take shorter ones, jump = \"auto\", "
+                  "or mesh.zone = { cylinder = %.4g, plate = %.4g }",
+                  why->message, def.mesh.zone[ARC_CYLINDER], def.mesh.zone[ARC_PLATE]);
+}
+
+void arc_wear_exchange(arc_wear *a, arc_wear *b) {
+  const arc_wear held = *a;
+  *a = *b;
+  *b = held;
+}
+
+arc_status arc_wear_suit(arc_wear *w, arc_wear **result, arc_error *error) {
+  arc_model_def def = *arc_model_definition(w->model);
+  arc_mesh_def *mesh = &def.mesh;
+  const double depth = mesh->rows * mesh->height;
+  arc_wear_record now = {0};
+  *result = NULL;
+  if (mesh->fineness == 0 || arc_wear_measure(w, w->shape, &now, NULL) != ARC_OK) return ARC_OK;
+  const double fitted = arc_model_size_for(now.half_width) / mesh->fineness;
+  if (fitted >= mesh->size / 2) return ARC_OK;
+  mesh->size = fitted;
+  mesh->height = 0;
+  arc_model_fit(&def, w->def.load);
+  mesh->rows = (int)fmin(most_rows, ceil(depth / mesh->height - 1e-9));
+  return arc_wear_onto(w, &def, NULL, result, error);
+}

@@ -1,0 +1,53 @@
+-- Each body's own wear coefficient: k_cylinder and k_plate of wear{}, k of a material.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local is, ok, near, fails, holds = tap.is, tap.ok, tap.near, tap.fails, tap.holds
+
+local coarse = { size = 0.04 }
+local w = wear{ k_cylinder = 1e-8, k_plate = 3e-8, model = { mesh = coarse } }
+near(w.k, 4e-8, 1e-15, "k is their sum")
+near(w.alpha, 0.25, 1e-15, "alpha is the cylinder's share")
+near(w.k_cylinder, 1e-8, 1e-15, "w.k_cylinder")
+near(w.k_plate, 3e-8, 1e-15, "w.k_plate")
+w:step()
+near(w.volume.plate / w.volume.cylinder, 3, 1e-9, "volumes are as the coefficients")
+
+local same = wear{ model = { cylinder = { k = 1e-8 }, plate = material{ k = 3e-8 }, mesh = coarse } }
+is(same.model.plate.k, 3e-8, "a material's own")
+holds(tostring(same.model.plate), "k 3e-08 mm2/N", "print(material)")
+same:step()
+is(same.p_center, w.p_center, "given by the bodies: the same run to the bit")
+is(same.volume.plate, w.volume.plate, "and the same volume")
+local hard = wear{ model = { cylinder = { k = 0 }, plate = { k = 1e-8 }, mesh = coarse } }
+is(hard.alpha, 0.0, "a body of k = 0 does not wear")
+is(wear{ model = { cylinder = { k = 1e-8 }, mesh = coarse } }.alpha, 1.0, "nor does one without")
+
+w:set{ k_plate = 0 }
+near(w.k, 1e-8, 1e-15, "w:set of one leaves the other")
+is(w.alpha, 1.0, "only the cylinder wears then")
+w:set{ k = function() return 2e-8 end }
+w:set{ k_cylinder = 1e-8, k_plate = 1e-8 }
+near(w.k, 2e-8, 1e-15, "numbers take the place of a function")
+
+fails(function() wear{ k = 1e-8, k_cylinder = 1e-8, k_plate = 0 } end, "fields 'k' and 'k_cylinder'", "one way or the other")
+fails(function() wear{ alpha = 0.5, k_plate = 1e-8, k_cylinder = 0 } end, "fields 'alpha' and 'k_cylinder'", "alpha too")
+fails(function() wear{ k_plate = 1e-8 } end, { "field 'k_cylinder'", "mm2/N", "beside 'k_plate'" }, "one alone")
+fails(function() wear{ k_plate = -1, k_cylinder = 0 } end, { "field 'k_plate'", ">= 0 mm2/N", "got -1" }, "below zero")
+fails(function() wear{ k_plate = "1", k_cylinder = 0 } end, "field 'k_plate'", "no number")
+fails(function() wear{ alpha = 0.2, model = { plate = { k = 1e-8 } } } end, { "'alpha'", "model.plate.k" },
+  "coefficients of the bodies and of the couple")
+fails(function() material{ k = -1 } end, "field 'k'", "a material's below zero")
+
+-- Meshes that follow the contact.
+fails(function() model{ mesh = { size = 0.02, fineness = 2 } } end, { "mesh.size", "mesh.fineness" },
+  "a size that is given has no fineness")
+is(model{ mesh = { size = "auto", fineness = 2 } }.mesh.size, 0.01, "fineness halves the paper's size")
+ok(contact{ model = { radius = 0.5 } }.p_center > 0, "a small radius")
+is(model{ radius = 0.5 }.mesh.far, 0.05, "far goes with the radius")
+local copy = study{ base = { model = model{ mesh = { fineness = 0.5 } }, distance = 22 } }
+local file = os.tmpname()
+os.remove(file)
+copy:run{ file = file, workers = 1, progress = false }
+is(copy:cases()[1].status, "done", "a study takes a model whose size was found")
+copy:close()
+os.remove(file)

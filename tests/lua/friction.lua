@@ -1,0 +1,100 @@
+-- contact with friction: pressing, moving, what can be read of it, what is refused.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+
+local m = model{ mesh = { size = 0.04, height = 0.05, far = 2, zone = { plate = 1 } } }
+
+-- without friction a motion is another solution
+local smooth = contact{ model = m }
+is(smooth.friction, 0, "no friction unless asked for")
+is(#smooth.stick, 0, "nothing sticks")
+local there, direct = smooth:move{ x = 0.1, load = 80 }, contact{ model = m, x = 0.1, load = 80 }
+is(there.approach, direct.approach, "a motion without friction is the contact there, to the same bits")
+for i, p in ipairs(direct:pressure("plate").p) do
+  if there:pressure("plate").p[i] ~= p then ok(false, "its pressures too") end
+end
+for _, q in ipairs(smooth:shear().q) do if q ~= 0 then ok(false, "no shear without friction") end end
+fails(function() smooth:slip() end, "expected a contact with friction", "no slip without friction")
+fails(function() smooth:move{ tangential = 1 } end, { "field 'tangential'", "no friction" }, "nothing to hold a force")
+
+-- pressed
+local c = contact{ model = m, friction = 0.6, load = 100 }
+near(c.p_center, smooth.p_center, 1e-3, "similar bodies press as without friction")
+near(c.tangential, 0, 1e-6, "no force along x")
+is(#c.stick, 1, "all of it sticks")
+near(c.stick[1].right, c.edges.right, 1e-12, "to the edges")
+is(c.energy, 0, "nothing is dissipated")
+local loose = contact{ model = m, friction = 0.6, press = "frictionless" }
+is(loose.p_center, smooth.p_center, "press = frictionless: the same bits")
+for _, q in ipairs(loose:shear().q) do if q ~= 0 then ok(false, "and no shear") end end
+
+-- moved
+local d = c:move{ tangential = 45 }
+near(d.tangential, 45, 1e-9, "the force")
+ok(d.x > 1e-3 and d.x < 3e-3, "the way the plate goes under it")
+near(c.tangential, 0, 1e-6, "the contact it starts from stays")
+is(#d.stick, 1, "partial slip")
+ok(d.stick[1].right < d.edges.right - 0.01, "it slips at the edges")
+ok(d.energy > 0, "and dissipates")
+local q, p = d:shear(), d:pressure()
+for i in ipairs(q.q) do
+  if math.abs(q.q[i]) > 0.6 * p.p[i] * (1 + 1e-12) then ok(false, "friction carries no more than mu p") end
+end
+local function sum_of(shear)
+  local sum = 0
+  for i = 2, #shear.x - 1 do sum = sum + shear.q[i] * (shear.x[i + 1] - shear.x[i - 1]) / 2 end
+  return sum
+end
+near(sum_of(d:shear("cylinder")), 45, 1e-9, "shear on the cylinder adds up to the force")
+near(sum_of(d:shear("plate")), 45, 1e-9, "on the plate too")
+local slip = d:slip()
+is(#slip.x, #slip.s, "slip at every node")
+local same = c:move{ x = d.x }
+near(same.tangential, 45, 2e-3, "moved as far, the force is the same")
+near(same.energy, d.energy, 3e-2, "and so is the energy")
+local held = d:move{ load = 110 }
+is(held.x, d.x, "load alone: the base is held")
+is(held.load, 110, "under the new load")
+local slid = d:move{ x = 0.1, increments = 5 }
+near(slid.tangential, 60, 1e-9, "gross slip")
+is(#slid.stick, 0, "nothing sticks")
+ok(slid:move{ x = 0.0999 }.tangential < 60, "back, it sticks again")
+local stress = d:stress()
+ok(#stress.plate.principal == m.mesh.plate.nodes, "principal stress at every node")
+holds(tostring(d), { "friction  0.6", "tangential force 45 N" }, "print(contact)")
+is(d:move{}.tangential, d:move{}.tangential, "the same motion gives the same bits")
+near(d:move{}.tangential, 45, 1e-9, "a motion that goes nowhere changes nothing")
+
+-- refused
+local err = fails(function() c:move{ tangential = 60 } end, { "field 'tangential'", "less than", "60 N" }, "more than mu L")
+is(err.code, "ARGUMENT", "its code")
+is(err.where, "contact:move", "its place")
+fails(function() c:move{ x = 0, tangential = 1 } end, "fields 'x' and 'tangential'", "both at once")
+fails(function() c:move{ load = 0 } end, "field 'load': expected a number > 0", "no load")
+fails(function() c:move{ increments = 0 } end, "field 'increments'", "no increments")
+fails(function() c:move{ y = 1 } end, "unknown field 'y'", "another field")
+fails(function() c:move{ x = 0 / 0 } end, "field 'x'", "NaN")
+fails(function() c:move(1) end, "expected a table", "a number for a table")
+fails(function() contact{ friction = -0.1 } end, "field 'friction': expected a number >= 0, got -0.1", "negative friction")
+fails(function() contact{ press = "hard" } end, "field 'press'", "another way to press")
+fails(function() c:move{ x = 5 } end, "zone", "too far")
+is(c.load, 100, "all of which leaves the contact as it is")
+
+-- pictures
+local name = os.tmpname()
+local function picture(draw)
+  draw(name .. ".gp")
+  local file = io.open(name .. ".gp")
+  local text = file and file:read("a") or ""
+  if file then file:close() end
+  os.remove(name .. ".gp")
+  return text
+end
+local text = picture(function(file) plot.shear(d, { file = file }) end)
+holds(text, { "sticks", "±μp", "45 N on a load of 100 N" }, "plot.shear")
+text = picture(function(file) plot.slip(d, slid, { file = file }) end)
+holds(text, { "slip / µm", "45 N tangential", "60 N tangential" }, "plot.slip")
+fails(function() plot.shear(m) end, "expected a contact", "a model has no shear")
+fails(function() plot.slip(d, "plate") end, "expected contacts", "a word")
+os.remove(name)

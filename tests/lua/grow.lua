@@ -1,0 +1,92 @@
+-- Runs that outgrow their meshes go on: wider or deeper ones are built, and the worn surfaces taken over.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local is, ok = tap.is, tap.ok
+
+local function off(a, b) return math.abs(a / b - 1) end
+
+-- A small mesh for a contact that grows, and one that held it from the start.
+local fields = { alpha = 1, k = 3e-8, load = 100, jump = 40 }
+local function mesh(cylinder, plate, rows)
+  return model{ mesh = { size = 0.04, height = rows and 0.02, zone = { cylinder = cylinder, plate = plate }, rows = rows } }
+end
+local function run_on(m, more)
+  local given = { model = m }
+  for name, value in pairs(fields) do given[name] = value end
+  for name, value in pairs(more or {}) do given[name] = value end
+  return wear(given)
+end
+
+local small, large = mesh(0.8, 1), mesh(2, 2.2)
+local w, held = run_on(small), run_on(large)
+local before = w.model
+local changed
+while not w.done do
+  local at = w.p_center
+  w:step()
+  held:step()
+  if not changed and w.model.mesh.zone.cylinder > 0.8 then changed = { at, w.p_center, held.p_center } end
+end
+ok(changed, "the zone was outgrown")
+ok(changed and off(changed[2], changed[3]) < 0.002, "pressures within 0.2 % across the change")
+ok(off(w.volume.total, 3e-8 * 100 * 1320) < 1e-9, "the volume is exact")
+ok(off(w.depth.cylinder, held.depth.cylinder) < 1e-3, "the depth is that on the large mesh")
+ok(off(w.p_center, held.p_center) < 0.002, "and so is the pressure")
+local elements = w.history.elements
+ok(elements[1] < elements[#elements] and held.history.elements[1] == held.elements, "the history tells of it")
+is(before.mesh.zone.cylinder, 0.8, "the model that was given is what it was")
+
+-- The wear box.
+local flat = run_on(mesh(2, 2.2, 1), { k = 2e-7, distance = 800, jump = 4 })
+local deep = run_on(mesh(2, 2.2, 3), { k = 2e-7, distance = 800, jump = 4 })
+flat:run()
+deep:run()
+ok(flat.model.mesh.rows > 1, "the wear box was outgrown")
+ok(off(flat.volume.total, deep.volume.total) < 1e-9, "volume")
+ok(off(flat.p_center, deep.p_center) < 0.002, "pressure")
+
+-- Stored before or after the change, the bits are the same.
+local path = os.tmpname()
+os.remove(path)
+local a = run_on(small)
+a:run{ distance = 300 }
+a:save(path)
+local b = wear.open(path)
+a:run()
+b:run()
+is(b.p_center, a.p_center, "a run that was stored before it grew: the same bits")
+ok(b.model.mesh.zone.cylinder == a.model.mesh.zone.cylinder and b.model.mesh.zone.cylinder > 0.8, "and the same mesh")
+a:save(path)
+local c = wear.open(path)
+c:run{ distance = 1500 }
+a:run{ distance = 1500 }
+is(c.p_center, a.p_center, "stored after it grew: the same bits")
+is(c.model.mesh.zone.cylinder, a.model.mesh.zone.cylinder, "on the mesh it had grown")
+os.remove(path)
+
+-- w:set
+local s = wear{}
+s:run{ distance = 100 }
+local volume = s.volume.total
+s:set{ stroke = 0.6, jump = "auto" }
+ok(s.model.mesh.zone.plate > 1.2, "a longer stroke gets a wider plate")
+is(s.volume.total, volume, "the record stays")
+s:run{ distance = 120 }
+ok(off(s.volume.total, 1e-8 * 100 * 120) < 1e-9, "and the run goes on")
+local light = wear{ jump = "auto" }
+light:step()
+volume = light.volume.total
+light:set{ load = 2 }
+ok(light.model.mesh.size < 0.01, "a lighter load gets finer elements")
+is(light.volume.total, volume, "the record stays")
+light:step()
+ok(light.volume.total > volume, "and the run goes on")
+
+-- Where there is no room to grow, the run stays as it was.
+local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder = 1.6, plate = 1.6 } } },
+  alpha = 1, k = 4e-6, jump = "auto" }
+local fine, message = pcall(full.run, full)
+local at, pressure = full.distance, full.p_center
+ok(not fine and tostring(message):find("zones end at 1.6 mm", 1, true), "no room: the limit is named")
+ok(not pcall(full.step, full), "again")
+ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is what it was")

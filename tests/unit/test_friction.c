@@ -1,0 +1,476 @@
+/* Increments of Coulomb friction: every one is checked against its conditions, over random
+ * histories of load and motion; forces balance; states carry on to the same bits. Leans on the
+ * inside of contact. */
+#include "check.h"
+
+#include "core/base/dense.h"
+#include "core/contact/friction.h"
+#include "core/contact/solution.h"
+
+/* --- a history ------------------------------------------------------------------------------- */
+
+typedef struct history {
+  arc_shape *shape;
+  pose pose;
+  grip grip;
+  friction_room room;
+  friction_state state, before;
+  double mu, slope; /* steepest of the surfaces */
+} history;
+
+static double scar(double x) {
+  return fmax(0, 4e-3 * (1 - x * x / 0.09));
+}
+
+/* Worn by a smooth scar, or not; the other body half as much. */
+static void wear_down(history *h, double share) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_profile profile = arc_shape_profile(h->shape, (arc_body)b);
+    double *depth = calloc((size_t)profile.count, sizeof *depth);
+    for (int i = 0; i < profile.count; i++)
+      depth[i] = share * (b == ARC_PLATE ? 1 : 0.5) * scar(profile.x[i]);
+    check_ok(arc_shape_wear(h->shape, (arc_body)b, depth, why));
+    free(depth);
+  }
+}
+
+static void begin(history *h, arc_model *model, double mu, double worn) {
+  *h = (history){.mu = mu, .slope = 0.03 * worn};
+  check_ok(arc_shape_create(model, ARC_MOVING, 0, &h->shape, why));
+  if (worn > 0) wear_down(h, worn);
+  assert_int_equal(arc_pose_create(&h->pose, model), ARC_OK);
+  assert_int_equal(arc_grip_create(&h->grip, model), ARC_OK);
+  assert_int_equal(arc_friction_room_create(&h->room, model), ARC_OK);
+  assert_int_equal(arc_friction_create(&h->state, model, 0), ARC_OK);
+  assert_int_equal(arc_friction_create(&h->before, model, 0), ARC_OK);
+}
+
+static void end(history *h) {
+  arc_friction_free(&h->before);
+  arc_friction_free(&h->state);
+  arc_friction_room_free(&h->room);
+  arc_grip_free(&h->grip);
+  arc_pose_free(&h->pose);
+  arc_shape_destroy(&h->shape);
+}
+
+static void go(history *h, const friction_step *step) {
+  const double pairing = step->by_force ? h->pose.x : step->x;
+  arc_friction_copy(&h->before, &h->state);
+  check_ok(arc_pose_update(&h->pose, h->shape, pairing, why));
+  check_ok(arc_friction_solve(&h->pose, &h->grip, &h->room, step, &h->state, why));
+}
+
+/* --- its conditions -------------------------------------------------------------------------- */
+
+/* Gaps by the matrices and the gaps of the shape alone. */
+static void check_gaps(const history *h) {
+  const pose *p = &h->pose;
+  const grip *g = &h->grip;
+  const friction_room *w = &h->room;
+  pose plain;
+  assert_int_equal(arc_pose_create(&plain, h->shape->model), ARC_OK);
+  check_ok(arc_pose_update(&plain, h->shape, p->x, why));
+  for (int c = 0; c < p->count; c++) {
+    const double m = p->slope[p->lo + c];
+    double gap = plain.gap[c] + m * (h->state.x - p->x) - p->approach;
+    for (int k = 0; k < p->count; k++)
+      gap += p->a[dense_at(c, k, p->count)] * p->f[k] + g->nt[dense_at(c, k, p->count)] * w->t[k];
+    assert_true(p->f[c] >= 0);
+    assert_true(gap > -1e-13);
+    if (p->f[c] > 0) check_near(gap, 0, 1e-13);
+  }
+  arc_pose_free(&plain);
+}
+
+/* Slip from where the points of both surfaces have gone, not from the matrices. */
+static void check_slip(history *h, double p0) {
+  const pose *p = &h->pose;
+  double *room = calloc((size_t)(2 * p->nc + p->np), sizeof *room), *was = room, *is = was + p->nc;
+  arc_grip_relative(p, h->before.u, is + p->nc, was);
+  arc_grip_relative(p, h->state.u, is + p->nc, is);
+  for (int c = 0; c < p->count; c++) {
+    const int i = p->lo + c;
+    const double t = h->state.t[i], bound = h->mu * h->state.f[i];
+    const double up =
+        h->before.line > 0 ? p->slope[i] * (h->state.approach - h->before.approach) : NAN;
+    const double slip = h->state.x - h->before.x + up - (is[c] - was[c]);
+    assert_true((fabs(t) - bound) / p->wc[i] <= 1e-10 * p0);
+    if (!isnan(up)) check_near(h->state.slip[i], slip, 1e-13);
+    if (fabs(t) < bound) assert_true(h->state.slip[i] == 0);
+    assert_true(t * h->state.slip[i] >= -1e-14 * bound);
+  }
+  free(room);
+}
+
+static void check_resultants(history *h, const friction_step *step) {
+  double sum[ARC_BODIES][2] = {{0}};
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const int n = b == ARC_CYLINDER ? h->pose.nc : h->pose.np;
+    double *force = calloc(2 * (size_t)n, sizeof *force);
+    arc_friction_forces_on(&h->pose, &h->room, (arc_body)b, force);
+    for (int i = 0; i < 2 * n; i++) sum[b][i / n] += force[i];
+    free(force);
+  }
+  for (int d = 0; d < 2; d++)
+    check_near(sum[ARC_CYLINDER][d] + sum[ARC_PLATE][d], 0, 1e-13 * step->line);
+  check_near(sum[ARC_CYLINDER][1], step->line, 1e-11 * step->line);
+  if (step->by_force) check_near(sum[ARC_CYLINDER][0], step->tangential, 1e-11 * step->line);
+  check_near(h->state.tangential, sum[ARC_CYLINDER][0], 1e-12 * step->line);
+}
+
+static double largest_pressure(const pose *p) {
+  double center, largest;
+  arc_pose_peaks(p, &center, &largest);
+  return largest;
+}
+
+static void check_increment(history *h, const friction_step *step) {
+  check_gaps(h);
+  check_slip(h, largest_pressure(&h->pose));
+  check_resultants(h, step);
+}
+
+/* --- random histories ------------------------------------------------------------------------ */
+
+enum { histories = 1000, length = 24 };
+
+typedef struct tally {
+  int increments, most, newton, over_10;
+  long sweeps, sets;
+} tally;
+
+static void count(tally *t, const history *h) {
+  t->increments++;
+  t->sweeps += h->room.sweeps;
+  t->sets += h->room.iterations;
+  t->newton += h->room.newton;
+  t->over_10 += h->room.sweeps > 10;
+  if (h->room.sweeps > t->most) t->most = h->room.sweeps;
+}
+
+/* Small and large motions, forces up to what friction carries, other loads, lifting off. */
+static friction_step random_step(const history *h) {
+  friction_step s = {.mu = h->mu, .line = random_in(20, 110), .x = h->state.x};
+  const int kind = random_int(0, 9);
+  if (random_int(0, 2) && h->state.line > 0) s.line = h->state.line;
+  if (kind == 0) s.line = random_int(0, 1) ? 0 : s.line;
+  if (kind >= 1 && kind <= 5) s.x += random_in(-1, 1) * 4e-3 * h->mu;
+  if (kind == 6) s.x = random_in(-0.06, 0.06);
+  if (kind < 7 || h->slope >= h->mu) return s;
+  s.by_force = 1;
+  s.tangential = random_in(-0.95, 0.95) * (h->mu - h->slope) * s.line; /* slopes bear some of it */
+  return s;
+}
+
+static arc_model *random_model(int stiffer) {
+  arc_model_def def = coarse_definition();
+  const double ratio = exp(random_in(0, log(10)));
+  def.material[stiffer].E *= sqrt(ratio);
+  def.material[!stiffer].E /= sqrt(ratio);
+  def.material[0].nu = random_in(0, 0.45);
+  def.material[1].nu = random_in(0, 0.45);
+  def.mesh.zone[ARC_PLATE] = def.mesh.zone[ARC_CYLINDER] = 1.2;
+  return build_model(&def);
+}
+
+static void run_history(arc_model *model, double worn, tally *t) {
+  history h;
+  begin(&h, model, exp(random_in(log(0.05), log(1.2))), worn);
+  for (int i = 0; i < length; i++) {
+    const friction_step step = random_step(&h);
+    go(&h, &step);
+    if (step.line == 0) continue;
+    check_increment(&h, &step);
+    count(t, &h);
+  }
+  end(&h);
+}
+
+static void test_random_histories(void **state) {
+  (void)state;
+  static const double worn[] = {0, 0, 0.2, 1};
+  enum { models = 10 };
+  tally t = {0};
+  random_start(11);
+  for (int m = 0; m < models; m++) {
+    arc_model *model = random_model(m % 2);
+    for (int i = 0; i < histories / models; i++) run_history(model, worn[i % 4], &t);
+    arc_model_release(&model);
+  }
+  printf("# %d increments of %d histories: %.2f sweeps each, %.2f sets, %d at most, %d over 10, %d "
+         "by the coupled iteration\n",
+         t.increments, histories, (double)t.sweeps / t.increments, (double)t.sets / t.increments,
+         t.most, t.over_10, t.newton);
+  assert_true(t.increments > 20 * histories);
+}
+
+/* Without the coupled iteration the sweeps find the same, and so does bracketing of forces. */
+static void test_ways_to_solve(void **state) {
+  (void)state;
+  static const double worn[] = {0, 0.2, 1};
+  int most = 0, bracketed = 0;
+  random_start(5);
+  for (int i = 0; i < 90; i++) {
+    arc_model *model = i % 30 ? NULL : random_model(i / 30 % 2);
+    static arc_model *kept;
+    if (model) {
+      arc_model_release(&kept);
+      kept = model;
+    }
+    history quick, slow;
+    const double mu = exp(random_in(log(0.05), log(1.2)));
+    begin(&quick, kept, mu, worn[i % 3]);
+    begin(&slow, kept, mu, worn[i % 3]);
+    slow.room.patience = 1 << 20;
+    slow.room.by_force = 0;
+    for (int k = 0; k < length; k++) {
+      const friction_step step = random_step(&quick);
+      go(&quick, &step);
+      go(&slow, &step);
+      if (step.line == 0) continue;
+      check_increment(&slow, &step);
+      assert_false(slow.room.newton);
+      if (slow.room.sweeps > most) most = slow.room.sweeps;
+      bracketed += slow.room.bracketed;
+      assert_int_equal(slow.room.bracketed, step.by_force);
+      for (int c = 0; c < quick.state.nc; c++) {
+        check_near(slow.state.f[c], quick.state.f[c], 1e-7 * step.line);
+        check_near(slow.state.t[c], quick.state.t[c], 1e-7 * step.line);
+      }
+    }
+    end(&slow);
+    end(&quick);
+    if (i == 89) arc_model_release(&kept);
+  }
+  printf("# sweeps alone: %d at most, %d increments by bracketing\n", most, bracketed);
+}
+
+/* --- single increments ----------------------------------------------------------------------- */
+
+/* Pressed, then moved to and fro: ends in partial slip on worn surfaces. */
+static void play(history *h, int first, int last) {
+  static const double x[] = {0, 1.5e-3, -1e-3, 0, 5e-4, 0.03, 0.0285};
+  static const double force[] = {0, 0, 0, 8, 0, 0, 0};
+  for (int i = first; i < last; i++) {
+    const friction_step step = {h->mu, 100, force[i] != 0, x[i], force[i]};
+    go(h, &step);
+    check_increment(h, &step);
+  }
+}
+
+enum { played = 7 };
+
+/* Without friction it is the solver without friction, to the same bits. */
+static void test_no_friction(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  pose plain;
+  begin(&h, model, 0, 1);
+  assert_int_equal(arc_pose_create(&plain, model), ARC_OK);
+  for (int i = 0; i < 4; i++) {
+    const friction_step step = {.line = 60 + 20 * i, .x = 0.03 * i};
+    go(&h, &step);
+    check_ok(arc_pose_update(&plain, h.shape, step.x, why));
+    check_ok(arc_pose_solve(&plain, step.line, why));
+    assert_memory_equal(h.pose.f, plain.f, (size_t)plain.count * sizeof(double));
+    assert_true(h.pose.approach == plain.approach);
+    for (int k = 0; k < plain.count; k++) assert_true(h.room.t[k] == 0);
+  }
+  arc_pose_free(&plain);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* A state that was saved goes on to the same bits on other poses. */
+static void test_saved(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history one, two;
+  begin(&one, model, 0.6, 0.5);
+  begin(&two, model, 0.6, 0.5);
+  play(&one, 0, 3);
+  double *numbers = calloc(2 * arc_friction_size(&one.state), sizeof *numbers);
+  double *others = numbers + arc_friction_size(&one.state);
+  arc_friction_save(&one.state, numbers);
+  arc_friction_restore(&two.state, numbers);
+  check_ok(arc_pose_update(&two.pose, two.shape, one.pose.x, why));
+  play(&one, 3, played);
+  play(&two, 3, played);
+  arc_friction_save(&one.state, numbers);
+  arc_friction_save(&two.state, others);
+  assert_memory_equal(numbers, others, arc_friction_size(&one.state) * sizeof *numbers);
+  free(numbers);
+  end(&two);
+  end(&one);
+  arc_model_release(&model);
+}
+
+/* What is refused leaves the state as it was. */
+static void test_refused(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.3, 0);
+  play(&h, 0, 2);
+  const size_t bytes = arc_friction_size(&h.state) * sizeof(double);
+  double *before = calloc(2, bytes), *after = before + arc_friction_size(&h.state);
+  arc_friction_save(&h.state, before);
+  const friction_step far[] = {{0.3, 100, 1, 0, 30.001}, {0.3, 0, 1, 0, 1}, {0.3, 1e5, 0, 0, 0}};
+  const arc_status wanted[] = {ARC_ARGUMENT, ARC_ARGUMENT, ARC_ZONE};
+  const char *const words[] = {"friction does not carry", "friction does not carry", "zone"};
+  for (int i = 0; i < 3; i++) {
+    check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
+    check_refused(arc_friction_solve(&h.pose, &h.grip, &h.room, &far[i], &h.state, why), wanted[i],
+                  words[i]);
+    arc_friction_save(&h.state, after);
+    assert_memory_equal(before, after, bytes);
+  }
+  free(before);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* Lifted off and pressed again: the points start anew, what was dissipated stays. */
+static void test_lifted(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.6, 0);
+  play(&h, 0, 3);
+  const double energy = h.state.energy;
+  assert_true(energy > 0);
+  go(&h, &(friction_step){.mu = 0.6, .x = 5e-3});
+  assert_true(h.state.line == 0 && h.state.tangential == 0 && h.state.x == 5e-3);
+  const friction_step again = {.mu = 0.6, .line = 100, .x = 5e-3};
+  go(&h, &again);
+  check_increment(&h, &again);
+  check_near(h.state.tangential, 0, 0.05);
+  assert_true(h.state.energy >= energy);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* After wear the displacements are made anew from the forces, as the matrices of the worn shape
+ * have them: what is held then has not slipped. */
+static void test_follow(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.6, 0.5);
+  play(&h, 0, 2);
+  wear_down(&h, 0.1);
+  check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
+  arc_friction_follow(&h.pose, &h.grip, &h.room, &h.state);
+  const pose *p = &h.pose;
+  double *r = calloc((size_t)(p->nc + p->np), sizeof *r);
+  arc_grip_relative(p, h.state.u, r + p->nc, r);
+  for (int c = 0; c < p->count; c++) {
+    double wanted = 0;
+    for (int k = 0; k < p->count; k++)
+      wanted += h.grip.nt[dense_at(k, c, p->count)] * h.state.f[p->lo + k] +
+                h.grip.tt[dense_at(k, c, p->count)] * h.state.t[p->lo + k];
+    check_near(r[c], wanted, 1e-15);
+  }
+  free(r);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* Bodies alike press without shear; a plate pushed to +x is driven by a positive force and slips
+ * along +x at the edges; back from gross slip it is the other way round. */
+static void test_signs(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.6, 0);
+  go(&h, &(friction_step){.mu = 0.6, .line = 100});
+  for (int i = 0; i < h.state.nc; i++) check_near(h.state.t[i], 0, 0.1);
+  go(&h, &(friction_step){.mu = 0.6, .line = 100, .x = 1.5e-3});
+  assert_true(h.state.tangential > 20 && h.state.tangential < 60);
+  for (int i = 0; i < h.state.nc; i++)
+    if (h.state.f[i] > 0) assert_true(h.state.slip[i] >= 0 && h.state.t[i] > 0);
+  go(&h, &(friction_step){.mu = 0.6, .line = 100, .x = 0.01});
+  check_near(h.state.tangential, 60, 1e-10);
+  go(&h, &(friction_step){.mu = 0.6, .line = 100, .x = -0.01});
+  check_near(h.state.tangential, -60, 1e-10);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* --- the public face ------------------------------------------------------------------------- */
+
+static arc_contact *pressed(arc_model *model, double friction) {
+  arc_shape *shape;
+  arc_contact *contact;
+  arc_contact_def def = arc_contact_default();
+  def.friction = friction;
+  check_ok(arc_shape_create(model, ARC_MOVING, 0.05, &shape, why));
+  check_ok(arc_contact_solve(shape, &def, NULL, &contact, why));
+  arc_shape_destroy(&shape);
+  check_ok(arc_contact_validate(contact, why));
+  return contact;
+}
+
+static void test_validated(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  arc_contact *from = pressed(model, 0.6), *c;
+  arc_motion_def motion = arc_contact_motion(from);
+  motion.x = 1.5e-3;
+  check_ok(arc_contact_move(from, &motion, NULL, &c, why));
+  check_ok(arc_contact_validate(c, why));
+  const int middle = c->pose.active / 2, edge = 0, last = c->pose.active - 1;
+  double *const numbers[] = {&c->room.t[c->pose.set[middle]], &c->room.slip[c->pose.set[edge]],
+                             &c->room.slip[c->pose.set[middle]], &c->room.slip[c->pose.set[last]]};
+  const double wrong[] = {1e3, -1e-4, 1e-4, NAN};
+  const char *const named[] = {"shear", "slip", "slip", "slip"};
+  for (int k = 0; k < 4; k++) {
+    const double right = *numbers[k];
+    *numbers[k] = wrong[k];
+    check_refused(arc_contact_validate(c, why), ARC_NUMERIC, named[k]);
+    *numbers[k] = right;
+  }
+  arc_contact_destroy(&c);
+  arc_contact_destroy(&from);
+  arc_model_release(&model);
+}
+
+static void warned(void *context, const char *text) {
+  *(int *)context += strstr(text, "Dundurs") != NULL;
+}
+
+static void test_uniqueness(void **state) {
+  (void)state;
+  arc_model_def def = coarse_definition();
+  def.material[ARC_PLATE] = (arc_material){.E = 20e3, .nu = 0.1};
+  arc_model *model = build_model(&def);
+  for (int i = 0; i < 2; i++) {
+    int warnings = 0;
+    const arc_callbacks callbacks = {.warn = warned, .context = &warnings};
+    arc_shape *shape;
+    arc_contact *contact;
+    arc_contact_def rough = arc_contact_default();
+    rough.load = 20;
+    rough.friction = i ? 1.2 : 0.3;
+    check_ok(arc_shape_create(model, ARC_MOVING, 0.05, &shape, why));
+    check_ok(arc_contact_solve(shape, &rough, &callbacks, &contact, why));
+    check_ok(arc_contact_validate(contact, why));
+    assert_int_equal(warnings, i);
+    arc_contact_destroy(&contact);
+    arc_shape_destroy(&shape);
+  }
+  arc_model_release(&model);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_no_friction),      cmocka_unit_test(test_saved),
+      cmocka_unit_test(test_refused),          cmocka_unit_test(test_lifted),
+      cmocka_unit_test(test_follow),           cmocka_unit_test(test_signs),
+      cmocka_unit_test(test_validated),        cmocka_unit_test(test_uniqueness),
+      cmocka_unit_test(test_random_histories), cmocka_unit_test(test_ways_to_solve),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
