@@ -36,12 +36,13 @@ definition cannot be stored: they are given again when the file is opened. examp
 of these. On leaving the prompt with runs that are in no file it asks whether to save the session.]] },
   { "meshes", [[
 A model{} meshes both bodies and condenses them once; contact and wear then work on the surfaces alone. Elements under the
-contact are mesh.size wide and mesh.height high, and grow towards mesh.far. A half width of the contact should hold at least
-four of them, better five or more: plot.mesh(m, { zoom = "wear box" }) shows it, hertz{} tells the half width.
+contact are mesh.size wide and mesh.height high, and grow towards mesh.far. Where no size is given it follows the contact that
+the model is built for: 5.4 elements to the half width, mesh.fineness = 2 halves them. Under four to the half width it warns.
+plot.mesh(m, { zoom = "wear box" }) shows them, hertz{} tells the half width.
 
-mesh.zone is the full width of the fine contact zone of each body. Without a model, wear{} and contact{} build one whose zones
-suit; a given model that is too small is refused with the zone it needs. study.converge{} finds a size, a jump and increments
-for a case. Pressures at edges of scars (p_max, p_peak) grow as elements shrink: p_average settles.]] },
+mesh.zone is the full width of the fine contact zone of each body; without a model it suits. A run that outgrows its zone or its
+wear box goes on, on new meshes, and says so; a single contact{} names the zone to widen. study.converge{} finds a size, a jump
+and increments for a case. Pressures at edges of scars (p_max, p_peak) grow as elements shrink: p_average settles.]] },
   { "steps", [[
 One update of the geometry wears jump cycles together. Past a limit ripples grow and make the surfaces rough: w:stability()
 tells it, and runs past it warn. Longer strokes and smaller elements have lower limits. What to do, from the simplest on:
@@ -60,9 +61,9 @@ w:step() makes one update, w:run() all; Ctrl-C stops after the running step, and
 
 Rough profiles, ripples, pressures that saw: the jump is too large. See help "steps".
 
-A zone too narrow: the stroke or the scar outgrows the fine zone. Leave the model out, or give the mesh.zone that the message names.
+A zone too narrow: leave the model out of contact{}, or widen the mesh.zone that the message names. Runs widen it themselves.
 
-Too coarse for the contact: fewer than four elements to the half width. Smaller mesh.size; see help "meshes".
+Too coarse for the contact: fewer than four elements to the half width. Smaller mesh.size, or none; see help "meshes".
 
 It takes long: time(function() w:step() end) tells how long a step takes. Larger elements, fewer increments, longer steps;
 studies use all processors by themselves.
