@@ -14,6 +14,7 @@ typedef struct wear_plan {
   int first;     /* generic history: the increment */
   int explicit;  /* although the scheme is implicit */
   int staged;    /* explicit, in stages, with an estimate of its error */
+  const arc_wear_record *ahead; /* the state at the end, by an attempt; NULL: none yet */
 } wear_plan;
 
 /* What it leads to. */
@@ -45,6 +46,9 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wea
 /* Volumes [mm3] that depths take from a shape, before it is worn by them. */
 void arc_wear_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                           arc_wear_record *record);
+/* Whether functions of the state are asked with the pressures and widths of the way, rather than
+ * those of its start: in updates of second order. */
+int arc_wear_follows(const arc_wear *w, const wear_plan *plan);
 /* The state a share of the way through an update; with a rate, also what it takes in a dose. */
 arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double share,
                                     const wear_rate *rate, const wear_dose *dose);
