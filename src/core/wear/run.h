@@ -26,6 +26,15 @@ typedef struct wear_work {
   double *slip; /* [4 * (nc + np)] of an increment */
 } wear_work;
 
+/* What the limit of stability was found for. */
+typedef struct wear_judged {
+  const wear_block *block; /* NULL: not yet */
+  double k[ARC_BODIES];    /* [mm2/N] */
+  double p_center;         /* [MPa] */
+  double eigenvalue;       /* [1/cycle] */
+  int warned;
+} wear_judged;
+
 struct arc_wear {
   arc_model *model;
 
@@ -47,6 +56,7 @@ struct arc_wear {
   pose reference; /* plate at x = 0, nominal load */
   wear_work work;
   int warned; /* the callbacks know what speaks against this definition */
+  wear_judged judged;
 };
 
 /* The plate stays flat, and wears everywhere alike. */

@@ -216,6 +216,7 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
     out.shape = old;
   }
   arc_shape_destroy(&out.shape);
+  if (status == ARC_OK) arc_wear_watch_ripples(w, plan.block, callbacks);
 #ifdef ARC_CHECKS
   arc_error broken;
   if (status == ARC_OK && arc_wear_validate(w, &broken) == ARC_NUMERIC)

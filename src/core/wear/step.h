@@ -88,8 +88,10 @@ arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear
  */
 double arc_wear_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], const double *jacobian,
                            double *work);
-/* Tells what speaks against this run before it goes on: once for a definition, and whenever the
- * limit of stability may have changed, since to find it costs a cycle of contact solutions. */
+/* Tells, once for a definition, what speaks against this run before it goes on. */
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);
+/* Tells, once for a definition, that the last update, of this block, was longer than is stable;
+ * looks where its coefficients have grown, or the path changed, since the last look. */
+void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_callbacks *callbacks);
 
 #endif
