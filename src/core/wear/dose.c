@@ -13,6 +13,8 @@ static const double tolerance = 1e-5;
 /* A step as short as this share of the update holds a jump; so near its ends none is looked for,
  * and functions are asked no nearer, so that a jump right there belongs to one update only. */
 static const double shortest = 1e-9, margin = 1e-7;
+/* So much of a step lies before the point of a table that it ends at, where the table may jump. */
+static const double before_point = 1 - 1e-9;
 /* What is a jump: this share of the larger value, over an interval of a table that is so much
  * shorter than those beside it. */
 static const double large = 0.1, steep = 20;
@@ -74,7 +76,7 @@ static arc_status try_step(dose_way *s, double h, double y[ARC_BODIES], double k
   for (int b = 0; b < ARC_BODIES; b++) on[b] = s->y[b] + 3 * h / 4 * k2[b];
   if ((status = ask(s, s->at + 3 * h / 4, on, k3)) != ARC_OK) return status;
   for (int b = 0; b < ARC_BODIES; b++) y[b] = s->y[b] + h * (2 * k1[b] + 3 * k2[b] + 4 * k3[b]) / 9;
-  if ((status = ask(s, s->at + h, y, k)) != ARC_OK) return status;
+  if ((status = ask(s, s->at + h * before_point, y, k)) != ARC_OK) return status;
   const double scale = fmax(fmax(larger(k1), larger(k2)), fmax(larger(k3), larger(k)));
   double off = 0;
   for (int b = 0; b < ARC_BODIES; b++)
@@ -119,11 +121,13 @@ static int table_jumps(const dose_way *s, const arc_series *t, double share, dou
   const double end = distance_at(s, share);
   for (int i = 1; i < t->count; i++) {
     const double width = t->distance[i] - t->distance[i - 1];
-    if (fabs(t->distance[i] - end) > 1e-6 * width) continue;
+    if (fabs(t->distance[i] - end) > fmax(1e-6 * width, 1e-12 * end)) continue;
+    if (width == 0) return 1;
     const double before = i > 1 ? t->distance[i - 1] - t->distance[i - 2] : INFINITY;
     const double after = i + 1 < t->count ? t->distance[i + 1] - t->distance[i] : INFINITY;
-    return fabs(t->value[i] - t->value[i - 1]) > large * range && steep * width < before &&
-           steep * width < after;
+    if (fabs(t->value[i] - t->value[i - 1]) > large * range && steep * width < before &&
+        steep * width < after)
+      return 1;
   }
   return 0;
 }
