@@ -232,11 +232,12 @@ int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model)
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
 
 /* One row of history: the state after an update (row 0: before the first), in the reference
- * configuration (plate at x = 0, nominal load). Only p_peak looks further: over the whole cycle
- * that the wear of the update comes from (explicit: on the shape before it, implicit: on the one
- * after), and never less than p_max; and load and travel tell what went by in the update: of a
- * cycle, or of the increment of a generic history (row 0: of the first to come). NaN where a file
- * is older than they are. X(name, unit, text). */
+ * configuration (plate at x = 0, nominal load). Only p_peak looks further: over the whole cycle of
+ * the update, on the row's own surfaces and under the loads of the cycle (an update at every
+ * increment, or a generic history: at what was solved on the way; row 0: p_max). Without a loading
+ * it is never less than p_max; and load and travel tell what went by in the update: of a cycle, or
+ * of the increment of a generic history (row 0: of the first to come). NaN where a file is older
+ * than they are. X(name, unit, text). */
 #define ARC_WEAR_COLUMNS(X)                                                                        \
   X(update, "", "geometry updates so far")                                                         \
   X(cycle, "", "loading cycles so far")                                                            \

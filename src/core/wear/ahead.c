@@ -67,7 +67,6 @@ static void follow_course(const arc_wear *w, const wear_plan *plan, double wear,
   const course c = course_of(w, plan);
   state->p_center = on_course(&c, ARC_WEAR_COLUMN_p_center, wear);
   state->p_max = on_course(&c, ARC_WEAR_COLUMN_p_max, wear);
-  state->p_peak = on_course(&c, ARC_WEAR_COLUMN_p_peak, wear);
   state->half_width = on_course(&c, ARC_WEAR_COLUMN_half_width, wear);
   if (!c.ahead) return;
   state->depth_cylinder = on_course(&c, ARC_WEAR_COLUMN_depth_cylinder, wear);

@@ -46,7 +46,7 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at, we
   apply_law(w, p, point);
   for (int b = 0; b < ARC_BODIES && w->def.slip == ARC_SLIP_TOTAL; b++)
     arc_pose_tangential(p, window->shape, (arc_body)b, point->u[b]);
-  return arc_wear_local(w, window->state, point, error);
+  return window->state ? arc_wear_local(w, window->state, point, error) : ARC_OK;
 }
 
 /* NSP or a way out of the plane, under a steady load: the next point is the last one again. */

@@ -26,6 +26,16 @@ typedef struct wear_work {
   double *slip; /* [4 * (nc + np)] of an increment */
 } wear_work;
 
+/* The wear of a cycle of a block on the present surfaces: found with them, as the next update
+ * begins with it. Leaves no trace in results. */
+typedef struct wear_start {
+  const wear_block *block; /* NULL: unknown */
+  wear_rate rate;
+  int solutions;                  /* it took, and no record counts yet */
+  struct wear_jacobian *jacobian; /* NULL: none was ever wanted */
+  int linear;                     /* the Jacobian belongs to it */
+} wear_start;
+
 /* What the limit of stability was found for. */
 typedef struct wear_judged {
   const wear_block *block; /* NULL: not yet */
@@ -57,6 +67,7 @@ struct arc_wear {
   wear_work work;
   int warned; /* the callbacks know what speaks against this definition */
   wear_judged judged;
+  wear_start start;
 };
 
 /* The plate stays flat, and wears everywhere alike. */

@@ -83,6 +83,11 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
 arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
                            arc_error *error);
 
+/* Solves a cycle on the surfaces an explicit update led to, which the next one begins with, and
+ * notes its largest pressure. */
+arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
+                         const arc_callbacks *callbacks, arc_error *error);
+
 /* --- stability.c --- */
 /* Growth rate of ripples [1/cycle] at these coefficients, by the Jacobian of a cycle. work [2 n].
  */
