@@ -94,12 +94,15 @@ typedef struct arc_loading {
   CHOICE(scheme, scheme, ARC_EXPLICIT, 0,                                                          \
          "Pressures of an update: those of the geometry it begins with, or those of the geometry " \
          "it ends in, which takes longer steps.")                                                  \
-  QUANTITY(k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                   \
-           "Wear coefficient k of the couple: volume = k L_N d (Eq. 1). A function is asked "      \
-           "along each "                                                                           \
-           "update, see help \"state\"; a table is interpolated over the distance. Both are "      \
-           "integrated, "                                                                          \
-           "and an update ends where they jump.")                                                  \
+  QUANTITY(                                                                                        \
+      k, "mm2/N", 1e-8, FROM(0), ARC_FUNCTION | ARC_SERIES,                                        \
+      "Wear coefficient k of the couple: volume = k L_N d (Eq. 1). A function is asked "           \
+      "along each "                                                                                \
+      "update, see help \"state\"; a table is interpolated over the distance, and two values at "  \
+      "one "                                                                                       \
+      "distance are a jump. Both are integrated, and an update ends where they jump. Functions "   \
+      "are asked 1.6 times a cycle or 3236 times a run, whichever is less: what is shorter may "   \
+      "be missed.")                                                                                \
   QUANTITY(alpha, "", 0.5, WITHIN(0, 1), ARC_FUNCTION | ARC_SERIES,                                \
            "Wear partition factor k_c / k (Eq. 19): the share of the volume that the cylinder "    \
            "loses. 0: only the plate wears, 1: only the cylinder.")                                \
@@ -229,11 +232,12 @@ int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model)
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
 
 /* One row of history: the state after an update (row 0: before the first), in the reference
- * configuration (plate at x = 0, nominal load). Only p_peak looks further: over the whole cycle
- * that the wear of the update comes from (explicit: on the shape before it, implicit: on the one
- * after), and never less than p_max; and load and travel tell what went by in the update: of a
- * cycle, or of the increment of a generic history (row 0: of the first to come). NaN where a file
- * is older than they are. X(name, unit, text). */
+ * configuration (plate at x = 0, nominal load). Only p_peak looks further: over the whole cycle of
+ * the update, on the row's own surfaces and under the loads of the cycle (an update at every
+ * increment, or a generic history: at what was solved on the way; row 0: p_max). Without a loading
+ * it is never less than p_max; and load and travel tell what went by in the update: of a cycle, or
+ * of the increment of a generic history (row 0: of the first to come). NaN where a file is older
+ * than they are. X(name, unit, text). */
 #define ARC_WEAR_COLUMNS(X)                                                                        \
   X(update, "", "geometry updates so far")                                                         \
   X(cycle, "", "loading cycles so far")                                                            \
@@ -300,8 +304,9 @@ void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double 
 /* One geometry update: `jump` cycles, or fewer where the definition's distance ends before. At
  * the end of the distance: ARC_OK and nothing happens. Anything but ARC_OK leaves the run as it
  * was; ARC_STOPPED where the callbacks asked for it. They do not hear of progress.
- * Before the first step of a definition they are warned of a mesh too coarse for the contact and of
- * a fixed explicit jump past the limit of arc_wear_stability. */
+ * Before the first step of a definition they are warned of a mesh too coarse for the contact, and
+ * before or after the first one that goes past it, of an explicit jump past the limit of
+ * arc_wear_stability. */
 arc_status arc_wear_step(arc_wear *wear, const arc_callbacks *callbacks, arc_error *error);
 
 /* Steps until `distance` [mm] (in total, met exactly by a shorter last step; may exceed the

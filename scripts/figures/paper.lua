@@ -242,7 +242,7 @@ local function see_partition(cases)
   return ("With s = a, α̃ is off α by at most %s; the paper has less than 8 %%; the independent "
     .. "solution ends at %s for α = 0.25. Longer strokes raise it above α: up to %.2f times for 2a "
     .. "and %.2f times for 4a (α = 0.25), there falling to %.2f. Over the whole plate it is beyond "
-    .. "%.3f for every α."):format(
+    .. "%.3f for every α between 0 and 1."):format(
     table.concat(parts_of, ", "), percent(independent.case(0.11, 0.25).last / 0.25 - 1),
     findings.partition(case_of(cases, 0.25, 2)).high / 0.25, wide.high / 0.25, wide.last / 0.25, low)
 end

@@ -54,8 +54,8 @@ local function caption_meshes(cases)
   for _, name in ipairs{ "cylinder", "plate" } do
     nodes, elements = nodes + mesh[name].nodes, elements + #mesh[name]:elements() // 4
   end
-  return ("Half cylinder and plate: %d nodes, %d elements, %g x %g µm at the contact. Below the "
-    .. "black lines (d) nothing moves."):format(nodes, elements, 1e3 * wanted.size,
+  return ("Half cylinder and plate: %d nodes, %d elements, %g x %g µm at the contact. Beyond the "
+    .. "black lines (d), away from the contact, nothing moves."):format(nodes, elements, 1e3 * wanted.size,
     1e3 * wanted.height)
 end
 

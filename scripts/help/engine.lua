@@ -256,8 +256,8 @@ return {
     text = "Largest pressure averaged over the usual length of contact{ average= }, plate at x = 0, "
       .. "nominal load: it settles as the mesh shrinks." },
   { "wear.p_peak", kind = "field", unit = "MPa",
-    text = "Largest pressure on the whole way of the cycle that the last update's wear comes from, "
-      .. "or p_max where that is larger. A groove's edge presses on the other body's near the ends "
+    text = "Largest pressure on the whole way of the last update's cycle, on the present surfaces, "
+      .. "under the loads it has there. A groove's edge presses on the other body's near the ends "
       .. "of the stroke, so that it may be far above p_max. It does not settle as elements get "
       .. "smaller. NaN in runs of files older than format 3, until they go on." },
   { "wear.travel", kind = "field", unit = "mm",

@@ -157,8 +157,9 @@ return {
     text = "How near the simulated alpha-tilde must come." },
   { "calibration", kind = "object", use = "calibrate{...}",
     text = "The numbers found or, over a list of distances, tables { distance=, value= } that wear{} "
-      .. "takes: continuous, with the measured volumes; spread, low and high tell how sure they are. "
-      .. "print shows them." },
+      .. "takes: constant between two measurements, which tell no more, with jumps at them, so that both "
+      .. "measured volumes are met; beyond the last it stays. spread, low and high tell how sure they "
+      .. "are. print shows them." },
   { "calibration.alpha", kind = "field", text = "Wear partition factor, or its table." },
   { "calibration.k", kind = "field", unit = "mm2/N", text = "Wear coefficient of the couple, or its table." },
   { "calibration.k_cylinder", kind = "field", unit = "mm2/N", text = "That of the cylinder." },

@@ -249,7 +249,7 @@ local function add_course(lines, self)
   lines[#lines + 1] = "  distance [mm]   k [mm2/N]                        alpha"
   local k, alpha = self.band.k, self.band.alpha
   for i = 1, #k.value do
-    local from, to = self.k.distance[2 * i - 1], self.k.distance[2 * i + 1]
+    local from, to = self.k.distance[2 * i - 1], self.k.distance[2 * i]
     local function range(band, format)
       local range_of = band.low[i] and (" (%s to %s)"):format(format:format(band.low[i]),
         format:format(band.high[i])) or ""

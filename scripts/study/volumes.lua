@@ -57,54 +57,22 @@ end
 
 -- --- tables over the distance ----------------------------------------------------------------------
 
--- Between two stretches: the slope that Fritsch and Butland give a monotonic curve there, here that
--- of the volume.
-local function between(a, b, length_a, length_b)
-  if a <= 0 or b <= 0 then return 0 end
-  local wa, wb = length_a + 2 * length_b, 2 * length_a + length_b
-  return (wa + wb) / (wa / a + wb / b)
-end
-
--- Values at both ends and in the middle of every stretch: continuous, nowhere below 0, linear in
--- between, and with the mean of each stretch kept exactly.
-local function ends_and_middles(mean, length)
-  local list, n = {}, #mean
-  for i = 2, n do
-    local a, b = mean[i - 1], mean[i]
-    list[2 * i - 1] = math.min(between(a, b, length[i - 1], length[i]), 2 * a, 2 * b)
-  end
-  local function outer(i, inner) -- on a line through the stretch's mean
-    return math.max(0, math.min(2 * mean[i], 2 * mean[i] - (list[inner] or mean[i])))
-  end
-  list[1], list[2 * n + 1] = outer(1, 3), outer(n, 2 * n - 1)
-  for i = 1, n do list[2 * i] = 2 * mean[i] - (list[2 * i - 1] + list[2 * i + 1]) / 2 end
-  return list
-end
-
--- alpha at the same points, so that the integral of k alpha over each stretch is that of k_cylinder
--- (k and alpha linear between points): at the ends the share of both, in the middle what is left.
-local function shares(k, k_cylinder, mean)
-  local list = {}
-  for i = 1, #k, 2 do
-    local around = mean[(i + 1) // 2] or mean[#mean]
-    list[i] = k[i] > 0 and k_cylinder[i] / k[i] or around.alpha or 0
-  end
-  for i = 2, #k, 2 do
-    local a, b, here = k[i - 1], k[i + 1], mean[i // 2]
-    local left = 12 * here.k_cylinder - list[i - 1] * (2 * a + k[i]) - list[i + 1] * (2 * b + k[i])
-    local weight = a + b + 4 * k[i]
-    list[i] = weight > 0 and left / weight or here.alpha or 0
-    list[i] = math.max(0, math.min(1, list[i]))
-  end
-  return list
-end
-
--- 0, and the measured distances, with the middles between.
+-- Each stretch from its beginning to its end: 0, and the measured distances, those between two
+-- stretches twice.
 local function points(distance)
-  local list = { 0 }
-  for _, d in ipairs(distance) do
-    local before = list[#list]
-    list[#list + 1], list[#list + 2] = (before + d) / 2, d
+  local list = {}
+  for i, d in ipairs(distance) do
+    list[2 * i - 1], list[2 * i] = distance[i - 1] or 0, d
+  end
+  return list
+end
+
+-- The means of the stretches, for points; where nothing was lost, alpha is that of the stretch before.
+local function steps(mean, name)
+  local list = {}
+  for i, each in ipairs(mean) do
+    local value = each[name] or list[2 * i - 2] or 0
+    list[2 * i - 1], list[2 * i] = value, value
   end
   return list
 end
@@ -123,24 +91,19 @@ local function stretches(distance, cylinder, plate, given)
   return list
 end
 
--- given: load, confidence, error. The volumes that wear{} takes with k and alpha, or each body with
--- its own k, are those measured. Returns the tables { distance=, value= } by name, and the bands
--- { distance=, value=, low=, high= }, of the means of the stretches at their middles.
+-- given: load, confidence, error. Tables { distance=, value= } by name, each stretch with its mean: no
+-- more is measured, and with it the volumes that wear{} takes with k and alpha are those measured. And
+-- the bands { distance=, value=, low=, high= } of these means, at the middles of the stretches.
 function volumes.course(distance, cylinder, plate, given)
   local list, at = stretches(distance, cylinder, plate, given), points(distance)
   local mean = map(list, function(stretch) return stretch.mean end)
-  local length = map(distance, function(d, i) return d - (distance[i - 1] or 0) end)
   local tables, bands = {}, {}
-  for _, name in ipairs{ "k_cylinder", "k_plate" } do
-    tables[name] = ends_and_middles(map(mean, function(m) return m[name] end), length)
-  end
-  tables.k = map(tables.k_cylinder, function(value, i) return value + tables.k_plate[i] end)
-  tables.alpha = shares(tables.k, tables.k_cylinder, mean)
   for _, name in ipairs(names) do
-    tables[name] = { distance = at, value = tables[name] }
+    tables[name] = { distance = at, value = steps(mean, name) }
     local band = { distance = {}, value = {}, low = {}, high = {} }
     for i, stretch in ipairs(list) do
-      band.distance[i], band.value[i] = at[2 * i], stretch.mean[name] or 0 / 0
+      band.distance[i] = (at[2 * i - 1] + at[2 * i]) / 2
+      band.value[i] = stretch.mean[name] or 0 / 0
       band.low[i], band.high[i] = stretch.low[name], stretch.high[name]
     end
     bands[name] = band

@@ -49,6 +49,9 @@ ok(found.smooth > search.limits.smooth, "the limit of roughness that this mesh n
 holds(tostring(c), { "jump", "roughness", "stable to", "was allowed" }, "print")
 
 -- A k that depends on the state is searched as its table is.
+local simple = study.converge{ base = { stroke = 0.15, rule = "simple", model = coarse }, mesh = false }
+ok(tostring(simple):find("lopsided"), "Eq. (5): it is the rule that is to blame, and it says so")
+
 local stepped = study.converge{ base = { alpha = 1, model = coarse,
   k = function(state) return state.distance < 300 and 2e-8 or 1e-8 end }, mesh = false }.cases[1].found
 local tabled = study.converge{ base = { alpha = 1, model = coarse,
@@ -150,19 +153,35 @@ for i, d in ipairs(at) do
 end
 local worst_off, taken = 0, { cylinder = 0, plate = 0 }
 for i, d in ipairs(course.k.distance) do
-  local truth = 1e-8 + 1.9e-8 * math.exp(-d / 80)
-  worst_off = math.max(worst_off, math.abs(course.k.value[i] / truth - 1))
   near(course.k_cylinder.value[i] + course.k_plate.value[i], course.k.value[i], 1e-12, "parts of k in tables")
+  near(course.k.value[i] * course.alpha.value[i], course.k_cylinder.value[i], 1e-12, "by alpha, too")
   local before = course.k.distance[i - 1]
   for _, body in ipairs{ "cylinder", "plate" } do
     local v = course["k_" .. body].value
     if before then taken[body] = taken[body] + 100 * (d - before) * (v[i] + v[i - 1]) / 2 end
   end
 end
+for i, d in ipairs(course.band.k.distance) do
+  worst_off = math.max(worst_off, math.abs(course.band.k.value[i] / (1e-8 + 1.9e-8 * math.exp(-d / 80)) - 1))
+end
 ok(worst_off < 0.06, ("k is that of the tests (within %.3f)"):format(worst_off))
+is(course.k.value[#course.k.value], course.band.k.value[#at], "the last stretch's mean is what goes on")
 near(taken.cylinder, on_way.cylinder[2][#at], 1e-9, "the cylinder's table alone gives its volume")
 near(taken.plate, on_way.plate[2][#at], 1e-9, "the plate's its own")
 is(#course.band.k.low, #at, "a band for each stretch")
+-- the share may change as it likes: nothing is lost between the bodies
+for _, case in ipairs{ { { 1e-6, 2e-6, 4e-5, 8e-5 }, { 1e-5, 2e-5, 2.2e-5, 2.4e-5 } },
+  { { 0, 1e-5, 1e-5, 1e-5 }, { 2e-5, 2e-5, 8e-5, 8e-5 } } } do
+  local hard = { distance = { 50, 137, 140, 400 }, load = 50, volume = { cylinder = case[1], plate = case[2] } }
+  local found = calibrate(hard)
+  local slid = wear{ k = found.k, alpha = found.alpha, load = 50, geometry = "frozen", increments = 8, jump = "auto",
+    model = coarse, distance = 400 }
+  for i, d in ipairs(hard.distance) do
+    slid:run{ distance = d }
+    ok(math.abs(slid.volume.cylinder - case[1][i]) < 1e-13 and math.abs(slid.volume.plate - case[2][i]) < 1e-13,
+      ("a share that jumps: both volumes at %g mm"):format(d))
+  end
+end
 for i = 1, #at do
   local band = course.band.alpha
   ok(band.low[i] < band.value[i] and band.value[i] < band.high[i] and band.high[i] <= 1, "which holds the mean")

@@ -106,9 +106,9 @@ static void check_stops(const arc_wear_def *def, int step_length) {
 static void test_stop(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
-  check_stops(&def, 17);
+  check_stops(&def, 31);
   def.jump_auto = 1;
-  check_stops(&def, 45);
+  check_stops(&def, 67);
   def.jump_auto = 0;
   def.increments = 4;
   def.scheme = ARC_IMPLICIT;

@@ -63,6 +63,9 @@ end
 local histories_of_k = { -- name, k, its integral [mm3/N], share it may be off by, more fields
   { "0, then 1e-8 at 600 mm", switched_k(0, 1e-8, 600), 7.2e-6, 1e-6 },
   { "the same by a table", steep(0, 1e-8, 600), 7.2e-6, 1e-9 },
+  { "the same by two values at 600 mm", { distance = { 0, 600, 600, 1320 }, value = { 0, 0, 1e-8, 1e-8 } }, 7.2e-6, 1e-9 },
+  { "small and large jumps in slopes", { distance = { 200, 200, 500, 500, 900, 900 },
+    value = { 1e-8, 1.02e-8, 2e-8, 0, 1e-8, 0.95e-8 } }, 2e-6 + 4.53e-6 + 2e-6 + 3.99e-6, 1e-7 },
   { "1e-9, then 3e-8 at 333 mm", switched_k(1e-9, 3e-8, 333), 0.333e-6 + 29.61e-6, 1e-6 },
   { "the same by a table", steep(1e-9, 3e-8, 333), 0.333e-6 + 29.61e-6, 1e-9 },
   { "tenfold, running in over 5 mm", function(s) return 1e-8 * (1 + 9 * math.exp(-s.distance / 5)) end,

@@ -59,6 +59,13 @@ for _, couple in ipairs{ { plate = { E = 2e3 } }, { plate = { E = 20e3 } }, { cy
     figures.note(("%s: volume / (k L d) %.6f"):format(name, w.volume.total / (1e-8 * 100 * 220)))
   end
 end
+local soft = { E = 2e3, nu = 0.1 }
+for name, w in pairs{ steel = wear{ slip = "total", stroke = 20, alpha = 0.3, jump = "auto", distance = 660 },
+  ["soft bodies"] = wear{ slip = "total", stroke = 20, alpha = 0.3, load = 20, k = 5e-9, jump = "auto", distance = 800,
+    model = { cylinder = soft, plate = soft } } } do
+  w:run()
+  within(w.volume.cylinder / w.volume.plate, 3 / 7, 1e-9, "total slip over the whole plate, " .. name .. ": V_c / V_p (Eq. 15)")
+end
 local steady = wear{ alpha = 1, slip = "total", distance = 440 }:run()
 -- The plate's strain under the contact, -(1 + nu)(1 - 2 nu) p / E at a half-plane's surface, shortens its way.
 local strain = -1.3 * 0.4 * figures.mean(steady.history.p_center, 2) / 200e3

@@ -71,3 +71,37 @@ for _, case in ipairs{ { 0, 0.44, 30 }, { 0, 0.22, 50 }, { 0.5, 0.22, 50 } } do
   figures.ok(found.jump >= table_1, what .. "and no less than Table 1's")
   figures.ok(found.judged == w.update, what .. "judged to the end")
 end
+
+-- The limit is looked at again where the coefficients grow, the share moves, the path widens; a run that
+-- keeps within it says nothing.
+local warnings = require "archard.warnings"
+warnings.keep()
+local function told(fields)
+  wear(fields):run{ progress = false }
+  return warnings.take() or ""
+end
+local past = { -- name, fields
+  { "k that jumps", { stroke = 0.22, jump = 100, distance = 400,
+    k = function(s) return s.distance < 271 and 1e-8 or 4e-8 end } },
+  { "a ramp of k", { stroke = 0.22, jump = 100, distance = 400, k = { distance = { 0, 660 }, value = { 1e-9, 5e-8 } } } },
+  { "k of the volume", { stroke = 0.22, jump = 100, distance = 400,
+    k = function(s) return 1e-8 * (1 + s.volume.total / 2e-4) end } },
+  { "a ramp of alpha", { stroke = 0.44, jump = 60, distance = 660, alpha = { distance = { 0, 660 }, value = { 0, 1 } } } },
+  { "a wider block", { jump = 100, loading = { { x = { -0.02, 0.02, -0.02 }, cycles = 1000 },
+    { x = { -0.4, 0.4, -0.4 }, cycles = 150 } } } },
+  { "a function for jump", { stroke = 0.22, distance = 200, jump = function(s) return s.distance < 99 and 10 or 200 end } },
+}
+for _, case in ipairs(past) do
+  local text = told(case[2])
+  figures.ok(text:find("past the stability limit of %d+ at distance"), case[1] .. " past the limit: " .. text:sub(1, 90))
+  local _, times = text:gsub("past the stability", "")
+  figures.ok(times == 1, case[1] .. ": said once")
+end
+for name, fields in pairs{
+  ["k that falls"] = { jump = 100, distance = 660, k = function(s) return 1e-8 * math.exp(-s.distance / 500) end },
+  ["k that grows within it"] = { jump = 20, distance = 660, k = { distance = { 0, 660 }, value = { 1e-9, 3e-8 } } },
+  ["auto"] = { jump = "auto", stroke = 0.22, distance = 400, k = { distance = { 0, 660 }, value = { 1e-9, 5e-8 } } },
+  ["out of the plane, few increments"] = { slide = "z", stroke = 1, increments = 10, jump = 2, distance = 100 },
+} do
+  figures.ok(told(fields) == "", name .. ": no warning")
+end

@@ -26,6 +26,58 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wea
   depth->peak = rate->peak;
 }
 
+/* --- what is measured --------------------------------------------------------------------------
+ */
+
+/* Wear [mm3/N] on the way to a state from the one before it. */
+static double dose_to(const arc_wear_record *state, const arc_wear_record *before) {
+  return state->k * (state->distance - before->distance);
+}
+
+/* Three states and the wear between them; those that are not known are NULL. */
+typedef struct course {
+  const arc_wear_record *before, *now, *ahead;
+  double since, to; /* [mm3/N] */
+} course;
+
+static course course_of(const arc_wear *w, const wear_plan *plan) {
+  course c = {.now = arc_wear_last(w), .ahead = plan->ahead};
+  if (w->records > 1) c.since = dose_to(c.now, c.now - 1);
+  if (c.since > 0) c.before = c.now - 1;
+  if (c.ahead) c.to = dose_to(c.ahead, c.now);
+  if (!(c.to > 0)) c.ahead = NULL;
+  return c;
+}
+
+/* A quantity of them after so much wear [mm3/N]: on the parabola through all three, where they fall
+ * or rise all the way; with no state ahead, as it went before, at a rate that fades. */
+static double on_course(const course *c, int column, double wear) {
+  const double now = arc_wear_record_get(c->now, column);
+  const double slope = c->before ? (now - arc_wear_record_get(c->before, column)) / c->since : 0;
+  if (!c->before && !c->ahead) return now;
+  if (!c->ahead) return fmax(now / 2, now + slope * wear / (1 + wear / c->since));
+  const double rise = (arc_wear_record_get(c->ahead, column) - now) / c->to;
+  const double bend = slope * rise > 0 ? (rise - slope) / (c->since + c->to) : 0;
+  return now + rise * wear + bend * wear * (wear - c->to);
+}
+
+/* Pressures and widths of a state on the way, and with a state ahead the depths too. */
+static void follow_course(const arc_wear *w, const wear_plan *plan, double wear,
+                          arc_wear_record *state) {
+  const course c = course_of(w, plan);
+  state->p_center = on_course(&c, ARC_WEAR_COLUMN_p_center, wear);
+  state->p_max = on_course(&c, ARC_WEAR_COLUMN_p_max, wear);
+  state->half_width = on_course(&c, ARC_WEAR_COLUMN_half_width, wear);
+  if (!c.ahead) return;
+  state->depth_cylinder = on_course(&c, ARC_WEAR_COLUMN_depth_cylinder, wear);
+  state->depth_plate = on_course(&c, ARC_WEAR_COLUMN_depth_plate, wear);
+}
+
+int arc_wear_follows(const arc_wear *w, const wear_plan *plan) {
+  return arc_wear_has_state_functions(w) && plan->block->periodic &&
+         (plan->staged || w->def.scheme == ARC_IMPLICIT);
+}
+
 arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double share,
                                     const wear_rate *rate, const wear_dose *dose) {
   arc_wear_record state = *arc_wear_last(w);
@@ -42,6 +94,9 @@ arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double s
       *deepest[b] = fmax(*deepest[b], h[i] + depth->node[b][i] + even);
   }
   arc_wear_add_volumes(w, w->shape, depth, &state);
+  const double k = dose->k[ARC_CYLINDER] + dose->k[ARC_PLATE];
+  if (arc_wear_follows(w, plan))
+    follow_course(w, plan, dose->cycles * k * plan->block->sliding, &state);
   state.depth_partition = arc_depth_partition(state.depth_cylinder, state.depth_plate);
   return state;
 }

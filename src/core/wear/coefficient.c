@@ -4,10 +4,12 @@
 
 #include <math.h>
 
-static double series_at(const arc_series *s, double distance) {
-  if (distance <= s->distance[0]) return s->value[0];
-  int i = 1;
-  while (i < s->count && s->distance[i] < distance) i++;
+/* At a distance, on the line through the point `inside`; two values at one distance are a jump, and
+ * the latter counts there. */
+static double series_at(const arc_series *s, double distance, double inside) {
+  int i = 0;
+  while (i < s->count && s->distance[i] <= inside) i++;
+  if (i == 0) return s->value[0];
   if (i == s->count) return s->value[s->count - 1];
   const double share = (distance - s->distance[i - 1]) / (s->distance[i] - s->distance[i - 1]);
   return s->value[i - 1] + share * (s->value[i] - s->value[i - 1]);
@@ -25,8 +27,8 @@ typedef struct source {
   double constant;
 } source;
 
-static double value_at(const source *s, double distance) {
-  return s->series->count > 0 ? series_at(s->series, distance) : s->constant;
+static double value_at(const source *s, double distance, double inside) {
+  return s->series->count > 0 ? series_at(s->series, distance, inside) : s->constant;
 }
 
 /* Mean of k alpha and k (1 - alpha) over [from, to]: both linear between points, so that Simpson's
@@ -35,7 +37,7 @@ static void average(const source *k, const source *alpha, double from, double to
                     double mean[ARC_BODIES]) {
   mean[ARC_CYLINDER] = mean[ARC_PLATE] = 0;
   if (!(to > from) || (k->series->count == 0 && alpha->series->count == 0)) {
-    const double at = (from + to) / 2, kv = value_at(k, at), av = value_at(alpha, at);
+    const double at = (from + to) / 2, kv = value_at(k, at, at), av = value_at(alpha, at, at);
     mean[ARC_CYLINDER] = kv * av;
     mean[ARC_PLATE] = kv * (1 - av);
     return;
@@ -44,8 +46,8 @@ static void average(const source *k, const source *alpha, double from, double to
     const double b = fmin(next_point(k->series, a, to), next_point(alpha->series, a, to));
     const double at[3] = {a, (a + b) / 2, b}, weight[3] = {1 / 6.0, 4 / 6.0, 1 / 6.0};
     for (int i = 0; i < 3; i++) {
-      const double share = weight[i] * (b - a) / (to - from), kv = value_at(k, at[i]),
-                   av = value_at(alpha, at[i]);
+      const double share = weight[i] * (b - a) / (to - from), kv = value_at(k, at[i], at[1]),
+                   av = value_at(alpha, at[i], at[1]);
       mean[ARC_CYLINDER] += share * kv * av;
       mean[ARC_PLATE] += share * kv * (1 - av);
     }

@@ -13,6 +13,8 @@ static const double tolerance = 1e-5;
 /* A step as short as this share of the update holds a jump; so near its ends none is looked for,
  * and functions are asked no nearer, so that a jump right there belongs to one update only. */
 static const double shortest = 1e-9, margin = 1e-7;
+/* So much of a step lies before the point of a table that it ends at, where the table may jump. */
+static const double before_point = 1 - 1e-9;
 /* What is a jump: this share of the larger value, over an interval of a table that is so much
  * shorter than those beside it. */
 static const double large = 0.1, steep = 20;
@@ -20,8 +22,12 @@ static const double large = 0.1, steep = 20;
 static const double chosen_steps = 4, open_steps = 64;
 /* So near to the integral that a plan may reach is there. */
 static const double near = 1e-3;
-/* Functions that no step can follow (random ones) are sampled evenly after so many calls. */
-enum { most_calls = 1000 };
+/* Functions are asked all along the way, so often in a cycle or, in long runs, so often in the run:
+ * what they do in between shows in no estimate. Nothing that repeats is in step with that. */
+static const double per_cycle = 1.618, per_run = 3236;
+/* Functions that no step can follow (random ones) are sampled evenly after so many steps more were
+ * refused than taken. */
+enum { most_refused = 200 };
 
 typedef struct dose_way {
   arc_wear *w;
@@ -34,6 +40,7 @@ typedef struct dose_way {
   double k[ARC_BODIES]; /* at `at` */
   double only[ARC_BODIES];
   int calls, constant; /* constant: all of them gave `only` */
+  int refused;         /* steps, more than were taken */
   int sampled;         /* no step could follow */
 } dose_way;
 
@@ -69,7 +76,7 @@ static arc_status try_step(dose_way *s, double h, double y[ARC_BODIES], double k
   for (int b = 0; b < ARC_BODIES; b++) on[b] = s->y[b] + 3 * h / 4 * k2[b];
   if ((status = ask(s, s->at + 3 * h / 4, on, k3)) != ARC_OK) return status;
   for (int b = 0; b < ARC_BODIES; b++) y[b] = s->y[b] + h * (2 * k1[b] + 3 * k2[b] + 4 * k3[b]) / 9;
-  if ((status = ask(s, s->at + h, y, k)) != ARC_OK) return status;
+  if ((status = ask(s, s->at + h * before_point, y, k)) != ARC_OK) return status;
   const double scale = fmax(fmax(larger(k1), larger(k2)), fmax(larger(k3), larger(k)));
   double off = 0;
   for (int b = 0; b < ARC_BODIES; b++)
@@ -114,11 +121,13 @@ static int table_jumps(const dose_way *s, const arc_series *t, double share, dou
   const double end = distance_at(s, share);
   for (int i = 1; i < t->count; i++) {
     const double width = t->distance[i] - t->distance[i - 1];
-    if (fabs(t->distance[i] - end) > 1e-6 * width) continue;
+    if (fabs(t->distance[i] - end) > fmax(1e-6 * width, 1e-12 * end)) continue;
+    if (width == 0) return 1;
     const double before = i > 1 ? t->distance[i - 1] - t->distance[i - 2] : INFINITY;
     const double after = i + 1 < t->count ? t->distance[i + 1] - t->distance[i] : INFINITY;
-    return fabs(t->value[i] - t->value[i - 1]) > large * range && steep * width < before &&
-           steep * width < after;
+    if (fabs(t->value[i] - t->value[i - 1]) > large * range && steep * width < before &&
+        steep * width < after)
+      return 1;
   }
   return 0;
 }
@@ -143,18 +152,28 @@ static double first_length(const dose_way *s, double longest) {
   return fmin(longest, whole / chosen_steps);
 }
 
+/* That of the longest step, as a share of the way. */
+static double longest_step(const dose_way *s) {
+  const arc_wear *w = s->w;
+  const double steps = isfinite(s->plan->most) ? open_steps : chosen_steps;
+  const double run = w->def.distance - w->block[0].start_distance;
+  const double asked = fmax(s->plan->block->sliding / per_cycle, run / per_run) / s->length;
+  return fmin(1 / steps, arc_wear_has_state_functions(w) ? asked : 1);
+}
+
 /* What is left, in even steps that nothing refuses. */
 static arc_status sample_rest(dose_way *s) {
-  const double most = s->plan->most / s->length, h = (1 - s->at) / open_steps;
+  const int steps = (int)fmax(open_steps, ceil((1 - s->at) / longest_step(s)));
+  const double most = s->plan->most / s->length, h = (1 - s->at) / steps;
   s->sampled = 1;
-  for (int i = 1; i <= (int)open_steps; i++) {
+  for (int i = 1; i <= steps; i++) {
     double y[ARC_BODIES], k[ARC_BODIES], error;
     const arc_status status = try_step(s, h, y, k, &error);
     if (status != ARC_OK) return status;
     const double added = total(y) - total(s->y), left = most - total(s->y);
     const double share = added > left ? left / added : 1;
     for (int b = 0; b < ARC_BODIES; b++) y[b] = s->y[b] + share * (y[b] - s->y[b]);
-    take_step(s, i == (int)open_steps && share == 1 ? 1 : s->at + share * h, y, k);
+    take_step(s, i == steps && share == 1 ? 1 : s->at + share * h, y, k);
     if (share < 1) break;
   }
   return ARC_OK;
@@ -163,19 +182,19 @@ static arc_status sample_rest(dose_way *s) {
 /* Goes to the end of the way: that of the plan, of the integral it may reach, or a jump. */
 static arc_status go(dose_way *s) {
   const double most = s->plan->most / s->length;
-  const double longest = 1 / (isfinite(most) ? open_steps : chosen_steps);
+  const double longest = longest_step(s);
   arc_status status = ask(s, 0, s->y, s->k);
   double h = status == ARC_OK ? first_length(s, longest) : 0;
   while (status == ARC_OK && s->at < 1) {
     double y[ARC_BODIES], k[ARC_BODIES], error, end = next_end(s);
-    if (s->calls > most_calls + 4 * (s->w->def.k_series.count + s->w->def.alpha_series.count))
-      return sample_rest(s);
+    if (s->refused > most_refused) return sample_rest(s);
     h = fmax(fmin(h, longest), shortest);
     if (s->at + h * (1 + 1e-6) < end) end = s->at + h;
     const double length = end - s->at;
     if ((status = try_step(s, length, y, k, &error)) != ARC_OK) return status;
     if (error > 1 && length > 2 * shortest) {
       h = length * fmax(0.1, 0.9 * cbrt(1 / error));
+      s->refused++;
       continue;
     }
     if (total(y) > most * (1 + near)) { /* too far: to the point where it is reached */
@@ -185,6 +204,7 @@ static arc_status go(dose_way *s) {
     }
     const int jump = ends_jump(s, end, s->at, k);
     take_step(s, end, y, jump ? s->k : k); /* what comes after a jump is another update's */
+    s->refused -= s->refused > 0 && length > 3 * shortest;
     if (jump || total(y) >= most * (1 - near)) return ARC_OK;
     h = length * fmin(5, error > 0 ? 0.9 * cbrt(1 / error) : 5);
   }

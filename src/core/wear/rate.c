@@ -46,7 +46,7 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at, we
   apply_law(w, p, point);
   for (int b = 0; b < ARC_BODIES && w->def.slip == ARC_SLIP_TOTAL; b++)
     arc_pose_tangential(p, window->shape, (arc_body)b, point->u[b]);
-  return arc_wear_local(w, window->state, point, error);
+  return window->state ? arc_wear_local(w, window->state, point, error) : ARC_OK;
 }
 
 /* NSP or a way out of the plane, under a steady load: the next point is the last one again. */
@@ -109,6 +109,14 @@ static void add_even(const arc_wear *w, const wear_point *point, wear_rate *rate
     rate->even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
+/* The same of work with the elastic part of the slip: what all its nodes would lose, per length. */
+static void spread_work(const arc_wear *w, wear_rate *rate) {
+  const shape_side *plate = &w->shape->side[ARC_PLATE];
+  for (int l = 0; l < plate->n; l++)
+    rate->even += rate->node[ARC_PLATE][l] * arc_shape_width(plate, l);
+  rate->even /= w->path.block->sliding;
+}
+
 /* Share of point `at` in the integral over the window [mm of sliding]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
   const wear_block *b = w->path.block;
@@ -147,10 +155,11 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
     add_to_jacobian(w, window, at);
     if (at > window->first)
       add_increment(w, at, rate);
-    else if (wears_evenly(w))
+    else if (wears_evenly(w) && w->def.slip == ARC_SLIP_RIGID)
       add_even(w, &w->path.point[at % 2], rate);
   }
   if (window->jacobian) arc_wear_jacobian_finish(window->jacobian);
+  if (wears_evenly(w) && w->def.slip == ARC_SLIP_TOTAL) spread_work(w, rate);
   incline(w, window, rate);
   return ARC_OK;
 }

@@ -17,7 +17,7 @@ typedef struct wear_window {
   int first, last;
   int chained;                    /* the path holds the solved point `first`, of an earlier shape
                                      (Eq. 4) */
-  const arc_wear_record *state;   /* for local factors */
+  const arc_wear_record *state;   /* for local factors; NULL: they are not asked */
   const wear_trial *trial;        /* NULL: the shape as it is */
   struct wear_jacobian *jacobian; /* if not NULL, written */
 } wear_window;

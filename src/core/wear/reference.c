@@ -48,7 +48,8 @@ arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record
                             arc_error *error) {
   const arc_status status = measure_contact(w, shape, record, error);
   if (status != ARC_OK) return status;
-  record->p_peak = fmax(record->p_peak, record->p_max);
+  if (w->def.blocks == 0 || record->p_peak == 0)
+    record->p_peak = fmax(record->p_peak, record->p_max);
   record->elements = arc_model_mesh(w->model, ARC_CYLINDER)->elements +
                      arc_model_mesh(w->model, ARC_PLATE)->elements;
   record->depth_cylinder = arc_shape_depth(shape, ARC_CYLINDER);

@@ -26,6 +26,25 @@ typedef struct wear_work {
   double *slip; /* [4 * (nc + np)] of an increment */
 } wear_work;
 
+/* The wear of a cycle of a block on the present surfaces: found with them, as the next update
+ * begins with it. Leaves no trace in results. */
+typedef struct wear_start {
+  const wear_block *block; /* NULL: unknown */
+  wear_rate rate;
+  int solutions;                  /* it took, and no record counts yet */
+  struct wear_jacobian *jacobian; /* NULL: none was ever wanted */
+  int linear;                     /* the Jacobian belongs to it */
+} wear_start;
+
+/* What the limit of stability was found for. */
+typedef struct wear_judged {
+  const wear_block *block; /* NULL: not yet */
+  double k[ARC_BODIES];    /* [mm2/N] */
+  double p_center;         /* [MPa] */
+  double eigenvalue;       /* [1/cycle] */
+  int warned;
+} wear_judged;
+
 struct arc_wear {
   arc_model *model;
 
@@ -47,6 +66,8 @@ struct arc_wear {
   pose reference; /* plate at x = 0, nominal load */
   wear_work work;
   int warned; /* the callbacks know what speaks against this definition */
+  wear_judged judged;
+  wear_start start;
 };
 
 /* The plate stays flat, and wears everywhere alike. */

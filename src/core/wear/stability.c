@@ -4,6 +4,7 @@
 #include "core/wear/step.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 static double normalise(int n, double *v) {
@@ -39,15 +40,13 @@ double arc_wear_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
   return value;
 }
 
-arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error) {
-  const arc_wear_record *now = arc_wear_last(w);
-  const wear_block *block = arc_wear_block_at(w, now->cycle);
-  double k[ARC_BODIES];
+/* Of a cycle of a block on the present surfaces, at these coefficients. */
+static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
+                                  double *eigenvalue, arc_error *error) {
   *eigenvalue = 0;
-  arc_status status = arc_path_enter(&w->path, block, w->model, error);
-  if (status == ARC_OK) status = arc_wear_coefficients_now(w, k, error);
-  if (status != ARC_OK) return status;
   if (k[ARC_CYLINDER] == 0 && k[ARC_PLATE] == 0) return ARC_OK;
+  arc_status status = arc_path_enter(&w->path, block, w->model, error);
+  if (status != ARC_OK) return status;
   const size_t n = (size_t)(w->nc + w->np);
   wear_jacobian jacobian = {0};
   double *work = malloc(2 * n * sizeof *work);
@@ -55,8 +54,10 @@ arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error)
     free(work);
     return arc_fail(error, ARC_MEMORY, "out of memory for the stability limit");
   }
-  const wear_window cycle = {
-      .shape = w->shape, .last = block->count - 1, .state = now, .jacobian = &jacobian};
+  const wear_window cycle = {.shape = w->shape,
+                             .last = block->count - 1,
+                             .state = arc_wear_last(w),
+                             .jacobian = &jacobian};
   wear_watch nobody = {0};
   status = arc_wear_evaluate(w, &cycle, &nobody, &w->work.rate, error);
   if (status == ARC_OK) *eigenvalue = arc_wear_eigenvalue(w, k, jacobian.value, work);
@@ -65,28 +66,76 @@ arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error)
   return status;
 }
 
-/* --- warnings --- */
-
-/* Under constant coefficients it changes by a hundredth or two over a run. */
-static int limit_varies(const arc_wear *w) {
-  const arc_wear_def *d = &w->def;
-  return d->k_function || d->alpha_function || d->k_series.count > 0 || d->alpha_series.count > 0 ||
-         d->law != ARC_LAW_ARCHARD || d->local_factor || w->blocks > 1;
+arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error) {
+  const wear_block *block = arc_wear_block_at(w, arc_wear_last(w)->cycle);
+  double k[ARC_BODIES];
+  const arc_status status = arc_wear_coefficients_now(w, k, error);
+  return status == ARC_OK ? find_eigenvalue(w, block, k, eigenvalue, error) : status;
 }
 
-/* A fixed explicit jump past the limit: its ripples grow until the results mean nothing. */
-static void warn_unstable(arc_wear *w, const arc_callbacks *callbacks) {
-  const arc_wear_def *d = &w->def;
-  double eigenvalue;
-  if (d->scheme != ARC_EXPLICIT || d->jump_auto || d->jump_function) return;
-  if (!arc_wear_block_at(w, arc_wear_last(w)->cycle)->periodic) return; /* one increment a step */
-  if (arc_wear_stability(w, &eigenvalue, NULL) != ARC_OK) return;       /* the step will tell */
-  const double limit = 2 / eigenvalue;
-  if (d->jump <= limit) return;
+/* --- warnings --- */
+
+/* Explicit jumps that the user chose, of whole cycles. */
+static int may_ripple(const arc_wear *w, const wear_block *block) {
+  return w->def.scheme == ARC_EXPLICIT && !w->def.jump_auto && block->periodic;
+}
+
+/* What the eigenvalue may have become at most: it is linear in the coefficients together. */
+static double eigenvalue_at_most(const wear_judged *j, const double k[ARC_BODIES]) {
+  static const double noticed = 1.01;
+  double growth = 1;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    if (j->k[b] == 0 && k[b] > 0) return INFINITY;
+    if (k[b] > noticed * j->k[b]) growth = fmax(growth, k[b] / j->k[b]);
+  }
+  return growth * j->eigenvalue;
+}
+
+/* Whether an update of so many cycles calls for another look: it costs a cycle of solutions. */
+static int may_be_past(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
+                       double cycles) {
+  static const double fallen = 0.8;
+  const wear_judged *j = &w->judged;
+  if (j->block != block) return 1;
+  if ((w->def.law != ARC_LAW_ARCHARD || w->def.local_factor) &&
+      arc_wear_last(w)->p_center < fallen * j->p_center)
+    return 1; /* the coefficients may grow at other pressures */
+  return cycles * eigenvalue_at_most(j, k) > 2;
+}
+
+/* An update past the limit: its ripples grow until the results mean nothing. Said once. */
+static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIES], double cycles,
+                  const arc_callbacks *callbacks) {
+  wear_judged *j = &w->judged;
+  const arc_wear_record *now = arc_wear_last(w);
+  if (!may_be_past(w, block, k, cycles)) return;
+  if (find_eigenvalue(w, block, k, &j->eigenvalue, NULL) != ARC_OK) return; /* the step will tell */
+  j->block = block;
+  j->p_center = now->p_center;
+  for (int b = 0; b < ARC_BODIES; b++) j->k[b] = k[b];
+  const double limit = 2 / j->eigenvalue;
+  if (cycles <= limit) return;
+  j->warned = 1;
+  char where[60] = "";
+  if (now->distance > 0) snprintf(where, sizeof where, " at distance %g mm", now->distance);
   arc_warn(callbacks,
-           "jump = %g cycles is past the stability limit of %.*g: ripples will grow; use jump = "
+           "jump = %g cycles is past the stability limit of %.*g%s: ripples will grow; use jump = "
            "\"auto\" or scheme = \"implicit\"",
-           d->jump, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit));
+           cycles, limit < 1 ? 2 : 6, limit < 1 ? limit : floor(limit), where);
+}
+
+static void warn_unstable(arc_wear *w, const arc_callbacks *callbacks) {
+  const wear_block *block = arc_wear_block_at(w, arc_wear_last(w)->cycle);
+  double k[ARC_BODIES];
+  if (w->judged.block || w->def.jump_function || !may_ripple(w, block)) return;
+  if (arc_wear_coefficients_now(w, k, NULL) == ARC_OK) judge(w, block, k, w->def.jump, callbacks);
+}
+
+void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_callbacks *callbacks) {
+  const arc_wear_record *now = arc_wear_last(w);
+  const double k[ARC_BODIES] = {now->k * now->alpha, now->k * (1 - now->alpha)};
+  if (!callbacks || !callbacks->warn || w->judged.warned || !may_ripple(w, block)) return;
+  judge(w, block, k, now->jump, callbacks);
 }
 
 /* The longest increment, over what follows the contact well. */
@@ -105,7 +154,7 @@ static double longest_increment(const arc_wear *w) {
 static void warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double leap = 4; /* half the contact's half width */
   const arc_wear_def *d = &w->def;
-  if (d->increments == 0 || w->procedure == ARC_NSP) return;
+  if (d->increments == 0 || w->procedure == ARC_NSP || d->slide == ARC_SLIDE_Z) return;
   const double longest = longest_increment(w);
   if (longest <= leap * (1 + 1e-9)) return;
   if (d->blocks > 0)
@@ -127,6 +176,6 @@ void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks) {
   if (!callbacks || !callbacks->warn || last->distance >= w->def.distance) return;
   if (!w->warned && last->update == 0) arc_model_warn(w->model, last->half_width, callbacks);
   if (!w->warned) warn_leaps(w, callbacks);
-  if (!w->warned || limit_varies(w)) warn_unstable(w, callbacks);
+  warn_unstable(w, callbacks);
   w->warned = 1;
 }

@@ -10,34 +10,35 @@ static double tolerance_of(const arc_wear *w, const wear_plan *plan) {
   return plan->staged ? ARC_STAGED_TOLERANCE : w->def.tolerance;
 }
 
-/* Such steps also answer for functions of the state: of what they gave at the end without having
- * been foreseen, half is missing in the step, over the share of wear that it adds. */
-static arc_status add_coefficient_error(arc_wear *w, const wear_plan *plan, wear_outcome *out,
-                                        arc_error *error) {
+/* What functions of the state give at the end of a step without having been foreseen, over the
+ * largest there; 0 where nothing could be foreseen. */
+static arc_status find_surprise(arc_wear *w, const wear_outcome *out, double *surprise,
+                                arc_error *error) {
   static const double margin = 1e-6; /* of the step: what jumps at its end is not its own */
-  const double tolerance = tolerance_of(w, plan);
-  arc_wear_record *record = &out->record;
-  if (!arc_wear_has_state_functions(w) || tolerance == 0) return ARC_OK;
   const arc_wear_record *before = arc_wear_last(w);
-  arc_wear_record end = *record;
+  arc_wear_record end = out->record;
   double k[ARC_BODIES];
+  *surprise = 0;
   end.distance -= margin * (end.distance - before->distance);
   end.cycle -= margin * (end.cycle - before->cycle);
   const arc_status status = arc_wear_coefficients(w, end.distance, end.distance, &end, k, error);
-  const double largest = fmax(record->k, k[ARC_CYLINDER] + k[ARC_PLATE]);
+  const double largest = fmax(out->record.k, k[ARC_CYLINDER] + k[ARC_PLATE]);
   if (status != ARC_OK || !(largest > 0)) return status;
-  const double gone = record->distance - w->block[0].start_distance;
-  const double added = gone > 0 ? (record->distance - before->distance) / gone : 1;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const double off = fabs(k[b] - out->foreseen[b]) / 2;
-    record->error = fmax(record->error, off / largest * added / tolerance); /* NaN says nothing */
-  }
+  for (int b = 0; b < ARC_BODIES; b++)
+    *surprise = fmax(*surprise, fabs(k[b] - out->foreseen[b]) / largest); /* NaN says nothing */
   return ARC_OK;
 }
 
+/* Change of both bodies' coefficients between two records, over the larger k. */
+static double apart(const arc_wear_record *a, const arc_wear_record *b) {
+  const double c = fabs(a->k * a->alpha - b->k * b->alpha);
+  const double p = fabs(a->k * (1 - a->alpha) - b->k * (1 - b->alpha)), k = fmax(a->k, b->k);
+  return k > 0 ? fmax(c, p) / k : 0;
+}
+
 /* Tries the plan on a copy of the shape; the run itself stays. */
-static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
-                          arc_error *error) {
+static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
+                               arc_error *error) {
   const arc_wear_record *last = arc_wear_last(w);
   arc_wear_record *record = &out->record;
   *record = *last;
@@ -51,8 +52,41 @@ static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_
   record->jump = plan->cycles;
   record->distance = plan->end;
   record->solutions = last->solutions + watch->solutions;
-  status = arc_wear_measure(w, out->shape, record, error);
-  return status == ARC_OK ? add_coefficient_error(w, plan, out, error) : status;
+  return arc_wear_measure(w, out->shape, record, error);
+}
+
+/* Share of wear that a step adds. */
+static double added_by(const arc_wear *w, const arc_wear_record *end) {
+  const double gone = end->distance - w->block[0].start_distance;
+  return gone > 0 ? (end->distance - arc_wear_last(w)->distance) / gone : 1;
+}
+
+/* Steps of second order are tried again with the state they led to ahead, where functions of it
+ * were surprised. Steps that choose themselves answer for what is left: of a surprise half is
+ * missing, of a parabola's way less than a third of what it was off at first. */
+static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
+                          arc_error *error) {
+  enum { most_tries = 3 };
+  static const double let_pass = 0.02, usual = 1e-3, left_over = 0.3;
+  const double tolerance = tolerance_of(w, plan), goal = tolerance > 0 ? tolerance : usual;
+  arc_wear_record ahead;
+  double surprise = 0, off = 0;
+  plan->ahead = NULL;
+  for (int try = 0; try < most_tries; try++) {
+    arc_status status = attempt_once(w, plan, watch, out, error);
+    const int follows = status == ARC_OK && (tolerance > 0 || arc_wear_follows(w, plan));
+    if (!follows || !arc_wear_has_state_functions(w)) return status;
+    if ((status = find_surprise(w, out, &surprise, error)) != ARC_OK) return status;
+    if (plan->ahead) off = fmax(off, left_over * apart(&ahead, &out->record));
+    ahead = out->record;
+    plan->ahead = &ahead;
+    if (!arc_wear_follows(w, plan) || surprise * added_by(w, &ahead) <= let_pass * goal) break;
+  }
+  plan->ahead = NULL;
+  if (tolerance > 0)
+    out->record.error =
+        fmax(out->record.error, fmax(surprise / 2, off) * added_by(w, &out->record) / tolerance);
+  return ARC_OK;
 }
 
 /* A law with a jump in it may have no implicit solution for any step: then the plan is an explicit
@@ -175,13 +209,16 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   if (status != ARC_OK || !*moved) return status;
   status = attempt_with_cuts(w, &plan, &watch, &out, error);
   if (status == ARC_OK) status = meet_targets(w, &plan, &watch, targets, &out, error);
+  if (status == ARC_OK) status = arc_wear_scan(w, &plan, &out, callbacks, error);
   if (status == ARC_OK) status = arc_wear_append(w, &out.record, error);
+  if (status != ARC_OK) w->start.block = NULL;
   if (status == ARC_OK) {
     arc_shape *old = w->shape;
     w->shape = out.shape;
     out.shape = old;
   }
   arc_shape_destroy(&out.shape);
+  if (status == ARC_OK) arc_wear_watch_ripples(w, plan.block, callbacks);
 #ifdef ARC_CHECKS
   arc_error broken;
   if (status == ARC_OK && arc_wear_validate(w, &broken) == ARC_NUMERIC)

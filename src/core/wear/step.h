@@ -14,6 +14,7 @@ typedef struct wear_plan {
   int first;     /* generic history: the increment */
   int explicit;  /* although the scheme is implicit */
   int staged;    /* explicit, in stages, with an estimate of its error */
+  const arc_wear_record *ahead; /* the state at the end, by an attempt; NULL: none yet */
 } wear_plan;
 
 /* What it leads to. */
@@ -45,6 +46,9 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wea
 /* Volumes [mm3] that depths take from a shape, before it is worn by them. */
 void arc_wear_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                           arc_wear_record *record);
+/* Whether functions of the state are asked with the pressures and widths of the way, rather than
+ * those of its start: in updates of second order. */
+int arc_wear_follows(const arc_wear *w, const wear_plan *plan);
 /* The state a share of the way through an update; with a rate, also what it takes in a dose. */
 arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double share,
                                     const wear_rate *rate, const wear_dose *dose);
@@ -79,13 +83,20 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
 arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
                            arc_error *error);
 
+/* Solves a cycle on the surfaces an explicit update led to, which the next one begins with, and
+ * notes its largest pressure. */
+arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
+                         const arc_callbacks *callbacks, arc_error *error);
+
 /* --- stability.c --- */
 /* Growth rate of ripples [1/cycle] at these coefficients, by the Jacobian of a cycle. work [2 n].
  */
 double arc_wear_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], const double *jacobian,
                            double *work);
-/* Tells what speaks against this run before it goes on: once for a definition, and whenever the
- * limit of stability may have changed, since to find it costs a cycle of contact solutions. */
+/* Tells, once for a definition, what speaks against this run before it goes on. */
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);
+/* Tells, once for a definition, that the last update, of this block, was longer than is stable;
+ * looks where its coefficients have grown, or the path changed, since the last look. */
+void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_callbacks *callbacks);
 
 #endif

@@ -113,20 +113,70 @@ typedef struct whole {
   wear_watch *watch;
   wear_rate *rate; /* at the start, where known */
   wear_dose dose;
-  wear_jacobian jacobian; /* of the start, for stages */
-  double *work;           /* [2 n] with it; NULL: no stages */
+  double *work; /* [2 n] for stages; NULL: none */
 } whole;
 
 static arc_status whole_create(whole *u) {
   const arc_wear *w = u->w;
   if (!u->plan->staged) return ARC_OK;
   u->work = malloc(2 * (size_t)(w->nc + w->np) * sizeof *u->work);
-  return u->work ? arc_wear_jacobian_create(&u->jacobian, w->nc, w->np) : ARC_MEMORY;
+  return u->work ? ARC_OK : ARC_MEMORY;
 }
 
-static void whole_free(whole *u) {
-  arc_wear_jacobian_free(&u->jacobian);
-  free(u->work);
+/* --- the start --- */
+
+static arc_status want_jacobian(arc_wear *w, arc_error *error) {
+  wear_start *s = &w->start;
+  if (s->jacobian) return ARC_OK;
+  s->jacobian = calloc(1, sizeof *s->jacobian);
+  if (s->jacobian && arc_wear_jacobian_create(s->jacobian, w->nc, w->np) == ARC_OK) return ARC_OK;
+  free(s->jacobian);
+  s->jacobian = NULL;
+  return arc_fail(error, ARC_MEMORY, "out of memory for an update");
+}
+
+/* Solves a window as the start of an update; the wear of whole cycles is kept, unless factors
+ * depend on a state. */
+static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window window,
+                              wear_watch *watch, arc_error *error) {
+  wear_start *s = &w->start;
+  const int before = watch->solutions;
+  s->block = NULL;
+  s->linear = plan->staged;
+  arc_status status = s->linear ? want_jacobian(w, error) : ARC_OK;
+  window.jacobian = s->linear ? s->jacobian : NULL;
+  if (status == ARC_OK) status = arc_wear_evaluate(w, &window, watch, &s->rate, error);
+  if (status != ARC_OK) return status;
+  s->solutions = watch->solutions - before;
+  if (plan->block->periodic && !w->def.local_factor) s->block = plan->block;
+  return ARC_OK;
+}
+
+/* The kept one into `rate`; its solutions count once. */
+static void take_start(arc_wear *w, wear_rate *rate) {
+  const wear_rate *from = &w->start.rate;
+  memcpy(rate->node[0], from->node[0], (size_t)(w->nc + w->np) * sizeof(double));
+  rate->even = from->even;
+  rate->peak = from->peak;
+  w->start.solutions = 0;
+}
+
+arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
+                         const arc_callbacks *callbacks, arc_error *error) {
+  const int split = w->def.update == ARC_UPDATE_INCREMENT && w->procedure == ARC_SP;
+  w->start.block = NULL;
+  if (!is_explicit(w, plan) || !plan->block->periodic || split || arc_wear_closed_form(w))
+    return ARC_OK;
+  wear_watch later = {.callbacks = callbacks};
+  const wear_window cycle = {.shape = out->shape,
+                             .last = plan->block->count - 1,
+                             .state = w->def.local_factor ? NULL : &out->record};
+  const arc_status status = solve_start(w, plan, cycle, &later, error);
+  if (status == ARC_ZONE || status == ARC_NUMERIC) return ARC_OK; /* the next step will tell */
+  if (status != ARC_OK) return status;
+  out->record.p_peak = w->start.rate.peak;
+  if (w->def.blocks == 0) out->record.p_peak = fmax(out->record.p_peak, out->record.p_max);
+  return ARC_OK;
 }
 
 /* The rate at the start, where it is asked for: by explicit updates, and by functions of the state
@@ -139,9 +189,14 @@ static arc_status find_start(whole *u, arc_error *error) {
     closed_form(w, u->rate);
     return ARC_OK;
   }
-  wear_window start = u->window;
-  start.jacobian = u->work ? &u->jacobian : NULL;
-  return arc_wear_evaluate(w, &start, u->watch, u->rate, error);
+  const wear_start *kept = &w->start;
+  arc_status status = ARC_OK;
+  if (kept->block == u->plan->block && (kept->linear || !u->work))
+    u->watch->solutions += kept->solutions;
+  else
+    status = solve_start(w, u->plan, u->window, u->watch, error);
+  if (status == ARC_OK) take_start(w, u->rate);
+  return status;
 }
 
 /* The dose of the plan, cut to what stages can take; and the eigenvalue there. */
@@ -149,7 +204,7 @@ static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
   arc_wear *w = u->w;
   arc_status status = arc_wear_dose(w, u->plan, u->rate, &u->dose, error);
   for (int cut = 0; cut < 3 && u->work && status == ARC_OK; cut++) {
-    *eigenvalue = arc_wear_eigenvalue(w, u->dose.k, u->jacobian.value, u->work);
+    *eigenvalue = arc_wear_eigenvalue(w, u->dose.k, w->start.jacobian->value, u->work);
     const double longest = arc_wear_longest_staged(w, *eigenvalue);
     if (u->dose.cycles <= longest) break;
     arc_wear_plan_shorten(w, u->plan, longest);
@@ -193,7 +248,7 @@ static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
     arc_fail(error, status, "out of memory for an update");
   else
     status = depths_of_update(&u, depth, error);
-  whole_free(&u);
+  free(u.work);
   if (status != ARC_OK) return status;
   arc_wear_note_coefficients(u.dose.k, &out->record);
   memcpy(out->foreseen, u.dose.last, sizeof out->foreseen);

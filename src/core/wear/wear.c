@@ -13,11 +13,13 @@ static arc_status out_of_memory(arc_error *error) {
 static arc_status allocate(arc_wear *w) {
   const int nc = w->nc = arc_model_mesh(w->model, ARC_CYLINDER)->surface;
   const int np = w->np = arc_model_mesh(w->model, ARC_PLATE)->surface;
-  double *rate = calloc(6 * (size_t)(nc + np), sizeof *rate);
+  double *rate = calloc(7 * (size_t)(nc + np), sizeof *rate);
   if (!rate) return ARC_MEMORY;
   double *depth = rate + nc + np;
   w->work = (wear_work){
       .rate.node = {rate, rate + nc}, .depth.node = {depth, depth + nc}, .slip = depth + nc + np};
+  double *start = rate + 6 * (nc + np);
+  w->start.rate = (wear_rate){.node = {start, start + nc}};
   if (arc_path_create(&w->path, w->model) != ARC_OK) return ARC_MEMORY;
   return arc_pose_create(&w->reference, w->model);
 }
@@ -149,6 +151,8 @@ void arc_wear_destroy(arc_wear **wear) {
   arc_pose_free(&w->reference);
   arc_wear_blocks_free(&w->block, w->blocks);
   arc_wear_def_free(&w->def);
+  if (w->start.jacobian) arc_wear_jacobian_free(w->start.jacobian);
+  free(w->start.jacobian);
   free(w->work.rate.node[0]);
   free(w->history);
   arc_shape_destroy(&w->shape);
@@ -229,9 +233,10 @@ arc_model *arc_wear_model(const arc_wear *w) {
 }
 
 size_t arc_wear_bytes(const arc_wear *w) {
-  const size_t n = (size_t)(w->nc + w->np);
-  return (size_t)(w->path.poses + 1) * arc_pose_bytes(&w->reference) + 14 * n * sizeof(double) +
-         2 * arc_shape_bytes(w->shape) + w->capacity * sizeof(arc_wear_record);
+  const size_t n = (size_t)(w->nc + w->np), linear = w->start.jacobian ? n * n : 0;
+  return (size_t)(w->path.poses + 1) * arc_pose_bytes(&w->reference) +
+         (15 * n + linear) * sizeof(double) + 2 * arc_shape_bytes(w->shape) +
+         w->capacity * sizeof(arc_wear_record);
 }
 
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {
