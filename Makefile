@@ -143,7 +143,7 @@ check:
 
 # The pictures of examples/gallery/, one of each example.
 gallery: $(program)
-	@mkdir -p $(BUILD)/gallery examples/gallery
+	@rm -rf $(BUILD)/gallery && mkdir -p $(BUILD)/gallery examples/gallery
 	cd $(BUILD)/gallery && $(abspath $(program)) $(CURDIR)/scripts/tools/gallery.lua $(CURDIR)/examples/gallery >/dev/null
 
 # One BLAS thread from the start: an idle one would spin for its first 50 ms and be counted.
