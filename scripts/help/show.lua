@@ -120,6 +120,7 @@ sliding on a plate. Lengths are in mm, forces in N, pressures in MPa.
 
 Describe     material{}  hertz{}  model{}
 Contact      c = contact{ load=100 }   c.p_max  c:pressure("plate")  c:stress()
+  friction   contact{ friction=0.6 }:move{ tangential=30 }  plot.shear(c)
 Wear         w = wear{ alpha=0.5 }        w:step()  w:step(10)  w:run()
   look       w  w.history  w:profile("plate")  w:pressure("cylinder")
   until      w:run{ depth={ plate=1e-3 } }   w:run{ stop_when=f }
