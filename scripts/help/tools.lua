@@ -70,9 +70,9 @@ return {
   { "profile.path", kind = "field", type = "string", text = "The file it was read from." },
   { "profile.level", kind = "method", class = "profile", use = 'p:level("circle", "auto")',
     text = "Takes off a line or circle by least squares of heights, instead of one taken off before: over all, or "
-      .. "beside a scar { from, to } or \"auto\". That is looked for from the deepest place outwards until the trace meets "
-      .. "the form, which is first fitted to the outer 15 % at either end and then to what is further "
-      .. "from the scar than 20 % of its width." },
+      .. "beside a scar { from, to } or \"auto\": to what is further from it than 20 % of its width, so that what is piled "
+      .. "up does not count. That scar is looked for from the deepest place outwards until the trace meets the form, "
+      .. "which is first fitted to the outer 15 % at either end." },
   { "profile.filter", kind = "method", class = "profile", use = 'p:filter(0.08)  p:filter(0.8, "short")',
     text = "Gaussian filter (ISO 16610-21): the long-wave part, or the short-wave one. A wave as long as the cut-off in mm "
       .. "keeps half of its amplitude in each. Near the ends, where half of the weights are missing, it fits a "

@@ -193,15 +193,13 @@ function methods:filter(cutoff, part)
   if part ~= nil and not kinds.test(part) then check.refuse(where, "part", kinds.expected, part) end
   local z = profile.heights(self)
   local long, step = profile.long_waves(where, self, z, cutoff, "filter")
-  local _, own = gaussian.noise(step, cutoff)
-  local length = self.correlation <= 1.01 * step and own or math.sqrt(self.correlation ^ 2 + own ^ 2)
-  local kept = math.min(1, self.correlation / length)
+  local kept, rest, length = gaussian.noise(self.correlation, self.correlation <= 1.01 * step, cutoff)
   if part ~= "short" then
     return profile.derived(self, self.x, long, { cutoff = cutoff, error = self.error * math.sqrt(kept),
       correlation = length })
   end
   for i = 1, #z do long[i] = z[i] - long[i] end
-  return profile.derived(self, self.x, long, { cutoff = cutoff, error = self.error * math.sqrt(1 - kept) })
+  return profile.derived(self, self.x, long, { cutoff = cutoff, error = self.error * math.sqrt(rest) })
 end
 
 -- p:average(step): means over cells

@@ -25,10 +25,11 @@ local function one_sided(ratio, count)
   return s0, s1, s2
 end
 
--- The transform of w (1 + i u), sampled in steps: that of the curve, repeated with the sampling. It is real.
+-- The transform of w (1 + i u), sampled in steps: that of the curve, repeated with the sampling as often as 1e-15
+-- of it matters. It is real.
 local function response(f, ratio)
-  local sum = 0
-  for shift = -1, 1 do
+  local sum, repeats = 0, ratio < 3 and 3 or 1
+  for shift = -repeats, repeats do
     local g = (f + shift) * ratio
     sum = sum + math.exp(-math.pi * g * g) * (1 + g)
   end
@@ -65,11 +66,14 @@ function gaussian.long(z, step, cutoff)
   return result
 end
 
--- White noise behind the filter: its standard deviation as a share, and over which length what is
--- left hangs together (the integral of its correlation).
-function gaussian.noise(step, cutoff)
-  local length = math.sqrt(2) * gaussian.alpha * cutoff
-  return math.min(1, math.sqrt(step / length)), math.max(step, length)
+-- Noise that hangs together over a length (white: over a step) behind the filter: the shares of its variance that
+-- are in the long and the short waves, and the length over which the long ones hang together.
+function gaussian.noise(length, is_white, cutoff)
+  local own = math.sqrt(2) * gaussian.alpha * cutoff
+  local squares = { is_white and 0 or length ^ 2, own ^ 2 }
+  local new = math.max(length, math.sqrt(squares[1] + squares[2]))
+  local long, mixed = length / new, math.min(1, length / math.sqrt(squares[1] + squares[2] / 2))
+  return long, math.max(0, 1 - 2 * mixed + long), new
 end
 
 return gaussian

@@ -7,7 +7,7 @@ local scar = {}
 
 local ends = 0.15   -- of the trace at either end is taken as not worn before more is known
 local margin = 0.2  -- of the scar's width beside it is left out, where material is piled up
-local least = 0.05  -- of the trace at either end always counts as not worn
+local least = 0.05  -- of the trace at either end counts as not worn even so close to the scar
 local clear = 5     -- scatters that the deepest place must be below the form
 local blocks = 500  -- means in which a scar is looked for
 
@@ -27,11 +27,11 @@ local function outside(from, to)
   return function(x) return x < from or x > to end
 end
 
--- What counts as not worn beside a scar.
+-- What counts as not worn beside a scar: what is not near it, but for a little at either end.
 local function beside(x, from, to)
-  local room, whole = margin * (to - from), x[#x] - x[1]
-  return outside(math.max(math.min(from, from - room), x[1] + least * whole),
-    math.min(math.max(to, to + room), x[#x] - least * whole))
+  local room, end_part = margin * (to - from), least * (x[#x] - x[1])
+  return outside(math.min(from, math.max(from - room, x[1] + end_part)),
+    math.max(to, math.min(to + room, x[#x] - end_part)))
 end
 
 -- The deepest block, and the first on either side of it that is not below the form.
@@ -79,7 +79,7 @@ end
 
 -- The form of what is not worn beside a scar that is known.
 function scar.fit(x, z, kind, from, to)
-  local is_used = outside(from, to)
+  local is_used = beside(x, from, to)
   return form.fit(kind, x, z, is_used), from, to, is_used
 end
 
