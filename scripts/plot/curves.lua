@@ -143,6 +143,7 @@ local function add_measured(where, panel, given)
     check.fail(where, "field 'measured': expected with one body named where several runs are drawn, got both")
   end
   local reach = math.max(panel.xrange and panel.xrange[2] or 0, measured.reach(given))
+  if #panel == 1 then panel[1].title = panel[1].title or "simulated" end
   panel.points, panel.xrange, panel.yrange = measured.points(given, reach), range_of(reach), nil
 end
 
