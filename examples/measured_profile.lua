@@ -26,7 +26,7 @@ end
 local function make(path)
   math.randomseed(21920)
   local worn = run():profile "plate"
-  local lines = { "x [mm],z [um]" }
+  local lines = { "# not measured: made by measured_profile.lua make", "x [mm],z [um]" }
   for i = 0, 1600 do
     local x = -0.8 + i * 0.001
     local noise = math.sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * math.pi * math.random())
