@@ -38,6 +38,7 @@ static const char *const scripted[][2] = {
     {"study", "archard.study"},
     {"calibrate", "archard.study.calibrate"},
     {"csv", "archard.lib.csv"},
+    {"profile", "archard.profile"},
     {"export", "archard.export"},
     {"who", "archard.lib.who"},
     {"time", "archard.lib.time"},
