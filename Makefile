@@ -199,7 +199,7 @@ install-files:
 	ln -sf $(soname) $(call to,$(LIBDIR)/libarchard.so)
 	install -m 644 include/archard/*.h $(call to,$(INCLUDEDIR)/archard/)
 	install -m 644 man/archard.1 $(call to,$(MANDIR)/man1/archard.1)
-	install -m 644 examples/*.lua examples/*.csv $(call to,$(DATADIR)/archard/examples/)
+	install -m 644 examples/*.lua examples/*.csv examples/*.geo examples/*.msh $(call to,$(DATADIR)/archard/examples/)
 	printf '%s\n' 'prefix=$(PREFIX)' \
 	  'libdir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(LIBDIR))' \
 	  'includedir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(INCLUDEDIR))' '' \
