@@ -128,9 +128,12 @@ end
 
 -- --- joining -------------------------------------------------------------------------------------
 
-local function exists(path)
+-- A share that was killed before its first commit holds nothing, not even the study.
+local function holds_any(path)
   local file <close> = io.open(path, "r")
-  return file ~= nil
+  if not file or file:seek("end") == 0 then return false end
+  local share <close> = definitions.open(where, path, "read")
+  return share:info("kind") ~= nil
 end
 
 -- Whether the whole holds all that a share has finished: it was killed between joining and removing.
@@ -152,10 +155,9 @@ end
 local function join(store, job)
   for i = 1, job.shares do
     local path = job.file(i)
-    if exists(path) then
-      if not is_joined(store, path) then store:merge(path) end
-      os.remove(path)
-    end
+    if holds_any(path) and not is_joined(store, path) then store:merge(path) end
+    os.remove(path)
+    os.remove(path .. "-journal")
   end
   store:release()
 end
