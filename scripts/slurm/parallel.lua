@@ -20,11 +20,18 @@ function parallel.start(job)
   return said
 end
 
--- By the command line of the process: another one may have got its number.
+local function read(path)
+  local file <close> = io.open(path, "r")
+  return file and file:read("a")
+end
+
+-- By the words of the process, for another one may have got its number. They are empty for a moment
+-- while one program makes way for another, and for good once it has died.
 function parallel.state(job)
-  local alive = select(2, shell.ask(("grep -qsF -- %s /proc/%d/cmdline"):format(
-    shell.quote(job.script), job.name)))
-  return alive and "running" or nil
+  local status = read(("/proc/%s/status"):format(job.name))
+  local words = read(("/proc/%s/cmdline"):format(job.name))
+  if not status or not words or status:find("\nState:%s+[ZX]") then return nil end
+  return (words == "" or words:find("parallel", 1, true)) and "running" or nil
 end
 
 return parallel

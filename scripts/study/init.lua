@@ -3,6 +3,7 @@
 -- Leans on archard.store.
 
 local check = require "archard.lib.check"
+local merged = require "archard.lib.merged"
 local report = require "archard.study.report"
 local definitions = require "archard.study.definitions"
 local settings = require "archard.study.settings"
@@ -155,7 +156,7 @@ end
 -- submit{ engine=, shares=, workers=, file=, options=, tries=, wait=, progress= } -> the study: the
 -- cases as shares of a job array, joined in the run file; see study/submit.lua.
 function methods:submit(options)
-  options = check.fields("study:submit", options or {}, submit.fields)
+  options = merged(check.fields("study:submit", options or {}, submit.fields))
   self:close()
   try_first(self, "study:submit")
   self.file = options.file or self.file or "study.archard"

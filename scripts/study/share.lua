@@ -1,13 +1,16 @@
 -- One share of a submitted study, in a process of its own: every n-th of the cases that wait in the
--- plan, computed into a run file of its own. ARCHARD_SHARE in the environment is its number. Leans
--- on study/definitions.lua and study/run.lua.
+-- whole, computed into a run file of its own. ARCHARD_SHARE in the environment is its number. Leans
+-- on archard.store and study/run.lua.
 
 local definitions = require "archard.study.definitions"
 
+local where = "study:submit"
+
 -- The ids of share i of n.
-local function chosen(cases, i, n)
+local function chosen(whole, i, n)
+  local store <close> = definitions.open(where, whole, "read")
   local ids, position = {}, 0
-  for _, case in ipairs(cases) do
+  for _, case in ipairs(store:cases()) do
     if case.status == "waiting" then
       position = position + 1
       if (position - i) % n == 0 then ids[case.id] = true end
@@ -16,13 +19,27 @@ local function chosen(cases, i, n)
   return function(id) return ids[id] end
 end
 
--- plan: the run file of the whole study; path: of the share, with {} for its number.
-return function(plan, path, shares, workers)
+-- A file is there whole, or not at all.
+local function copy(from, to)
+  local source <close> = assert(io.open(from, "rb"))
+  local target = assert(io.open(to .. ".new", "wb"))
+  assert(target:write(source:read("a")))
+  assert(target:close())
+  assert(os.rename(to .. ".new", to))
+end
+
+local function exists(path)
+  local file <close> = io.open(path, "r")
+  return file ~= nil
+end
+
+-- whole: the run file of the study; blank: one with its definitions and no results; path: that of a
+-- share, with {} for its number. One that was begun, by a task that Slurm starts again, is gone on with.
+return function(whole, blank, path, shares, workers)
   local i = assert(math.tointeger(tonumber(os.getenv "ARCHARD_SHARE")), "ARCHARD_SHARE: no number")
-  local whole = study.open(plan)
-  local mine = chosen(whole:store():cases(), i, shares)
-  whole:close()
-  local store = definitions.for_run(whole, (path:gsub("{}", i)))
-  require "archard.study.run"(store, { workers = workers, chosen = mine, progress = "lines" })
-  store:close()
+  local mine = path:gsub("{}", i)
+  if not exists(mine) then copy(blank, mine) end
+  local store <close> = definitions.open(where, mine, "write")
+  require "archard.study.run"(store, { workers = workers, chosen = chosen(whole, i, shares),
+    progress = "lines" })
 end

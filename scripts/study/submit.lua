@@ -46,7 +46,7 @@ end
 -- What a job is and where its things are; `name` is the engine's, once it has started.
 local function describe(folder, engine, shares, name)
   return { folder = folder, engine = engine, shares = shares, name = name,
-    script = folder .. "/share.sh", note = folder .. "/job",
+    script = folder .. "/share.sh", note = folder .. "/job", blank = folder .. "/blank.archard",
     file = function(i) return ("%s/%s-of-%d.archard"):format(folder, i, shares) end,
     log = function(i) return ("%s/%s-of-%d.log"):format(folder, i, shares) end }
 end
@@ -65,9 +65,10 @@ end
 local function clear(job)
   for i = 1, job.shares do
     os.remove(job.file(i))
+    os.remove(job.file(i) .. ".new")
     os.remove(job.log(i))
   end
-  for _, path in ipairs{ job.log("parallel"), job.script, job.note, job.folder } do os.remove(path) end
+  for _, path in ipairs{ job.log("parallel"), job.blank, job.script, job.note, job.folder } do os.remove(path) end
 end
 
 -- --- following -----------------------------------------------------------------------------------
@@ -128,12 +129,9 @@ end
 
 -- --- joining -------------------------------------------------------------------------------------
 
--- A share that was killed before its first commit holds nothing, not even the study.
-local function holds_any(path)
+local function exists(path)
   local file <close> = io.open(path, "r")
-  if not file or file:seek("end") == 0 then return false end
-  local share <close> = definitions.open(where, path, "read")
-  return share:info("kind") ~= nil
+  return file ~= nil
 end
 
 -- Whether the whole holds all that a share has finished: it was killed between joining and removing.
@@ -155,9 +153,10 @@ end
 local function join(store, job)
   for i = 1, job.shares do
     local path = job.file(i)
-    if holds_any(path) and not is_joined(store, path) then store:merge(path) end
-    os.remove(path)
-    os.remove(path .. "-journal")
+    if exists(path) then
+      if not is_joined(store, path) then store:merge(path) end
+      os.remove(path)
+    end
   end
   store:release()
 end
@@ -179,16 +178,25 @@ local function absolute(path)
 end
 
 -- What every share runs: its number comes from Slurm, or as an argument.
-local function script_of(job, plan)
-  local chunk = itself("study.share", plan, job.file("{}"), job.shares, job.workers)
+local function script_of(job, whole)
+  local program = process.program() or check.fail(where, "nobody knows where this program is", "IO")
+  local chunk = itself("study.share", whole, job.blank, job.file("{}"), job.shares, job.workers)
   return ("#!/bin/sh\n# One share of %s; written by s:submit{}.\nARCHARD_SHARE=${SLURM_ARRAY_TASK_ID:-$1}\n"
-    .. "export ARCHARD_SHARE\nexec %s\n"):format(plan, shell.line{ process.program(), "-e", chunk })
+    .. "export ARCHARD_SHARE\nexec %s\n"):format(whole, shell.line{ program, "-e", chunk })
 end
 
-local function start(job, plan)
+-- The definitions of the study and no results: every share begins with a copy of it.
+local function write_blank(self, path)
+  os.remove(path)
+  local store <close> = definitions.open(where, path, "create")
+  definitions.write(self, store)
+end
+
+local function start(self, job, whole)
   local made, why = process.make_folder(job.folder)
   if not made then check.fail(where, ("folder %s: %s"):format(job.folder, why), "IO") end
-  write(job.script, script_of(job, plan))
+  write(job.script, script_of(job, whole))
+  write_blank(self, job.blank)
   for i = 1, job.shares do os.remove(job.log(i)) end
   write_note(job)
   job.name, why = engines[job.engine].start(job)
@@ -211,8 +219,8 @@ end
 -- --- all of it -----------------------------------------------------------------------------------
 
 -- The cases to compute; those that failed before are tried again.
-local function prepare(self, plan)
-  local store <close> = definitions.for_run(self, plan)
+local function prepare(whole)
+  local store <close> = definitions.open(where, whole, "write")
   for _, case in ipairs(of_status(store, "failed")) do store:mark(case.id, "waiting") end
   store:release()
   return of_status(store, "waiting")
@@ -227,12 +235,12 @@ end
 
 -- One round: what waits, as a job, to its end; returns the job and how many still wait. Fails where
 -- it brought no case to an end.
-local function round(self, options, folder, plan, waiting)
+local function round(self, options, folder, whole, waiting)
   local job = new_job(folder, options, waiting)
-  start(job, plan)
+  start(self, job, whole)
   if options.wait == false then return job end
   follow(job, waiting, options.progress)
-  local store <close> = definitions.for_run(self, plan)
+  local store <close> = definitions.open(where, whole, "write")
   join(store, job)
   local left = #of_status(store, "waiting")
   if left == waiting then
@@ -261,7 +269,7 @@ local function finish(self, store, asked)
 end
 
 -- A job that is under way is followed, one that has ended is joined. Returns false if it goes on.
-local function earlier(self, folder, plan, options)
+local function earlier(self, folder, whole, options)
   local job = noted(folder)
   if not job then return true end
   if job.name and engines[job.engine].state(job) ~= nil then
@@ -269,7 +277,7 @@ local function earlier(self, folder, plan, options)
     if options.wait == false then return false end
     follow(job, #self.flat, options.progress)
   end
-  local store <close> = definitions.for_run(self, plan)
+  local store <close> = definitions.open(where, whole, "write")
   join(store, job)
   clear(job)
   return true
@@ -283,16 +291,16 @@ local function check_engine(options)
   end
 end
 
-local function rounds(self, options, folder, plan)
-  local asked = prepare(self, plan)
+local function rounds(self, options, folder, whole)
+  local asked = prepare(whole)
   local waiting, job = #asked, nil
   for _ = 1, options.tries or 3 do
     if waiting == 0 then break end
-    job, waiting = round(self, options, folder, plan, waiting)
+    job, waiting = round(self, options, folder, whole, waiting)
     if options.wait == false then return end
   end
   if job then clear(job) end
-  local store <close> = definitions.for_run(self, plan)
+  local store <close> = definitions.open(where, whole, "write")
   finish(self, store, asked)
 end
 
@@ -300,14 +308,15 @@ end
 function submit.run(self, options)
   options.engine = options.engine or "local"
   options.shares = options.shares or process.processors()
-  local plan = absolute(self.file)
-  local folder = plan .. ".shares"
+  local whole = absolute(self.file)
+  local folder = whole .. ".shares"
   if options.engine ~= "local" then check_engine(options) end
-  if not earlier(self, folder, plan, options) then return self end
+  definitions.for_run(self, whole):close() -- it is there from here on, and holds this very study
+  if not earlier(self, folder, whole, options) then return self end
   if options.engine == "local" then
     return self:run{ workers = math.min(options.shares, 256), progress = options.progress }
   end
-  rounds(self, options, folder, plan)
+  rounds(self, options, folder, whole)
   return self
 end
 
