@@ -30,6 +30,7 @@ local function content(s, every)
     if case.status == "done" and case.id % (every or 1) == 0 then
       -- the state to go on from, by going on
       local run <close> = case:wear()
+      run:set{ distance = 2 * run.distance }
       run:step()
       add(lines, case.id .. " next", { run.p_center, run.depth.plate, run.distance })
     end
