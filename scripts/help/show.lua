@@ -136,8 +136,8 @@ Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtu")
              export.json(w, "w.json")
 Session      who()  session.save("s.archard")  session.open("s.archard")
              examples()  examples.run("wear")  time(f)
-Topics       help "units"  "running in"  "files"  "meshes"  "steps"
-             "troubleshooting"
+Topics       help "units"  "running in"  "files"  "meshes"  "gmsh"
+             "steps"  "troubleshooting"
 
 help(wear) explains an object, help(w.step) a method, help "jump" a name;
 help.search "stability" looks into all texts.

@@ -272,7 +272,7 @@ return {
       .. "plot.save{ ..., file= } draws what plot{} would. A second table gives size." },
 
   -- --- export ---------------------------------------------------------------------------------
-  { "export", kind = "object", use = "export.csv  export.vtk  export.pvd  export.inp  export.json",
+  { "export", kind = "object", use = "export.csv  export.vtk  export.pvd  export.inp  export.msh  export.json",
     text = "Writes files for other tools. A file is complete or not there; a wrong ending is refused, "
       .. "a missing one added." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
@@ -297,6 +297,9 @@ return {
       .. "bodies are slabs one element thick, held along z: C3D8, C3D8I where the model has CPE4I, "
       .. "C3D6 for triangles. Where nu nears 1/2 the triangles, all away from the contact, are "
       .. "stiffer there than in the model." },
+  { "export.msh", kind = "function", use = "export.msh(m, path)",
+    text = "A model or a mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
+      .. "path } reads: upper is the cylinder, lower the plate. Coordinates read back to the bit." },
   { "export.json", kind = "function", use = "export.json(w, path)",
     text = "Summary of a wear run: versions, definition with its model, results, units. NaN is null, "
       .. "a function of the user the word \"function\"." },

@@ -43,6 +43,22 @@ plot.mesh(m, { zoom = "wear box" }) shows them, hertz{} tells the half width.
 mesh.zone is the full width of the fine contact zone of each body; without a model it suits. A run that outgrows its zone or its
 wear box goes on, on new meshes, and says so; a single contact{} names the zone to widen. study.converge{} finds a size, a jump
 and increments for a case. Pressures at edges of scars (p_max, p_peak) grow as elements shrink: p_average settles.]] },
+  { "gmsh", [[
+model{ mesh = "pair.msh" } takes both bodies from a Gmsh file: text, version 4.1 or 2.2, in mm and in the plane z = 0,
+triangles and quadrilaterals of first order. Physical groups name the parts:
+
+  upper, lower      surfaces: the bodies, which touch without load;
+                    upper is what is called cylinder, lower the plate
+  upper.contact     curve that may come into contact, in one piece, one y for
+                    each x; lower.contact too
+  upper.fixed       curves built in or tied to the rigid base; lower.fixed too
+
+Bodies share no points, not even where they touch. What does not fit is refused with its number and place. radius is
+that of the unworn gap where it is not given; estimates need it. Such a mesh has no wear box: wear{ geometry = "frozen" }
+alone works on it, and such runs are not saved. export.msh writes archard's own meshes, examples/gmsh_pair.geo shows how to
+make one:
+
+  gmsh -2 -order 1 -format msh41 -o gmsh_pair.msh gmsh_pair.geo]] },
   { "steps", [[
 One update of the geometry wears jump cycles together. Past a limit ripples grow and make the surfaces rough: w:stability()
 tells it, and runs past it warn. Longer strokes and smaller elements have lower limits. What to do, from the simplest on:

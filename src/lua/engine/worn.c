@@ -97,6 +97,12 @@ const arc_model_def *worn_model_def(lua_State *L, int worn) {
   return other ? arc_model_definition(arc_wear_model(other->thing)) : NULL;
 }
 
+arc_model *worn_given_model(lua_State *L, int worn) {
+  box *other = box_test(L, worn, &wear_class);
+  arc_model *model = other ? arc_wear_model(other->thing) : NULL;
+  return model && arc_model_is_given(model) ? model : NULL;
+}
+
 /* --- depths at the nodes --------------------------------------------------------------------- */
 
 /* Depths from the profile at `index`. */
