@@ -88,7 +88,7 @@ static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *ahead, w
 
 static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
                           arc_error *error) {
-  arc_wear_record ahead;
+  arc_wear_record ahead = {0};
   plan->ahead = NULL;
   const arc_status status = follow(w, plan, &ahead, watch, out, error);
   plan->ahead = NULL;
