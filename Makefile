@@ -76,7 +76,7 @@ endif
 # One set of flags for every file: -std=c11 with POSIX; contraction off, so that results do not
 # depend on what the compiler fuses; loops marked for it are vectorised, which changes no bit.
 all_cflags = -std=c11 -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc -MMD -MP -ffp-contract=off -fopenmp-simd \
-             $(lua_cflags) $(cholmod_cflags) $(readline_cflags) $(sqlite_cflags) $(omp_cflags) \
+             $(lua_cflags) $(cholmod_cflags) $(readline_cflags) $(sqlite_cflags) $(gsl_cflags) $(omp_cflags) \
              $(WARNINGS) $(if $(WERROR),-Werror) $(if $(CHECKS),-DARC_CHECKS) \
              $(if $(SANITIZER),-fsanitize=$(SANITIZER) -fno-omit-frame-pointer -fno-sanitize-recover=all) \
              $(CPPFLAGS) $(CFLAGS)
@@ -122,7 +122,7 @@ $(OBJ)/embedded.o: $(BUILD)/embedded.c $(BUILD)/config.mk
 
 $(program): $(front_obj) $(plot_obj) $(static_lib) $(BUILD)/sources
 	$(say) LD $@
-	$(quiet)$(CC) $(all_ldflags) -rdynamic $(filter-out %/sources,$^) $(lua_libs) $(readline_libs) $(lib_libs) -ldl -o $@
+	$(quiet)$(CC) $(all_ldflags) -rdynamic $(filter-out %/sources,$^) $(lua_libs) $(readline_libs) $(gsl_libs) $(lib_libs) -ldl -o $@
 
 # The module for the stock interpreter: the program without its command and prompt. It stays loaded,
 # for the threads of BLAS and OpenMP run in it to the end.

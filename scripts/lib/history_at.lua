@@ -1,12 +1,13 @@
 -- at(history, column, distance): the value of a column of a history at a distance, by cubic
--- interpolation between four rows. Leans on nothing.
+-- interpolation between four rows (fewer where there are no more). Leans on nothing.
 return function(history, column, distance)
   local x, y, low = history.distance, history[column], 1
   while low < #x - 1 and x[low + 1] <= distance do low = low + 1 end
   local first, sum = math.max(1, math.min(low - 1, #x - 3)), 0
-  for i = first, first + 3 do
+  local last = math.min(first + 3, #x)
+  for i = first, last do
     local share = 1
-    for j = first, first + 3 do
+    for j = first, last do
       if j ~= i then share = share * (distance - x[j]) / (x[i] - x[j]) end
     end
     sum = sum + share * y[i]

@@ -2,6 +2,7 @@
 -- Leans on archard.store.
 
 local check = require "archard.lib.check"
+local design = require "archard.uncertainty.design"
 local settings = require "archard.study.settings"
 
 local definitions = {}
@@ -23,6 +24,7 @@ function definitions.write(self, store)
   store:set_info("name", self.name)
   store:set_info("looks", tostring(self.looks))
   store:set_info("task", self.task)
+  if self.sample then store:set_info("sample", self.sample.text or design.text(self.sample)) end
   store:set_info("program", "archard " .. require "archard".version)
   for id, flat in ipairs(self.flat) do
     store:add(id, self.labels[id])

@@ -3,6 +3,7 @@
 -- Leans on archard.store.
 
 local check = require "archard.lib.check"
+local design = require "archard.uncertainty.design"
 local merged = require "archard.lib.merged"
 local report = require "archard.study.report"
 local definitions = require "archard.study.definitions"
@@ -29,14 +30,34 @@ local list_of_tables = check.kind("a list of tables", function(v)
   return true
 end)
 local definition_fields = { base = check.table, vary = check.table, cases = list_of_tables,
-  name = check.text, looks = check.whole(0), task = check.one_of{ "wear", "converge" } }
+  name = check.text, looks = check.whole(0), task = check.one_of{ "wear", "converge" }, sample = check.table,
+  n = check.whole(2, 1000000), design = check.one_of(design.kinds), seed = check.whole(1, 2 ^ 31 - 1),
+  indices = check.flag }
 
--- The flat settings of every case; without either list, base is the one case.
-local function expand(where, given)
-  if given.vary and given.cases then
-    check.fail(where, "fields 'vary' and 'cases': expected one of them, got both")
+local of_samples = { "n", "design", "seed", "indices" }
+
+-- The samples of a study, or nil; what only samples have is refused without them.
+local function read_sample(where, given)
+  if given.sample then return design.read(where, given) end
+  for _, name in ipairs(of_samples) do
+    if given[name] ~= nil then
+      check.fail(where, ("field '%s': it belongs to samples; give sample={...}"):format(name))
+    end
   end
-  local cases = given.cases or settings.grid(where, given.vary or {})
+end
+
+local function refuse_two(where, given)
+  for _, pair in ipairs{ { "vary", "cases" }, { "vary", "sample" }, { "cases", "sample" } } do
+    if given[pair[1]] and given[pair[2]] then
+      check.fail(where, ("fields '%s' and '%s': expected one of them, got both"):format(pair[1], pair[2]))
+    end
+  end
+end
+
+-- The flat settings of every case; without any list, base is the one case.
+local function expand(where, given, sample)
+  refuse_two(where, given)
+  local cases = given.cases or sample and design.cases(sample) or settings.grid(where, given.vary or {})
   local flat = {}
   for i, case in ipairs(cases) do flat[i] = settings.join(where, given.base or {}, case) end
   return flat
@@ -44,8 +65,9 @@ end
 
 local function new(where, given)
   check.definition(where, given, definition_fields)
-  local self = { name = given.name or "study", flat = expand(where, given), task = given.task,
-    looks = given.looks or usual_looks }
+  local sample = read_sample(where, given)
+  local self = { name = given.name or "study", flat = expand(where, given, sample), task = given.task,
+    looks = given.looks or sample and 0 or usual_looks, sample = sample }
   if not given.task then require "archard.study.names"(where, self.flat) end
   self.varied = settings.varied(self.flat)
   self.labels = {}
@@ -91,6 +113,8 @@ function study.open(path)
   for i, case in ipairs(store:cases()) do flat[i] = store:values(case.id, "settings") end
   local self = new("study.open", { name = store:info("name"), cases = { {} },
     looks = math.tointeger(tonumber(store:info("looks"))), task = store:info("task") })
+  local text = store:info("sample")
+  self.sample = text and design.parse(text)
   self.flat, self.varied, self.labels = flat, settings.varied(flat), {}
   for i, case in ipairs(flat) do self.labels[i] = settings.label(case, self.varied) end
   self.file, self.reading = path, store
@@ -106,6 +130,12 @@ function methods:store()
     self.reading = open_file("study", self.file, "read")
   end
   return self.reading
+end
+
+local function exists(path)
+  local file = io.open(path)
+  if file then file:close() end
+  return file ~= nil
 end
 
 -- --- running -----------------------------------------------------------------------------------
@@ -143,6 +173,7 @@ function methods:run(options)
   local path = options.file or self.file or "study.archard"
   self:close()
   try_first(self, "study:run")
+  if self.sample and not exists(path) then require "archard.uncertainty.trial"(self) end
   local store = definitions.for_run(self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
@@ -183,6 +214,10 @@ end
 function methods:table(options) return require "archard.study.table".make(self, options) end
 
 function methods:figures(options) return require "archard.figures".draw(self, options) end
+
+function methods:uncertainty(options) return require "archard.uncertainty.result"(self, options) end
+
+function methods:failure(given) return require "archard.uncertainty.failure"(self, given) end
 
 -- Closes the run file, if it is open.
 function methods:close()

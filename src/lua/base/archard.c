@@ -27,12 +27,16 @@ static const luaL_Reg modules[] = {
     {"archard.settings", luaopen_archard_settings},
     {"archard.measure", luaopen_archard_measure},
     {"archard.files", luaopen_archard_files},
+    {"archard.random", luaopen_archard_random},
     {"archard.strict", luaopen_archard_strict},
     {NULL, NULL},
 };
 
-/* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
-static const char *const scripted[][2] = {
+#define DISTRIBUTIONS "archard.uncertainty.distributions"
+
+/* Classes in Lua: name of the global, the module of scripts/ that returns its value and, where that
+ * is a table with several, the name in it. */
+static const char *const scripted[][3] = {
     {"help", "archard.help"},
     {"plot", "archard.plot"},
     {"study", "archard.study"},
@@ -44,6 +48,9 @@ static const char *const scripted[][2] = {
     {"time", "archard.lib.time"},
     {"session", "archard.lib.session"},
     {"examples", "archard.lib.examples"},
+    {"uniform", DISTRIBUTIONS, "uniform"},
+    {"normal", DISTRIBUTIONS, "normal"},
+    {"lognormal", DISTRIBUTIONS, "lognormal"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 
@@ -80,6 +87,10 @@ static void require(lua_State *L, const char *module) {
 static void open_scripted(lua_State *L) {
   for (int i = 0; i < SCRIPTED; i++) {
     require(L, scripted[i][1]);
+    if (scripted[i][2]) {
+      lua_getfield(L, -1, scripted[i][2]);
+      lua_remove(L, -2);
+    }
     publish(L, scripted[i][0]);
   }
 }

@@ -41,6 +41,9 @@ int luaopen_archard_warnings(lua_State *L);
 /* The module `archard.files`: writes texts and numbers as every export does. */
 int luaopen_archard_files(lua_State *L);
 
+/* The module `archard.random`: points by design and seed, quantiles. */
+int luaopen_archard_random(lua_State *L);
+
 /* The module `archard.measure`: what profiles tell. */
 int luaopen_archard_measure(lua_State *L);
 

@@ -1,0 +1,190 @@
+-- From what is uncertain to the cases of a study: which values each case gets, by the design and
+-- the seed alone. Correlations join the normal scores of the fields, so that each keeps its own
+-- distribution. Leans on archard.random for the points.
+
+local check = require "archard.lib.check"
+local distributions = require "archard.uncertainty.distributions"
+local random = require "archard.random"
+
+local design = {}
+
+design.kinds = { "sobol", "latin", "random" }
+
+-- --- what is given -------------------------------------------------------------------------------
+
+-- The uncertain fields { name=, distribution= } in the order of names, nested ones with points.
+local function fields_of(where, given)
+  local list = {}
+  local function visit(prefix, inside)
+    for key, value in pairs(inside) do
+      local name = prefix .. tostring(key)
+      if distributions.is(value) then
+        list[#list + 1] = { name = name, distribution = value }
+      elseif type(value) == "table" and getmetatable(value) == nil and next(value) ~= nil
+        and #value == 0 then
+        visit(name .. ".", value)
+      elseif name ~= "correlated" then
+        check.refuse(where, "sample." .. name, "uniform{}, normal{} or lognormal{}", value)
+      end
+    end
+  end
+  visit("", given)
+  table.sort(list, function(a, b) return a.name < b.name end)
+  if #list == 0 then
+    check.fail(where, "field 'sample': expected a distribution for at least one field, got none")
+  end
+  return list
+end
+
+local function position(where, fields, name)
+  local known = {}
+  for i, field in ipairs(fields) do
+    if field.name == name then return i end
+    known[i] = field.name
+  end
+  check.fail(where, ("field 'sample.correlated': '%s' is not sampled%s"):format(tostring(name),
+    check.hint(tostring(name), known)))
+end
+
+-- { {"k", "alpha", -0.5}, ... } as a matrix; nil where nothing is correlated.
+local function correlation_of(where, fields, given)
+  if given == nil then return nil end
+  if type(given) ~= "table" then
+    check.refuse(where, "sample.correlated", "a list of { field, field, number }", given)
+  end
+  local matrix = {}
+  for i = 1, #fields do
+    matrix[i] = {}
+    for j = 1, #fields do matrix[i][j] = i == j and 1 or 0 end
+  end
+  for i, item in ipairs(given) do
+    if type(item) ~= "table" or #item ~= 3 or type(item[3]) ~= "number" or math.abs(item[3]) >= 1 then
+      check.refuse(where, ("sample.correlated[%d]"):format(i),
+        '{ "field", "field", a number in (-1, 1) }', item)
+    end
+    local a, b = position(where, fields, item[1]), position(where, fields, item[2])
+    if a == b then
+      check.refuse(where, ("sample.correlated[%d]"):format(i), "two different fields", item[1])
+    end
+    matrix[a][b], matrix[b][a] = item[3], item[3]
+  end
+  return matrix
+end
+
+-- The lower triangle whose square is the matrix.
+local function cholesky(where, matrix)
+  local lower = {}
+  for i = 1, #matrix do
+    lower[i] = {}
+    for j = 1, i do
+      local rest = matrix[i][j]
+      for m = 1, j - 1 do rest = rest - lower[i][m] * lower[j][m] end
+      if i > j then
+        lower[i][j] = rest / lower[j][j]
+      elseif rest > 1e-12 then
+        lower[i][i] = math.sqrt(rest)
+      else
+        check.fail(where, "field 'sample.correlated': these correlations contradict each other (their "
+          .. "matrix is not positive definite)")
+      end
+    end
+  end
+  return lower
+end
+
+local function check_design(where, sample, given)
+  local room = sample.indices and random.most_dimensions // 2 or random.most_dimensions
+  if #sample.fields > room then
+    check.fail(where, ("field 'sample': %d fields are more than %d, the most%s"):format(
+      #sample.fields, room, sample.indices and " with indices" or ""))
+  end
+  if sample.n < 2 then check.refuse(where, "n", "a whole number >= 2", sample.n) end
+  if sample.indices and sample.n < 16 then
+    check.refuse(where, "n", "at least 16 with indices", sample.n)
+  end
+  if sample.indices and given.correlated ~= nil then
+    check.fail(where, "field 'indices': indices part the variance among independent fields; these are "
+      .. "correlated")
+  end
+end
+
+-- read(where, given): given has sample, n, design, seed, indices. Returns what the study keeps.
+function design.read(where, given)
+  local sample = { n = given.n or 1024, design = given.design or "sobol", seed = given.seed or 1,
+    indices = given.indices or false, fields = fields_of(where, given.sample) }
+  check_design(where, sample, given.sample)
+  local matrix = correlation_of(where, sample.fields, given.sample.correlated)
+  sample.lower = matrix and cholesky(where, matrix)
+  return sample
+end
+
+-- --- values --------------------------------------------------------------------------------------
+
+-- The values of all fields at point i of the columns of shares.
+local function values_at(sample, columns, i)
+  local values, score = {}, {}
+  for f, field in ipairs(sample.fields) do
+    local share = columns[f][i]
+    if sample.lower then
+      score[f] = random.normal_quantile(share)
+      local sum = 0
+      for m = 1, f do sum = sum + sample.lower[f][m] * score[m] end
+      share = random.normal_share(sum)
+    end
+    values[field.name] = field.distribution.value(share)
+  end
+  return values
+end
+
+-- Where indices are wanted (Saltelli's design): for every point a first set of values, a second one,
+-- and for each field the first set with that field out of the second.
+local function with_exchanges(sample, columns, i, cases)
+  local second, count = {}, #sample.fields
+  for f = 1, count do second[f] = columns[count + f] end
+  local a, b = values_at(sample, columns, i), values_at(sample, second, i)
+  cases[#cases + 1], cases[#cases + 2] = a, b
+  for _, field in ipairs(sample.fields) do
+    local mixed = {}
+    for name, value in pairs(a) do mixed[name] = value end
+    mixed[field.name] = b[field.name]
+    cases[#cases + 1] = mixed
+  end
+end
+
+-- The cases: n of them, or n times (fields + 2).
+function design.cases(sample)
+  local dimensions = #sample.fields * (sample.indices and 2 or 1)
+  local columns, cases = random.points(sample.design, sample.n, dimensions, sample.seed), {}
+  for i = 1, sample.n do
+    if sample.indices then
+      with_exchanges(sample, columns, i, cases)
+    else
+      cases[i] = values_at(sample, columns, i)
+    end
+  end
+  return cases
+end
+
+-- --- in a run file -------------------------------------------------------------------------------
+
+-- What a run file keeps of it, to look at the results: the values stand with the cases.
+function design.text(sample)
+  local lines = { ("%s n=%d seed=%d indices=%s"):format(sample.design, sample.n, sample.seed,
+    tostring(sample.indices)) }
+  for _, field in ipairs(sample.fields) do
+    lines[#lines + 1] = field.name .. " " .. tostring(field.distribution)
+  end
+  return table.concat(lines, "\n")
+end
+
+function design.parse(text)
+  local kind, n, seed, indices = text:match("^(%a+) n=(%d+) seed=(%d+) indices=(%a+)")
+  local sample = { design = kind, n = math.tointeger(tonumber(n)), seed = math.tointeger(tonumber(seed)),
+    indices = indices == "true", fields = {}, text = text }
+  for name, distribution in text:gmatch("\n(%S+) ([^\n]+)") do
+    sample.fields[#sample.fields + 1] = { name = name, distribution = distribution }
+  end
+  return sample
+end
+
+return design

@@ -1,0 +1,121 @@
+-- What is known of an uncertain number: uniform{}, normal{}, lognormal{}. A distribution turns a
+-- share of the probability into the value that it reaches. Leans on archard.random.
+
+local check = require "archard.lib.check"
+local random = require "archard.random"
+local strict = require "archard.strict"
+
+local class = strict.class{ __name = "distribution", __fields = { "kind", "mean", "deviation", "low", "high" } }
+
+-- "normal{ mean=100, deviation=5 }", which also makes it again.
+function class.__tostring(self)
+  local parts = {}
+  for _, name in ipairs{ "mean", "deviation", "low", "high" } do
+    local value = rawget(self, name)
+    if value and math.abs(value) < math.huge then
+      parts[#parts + 1] = ("%s=%s"):format(name, ("%.15g"):format(value))
+    end
+  end
+  return ("%s{ %s }"):format(self.kind, table.concat(parts, ", "))
+end
+
+-- --- what is given -------------------------------------------------------------------------------
+
+-- Named fields, or the first two by their order.
+local function read(kind, order, fields, given)
+  if type(given) ~= "table" then
+    check.fail(kind, ("expected a table, %s{ %s=, %s= }, got %s"):format(kind, order[1], order[2],
+      check.shown(given)))
+  end
+  local named = {}
+  for key, value in pairs(given) do
+    local name = order[key] or key
+    if type(name) ~= "string" or named[name] ~= nil then
+      check.fail(kind, ("expected two numbers, %s and %s, or fields by name; got %s more than once or "
+        .. "at place %s"):format(order[1], order[2], order[1], tostring(key)))
+    end
+    named[name] = value
+  end
+  check.fields(kind, named, fields)
+  return named
+end
+
+local function required(kind, given, name, what)
+  if given[name] == nil then
+    check.fail(kind, ("field '%s': expected %s, got none"):format(name, what))
+  end
+end
+
+-- Both numbers in their order.
+local function ordered(kind, low, high)
+  if low >= high then
+    check.fail(kind, ("fields 'low' and 'high': expected low < high, got %g and %g"):format(low, high))
+  end
+end
+
+-- The deviation, or the variation as a share of the mean, in its place.
+local function spread_of(kind, given)
+  required(kind, given, "mean", "the mean")
+  if (given.deviation == nil) == (given.variation == nil) then
+    check.fail(kind, ("fields 'deviation' and 'variation' (deviation / mean): expected one of them, "
+      .. "got %s"):format(given.deviation and "both" or "neither"))
+  end
+  return given.deviation or given.variation * math.abs(given.mean)
+end
+
+-- --- the distributions ---------------------------------------------------------------------------
+
+local function same(x) return x end
+
+-- A normal distribution on a scale, cut to [low, high]: to_scale is the way to it, from_scale back.
+local function bell(kind, given, middle, width, to_scale, from_scale)
+  local low, high = given.low or -math.huge, given.high or math.huge
+  ordered(kind, low, high)
+  local function share(value) return random.normal_share((to_scale(value) - middle) / width) end
+  local from, to = share(low), share(high)
+  if to - from < 1e-6 then
+    check.fail(kind, ("fields 'low' and 'high': next to nothing of the distribution lies between %g "
+      .. "and %g"):format(low, high))
+  end
+  local cut = from > 0 or to < 1
+  return setmetatable({ kind = kind, mean = given.mean, deviation = spread_of(kind, given),
+    low = given.low, high = given.high, value = function(p)
+      local z = random.normal_quantile(cut and from + p * (to - from) or p)
+      return math.max(low, math.min(high, from_scale(middle + width * z)))
+    end }, class)
+end
+
+local distributions = {}
+
+local bell_fields = { mean = check.number, deviation = check.positive, variation = check.positive,
+  low = check.number, high = check.number }
+
+function distributions.normal(given)
+  given = read("normal", { "mean", "deviation" }, bell_fields, given)
+  return bell("normal", given, given.mean, spread_of("normal", given), same, same)
+end
+
+-- mean and deviation are those of the number itself, not of its logarithm.
+function distributions.lognormal(given)
+  given = read("lognormal", { "mean", "deviation" }, bell_fields, given)
+  local deviation = spread_of("lognormal", given)
+  if given.mean <= 0 then check.refuse("lognormal", "mean", "a number > 0", given.mean) end
+  local width = math.sqrt(math.log(1 + (deviation / given.mean) ^ 2))
+  local middle = math.log(given.mean) - width * width / 2
+  return bell("lognormal", given, middle, width,
+    function(value) return value > 0 and math.log(value) or -math.huge end, math.exp)
+end
+
+function distributions.uniform(given)
+  given = read("uniform", { "low", "high" }, { low = check.number, high = check.number }, given)
+  required("uniform", given, "low", "the lower end")
+  required("uniform", given, "high", "the upper end")
+  ordered("uniform", given.low, given.high)
+  local low, high = given.low, given.high
+  return setmetatable({ kind = "uniform", low = low, high = high,
+    value = function(p) return low + p * (high - low) end }, class)
+end
+
+function distributions.is(value) return getmetatable(value) == class end
+
+return distributions

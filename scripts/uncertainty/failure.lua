@@ -1,0 +1,80 @@
+-- s:failure{}: how probable it is that a result passes a limit, before a distance or at all, from
+-- the share of the samples that did. Leans on uncertainty/outcomes.lua.
+
+local check = require "archard.lib.check"
+local history_at = require "archard.lib.history_at"
+local outcomes = require "archard.uncertainty.outcomes"
+local sampled = require "archard.uncertainty.sampled"
+local strict = require "archard.strict"
+
+local where = "study:failure"
+
+local class = strict.class{ __name = "failure", __fields = { "of", "above", "below", "before", "n", "count",
+  "failed", "probability", "low", "high", "confidence", "course" } }
+
+local fields = { of = check.text, above = check.number, below = check.number, before = check.positive,
+  confidence = check.share }
+
+-- Whether a value is past the limit.
+local function test_of(given)
+  if (given.above == nil) == (given.below == nil) then
+    check.fail(where, ("fields 'above' and 'below': expected one of them, got %s"):format(
+      given.above and "both" or "neither"))
+  end
+  if given.above then return function(value) return value > given.above end end
+  return function(value) return value < given.below end
+end
+
+local function check_reached(history, before)
+  local last = history.distance[#history.distance]
+  if before and before > last * (1 + 1e-9) then
+    check.fail(where, ("field 'before': expected a distance up to %g mm, where a case ends, got %g")
+      :format(last, before))
+  end
+end
+
+-- Whether a history passes the limit up to a distance, in one of its rows or at the very end.
+local function passes(history, name, past, before)
+  check_reached(history, before)
+  for i, d in ipairs(history.distance) do
+    if before and d > before then break end
+    if past(history[name][i]) then return true end
+  end
+  return before ~= nil and past(history_at(history, name, before))
+end
+
+function class.__tostring(self)
+  return ("probability that %s is %s %g %s%s: %.4g\n  %.4g to %.4g by %g %% confidence: %d of %d samples%s\n"
+    .. "  from half of them: %.4g"):format(self.of, self.above and "above" or "below",
+    self.above or self.below, outcomes.unit(self.of),
+    self.before and (" before %g mm"):format(self.before) or "", self.probability, self.low, self.high,
+    100 * self.confidence, self.count, self.n,
+    self.failed > 0 and (" (%d failed and are left out)"):format(self.failed) or "",
+    self.course.probability[1])
+end
+
+-- Among the counted cases with indices only two of every point are samples of the distributions.
+local function is_sample(study, number)
+  return not study.sample.indices or (number - 1) % (#study.sample.fields + 2) < 2
+end
+
+return function(study, given)
+  check.definition(where, given, fields)
+  if given.of == nil then check.refuse(where, "of", "the name of a column of the history", nil) end
+  outcomes.names(where, given.of)
+  local past, passed = test_of(given), {}
+  local failed = outcomes.each(study, where, function(number, history)
+    if is_sample(study, number) then passed[#passed + 1] = passes(history, given.of, past, given.before) end
+  end)
+  local count, half = 0, 0
+  for i, yes in ipairs(passed) do
+    count = count + (yes and 1 or 0)
+    if i == #passed // 2 then half = count end
+  end
+  local confidence = given.confidence or 0.95
+  local low, high = sampled.share_range(count, #passed, confidence)
+  return setmetatable({ of = given.of, above = given.above, below = given.below, before = given.before,
+    n = #passed, count = count, failed = failed, probability = count / #passed, low = low, high = high,
+    confidence = confidence, course = { n = { #passed // 2, #passed },
+      probability = { half / (#passed // 2), count / #passed } } }, class)
+end

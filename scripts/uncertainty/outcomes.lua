@@ -1,0 +1,121 @@
+-- What the cases of a sampled study came to, over common distances, in the order of the design.
+-- Cases that failed are left out, and counted. Leans on the study's run file.
+
+local check = require "archard.lib.check"
+local columns = require "archard.settings".columns
+local history_at = require "archard.lib.history_at"
+
+local outcomes = {}
+
+outcomes.columns = {}
+for i, column in ipairs(columns) do outcomes.columns[i] = column.name end
+
+-- The unit of a column, "" where it has none.
+function outcomes.unit(name)
+  for _, column in ipairs(columns) do
+    if column.name == name then return column.unit or "" end
+  end
+end
+
+-- One name of a column or several, as a list.
+function outcomes.names(where, of)
+  local list = type(of) == "table" and of or { of }
+  for _, name in ipairs(list) do
+    local unit = outcomes.unit(name)
+    if not unit then
+      check.fail(where, ("field 'of': no column '%s' in the history%s"):format(tostring(name),
+        check.hint(tostring(name), outcomes.columns)))
+    end
+  end
+  if #list == 0 then check.refuse(where, "of", "the name of a column or a list of them", of) end
+  return list
+end
+
+-- The cases of the run file, all of them computed.
+function outcomes.rows(study, where)
+  if not study.sample then
+    check.fail(where, ("study %s has no samples: make it with study{ sample={...} }"):format(study.name))
+  end
+  local rows, waiting = study:store():cases(), 0
+  for _, row in ipairs(rows) do
+    if row.status ~= "done" and row.status ~= "failed" then waiting = waiting + 1 end
+  end
+  if waiting > 0 then
+    check.fail(where, ("%d of %d cases have not run yet: call run{} first"):format(waiting, #rows))
+  end
+  return rows
+end
+
+-- Whether a row counts: with indices the cases of one point stand or fall together.
+local function counted(study, rows)
+  local kept, group, left_out = {}, study.sample.indices and #study.sample.fields + 2 or 1, 0
+  for first = 1, #rows, group do
+    local fine = true
+    for i = first, first + group - 1 do fine = fine and rows[i].status == "done" end
+    for i = first, first + group - 1 do
+      kept[i] = fine
+      if rows[i].status == "failed" then left_out = left_out + 1 end
+    end
+  end
+  return kept, left_out
+end
+
+-- each(study, where, visit): calls visit(index, history) for every case that counts; returns how many
+-- failed.
+function outcomes.each(study, where, visit)
+  local rows = outcomes.rows(study, where)
+  local kept, failed = counted(study, rows)
+  local store, number = study:store(), 0
+  for i, row in ipairs(rows) do
+    if kept[i] then
+      number = number + 1
+      visit(number, store:history(row.id), i)
+    end
+  end
+  if number < 2 then check.fail(where, "fewer than two cases have results") end
+  return failed, number
+end
+
+-- The distances asked for, or 50 equal steps to the shortest end.
+local function grid(at, shortest)
+  if at then return at end
+  local list = {}
+  for i = 1, 50 do list[i] = shortest * i / 50 end
+  return list
+end
+
+local function shortest_of(study, where)
+  local shortest = math.huge
+  outcomes.each(study, where, function(_, history)
+    shortest = math.min(shortest, history.distance[#history.distance])
+  end)
+  return shortest
+end
+
+-- read(study, where, names, at) -> { distance=, n=, failed=, index=, values= }: values[name][g][i] is
+-- that of the i-th counted case at distance g; index[i] is its number in the study.
+function outcomes.read(study, where, names, at)
+  local shortest = shortest_of(study, where)
+  local result = { distance = grid(at, shortest), values = {}, index = {} }
+  for _, d in ipairs(result.distance) do
+    if d > shortest * (1 + 1e-9) then
+      check.fail(where, ("field 'at': expected distances up to %g mm, where the shortest case ends, "
+        .. "got %g"):format(shortest, d))
+    end
+  end
+  for _, name in ipairs(names) do
+    result.values[name] = {}
+    for g = 1, #result.distance do result.values[name][g] = {} end
+  end
+  result.failed, result.n = outcomes.each(study, where, function(i, history, index)
+    result.index[i] = index
+    for _, name in ipairs(names) do
+      for g, d in ipairs(result.distance) do
+        result.values[name][g][i] = history_at(history, name, d)
+      end
+    end
+  end)
+  return result
+end
+
+return outcomes

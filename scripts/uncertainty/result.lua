@@ -1,0 +1,230 @@
+-- s:uncertainty{}: mean, deviation, quantiles over the distance of what the samples came to, which
+-- field causes how much of it, and how far the estimates have settled. Leans on
+-- uncertainty/outcomes.lua for the numbers.
+
+local check = require "archard.lib.check"
+local indices = require "archard.uncertainty.indices"
+local outcomes = require "archard.uncertainty.outcomes"
+local sampled = require "archard.uncertainty.sampled"
+local strict = require "archard.strict"
+local align = require "archard.study.table".align
+
+local where = "study:uncertainty"
+
+local class = strict.class{ __name = "uncertainty", __fields = { "name", "of", "n", "failed", "distance",
+  "fields", "confidence", "design", "seed", "indices" } }
+
+-- --- what is asked -------------------------------------------------------------------------------
+
+local shares = check.kind("a list of numbers in (0, 1)", function(v)
+  if type(v) ~= "table" or #v == 0 then return false end
+  for _, share in ipairs(v) do
+    if not check.share.test(share) then return false end
+  end
+  return true
+end)
+local distances = check.kind("a list of distances > 0", function(v)
+  if type(v) ~= "table" or #v == 0 then return false end
+  for _, d in ipairs(v) do
+    if not check.positive.test(d) then return false end
+  end
+  return true
+end)
+local fields = { of = check.any "names", quantiles = shares, at = distances, confidence = check.share }
+
+-- --- from samples to estimates -------------------------------------------------------------------
+
+-- Which of the counted cases are samples of the distributions: all, or with indices the first two of
+-- every point. Their positions among the counted.
+local function samples_of(study, count)
+  local group, list = #study.sample.fields + 2, {}
+  for i = 1, count do
+    if not study.sample.indices or (i - 1) % group < 2 then list[#list + 1] = i end
+  end
+  return list
+end
+
+local function picked(values, positions)
+  local list = {}
+  for i, position in ipairs(positions) do list[i] = values[position] end
+  return list
+end
+
+-- The estimates from one list of samples, put at place g of the columns.
+local function add_estimates(result, g, list, quantiles, reach)
+  local sorted = sampled.sorted(list)
+  result.mean[g], result.deviation[g], result.mean_error[g] = sampled.moments(list, reach)
+  for q, share in ipairs(quantiles) do
+    local column = result.quantiles[q]
+    column.value[g] = sampled.quantile(sorted, share)
+    column.low[g], column.high[g] = sampled.quantile_range(sorted, share, reach)
+  end
+end
+
+local function columns_for(quantiles)
+  local result = { mean = {}, deviation = {}, mean_error = {}, quantiles = {} }
+  for q, share in ipairs(quantiles) do
+    result.quantiles[q] = { share = share, value = {}, low = {}, high = {} }
+  end
+  return result
+end
+
+-- The estimates at the last distance from ever more of the samples.
+local function convergence(list, quantiles, reach)
+  local result, counts, n = columns_for(quantiles), {}, #list
+  while n >= 8 and #counts < 5 do
+    table.insert(counts, 1, n)
+    n = n // 2
+  end
+  for i, count in ipairs(counts) do
+    add_estimates(result, i, table.move(list, 1, count, 1, {}), quantiles, reach)
+  end
+  result.n = counts
+  return result
+end
+
+-- --- which field causes it -----------------------------------------------------------------------
+
+-- Every group-th value from `first` on.
+local function strided(values, first, group)
+  local list = {}
+  for i = first, #values, group do list[#list + 1] = values[i] end
+  return list
+end
+
+local function add_indices(result, g, values, names, reach)
+  local group = #names + 2
+  local a, b = strided(values, 1, group), strided(values, 2, group)
+  for f, name in ipairs(names) do
+    local first, total = indices.of(a, b, strided(values, f + 2, group))
+    for kind, found in pairs{ first = first or {}, total = total or {} } do
+      local column = result[kind][name]
+      column.value[g], column.error[g] = found.value or 0 / 0, reach * (found.error or 0 / 0)
+    end
+  end
+end
+
+local function columns_by_name(names)
+  local list = {}
+  for _, name in ipairs(names) do list[name] = { value = {}, error = {} } end
+  return list
+end
+
+-- The correlation of the last values' ranks with those of each field.
+local function rank_correlations(study, names, index, positions, last)
+  local result = {}
+  for _, name in ipairs(names) do
+    local given = {}
+    for i, position in ipairs(positions) do given[i] = study.flat[index[position]][name] end
+    result[name] = sampled.rank_correlation(given, last)
+  end
+  return result
+end
+
+-- --- making --------------------------------------------------------------------------------------
+
+local function estimate(study, self, name, found, options)
+  local result, values = columns_for(options.quantiles), found.values[name]
+  local positions = samples_of(study, found.n)
+  if self.indices then result.first, result.total = columns_by_name(self.fields), columns_by_name(self.fields) end
+  for g = 1, #found.distance do
+    add_estimates(result, g, picked(values[g], positions), options.quantiles, options.reach)
+    if self.indices then add_indices(result, g, values[g], self.fields, options.reach) end
+  end
+  local last = picked(values[#values], positions)
+  result.convergence = convergence(last, options.quantiles, options.reach)
+  result.rank = rank_correlations(study, self.fields, found.index, positions, last)
+  self.n = #positions
+  return result
+end
+
+-- --- showing -------------------------------------------------------------------------------------
+
+local function number(value) return value == value and ("%.4g"):format(value) or "-" end
+
+local function estimates_table(self, g)
+  local head = { "", "mean", "+-", "deviation" }
+  for _, column in ipairs(self[self.of[1]].quantiles) do
+    head[#head + 1] = ("%g %%"):format(100 * column.share)
+  end
+  head[#head + 1] = "unit"
+  local rows = { head }
+  for _, name in ipairs(self.of) do
+    local result = self[name]
+    local row = { name, number(result.mean[g]), number(result.mean_error[g]), number(result.deviation[g]) }
+    for _, column in ipairs(result.quantiles) do row[#row + 1] = number(column.value[g]) end
+    row[#row + 1] = outcomes.unit(name)
+    rows[#rows + 1] = row
+  end
+  return rows
+end
+
+local function causes_table(self, g)
+  local rows = { self.indices and { "share of the variance", "first", "+-", "total", "+-", "of" }
+    or { "correlation of ranks", "", "of" } }
+  for _, name in ipairs(self.of) do
+    local result = self[name]
+    for _, field in ipairs(self.fields) do
+      local first, total = self.indices and result.first[field], self.indices and result.total[field]
+      rows[#rows + 1] = first and { field, ("%.3f"):format(first.value[g]), ("%.3f"):format(first.error[g]),
+        ("%.3f"):format(total.value[g]), ("%.3f"):format(total.error[g]), name }
+        or { field, result.rank[field] and ("%.3f"):format(result.rank[field]) or "-", name }
+    end
+  end
+  return rows
+end
+
+local function add_rows(lines, rows)
+  align(rows)
+  for _, row in ipairs(rows) do lines[#lines + 1] = "  " .. table.concat(row, "  "):gsub(" +$", "") end
+end
+
+-- How far the mean and the outermost quantile moved with the second half of the samples.
+local function settled_line(self, name)
+  local course = self[name].convergence
+  local n = #course.n
+  if n < 2 then return nil end
+  local last = course.quantiles[#course.quantiles]
+  local function moved(list) return 100 * math.abs(list[n] / list[n - 1] - 1) end
+  return ("  %s: from %d to %d samples the mean moved by %.2g %%, the deviation by %.2g %%, the %g %% "
+    .. "quantile by %.2g %%"):format(name, course.n[n - 1], course.n[n], moved(course.mean),
+    moved(course.deviation), 100 * last.share, moved(last.value))
+end
+
+function class.__tostring(self)
+  local g = #self.distance
+  local lines = { ("uncertainty of study %s: %d samples (%s, seed %d) at %g mm, +- by %g %% confidence")
+    :format(self.name, self.n, self.design, self.seed, self.distance[g], 100 * self.confidence) }
+  if self.failed > 0 then
+    lines[#lines + 1] = ("  %d cases failed and are left out: what they would have come to is missing")
+      :format(self.failed)
+  end
+  add_rows(lines, estimates_table(self, g))
+  add_rows(lines, causes_table(self, g))
+  for _, name in ipairs(self.of) do lines[#lines + 1] = settled_line(self, name) end
+  if self.uneven then lines[#lines + 1] = "  " .. self.uneven end
+  return table.concat(lines, "\n")
+end
+
+-- Sobol's points lie evenly in whole powers of 2.
+local function uneven(sample)
+  local power = 2 ^ math.floor(math.log(sample.n, 2) + 1e-9)
+  if sample.design ~= "sobol" or sample.n == power then return nil end
+  return ("n = %d is no power of 2: Sobol's points lie evenly for n = %d or %d"):format(sample.n,
+    math.tointeger(power), math.tointeger(2 * power))
+end
+
+-- make(study, { of=, at=, quantiles=, confidence= })
+return function(study, given)
+  given = check.definition(where, given or {}, fields)
+  local names = outcomes.names(where, given.of or { "depth_cylinder", "depth_plate", "p_center" })
+  local options = { quantiles = given.quantiles or { 0.05, 0.5, 0.95 },
+    reach = sampled.reach(given.confidence or 0.95) }
+  local found, uncertain = outcomes.read(study, where, names, given.at), {}
+  for i, field in ipairs(study.sample.fields) do uncertain[i] = field.name end
+  local self = { name = study.name, of = names, failed = found.failed, distance = found.distance,
+    fields = uncertain, confidence = given.confidence or 0.95, design = study.sample.design,
+    seed = study.sample.seed, indices = study.sample.indices, uneven = uneven(study.sample) }
+  for _, name in ipairs(names) do self[name] = estimate(study, self, name, found, options) end
+  return setmetatable(self, class)
+end

@@ -1,0 +1,52 @@
+-- Before a sampled study starts: the least and the greatest sampled value of each field must make a
+-- run, and must matter. One short look costs two runs a field, against as many as there are samples.
+
+local check = require "archard.lib.check"
+local columns = require "archard.settings".columns
+local merged = require "archard.lib.merged"
+local settings = require "archard.study.settings"
+
+local where = "study:run"
+
+local function ends_of(flat, name)
+  local low, high = flat[1][name], flat[1][name]
+  for _, case in ipairs(flat) do low, high = math.min(low, case[name]), math.max(high, case[name]) end
+  return low, high
+end
+
+-- The history of the first case with the field at a value.
+local function history_with(flat, name, value)
+  local made, run = pcall(wear, settings.nest(merged(flat[1], { [name] = value })))
+  if not made then
+    local message = type(run) == "table" and run.message or tostring(run)
+    check.fail(where, ("field 'sample.%s': the sampled value %g cannot be run (%s); a distribution with "
+      .. "low= and high= stays within what can"):format(name, value, message))
+  end
+  local fine, why = pcall(run.run, run, { progress = false })
+  local history = run.history
+  run:close()
+  if not fine and type(why) == "table" and why.code == "STOPPED" then error(why, 0) end
+  return fine and history
+end
+
+-- Whether two histories tell the same of the wear; what merely repeats the settings does not count.
+local settings_told = { load = true, k = true, alpha = true, jump = true }
+local function same(a, b)
+  for _, column in ipairs(columns) do
+    local x, y = a[column.name], b[column.name]
+    if not settings_told[column.name] and not settings.same(x, y) then return false end
+  end
+  return true
+end
+
+-- A field that does nothing would be reported as one that does not matter.
+return function(study)
+  for _, field in ipairs(study.sample.fields) do
+    local low, high = ends_of(study.flat, field.name)
+    local a, b = history_with(study.flat, field.name, low), history_with(study.flat, field.name, high)
+    if a and b and same(a, b) then
+      check.fail(where, ("field 'sample.%s': it does nothing here: %g and %g give the same run (does "
+        .. "another field take its place?)"):format(field.name, low, high))
+    end
+  end
+end

@@ -1,0 +1,132 @@
+/* The module `archard.random`: points that fill a cube, by design and seed, and the quantiles that
+ * uncertainties need. The one file that includes GSL's generators and distributions. All of it
+ * depends on its arguments alone: the same seed gives the same bits. */
+#include "lua/base/archard.h"
+#include "lua/base/error.h"
+#include "lua/base/args.h"
+#include "lua/base/array.h"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_qrng.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <lauxlib.h>
+#include <stdlib.h>
+
+enum { SOBOL_BITS = 30, SOBOL_MOST = 40 };
+
+/* Where points go: dimension d of point i at column[d * count + i], inside (0, 1). */
+typedef struct points {
+  double *column;
+  size_t count, dimensions;
+  gsl_rng *random;
+} points;
+
+/* --- designs ---------------------------------------------------------------------------------- */
+
+static int fill_random(const points *p) {
+  for (size_t i = 0; i < p->count; i++)
+    for (size_t d = 0; d < p->dimensions; d++)
+      p->column[d * p->count + i] = gsl_rng_uniform_pos(p->random);
+  return 0;
+}
+
+/* One point in each of `count` slices of every axis, the slices in random order. */
+static int fill_latin(const points *p) {
+  size_t *slice = malloc(p->count * sizeof *slice);
+  if (!slice) return -1;
+  for (size_t d = 0; d < p->dimensions; d++) {
+    for (size_t i = 0; i < p->count; i++) slice[i] = i;
+    gsl_ran_shuffle(p->random, slice, p->count, sizeof *slice);
+    for (size_t i = 0; i < p->count; i++)
+      p->column[d * p->count + i] =
+          ((double)slice[i] + gsl_rng_uniform_pos(p->random)) / (double)p->count;
+  }
+  free(slice);
+  return 0;
+}
+
+/* Sobol's points with their digits flipped by a random number for each axis: that keeps how evenly
+ * they lie, makes every point uniform, and none 0. GSL leaves out the first point, the origin;
+ * with it 2^m points are a whole net. */
+static int fill_sobol(const points *p) {
+  const double cells = (double)(1UL << SOBOL_BITS);
+  unsigned long flip[SOBOL_MOST];
+  double at[SOBOL_MOST] = {0};
+  gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->dimensions);
+  if (!sequence) return -1;
+  for (size_t d = 0; d < p->dimensions; d++)
+    flip[d] = gsl_rng_uniform_int(p->random, 1UL << SOBOL_BITS);
+  for (size_t i = 0; i < p->count; i++) {
+    if (i > 0) gsl_qrng_get(sequence, at);
+    for (size_t d = 0; d < p->dimensions; d++) {
+      const unsigned long cell = (unsigned long)(at[d] * cells) ^ flip[d];
+      p->column[d * p->count + i] = ((double)cell + 0.5) / cells;
+    }
+  }
+  gsl_qrng_free(sequence);
+  return 0;
+}
+
+static const char *const designs[] = {"sobol", "latin", "random", NULL};
+static int (*const fill[])(const points *) = {fill_sobol, fill_latin, fill_random};
+
+static void push_columns(lua_State *L, const points *p) {
+  lua_createtable(L, (int)p->dimensions, 0);
+  for (size_t d = 0; d < p->dimensions; d++) {
+    array_push(L, p->column + d * p->count, p->count);
+    lua_rawseti(L, -2, (lua_Integer)d + 1);
+  }
+}
+
+/* points(design, count, dimensions, seed) -> a list of `dimensions` lists of `count` numbers */
+static int random_points(lua_State *L) {
+  static const char where[] = "random.points";
+  const int design = args_choice(L, 1, (args_place){where, ""}, "design", designs, -1);
+  const lua_Integer count = luaL_checkinteger(L, 2), dimensions = luaL_checkinteger(L, 3);
+  const lua_Integer seed = luaL_checkinteger(L, 4);
+  luaL_argcheck(L, count >= 1 && count <= 10000000, 2, "expected 1 to 10000000");
+  luaL_argcheck(L, dimensions >= 1 && dimensions <= SOBOL_MOST, 3, "expected 1 to 40");
+  points p = {array_buffer(L, (size_t)(count * dimensions)), (size_t)count, (size_t)dimensions,
+              gsl_rng_alloc(gsl_rng_mt19937)};
+  if (!p.random) error_raise(L, ARC_MEMORY, where, "out of memory");
+  gsl_rng_set(p.random, (unsigned long)seed);
+  const int failed = fill[design](&p);
+  gsl_rng_free(p.random);
+  if (failed) error_raise(L, ARC_MEMORY, where, "out of memory");
+  push_columns(L, &p);
+  return 1;
+}
+
+/* --- distributions ---------------------------------------------------------------------------- */
+
+/* normal_quantile(p): where the standard normal distribution reaches p */
+static int normal_quantile(lua_State *L) {
+  lua_pushnumber(L, gsl_cdf_ugaussian_Pinv(luaL_checknumber(L, 1)));
+  return 1;
+}
+
+/* normal_share(z): the share of the standard normal distribution below z */
+static int normal_share(lua_State *L) {
+  lua_pushnumber(L, gsl_cdf_ugaussian_P(luaL_checknumber(L, 1)));
+  return 1;
+}
+
+/* beta_quantile(p, a, b): where the beta distribution reaches p */
+static int beta_quantile(lua_State *L) {
+  lua_pushnumber(L, gsl_cdf_beta_Pinv(luaL_checknumber(L, 1), luaL_checknumber(L, 2),
+                                      luaL_checknumber(L, 3)));
+  return 1;
+}
+
+int luaopen_archard_random(lua_State *L) {
+  static const luaL_Reg functions[] = {{"points", random_points},
+                                       {"normal_quantile", normal_quantile},
+                                       {"normal_share", normal_share},
+                                       {"beta_quantile", beta_quantile},
+                                       {NULL, NULL}};
+  luaL_newlib(L, functions);
+  lua_pushinteger(L, SOBOL_MOST);
+  lua_setfield(L, -2, "most_dimensions");
+  return 1;
+}
