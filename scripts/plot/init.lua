@@ -1,7 +1,7 @@
 -- plot: curves, and the pictures of contact and wear. Only gathers what users see; the work is in
 -- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/naming.lua (titles and keys),
 -- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses),
--- plot/shear.lua (friction), plot/response.lua (studies) and plot/animate.lua.
+-- plot/shear.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies) and plot/animate.lua.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -11,6 +11,8 @@ local shear = require "archard.plot.shear"
 local animate = require "archard.plot.animate"
 local response = require "archard.plot.response"
 local style = require "archard.plot.style"
+local bands = require "archard.plot.bands"
+local tornado = require "archard.plot.tornado"
 
 local plot = {
   default = draw.default, -- term, size, colour and key where a call does not give them
@@ -23,6 +25,8 @@ local plot = {
   stress = mesh.stress,
   animate = animate,
   response = response,
+  bands = bands,
+  tornado = tornado,
   style = style.choose,
   points = function(given) draw.points("plot.points", given) end,
   again = function() draw.again("plot.again") end,

@@ -1,0 +1,71 @@
+-- plot.bands: what the samples of a study came to over the distance, as a middle line between bands
+-- of quantiles. Leans on plot/draw.lua; of the uncertainty it uses only what users can.
+
+local check = require "archard.lib.check"
+local curves = require "archard.plot.curves"
+local draw = require "archard.plot.draw"
+local naming = require "archard.plot.naming"
+
+local where = "plot.bands"
+
+local function scaled(list, factor)
+  local result = {}
+  for i, value in ipairs(list) do result[i] = value * factor end
+  return result
+end
+
+-- Out along the lower quantile and back along the upper one.
+local function area(distance, low, high, factor)
+  local x, y = {}, {}
+  for i, d in ipairs(distance) do x[i], y[i] = d, low[i] * factor end
+  for i = #distance, 1, -1 do x[#x + 1], y[#y + 1] = distance[i], high[i] * factor end
+  return x, y
+end
+
+local function labels_of(name)
+  local label, factor = curves.quantity_of(name)
+  return label or name, factor or 1
+end
+
+-- Quantiles from the outermost pair inwards, and the one in the middle, if there is one.
+local function panel_of(uncertainty, name)
+  local result = uncertainty[name]
+  local quantiles, distance = result.quantiles, uncertainty.distance
+  local label, factor = labels_of(name)
+  local panel = { xlabel = "distance / mm", ylabel = label, title = name:gsub("_", " ") }
+  for i = 1, #quantiles // 2 do
+    local low, high = quantiles[i], quantiles[#quantiles + 1 - i]
+    local x, y = area(distance, low.value, high.value, factor)
+    panel[i] = { x = x, y = y, style = "filled", series = 1,
+      title = ("%g to %g %%"):format(100 * low.share, 100 * high.share) }
+  end
+  local middle = #quantiles % 2 == 1 and quantiles[#quantiles // 2 + 1]
+  panel[#panel + 1] = { x = distance, y = scaled(middle and middle.value or result.mean, factor), series = 2,
+    title = middle and ("%g %%"):format(100 * middle.share) or "mean" }
+  return panel
+end
+
+-- plot.bands(study or uncertainty, { of=, ... })
+return function(object, options)
+  options = draw.options(where, options, { of = check.any "a name or a list of names" })
+  local uncertainty = object
+  if naming.get(object, "uncertainty") then
+    uncertainty = object:uncertainty{ of = options.of }
+  elseif not (naming.get(object, "distance") and naming.get(object, "fields")) then
+    check.fail(where, "expected a sampled study or its uncertainty, got " .. check.shown(object))
+  end
+  local names = options.of or uncertainty.of
+  names = type(names) == "table" and names or { names }
+  local panels = {}
+  for i, name in ipairs(names) do
+    if not naming.get(uncertainty, name) then
+      check.fail(where, ("field 'of': the uncertainty does not tell of '%s'%s"):format(tostring(name),
+        check.hint(tostring(name), uncertainty.of)))
+    end
+    panels[i] = panel_of(uncertainty, name)
+  end
+  local title = ("%s, %d samples"):format(uncertainty.name, uncertainty.n)
+  local given = #panels == 1 and panels[1] or { panels = panels, title = title }
+  if #panels == 1 then given.title = title end
+  draw.draw(where, draw.over(given, options))
+end

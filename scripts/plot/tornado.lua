@@ -1,0 +1,108 @@
+-- plot.tornado: which number matters most for a result: bars in the order of their length, of Sobol's
+-- indices or rank correlations of a sampled study, or of elasticities. Leans on plot/draw.lua; of the
+-- objects it uses only what users can.
+
+local check = require "archard.lib.check"
+local draw = require "archard.plot.draw"
+local naming = require "archard.plot.naming"
+
+local where = "plot.tornado"
+
+-- --- what the bars are ---------------------------------------------------------------------------
+
+-- Each kind: the label of its axis, and bars { name=, value=, whole= }; whole is the longer bar behind.
+local function of_sensitivity(object, of, at)
+  local bars = {}
+  for i, name in ipairs(object.to) do bars[i] = { name = name, value = object[of][name].elasticity[at] } end
+  return "percent by percent", bars
+end
+
+local function of_indices(object, of, at)
+  local bars = {}
+  for i, name in ipairs(object.fields) do
+    bars[i] = { name = name, value = object[of].first[name].value[at], whole = object[of].total[name].value[at] }
+  end
+  return "share of the variance", bars
+end
+
+local function of_ranks(object, of)
+  local bars = {}
+  for i, name in ipairs(object.fields) do bars[i] = { name = name, value = object[of].rank[name] or 0 } end
+  return "correlation of ranks", bars
+end
+
+local function reader_of(object)
+  if naming.get(object, "to") then return of_sensitivity end
+  if naming.get(object, "fields") then return naming.get(object, "indices") and of_indices or of_ranks end
+  check.fail(where, "expected a sampled study, its uncertainty or a sensitivity, got " .. check.shown(object))
+end
+
+-- --- drawing them --------------------------------------------------------------------------------
+
+local function length_of(bar) return math.abs(bar.whole or bar.value) end
+
+-- Bars lie at heights 1, 2, ..., the longest on top, `half` wide to both sides.
+local function outline(bars, field, half)
+  local x, y = {}, {}
+  for i, bar in ipairs(bars) do
+    local to = bar[field]
+    for _, corner in ipairs{ { 0, -half }, { to, -half }, { to, half }, { 0, half }, { 0, -half } } do
+      x[#x + 1], y[#y + 1] = corner[1], i + corner[2]
+    end
+  end
+  return x, y
+end
+
+local function curves_of(bars)
+  local list = {}
+  if bars[1].whole then
+    local x, y = outline(bars, "whole", 0.35)
+    list[1] = { x = x, y = y, style = "filled", series = 1, title = "with all it takes part in" }
+  end
+  local x, y = outline(bars, "value", bars[1].whole and 0.2 or 0.35)
+  list[#list + 1] = { x = x, y = y, style = "filled", series = bars[1].whole and 2 or 1,
+    title = bars[1].whole and "by itself" or nil }
+  return list
+end
+
+local function places_of(bars)
+  local at, words = {}, {}
+  for i, bar in ipairs(bars) do at[i], words[i] = i, bar.name end
+  return { at = at, words = words }
+end
+
+-- The place of the distance nearest to the one asked for; the last.
+local function place_of(distance, wanted)
+  local best = #distance
+  for i, d in ipairs(wanted and distance or {}) do
+    if math.abs(d - wanted) < math.abs(distance[best] - wanted) then best = i end
+  end
+  return best
+end
+
+local function name_in(object, of)
+  of = of or object.of[1]
+  for _, name in ipairs(object.of) do
+    if name == of then return of end
+  end
+  check.fail(where, ("field 'of': it does not tell of '%s'%s"):format(of, check.hint(of, object.of)))
+end
+
+-- plot.tornado(study or uncertainty or sensitivity, { of=, at=, ... })
+return function(object, options)
+  options = draw.options(where, options, { of = check.text, at = check.positive })
+  if naming.get(object, "uncertainty") then
+    object = object:uncertainty{ of = options.of or "depth_cylinder" }
+  end
+  local read = reader_of(object)
+  local of, place = name_in(object, options.of), place_of(object.distance, options.at)
+  local label, bars = read(object, of, place)
+  table.sort(bars, function(a, b)
+    if length_of(a) ~= length_of(b) then return length_of(a) < length_of(b) end
+    return a.name > b.name
+  end)
+  local given = curves_of(bars)
+  given.xlabel, given.yplaces, given.yrange = label, places_of(bars), { 0.5, #bars + 0.5 }
+  given.title = ("%s at %g mm"):format(of:gsub("_", " "), object.distance[place])
+  draw.draw(where, draw.over(given, options))
+end

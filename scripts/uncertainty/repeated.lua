@@ -1,0 +1,148 @@
+-- A finished run once more, with a number of its definition changed: what sensitivities compare.
+-- Leans on archard.store, which knows the whole definition of a run.
+
+local check = require "archard.lib.check"
+local known = require "archard.settings"
+local merged = require "archard.lib.merged"
+local settings = require "archard.study.settings"
+local stores = require "archard.store"
+
+local repeated = {}
+
+local where = "wear:sensitivity"
+
+-- What a run file would keep of the run.
+local function stored(run)
+  local path = os.tmpname()
+  os.remove(path)
+  local store <close> = stores.open(path, "create")
+  local fine, values = pcall(function()
+    store:add(1, "run")
+    store:save(1, run, {})
+    return store:values(1, "definition")
+  end)
+  store:close()
+  os.remove(path)
+  if not fine then error(values, 0) end
+  return settings.nest(values)
+end
+
+local function loading_of(blocks)
+  for _, block in ipairs(blocks or {}) do block.periodic = block.periodic ~= 0 end
+  return blocks
+end
+
+-- The definition that wear{} takes: words and loading as a run file has them, all else (numbers,
+-- tables, functions, the model) as the run tells. 0 stands for what was not given.
+function repeated.definition(run)
+  local there = stored(run)
+  local definition = { model = run.model, loading = loading_of(there.loading) }
+  for _, setting in ipairs(known.wear) do
+    local name = setting.name
+    if setting.choice then
+      definition[name] = there[name]
+    elseif setting.plain and run[name] ~= 0 then
+      definition[name] = run[name]
+    end
+  end
+  local has, local_factor = pcall(function() return run.local_factor end)
+  definition.local_factor = has and local_factor or nil
+  return repeated.with_steps(run, definition)
+end
+
+-- Steps that chose themselves are taken again as they were, and implicitly, for they may be long:
+-- chosen anew for every changed number, they would cover small changes with noise.
+function repeated.with_steps(run, definition)
+  if not (definition.tolerance or definition.jump == "auto") then return definition end
+  local jumps = run.history.jump
+  definition.tolerance, definition.scheme, definition.steps_chosen = nil, "implicit", true
+  definition.jump = function(state) return jumps[math.min(state.update + 2, #jumps)] end
+  return definition
+end
+
+-- --- the numbers that can be changed -------------------------------------------------------------
+
+local bodies = { "cylinder", "plate" }
+
+-- "E" stands for that of both bodies, where it is the same; the model may go without its name.
+local function paths_of(model, name)
+  name = name:gsub("^model%.", "")
+  local flat = settings.flatten(where, { model = model })
+  if flat["model." .. name] then return flat, { "model." .. name } end
+  local both = { "model.cylinder." .. name, "model.plate." .. name }
+  if not flat[both[1]] then return flat, nil end
+  if flat[both[1]] ~= flat[both[2]] then
+    check.fail(where, ("field 'to': %s is %g of the cylinder and %g of the plate; name one: "
+      .. "\"cylinder.%s\" or \"plate.%s\""):format(name, flat[both[1]], flat[both[2]], name, name))
+  end
+  return flat, both
+end
+
+local function refuse(run, name)
+  local names = {}
+  for _, setting in ipairs(known.wear) do
+    if type(run[setting.name]) == "number" and setting.name ~= "update" then names[#names + 1] = setting.name end
+  end
+  for _, body in ipairs(bodies) do
+    names[#names + 1], names[#names + 2] = body .. ".E", body .. ".nu"
+  end
+  check.fail(where, ("field 'to': \"%s\" is no number of this run's definition%s"):format(name,
+    check.hint(name, names)))
+end
+
+-- changer(run, name, definition) -> the number's value, and set(value) -> a changed definition
+function repeated.changer(run, name, definition)
+  local function changed(field, value)
+    return merged(definition, { [field] = value })
+  end
+  if type(definition[name]) == "number" then
+    return definition[name], function(value) return changed(name, value) end
+  end
+  if definition[name] ~= nil and name ~= "model" then
+    check.fail(where, ("field 'to': expected the name of a number, but %s is %s here"):format(name,
+      check.shown(definition[name])))
+  end
+  local flat, paths = paths_of(run.model, name)
+  if not paths or type(flat[paths[1]]) ~= "number" then refuse(run, name) end
+  return flat[paths[1]], function(value)
+    local copy = merged(flat)
+    for _, path in ipairs(paths) do copy[path] = value end
+    return changed("model", settings.nest(copy).model)
+  end
+end
+
+-- --- running -------------------------------------------------------------------------------------
+
+-- The rows of a history at the distances, all of which it has.
+local function rows_at(history, distances)
+  local rows, at = {}, 1
+  for i, d in ipairs(distances) do
+    while history.distance[at + 1] and history.distance[at] < d * (1 - 1e-12) do at = at + 1 end
+    rows[i] = at
+  end
+  return rows
+end
+
+-- What wear{} knows of it.
+local function taken(definition)
+  local copy = merged(definition)
+  copy.steps_chosen = nil
+  return copy
+end
+
+-- run(definition, distances, names) -> a list: of each column in turn its values at the distances,
+-- where the changed run ends a step too.
+function repeated.run(definition, distances, names)
+  local run <close> = wear(taken(definition))
+  for _, d in ipairs(distances) do
+    if d > run.distance then run:run{ distance = d, progress = false } end
+  end
+  local history, list = run.history, {}
+  local rows = rows_at(history, distances)
+  for _, name in ipairs(names) do
+    for _, row in ipairs(rows) do list[#list + 1] = history[name][row] end
+  end
+  return list
+end
+
+return repeated

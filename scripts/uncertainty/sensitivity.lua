@@ -1,0 +1,140 @@
+-- w:sensitivity{ of=, to= }: how results answer to numbers of the definition over the whole history,
+-- as derivatives and as elasticities (percent by percent), each with its own error. Leans on
+-- uncertainty/repeated.lua for runs with a number changed, on uncertainty.plateau.lua.
+
+local check = require "archard.lib.check"
+local derive = require "archard.uncertainty.plateau"
+local outcomes = require "archard.uncertainty.outcomes"
+local repeated = require "archard.uncertainty.repeated"
+local strict = require "archard.strict"
+local align = require "archard.study.table".align
+
+local where = "wear:sensitivity"
+
+local class = strict.class{ __name = "sensitivity", __fields = { "of", "to", "distance", "runs" } }
+
+local fields = { of = check.any "names", to = check.any "names" }
+
+local function names_of(name, given, usual)
+  given = given == nil and usual or given
+  local list = type(given) == "table" and given or { given }
+  for _, each in ipairs(list) do
+    if type(each) ~= "string" then check.refuse(where, name, "a name or a list of names", each) end
+  end
+  if #list == 0 then check.refuse(where, name, "a name or a list of names", given) end
+  return list
+end
+
+-- The distances of the history but the start, where nothing has happened yet.
+local function distances_of(run)
+  local list = {}
+  for i, d in ipairs(run.history.distance) do
+    if i > 1 then list[#list + 1] = d end
+  end
+  if #list == 0 then check.fail(where, "the run is at its start: call run{} first") end
+  return list
+end
+
+local function values_of(run, names)
+  local list, history = {}, run.history
+  for _, name in ipairs(names) do
+    for i = 2, #history.distance do list[#list + 1] = history[name][i] end
+  end
+  return list
+end
+
+-- Steps that chose themselves were corrected by the estimate of their error; the same steps again are
+-- not, and differ a little.
+local function room_of(definition) return definition.steps_chosen and 0.02 or 0 end
+
+-- A run that its definition does not lead to has no definition to change.
+local state = { "depth_cylinder", "depth_plate", "p_center" }
+local function check_repeats(run, definition, distances)
+  local again, room = repeated.run(definition, distances, state), room_of(definition)
+  for i, value in ipairs(values_of(run, state)) do
+    if math.abs(value - again[i]) > room * math.abs(value) then
+      check.fail(where, "the run cannot be repeated from its definition: it was changed on its way "
+        .. "(w:set), or started from a worn shape")
+    end
+  end
+end
+
+-- --- one number ----------------------------------------------------------------------------------
+
+local first_step, smallest_step = 0.03, 0.0004 -- as shares of the number
+
+-- Central differences; the first step shrinks where a range ends.
+local function differences_for(self, value, set, distances)
+  local function results(at)
+    self.runs = self.runs + 1
+    return repeated.run(set(at), distances, self.of)
+  end
+  return function(h)
+    local above, below = results(value + h), results(value - h)
+    local list = {}
+    for i = 1, #above do list[i] = (above[i] - below[i]) / (2 * h) end
+    return list
+  end
+end
+
+local function derivatives(self, name, value, set, distances)
+  if value == 0 then
+    check.fail(where, ("field 'to': %s is 0, where no percent can be changed"):format(name))
+  end
+  local differences, step, why = differences_for(self, value, set, distances), first_step, nil
+  while step >= smallest_step do
+    local fine, found = pcall(derive, differences, step * math.abs(value))
+    if fine then return found end
+    why, step = found, step / 4
+    if type(why) ~= "table" or why.code == "STOPPED" then error(why, 0) end
+  end
+  check.fail(where, ("field 'to': %s cannot be changed by %g %% both ways: %s"):format(name,
+    400 * step, why.message), why.code)
+end
+
+local function into_columns(self, name, value, found, there)
+  local n = #self.distance
+  for c, column in ipairs(self.of) do
+    local result = { derivative = {}, error = {}, elasticity = {}, elasticity_error = {} }
+    for i = 1, n do
+      local one, y = found[(c - 1) * n + i], there[(c - 1) * n + i]
+      result.derivative[i], result.error[i] = one.value, one.error
+      result.elasticity[i], result.elasticity_error[i] = one.value * value / y, math.abs(one.error * value / y)
+    end
+    self[column][name] = result
+  end
+end
+
+-- --- showing -------------------------------------------------------------------------------------
+
+function class.__tostring(self)
+  local g, rows = #self.distance, { { "of", "to", "derivative", "+-", "percent by percent", "+-" } }
+  for _, column in ipairs(self.of) do
+    for _, name in ipairs(self.to) do
+      local one = self[column][name]
+      rows[#rows + 1] = { column, name, ("%.5g"):format(one.derivative[g]), ("%.1g"):format(one.error[g]),
+        ("%.5f"):format(one.elasticity[g]), ("%.1g"):format(one.elasticity_error[g]) }
+    end
+  end
+  align(rows)
+  local lines = { ("sensitivities at %g mm, from %d runs"):format(self.distance[g], self.runs) }
+  for _, row in ipairs(rows) do lines[#lines + 1] = "  " .. table.concat(row, "  "):gsub(" +$", "") end
+  return table.concat(lines, "\n")
+end
+
+return function(run, given)
+  given = check.definition(where, given or {}, fields)
+  local self = { runs = 1, distance = distances_of(run), to = names_of("to", given.to, { "k", "alpha", "load" }),
+    of = outcomes.names(where, names_of("of", given.of, { "depth_cylinder", "depth_plate", "p_center" })) }
+  local definition = repeated.definition(run)
+  local changers = {}
+  for i, name in ipairs(self.to) do changers[i] = { repeated.changer(run, name, definition) } end
+  check_repeats(run, definition, self.distance)
+  local there = values_of(run, self.of)
+  for _, column in ipairs(self.of) do self[column] = {} end
+  for i, name in ipairs(self.to) do
+    local value, set = changers[i][1], changers[i][2]
+    into_columns(self, name, value, derivatives(self, name, value, set, self.distance), there)
+  end
+  return setmetatable(self, class)
+end

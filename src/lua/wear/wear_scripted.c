@@ -1,0 +1,19 @@
+/* Methods of the class wear that are written in Lua: each calls the function that a module of
+ * scripts/ returns, with the object and what else was given. */
+#include "lua/wear/wear_class.h"
+
+static int call_module(lua_State *L, const char *module) {
+  const int given = lua_gettop(L);
+  lua_getglobal(L, "require");
+  lua_pushstring(L, module);
+  lua_call(L, 1, 1);
+  lua_insert(L, 1);
+  lua_call(L, given, 1);
+  return 1;
+}
+
+/* wear:sensitivity{ of=, to= } */
+int wear_sensitivity(lua_State *L) {
+  wear_self(L, "wear:sensitivity");
+  return call_module(L, "archard.uncertainty.sensitivity");
+}
