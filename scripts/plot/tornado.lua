@@ -41,28 +41,24 @@ end
 
 local function length_of(bar) return math.abs(bar.whole or bar.value) end
 
--- Bars lie at heights 1, 2, ..., the longest on top, `half` wide to both sides.
-local function outline(bars, field, half)
-  local x, y = {}, {}
+-- Bars lie at heights 1, 2, ..., the longest on top, `half` wide to both sides; the first has the title.
+local function add_bars(curves, bars, field, half, series, title)
   for i, bar in ipairs(bars) do
     local to = bar[field]
-    for _, corner in ipairs{ { 0, -half }, { to, -half }, { to, half }, { 0, half }, { 0, -half } } do
-      x[#x + 1], y[#y + 1] = corner[1], i + corner[2]
-    end
+    curves[#curves + 1] = { x = { 0, to, to, 0, 0 }, y = { i - half, i - half, i + half, i + half, i - half },
+      style = "filled", series = series, title = i == 1 and title or nil }
   end
-  return x, y
 end
 
 local function curves_of(bars)
-  local list = {}
+  local curves = {}
   if bars[1].whole then
-    local x, y = outline(bars, "whole", 0.35)
-    list[1] = { x = x, y = y, style = "filled", series = 1, title = "with all it takes part in" }
+    add_bars(curves, bars, "whole", 0.35, 1, "with all it takes part in")
+    add_bars(curves, bars, "value", 0.2, 2, "by itself")
+  else
+    add_bars(curves, bars, "value", 0.35, 1)
   end
-  local x, y = outline(bars, "value", bars[1].whole and 0.2 or 0.35)
-  list[#list + 1] = { x = x, y = y, style = "filled", series = bars[1].whole and 2 or 1,
-    title = bars[1].whole and "by itself" or nil }
-  return list
+  return curves
 end
 
 local function places_of(bars)

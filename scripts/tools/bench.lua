@@ -136,11 +136,31 @@ local function studies()
     string.format("%.0f", 300 / minutes), "a minute")
 end
 
+-- Samples of the reference case, drawn, run and stored; and what is then asked of them.
+local function samples(count, geometry)
+  local term, workers = require "archard.term", require "archard.process".processors()
+  local file = os.tmpname()
+  os.remove(file)
+  local s = study{ base = { geometry = geometry }, n = count, sample = {
+    k = lognormal{ mean = 1e-8, variation = 0.2 }, alpha = uniform{ 0.3, 0.7 }, load = normal{ 100, 5 } } }
+  local start = term.clock()
+  s:run{ file = file, workers = workers, progress = false }
+  local minutes = (term.clock() - start) / 60
+  local asked = timed(function() return s:uncertainty{ of = "depth_cylinder" } end)
+  s:close()
+  os.remove(file)
+  line(string.format("%d samples, %s geometry, %d worker%s, by the clock", count, geometry, workers,
+    workers > 1 and "s" or ""), string.format("%.0f", count / minutes), "a minute", "10000")
+  line("bands and quantiles from them", string.format("%.2f", asked), "s")
+end
+
 local mode = arg and arg[1]
 io.write("archard bench: CPU time, one thread\n")
 if mode == "sizes" then return sizes() end
 measure(0.020, 1, { moving = "0.3", frozen = "2", solution = "2.5", friction = "4 of these", memory = "300" })
 studies()
+io.write("\nsamples of the reference case, results stored\n")
+for _, geometry in ipairs{ "moving", "frozen" } do samples(mode == "quick" and 64 or 10000, geometry) end
 io.write("\n10000 cycles of 100 increments, an update at every increment, geometry frozen\n")
 package.path = arg[0]:match("^.*/") .. "?.lua"
 require "million"(line)

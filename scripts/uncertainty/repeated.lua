@@ -117,7 +117,7 @@ end
 local function rows_at(history, distances)
   local rows, at = {}, 1
   for i, d in ipairs(distances) do
-    while history.distance[at + 1] and history.distance[at] < d * (1 - 1e-12) do at = at + 1 end
+    while history.distance[at + 1] and history.distance[at] < d * (1 - 1e-9) do at = at + 1 end
     rows[i] = at
   end
   return rows
@@ -135,7 +135,7 @@ end
 function repeated.run(definition, distances, names)
   local run <close> = wear(taken(definition))
   for _, d in ipairs(distances) do
-    if d > run.distance then run:run{ distance = d, progress = false } end
+    if d * (1 - 1e-9) > run.distance then run:run{ distance = d, progress = false } end
   end
   local history, list = run.history, {}
   local rows = rows_at(history, distances)

@@ -31,10 +31,18 @@ end
 
 -- Whether two histories tell the same of the wear; what merely repeats the settings does not count.
 local settings_told = { load = true, k = true, alpha = true, jump = true }
+
+local function equal(x, y)
+  if #x ~= #y then return false end
+  for i = 1, #x do
+    if x[i] ~= y[i] and (x[i] == x[i] or y[i] == y[i]) then return false end -- NaN is as good as NaN
+  end
+  return true
+end
+
 local function same(a, b)
   for _, column in ipairs(columns) do
-    local x, y = a[column.name], b[column.name]
-    if not settings_told[column.name] and not settings.same(x, y) then return false end
+    if not settings_told[column.name] and not equal(a[column.name], b[column.name]) then return false end
   end
   return true
 end

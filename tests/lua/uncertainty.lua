@@ -1,0 +1,304 @@
+-- Uncertainties: distributions, designs, Sobol's indices against closed forms, samples of studies,
+-- failure probabilities, sensitivities, pictures.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+
+local folder = os.tmpname()
+os.remove(folder)
+assert(os.execute("mkdir " .. folder))
+local function path(name) return folder .. "/" .. name end
+
+local random = require "archard.random"
+local indices = require "archard.uncertainty.indices"
+local sampled = require "archard.uncertainty.sampled"
+local statistics = require "archard.lib.statistics"
+
+-- --- points --------------------------------------------------------------------------------------
+-- Any 2^m points of Sobol's are a net: one in each of 2^m equal slices of every axis.
+local function one_a_slice(column)
+  local seen = {}
+  for _, value in ipairs(column) do
+    local slice = math.floor(value * #column)
+    if seen[slice] then return false end
+    seen[slice] = true
+  end
+  return true
+end
+for _, design in ipairs{ "sobol", "latin" } do
+  local even = true
+  for _, column in ipairs(random.points(design, 256, 20, 3)) do even = even and one_a_slice(column) end
+  ok(even, design .. ": one point in each slice of every axis")
+end
+ok(not one_a_slice(random.points("random", 256, 1, 3)[1]), "chance: not so")
+local a, b = random.points("sobol", 64, 4, 7), random.points("sobol", 64, 4, 7)
+local c = random.points("sobol", 64, 4, 8)
+ok(a[4][64] == b[4][64] and a[1][1] == b[1][1], "the same seed, the same points")
+ok(a[4][64] ~= c[4][64], "another seed, others")
+
+-- --- distributions -------------------------------------------------------------------------------
+local function values_of(distribution, n)
+  local list = {}
+  for i, share in ipairs(random.points("sobol", n, 1, 1)[1]) do list[i] = distribution.value(share) end
+  return list
+end
+local k = values_of(lognormal{ mean = 1e-8, variation = 0.4 }, 4096)
+near(statistics.mean(k), 1e-8, 1e-3, "lognormal: the mean is that of the number")
+near(statistics.deviation(k), 4e-9, 5e-3, "and so is the deviation")
+near(statistics.deviation(values_of(normal{ 100, 5 }, 4096)), 5, 2e-3, "normal by order of numbers")
+near(statistics.deviation(values_of(uniform{ 0.3, 0.7 }, 4096)), 0.4 / math.sqrt(12), 1e-3, "uniform")
+local cut = sampled.sorted(values_of(normal{ 100, 5, low = 98, high = 103 }, 512))
+ok(cut[1] >= 98 and cut[#cut] <= 103, "low and high cut")
+-- The mean of a normal distribution cut at its middle from below: mu + sigma sqrt(2 / pi).
+near(statistics.mean(values_of(normal{ 100, 5, low = 100 }, 4096)), 100 + 5 * math.sqrt(2 / math.pi), 1e-4,
+  "what is left keeps its shape")
+is(tostring(normal{ 100, 5 }), "normal{ mean=100, deviation=5 }", "a distribution prints")
+fails(function() normal{ mean = 1, sigma = 2 } end, { "normal", "'sigma'", "known: " }, "an unknown parameter")
+fails(function() normal{ 100 } end, { "'deviation'", "neither" }, "one number is not enough")
+fails(function() normal{ 100, 5, variation = 0.1 } end, "both", "both forms of the spread")
+fails(function() normal{ 100, -5 } end, { "'deviation'", "> 0" }, "a negative deviation")
+fails(function() uniform{ 0.7, 0.3 } end, { "low < high", "0.7 and 0.3" }, "ends the wrong way round")
+fails(function() lognormal{ -1, 1 } end, { "'mean'", "> 0" }, "a lognormal number is above 0")
+fails(function() normal{ 100, 5, low = 200 } end, "next to nothing", "nothing is left")
+fails(function() uniform(3) end, { "uniform", "table" }, "no table")
+
+-- --- Sobol's indices -----------------------------------------------------------------------------
+-- Ishigami's function: all indices are known, and strongly joined.
+local function ishigami(x) return math.sin(x[1]) + 7 * math.sin(x[2]) ^ 2 + 0.1 * x[3] ^ 4 * math.sin(x[1]) end
+local function at(columns, i, first)
+  local x = {}
+  for d = 1, 3 do x[d] = math.pi * (2 * columns[first + d][i] - 1) end
+  return x
+end
+local function design_of(kind, n, seed)
+  local columns, base, other, mixed = random.points(kind, n, 6, seed), {}, {}, { {}, {}, {} }
+  for i = 1, n do
+    local from, to = at(columns, i, 0), at(columns, i, 3)
+    base[i], other[i] = ishigami(from), ishigami(to)
+    for d = 1, 3 do
+      local x = { table.unpack(from) }
+      x[d] = to[d]
+      mixed[d][i] = ishigami(x)
+    end
+  end
+  return base, other, mixed
+end
+local v1 = 0.5 * (1 + 0.1 * math.pi ^ 4 / 5) ^ 2
+local v2, v13 = 7 ^ 2 / 8, 0.1 ^ 2 * math.pi ^ 8 * (1 / 18 - 1 / 50)
+local variance = v1 + v2 + v13
+local first = { v1 / variance, v2 / variance, 0 }
+local total = { (v1 + v13) / variance, v2 / variance, v13 / variance }
+local base, other, mixed = design_of("sobol", 8192, 1)
+for d = 1, 3 do
+  local s, t = indices.of(base, other, mixed[d])
+  near(s.value - first[d], 0, 0.005, ("Ishigami: first order of x%d"):format(d))
+  near(t.value - total[d], 0, 0.005, ("Ishigami: total order of x%d"):format(d))
+end
+-- By chance, the ranges of 95 % confidence hold the truth in 95 of 100 trials, give or take.
+local held, trials = 0, 40
+for seed = 1, trials do
+  base, other, mixed = design_of("random", 512, seed)
+  for d = 1, 3 do
+    local s, t = indices.of(base, other, mixed[d])
+    held = held + (math.abs(s.value - first[d]) <= 1.96 * s.error and 1 or 0)
+    held = held + (math.abs(t.value - total[d]) <= 1.96 * t.error and 1 or 0)
+  end
+end
+tap.note(("the ranges hold the truth in %d of %d"):format(held, 6 * trials))
+ok(held / (6 * trials) > 0.88 and held / (6 * trials) < 0.99, "errors of the indices are honest")
+is(indices.of({ 1, 1 }, { 1, 1 }, { 1, 1 }), nil, "no indices of what does not vary")
+
+-- --- estimates -----------------------------------------------------------------------------------
+is(sampled.quantile({ 1, 2, 3, 4, 5 }, 0.5), 3, "the middle of five")
+near(sampled.quantile({ 1, 2, 3, 4, 5 }, 0.9), 4.6, 1e-12, "a quantile between two")
+local low, high = sampled.share_range(0, 100, 0.95)
+is(low, 0, "nothing seen: from 0")
+near(high, 1 - 0.025 ^ (1 / 100), 1e-9, "to what could have been missed")
+near(sampled.rank_correlation({ 1, 2, 3, 4 }, { 1, 8, 27, 64 }), 1, 1e-12, "ranks see through a cube")
+is(sampled.rank_correlation({ 1, 2, 3 }, { 5, 5, 5 }), nil, "no correlation with a constant")
+
+-- --- definitions ---------------------------------------------------------------------------------
+local coarse = { geometry = "frozen", increments = 8, distance = 220, jump = 50,
+  model = { mesh = { size = 0.04, height = 0.05 } } }
+local scatter = { k = lognormal{ mean = 1e-8, variation = 0.4 }, alpha = uniform{ 0.3, 0.7 },
+  load = normal{ 100, 5 } }
+local function with(given)
+  given.base, given.sample = given.base or coarse, given.sample or scatter
+  return study(given)
+end
+fails(function() with{ sample = { k = 3 } } end, { "'sample.k'", "uniform{}" }, "no distribution")
+fails(function() with{ sample = {} } end, "at least one", "nothing uncertain")
+fails(function() with{ sample = { alfa = uniform{ 0, 1 } } } end, { "'alfa'", "'alpha'" }, "a misspelt field")
+fails(function() with{ vary = { k = { 1 } } } end, "got both", "vary or sample")
+fails(function() study{ base = coarse, n = 100 } end, { "'n'", "sample" }, "n without samples")
+fails(function() with{ n = 1 } end, { "'n'", "[2, 1000000]" }, "one sample")
+fails(function() with{ n = 8, indices = true } end, { "'n'", "16" }, "too few for indices")
+fails(function() with{ design = "halton" } end, { "'design'", '"sobol"' }, "an unknown design")
+local function joined(list)
+  return { k = scatter.k, alpha = scatter.alpha, load = scatter.load, correlated = list }
+end
+fails(function() with{ sample = joined{ { "k", "alfa", 0.5 } } } end, { "correlated", "'alfa'" }, "a stranger")
+fails(function() with{ sample = joined{ { "k", "alpha", 2 } } } end, { "correlated[1]", "(-1, 1)" }, "too much")
+fails(function() with{ sample = joined{ { "k", "alpha", 0.9 }, { "k", "load", 0.9 }, { "alpha", "load", -0.9 } } }
+end, "contradict", "correlations that cannot be")
+fails(function() with{ indices = true, sample = joined{ { "k", "alpha", 0.5 } } } end, { "'indices'", "correlated" },
+  "no indices of correlated fields")
+local many = {}
+for i = 1, 41 do many[("loading.%d.load"):format(i)] = uniform{ 1, 2 } end
+fails(function() with{ sample = many } end, { "41", "40" }, "more fields than the sequence has")
+
+-- Correlated normal scores: the correlation of ranks follows, the distributions stay.
+local twins = with{ n = 1024, sample = joined{ { "k", "alpha", -0.5 } } }
+local ks, alphas = {}, {}
+for i, case in ipairs(twins:cases()) do ks[i], alphas[i] = case.k, case.alpha end
+near(sampled.rank_correlation(ks, alphas), 6 / math.pi * math.asin(-0.25), 0.02, "correlated as asked")
+near(statistics.mean(ks), 1e-8, 0.01, "and each as distributed")
+
+-- --- before it starts ----------------------------------------------------------------------------
+fails(function() with{ n = 4, sample = { alpha = normal{ 0.5, 0.4 } } }:run{ file = path("out"), progress = false }
+end, { "sample.alpha", "low=" }, "values out of range are told before anything runs")
+is(io.open(path("out")), nil, "and leave no file")
+fails(function() with{ n = 4, sample = { law_pressure = uniform{ 50, 150 } } }:run{ file = path("out"),
+  progress = false } end, { "sample.law_pressure", "does nothing" }, "a field that does nothing")
+fails(function() with{ n = 4 }:uncertainty() end, "nothing has run yet", "no results yet")
+
+-- --- a case with a known answer ------------------------------------------------------------------
+-- The volume of the cylinder is alpha k L d: every moment and index is known.
+local s = with{ n = 64, indices = true, name = "known", sample = { alpha = uniform{ 0.4, 0.6 },
+  k = lognormal{ mean = 1e-8, variation = 0.1 }, load = normal{ 100, 5 } } }
+s:run{ file = path("known"), workers = 2, progress = false }
+local u = s:uncertainty{ of = { "volume_cylinder", "depth_cylinder" }, at = { 110, 220 } }
+local cv = { k = 0.01, alpha = 0.2 ^ 2 / 12 / 0.25, load = 0.0025 }
+local whole = (1 + cv.k) * (1 + cv.alpha) * (1 + cv.load) - 1
+local v = u.volume_cylinder
+near(v.mean[2], 0.5 * 1e-8 * 100 * 220, 0.01, "mean volume")
+near(v.mean[1], v.mean[2] / 2, 1e-9, "half of it at half the distance")
+near(v.deviation[2] / v.mean[2], math.sqrt(whole), 0.05, "its deviation")
+for name, square in pairs(cv) do
+  local by_itself, in_all = square / whole, square / whole * (1 + whole) / (1 + square)
+  near(v.first[name].value[2] - by_itself, 0, math.min(0.1, v.first[name].error[2]), "first order of " .. name)
+  near(v.total[name].value[2] - in_all, 0, math.min(0.1, v.total[name].error[2]), "total order of " .. name)
+end
+holds(tostring(u), { "128 samples (sobol, seed 1) at 220 mm", "from 64 to 128 samples" }, "it prints")
+ok(v.quantiles[1].low[2] <= v.quantiles[1].value[2] and v.quantiles[1].value[2] <= v.quantiles[1].high[2],
+  "a quantile lies in its range")
+fails(function() s:uncertainty{ of = "depth" } end, { "'of'", "depth" }, "an unknown result")
+fails(function() s:uncertainty{ at = { 500 } } end, { "'at'", "220" }, "beyond the end")
+fails(function() s:uncertainty{ quantiles = { 2 } } end, { "'quantiles'", "(0, 1)" }, "no quantile")
+
+-- Only k uncertain: the volume passes a limit when k does.
+local one = with{ n = 256, sample = { k = scatter.k } }
+one:run{ file = path("one"), workers = 2, progress = false }
+local limit = 1.3e-8
+local width = math.sqrt(math.log(1.16))
+local truth = 1 - random.normal_share((math.log(limit / 1e-8) + width * width / 2) / width)
+local f = one:failure{ of = "volume_cylinder", above = 0.5 * limit * 100 * 110, before = 110 }
+near(f.probability, truth, 2 / 256 / truth, "the probability of a failure")
+ok(f.low < truth and truth < f.high, "its range holds the truth")
+holds(tostring(f), { "above", "before 110 mm", "of 256 samples" }, "it prints")
+is(one:failure{ of = "p_center", below = 0 }.probability, 0, "what never happens")
+fails(function() one:failure{ of = "p_center" } end, { "'above'", "neither" }, "no limit")
+fails(function() one:failure{ above = 1 } end, { "'of'" }, "no result")
+fails(function() one:failure{ of = "p_center", above = 1, before = 999 } end, { "'before'", "220" }, "too far")
+local ranks = one:uncertainty{ of = "volume_plate" }
+near(ranks.volume_plate.rank.k, 1, 1e-12, "without indices: the correlation of ranks")
+
+-- --- the same bits -------------------------------------------------------------------------------
+local content = here .. "/lib/content.lua"
+local function bits(file)
+  local pipe = io.popen(("%s %s %s 2>/dev/null"):format(arg[-1] or "build/archard", content, file))
+  local text = pipe:read("a")
+  pipe:close()
+  return text
+end
+local function small() return with{ n = 16, indices = true, seed = 5, base = coarse } end
+small():run{ file = path("w1"), workers = 1, progress = false }
+local whole_one = small():run{ file = path("w3"), workers = 3, progress = false }
+ok(#bits(path("w1")) > 1000, "there is something to compare")
+is(bits(path("w1")), bits(path("w3")), "the same bits with one worker and with three")
+for i = 1, 2 do small():run{ file = path("s" .. i), shard = i .. "/2", workers = 1, progress = false } end
+local merged = study.merge(path("s2"), path("s1"), { file = path("merged") })
+local opened = study.open(path("w1"))
+is(tostring(merged:uncertainty()), tostring(whole_one:uncertainty()), "merged from shards: the same results")
+is(tostring(opened:uncertainty()), tostring(whole_one:uncertainty()), "opened: the same results")
+fails(function() study.open(path("s1")):uncertainty() end, "have not run yet", "a share alone is refused")
+fails(function() with{ n = 16, seed = 6, indices = true }:run{ file = path("w1"), progress = false } end,
+  "another study", "another seed is another study")
+
+-- --- sensitivities -------------------------------------------------------------------------------
+local thin = wear{ k = 1e-12, distance = 44 }
+thin:run{ progress = false }
+local t = thin:sensitivity{ of = { "depth_cylinder", "volume_plate" }, to = { "k", "load", "alpha" } }
+near(t.depth_cylinder.k.elasticity[2], 1, 1e-6, "thin wear is linear in k")
+near(t.volume_plate.k.elasticity[2], 1, 1e-10, "the volume exactly")
+near(t.volume_plate.k.derivative[2], 0.5 * 100 * 44, 1e-10, "alpha L d")
+near(t.volume_plate.load.elasticity[2], 1, 1e-10, "and in the load")
+near(t.volume_plate.alpha.elasticity[2], -1, 1e-10, "the plate loses what the cylinder gains")
+
+-- With all stresses scaled (load and E up, k down) the depth stays and the pressure follows: exact at
+-- every distance, whatever the mesh.
+local w = wear{ distance = 330 }
+w:run{ progress = false }
+local g = w:sensitivity{ of = { "depth_cylinder", "depth_plate", "p_center" }, to = { "k", "load", "E" } }
+local worst = 0
+for _, name in ipairs(g.of) do
+  for i = 1, #g.distance do
+    local sum = g[name].load.elasticity[i] + g[name].E.elasticity[i] - g[name].k.elasticity[i]
+    worst = math.max(worst, math.abs(sum - (name == "p_center" and 1 or 0)))
+  end
+end
+tap.note(("scaling of stresses holds to %.1e"):format(worst))
+ok(worst < 1e-4, "sensitivities obey the scaling of stresses to 1e-4")
+-- Against differences extrapolated by hand.
+local function depth(load)
+  local run = wear{ distance = 330, load = load, model = w.model }
+  run:run{ progress = false }
+  return run.depth.cylinder
+end
+local function difference(h) return (depth(100 + h) - depth(100 - h)) / (2 * h) end
+near(g.depth_cylinder.load.derivative[#g.distance], (4 * difference(5e-4) - difference(1e-3)) / 3, 1e-4,
+  "and extrapolated differences")
+holds(tostring(g), { "sensitivities at 330 mm", "percent by percent" }, "they print")
+for _, given in ipairs{ { scheme = "implicit", tolerance = 1e-3 }, { jump = "auto" } } do
+  given.distance, given.model = 220, w.model
+  local run = wear(given)
+  run:run{ progress = false }
+  local e = run:sensitivity{ of = "depth_plate", to = { "k", "load", "E" } }.depth_plate
+  local n = #e.k.elasticity
+  near(e.load.elasticity[n] + e.E.elasticity[n] - e.k.elasticity[n], 0, 1e-3, "steps that choose themselves")
+end
+fails(function() w:sensitivity{ to = "kk" } end, { "'to'", "kk" }, "an unknown number")
+fails(function() w:sensitivity{ to = "scheme" } end, { "'to'", "scheme" }, "a word")
+fails(function() w:sensitivity{ of = "depth" } end, { "'of'", "depth" }, "an unknown result")
+fails(function() w:sensitivity{ off = 1 } end, { "'off'", "'of'" }, "a misspelt field")
+fails(function() wear{}:sensitivity() end, "at its start", "a run that has not run")
+local changed = wear{ distance = 110 }
+changed:step()
+changed:set{ load = 120 }
+changed:run{ progress = false }
+fails(function() changed:sensitivity() end, "cannot be repeated", "a run that was changed on its way")
+local two = wear{ distance = 110, model = { plate = { E = 1e5 } } }
+two:run{ progress = false }
+fails(function() two:sensitivity{ to = "E" } end, { "cylinder.E", "plate.E" }, "two different moduli")
+
+-- --- pictures ------------------------------------------------------------------------------------
+plot.bands(u, { of = "depth_cylinder", file = path("bands.txt") })
+plot.bands(s, { of = { "depth_plate", "p_center" }, file = path("both.txt") })
+plot.tornado(u, { of = "depth_cylinder", at = 100, file = path("tornado.txt") })
+plot.tornado(ranks, { file = path("ranks.txt") })
+plot.tornado(g, { of = "p_center", file = path("elastic.txt") })
+local function text_of(name)
+  local file = assert(io.open(path(name)))
+  local text = file:read("a")
+  file:close()
+  return text
+end
+holds(text_of("bands.txt"), { "5 to 95 %", "50 %", "known" }, "bands name their quantiles")
+holds(text_of("tornado.txt"), { "alpha", "load", "at 110 mm", "share of the variance" }, "a tornado its fields")
+holds(text_of("ranks.txt"), { "correlation of ranks" }, "or ranks")
+holds(text_of("elastic.txt"), { "percent by percent", "p center" }, "or elasticities")
+fails(function() plot.bands(w) end, { "plot.bands", "wear" }, "bands of a run")
+fails(function() plot.bands(u, { of = "p_max" }) end, { "'of'", "p_max" }, "bands of what was not asked for")
+fails(function() plot.tornado{} end, "plot.tornado", "a tornado of nothing")
+
+os.execute("rm -r " .. folder)
