@@ -229,7 +229,8 @@ fails(function() with{ n = 16, seed = 6, indices = true }:run{ file = path("w1")
 local thin = wear{ k = 1e-12, distance = 44 }
 thin:run{ progress = false }
 local t = thin:sensitivity{ of = { "depth_cylinder", "volume_plate" }, to = { "k", "load", "alpha" } }
-near(t.depth_cylinder.k.elasticity[2], 1, 1e-6, "thin wear is linear in k")
+near(t.depth_cylinder.k.elasticity[1], 1, 1e-8, "the depth of the first update is linear in k")
+near(t.depth_cylinder.k.elasticity[2], 1, 1e-5, "and thin wear nearly")
 near(t.volume_plate.k.elasticity[2], 1, 1e-10, "the volume exactly")
 near(t.volume_plate.k.derivative[2], 0.5 * 100 * 44, 1e-10, "alpha L d")
 near(t.volume_plate.load.elasticity[2], 1, 1e-10, "and in the load")

@@ -18,18 +18,12 @@ static const luaL_Reg classes[] = {
 
 /* Modules in C that are no globals: reached by require only. */
 static const luaL_Reg modules[] = {
-    {"archard.term", luaopen_archard_term},
-    {"archard.gnuplot", luaopen_archard_gnuplot},
-    {"archard.store", luaopen_archard_store},
-    {"archard.process", luaopen_archard_process},
-    {"archard.warnings", luaopen_archard_warnings},
-    {"archard.names", luaopen_archard_names},
-    {"archard.settings", luaopen_archard_settings},
-    {"archard.measure", luaopen_archard_measure},
-    {"archard.files", luaopen_archard_files},
-    {"archard.random", luaopen_archard_random},
-    {"archard.strict", luaopen_archard_strict},
-    {NULL, NULL},
+    {"archard.term", luaopen_archard_term},         {"archard.gnuplot", luaopen_archard_gnuplot},
+    {"archard.store", luaopen_archard_store},       {"archard.process", luaopen_archard_process},
+    {"archard.warnings", luaopen_archard_warnings}, {"archard.names", luaopen_archard_names},
+    {"archard.settings", luaopen_archard_settings}, {"archard.measure", luaopen_archard_measure},
+    {"archard.files", luaopen_archard_files},       {"archard.random", luaopen_archard_random},
+    {"archard.strict", luaopen_archard_strict},     {NULL, NULL},
 };
 
 #define DISTRIBUTIONS "archard.uncertainty.distributions"

@@ -114,8 +114,8 @@ static int normal_share(lua_State *L) {
 
 /* beta_quantile(p, a, b): where the beta distribution reaches p */
 static int beta_quantile(lua_State *L) {
-  lua_pushnumber(L, gsl_cdf_beta_Pinv(luaL_checknumber(L, 1), luaL_checknumber(L, 2),
-                                      luaL_checknumber(L, 3)));
+  lua_pushnumber(
+      L, gsl_cdf_beta_Pinv(luaL_checknumber(L, 1), luaL_checknumber(L, 2), luaL_checknumber(L, 3)));
   return 1;
 }
 
