@@ -206,7 +206,7 @@ near(ranks.volume_plate.rank.k, 1, 1e-12, "without indices: the correlation of r
 -- --- the same bits -------------------------------------------------------------------------------
 local content = here .. "/lib/content.lua"
 local function bits(file)
-  local pipe = io.popen(("%s %s %s 2>/dev/null"):format(arg[-1] or "build/archard", content, file))
+  local pipe = io.popen(("%s %s %s 2>/dev/null"):format(os.getenv("ARCHARD") or "build/archard", content, file))
   local text = pipe:read("a")
   pipe:close()
   return text
