@@ -131,7 +131,7 @@ $(lua_module): $(module_obj) $(static_lib) $(BUILD)/sources
 	@echo '{ global: luaopen_archard; local: *; };' > $(OBJ)/module.map
 	$(say) LD $@
 	$(quiet)$(CC) $(all_ldflags) -shared -Wl,-z,nodelete,--version-script=$(OBJ)/module.map \
-	  $(module_obj) $(static_lib) $(lib_libs) -o $@
+	  $(module_obj) $(static_lib) $(gsl_libs) $(lib_libs) -o $@
 
 # A unit test links the library and plot, never Lua or readline: that it links is a test.
 $(unit_tests): $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(plot_obj) $(static_lib)

@@ -1,11 +1,13 @@
 -- plot: curves, and the pictures of contact and wear. Only gathers what users see; the work is in
 -- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/naming.lua (titles and keys),
 -- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses),
--- plot/shear.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies) and plot/animate.lua.
+-- plot/shear.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies), plot/fit.lua and
+-- plot/animate.lua.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
 local curves = require "archard.plot.curves"
+local fit = require "archard.plot.fit"
 local mesh = require "archard.plot.mesh"
 local shear = require "archard.plot.shear"
 local animate = require "archard.plot.animate"
@@ -27,6 +29,7 @@ local plot = {
   response = response,
   bands = bands,
   tornado = tornado,
+  fit = fit,
   style = style.choose,
   points = function(given) draw.points("plot.points", given) end,
   again = function() draw.again("plot.again") end,

@@ -79,6 +79,15 @@ function tasks.converge(store, id, on_progress)
   return function() store:set_values(id, "results", settings.flatten("converge", found)) end
 end
 
+-- A trial of a fit: what the fit looks at are its results.
+function tasks.fit(store, id, on_progress)
+  local observe = require "archard.fit.observe"
+  local looks, run = observe.run(settings.nest(store:values(id, "settings")),
+    observe.read(store:info("observe")), on_progress)
+  run:close()
+  return function() store:set_values(id, "results", settings.flatten("fit", { looks = looks })) end
+end
+
 -- --- one case after the other ------------------------------------------------------------------
 
 local function speaker(id)

@@ -18,12 +18,19 @@ static const luaL_Reg classes[] = {
 
 /* Modules in C that are no globals: reached by require only. */
 static const luaL_Reg modules[] = {
-    {"archard.term", luaopen_archard_term},         {"archard.gnuplot", luaopen_archard_gnuplot},
-    {"archard.store", luaopen_archard_store},       {"archard.process", luaopen_archard_process},
-    {"archard.warnings", luaopen_archard_warnings}, {"archard.names", luaopen_archard_names},
-    {"archard.settings", luaopen_archard_settings}, {"archard.measure", luaopen_archard_measure},
-    {"archard.files", luaopen_archard_files},       {"archard.random", luaopen_archard_random},
-    {"archard.strict", luaopen_archard_strict},     {NULL, NULL},
+    {"archard.term", luaopen_archard_term},
+    {"archard.gnuplot", luaopen_archard_gnuplot},
+    {"archard.store", luaopen_archard_store},
+    {"archard.process", luaopen_archard_process},
+    {"archard.warnings", luaopen_archard_warnings},
+    {"archard.names", luaopen_archard_names},
+    {"archard.settings", luaopen_archard_settings},
+    {"archard.measure", luaopen_archard_measure},
+    {"archard.files", luaopen_archard_files},
+    {"archard.random", luaopen_archard_random},
+    {"archard.least_squares", luaopen_archard_least_squares},
+    {"archard.strict", luaopen_archard_strict},
+    {NULL, NULL},
 };
 
 #define DISTRIBUTIONS "archard.uncertainty.distributions"
@@ -35,6 +42,7 @@ static const char *const scripted[][3] = {
     {"plot", "archard.plot"},
     {"study", "archard.study"},
     {"calibrate", "archard.study.calibrate"},
+    {"fit", "archard.fit"},
     {"csv", "archard.lib.csv"},
     {"profile", "archard.profile"},
     {"export", "archard.export"},

@@ -44,6 +44,9 @@ int luaopen_archard_files(lua_State *L);
 /* The module `archard.random`: points by design and seed, quantiles. */
 int luaopen_archard_random(lua_State *L);
 
+/* The module `archard.least_squares`: fits of parameters to data. */
+int luaopen_archard_least_squares(lua_State *L);
+
 /* The module `archard.measure`: what profiles tell. */
 int luaopen_archard_measure(lua_State *L);
 

@@ -3,6 +3,8 @@
 #include "lua/base/archard.h"
 #include "lua/engine/classes.h"
 
+#include <math.h>
+
 static const struct {
   const char *name;
   const arc_setting *list;
@@ -16,6 +18,13 @@ enum { DEFINITIONS = sizeof definitions / sizeof *definitions };
 
 static void set_text(lua_State *L, const char *name, const char *text) {
   lua_pushstring(L, text);
+  lua_setfield(L, -2, name);
+}
+
+/* An end of a range, where there is one. */
+static void set_bound(lua_State *L, const char *name, double value) {
+  if (!isfinite(value)) return;
+  lua_pushnumber(L, value);
   lua_setfield(L, -2, name);
 }
 
@@ -61,6 +70,10 @@ static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   set_values(L, s);
   if (s->unit && s->unit[0]) set_text(L, "unit", s->unit);
   if (arc_setting_usual(s)[0]) set_text(L, "default", arc_setting_usual(s));
+  if (s->kind == ARC_NUMBER) {
+    set_bound(L, "low", s->low);
+    set_bound(L, "high", s->high);
+  }
   set_flag(L, "plain", s->kind != ARC_OTHER);
   set_flag(L, "choice", s->kind == ARC_CHOICE);
   set_flag(L, "group", s->kind == ARC_GROUP);

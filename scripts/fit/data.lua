@@ -1,0 +1,324 @@
+-- What a fit is held against: profiles of a body at a distance, whose position on the surface is
+-- fitted along, and numbers of the history against the distance. Reads and checks what users give,
+-- and tells what a run says in its place. Leans on the list of columns.
+
+local check = require "archard.lib.check"
+local columns = require "archard.settings".columns
+
+local data = {}
+
+-- --- what can be measured besides the columns of the history --------------------------------------
+
+-- name: columns it is made of, factor on their sum, unit, meaning
+local made = {
+  volume = { { "volume_cylinder", "volume_plate" }, 1, "mm3", "wear volume of both" },
+  width = { { "half_width" }, 2, "mm", "contact width" },
+}
+local quantities, names = {}, {}
+for _, column in ipairs(columns) do
+  quantities[column.name] = { { column.name }, 1, column.unit or "", column.text }
+end
+for name, one in pairs(made) do quantities[name] = one end
+for name in pairs(quantities) do names[#names + 1] = name end
+table.sort(names)
+data.quantities = quantities
+
+-- --- kinds of fields -----------------------------------------------------------------------------
+
+local function positive_list(v)
+  for i = 1, #v do
+    if not check.positive.test(v[i]) then return false end
+  end
+  return #v > 0
+end
+local function finite_list(v)
+  for i = 1, #v do
+    if not check.number.test(v[i]) then return false end
+  end
+  return #v > 0
+end
+local is_list = check.list.test
+local sizes = check.kind("a number > 0, or a list of them", function(v)
+  return check.positive.test(v) or is_list(v) and positive_list(v)
+end)
+local one_or_more = check.kind("a finite number, or a list of them", function(v)
+  return check.number.test(v) or is_list(v) and finite_list(v)
+end)
+local list = check.kind("a list of finite numbers", function(v) return is_list(v) and finite_list(v) end)
+local body = check.one_of{ "cylinder", "plate" }
+local profile = check.kind("a profile with lists x and h [mm]", function(v)
+  return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
+end)
+
+local fields = {
+  profile = profile, x = list, h = list, body = body, shift = check.number, tilt = check.number,
+  level = check.number, of = check.one_of(names), distance = sizes, value = one_or_more,
+  error = sizes, relative = check.positive, title = check.text,
+}
+data.fields = fields
+data.kinds = { sizes = sizes, body = body, list = list }
+
+-- --- reading -------------------------------------------------------------------------------------
+
+local function as_list(value, count)
+  if type(value) ~= "number" then return table.move(value, 1, #value, 1, {}) end
+  local repeated = {}
+  for i = 1, count or 1 do repeated[i] = value end
+  return repeated
+end
+
+local function same_count(where, prefix, name, values, count)
+  if #values ~= count then
+    check.fail(where, ("field '%s.%s': expected %d numbers, as many as there are values, got %d")
+      :format(prefix, name, count, #values))
+  end
+  return values
+end
+
+-- The error of every value [its unit], nil where none is told.
+local function errors_of(where, prefix, given, own, value)
+  local absolute = given.error or own
+  if given.error and given.relative then
+    check.fail(where, ("fields '%s.error' and '%s.relative': expected one of them, got both"):format(
+      prefix, prefix))
+  end
+  if given.relative then
+    local errors = {}
+    for i, v in ipairs(value) do errors[i] = given.relative * math.abs(v) end
+    if not positive_list(errors) then
+      check.fail(where, ("field '%s.relative': a value of 0 has no relative error; expected error")
+        :format(prefix))
+    end
+    return errors
+  end
+  return absolute and same_count(where, prefix, "error", as_list(absolute, #value), #value)
+end
+
+-- Positions that are fitted: what is not given as a number.
+local position = { "shift", "tilt", "level" }
+
+local function sorted(x, y, err)
+  local order = {}
+  for i = 1, #x do order[i] = i end
+  table.sort(order, function(a, b) return x[a] < x[b] or x[a] == x[b] and a < b end)
+  local function of(values)
+    local result = {}
+    for i, at in ipairs(order) do result[i] = values[at] end
+    return values and result
+  end
+  return of(x), of(y), err and of(err)
+end
+
+local function read_profile(where, prefix, given)
+  local from = given.profile or given
+  if not (from.x and from.h) then
+    check.fail(where, ("field '%s': expected profile=, or x= and h= [mm], or of=, distance= and "
+      .. "value="):format(prefix))
+  end
+  if given.body == nil then check.refuse(where, prefix .. ".body", body.expected, nil) end
+  if not check.positive.test(given.distance) then
+    check.refuse(where, prefix .. ".distance", "the distance of the profile, a number > 0 mm",
+      given.distance)
+  end
+  local x, h = as_list(from.x), as_list(from.h)
+  same_count(where, prefix, "h", h, #x)
+  local own = given.profile and from.error
+  local err = errors_of(where, prefix, given, own, h)
+  x, h, err = sorted(x, h, err)
+  local item = { kind = "profile", body = given.body, distance = given.distance, x = x, value = h,
+    error = err, unit = "mm", fixed = {},
+    title = given.title or ("profile of the %s at %g mm"):format(given.body, given.distance) }
+  for _, name in ipairs(position) do item.fixed[name] = given[name] end
+  return item
+end
+
+local function read_series(where, prefix, given)
+  for _, name in ipairs{ "distance", "value" } do
+    if given[name] == nil then check.refuse(where, prefix .. "." .. name, fields[name].expected, nil) end
+  end
+  for _, name in ipairs{ "profile", "x", "h", "body", "shift", "tilt", "level" } do
+    if given[name] ~= nil then
+      check.fail(where, ("field '%s.%s': it is for profiles, and this one has of=\"%s\""):format(prefix,
+        name, given.of))
+    end
+  end
+  local x, value = as_list(given.distance), as_list(given.value)
+  same_count(where, prefix, "value", value, #x)
+  local err = errors_of(where, prefix, given, nil, value)
+  x, value, err = sorted(x, value, err)
+  return { kind = "series", of = given.of, x = x, value = value, error = err,
+    unit = quantities[given.of][3], title = given.title or given.of }
+end
+
+-- One measurement; `prefix` is its name in messages.
+function data.item(where, prefix, given)
+  if type(given) ~= "table" then check.refuse(where, prefix, "a table", given) end
+  check.fields(where, given, fields, prefix .. ".")
+  return (given.of and read_series or read_profile)(where, prefix, given)
+end
+
+-- Without errors their size comes from the residuals, which tells nothing of one kind of data against
+-- another: so all have them, or there is one kind.
+local function check_errors(where, items)
+  local given, unit = 0, items[1].unit
+  for _, item in ipairs(items) do
+    if item.error then given = given + 1 end
+    if item.unit ~= unit then unit = nil end
+  end
+  if given == #items or (given == 0 and unit) then return given > 0 end
+  for i, item in ipairs(items) do
+    if not item.error then
+      check.fail(where, ("field 'data[%d]': expected error [%s] or relative: data of several kinds "
+        .. "are weighed by their errors"):format(i, item.unit))
+    end
+  end
+end
+
+-- -> list of items, and whether their errors are told.
+function data.read(where, given)
+  if #given == 0 then check.fail(where, "field 'data': expected a list of measurements, got none") end
+  local items = {}
+  for i, one in ipairs(given) do items[i] = data.item(where, ("data[%d]"):format(i), one) end
+  local told = check_errors(where, items)
+  for _, item in ipairs(told and {} or items) do
+    item.error = as_list(1e-3, #item.x) -- any: what counts is that they are equal
+  end
+  return items, told
+end
+
+-- --- what a run must be looked at for -------------------------------------------------------------
+
+local function sorted_keys(set)
+  local keys = {}
+  for key in pairs(set) do keys[#keys + 1] = key end
+  table.sort(keys)
+  return keys
+end
+
+-- The list for observe.lua; every value of an item learns at which look it is found.
+function data.wanted(items)
+  local distances, wanted, bodies, at = {}, {}, {}, {}
+  for _, item in ipairs(items) do
+    if item.kind == "profile" then
+      distances[item.distance], bodies[item.body] = true, true
+    else
+      for _, distance in ipairs(item.x) do distances[distance] = true end
+      for _, name in ipairs(quantities[item.of][1]) do wanted[name] = true end
+    end
+  end
+  local what = { distances = sorted_keys(distances), columns = sorted_keys(wanted),
+    bodies = sorted_keys(bodies) }
+  for i, distance in ipairs(what.distances) do at[distance] = i end
+  for _, item in ipairs(items) do
+    item.look = {}
+    for i = 1, #item.x do item.look[i] = at[item.distance or item.x[i]] end
+  end
+  return what
+end
+
+-- --- what a run says in its place -----------------------------------------------------------------
+
+-- Depths of a surface at x, linear between nodes, 0 beyond.
+local function depth_at(surface, x)
+  local at, h, low, high = surface.x, surface.h, 1, #surface.x
+  if x < at[1] or x > at[high] then return 0 end
+  while high - low > 1 do
+    local middle = (low + high) // 2
+    if at[middle] <= x then low = middle else high = middle end
+  end
+  return h[low] + (h[high] - h[low]) * (x - at[low]) / (at[high] - at[low])
+end
+
+-- A measured profile stands `shift` [mm] to the right, `tilt` [mm/mm] steeper, `level` [mm] deeper
+-- than the surface.
+local function profile_values(item, looks, place)
+  local surface, values = looks[item.look[1]][item.body], {}
+  for i, x in ipairs(item.x) do
+    values[i] = depth_at(surface, x - place.shift) + place.tilt * x + place.level
+  end
+  return values
+end
+
+local function series_values(item, looks)
+  local values, quantity = {}, quantities[item.of]
+  for i = 1, #item.x do
+    local sum = 0
+    for _, name in ipairs(quantity[1]) do sum = sum + looks[item.look[i]][name] end
+    values[i] = quantity[2] * sum
+  end
+  return values
+end
+
+-- place: { shift=, tilt=, level= } of a profile
+function data.values(item, looks, place)
+  return (item.kind == "profile" and profile_values or series_values)(item, looks, place)
+end
+
+-- The parameters of a profile's position: like those of fit/unknown.lua, of the item.
+function data.positions(items)
+  local list = {}
+  for number, item in ipairs(items) do
+    if item.kind == "profile" then
+      local deepest, width = 0, item.x[#item.x] - item.x[1]
+      for _, h in ipairs(item.value) do deepest = math.max(deepest, math.abs(h)) end
+      local spans = { shift = width / 10, tilt = deepest / width, level = deepest }
+      for _, name in ipairs(position) do
+        if not item.fixed[name] then
+          list[#list + 1] = { item = number, kind = name, start = 0, span = spans[name] > 0 and spans[name] or 1e-3,
+            name = ("%s of the %s"):format(name, item.title), unit = name == "tilt" and "mm/mm" or "mm" }
+        end
+      end
+    end
+  end
+  return list
+end
+
+-- --- units that cannot be --------------------------------------------------------------------------
+
+local function largest(values)
+  local most = 0
+  for _, value in ipairs(values) do most = math.max(most, math.abs(value)) end
+  return most
+end
+
+local function guess(ratio) -- what the numbers seem to be in, for lengths
+  if ratio < 1e-2 then return ratio < 1e-2 and ratio > 1e-4 and "m" or "other units" end
+  return ratio < 1e4 and "um" or "nm"
+end
+
+local function refuse_size(where, number, name, item, most, expected)
+  local ratio = most / expected
+  local seems = item.unit == "mm" and (" (are they in %s?)"):format(guess(ratio)) or ""
+  check.fail(where, ("field 'data[%d].%s': the largest is %.3g, where the run from the start says %.3g "
+    .. "%s: expected numbers in %s%s, or a start that is nearer"):format(number, name, most, expected,
+    item.unit, item.unit, seems))
+end
+
+-- A profile must lie on the surface, and be about as deep as a wear scar can be.
+local function check_place(where, number, item, surface)
+  local low, high = surface.x[1], surface.x[#surface.x]
+  local inside = 0
+  for _, x in ipairs(item.x) do
+    if x > low and x < high then inside = inside + 1 end
+  end
+  local width = item.x[#item.x] - item.x[1]
+  if inside < 3 or width < (high - low) / 300 or width > 50 * (high - low) then
+    check.fail(where, ("field 'data[%d].x': goes from %.3g to %.3g, %d of %d points on the fine part of "
+      .. "the surface, from %.3g to %.3g mm: expected x in mm, from the contact's centre"):format(number,
+      item.x[1], item.x[#item.x], inside, #item.x, low, high))
+  end
+end
+
+-- Compares the data with a run from the start: factors that no unknown makes are told.
+function data.check_sizes(where, items, looks)
+  local still = { shift = 0, tilt = 0, level = 0 }
+  for number, item in ipairs(items) do
+    if item.kind == "profile" then check_place(where, number, item, looks[item.look[1]][item.body]) end
+    local most, expected = largest(item.value), largest(data.values(item, looks, still))
+    if most > 0 and expected > 0 and (most > 150 * expected or most < expected / 150) then
+      refuse_size(where, number, item.kind == "profile" and "h" or "value", item, most, expected)
+    end
+  end
+end
+
+return data

@@ -1,0 +1,288 @@
+-- fit.design: before a test is made, which measurements at which distances would tell the unknowns
+-- apart. From the derivatives at the start come the standard errors that each measurement would
+-- leave, alone, and the order in which to add them. Leans on fit/problem.lua.
+
+local check = require "archard.lib.check"
+local data = require "archard.fit.data"
+local merged = require "archard.lib.merged"
+local solve = require "archard.fit.solve"
+local strict = require "archard.strict"
+local csv_text = require "archard.lib.csv_text"
+local files = require "archard.files"
+
+local where = "fit.design"
+
+-- --- what is given -------------------------------------------------------------------------------
+
+local own = {
+  of = data.fields.of, profile = data.kinds.body, distance = data.kinds.sizes, error = check.positive,
+  relative = check.positive, x = data.kinds.list, points = check.whole(3, 100000), width = check.positive,
+  title = check.text, shift = check.number, tilt = check.number, level = check.number,
+}
+
+-- Places of a profile that is not there yet, over `width` [mm] around the centre.
+local function places(given)
+  local count, width = given.points or 61, given.width or 1
+  local x = {}
+  for i = 1, count do x[i] = width * ((i - 1) / (count - 1) - 0.5) end
+  return x
+end
+
+local function zeros(x)
+  local list = {}
+  for i = 1, #x do list[i] = 0 end
+  return list
+end
+
+local function check_one(number, given)
+  local field = ("measure[%d]"):format(number)
+  if type(given) ~= "table" then check.refuse(where, field, "a table", given) end
+  check.fields(where, given, own, field .. ".")
+  if (given.of == nil) == (given.profile == nil) then
+    check.fail(where, ("field '%s': expected of=\"volume_cylinder\" and the like, or profile=\"cylinder\" or "
+      .. "\"plate\", one of them"):format(field))
+  end
+  if given.distance == nil then check.refuse(where, field .. ".distance", own.distance.expected, nil) end
+  if (given.error == nil) == (given.relative == nil or given.profile ~= nil) then
+    check.fail(where, ("field '%s': expected the error of the measurement, error=%s"):format(field,
+      given.profile and " [mm]" or " in its unit or relative=, one of them"))
+  end
+end
+
+-- What stands in place of a measurement until the start has run.
+local function stand_in(one, distance)
+  if not one.profile then
+    return { of = one.of, distance = distance, value = 1, error = one.error or one.relative }
+  end
+  local x = one.x or places(one)
+  return { x = x, h = zeros(x), body = one.profile, distance = distance, error = one.error,
+    shift = one.shift, tilt = one.tilt, level = one.level }
+end
+
+-- One item for each distance.
+local function read(given)
+  local items = {}
+  for number, one in ipairs(given.measure) do
+    check_one(number, one)
+    local distances = type(one.distance) == "number" and { one.distance } or one.distance
+    for i = 1, #distances do
+      local item = data.item(where, ("measure[%d]"):format(number), stand_in(one, distances[i]))
+      item.measure, item.at, item.relative = number, distances[i], one.relative
+      item.title = one.title or (one.profile and "profile of the " .. one.profile or one.of)
+      items[#items + 1] = item
+    end
+  end
+  if #items == 0 then check.fail(where, "field 'measure': expected a list of measurements, got none") end
+  return items
+end
+
+-- Relative errors are of what the start says.
+local function size_errors(problem, looks)
+  local still = { shift = 0, tilt = 0, level = 0 }
+  for _, item in ipairs(problem.items) do
+    if item.relative then
+      for i, value in ipairs(data.values(item, looks, still)) do
+        if value <= 0 then
+          check.fail(where, ("%s at %g mm: the run says %g there, which has no relative error; give error=")
+            :format(item.title, item.at, value))
+        end
+        item.error[i] = item.relative * value
+      end
+    end
+  end
+end
+
+-- --- expected standard errors --------------------------------------------------------------------
+
+-- Before any measurement an unknown is known to about what it can reasonably be: its start, or the
+-- room between its bounds: so measurements that leave something open can be compared.
+local function prior_rows(problem)
+  local rows = {}
+  for j, one in ipairs(problem.unknowns) do
+    local width = one.low and one.high and (one.high - one.low) / math.sqrt(12) or one.span
+    rows[j] = { [j] = 1 / width }
+  end
+  return rows
+end
+
+-- Columns of the rows that belong to the chosen items, with the prior below; parameters of position
+-- of other items left out.
+local function columns_of(self, chosen)
+  local columns = {}
+  for j, one in ipairs(self.problem.parameters) do
+    if not one.item or chosen[one.item] then
+      local column = {}
+      for number, rows in ipairs(self.rows) do
+        if chosen[number] then table.move(self.all[j], rows[1], rows[2], #column + 1, column) end
+      end
+      for _, row in ipairs(self.prior) do column[#column + 1] = row[j] or 0 end
+      columns[#columns + 1] = column
+    end
+  end
+  return columns
+end
+
+-- { standard error of each unknown }, the correlations, and the sum of their logarithms.
+local function expected(self, chosen)
+  local columns = columns_of(self, chosen)
+  local covariance, errors, sum = solve.covariance(columns), {}, 0
+  for j = 1, #self.problem.unknowns do
+    errors[j] = math.sqrt(covariance[j][j])
+    sum = sum + math.log(errors[j] / self.problem.unknowns[j].span)
+  end
+  return errors, covariance, sum
+end
+
+local function entry(self, number, errors)
+  local item = self.problem.items[number]
+  local named = {}
+  for j, one in ipairs(self.problem.unknowns) do named[one.name] = errors[j] end
+  return { title = item.title, distance = item.at, measure = item.measure, error = named }
+end
+
+local function alone(self)
+  local list = {}
+  for number in ipairs(self.problem.items) do
+    list[number] = entry(self, number, (expected(self, { [number] = true })))
+  end
+  return list
+end
+
+-- The one to add that leaves the smallest errors, again and again.
+local function best_order(self, most)
+  local chosen, list = {}, {}
+  for _ = 1, math.min(most, #self.problem.items) do
+    local best, least, errors = nil, math.huge, nil
+    for number in ipairs(self.problem.items) do
+      if not chosen[number] then
+        chosen[number] = true
+        local these, _, sum = expected(self, chosen)
+        chosen[number] = nil
+        if sum < least - 1e-12 then best, least, errors = number, sum, these end
+      end
+    end
+    chosen[best] = true
+    list[#list + 1] = entry(self, best, errors)
+  end
+  return list
+end
+
+local function together(self)
+  local chosen, correlation = {}, {}
+  for number in ipairs(self.problem.items) do chosen[number] = true end
+  local errors, covariance = expected(self, chosen)
+  for a = 1, #errors do
+    correlation[a] = {}
+    for b = 1, #errors do correlation[a][b] = covariance[a][b] / errors[a] / errors[b] end
+  end
+  return entry(self, 1, errors).error, correlation
+end
+
+-- --- showing -------------------------------------------------------------------------------------
+
+local class = { __name = "design", __fields = { "names", "units", "start", "prior_error", "alone", "best", "all",
+  "correlation", "runs" } }
+local methods = {}
+class.__methods, class.__index = methods, methods
+
+-- An error beside the value, in percent of it where there is one.
+local function shown(self, name, value)
+  local start, prior = self.start[name], self.prior_error[name]
+  if value > 0.9 * prior then return "cannot tell" end
+  return start ~= 0 and ("%.2g (%.2g %%)"):format(value, 100 * value / math.abs(start)) or ("%.2g"):format(value)
+end
+
+local function row_of(self, first, one)
+  local row = { first, one.title, ("%g"):format(one.distance) }
+  for _, name in ipairs(self.names) do row[#row + 1] = shown(self, name, one.error[name]) end
+  return row
+end
+
+local function head_of(self, first)
+  local row = { first, "measurement", "at [mm]" }
+  for i, name in ipairs(self.names) do
+    row[#row + 1] = "error of " .. name .. (self.units[i] ~= "" and " [" .. self.units[i] .. "]" or "")
+  end
+  return row
+end
+
+local function add_rows(lines, rows)
+  local widths = {}
+  for _, row in ipairs(rows) do
+    for c, text in ipairs(row) do widths[c] = math.max(widths[c] or 0, #text) end
+  end
+  for _, row in ipairs(rows) do
+    local words = {}
+    for c, text in ipairs(row) do words[c] = text .. (" "):rep(widths[c] - #text) end
+    lines[#lines + 1] = ("  " .. table.concat(words, "  ")):gsub(" +$", "")
+  end
+end
+
+function class.__tostring(self)
+  local lines, rows = { ("design of a test for %s: standard errors to expect, %d runs"):format(
+    table.concat(self.names, ", "), self.runs) }, { head_of(self, "") }
+  for _, one in ipairs(self.alone) do rows[#rows + 1] = row_of(self, "alone", one) end
+  for i, one in ipairs(self.best) do rows[#rows + 1] = row_of(self, i == 1 and "best" or "then", one) end
+  rows[#rows + 1] = row_of(self, "all", { title = "together", distance = 0, error = self.all })
+  rows[#rows][3] = ""
+  add_rows(lines, rows)
+  return table.concat(lines, "\n")
+end
+
+-- d:table{ file= } -> the rows "alone" as CSV
+function methods:table(options)
+  check.fields("design:table", options or {}, { file = check.text })
+  local rows = { { "measurement", "distance [mm]" } }
+  for i, name in ipairs(self.names) do
+    rows[1][i + 2] = "error of " .. name .. (self.units[i] ~= "" and " [" .. self.units[i] .. "]" or "")
+  end
+  for _, one in ipairs(self.alone) do
+    local row = { one.title, one.distance }
+    for i, name in ipairs(self.names) do row[i + 2] = one.error[name] end
+    rows[#rows + 1] = row
+  end
+  local text = csv_text(rows, #self.names + 2)
+  if options and options.file then files.write("design:table", options.file, text) end
+  return text
+end
+
+-- --- making --------------------------------------------------------------------------------------
+
+local function sensitivities(problem)
+  local values = {}
+  for i, one in ipairs(problem.parameters) do values[i] = one.start end
+  local looks = problem:runs_at(values)
+  size_errors(problem, looks)
+  problem:measure_noise(values)
+  local columns, rows, last = problem:jacobian(values, true), {}, 0
+  for number, item in ipairs(problem.items) do
+    rows[number] = { last + 1, last + #item.x }
+    last = last + #item.x
+  end
+  return columns, rows
+end
+
+local function described(problem, self)
+  local priors = prior_rows(problem)
+  for j, one in ipairs(problem.unknowns) do
+    self.names[j], self.units[j], self.start[one.name] = one.name, one.unit, one.start
+    self.prior_error[one.name] = 1 / priors[j][j]
+  end
+  self.runs = problem.runs.count
+  return setmetatable(self, class)
+end
+
+-- given: as of fit, with measure= instead of data=; common: the fields that both have; prepare: makes
+-- the problem of items.
+return function(given, common, prepare)
+  check.definition(where, given, merged(common, { measure = check.table, best = check.whole(1, 100) }))
+  for _, name in ipairs{ "unknown", "measure" } do
+    if given[name] == nil then check.refuse(where, name, "a table", nil) end
+  end
+  local problem = prepare(where, given, read(given))
+  local self = { problem = problem, prior = prior_rows(problem) }
+  self.all, self.rows = sensitivities(problem)
+  local all, correlation = together(self)
+  return described(problem, { names = {}, units = {}, start = {}, prior_error = {}, alone = alone(self),
+    best = best_order(self, given.best or 3), all = all, correlation = correlation })
+end

@@ -1,0 +1,185 @@
+-- A fit as a problem of least squares: parameters (the unknowns, then the positions of profiles),
+-- weighted residuals, and their derivatives by differences of runs, with steps chosen by how noisy
+-- runs are. Leans on fit/data.lua, fit/unknown.lua, fit/runs.lua.
+
+local check = require "archard.lib.check"
+local data = require "archard.fit.data"
+local unknown = require "archard.fit.unknown"
+
+local problem = {}
+problem.__index = problem
+
+-- --- residuals -----------------------------------------------------------------------------------
+
+-- Where item `number` lies, by the values of all parameters.
+function problem:place(number, values)
+  local fixed = self.items[number].fixed or {}
+  local place = { shift = fixed.shift or 0, tilt = fixed.tilt or 0, level = fixed.level or 0 }
+  for i, one in ipairs(self.positions) do
+    if one.item == number then place[one.kind] = values[#self.unknowns + i] end
+  end
+  return place
+end
+
+-- What the model says in place of all data, over their errors, in one list.
+function problem:predict(looks, values)
+  local list = {}
+  for number, item in ipairs(self.items) do
+    for i, value in ipairs(data.values(item, looks, self:place(number, values))) do
+      list[#list + 1] = value / item.error[i]
+    end
+  end
+  return list
+end
+
+function problem:runs_at(values)
+  return self.runs:one(table.move(values, 1, #self.unknowns, 1, {}))
+end
+
+-- Model minus data over errors, and the roughness of curves.
+function problem:residuals(values)
+  local list = self:predict(self:runs_at(values), values)
+  for i, measured in ipairs(self.measured) do list[i] = list[i] - measured end
+  for _, row in ipairs(self.rough) do
+    local sum = 0
+    for j, factor in pairs(row) do sum = sum + factor * values[j] end
+    list[#list + 1] = math.sqrt(self.smooth) * sum
+  end
+  return list
+end
+
+-- How many times their errors the residuals are: 1 where the errors are right.
+function problem:error_scale(values)
+  local residuals, sum = self:residuals(values), 0
+  for i = 1, #self.measured do sum = sum + residuals[i] ^ 2 end
+  return math.sqrt(sum / math.max(1, #self.measured - #self.parameters))
+end
+
+-- --- derivatives ---------------------------------------------------------------------------------
+
+local function changed(values, i, by)
+  local copy = table.move(values, 1, #values, 1, {})
+  copy[i] = copy[i] + by
+  return copy
+end
+
+-- The two values between which the derivative is taken: to both sides, or to the inner one.
+local function stencil(self, values, i, central)
+  local one = self.parameters[i]
+  local step = self.step[central and "central" or "forward"] * one.span
+  if one.low and not one.high then step = step * (values[i] - one.low) / one.span end
+  local up = not one.high or values[i] + step < one.high
+  local down = not one.low or values[i] - step > one.low
+  if central and up and down then return step, -step end
+  return up and step or -step, 0
+end
+
+local function column_between(high, low, width)
+  local column = {}
+  for i = 1, #high do column[i] = (high[i] - low[i]) / width end
+  return column
+end
+
+-- Positions move without a run.
+local function position_column(self, looks, values, i)
+  local step = 1e-3 * self.parameters[i].span
+  local up, down = changed(values, i, step), changed(values, i, -step)
+  return column_between(self:predict(looks, up), self:predict(looks, down), 2 * step)
+end
+
+-- The columns of the derivative of predict by each parameter.
+function problem:jacobian(values, central)
+  local m, wanted, stencils = #self.unknowns, {}, {}
+  local own = table.move(values, 1, m, 1, {})
+  for i = 1, m do
+    local high, low = stencil(self, values, i, central)
+    stencils[i] = { high, low }
+    wanted[2 * i - 1], wanted[2 * i] = changed(own, i, high), changed(own, i, low)
+  end
+  wanted[2 * m + 1] = own
+  local looks, columns = self.runs:many(wanted), {}
+  for i = 1, m do
+    columns[i] = column_between(self:predict(looks[2 * i - 1], values),
+      self:predict(looks[2 * i], values), stencils[i][1] - stencils[i][2])
+  end
+  for i = m + 1, #self.parameters do
+    columns[i] = position_column(self, looks[2 * m + 1], values, i)
+  end
+  return columns
+end
+
+-- The rows of roughness below the columns.
+function problem:with_roughness(columns)
+  for i, column in ipairs(columns) do
+    for r, row in ipairs(self.rough) do
+      column[#self.measured + r] = math.sqrt(self.smooth) * (row[i] or 0)
+    end
+  end
+  return columns
+end
+
+-- --- noise ---------------------------------------------------------------------------------------
+
+local samples, spacing = 5, 1e-3
+
+-- Runs that choose their own steps jump a little as values change. Differences of fourth order of
+-- runs close by show this noise (the method of Hamming, as More and Wild use it); the step is the
+-- one at which noise and curvature spoil a derivative least.
+function problem:measure_noise(values)
+  local list = {}
+  for s = 1, samples do
+    list[s] = table.move(values, 1, #self.unknowns, 1, {})
+    for i, one in ipairs(self.unknowns) do
+      local inward = one.high and values[i] + samples * spacing * one.span > one.high and -1 or 1
+      list[s][i] = values[i] + inward * (s - 1) * spacing * math.min(one.span, math.abs(values[i]) > 0
+        and math.abs(values[i]) or one.span)
+    end
+  end
+  local looks, rows = self.runs:many(list), {}
+  for s = 1, samples do rows[s] = self:predict(looks[s], values) end
+  local noise, slope, n = 0, 0, #rows[1]
+  for i = 1, n do
+    local a, b, c, d, e = rows[1][i], rows[2][i], rows[3][i], rows[4][i], rows[5][i]
+    noise = noise + (a - 4 * b + 6 * c - 4 * d + e) ^ 2 / 70
+    slope = slope + ((e - a) / 4 / spacing) ^ 2
+  end
+  self.noise = slope > 0 and math.sqrt(noise / slope) or 0
+  local function bounded(step) return math.max(1e-4, math.min(step, 0.05)) end
+  self.step = { forward = bounded(math.sqrt(2 * self.noise)), central = bounded(10 * self.noise ^ (1 / 3)) }
+  self.step.central = math.max(self.step.central, 1e-3)
+end
+
+-- --- making --------------------------------------------------------------------------------------
+
+-- A parameter to which no value answers cannot be found.
+function problem:refuse_idle(columns)
+  for i, one in ipairs(self.unknowns) do
+    local sum = 0
+    for _, value in ipairs(columns[i]) do sum = sum + value * value end
+    if math.sqrt(sum) * one.span <= 1e-6 then
+      check.fail(self.where, ("unknown '%s' does nothing: no value that was measured answers to it; "
+        .. "leave it out, or measure what does"):format(one.name))
+    end
+  end
+end
+
+-- unknowns, items: as fit/unknown.lua and fit/data.lua have them; runs: fit/runs.lua.
+function problem.new(where, unknowns, items, runs)
+  local self = setmetatable({ where = where, unknowns = unknowns, items = items, runs = runs,
+    positions = data.positions(items), parameters = {}, measured = {}, rough = {}, smooth = 0,
+    step = { forward = 1e-4, central = 1e-3 } }, problem)
+  for _, one in ipairs(unknowns) do self.parameters[#self.parameters + 1] = one end
+  for _, one in ipairs(self.positions) do self.parameters[#self.parameters + 1] = one end
+  for _, item in ipairs(items) do
+    for i, value in ipairs(item.value) do self.measured[#self.measured + 1] = value / item.error[i] end
+  end
+  return self
+end
+
+-- Roughness counts with this weight from now on.
+function problem:smooth_by(weight)
+  self.smooth = weight
+  self.rough = weight > 0 and unknown.roughness(self.unknowns) or {}
+end
+
+return problem

@@ -1,0 +1,323 @@
+-- What a fit has found, as an object: values, how sure they are, bands, residuals, what the data
+-- cannot tell, and the run that goes on. Leans on lib/statistics.lua.
+
+local data = require "archard.fit.data"
+local statistics = require "archard.lib.statistics"
+local strict = require "archard.strict"
+local unknown = require "archard.fit.unknown"
+
+local result = {}
+
+-- --- numbers -------------------------------------------------------------------------------------
+
+-- By name of the unknown; of a curve the list of its knots.
+local function by_path(problem, list)
+  local named = {}
+  for i, one in ipairs(problem.unknowns) do
+    if one.distance then
+      named[one.path] = named[one.path] or {}
+      table.insert(named[one.path], list[i])
+    else
+      named[one.path] = list[i]
+    end
+  end
+  return strict.table(named, "fit")
+end
+
+local function clipped(one, value)
+  return math.max(one.low or -math.huge, math.min(one.high or math.huge, value))
+end
+
+-- Of a parameter that a direction unseen runs through, or that stands at its bound, nothing is known.
+local function blind_to(found, problem)
+  local blind = {}
+  for _, direction in ipairs(found.unseen) do
+    for _, i in ipairs(direction) do blind[i] = true end
+  end
+  for i, one in ipairs(problem.parameters) do blind[i] = blind[i] or one.bound ~= nil end
+  return blind
+end
+
+local function deviations(found, problem, scale)
+  local blind, list = blind_to(found, problem), {}
+  for i, row in ipairs(found.covariance) do
+    list[i] = blind[i] and math.huge or scale * math.sqrt(row[i])
+  end
+  return list
+end
+
+local function correlations(found)
+  local list = {}
+  for a, row in ipairs(found.covariance) do
+    list[a] = {}
+    for b, value in ipairs(row) do
+      local root = math.sqrt(row[a] * found.covariance[b][b])
+      list[a][b] = root > 0 and value / root or 0
+    end
+  end
+  return list
+end
+
+-- Standard error of a combination of the parameters.
+local function along(covariance, derivative)
+  local sum = 0
+  for a, row in ipairs(covariance) do
+    if derivative[a] ~= 0 then
+      for b, value in ipairs(row) do sum = sum + derivative[a] * value * derivative[b] end
+    end
+  end
+  return math.sqrt(math.max(0, sum))
+end
+
+-- --- bands ---------------------------------------------------------------------------------------
+
+-- Each set of data with what the model says: lists x (or distance), value, error, model, low, high,
+-- residual (value - model, over the error).
+local function described(self, problem, found, scale, deviation)
+  local looks, row, list = problem:runs_at(found.values), 0, {}
+  for number, item in ipairs(problem.items) do
+    local place = problem:place(number, found.values)
+    local model, low, high, residual, err = data.values(item, looks, place), {}, {}, {}, {}
+    for i, value in ipairs(model) do
+      row = row + 1
+      local derivative = {}
+      for j, column in ipairs(found.columns) do derivative[j] = column[row] end
+      local room = self.times * scale * item.error[i] * along(found.covariance, derivative)
+      low[i], high[i], err[i] = value - room, value + room, (self.told and 1 or scale) * item.error[i]
+      residual[i] = (item.value[i] - value) / err[i]
+    end
+    list[number] = { title = item.title, unit = item.unit, body = item.body, of = item.of,
+      distance = item.distance or item.x, x = item.kind == "profile" and item.x or nil, value = item.value,
+      error = err, model = model, low = low, high = high, residual = residual }
+    for i, one in ipairs(problem.positions) do
+      if one.item == number then
+        local at = #problem.unknowns + i
+        list[number].place = list[number].place or {}
+        list[number].place[one.kind] = { value = found.values[at], error = deviation[at] }
+      end
+    end
+  end
+  return list
+end
+
+-- Curves over the distance with their band.
+local function curves(self, problem, found, scale)
+  local list = {}
+  for _, curve in ipairs(problem.unknowns.curves) do
+    local series = unknown.series(curve, found.values)
+    local low, high, shifted = {}, {}, {}
+    for j = 0, #curve.knots - 1 do
+      local values = table.move(found.values, 1, #problem.unknowns, 1, {})
+      local step = 1e-4 * problem.unknowns[curve.first + j].span
+      values[curve.first + j] = values[curve.first + j] + step
+      shifted[curve.first + j] = { unknown.series(curve, values).value, step }
+    end
+    local one = problem.unknowns[curve.first]
+    for i, value in ipairs(series.value) do
+      local derivative = {}
+      for a = 1, #found.covariance do
+        derivative[a] = shifted[a] and (shifted[a][1][i] - value) / shifted[a][2] or 0
+      end
+      local room = self.times * scale * along(found.covariance, derivative)
+      low[i], high[i] = clipped(one, value - room), clipped(one, value + room)
+    end
+    series.low, series.high, series.knots, series.unit = low, high, curve.knots, curve.unit
+    list[curve.path] = series
+  end
+  return strict.table(list, "fit.curve")
+end
+
+-- --- what must be said ---------------------------------------------------------------------------
+
+local function names_of(problem, list)
+  local words = {}
+  for i, at in ipairs(list) do words[i] = problem.parameters[at].name end
+  local last = table.remove(words)
+  return #words > 0 and table.concat(words, ", ") .. " and " .. last or last
+end
+
+local function note_bounds(notes, problem)
+  for _, one in ipairs(problem.parameters) do
+    if one.bound then
+      notes[#notes + 1] = ("%s is at its %s bound, %g: it has no standard error, and those of the others "
+        .. "hold for it there. Widen the bound, or see whether the model can say what was measured"):format(
+        one.name, one.bound == "low" and "lower" or "upper", one[one.bound])
+    end
+  end
+end
+
+local function note_unseen(notes, problem, found)
+  local idle = {}
+  for i, one in ipairs(problem.parameters) do idle[i] = one.bound end
+  for _, direction in ipairs(found.unseen) do
+    local free = {}
+    for _, i in ipairs(direction) do
+      if not idle[i] then free[#free + 1] = i end
+    end
+    if #free > 1 then
+      notes[#notes + 1] = ("%s cannot be told apart by these data: only a combination of them is known")
+        :format(names_of(problem, free))
+    elseif #free == 1 then
+      notes[#notes + 1] = ("%s cannot be told from these data"):format(names_of(problem, free))
+    end
+  end
+end
+
+local function note_correlated(notes, self, problem)
+  for a = 1, #problem.unknowns do
+    for b = 1, #problem.parameters do
+      local value = self.correlation[a][b]
+      if (b > a) and math.abs(value) > 0.95 then
+        notes[#notes + 1] = ("%s and %s are hard to tell apart (correlation %.3f); fit.design shows what "
+          .. "would"):format(problem.parameters[a].name, problem.parameters[b].name, value)
+      end
+    end
+  end
+end
+
+local function note_vague(notes, problem, found, deviation)
+  for i, one in ipairs(problem.unknowns) do
+    local room = one.low and one.high and (one.high - one.low) / 4 or math.abs(found.values[i]) / 2
+    if deviation[i] < math.huge and deviation[i] > room then
+      notes[#notes + 1] = ("the data hardly tell %s"):format(one.name)
+    end
+  end
+end
+
+local function note_residuals(notes, self)
+  if not self.told or self.freedom < 1 then return end
+  local off = (self.reduced - 1) / math.sqrt(2 / self.freedom)
+  if off > 4 then
+    notes[#notes + 1] = ("residuals are %.2g times the errors given: the errors are too small or the model "
+      .. "lacks something; standard errors are those that the errors given imply"):format(math.sqrt(self.reduced))
+  elseif off < -4 then
+    notes[#notes + 1] = ("residuals are only %.2g of the errors given: are those too large?"):format(
+      math.sqrt(self.reduced))
+  end
+end
+
+local function notes_of(self, problem, found, deviation)
+  local notes = {}
+  note_bounds(notes, problem)
+  note_unseen(notes, problem, found)
+  note_correlated(notes, self, problem)
+  note_vague(notes, problem, found, deviation)
+  note_residuals(notes, self)
+  return notes
+end
+
+-- --- showing -------------------------------------------------------------------------------------
+
+local class = { __name = "fitted", __fields = { "value", "error", "low", "high", "names", "values", "errors",
+  "correlation", "covariance", "confidence", "chi2", "freedom", "reduced", "told", "data", "curve", "notes",
+  "iterations", "runs", "noise", "smooth", "wear", "times" } }
+
+local function shown(value) return ("%.4g"):format(value) end
+
+local function line_of(self, i, unit)
+  local text = ("  %-16s %s"):format(self.names[i], shown(self.values[i]))
+  unit = unit ~= "" and " " .. unit or ""
+  if self.errors[i] == math.huge then return ("%s%s, without a standard error"):format(text, unit) end
+  local room = self.times * self.errors[i]
+  return ("%s +- %s%s, %s to %s"):format(text, ("%.2g"):format(self.errors[i]), unit,
+    shown(clipped(self.bounds[i], self.values[i] - room)), shown(clipped(self.bounds[i], self.values[i] + room)))
+end
+
+local function rms(list)
+  local sum = 0
+  for _, value in ipairs(list) do sum = sum + value * value end
+  return math.sqrt(sum / #list)
+end
+
+local function data_line(item)
+  local line = ("  %s: %d value%s, residuals %.2f of the errors"):format(item.title, #item.value,
+    #item.value == 1 and "" or "s", rms(item.residual))
+  for _, name in ipairs{ "shift", "tilt", "level" } do
+    local place = item.place and item.place[name]
+    if place then
+      local factor, unit = 1e3, name == "tilt" and "um/mm" or "um"
+      line = ("%s\n    %s %.3g +- %.2g %s"):format(line, name, factor * place.value, factor * place.error,
+        unit)
+    end
+  end
+  return line
+end
+
+local function add_correlations(lines, self)
+  local words = {}
+  for a = 1, #self.names do
+    for b = a + 1, #self.names do
+      words[#words + 1] = ("%s, %s %.3f"):format(self.names[a], self.names[b], self.correlation[a][b])
+    end
+  end
+  if #words > 0 and #words <= 10 then lines[#lines + 1] = "  correlations     " .. table.concat(words, "; ") end
+end
+
+-- Words of a note in lines that fit a terminal.
+local function wrapped(text)
+  local lines, line = {}, "  note:"
+  for word in text:gmatch("%S+") do
+    if #line + #word > 98 then
+      lines[#lines + 1], line = line, "   "
+    end
+    line = line .. " " .. word
+  end
+  lines[#lines + 1] = line
+  return table.concat(lines, "\n")
+end
+
+function class.__tostring(self)
+  local lines = { ("fit to %d values in %d set%s of data: %d iterations, %d runs"):format(self.count,
+    #self.data, #self.data == 1 and "" or "s", self.iterations, self.runs) }
+  for i in ipairs(self.names) do lines[#lines + 1] = line_of(self, i, self.units[i]) end
+  lines[#lines + 1] = ("  +-: standard error; range: %g %% confidence%s"):format(100 * self.confidence,
+    self.told and "" or "; the errors of the data from their residuals")
+  add_correlations(lines, self)
+  if self.smooth > 0 then lines[#lines + 1] = ("  smoothness       weight %.3g"):format(self.smooth) end
+  for _, item in ipairs(self.data) do lines[#lines + 1] = data_line(item) end
+  if self.told then
+    lines[#lines + 1] = ("  chi2 %.4g at %d degrees of freedom"):format(self.chi2, self.freedom)
+  end
+  for _, note in ipairs(self.notes) do lines[#lines + 1] = wrapped(note) end
+  return table.concat(lines, "\n")
+end
+
+-- --- making --------------------------------------------------------------------------------------
+
+local function sum_of_squares(problem, values)
+  local residuals, sum = problem:residuals(values), 0
+  for i = 1, #problem.measured do sum = sum + residuals[i] ^ 2 end
+  return sum
+end
+
+local function head(list, count) return table.move(list, 1, count, 1, {}) end
+
+-- problem, found: of fit/problem.lua and fit/solve.lua; told: whether errors of the data are known.
+function result.new(problem, found, told, confidence)
+  local m, count = #problem.unknowns, #problem.measured
+  local self = { told = told, confidence = confidence, count = count, iterations = found.iterations,
+    runs = problem.runs.count, noise = problem.noise, smooth = problem.smooth, bounds = problem.unknowns }
+  self.chi2, self.freedom = sum_of_squares(problem, found.values), count - #problem.parameters
+  self.reduced = self.chi2 / math.max(1, self.freedom)
+  local scale = told and 1 or math.sqrt(self.reduced)
+  self.times = statistics.student(confidence, told and statistics.known or self.freedom)
+  local deviation = deviations(found, problem, scale)
+  self.names, self.units, self.values, self.errors = {}, {}, head(found.values, m), head(deviation, m)
+  local low, high = {}, {}
+  for i, one in ipairs(problem.unknowns) do
+    self.names[i], self.units[i] = one.name, one.unit
+    low[i] = clipped(one, self.values[i] - self.times * self.errors[i])
+    high[i] = clipped(one, self.values[i] + self.times * self.errors[i])
+  end
+  self.value, self.error = by_path(problem, self.values), by_path(problem, self.errors)
+  self.low, self.high = by_path(problem, low), by_path(problem, high)
+  self.covariance, self.correlation = found.covariance, correlations(found)
+  self.data = described(self, problem, found, scale, deviation)
+  self.curve = curves(self, problem, found, scale)
+  self.notes = notes_of(self, problem, found, deviation)
+  self.wear = problem.runs:wear(self.values)
+  return setmetatable(self, class)
+end
+
+strict.class(class)
+return result

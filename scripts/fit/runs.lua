@@ -1,0 +1,181 @@
+-- The runs of a fit: one for each set of values that is tried, in this process, or by the workers of
+-- studies with a run file that keeps them. What has been computed is not computed again, by a later
+-- call with the same file neither. Leans on fit/observe.lua, study/run.lua and archard.store.
+
+local check = require "archard.lib.check"
+local observe = require "archard.fit.observe"
+local settings = require "archard.study.settings"
+local unknown = require "archard.fit.unknown"
+
+local runs = {}
+runs.__index = runs
+
+-- A set of values as the label of its case, exactly.
+local function label_of(self, values)
+  local words = {}
+  for i, one in ipairs(self.unknowns) do words[i] = ("%s %.17g"):format(one.name, values[i]) end
+  return table.concat(words, ", ")
+end
+
+local function deep(given)
+  if type(given) ~= "table" or getmetatable(given) then return given end
+  local copy = {}
+  for name, value in pairs(given) do copy[name] = deep(value) end
+  return copy
+end
+
+-- The fields of wear{} for a set of values.
+function runs:given(values)
+  local given = deep(self.base)
+  for name, value in pairs(unknown.settings(self.unknowns, values)) do
+    local at, last = settings.place(given, name)
+    at[last] = value
+  end
+  return given
+end
+
+-- --- in this process -----------------------------------------------------------------------------
+
+local function fail_at(self, label, why)
+  if type(why) ~= "table" then error(why, 0) end
+  if why.code == "STOPPED" then error(why, 0) end
+  check.fail(self.where, ("the run with %s failed: %s. Closer bounds (low, high) keep the search "
+    .. "away from there"):format(label, why.message), why.code)
+end
+
+local function compute_here(self, label, values)
+  local fine, looks, run = pcall(observe.run, self:given(values), self.what)
+  if not fine then fail_at(self, label, looks) end
+  run:close()
+  self.count = self.count + 1
+  self.known[label] = looks
+  if type(self.progress) == "function" then self.progress(self.count, label) end
+end
+
+-- --- by workers, with a run file -----------------------------------------------------------------
+
+local function same_fit(self, store)
+  local base = observe.text(self.what) .. "\n" .. self.fingerprint
+  if #store:cases() == 0 and not store:info("kind") then
+    store:begin()
+    store:set_info("kind", "fit")
+    store:set_info("task", "fit")
+    store:set_info("name", "fit")
+    store:set_info("observe", observe.text(self.what))
+    store:set_info("fit", base)
+    store:set_info("program", "archard " .. require "archard".version)
+    store:commit()
+  elseif store:info("kind") ~= "fit" or store:info("fit") ~= base then
+    check.fail(self.where, ("%s holds another fit, or none; name another file, or remove it"):format(
+      store.path), "ARGUMENT")
+  end
+end
+
+-- Flat settings as text: a fit goes on in a file that has been made with the same ones.
+local function fingerprint(where, base)
+  local lines = {}
+  for name, value in pairs(settings.flatten(where, base)) do
+    if type(value) == "table" then value = table.concat(value, " ") end
+    lines[#lines + 1] = name .. "=" .. tostring(value)
+  end
+  table.sort(lines)
+  return table.concat(lines, "\n")
+end
+
+local function open(self)
+  local store = require "archard.store".open(self.file, "create")
+  store:check()
+  same_fit(self, store)
+  for _, case in ipairs(store:cases()) do
+    self.cases[case.label] = case.id
+    self.last = math.max(self.last, case.id)
+  end
+  return store
+end
+
+local function add_cases(self, store, wanted)
+  store:begin()
+  for _, each in ipairs(wanted) do
+    if not self.cases[each.label] then
+      self.last = self.last + 1
+      self.cases[each.label] = self.last
+      store:add(self.last, each.label)
+      store:set_values(self.last, "settings", settings.flatten(self.where, self:given(each.values)))
+    end
+  end
+  store:commit()
+end
+
+local function numbers(list)
+  return table.move(list, 1, #list, 1, {})
+end
+
+local function from_store(store, id)
+  local looks = settings.nest(store:values(id, "results")).looks
+  for _, look in ipairs(looks) do
+    for _, body in ipairs{ "cylinder", "plate" } do
+      if look[body] then look[body] = { x = numbers(look[body].x), h = numbers(look[body].h) } end
+    end
+  end
+  return looks
+end
+
+local function compute_by_workers(self, wanted)
+  local store <close> = open(self)
+  add_cases(self, store, wanted)
+  local failed, _, count = require "archard.study.run"(store, { workers = self.workers,
+    progress = self.progress or false })
+  self.count = self.count + count
+  for _, each in ipairs(failed) do fail_at(self, each.label, { message = each.message, code = "NUMERIC" }) end
+  for _, each in ipairs(wanted) do self.known[each.label] = from_store(store, self.cases[each.label]) end
+end
+
+-- --- both ----------------------------------------------------------------------------------------
+
+-- The looks of each set of values in a list, in its order.
+function runs:many(list)
+  local wanted, seen, result = {}, {}, {}
+  for _, values in ipairs(list) do
+    local label = label_of(self, values)
+    if not self.known[label] and not seen[label] then
+      wanted[#wanted + 1], seen[label] = { label = label, values = values }, true
+    end
+  end
+  if self.file and #wanted > 0 then
+    compute_by_workers(self, wanted)
+  else
+    for _, each in ipairs(wanted) do compute_here(self, each.label, each.values) end
+  end
+  for i, values in ipairs(list) do result[i] = self.known[label_of(self, values)] end
+  return result
+end
+
+function runs:one(values) return self:many{ values }[1] end
+
+-- The run of a set of values as a wear object, at the last distance.
+function runs:wear(values)
+  local _, run = observe.run(self:given(values), self.what)
+  return run
+end
+
+-- What is changed inside a model must be there as a table.
+local function open_model(where, base, unknowns)
+  for _, one in ipairs(unknowns) do
+    if one.path:match("^model%.") and base.model ~= nil then
+      base.model = settings.nest(settings.flatten(where, { model = base.model })).model
+      return
+    end
+  end
+end
+
+-- options: file, workers, progress
+function runs.new(where, base, unknowns, what, options)
+  local self = setmetatable({ where = where, base = deep(base), unknowns = unknowns, what = what,
+    file = options.file, progress = options.progress, known = {}, cases = {}, last = 0, count = 0,
+    workers = options.workers or require "archard.process".processors() }, runs)
+  open_model(where, self.base, unknowns)
+  if self.file then self.fingerprint = fingerprint(where, self.base) end
+  return self
+end
+
+return runs

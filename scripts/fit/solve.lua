@@ -1,0 +1,236 @@
+-- The search for the best parameters of a problem, and how sure they are: standard errors,
+-- correlations, what the data cannot tell, and the weight of smoothness by cross-validation. Leans on
+-- archard.least_squares.
+
+local check = require "archard.lib.check"
+local least_squares = require "archard.least_squares"
+local unknown = require "archard.fit.unknown"
+
+local solve = {}
+
+local most, small = 60, 1e-4 -- iterations; the last step, over what a variable can do
+
+-- --- linear algebra of columns -------------------------------------------------------------------
+
+local function flat_of(columns, scales)
+  local flat, p = {}, #columns
+  for j, column in ipairs(columns) do
+    for i = 1, #column do flat[(i - 1) * p + j] = column[i] * (scales and scales[j] or 1) end
+  end
+  return flat
+end
+
+local function norm(list)
+  local sum = 0
+  for _, value in ipairs(list) do sum = sum + value * value end
+  return math.sqrt(sum)
+end
+
+-- Singular values of columns brought to length 1: u, s, v flat row by row, and the lengths.
+local function decompose(columns)
+  local scales, lengths = {}, {}
+  for j, column in ipairs(columns) do
+    lengths[j] = norm(column)
+    scales[j] = lengths[j] > 0 and 1 / lengths[j] or 0
+  end
+  local u, s, v = least_squares.svd{ a = flat_of(columns, scales), rows = #columns[1],
+    columns = #columns }
+  return { u = u, s = s, v = v, scales = scales, rows = #columns[1], size = #columns }
+end
+
+-- What is seen as 0 next to the largest singular value: derivatives by differences are not better.
+local blind = 1e-5
+
+-- Covariance of the parameters of columns; `unseen` lists the directions that the data do not see,
+-- each a list of the parameters in it.
+function solve.covariance(columns)
+  local d = decompose(columns)
+  local p, covariance, unseen = d.size, {}, {}
+  for a = 1, p do
+    covariance[a] = {}
+    for b = 1, p do covariance[a][b] = 0 end
+  end
+  for k = 1, p do
+    if d.s[k] <= blind * d.s[1] or d.s[k] == 0 then
+      local list = {}
+      for a = 1, p do
+        if math.abs(d.v[(a - 1) * p + k]) > 0.2 then list[#list + 1] = a end
+      end
+      unseen[#unseen + 1] = list
+    else
+      for a = 1, p do
+        for b = 1, p do
+          covariance[a][b] = covariance[a][b] + d.v[(a - 1) * p + k] * d.v[(b - 1) * p + k]
+            / d.s[k] ^ 2 * d.scales[a] * d.scales[b]
+        end
+      end
+    end
+  end
+  return covariance, unseen
+end
+
+-- --- the search ----------------------------------------------------------------------------------
+
+local function values_of(parameters, u)
+  local values, slopes = {}, {}
+  for i, one in ipairs(parameters) do values[i], slopes[i] = unknown.value(one, u[i]) end
+  return values, slopes
+end
+
+-- Searches from where each parameter's `start` is; returns the values and the iterations.
+local function search(problem)
+  local parameters, first = problem.parameters, {}
+  for i = 1, #parameters do first[i] = 1 end
+  local u, iterations = least_squares.solve{ x = first, iterations = most, tolerance = small,
+    count = #problem.measured + #problem.rough,
+    residuals = function(at) return problem:residuals((values_of(parameters, at))) end,
+    jacobian = function(at)
+      local values, slopes = values_of(parameters, at)
+      return flat_of(problem:with_roughness(problem:jacobian(values)), slopes)
+    end }
+  return values_of(parameters, u), iterations
+end
+
+-- How far the next step would go, over the standard errors, among parameters off their bounds.
+local function unfinished(problem, values, columns, covariance)
+  local residuals, gradient, worst, name = problem:residuals(values), {}, 0, nil
+  for j, column in ipairs(columns) do
+    gradient[j] = 0
+    for i, value in ipairs(column) do gradient[j] = gradient[j] + value * residuals[i] end
+  end
+  for a, row in ipairs(covariance) do
+    local step = 0
+    for b, value in ipairs(row) do step = step + value * gradient[b] end
+    local off = row[a] > 0 and math.abs(step) / math.sqrt(row[a]) or 0
+    if off > worst and not problem.parameters[a].bound then worst, name = off, problem.parameters[a].name end
+  end
+  return worst, name
+end
+
+-- Marks parameters at their bounds, whose derivatives say nothing about the others' errors.
+local function mark_bounds(problem, values)
+  for i, one in ipairs(problem.parameters) do one.bound = unknown.at_bound(one, values[i]) end
+end
+
+local function without_bounds(problem, columns)
+  local kept = {}
+  for i, column in ipairs(columns) do
+    local zero = {}
+    for r = 1, #column do zero[r] = 0 end
+    kept[i] = problem.parameters[i].bound and zero or column
+  end
+  return kept
+end
+
+local function finish(problem, values, iterations)
+  mark_bounds(problem, values)
+  local columns = problem:with_roughness(problem:jacobian(values, true))
+  local covariance, unseen = solve.covariance(without_bounds(problem, columns))
+  local worst, name = unfinished(problem, values, columns, covariance)
+  return { values = values, columns = columns, covariance = covariance, unseen = unseen,
+    iterations = iterations, off = worst, off_name = name }
+end
+
+local enough = 0.1 -- of a standard error: the next step would not go further
+
+local function from(problem, values)
+  for i, one in ipairs(problem.parameters) do
+    local inside = not unknown.at_bound(one, values[i])
+    one.start = inside and values[i] or one.start
+  end
+end
+
+-- Searches, and once more from where it ended if that was too early.
+local function settle(problem)
+  local found = finish(problem, search(problem))
+  local scale = found.off > enough and problem:error_scale(found.values) or 1
+  if found.off > enough * scale then
+    from(problem, found.values)
+    local before = found.iterations
+    found = finish(problem, search(problem))
+    found.iterations = found.iterations + before
+    scale = problem:error_scale(found.values)
+  end
+  if found.off > enough * scale and #found.unseen == 0 then
+    check.fail(problem.where, ("no convergence: after %d iterations %s is still %.2g standard errors from "
+      .. "where it would go next (now %s). Start nearer, fix an unknown that the data hardly tell, or "
+      .. "give steps that do not depend on the values (a fixed jump)"):format(found.iterations,
+      found.off_name, found.off, solve.shown(problem, found.values)), "NOT_CONVERGED")
+  end
+  return found
+end
+
+function solve.shown(problem, values)
+  local words = {}
+  for i, one in ipairs(problem.unknowns) do words[i] = ("%s %.5g"):format(one.name, values[i]) end
+  return table.concat(words, ", ")
+end
+
+-- --- smoothness by cross-validation ---------------------------------------------------------------
+
+-- The error in predicting each value from all others, to first order about a fit: residual over what
+-- the value does not decide itself. `columns` without roughness.
+local function left_out(problem, columns, residuals, values, weight)
+  local before = problem.smooth
+  problem:smooth_by(weight)
+  local rough = problem:with_roughness(columns)
+  local n, all = #problem.measured, table.move(residuals, 1, #residuals, 1, {})
+  for r, row in ipairs(problem.rough) do
+    all[n + r] = 0
+    for j, factor in pairs(row) do all[n + r] = all[n + r] + math.sqrt(weight) * factor * values[j] end
+  end
+  local d, sum = decompose(rough), 0
+  local p, along = d.size, {}
+  for k = 1, p do
+    along[k] = 0
+    for i = 1, #all do along[k] = along[k] + d.u[(i - 1) * p + k] * all[i] end
+  end
+  for i = 1, n do
+    local rest, leverage = all[i], 0
+    for k = 1, p do
+      local u = d.u[(i - 1) * p + k]
+      rest, leverage = rest - u * along[k], leverage + u * u
+    end
+    sum = sum + (rest / math.max(1e-9, 1 - leverage)) ^ 2
+  end
+  for _, column in ipairs(columns) do
+    for i = #column, n + 1, -1 do column[i] = nil end
+  end
+  problem:smooth_by(before)
+  return sum / n
+end
+
+-- The weight of roughness that predicts best, of a row of them.
+local function choose_weight(problem, found)
+  problem:smooth_by(0)
+  local residuals, columns = problem:residuals(found.values), problem:jacobian(found.values, true)
+  local best, least = 0, math.huge
+  for exponent = -4, 14 do
+    local weight = 10 ^ (exponent / 2)
+    local score = left_out(problem, columns, residuals, found.values, weight)
+    if score < least then best, least = weight, score end
+  end
+  return best
+end
+
+-- --- all of it -----------------------------------------------------------------------------------
+
+-- weight: of roughness, or "auto".
+function solve.fit(problem, weight)
+  local start = {}
+  for i, one in ipairs(problem.parameters) do start[i] = one.start end
+  problem:measure_noise(start)
+  problem:refuse_idle(problem:jacobian(start))
+  problem:smooth_by(weight == "auto" and 1e-2 or weight)
+  local found = settle(problem)
+  if weight == "auto" then
+    local chosen = choose_weight(problem, found)
+    problem:smooth_by(chosen)
+    from(problem, found.values)
+    found = settle(problem)
+    found.weight = chosen
+  end
+  return found
+end
+
+return solve

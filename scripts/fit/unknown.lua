@@ -1,0 +1,203 @@
+-- The unknowns of a fit: any number field of wear{}, model{} and material{}, or k and alpha as
+-- curves over the distance. Each number that is looked for is a parameter; bounds are kept by a
+-- change of variables. Leans on the lists of settings for names, ranges and units.
+
+local check = require "archard.lib.check"
+local check_names = require "archard.study.names"
+local settings = require "archard.settings"
+local spline = require "archard.fit.spline"
+
+local unknown = {}
+
+-- --- what is given -------------------------------------------------------------------------------
+
+-- The setting that a name stands for, "model.plate.E" among them, or nil.
+local function setting_of(name)
+  local list, path = settings.wear, name
+  local body, rest = name:match("^model%.(%a+)%.([%a_]+)$")
+  if body == "cylinder" or body == "plate" then
+    list, path = settings.material, rest
+  elseif name:match("^model%.") then
+    list, path = settings.model, name:match("^model%.(.*)$")
+  end
+  for _, setting in ipairs(list) do
+    if setting.path == path then return setting end
+  end
+end
+
+local growing = check.kind("at least two growing distances [mm]", function(v)
+  if type(v) ~= "table" or #v < 2 then return false end
+  for i, d in ipairs(v) do
+    if not check.number.test(d) or d < 0 or (i > 1 and d <= v[i - 1]) then return false end
+  end
+  return true
+end)
+local start_kind = check.kind("a number, or one for each knot", function(v)
+  if type(v) ~= "table" then return check.number.test(v) end
+  for _, value in ipairs(v) do
+    if not check.number.test(value) then return false end
+  end
+  return #v > 0
+end)
+local fields = { start = start_kind, low = check.number, high = check.number, knots = growing,
+  smooth = check.one_of({ "auto" }, check.kind("a number >= 0", function(v)
+    return check.number.test(v) and v >= 0
+  end)) }
+unknown.fields = fields
+
+-- How far a parameter can reasonably go: what its steps and its prior are measured by.
+local function span_of(one)
+  if one.low and one.high then return one.high - one.low end
+  if one.low then return one.start - one.low end
+  if one.high then return one.high - one.start end
+  return one.start ~= 0 and math.abs(one.start) or 1
+end
+
+local function parameter(where, field, path, setting, given, start, distance)
+  local one = { path = path, unit = setting.unit or "", start = start, distance = distance,
+    name = distance and ("%s at %g mm"):format(path, distance) or path,
+    low = given.low or setting.low, high = given.high or setting.high }
+  if (one.low and start <= one.low) or (one.high and start >= one.high) then
+    check.fail(where, ("field '%s.start': expected a number inside the bounds %s and %s, got %g")
+      :format(field, one.low or "none", one.high or "none", start))
+  end
+  one.span = span_of(one)
+  return one
+end
+
+local function check_number(where, field, name)
+  local setting = setting_of(name)
+  if not setting or not setting.type:match("^a number") then
+    check.fail(where, ("field '%s': expected the name of a number of wear{} or model{}, "
+      .. "got one that is %s"):format(field, setting and setting.type or "no number"))
+  end
+  return setting
+end
+
+local function check_one(where, field, setting, given)
+  check.definition(where, given, fields)
+  if given.start == nil then check.refuse(where, field .. ".start", fields.start.expected, nil) end
+  if given.knots and not setting.series then
+    check.fail(where, ("field '%s.knots': only k, alpha and what else can be a table over the "
+      .. "distance has knots"):format(field))
+  end
+  if type(given.start) == "table" and #given.start ~= #(given.knots or { 1 }) then
+    check.fail(where, ("field '%s.start': expected as many numbers as there are knots, got %d")
+      :format(field, #given.start))
+  end
+end
+
+local function add(self, where, name, given)
+  local field = "unknown." .. name
+  local setting = check_number(where, field, name)
+  if type(given) == "number" then given = { start = given } end
+  if type(given) ~= "table" then check.refuse(where, field, "a table { start= }", given) end
+  check_one(where, field, setting, given)
+  local starts = type(given.start) == "table" and given.start or nil
+  if not given.knots then
+    self[#self + 1] = parameter(where, field, name, setting, given, starts and starts[1] or given.start)
+    return
+  end
+  local curve = { path = name, knots = given.knots, first = #self + 1, smooth = given.smooth or 0,
+    unit = setting.unit or "" }
+  self.curves[#self.curves + 1] = curve
+  for i, distance in ipairs(given.knots) do
+    self[#self + 1] = parameter(where, field, name, setting, given, starts and starts[i] or given.start,
+      distance)
+  end
+end
+
+-- -> list of parameters { name=, path=, unit=, start=, low=, high=, span= }, with `curves`.
+function unknown.read(where, given)
+  local names, flat, self = {}, {}, { curves = {} }
+  for name in pairs(given) do
+    if type(name) ~= "string" then check.fail(where, "field 'unknown': fields are given by name") end
+    names[#names + 1], flat[name] = name, 0
+  end
+  if #names == 0 then check.fail(where, "field 'unknown': expected at least one field, got none") end
+  check_names(where, { flat })
+  table.sort(names)
+  for _, name in ipairs(names) do add(self, where, name, given[name]) end
+  return self
+end
+
+-- --- values --------------------------------------------------------------------------------------
+
+local function slice(values, curve)
+  return table.move(values, curve.first, curve.first + #curve.knots - 1, 1, {})
+end
+
+-- The curve that values of all parameters make: { distance=, value= }
+function unknown.series(curve, values) return spline.series(curve.knots, slice(values, curve)) end
+
+-- The settings that values stand for, by flat name.
+function unknown.settings(self, values)
+  local flat = {}
+  for i, one in ipairs(self) do flat[one.path] = values[i] end
+  for _, curve in ipairs(self.curves) do
+    local series = unknown.series(curve, values)
+    flat[curve.path] = nil
+    flat[curve.path .. ".distance"], flat[curve.path .. ".value"] = series.distance, series.value
+  end
+  return flat
+end
+
+-- --- bounds by a change of variables -------------------------------------------------------------
+-- A variable is 1 at the start and changes by about 1 over what a parameter can reasonably do.
+
+local function place(one) -- of the start between both bounds, as the angle of a sine
+  return math.asin(2 * (one.start - one.low) / (one.high - one.low) - 1)
+end
+
+-- The parameter's value and its derivative at a variable.
+function unknown.value(one, u)
+  if one.low and one.high then
+    local half, angle = (one.high - one.low) / 2, u - 1 + place(one)
+    return one.low + half * (1 + math.sin(angle)), half * math.cos(angle)
+  elseif one.low then
+    local above = (one.start - one.low) * math.exp(u - 1)
+    return one.low + above, above
+  elseif one.high then
+    local below = (one.high - one.start) * math.exp(1 - u)
+    return one.high - below, below
+  end
+  return one.start + one.span * (u - 1), one.span
+end
+
+-- The bound that a value has been driven to, "low" or "high", or nil.
+function unknown.at_bound(one, value)
+  if one.low and value - one.low < 1e-4 * one.span then return "low" end
+  if one.high and one.high - value < 1e-4 * one.span then return "high" end
+end
+
+-- --- roughness of curves -------------------------------------------------------------------------
+
+-- Rows of a matrix over all parameters: second differences of the knots of each curve, in units of
+-- the start, the distance in units of the mean knot spacing.
+function unknown.roughness(self)
+  local rows = {}
+  for _, curve in ipairs(self.curves) do
+    local knots = curve.knots
+    local mean = (knots[#knots] - knots[1]) / (#knots - 1)
+    for i = 2, #knots - 1 do
+      local a, b, row = (knots[i] - knots[i - 1]) / mean, (knots[i + 1] - knots[i]) / mean, {}
+      local j = curve.first + i - 1
+      local scale = 1 / self[j].span
+      row[j - 1], row[j], row[j + 1] = scale / a, -scale * (1 / a + 1 / b), scale / b
+      rows[#rows + 1] = row
+    end
+  end
+  return rows
+end
+
+-- The weight of roughness: a number, "auto" where a curve asks for it.
+function unknown.smooth(self)
+  local most = 0
+  for _, curve in ipairs(self.curves) do
+    if curve.smooth == "auto" then return "auto" end
+    most = math.max(most, curve.smooth)
+  end
+  return most
+end
+
+return unknown

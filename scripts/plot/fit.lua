@@ -1,0 +1,120 @@
+-- plot.fit: a fit beside its data (bars, the model with its band, the residuals below), or what a
+-- design of a test lets one expect. Leans on plot/draw.lua; of fits it uses only what users can.
+
+local check = require "archard.lib.check"
+local curves = require "archard.plot.curves"
+local draw = require "archard.plot.draw"
+local naming = require "archard.plot.naming"
+
+local where = "plot.fit"
+
+-- --- a fit ---------------------------------------------------------------------------------------
+
+local function scaled(list, factor)
+  local result = {}
+  for i, value in ipairs(list) do result[i] = factor * value end
+  return result
+end
+
+-- A band as an area: along its lower edge, and back along the upper one.
+local function area(x, low, high)
+  local xs, ys = table.move(x, 1, #x, 1, {}), table.move(low, 1, #low, 1, {})
+  for i = #x, 1, -1 do xs[#xs + 1], ys[#ys + 1] = x[i], high[i] end
+  return xs, ys
+end
+
+-- What is on the vertical axis, and the factor to its unit.
+local function label_of(item)
+  if item.x then return "wear depth / µm", 1e3 end
+  local label, factor = curves.quantity_of(item.of)
+  if label then return label, factor end
+  return item.unit ~= "" and item.of .. " / " .. item.unit or item.of, 1
+end
+
+local function main_panel(item)
+  local label, factor = label_of(item)
+  local x = item.x or item.distance
+  local xs, ys = area(x, scaled(item.low, factor), scaled(item.high, factor))
+  return {
+    { x = xs, y = ys, style = "filled", series = 1, title = "band" },
+    { x = x, y = scaled(item.model, factor), series = 1, title = "model" },
+    { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
+      colour = "black", title = "data" },
+    title = item.title, ylabel = label, xlabel = item.x and "x / mm" or naming.axis_of("distance"),
+    ydown = item.x and true or nil,
+  }
+end
+
+local function residual_panel(item)
+  local x = item.x or item.distance
+  local first, last = x[1], x[#x]
+  if first == last then first, last = 0.9 * first, 1.1 * last end
+  return { { x = { first, last }, y = { 0, 0 }, colour = "grey" },
+    { x = x, y = item.residual, style = "points", colour = "black" },
+    ylabel = "residual / error", xlabel = item.x and "x / mm" or naming.axis_of("distance") }
+end
+
+local function curve_panel(name, curve)
+  local xs, ys = area(curve.distance, curve.low, curve.high)
+  return { { x = xs, y = ys, style = "filled", series = 1, title = "band" },
+    { x = curve.distance, y = curve.value, series = 1, title = "fit" },
+    title = name .. " over the distance", xlabel = naming.axis_of("distance"), ylabel = naming.axis_of(name) }
+end
+
+-- One column a set of data, residuals in the row below; curves of unknowns in columns of their own.
+local function of_fit(fit)
+  local above, below, figure = {}, {}, { panels = {} }
+  for _, item in ipairs(fit.data) do
+    above[#above + 1], below[#below + 1] = main_panel(item), residual_panel(item)
+  end
+  for _, panel in ipairs(above) do figure.panels[#figure.panels + 1] = panel end
+  for _, panel in ipairs(below) do figure.panels[#figure.panels + 1] = panel end
+  figure.layout = { 2, #above }
+  return figure
+end
+
+local function of_curves(fit)
+  local figure, names = { panels = {} }, {}
+  for name in pairs(fit.curve) do names[#names + 1] = name end
+  table.sort(names)
+  if #names == 0 then check.fail(where, "curves=true: this fit has no unknown with knots") end
+  for i, name in ipairs(names) do figure.panels[i] = curve_panel(name, fit.curve[name]) end
+  return figure
+end
+
+-- --- a design ------------------------------------------------------------------------------------
+
+-- Expected errors in percent of the start (of what it is known to before, where that is 0).
+local function of_design(design)
+  local figure = { panels = {} }
+  for i, name in ipairs(design.names) do
+    local scale = design.start[name] ~= 0 and math.abs(design.start[name]) or design.prior_error[name]
+    local panel, by = { title = "error of " .. name, xlabel = naming.axis_of("distance"),
+      ylabel = "standard error / %", logy = true }, {}
+    for _, one in ipairs(design.alone) do
+      local curve = by[one.measure]
+      if not curve then
+        curve = { x = {}, y = {}, style = "linespoints", title = one.title }
+        by[one.measure], panel[#panel + 1] = curve, curve
+      end
+      curve.x[#curve.x + 1], curve.y[#curve.y + 1] = one.distance, 100 * one.error[name] / scale
+    end
+    figure.panels[i] = panel
+  end
+  return figure
+end
+
+-- --- the picture ---------------------------------------------------------------------------------
+
+local own = { curves = check.flag }
+
+-- plot.fit(f, { curves=true }), plot.fit(d)
+return function(given, options)
+  local class = type(given) == "table" and (getmetatable(given) or {}).__name
+  if class ~= "fitted" and class ~= "design" then
+    check.fail(where, "expected what fit{} or fit.design{} has returned, got " .. check.shown(given))
+  end
+  options = draw.options(where, options, own)
+  local figure = class == "design" and of_design(given) or (options.curves and of_curves or of_fit)(given)
+  draw.draw(where, draw.over(figure, options))
+end
