@@ -183,7 +183,7 @@ end
 local class = { __name = "design", __fields = { "names", "units", "start", "prior_error", "alone", "best", "all",
   "correlation", "runs" } }
 local methods = {}
-class.__methods, class.__index = methods, methods
+class.__methods = methods
 
 -- An error beside the value, in percent of it where there is one.
 local function shown(self, name, value)
@@ -245,6 +245,8 @@ function methods:table(options)
   if options and options.file then files.write("design:table", options.file, text) end
   return text
 end
+
+strict.class(class)
 
 -- --- making --------------------------------------------------------------------------------------
 

@@ -163,11 +163,12 @@ local function note_unseen(notes, problem, found)
   end
 end
 
-local function note_correlated(notes, self, problem)
+local function note_correlated(notes, self, problem, found)
+  local blind = blind_to(found, problem)
   for a = 1, #problem.unknowns do
     for b = 1, #problem.parameters do
       local value = self.correlation[a][b]
-      if (b > a) and math.abs(value) > 0.95 then
+      if b > a and math.abs(value) > 0.95 and not (blind[a] and blind[b]) then
         notes[#notes + 1] = ("%s and %s are hard to tell apart (correlation %.3f); fit.design shows what "
           .. "would"):format(problem.parameters[a].name, problem.parameters[b].name, value)
       end
@@ -200,7 +201,7 @@ local function notes_of(self, problem, found, deviation)
   local notes = {}
   note_bounds(notes, problem)
   note_unseen(notes, problem, found)
-  note_correlated(notes, self, problem)
+  note_correlated(notes, self, problem, found)
   note_vague(notes, problem, found, deviation)
   note_residuals(notes, self)
   return notes
@@ -208,7 +209,7 @@ end
 
 -- --- showing -------------------------------------------------------------------------------------
 
-local class = { __name = "fitted", __fields = { "value", "error", "low", "high", "names", "values", "errors",
+local class = { __name = "fitted", __methods = {}, __fields = { "value", "error", "low", "high", "names", "values", "errors",
   "correlation", "covariance", "confidence", "chi2", "freedom", "reduced", "told", "data", "curve", "notes",
   "iterations", "runs", "noise", "smooth", "wear", "times" } }
 
@@ -243,6 +244,7 @@ local function data_line(item)
   return line
 end
 
+-- Three pairs a line, of few unknowns all.
 local function add_correlations(lines, self)
   local words = {}
   for a = 1, #self.names do
@@ -250,7 +252,10 @@ local function add_correlations(lines, self)
       words[#words + 1] = ("%s, %s %.3f"):format(self.names[a], self.names[b], self.correlation[a][b])
     end
   end
-  if #words > 0 and #words <= 10 then lines[#lines + 1] = "  correlations     " .. table.concat(words, "; ") end
+  for i = 1, #words <= 10 and #words or 0, 3 do
+    lines[#lines + 1] = (i == 1 and "  correlations     " or (" "):rep(19))
+      .. table.concat(words, "; ", i, math.min(i + 2, #words))
+  end
 end
 
 -- Words of a note in lines that fit a terminal.

@@ -43,8 +43,11 @@ local function fail_at(self, label, why)
     .. "away from there"):format(label, why.message), why.code)
 end
 
+-- What the engine warns of is told once: of the first run, and of the one that the fit ends with.
 local function compute_here(self, label, values)
+  if self.count > 0 then warn "@off" end
   local fine, looks, run = pcall(observe.run, self:given(values), self.what)
+  warn "@on"
   if not fine then fail_at(self, label, looks) end
   run:close()
   self.count = self.count + 1

@@ -1,6 +1,6 @@
 -- help(): what every object, field and method is. The entries are in help/engine.lua,
--- help/tools.lua, help/session.lua, help/study.lua and help/uncertainty.lua, topics in help/topics.lua;
--- this file finds them and shows them. Completion asks here for names that no table
+-- help/tools.lua, help/session.lua, help/study.lua, help/fit.lua and help/uncertainty.lua, topics in
+-- help/topics.lua; this file finds them and shows them. Completion asks here for names that no table
 -- holds, the manual page is written from here. Leans on archard.term and archard.names.
 --
 -- Addresses: "wear" an object, "wear.step" its method or field, "wear{jump}" a field of its
@@ -48,6 +48,7 @@ local function load_entries()
   add(require "archard.help.settings"(require "archard.help.engine"))
   add(require "archard.help.tools")
   add(require "archard.help.study")
+  add(require "archard.help.fit")
   add(require "archard.help.uncertainty")
   add(require "archard.help.session")
   for i, topic in ipairs(require "archard.help.topics") do

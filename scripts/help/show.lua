@@ -131,6 +131,7 @@ Plot         plot.pressure(w)  plot.profile(w)  plot.history(w, "p_center")
              plot.mesh(m)  plot.stress(c)  plot{ {x=..., y=...} }
 Many cases   study{ base=..., vary=... }  study.paper()  study.converge{}
 Measured     calibrate{ volume={...}, load=100, distance=1320 }
+             fit{ unknown={...}, data={...} }  fit.design{}  plot.fit(f)
 Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtu")
              export.pvd(w, "w.pvd")  export.inp(w, "w.inp")
              export.json(w, "w.json")

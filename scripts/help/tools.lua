@@ -191,6 +191,11 @@ return {
   { "plot.points{panel}", type = "whole number >= 1", default = 1, text = "In which panel." },
   { "plot.again", kind = "function", use = "plot.again()",
     text = "Draws the last picture once more in the terminal or window, as large as it is now." },
+  { "plot.fit", kind = "function", takes = "plot", use = "plot.fit(f, { curves=true })",
+    text = "A fit: data with their errors, the model with its band, residuals below; or what a design "
+      .. "of a test lets one expect. Takes the options of plot{} too." },
+  { "plot.fit{curves}", type = "boolean", default = false,
+    text = "Draws the curves over the distance that were fitted instead, with their bands." },
   { "plot.response", kind = "function", takes = "plot",
     use = 'plot.response(s, { x="alpha", y="depth_cylinder", by="stroke" })',
     text = "What the finished cases of a study came to, against a setting that was varied. Takes the "

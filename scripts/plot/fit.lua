@@ -31,26 +31,46 @@ local function label_of(item)
   return item.unit ~= "" and item.of .. " / " .. item.unit or item.of, 1
 end
 
+-- From the least to the most of lists, with a margin: one value alone has no range of its own.
+local function range_of(...)
+  local low, high = math.huge, -math.huge
+  for _, list in ipairs{ ... } do
+    for _, value in ipairs(list) do low, high = math.min(low, value), math.max(high, value) end
+  end
+  local margin = high > low and 0.08 * (high - low) or math.max(0.1 * math.abs(high), 1e-12)
+  return { low - margin, high + margin }
+end
+
+local function ends_of(item, sign)
+  local list = {}
+  for i, value in ipairs(item.value) do list[i] = value + sign * item.error[i] end
+  return list
+end
+
 local function main_panel(item)
   local label, factor = label_of(item)
   local x = item.x or item.distance
   local xs, ys = area(x, scaled(item.low, factor), scaled(item.high, factor))
   return {
     { x = xs, y = ys, style = "filled", series = 1, title = "band" },
-    { x = x, y = scaled(item.model, factor), series = 1, title = "model" },
+    { x = x, y = scaled(item.model, factor), series = 1, title = "model",
+      style = #x == 1 and "points" or "lines" },
     { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
       colour = "black", title = "data" },
     title = item.title, ylabel = label, xlabel = item.x and "x / mm" or naming.axis_of("distance"),
-    ydown = item.x and true or nil,
+    ydown = item.x and true or nil, xrange = range_of(x),
+    yrange = range_of(scaled(item.low, factor), scaled(item.high, factor),
+      scaled(ends_of(item, -1), factor), scaled(ends_of(item, 1), factor)),
   }
 end
 
 local function residual_panel(item)
   local x = item.x or item.distance
-  local first, last = x[1], x[#x]
-  if first == last then first, last = 0.9 * first, 1.1 * last end
-  return { { x = { first, last }, y = { 0, 0 }, colour = "grey" },
+  local range, most = range_of(x), 3
+  for _, value in ipairs(item.residual) do most = math.max(most, 1.1 * math.abs(value)) end
+  return { { x = range, y = { 0, 0 }, colour = "grey" },
     { x = x, y = item.residual, style = "points", colour = "black" },
+    xrange = range, yrange = { -most, most },
     ylabel = "residual / error", xlabel = item.x and "x / mm" or naming.axis_of("distance") }
 end
 

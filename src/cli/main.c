@@ -149,11 +149,16 @@ static run_status run_command(lua_State *L, const command *self) {
 
 /* warn() of Lua and of the binding, on standard error; "@..." are controls of Lua's own. */
 static void print_warning(void *ignored, const char *message, int to_be_continued) {
-  static int continued = 0;
+  static int continued = 0, silent = 0;
   (void)ignored;
-  if (!continued && !to_be_continued && message[0] == '@') return;
-  fprintf(stderr, "%s%s%s", continued ? "" : "archard: warning: ", message,
-          to_be_continued ? "" : "\n");
+  if (!continued && !to_be_continued && message[0] == '@') {
+    if (strcmp(message, "@off") == 0) silent = 1;
+    if (strcmp(message, "@on") == 0) silent = 0;
+    return;
+  }
+  if (!silent)
+    fprintf(stderr, "%s%s%s", continued ? "" : "archard: warning: ", message,
+            to_be_continued ? "" : "\n");
   continued = to_be_continued;
 }
 

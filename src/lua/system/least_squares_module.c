@@ -122,9 +122,7 @@ static int solve(lua_State *L) {
   if (call.failed) return lua_error(L);
   array_push(L, x, unknowns);
   lua_pushinteger(L, (lua_Integer)end.iterations);
-  lua_pushstring(L, end.status   ? gsl_strerror(end.status)
-                    : end.info == 1 ? "step"
-                                    : "gradient");
+  lua_pushstring(L, end.status ? gsl_strerror(end.status) : end.info == 1 ? "step" : "gradient");
   return 3;
 }
 

@@ -1,0 +1,21 @@
+-- How often the true values are in the 95 % ranges of fits to noisy data, and how long a fit takes:
+-- archard scripts/tools/fit_trials.lua [trials, 100]
+local trial = dofile("tests/verify/lib/fit_trials.lua")
+local count = tonumber(arg[1]) or 100
+
+for _, kind in ipairs{ "pair", "curve" } do
+  local hits, longest, total = {}, 0, 0
+  for seed = 1, count do
+    local inside, seconds = trial(seed, kind)
+    for name, is_in in pairs(inside) do hits[name] = (hits[name] or 0) + (is_in and 1 or 0) end
+    longest, total = math.max(longest, seconds), total + seconds
+  end
+  local names = {}
+  for name in pairs(hits) do names[#names + 1] = name end
+  table.sort(names)
+  for _, name in ipairs(names) do
+    print(("%-6s %-17s inside in %d of %d"):format(kind, name, hits[name], count))
+  end
+  print(("%-6s a fit takes %.2f s on average, %.2f s at most (processor time)"):format(kind,
+    total / count, longest))
+end

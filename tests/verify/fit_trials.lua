@@ -1,0 +1,16 @@
+-- Fits to data of a known truth: how often it is in their 95 % ranges. A few of the hundred trials of
+-- scripts/tools/fit_trials.lua, seeds fixed.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/../lua/lib/tap.lua")
+local trial = dofile(here .. "/lib/fit_trials.lua")
+
+local count = 12
+
+for _, kind in ipairs{ "pair", "curve" } do
+  local hits, tried = 0, 0
+  for seed = 1, count do
+    for _, is_in in pairs((trial(seed, kind))) do hits, tried = hits + (is_in and 1 or 0), tried + 1 end
+  end
+  tap.note(("%s: %d of %d values in their ranges"):format(kind, hits, tried))
+  tap.ok(hits >= 0.85 * tried, kind .. ": the truth is in the ranges about as often as they say")
+end

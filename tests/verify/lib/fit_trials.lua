@@ -1,0 +1,77 @@
+-- Trials of fit with a known truth: a run, measured with noise, and whether the true values are in
+-- the ranges that the fit gives. Returns trial(seed, kind) -> { name = inside }, seconds; kind "pair"
+-- (k and alpha from one pair of profiles and the volumes), or "curve" (alpha at three knots from four
+-- pairs).
+
+local spline = require "archard.fit.spline"
+
+local noise, share = 5e-5, 0.03 -- of profiles [mm], of volumes
+
+local function normal()
+  return math.sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * math.pi * math.random())
+end
+
+local function base()
+  return { jump = "auto", stroke = 0.22, model = { mesh = { size = 0.04, height = 0.05 } } }
+end
+
+-- Profiles as an instrument has them: between the nodes, shifted, tilted, lifted, noisy.
+local function measured(run, body)
+  local shift, tilt, level = 0.004 * normal(), 1e-4 * normal(), 2e-4 * normal()
+  local surface, x, h = run:profile(body), {}, {}
+  for i = 1, #surface.x - 1 do
+    local middle = (surface.x[i] + surface.x[i + 1]) / 2
+    x[i] = middle + shift
+    h[i] = (surface.h[i] + surface.h[i + 1]) / 2 + tilt * x[i] + level + noise * normal()
+  end
+  return { body = body, distance = run.distance, x = x, h = h, error = noise }
+end
+
+local function add_pair(data, run)
+  for _, body in ipairs{ "cylinder", "plate" } do data[#data + 1] = measured(run, body) end
+end
+
+local function add_volumes(data, run)
+  for _, body in ipairs{ "cylinder", "plate" } do
+    data[#data + 1] = { of = "volume_" .. body, distance = run.distance, relative = share,
+      value = run.volume[body] * (1 + share * normal()) }
+  end
+end
+
+local kinds = {}
+
+function kinds.pair()
+  local given, data = base(), {}
+  given.k, given.alpha = 1.3e-8, 0.35
+  local run <close> = wear(given)
+  run:run()
+  add_pair(data, run)
+  add_volumes(data, run)
+  return data, { k = 1e-8, alpha = 0.5 }, { k = 1.3e-8, alpha = 0.35 }
+end
+
+function kinds.curve()
+  local given, data, knots, value = base(), {}, { 0, 300, 1320 }, { 0.7, 0.45, 0.35 }
+  given.k, given.alpha = 1.3e-8, spline.series(knots, value)
+  local run <close> = wear(given)
+  for _, distance in ipairs{ 150, 300, 700, 1320 } do
+    run:run{ distance = distance }
+    add_pair(data, run)
+  end
+  local truth = { k = 1.3e-8 }
+  for i, distance in ipairs(knots) do truth[("alpha at %g mm"):format(distance)] = value[i] end
+  return data, { k = 1e-8, alpha = { start = 0.5, knots = knots } }, truth
+end
+
+return function(seed, kind)
+  math.randomseed(seed)
+  local data, unknown, truth = kinds[kind]()
+  local start = os.clock()
+  local f = fit{ base = base(), unknown = unknown, data = data }
+  local seconds, inside = os.clock() - start, {}
+  for i, name in ipairs(f.names) do
+    inside[name] = math.abs(f.values[i] - truth[name]) <= f.times * f.errors[i]
+  end
+  f.wear:close()
+  return inside, seconds
+end
