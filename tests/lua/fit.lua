@@ -1,3 +1,152 @@
 -- fit and fit.design: what they refuse, what they find, what they say of it, run files, pictures.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
-local tap = require "tests.lua.lib.tap"
+local file = os.tmpname()
+os.remove(file)
+local base = { jump = 50, stroke = 0.22, distance = 220, model = { mesh = { size = 0.04, height = 0.05 } } }
+
+-- --- exact data ----------------------------------------------------------------------------------
+local truth = wear{ k = 1.4e-8, alpha = 0.3, jump = 50, stroke = 0.22, distance = 220, model = base.model }
+truth:run()
+local function profile_of(body, shift, level)
+  local profile, x, h = truth:profile(body), {}, {}
+  for i = 1, #profile.x do x[i], h[i] = profile.x[i] + shift, profile.h[i] + level end
+  return { body = body, distance = 220, profile = { x = x, h = h }, error = 2e-5 }
+end
+local data = { profile_of("cylinder", 0.004, 1e-4), profile_of("plate", -0.003, 0),
+  { of = "volume_plate", distance = 220, value = truth.volume.plate, relative = 0.03 } }
+local unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }
+local f = fit{ base = base, unknown = unknown, data = data }
+near(f.value.k, 1.4e-8, 1e-5, "k comes back from exact data")
+near(f.value.alpha, 0.3, 1e-5, "and alpha")
+near(f.data[1].place.shift.value, 0.004, 1e-4, "the shift of a profile")
+near(f.data[1].place.level.value, 1e-4, 1e-4, "and its level")
+ok(f.low.k < 1.4e-8 and f.high.k > 1.4e-8 and f.error.k > 0, "a range")
+is(f.freedom, #data[1].profile.x + #data[2].profile.x + 1 - 8, "degrees of freedom")
+is(f.wear.distance, 220.0, "the run stands at the last measurement")
+near(f.wear.k, f.value.k, 1e-15, "with the values found")
+f.wear:run{ distance = 300 }
+is(f.wear.distance, 300.0, "and goes on")
+ok(f.data[2].low[20] < f.data[2].model[20] and f.data[2].model[20] < f.data[2].high[20], "a band")
+holds(tostring(f), { "k ", "mm2/N", "correlations", "profile of the plate at 220 mm", "chi2",
+  "of the errors given" }, "print(f)")
+
+-- --- standard errors by theory -------------------------------------------------------------------
+-- The volume of thin wear is k L d alpha: relative errors of k are those of its mean.
+local volumes = { of = "volume", distance = { 55, 110, 165, 220 }, relative = 0.03,
+  value = { 55e-6, 110e-6, 165e-6, 220e-6 } }
+local g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
+near(g.value.k, 1e-8, 1e-6, "k of exact volumes")
+near(g.error.k, 0.03 / 2 * 1e-8, 1e-4, "its standard error is that of the mean of four")
+near(g.times, 1.96, 1e-3, "ranges are those of known errors")
+
+-- Errors from residuals: a weighted mean has a closed form with equal weights too.
+local plain = { of = "volume", distance = { 55, 110, 165, 220 }, value = { 56e-6, 109e-6, 166e-6, 219e-6 } }
+g = fit{ base = base, unknown = { k = 2e-8 }, data = { plain } }
+local sxx, sxy = 0, 0
+for i, d in ipairs(plain.distance) do sxx, sxy = sxx + 1e4 * d * d, sxy + 100 * d * plain.value[i] end
+local k, rest = sxy / sxx, 0
+for i, d in ipairs(plain.distance) do rest = rest + (plain.value[i] - k * 100 * d) ^ 2 end
+near(g.value.k, k, 1e-6, "a line through the origin")
+near(g.error.k, math.sqrt(rest / 3 / sxx), 1e-4, "and its standard error, from the residuals")
+near(g.times, 3.1824, 1e-4, "with Student's factor")
+
+-- --- curves --------------------------------------------------------------------------------------
+local knots, values = { 0, 50, 220 }, { 0.7, 0.45, 0.35 }
+local spline = require "archard.fit.spline"
+local series = spline.series({ 0, 1, 2, 3 }, { 0, 1, 1, 4 })
+local monotonic = true
+for i = 2, #series.value do monotonic = monotonic and series.value[i] >= series.value[i - 1] end
+ok(monotonic, "the spline is monotonic where the knots are")
+is(series.value[9], 1, "and goes through them")
+local curved = wear{ k = 1e-8, alpha = spline.series(knots, values), jump = 50, stroke = 0.22,
+  model = base.model }
+local shares = { of = "volume_cylinder", distance = {}, value = {}, relative = 0.01 }
+for i = 1, 11 do
+  curved:run{ distance = 20 * i }
+  shares.distance[i], shares.value[i] = 20 * i, curved.volume.cylinder
+end
+local h = fit{ base = base, unknown = { alpha = { start = 0.5, knots = knots } }, data = { shares } }
+for i, value in ipairs(values) do near(h.value.alpha[i], value, 1e-3, "alpha at knot " .. i) end
+is(#h.curve.alpha.distance, 17, "the curve as wear{} takes it")
+ok(h.curve.alpha.low[9] < 0.45 and h.curve.alpha.high[9] > 0.45, "with its band")
+local smooth = fit{ base = base, data = { shares },
+  unknown = { alpha = { start = 0.5, knots = { 0, 50, 130, 220 }, smooth = "auto" } } }
+ok(smooth.smooth > 0, "smoothness by cross-validation has a weight")
+near(smooth.value.alpha[4], 0.35, 0.05, "and leaves the curve where it is")
+
+-- --- run files -----------------------------------------------------------------------------------
+local function stored(workers, other)
+  return fit{ base = base, unknown = { k = other or 2e-8 }, data = { volumes }, file = file, workers = workers,
+    progress = false }
+end
+local first = stored(2)
+near(first.value.k, 1e-8, 1e-6, "a fit with workers")
+local again = stored(1)
+is(again.value.k, first.value.k, "the same file gives the same")
+is(again.runs, 0, "without a run")
+g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
+is(g.value.k, first.value.k, "and so does a fit in this process, to the bit")
+fails(function() fit{ base = { jump = 40 }, unknown = { k = 2e-8 }, data = { volumes }, file = file } end,
+  { file, "another fit" }, "a file of another fit is refused")
+os.remove(file)
+
+-- --- what must be said ---------------------------------------------------------------------------
+local one = { of = "volume_plate", distance = { 100, 220 }, value = { 5e-5, 1.1e-4 }, relative = 0.03 }
+local three = { of = "volume_plate", distance = { 50, 100, 220 }, value = { 2.5e-5, 5e-5, 1.1e-4 }, relative = 0.03 }
+g = fit{ base = base, unknown = unknown, data = { three } }
+holds(tostring(g), { "alpha and k cannot be told apart", "without a standard error" }, "what data cannot tell")
+is(g.error.k, math.huge, "has no standard error")
+three.value = { 1e-4, 2e-4, 4e-4 }
+g = fit{ base = base, unknown = { alpha = 0.5 }, data = { three } }
+holds(tostring(g), { "alpha is at its lower bound, 0", "times the errors given" }, "at a bound")
+
+local function refused(given, parts, what)
+  given.base = given.base or base
+  fails(function() fit(given) end, parts, what)
+end
+refused({ unknown = unknown, data = { one } }, { "fit.lua:", "too few data: 2 values for 2 unknowns" }, "too few data")
+refused({ unknown = { kk = 1 }, data = { one } }, "unknown field 'kk' (did you mean 'k'?)", "a misspelt unknown")
+refused({ unknown = { radius = 1 }, data = { one } }, "it is a field of model{}", "one of the model")
+refused({ unknown = { scheme = 1 }, data = { one } }, { "unknown.scheme", "number" }, "one that is no number")
+refused({ unknown = { alpha = 1 }, data = { one } }, { "unknown.alpha.start", "inside the bounds 0" }, "a start at a bound")
+refused({ unknown = { load = { start = 90, knots = { 0, 1 } } }, data = { one } }, "only k, alpha", "a curve of a number")
+refused({ unknown = { law_exponent = 1 }, data = { three } }, "'law_exponent' does nothing", "an idle unknown")
+refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = 220, value = { 1, 2 } } } },
+  "distance", "lists of different length")
+refused({ unknown = { k = 1e-8 }, data = { { of = "volum", distance = 220, value = 1 } } }, "data[1].of", "no such column")
+refused({ unknown = { k = 1e-8 }, data = { one, { of = "half_width", distance = 220, value = 0.1 } } },
+  { "data[2]", "error" }, "several kinds of data without errors")
+refused({ unknown = { k = 1e-8 }, data = { { body = "plate", distance = 220, error = 1e-9,
+  x = { -0.2, -0.1, 0, 0.1, 0.2 }, h = { 1e-8, 2e-7, 3e-7, 2e-7, 1e-8 } } } }, "are they in m?", "depths in m")
+refused({ unknown = { k = 1e-8 }, data = { { body = "plate", distance = 220, error = 1e-5,
+  x = { -200, -100, 0, 100, 200 }, h = { 1e-5, 2e-4, 3e-4, 2e-4, 1e-5 } } } }, "expected x in mm", "places in um")
+refused({ unknown = { k = 1e-8 } }, "'data'", "no data")
+
+-- --- design --------------------------------------------------------------------------------------
+local d = fit.design{ base = base, unknown = unknown, measure = {
+  { profile = "cylinder", distance = { 110, 220 }, error = 5e-5 }, { of = "volume", distance = 220, relative = 0.03 },
+  { of = "volume_plate", distance = 220, relative = 0.03 } } }
+is(#d.alone, 4, "every measurement at every distance")
+ok(d.alone[2].error.alpha < d.alone[1].error.alpha, "a deeper scar tells more")
+near(d.alone[3].error.k, 1e-8 / math.sqrt(1 + 1 / 0.03 ^ 2), 1e-4, "the volume of both tells k as well as it is measured")
+near(d.alone[3].error.alpha, 1 / math.sqrt(12), 1e-4, "and nothing of alpha")
+is(#d.best, 3, "an order to measure in")
+ok(d.all.k <= d.best[3].error.k, "all together tell most")
+holds(tostring(d), { "cannot tell", "best", "together" }, "print(d)")
+holds(d:table(), { "measurement,distance [mm],error of alpha", "volume_plate,220" }, "its table")
+fails(function() fit.design{ unknown = unknown, measure = { { of = "volume", distance = 1 } } } end,
+  { "measure[1]", "error" }, "an error is needed")
+
+-- --- pictures ------------------------------------------------------------------------------------
+for name, draw in pairs{ fit = function(o) plot.fit(f, o) end, design = function(o) plot.fit(d, o) end,
+  curves = function(o) plot.fit(h, { curves = true, file = o.file }) end } do
+  draw{ file = file .. ".svg" }
+  local opened = io.open(file .. ".svg")
+  holds(opened:read "a", "</svg>", "a picture of a " .. name)
+  opened:close()
+  os.remove(file .. ".svg")
+end
+fails(function() plot.fit({}) end, "expected what fit{}", "plot.fit of something else")
