@@ -100,9 +100,9 @@ local function described(self, problem, found, scale, deviation)
   return list
 end
 
--- Curves over the distance with their band.
+-- Curves over the distance, as wear{} takes them, and the same with their bands.
 local function curves(self, problem, found, scale)
-  local list = {}
+  local list, bands = {}, {}
   for _, curve in ipairs(problem.unknowns.curves) do
     local series = unknown.series(curve, found.values)
     local low, high, shifted = {}, {}, {}
@@ -121,10 +121,10 @@ local function curves(self, problem, found, scale)
       local room = self.times * scale * along(found.covariance, derivative)
       low[i], high[i] = clipped(one, value - room), clipped(one, value + room)
     end
-    series.low, series.high, series.knots, series.unit = low, high, curve.knots, curve.unit
     list[curve.path] = series
+    bands[curve.path] = { distance = series.distance, value = series.value, low = low, high = high }
   end
-  return strict.table(list, "fit.curve")
+  return strict.table(list, "fit.curve"), strict.table(bands, "fit.band")
 end
 
 -- --- what must be said ---------------------------------------------------------------------------
@@ -210,7 +210,7 @@ end
 -- --- showing -------------------------------------------------------------------------------------
 
 local class = { __name = "fitted", __methods = {}, __fields = { "value", "error", "low", "high", "names", "values", "errors",
-  "correlation", "covariance", "confidence", "chi2", "freedom", "reduced", "told", "data", "curve", "notes",
+  "correlation", "covariance", "confidence", "chi2", "freedom", "reduced", "told", "data", "curve", "band", "notes",
   "iterations", "runs", "noise", "smooth", "wear", "times" } }
 
 local function shown(value) return ("%.4g"):format(value) end
@@ -318,7 +318,7 @@ function result.new(problem, found, told, confidence)
   self.low, self.high = by_path(problem, low), by_path(problem, high)
   self.covariance, self.correlation = found.covariance, correlations(found)
   self.data = described(self, problem, found, scale, deviation)
-  self.curve = curves(self, problem, found, scale)
+  self.curve, self.band = curves(self, problem, found, scale)
   self.notes = notes_of(self, problem, found, deviation)
   self.wear = problem.runs:wear(self.values)
   return setmetatable(self, class)

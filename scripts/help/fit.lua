@@ -80,7 +80,8 @@ return {
     text = "For each set of data the lists value, error, model, low, high (band of the model), residual (over the "
       .. "error), x or distance, and place: shift, tilt and level with their errors." },
   { "fitted.curve", kind = "field",
-    text = "Unknowns with knots: { distance=, value=, low=, high= }, which wear{} takes as k or alpha." },
+    text = "Unknowns with knots as { distance=, value= }, which wear{} takes as k or alpha." },
+  { "fitted.band", kind = "field", text = "The same with the ends of their ranges, low and high." },
   { "fitted.notes", kind = "field", text = "What must be said of the result: a list of texts." },
   { "fitted.iterations", kind = "field", text = "Iterations of the search." },
   { "fitted.runs", kind = "field", text = "Runs made for it, those found in a file not counted." },

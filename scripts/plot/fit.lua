@@ -95,10 +95,10 @@ end
 
 local function of_curves(fit)
   local figure, names = { panels = {} }, {}
-  for name in pairs(fit.curve) do names[#names + 1] = name end
+  for name in pairs(fit.band) do names[#names + 1] = name end
   table.sort(names)
   if #names == 0 then check.fail(where, "curves=true: this fit has no unknown with knots") end
-  for i, name in ipairs(names) do figure.panels[i] = curve_panel(name, fit.curve[name]) end
+  for i, name in ipairs(names) do figure.panels[i] = curve_panel(name, fit.band[name]) end
   return figure
 end
 

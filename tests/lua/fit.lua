@@ -71,7 +71,7 @@ end
 local h = fit{ base = base, unknown = { alpha = { start = 0.5, knots = knots } }, data = { shares } }
 for i, value in ipairs(values) do near(h.value.alpha[i], value, 1e-3, "alpha at knot " .. i) end
 is(#h.curve.alpha.distance, 17, "the curve as wear{} takes it")
-ok(h.curve.alpha.low[9] < 0.45 and h.curve.alpha.high[9] > 0.45, "with its band")
+ok(h.band.alpha.low[9] < 0.45 and h.band.alpha.high[9] > 0.45, "with its band")
 local smooth = fit{ base = base, data = { shares },
   unknown = { alpha = { start = 0.5, knots = { 0, 50, 130, 220 }, smooth = "auto" } } }
 ok(smooth.smooth > 0, "smoothness by cross-validation has a weight")
@@ -115,7 +115,7 @@ refused({ unknown = { alpha = 1 }, data = { one } }, { "unknown.alpha.start", "i
 refused({ unknown = { load = { start = 90, knots = { 0, 1 } } }, data = { one } }, "only k, alpha", "a curve of a number")
 refused({ unknown = { law_exponent = 1 }, data = { three } }, "'law_exponent' does nothing", "an idle unknown")
 refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = 220, value = { 1, 2 } } } },
-  "distance", "lists of different length")
+  { "data[1].value", "expected 1 numbers", "got 2" }, "lists of different length")
 refused({ unknown = { k = 1e-8 }, data = { { of = "volum", distance = 220, value = 1 } } }, "data[1].of", "no such column")
 refused({ unknown = { k = 1e-8 }, data = { one, { of = "half_width", distance = 220, value = 0.1 } } },
   { "data[2]", "error" }, "several kinds of data without errors")

@@ -1,0 +1,16 @@
+-- Before a test: what must be measured, and when, to tell k and alpha apart? The standard errors that
+-- each measurement would leave, and in which order measurements are worth their while.
+--   archard examples/test_design.lua
+
+local d = fit.design{
+  base = { stroke = 0.22, jump = 50 },
+  unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } },
+  measure = {
+    { profile = "cylinder", distance = { 150, 300, 660, 1320 }, error = 2e-4 },
+    { profile = "plate", distance = { 150, 300, 660, 1320 }, error = 2e-4 },
+    { of = "volume", distance = { 150, 300, 660, 1320 }, relative = 0.05, title = "weight loss of both" },
+    { of = "width", distance = { 150, 300, 660, 1320 }, relative = 0.02, title = "width of the scar" },
+  },
+}
+print(d)
+plot.fit(d)
