@@ -46,7 +46,7 @@ local one_or_more = check.kind("a finite number, or a list of them", function(v)
 end)
 local list = check.kind("a list of finite numbers", function(v) return is_list(v) and finite_list(v) end)
 local body = check.one_of{ "cylinder", "plate" }
-local profile = check.kind("a profile with lists x and h [mm]", function(v)
+local profile = check.kind("a profile of depths, with lists x and h [mm] (of heights: p:depth())", function(v)
   return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
 end)
 
@@ -123,6 +123,7 @@ local function read_profile(where, prefix, given)
   local x, h = as_list(from.x), as_list(from.h)
   same_count(where, prefix, "h", h, #x)
   local own = given.profile and from.error
+  if own and not sizes.test(own) then own = nil end -- a trace without noise tells none
   local err = errors_of(where, prefix, given, own, h)
   x, h, err = sorted(x, h, err)
   local item = { kind = "profile", body = given.body, distance = given.distance, x = x, value = h,
