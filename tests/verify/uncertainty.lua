@@ -1,7 +1,7 @@
 -- Uncertainties: distributions, designs, Sobol's indices against closed forms, samples of studies,
 -- failure probabilities, sensitivities, pictures.
 local here = arg[0]:match("^(.*)/") or "."
-local tap = dofile(here .. "/lib/tap.lua")
+local tap = dofile(here .. "/../lua/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
 local folder = os.tmpname()
