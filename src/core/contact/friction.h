@@ -102,6 +102,8 @@ typedef struct friction_state {
 /* Unloaded: nothing touches, the plate's base at x [mm]. */
 arc_status arc_friction_create(friction_state *s, const arc_model *model, double x);
 void arc_friction_free(friction_state *s);
+/* Unloaded again, as created. */
+void arc_friction_reset(friction_state *s, double x);
 void arc_friction_copy(friction_state *to, const friction_state *from);
 /* A state as numbers and back, to the same bits. */
 size_t arc_friction_size(const friction_state *s);

@@ -20,7 +20,7 @@ static arc_status allocate(arc_wear *w) {
       .rate.node = {rate, rate + nc}, .depth.node = {depth, depth + nc}, .slip = depth + nc + np};
   double *start = rate + 6 * (nc + np);
   w->start.rate = (wear_rate){.node = {start, start + nc}};
-  if (arc_path_create(&w->path, w->model) != ARC_OK) return ARC_MEMORY;
+  if (arc_path_create(&w->path, w->model, arc_wear_rubs(&w->def)) != ARC_OK) return ARC_MEMORY;
   return arc_pose_create(&w->reference, w->model);
 }
 

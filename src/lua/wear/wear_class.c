@@ -184,6 +184,7 @@ static const luaL_Reg methods[] = {
     {"local_partition", wear_local_partition},
     {"roughness", wear_roughness},
     {"stability", wear_stability},
+    {"loop", wear_loop},
     {NULL, NULL},
 };
 
