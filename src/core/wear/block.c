@@ -25,9 +25,9 @@ static int compare(const void *a, const void *b) {
 }
 
 /* NSP looks at the flat plate at x = 0 only, and a way out of the plane leads nowhere else. */
-static void one_pose(wear_block *b) {
+static void one_pose(wear_block *b, double x) {
   b->poses = 1;
-  memset(b->pose_x, 0, (size_t)b->count * sizeof *b->pose_x);
+  for (int i = 0; i < b->count; i++) b->pose_x[i] = x;
   memset(b->place, 0, (size_t)b->count * sizeof *b->place);
 }
 
@@ -65,7 +65,9 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
   b->sliding = b->repeat * once;
   b->travel = high - low;
   if (procedure == ARC_NSP || def->slide == ARC_SLIDE_Z)
-    one_pose(b);
+    one_pose(b, 0);
+  else if (arc_wear_rubs(def) && b->travel <= arc_wear_reach(model, b->load))
+    one_pose(b, (low + high) / 2); /* points that stick keep their partners */
   else
     find_poses(b);
 }
@@ -118,11 +120,11 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   b->cycles = INFINITY;
   b->repeat = over || back ? 1 : 2;
   if (rubs) b->press = half + (half + 1) / 2; /* about x = 0 */
+  b->load = def->load;
   finish(b, def, model);
   /* r s to the bit, whatever the increments add up to */
   b->sliding = (over ? 1 : 2) * def->stroke;
   b->travel = def->stroke;
-  b->load = def->load;
   return ARC_OK;
 }
 
