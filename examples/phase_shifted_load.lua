@@ -1,12 +1,12 @@
 -- Fretting under a load that swings with the force: 100 +- 40 N, a tangential force of +-30 N, friction 0.6, at several
--- shifts of phase. In phase the force is largest where the load is, and hardly anything slips; out of phase it is largest
--- where the load is least.
+-- shifts of phase. The same forces, in another order: in quadrature, where the load falls as the force rises, more of the
+-- contact slips, and it dissipates several times as much as in phase.
 --   archard examples/phase_shifted_load.lua
 
 local bodies = model{ mesh = { size = 0.01, height = 0.0125 } }
 local loops, titles = {}, {}
 print "shift / deg  energy / N mm a cycle  stick / mm  plate after 2000 cycles / um"
-for i, degrees in ipairs{ 0, 90, 180 } do
+for i, degrees in ipairs{ 0, 45, 90 } do
   local shift = math.rad(degrees)
   local w = wear{
     model = bodies, friction = 0.6, load = 100, k = 1e-7, jump = 200,
