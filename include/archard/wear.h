@@ -390,6 +390,8 @@ arc_status arc_wear_surfaces(const arc_wear *wear, arc_surface **surfaces, arc_e
 typedef struct arc_loop {
   size_t count;
   double energy;            /* [N mm] dissipated in the cycle */
+  double stick_width;       /* [mm] what never slips */
+  int gross;                /* all of the contact slips at some time */
   const double *x;          /* [count] position of the plate's base [mm] */
   const double *tangential; /* [count] force that drives it [N] */
 } arc_loop;

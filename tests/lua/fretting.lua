@@ -91,6 +91,34 @@ for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" }, force = { 
   is(stored.depth.plate, w.depth.plate, label .. ": depth to the bit")
 end
 
+-- pictures
+local function picture(draw)
+  local stem = os.tmpname()
+  draw(stem .. ".gp")
+  local file = io.open(stem .. ".gp")
+  local text = file and file:read("a") or ""
+  if file then file:close() end
+  os.remove(stem .. ".gp")
+  os.remove(stem)
+  return text
+end
+local text = picture(function(file) plot.loop(gross, partial:loop(), { file = file, titles = { "one", "two" } }) end)
+tap.holds(text, { "tangential force / N", "fretting loops", "one, ", "two, ", "N mm a cycle" }, "plot.loop")
+fails(function() plot.loop(plain) end, "without friction", "no loop to draw")
+fails(function() plot.loop() end, "expected wear runs with friction", "nothing to draw")
+fails(function() plot.loop(m) end, "expected wear runs with friction", "a model has no loop")
+
+-- the fretting map: gross slip begins where half-planes of the bodies' lengths say, in proportion to friction times load
+local map = study.fretting_map{ load = { 50, 100 }, motion = { 2e-4, 1e-3, 4e-3 }, model = m }
+is(table.concat(map.regime[1], " "), "stick partial gross", "from stick to gross slip")
+near(map.gross_from[2], 2.677e-3, 0.02, "gross slip from [mm]")
+ok(map.gross_from[1] < map.gross_from[2] and map.partial_from[2] < map.gross_from[2], "borders are in order")
+tap.holds(tostring(map), { "partial slip from", "gross slip from" }, "in words")
+text = picture(function(file) map:plot{ file = file } end)
+tap.holds(text, { "running condition fretting map", "load / N", "gross slip from here" }, "and as a picture")
+fails(function() study.fretting_map{ load = { 100 } } end, { "field 'motion'", "increasing" }, "no motions")
+fails(function() study.fretting_map{ load = { 100, 50 }, motion = { 1 } } end, { "field 'load'", "increasing" }, "loads that fall")
+
 -- what is refused
 local function refused(fields, words, label) fails(function() run(fields) end, words, label) end
 refused({ friction = -0.1 }, { "field 'friction'", ">= 0", "-0.1" }, "friction below 0")

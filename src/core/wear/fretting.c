@@ -250,10 +250,12 @@ static arc_loop *make_loop(size_t count) {
 }
 
 /* Forces of the whole thickness. */
-static void scale_loop(arc_loop *loop, double thickness, double energy) {
+static void finish_loop(arc_loop *loop, double thickness, const wear_rate *rate) {
   double *tangential = (double *)(size_t)loop->tangential;
   for (size_t i = 0; i < loop->count; i++) tangential[i] *= thickness;
-  loop->energy = energy * thickness;
+  loop->energy = rate->energy * thickness;
+  loop->stick_width = rate->stick;
+  loop->gross = rate->gross != 0;
 }
 
 arc_status arc_wear_loop(arc_wear *w, arc_loop **loop, arc_error *error) {
@@ -275,7 +277,7 @@ arc_status arc_wear_loop(arc_wear *w, arc_loop **loop, arc_error *error) {
   cycle.last = block->count - 1;
   status = evaluate(&r, error);
   if (status == ARC_OK)
-    scale_loop(*loop = r.loop, arc_model_definition(w->model)->thickness, r.rate->energy);
+    finish_loop(*loop = r.loop, arc_model_definition(w->model)->thickness, r.rate);
   else
     free(r.loop);
   return status;

@@ -55,9 +55,9 @@ static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const do
     return arc_fail(error, ARC_MEMORY, "out of memory for the stability limit");
   }
   wear_window cycle = {.shape = w->shape,
-                             .last = block->count - 1,
-                             .state = arc_wear_last(w),
-                             .jacobian = &jacobian};
+                       .last = block->count - 1,
+                       .state = arc_wear_last(w),
+                       .jacobian = &jacobian};
   wear_watch nobody = {0};
   status = arc_wear_friction(w, cycle.state, &cycle.mu, error);
   if (status == ARC_OK) status = arc_wear_evaluate(w, &cycle, &nobody, &w->work.rate, error);
@@ -155,7 +155,8 @@ static double longest_increment(const arc_wear *w) {
 static void warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double leap = 4; /* half the contact's half width */
   const arc_wear_def *d = &w->def;
-  if (d->increments == 0 || d->tangential > 0 || w->procedure == ARC_NSP || d->slide == ARC_SLIDE_Z) return;
+  if (d->increments == 0 || d->tangential > 0 || w->procedure == ARC_NSP || d->slide == ARC_SLIDE_Z)
+    return;
   const double longest = longest_increment(w);
   if (longest <= leap * (1 + 1e-9)) return;
   if (d->blocks > 0)

@@ -127,7 +127,7 @@ static int wear_friction(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_friction]);
 }
 
-/* The steady cycle on the present surfaces: { x=, tangential=, energy= }. */
+/* The steady cycle on the present surfaces: { x=, tangential=, energy=, stick_width=, gross= }. */
 int wear_loop(lua_State *L) {
   box *made = box_self_idle(L, &wear_class, "wear:loop");
   arc_error error = {0};
@@ -140,11 +140,15 @@ int wear_loop(lua_State *L) {
   made->busy = RUN_IDLE;
   functions_leave(L, &call, "wear:loop");
   error_check(L, status, &error, "wear:loop", -1);
-  lua_createtable(L, 0, 3);
+  lua_createtable(L, 0, 5);
   array_set(L, "x", loop->x, loop->count);
   array_set(L, "tangential", loop->tangential, loop->count);
   lua_pushnumber(L, loop->energy);
   lua_setfield(L, -2, "energy");
+  lua_pushnumber(L, loop->stick_width);
+  lua_setfield(L, -2, "stick_width");
+  lua_pushboolean(L, loop->gross);
+  lua_setfield(L, -2, "gross");
   free(loop);
   return 1;
 }
