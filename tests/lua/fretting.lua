@@ -91,6 +91,15 @@ for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" }, force = { 
   is(stored.depth.plate, w.depth.plate, label .. ": depth to the bit")
 end
 
+-- materials so different that the solution may not be the only one
+local heard = require "archard.warnings"
+heard.keep()
+local uneven = wear{ model = { mesh = { size = 0.04, height = 0.05 }, plate = { E = 2e3, nu = 0.1 } }, friction = 1.2,
+  load = 20, stroke = 0.4, k = 1e-9, cycles = 1, increments = 20 }
+heard.take()
+uneven:step()
+tap.holds(heard.take() or "", { "wear: friction 1.2 times Dundurs' beta" }, "a warning on uniqueness")
+
 -- pictures
 local function picture(draw)
   local stem = os.tmpname()

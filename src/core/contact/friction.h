@@ -131,6 +131,11 @@ arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction
  * the change of compliance does is not taken for slip. */
 void arc_friction_follow(const pose *p, grip *g, friction_room *w, friction_state *s);
 
+/* Says where friction and the difference of the materials are so large that the solution may not be
+ * the only one. */
+void arc_friction_warn(const arc_model *model, double mu, const char *who,
+                       const arc_callbacks *callbacks);
+
 /* Forces of the solution on a body's surface [N/mm], as arc_pose_forces_on. */
 void arc_friction_forces_on(const pose *p, friction_room *w, arc_body body, double *force);
 

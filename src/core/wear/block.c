@@ -51,7 +51,7 @@ static void find_poses(wear_block *b) {
 static double way_of_force(const wear_block *b, const arc_model_def *model) {
   double once = 0;
   for (int i = 1; i < b->count; i++) once += fabs(b->tangential[i] - b->tangential[i - 1]);
-  return once * arc_wear_softness(model);
+  return once / arc_contact_modulus(model->material);
 }
 
 static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *model) {

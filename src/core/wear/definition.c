@@ -68,16 +68,7 @@ int arc_wear_rubs(const arc_wear_def *def) {
 
 double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model) {
   if (!(def->tangential > 0)) return arc_wear_def_strokes(def, model) * def->stroke;
-  return 4 * def->tangential / model->thickness * arc_wear_softness(model);
-}
-
-double arc_wear_softness(const arc_model_def *model) {
-  double sum = 0;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const arc_material *m = &model->material[b];
-    sum += (1 - m->nu * m->nu) / m->E;
-  }
-  return sum;
+  return 4 * def->tangential / model->thickness / arc_contact_modulus(model->material);
 }
 
 static int alpha_stays_one(const arc_wear_def *def) {

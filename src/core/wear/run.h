@@ -87,8 +87,6 @@ int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model);
 arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
 void arc_wear_def_free(arc_wear_def *def);
 
-/* 1 / E* [mm2/N]. */
-double arc_wear_softness(const arc_model_def *model);
 /* Whether a run is one with friction. */
 int arc_wear_rubs(const arc_wear_def *def);
 

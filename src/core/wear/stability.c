@@ -173,11 +173,18 @@ static void warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
         d->increments, 2 * (int)ceil(longest * d->increments / 2 * (1 - 1e-9)));
 }
 
+static void warn_of_friction(const arc_wear *w, const arc_callbacks *callbacks) {
+  double mu;
+  if (arc_wear_friction(w, arc_wear_last(w), &mu, NULL) == ARC_OK)
+    arc_friction_warn(w->model, mu, "wear", callbacks);
+}
+
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *last = arc_wear_last(w);
   if (!callbacks || !callbacks->warn || last->distance >= w->def.distance) return;
   if (!w->warned && last->update == 0) arc_model_warn(w->model, last->half_width, callbacks);
   if (!w->warned) warn_leaps(w, callbacks);
+  if (!w->warned && last->update == 0) warn_of_friction(w, callbacks);
   warn_unstable(w, callbacks);
   w->warned = 1;
 }
