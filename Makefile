@@ -6,6 +6,10 @@ LIBDIR  ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
 DATADIR ?= $(PREFIX)/share
 MANDIR  ?= $(DATADIR)/man
+LUADIR  ?= $(LIBDIR)/lua/5.4
+BASHDIR ?= $(DATADIR)/bash-completion/completions
+ZSHDIR  ?= $(DATADIR)/zsh/site-functions
+DOCDIR  ?= $(DATADIR)/doc/archard
 
 CC         ?= cc
 CFLAGS     ?= -O2 -g
@@ -20,7 +24,7 @@ BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),
 OBJ   = $(BUILD)/obj
 
 .PHONY: all demo check study figures test-programs bench peer gallery man format lint install \
-        install-files uninstall clean setup
+        install-files uninstall clean setup dist dist-check deb deb-check slurm-check
 .DELETE_ON_ERROR:
 
 all:
@@ -44,12 +48,13 @@ soname     = libarchard.so.$(firstword $(subst ., ,$(version)))
 shared_lib = $(BUILD)/libarchard.so.$(version)
 static_lib = $(BUILD)/libarchard.a
 program    = $(BUILD)/archard
+lua_module = $(BUILD)/lua/archard.so
 
 # --- with what --------------------------------------------------------------------------------
 # Plain `make` never installs: scripts/probe names what is missing. `make demo` and `make check`
 # install. Two notes in the build folder are written where they differ from what they hold: after
 # other flags all is probed and compiled anew, after other files all is linked anew.
-ifneq ($(filter-out check clean demo format install-files lint setup uninstall,$(or $(MAKECMDGOALS),all)),)
+ifneq ($(filter-out check clean demo dist dist-check format install-files lint setup uninstall,$(or $(MAKECMDGOALS),all)),)
 flags   := $(strip $(CC); $(CPPFLAGS); $(CFLAGS); $(LDFLAGS); $(PKG_CONFIG); $(WERROR))
 sources := $(strip $(lib_src) $(plot_src) $(front_src) $(scripts))
 $(shell mkdir -p $(BUILD))
@@ -84,10 +89,13 @@ quiet = $(if $(V),,@)
 say   = @$(if $(V),:,echo " ")
 
 # --- build ------------------------------------------------------------------------------------
-all: $(program) $(static_lib) $(shared_lib)
+all: $(program) $(static_lib) $(shared_lib) $(lua_module)
 
 # The shared library exports what the public headers declare and nothing else.
 $(lib_obj): all_cflags += -fPIC -fvisibility=hidden -fno-semantic-interposition
+# What else goes into the module for the stock interpreter.
+module_obj := $(plot_obj) $(filter-out $(OBJ)/src/cli/%,$(front_obj))
+$(module_obj): all_cflags += -fPIC
 
 $(OBJ)/%.o: %.c $(BUILD)/config.mk
 	@mkdir -p $(@D)
@@ -116,6 +124,15 @@ $(program): $(front_obj) $(plot_obj) $(static_lib) $(BUILD)/sources
 	$(say) LD $@
 	$(quiet)$(CC) $(all_ldflags) -rdynamic $(filter-out %/sources,$^) $(lua_libs) $(readline_libs) $(lib_libs) -ldl -o $@
 
+# The module for the stock interpreter: the program without its command and prompt. It stays loaded,
+# for the threads of BLAS and OpenMP run in it to the end.
+$(lua_module): $(module_obj) $(static_lib) $(BUILD)/sources
+	@mkdir -p $(@D)
+	@echo '{ global: luaopen_archard; local: *; };' > $(OBJ)/module.map
+	$(say) LD $@
+	$(quiet)$(CC) $(all_ldflags) -shared -Wl,-z,nodelete,--version-script=$(OBJ)/module.map \
+	  $(module_obj) $(static_lib) $(lib_libs) -o $@
+
 # A unit test links the library and plot, never Lua or readline: that it links is a test.
 $(unit_tests): $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(plot_obj) $(static_lib)
 	@mkdir -p $(@D)
@@ -134,16 +151,17 @@ test-programs: all $(unit_tests)
 demo:
 	@scripts/setup
 	@$(MAKE) --no-print-directory -j$(jobs) all
-	@$(program) examples/demo.lua
+	@$(program) examples/02_wear.lua
 
 check:
 	@scripts/setup test
 	@$(MAKE) --no-print-directory -j$(jobs) test-programs
 	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run
 
-# The pictures of examples/gallery/.
+# The pictures of examples/gallery/, one of each example.
 gallery: $(program)
-	$(program) examples/gallery.lua
+	@rm -rf $(BUILD)/gallery && mkdir -p $(BUILD)/gallery examples/gallery
+	cd $(BUILD)/gallery && $(abspath $(program)) $(CURDIR)/scripts/tools/gallery.lua $(CURDIR)/examples/gallery >/dev/null
 
 # One BLAS thread from the start: an idle one would spin for its first 50 ms and be counted.
 bench: $(program)
@@ -161,13 +179,14 @@ study figures: $(program)
 	$(program) scripts/tools/study20.lua --file $(BUILD)/study.archard --figures $(BUILD)/figures \
 	  $(if $(filter figures,$@),--fine --converge)
 
-# The reference part of the manual comes from the help entries inside the program.
+# The reference comes from the help entries inside the program, the format of run files from their header.
 man: $(program)
-	$(program) scripts/tools/manpage.lua > man/archard.1
+	$(program) scripts/tools/manpage.lua > man/archard-lua.7
+	$(program) scripts/tools/manfile.lua include/archard/store.h > man/archard-file.5
 
 # --- care -------------------------------------------------------------------------------------
 c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] examples/c/*.c)
-sh_files = scripts/setup scripts/probe scripts/slurm/study.sbatch scripts/slurm/parallel tests/run \
+sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run \
            .ci/run tests/tap.bash $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 
 format:
@@ -178,7 +197,7 @@ lint:
 	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --error-exitcode=1 --suppress=missingIncludeSystem -Iinclude -Isrc src $(filter examples/%,$(c_files))
 	@shellcheck -S warning $(sh_files)
-	@mandoc -T lint -W warning man/*.1
+	@mandoc -T lint -W warning $(man_pages)
 
 # What stands behind the library, for archard.pc: by .pc file where there is one.
 private      = cholmod blas sqlite omp
@@ -190,16 +209,24 @@ install: all
 
 # What is there, without building it.
 to = $(DESTDIR)$(1)
+man_pages  := $(wildcard man/*.[1-9])
+man_folder  = $(MANDIR)/man$(subst .,,$(suffix $(1)))
 install-files:
-	install -d $(foreach d,$(BINDIR) $(LIBDIR)/pkgconfig $(INCLUDEDIR)/archard $(MANDIR)/man1 $(DATADIR)/archard/examples,$(call to,$(d)))
+	install -d $(foreach d,$(BINDIR) $(LIBDIR)/pkgconfig $(INCLUDEDIR)/archard $(LUADIR) $(BASHDIR) $(ZSHDIR) \
+	  $(DATADIR)/archard/examples/c $(DOCDIR) $(foreach m,$(man_pages),$(call man_folder,$(m))),$(call to,$(d)))
 	install -m 755 $(program) $(call to,$(BINDIR)/archard)
 	install -m 644 $(static_lib) $(call to,$(LIBDIR)/libarchard.a)
 	install -m 755 $(shared_lib) $(call to,$(LIBDIR)/)
 	ln -sf $(notdir $(shared_lib)) $(call to,$(LIBDIR)/$(soname))
 	ln -sf $(soname) $(call to,$(LIBDIR)/libarchard.so)
+	install -m 755 $(lua_module) $(call to,$(LUADIR)/archard.so)
 	install -m 644 include/archard/*.h $(call to,$(INCLUDEDIR)/archard/)
-	install -m 644 man/archard.1 $(call to,$(MANDIR)/man1/archard.1)
-	install -m 644 examples/*.lua examples/*.csv $(call to,$(DATADIR)/archard/examples/)
+	$(foreach m,$(man_pages),install -m 644 $(m) $(call to,$(call man_folder,$(m))/) &&) :
+	install -m 644 scripts/completion/archard.bash $(call to,$(BASHDIR)/archard)
+	install -m 644 scripts/completion/archard.zsh $(call to,$(ZSHDIR)/_archard)
+	install -m 644 examples/*.lua examples/*.csv examples/*.geo examples/*.msh $(call to,$(DATADIR)/archard/examples/)
+	install -m 644 examples/c/*.c $(call to,$(DATADIR)/archard/examples/c/)
+	install -m 644 README.md CHANGELOG.md LICENSE $(call to,$(DOCDIR)/)
 	printf '%s\n' 'prefix=$(PREFIX)' \
 	  'libdir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(LIBDIR))' \
 	  'includedir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(INCLUDEDIR))' '' \
@@ -209,9 +236,41 @@ install-files:
 	  > $(call to,$(LIBDIR)/pkgconfig/archard.pc)
 
 uninstall:
-	rm -f $(call to,$(BINDIR)/archard) $(call to,$(MANDIR)/man1/archard.1) \
+	rm -f $(call to,$(BINDIR)/archard) $(call to,$(LUADIR)/archard.so) $(call to,$(BASHDIR)/archard) \
+	  $(call to,$(ZSHDIR)/_archard) $(foreach m,$(man_pages),$(call to,$(call man_folder,$(m))/$(notdir $(m)))) \
 	  $(foreach f,libarchard.a libarchard.so $(soname) $(notdir $(shared_lib)) pkgconfig/archard.pc,$(call to,$(LIBDIR)/$(f)))
-	rm -rf $(call to,$(INCLUDEDIR)/archard) $(call to,$(DATADIR)/archard)
+	rm -rf $(foreach d,$(INCLUDEDIR)/archard $(DATADIR)/archard $(DOCDIR),$(call to,$(d)))
+
+# --- to hand on -------------------------------------------------------------------------------
+# A tarball of what git knows, as it stands here: the same files, the same bytes.
+tarball = $(BUILD)/archard-$(version).tar.gz
+dist:
+	@mkdir -p $(BUILD)
+	git ls-files -z | tar --create --null --files-from=- --sort=name --owner=0 --group=0 --numeric-owner \
+	  --mtime="$$(git log -1 --format=%cI)" --transform='s,^,archard-$(version)/,S' | gzip -9n > $(tarball)
+
+# It builds and runs where there is nothing else.
+dist-check: dist
+	rm -rf $(BUILD)/dist && mkdir -p $(BUILD)/dist && tar -xzf $(tarball) -C $(BUILD)/dist
+	$(MAKE) -C $(BUILD)/dist/archard-$(version) all
+	cd $(BUILD)/dist/archard-$(version) && tests/run tests/guard/test_installed
+
+# A Debian package for this machine's release, and a trial of it in a clean root of that release.
+deb_file = $(BUILD)/archard_$(version)_$(shell dpkg --print-architecture).deb
+deb: all
+	@scripts/setup deb
+	rm -rf $(BUILD)/deb
+	@$(MAKE) --no-print-directory install-files DESTDIR=$(abspath $(BUILD)/deb/root) PREFIX=/usr \
+	  LIBDIR=/usr/lib/$$(dpkg-architecture -qDEB_HOST_MULTIARCH) ZSHDIR=/usr/share/zsh/vendor-completions
+	scripts/deb/package $(BUILD)/deb $(version) $(deb_file)
+
+deb-check: deb
+	scripts/deb/check $(deb_file) $(BUILD)
+
+# A study of CASES cases through a Slurm of one node, begun and ended here, beside a local run.
+slurm-check: $(program)
+	@scripts/setup slurm
+	scripts/slurm/node $(program) scripts/tools/slurm_check.lua $(or $(CASES),10000)
 
 clean:
 	rm -rf build build-*

@@ -88,6 +88,9 @@ typedef struct arc_mesh {
   int *fixed_node;   /* [fixed] */
   int outline;       /* number of nodes of the boundary polygon */
   int *outline_node; /* [outline] counter-clockwise, not closed */
+  int materials;     /* of a mesh from outside: its named materials, 0: one without a name */
+  char (*material_name)[64]; /* [materials] */
+  int *material;             /* [elements] material of each, NULL where there is no choice */
 } arc_mesh;
 
 /* Meshes one body. Errors: ARC_ARGUMENT (a size not positive, larger than the body, fewer than 1
@@ -95,6 +98,22 @@ typedef struct arc_mesh {
  * element came out inverted), ARC_MEMORY. On failure *mesh is NULL. */
 arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius, arc_mesh **mesh,
                           arc_error *error);
+
+/* Most named materials of one body in a mesh from outside. */
+enum { ARC_MESH_MATERIALS = 16 };
+
+/* Reads both bodies, as they touch without load, from a Gmsh file: text, version 4.1 or 2.2, units
+ * mm, in the plane z = 0, triangles and quadrilaterals of first order. Physical groups tell what is
+ * what: surfaces "upper", or "upper.NAME" where it has several materials; curves "upper.contact"
+ * (from one end to the other x increases), "upper.fixed" (built in); and the same of "lower". The
+ * rest of the file is ignored. Such a mesh has no wear box: rows and box_elements are 0, and it
+ * serves frozen geometry alone. `radius` is that of the parabola which fits the unworn gap best
+ * over its candidate contact zone, 1e6 mm where that is flat. def has the sizes found, and in zone
+ * the widths of the contact curves.
+ * Errors: ARC_IO; ARC_FORMAT (not such a file: line, what was expected, what came); ARC_GEOMETRY
+ * (groups, nodes or elements that make no two bodies: which, and where), ARC_MEMORY. On failure
+ * both meshes are NULL. */
+arc_status arc_mesh_read_msh(const char *path, arc_mesh *mesh[ARC_BODIES], arc_error *error);
 
 /* Frees and nulls; NULL is fine. */
 void arc_mesh_destroy(arc_mesh **mesh);

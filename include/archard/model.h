@@ -108,6 +108,17 @@ arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_erro
 arc_status arc_model_build_watched(const arc_model_def *def, const arc_callbacks *callbacks,
                                    arc_model **model, arc_error *error);
 
+/* The same of two meshes that are given, by arc_body, as those of arc_mesh_read_msh. It takes them
+ * over, on failure too, and nulls them. def->radius is that of the pair, for estimates by Hertz'
+ * theory and the plate's width; of def->mesh only `element` counts, the rest becomes what the
+ * meshes have. Meshes without a wear box serve frozen geometry alone: moving it is ARC_ARGUMENT in
+ * arc_shape_create and what leans on it. Triangles of such meshes stand alone in CPE4I. */
+arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
+                                 const arc_callbacks *callbacks, arc_model **model,
+                                 arc_error *error);
+/* Whether it was built of meshes without a wear box. */
+int arc_model_is_given(const arc_model *model);
+
 arc_model *arc_model_retain(arc_model *model);
 /* Gives up one reference and nulls the handle. */
 void arc_model_release(arc_model **model);

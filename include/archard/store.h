@@ -8,7 +8,8 @@
  * loses what it was computing, never what it stored. Several processes may have one file open; they
  * take turns.
  *
- * The tables are described in archard(1). All doubles come back to the same bits (a NaN as a NaN).
+ * The tables are described in archard-file(5). All doubles come back to the same bits (a NaN as a
+ * NaN).
  */
 #ifndef ARCHARD_STORE_H
 #define ARCHARD_STORE_H

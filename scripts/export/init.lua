@@ -7,6 +7,7 @@ return {
   csv = files.csv,
   vtk = files.vtk,
   inp = files.inp,
+  msh = files.msh,
   pvd = require "archard.export.series",
   json = require "archard.export.summary",
 }

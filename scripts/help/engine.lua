@@ -25,7 +25,8 @@ return {
   { "model", kind = "constructor", use = "model{ radius=10, mesh={ fineness=2 } }",
     text = "The two elastic bodies, meshed and condensed once: a half cylinder, its flat top built "
       .. "in, on a plate 2 radius wide and radius high. A model never changes, so that any number of "
-      .. "contact and wear objects share one. Plane strain." },
+      .. "contact and wear objects share one. Plane strain. mesh = \"pair.msh\" takes both bodies from "
+      .. "a Gmsh file: help \"gmsh\"." },
   { "model.seconds", kind = "field", unit = "s", text = "Time it took to build." },
   { "model.bytes", kind = "field", unit = "bytes", text = "Memory it takes." },
   { "model.close", kind = "method", use = "m:close()",
@@ -54,7 +55,8 @@ return {
       .. "edge over shortest), jacobian_ratio (smallest over largest at a quad's corners), "
       .. "smallest_jacobian (mm2, positive); the same of the wear box alone in the table box." },
   { "mesh.write", kind = "method", use = "m.mesh.plate:write(path)",
-    text = "Writes the mesh to a file, by its ending: .vtk, .vtu, .inp (Abaqus, CalculiX) or .csv (nodes)." },
+    text = "Writes the mesh to a file, by its ending: .vtk, .vtu, .inp (Abaqus, CalculiX), .msh "
+      .. "(Gmsh) or .csv (nodes)." },
   { "mesh.node", kind = "method", use = "x, y = m.mesh.plate:node(i)",
     text = "Position of node i = 1 ... nodes, in mm." },
   { "mesh.elements", kind = "method", use = "m.mesh.plate:elements()",

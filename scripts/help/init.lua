@@ -211,6 +211,14 @@ local function by_object(name)
   return class and entries[class .. "." .. member]
 end
 
+-- Whether the entry goes by this name; an option also by its place, mesh.size or model.mesh.size.
+local function is_called(entry, name)
+  if entry.name == name then return true end
+  if entry.kind ~= "option" then return false end
+  local place = (entry.path ~= "" and entry.path .. "." or "") .. entry.name
+  return place == name or entry.owner .. "." .. place == name
+end
+
 -- Every entry a name can mean: its full address first, else all that end in it.
 function help.find(name)
   load_entries()
@@ -220,7 +228,7 @@ function help.find(name)
   if exact then return { exact } end
   local found = { topic }
   for _, entry in ipairs(ordered) do
-    if entry.name == name then found[#found + 1] = entry end
+    if is_called(entry, name) then found[#found + 1] = entry end
   end
   return found
 end

@@ -18,9 +18,10 @@ return {
     text = "Whether a file holds the run as it stands: by w:save, session.save or wear.open, and not changed since." },
   { "who", kind = "function", use = "who()",
     text = "Lists what the session has made: name, class, and a few words on each." },
-  { "examples", kind = "function", use = 'examples "demo"',
-    text = "Lists the example programs, examples() without a name, or shows one." },
-  { "examples.run", kind = "function", use = 'examples.run "demo"',
+  { "examples", kind = "function", use = 'examples "wear"',
+    text = "Lists the examples, a numbered course, with examples(); or shows one by its name or number." },
+  { "examples.names", kind = "function", use = "examples.names()", text = "Their names, a list in the order of the course." },
+  { "examples.run", kind = "function", use = 'examples.run "wear"',
     text = "Runs an example as a script of that name, with further arguments as its arguments. Files it writes go into the "
       .. "present folder; globals it makes stay." },
   { "time", kind = "function", use = "time(function() w:step() end)",

@@ -120,6 +120,7 @@ sliding on a plate. Lengths are in mm, forces in N, pressures in MPa.
 
 Describe     material{}  hertz{}  model{}
 Contact      c = contact{ load=100 }   c.p_max  c:pressure("plate")  c:stress()
+  friction   contact{ friction=0.6 }:move{ tangential=30 }  plot.shear(c)
 Wear         w = wear{ alpha=0.5 }        w:step()  w:step(10)  w:run()
   look       w  w.history  w:profile("plate")  w:pressure("cylinder")
   until      w:run{ depth={ plate=1e-3 } }   w:run{ stop_when=f }
@@ -134,9 +135,9 @@ Files        csv.read("m.csv")  export.csv(w, "w.csv")  export.vtk(c, "c.vtu")
              export.pvd(w, "w.pvd")  export.inp(w, "w.inp")
              export.json(w, "w.json")
 Session      who()  session.save("s.archard")  session.open("s.archard")
-             examples()  examples.run("demo")  time(f)
-Topics       help "units"  "running in"  "files"  "meshes"  "steps"
-             "troubleshooting"
+             examples()  examples.run("wear")  time(f)
+Topics       help "units"  "running in"  "files"  "meshes"  "gmsh"
+             "steps"  "troubleshooting"
 
 help(wear) explains an object, help(w.step) a method, help "jump" a name;
 help.search "stability" looks into all texts.

@@ -102,6 +102,33 @@ return {
   { "study.run{progress}", type = 'function, false or "lines"',
     text = "A function called after each case with { case=, failure=, done=, total= }; false: "
       .. "silence; \"lines\": a line a case. Left out: a display, on a terminal." },
+  { "study.submit", kind = "method", use = 's:submit{ engine="slurm", shares=8 }',
+    text = "Computes the cases as a job array and returns the study: each share is a process with a "
+      .. "run file of its own, that takes every shares-th of the cases still to do. A line shows how "
+      .. "far they are; when all have ended they are joined in the run file, and what was cut short is "
+      .. "started again. Ctrl-C and the end of this program leave the job alone: submitted again, it is "
+      .. "followed, or joined and gone on with. Beside the run file FILE stands the folder FILE.shares "
+      .. "until then; its machines must see it, and this program, under the same names. Each share "
+      .. "should take minutes: Slurm starts about one a second. Cases that failed are in s.failed, and "
+      .. "tried again by the next submit." },
+  { "study.submit{engine}", values = { "slurm", "parallel", "local" }, default = '"local"',
+    text = "slurm: a job array of Slurm's. parallel: processes of GNU parallel, here or, with "
+      .. "--sshlogin, elsewhere. local: as s:run with so many workers." },
+  { "study.submit{shares}", type = "whole number from 1 to 1000",
+    text = "Into how many parts; as many as this machine has processors if left out." },
+  { "study.submit{workers}", type = "whole number from 1 to 256", default = 1,
+    text = "Cases that a share computes at the same time: the processors it asks for." },
+  { "study.submit{file}", type = "string", default = '"study.archard"', text = "As in study.run." },
+  { "study.submit{options}", type = "list of strings",
+    text = 'More options of sbatch or parallel, such as { "--time=02:00:00", "--mem-per-cpu=500M" } or '
+      .. '{ "--sshlogin", "one,two" }.' },
+  { "study.submit{tries}", type = "whole number from 1 to 100", default = 3,
+    text = "How often shares are started, the first time included, while cases are cut short." },
+  { "study.submit{wait}", type = "boolean", default = true,
+    text = "false: returns as soon as the job has started." },
+  { "study.submit{progress}", type = 'function, false or "lines"',
+    text = "A function called with { done=, total= } as cases end; \"lines\": a line instead. Left out: "
+      .. "a display, on a terminal." },
   { "study.cases", kind = "method", class = "case", use = "s:cases()",
     text = "The list of all cases, with the results of those that have run." },
   { "study.table", kind = "method", use = 's:table{ format="markdown" }',

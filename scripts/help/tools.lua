@@ -15,7 +15,97 @@ return {
       .. "wrote comes back. Units behind names, as in h [um] or h (um), are taken off and the numbers "
       .. "brought to mm, N, MPa and s; a column in a unit that means nothing here keeps its whole "
       .. "name. A second argument chooses columns and renames them, by their name in the file or "
-      .. "their number. A column is text where its first cell is." },
+      .. "their number. A column is text where its first cell is. Without it also come, after the columns, the units that "
+      .. "were taken off by name, and the names in their order." },
+
+  -- --- profile --------------------------------------------------------------------------------
+  { "profile", kind = "function", use = "profile{ x=..., z=... }  profile.read(path, { ... })",
+    text = "A measured trace across a surface: places x and heights z (upwards out of the body) or depths h, "
+      .. "in mm, with what it scatters. To start runs from, worn = { plate = p }, to compare with, "
+      .. "plot.profile(w, \"plate\", { measured = p }), and to evaluate. Methods return new "
+      .. "profiles. Places without a value (NaN) are left out, places that fall are turned round." },
+  { "profile{x}", type = "list", unit = "mm", text = "Places, growing or falling all the way." },
+  { "profile{z}", type = "list", unit = "mm", text = "Heights; or else h." },
+  { "profile{h}", type = "list", unit = "mm", text = "Depths; or else z." },
+  { "profile{level}", values = { "line", "circle" },
+    text = "Takes off the line or circle that fits best, by least squares of heights; see p:level." },
+  { "profile{scar}", type = "table { from, to } in mm", values = { "auto" },
+    text = "With level: fits beside what is worn, here or where it finds it." },
+  { "profile{filter}", type = "number > 0", unit = "mm",
+    text = "Cut-off of a Gaussian filter that takes off shorter waves, after levelling; see p:filter." },
+  { "profile{error}", type = "number >= 0", unit = "mm",
+    text = "Standard deviation of the instrument's noise; estimated where left out." },
+  { "profile.read", kind = "function", takes = "profile", class = "profile",
+    use = 'profile.read("trace.csv", { unit="um", level="line" })',
+    text = "A profile from a file as csv.read takes them: x from the column x, s, position or distance, heights "
+      .. "from z, height or y, depths from h or depth. Units behind names are understood." },
+  { "profile.read{x}", type = "string or whole number >= 1", text = "Column of the places, by name or number." },
+  { "profile.read{z}", type = "string or whole number >= 1", text = "Column of the heights." },
+  { "profile.read{h}", type = "string or whole number >= 1", text = "Column of the depths." },
+  { "profile.read{unit}", type = 'string or table { x="mm", z="um" }', default = '"mm"',
+    text = "Unit of the columns whose names tell none: mm, um, nm, cm, m or in." },
+  { "profile.mean", kind = "function", class = "profile", use = "profile.mean{ p1, p2, ... }",
+    text = "Mean of several traces over the stretch they share, at the places of the first, weighted by their "
+      .. "noise. Its error is that of the noise or of how much the traces differ, whichever is more." },
+  { "profile.x", kind = "field", type = "list", unit = "mm", text = "Places." },
+  { "profile.z", kind = "field", type = "list", unit = "mm", text = "Heights; nil of a profile of depths." },
+  { "profile.h", kind = "field", type = "list", unit = "mm",
+    text = "Depths, below zero where the trace is above its reference; nil of a profile of heights. As worn = "
+      .. "{ plate = p } depths above the reference within 5 scatters count as 0, more is refused; heights "
+      .. "count from the highest point." },
+  { "profile.error", kind = "field", type = "number", unit = "mm",
+    text = "Standard deviation of the noise of a point: given, or estimated from how far points are off the line "
+      .. "between their neighbours (roughness as short as the steps counts as noise), and what filter, "
+      .. "average and mean leave of it." },
+  { "profile.correlation", kind = "field", type = "number", unit = "mm",
+    text = "Length over which the noise hangs together: the step of raw traces, more of filtered ones." },
+  { "profile.form", kind = "field", values = { "line", "circle" }, text = "What was taken off; nil before." },
+  { "profile.radius", kind = "field", type = "number", unit = "mm", text = "Radius of the circle that was taken off." },
+  { "profile.scar", kind = "field", type = "table { from=, to= }", unit = "mm", text = "What is worn, where that was found." },
+  { "profile.scatter", kind = "field", type = "table { deviation=, length= }", unit = "mm",
+    text = "Of what is not worn about the line or circle: standard deviation, roughness and noise together, and the "
+      .. "length over which it hangs together." },
+  { "profile.cutoff", kind = "field", type = "number", unit = "mm", text = "Cut-off of the filter; nil before." },
+  { "profile.missing", kind = "field", type = "number", text = "Points that were left out." },
+  { "profile.path", kind = "field", type = "string", text = "The file it was read from." },
+  { "profile.level", kind = "method", class = "profile", use = 'p:level("circle", "auto")',
+    text = "Takes off a line or circle by least squares of heights, instead of one taken off before: over all, or "
+      .. "beside a scar { from, to } or \"auto\": to what is further from it than 20 % of its width, so that what is piled "
+      .. "up does not count. That scar is looked for from the deepest place outwards until the trace meets the form, "
+      .. "which is first fitted to the outer 15 % at either end." },
+  { "profile.filter", kind = "method", class = "profile", use = 'p:filter(0.08)  p:filter(0.8, "short")',
+    text = "Gaussian filter (ISO 16610-21): the long-wave part, or the short-wave one. A wave as long as the cut-off in mm "
+      .. "keeps half of its amplitude in each. Near the ends, where half of the weights are missing, it fits a "
+      .. "line under those that are left, so that slopes pass unchanged (ISO 16610-28, moments to order 1); "
+      .. "within half a cut-off of an end it follows the trace more closely than elsewhere. Steps must be even." },
+  { "profile.average", kind = "method", class = "profile", use = "p:average(0.01)",
+    text = "Means over cells of that length in mm, at even steps: fewer points, less noise." },
+  { "profile.cut", kind = "method", class = "profile", use = "p:cut(from, to)", text = "The part between two places in mm." },
+  { "profile.depth", kind = "method", class = "profile", use = "p:depth()  p:depth(before)",
+    text = "Depths h below the line or circle through what is not worn, as p:level finds it, or below the same trace "
+      .. "before, levelled by a line. Depths above it, below zero, stay as they are." },
+  { "profile.depth{reference}", type = "profile", text = "Heights of the same trace before." },
+  { "profile.depth{level}", values = { "line", "circle" }, text = "What to level by; as before, or a line." },
+  { "profile.depth{scar}", type = "table { from, to } in mm", values = { "auto" }, default = '"auto"',
+    text = "What is worn." },
+  { "profile.volume", kind = "method", use = "p:volume()  p:volume{ length = 2 * math.pi * 5 }",
+    text = "The scar of p:depth(), or of these depths as they are: area [mm2] of its section and error, its standard "
+      .. "deviation, from scatter (of what is there) and level (of the line or circle fitted beside, which carries as far); "
+      .. "volume and volume_error [mm3]; from, to, width, depth (largest mean over 1/50 of the width), mean_depth; "
+      .. "piled [mm2], what is above the reference within 20 % of the width on either side." },
+  { "profile.volume{scar}", type = "table { from, to } in mm", values = { "auto" }, text = "What is worn." },
+  { "profile.volume{length}", type = "number > 0", unit = "mm", default = 1,
+    text = "Length of the scar across the trace; 2 pi r of a track round a disc." },
+  { "profile.roughness", kind = "method", use = "p:roughness{ cutoff=0.8 }",
+    text = "Profile parameters by ISO 21920-2 (names of ISO 4287), lengths in mm: Ra, Rq, Rsk, Rku, Rt and the slope Rdq over "
+      .. "the whole evaluation length; Rp, Rv, Rz as means over its sections of one cut-off each; RSm, the mean "
+      .. "width of elements that are a tenth of Rz high and deep (NaN where there are not two). The mean line is the "
+      .. "Gaussian filter's; half a cut-off at either end is left out. noise is p.error: Rq^2 holds its square." },
+  { "profile.roughness{cutoff}", type = "number > 0, or false", unit = "mm", default = 0.8,
+    text = "Longest waves that count; false for all, Pa, Pq, ... about a straight line." },
+  { "profile.roughness{short}", type = "number > 0", unit = "mm", text = "Shortest waves that count; all where left out." },
+  { "profile.roughness{sections}", type = "whole number >= 1",
+    text = "How many sections; 5, or as many as the trace holds where left out (1 of a P-profile)." },
 
   -- --- plot -----------------------------------------------------------------------------------
   { "plot", kind = "function", use = "plot{ {x=..., y=..., title=...}, ..., xlabel=..., file=... }",
@@ -141,6 +231,9 @@ return {
       .. "too." },
   { "plot.profile{body}", values = { "cylinder", "plate" }, text = "Which body's profile." },
   { "plot.profile{titles}", type = "list of strings", text = "Names of the curves in the key." },
+  { "plot.profile{measured}", type = "profile, or table { x=, h= }",
+    text = "A measured trace as points over the curves of one body: means of its neighbours, as many as can be told "
+      .. "apart, of heights their depth." },
   { "plot.history", kind = "function", takes = "plot", use = 'plot.history(w, "p_center", ...)',
     values = columns,
     text = "Columns of w.history against the travelled distance, a panel for each quantity. Takes "
@@ -155,8 +248,8 @@ return {
     text = "What part to show." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "One body alone." },
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
-    text = "A stress inside both bodies in colours, with contour lines and outlines; of a contact, or "
-      .. "of a field f = c:stress(). Takes the options of plot{} too." },
+    text = "A stress inside both bodies in colours, with contour lines and outlines; of a contact, a "
+      .. "run as worn, or a field f = c:stress(). Takes the options of plot{} too." },
   { "plot.stress{component}", values = require "archard.plot.mesh".components,
     default = '"mises"', text = "Which stress; shear is the largest in the plane, principal the largest tension." },
   { "plot.stress{zoom}", type = "table { x0, x1, y0, y1 }", values = { "all" },
@@ -184,13 +277,13 @@ return {
       .. "plot.save{ ..., file= } draws what plot{} would. A second table gives size." },
 
   -- --- export ---------------------------------------------------------------------------------
-  { "export", kind = "object", use = "export.csv  export.vtk  export.pvd  export.inp  export.json",
+  { "export", kind = "object", use = "export.csv  export.vtk  export.pvd  export.inp  export.msh  export.json",
     text = "Writes files for other tools. A file is complete or not there; a wrong ending is refused, "
       .. "a missing one added." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
     text = "Columns of numbers with a line of names and units: the history of a wear run, a pressure, "
       .. "a table of lists such as a profile, whose units a third argument may give, { x=\"mm\" }. A "
-      .. "stress becomes two files, path-cylinder.csv and path-plate.csv." },
+      .. "stress becomes two files, path-cylinder.csv and path-plate.csv. Returns what was written." },
   { "export.vtk", kind = "function", use = 'export.vtk(obj, "c.vtu")',
     text = "Meshes and fields for ParaView and others, as .vtu (XML) or .vtk (legacy text). Of a "
       .. "model, a run, a contact or its stress come two files, path-cylinder.vtu and path-plate.vtu, "
@@ -209,6 +302,9 @@ return {
       .. "bodies are slabs one element thick, held along z: C3D8, C3D8I where the model has CPE4I, "
       .. "C3D6 for triangles. Where nu nears 1/2 the triangles, all away from the contact, are "
       .. "stiffer there than in the model." },
+  { "export.msh", kind = "function", use = "export.msh(m, path)",
+    text = "A model or a mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
+      .. "path } reads: upper is the cylinder, lower the plate. Coordinates read back to the bit." },
   { "export.json", kind = "function", use = "export.json(w, path)",
     text = "Summary of a wear run: versions, definition with its model, results, units. NaN is null, "
       .. "a function of the user the word \"function\"." },

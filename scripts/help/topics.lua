@@ -32,36 +32,54 @@ volumes measured on the way. See help "state", and examples "running_in".]] },
   plot.save                   the last picture, and its data beside it
 
 Run files are SQLite databases: sqlite3 run.archard "select * from history_of". Files of older releases go on. Functions in a
-definition cannot be stored: they are given again when the file is opened. On leaving the prompt with runs that are in no
-file it asks whether to save the session.]] },
+definition cannot be stored: they are given again when the file is opened. examples "files" writes and reads most
+of these. On leaving the prompt with runs that are in no file it asks whether to save the session.]] },
   { "meshes", [[
 A model{} meshes both bodies and condenses them once; contact and wear then work on the surfaces alone. Elements under the
-contact are mesh.size wide and mesh.height high, and grow towards mesh.far. A half width of the contact should hold at least
-four of them, better five or more: plot.mesh(m, { zoom = "wear box" }) shows it, hertz{} tells the half width.
+contact are mesh.size wide and mesh.height high, and grow towards mesh.far. Where no size is given it follows the contact that
+the model is built for: 5.4 elements to the half width, mesh.fineness = 2 halves them. Where you give a size, four to the half width are the least that makes sense.
+plot.mesh(m, { zoom = "wear box" }) shows them, hertz{} tells the half width.
 
-mesh.zone is the full width of the fine contact zone of each body. Without a model, wear{} and contact{} build one whose zones
-suit; a given model that is too small is refused with the zone it needs. study.converge{} finds a size, a jump and increments
-for a case. Pressures at edges of scars (p_max, p_peak) grow as elements shrink: p_average settles.]] },
+mesh.zone is the full width of the fine contact zone of each body; without a model it suits. A run that outgrows its zone or its
+wear box goes on, on new meshes, and says so; a single contact{} names the zone to widen. study.converge{} finds a size, a jump
+and increments for a case. Pressures at edges of scars (p_max, p_peak) grow as elements shrink: p_average settles.]] },
+  { "gmsh", [[
+model{ mesh = "pair.msh" } takes both bodies from a Gmsh file: text, version 4.1 or 2.2, in mm and in the plane z = 0,
+triangles and quadrilaterals of first order. Physical groups name the parts:
+
+  upper, lower      surfaces: the bodies, which touch without load;
+                    upper is what is called cylinder, lower the plate
+  upper.contact     curve that may come into contact, in one piece, one y for
+                    each x; lower.contact too
+  upper.fixed       curves built in or tied to the rigid base; lower.fixed too
+
+Bodies share no points, not even where they touch. What does not fit is refused with its number and place. radius is
+that of the unworn gap where it is not given; estimates need it. Such a mesh has no wear box: wear{ geometry = "frozen" }
+alone works on it, and such runs are not saved. export.msh writes archard's own meshes, examples/gmsh_pair.geo shows how to
+make one:
+
+  gmsh -2 -order 1 -format msh41 -o gmsh_pair.msh gmsh_pair.geo]] },
   { "steps", [[
-One update of the geometry wears jump cycles together. Too large a jump makes the surfaces rough: w:stability() tells the
-limit, and runs past it warn. What to do, from the simplest on:
+One update of the geometry wears jump cycles together. Past a limit ripples grow and make the surfaces rough: w:stability()
+tells it, and runs past it warn. Longer strokes and smaller elements have lower limits. What to do, from the simplest on:
 
   jump = "auto"        explicit steps that follow an estimate of their error
   scheme = "implicit"  with tolerance = 1e-3: long steps, by accuracy
-  jump = 50            fixed, as the paper does; 100 is its choice at 20 um
+  jump = 50            fixed, as the paper does: 100 for most at 0.11 mm,
+                       20 to 50 for longer strokes, at elements of 20 um
 
 increments divide a cycle: "auto" takes enough of them that the plate moves by less than an eighth of the half width in each.
-w:step() makes one update, w:run() all; Ctrl-C stops after the running step, and w:run() goes on.]] },
+w:step() makes one update, w:run() all; Ctrl-C stops after the running step, and w:run() goes on. examples "steps" compares them.]] },
   { "troubleshooting", [[
 "no global 'x'": a name that nothing was assigned to. rawget(_G, "x") asks without an error; archard --lax reads nil instead.
 
 "no field ... did you mean ...": an object has no such field or method. help(wear) lists those of runs.
 
-Rough profiles, pressures that saw: the jump is too large. See help "steps".
+Rough profiles, ripples, pressures that saw: the jump is too large. See help "steps".
 
-A zone too narrow: the stroke or the scar outgrows the fine zone. Leave the model out, or give the mesh.zone that the message names.
+A zone too narrow: leave the model out of contact{}, or widen the mesh.zone that the message names. Runs widen it themselves.
 
-Too coarse for the contact: fewer than four elements to the half width. Smaller mesh.size; see help "meshes".
+Too coarse for the contact: fewer than four elements to the half width. Smaller mesh.size, or none; see help "meshes".
 
 It takes long: time(function() w:step() end) tells how long a step takes. Larger elements, fewer increments, longer steps;
 studies use all processors by themselves.

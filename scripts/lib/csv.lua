@@ -135,15 +135,16 @@ local function find(path, columns, wanted)
     or tostring(wanted), table.concat(headers, ", "))
 end
 
+-- The columns by name, their units where headers tell them, and the names in the file's order.
 local function all_of(path, columns)
-  local result = {}
+  local result, told, order = {}, {}, {}
   for i, column in ipairs(columns) do
     if result[column.name] then
       refuse(path, nil, "column %d: expected a name of its own, got %q again", i, column.name)
     end
-    result[column.name] = column.values
+    result[column.name], told[column.name], order[i] = column.values, column.unit, column.name
   end
-  return result
+  return result, told, order
 end
 
 function csv.read(path, choice)

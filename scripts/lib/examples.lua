@@ -1,4 +1,4 @@
--- examples(): the programs that came with this one, to read and to run.
+-- examples(): the course of programs that came with this one, to read and to run.
 
 local check = require "archard.lib.check"
 local pager = require "archard.lib.pager"
@@ -15,7 +15,8 @@ local function folder()
   check.fail("examples", "they are not there: looked in share/archard/examples beside " .. bin, "MISSING")
 end
 
-local function names()
+-- examples.names(): as the files are called, in the order of the course: "01_contact", ...
+function examples.names()
   local list = {}
   for _, file in ipairs(process.files(folder())) do
     list[#list + 1] = file:match("^([^.].*)%.lua$")
@@ -24,12 +25,17 @@ local function names()
   return list
 end
 
-local function path_of(where, name)
-  local known = names()
-  for _, each in ipairs(known) do
-    if each == name then return folder() .. "/" .. name .. ".lua" end
+-- Each goes by its number, by its name, or by both.
+local function path_of(where, wanted)
+  local plain = {}
+  for i, name in ipairs(examples.names()) do
+    local number, rest = name:match("^(%d+)_(.*)$")
+    plain[i] = rest or name
+    if wanted == name or wanted == rest or number and math.type(wanted) == "integer" and wanted == tonumber(number) then
+      return folder() .. "/" .. name .. ".lua"
+    end
   end
-  check.fail(where, ("no example %s%s"):format(check.shown(name), check.hint(tostring(name), known)))
+  check.fail(where, ("no example %s%s"):format(check.shown(wanted), check.hint(tostring(wanted), plain)))
 end
 
 local function text_of(path)
@@ -52,11 +58,11 @@ end
 local function overview()
   local show = require "archard.help.show"
   local lines = {}
-  for i, name in ipairs(names()) do
+  for i, name in ipairs(examples.names()) do
     lines[i] = { name = name, text = title(folder() .. "/" .. name .. ".lua") }
   end
   return show.listing("Examples", lines)
-    .. '\n\nexamples "demo" shows one, examples.run("demo", ...) runs it with its arguments'
+    .. '\n\nexamples "wear" or examples(2) shows one, examples.run "wear" runs it'
 end
 
 -- examples.run(name, ...): as a script of that name with these arguments, whose globals stay.

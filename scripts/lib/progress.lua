@@ -41,13 +41,18 @@ function progress.bar(share, width)
   return "[" .. ("#"):rep(full) .. ("."):rep(width - full) .. "]"
 end
 
+-- 1320 mm to four digits, cases to the last.
+local function amount(value)
+  return (math.type(value) == "integer" and "%d" or "%.4g"):format(value)
+end
+
 -- The line without its bar: what must be said comes first, the bar gets what room is left.
 function progress:parts(done, note, now)
   local share = self.total > 0 and math.min(1, math.max(0, done / self.total)) or 1
   local rate = (done - self.first) / math.max(now - self.started, 1e-9)
   local left = rate > 0 and (self.total - done) / rate or math.huge
   local head = ("%s%3.0f %%"):format(self.label ~= "" and self.label .. " " or "", 100 * share)
-  local tail = ("%.4g/%.4g %s  %.3g %s/s  %s left"):format(done, self.total, self.unit, rate,
+  local tail = ("%s/%s %s  %.3g %s/s  %s left"):format(amount(done), amount(self.total), self.unit, rate,
     self.unit, progress.duration(left))
   if note then tail = note .. "  " .. tail end
   return share, head, tail

@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local known = require "archard.settings"
 local draw = require "archard.plot.draw"
 local hertz_of = require "archard.lib.hertz_of"
+local measured = require "archard.plot.measured"
 local naming = require "archard.plot.naming"
 
 local curves = {}
@@ -136,11 +137,21 @@ local function profile_panel(objects, names, of_body, scale)
   return panel
 end
 
+-- A measured trace on the one panel there is; depths above zero are shown as well.
+local function add_measured(where, panel, given)
+  if panel.panels then
+    check.fail(where, "field 'measured': expected with one body named where several runs are drawn, got both")
+  end
+  local reach = math.max(panel.xrange and panel.xrange[2] or 0, measured.reach(given))
+  if #panel == 1 then panel[1].title = panel[1].title or "simulated" end
+  panel.points, panel.xrange, panel.yrange = measured.points(given, reach), range_of(reach), nil
+end
+
 -- plot.profile(w1, w2, ..., body, { ... }): both bodies where none is named.
 function curves.profile(...)
   local where = "plot.profile"
   local objects, words, options = split(where, "profile", { body = body_kind,
-    titles = check.table }, ...)
+    titles = check.table, measured = measured.kind }, ...)
   local body = body_word(where, words, options)
   local names, scale = naming.names_of(where, objects, options.titles)
   local defaults = { xlabel = "x / mm", ylabel = "wear depth / µm", ydown = true }
@@ -159,6 +170,7 @@ function curves.profile(...)
       defaults.panels[i].yrange = options.yrange or defaults.panels[i].yrange
     end
   end
+  if options.measured then add_measured(where, defaults, options.measured) end
   draw.draw(where, draw.over(defaults, options))
 end
 
@@ -187,6 +199,7 @@ local function quantity_of(name)
   for _, quantity in ipairs(quantities) do
     if name:find(quantity[1]) then return quantity[2] or name, quantity[3] end
   end
+  return name
 end
 
 local function column_of(where, history, name)

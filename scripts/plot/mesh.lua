@@ -168,8 +168,11 @@ local function stress_view(contact, zoom)
   return { -3 * a, 3 * a, -2.5 * a, 2.5 * a }
 end
 
--- The stresses of a contact, or what its stress() handed out; and the contact, where it is known.
+-- The stresses of a contact, of a run as it is worn, or what stress() handed out; and the contact,
+-- where it is known.
 local function field_of(where, object)
+  local run, contact_of = pcall(function() return type(object) == "userdata" and object.contact end)
+  if run and contact_of then object = contact_of(object) end
   local ok, stress = pcall(function() return object.stress end)
   if ok and stress then return object:stress(), object end
   local both = type(object) == "table"
@@ -177,7 +180,7 @@ local function field_of(where, object)
     both = both and type(object[name]) == "table" and object[name].elements ~= nil
   end
   if both then return object, object.contact end
-  check.fail(where, "expected a contact or its stress() as the first argument, got "
+  check.fail(where, "expected a contact, its stress() or a run as the first argument, got "
     .. check.shown(object))
 end
 

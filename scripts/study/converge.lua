@@ -182,6 +182,10 @@ local bounds = {
 
 local function add_notes(notes, label, found)
   local function add(text) notes[#notes + 1] = label .. ": " .. text end
+  if found.lopsided then
+    return add(('profiles are lopsided by %.1e even with %d increments a cycle, which no jump cures; '
+      .. 'rule = "trapezoid" is symmetric'):format(found.lopsided, search.most_increments))
+  end
   if not found.jump then return add("no jump was good, down to where the first depth is 1e-3 of the "
     .. "first guess's") end
   if found.capped then add(bounds[found.bound](found)) end

@@ -3,8 +3,12 @@
 -- Leans on archard.store.
 
 local check = require "archard.lib.check"
+local merged = require "archard.lib.merged"
+local report = require "archard.study.report"
+local definitions = require "archard.study.definitions"
 local settings = require "archard.study.settings"
 local strict = require "archard.strict"
+local submit = require "archard.study.submit"
 
 local study = {}
 local methods = {}
@@ -13,15 +17,7 @@ local class = { __name = "study", __methods = methods, __fields = { "name", "fil
 -- How often the surfaces of a case are kept on the way, unless `looks` says otherwise.
 local usual_looks = 6
 
-local function store_module() return require "archard.store" end
-
--- Opens a run file; what fails is told of as the call that the user made.
-local function open_file(where, path, mode)
-  local fine, store = pcall(store_module().open, path, mode)
-  if fine then return store end
-  if type(store) == "table" then store.where = where end
-  error(store, 0)
-end
+local open_file = definitions.open
 
 -- --- making ------------------------------------------------------------------------------------
 
@@ -79,54 +75,6 @@ end
 
 -- --- run files ---------------------------------------------------------------------------------
 
-local function write_definitions(self, store)
-  store:begin()
-  store:set_info("kind", "study")
-  store:set_info("name", self.name)
-  store:set_info("looks", tostring(self.looks))
-  store:set_info("task", self.task)
-  store:set_info("program", "archard " .. require "archard".version)
-  for id, flat in ipairs(self.flat) do
-    store:add(id, self.labels[id])
-    store:set_values(id, "settings", flat)
-  end
-  store:commit()
-end
-
-local function other_study(store, what)
-  check.fail("study:run", ("%s holds another study (%s); name another file, or remove it")
-    :format(store.path, what), "ARGUMENT")
-end
-
--- Whether the file holds this very study: then it goes on.
-local function compare(self, store)
-  local kind = store:info("kind")
-  if kind ~= "study" then other_study(store, "its kind is " .. tostring(kind)) end
-  local cases = store:cases()
-  if #cases ~= #self.flat then
-    other_study(store, ("it has %d cases, this one %d"):format(#cases, #self.flat))
-  end
-  for id, flat in ipairs(self.flat) do
-    local there = store:values(id, "settings")
-    local name = settings.difference(flat, there)
-    if name then
-      other_study(store, ("case %d has %s = %s there, %s here"):format(id, name,
-        settings.shown(there[name]), settings.shown(flat[name])))
-    end
-  end
-end
-
-local function open_for_run(self, path)
-  local store = open_file("study:run", path, "create")
-  store:check()
-  if #store:cases() == 0 and not store:info("kind") then
-    write_definitions(self, store)
-  else
-    compare(self, store)
-  end
-  return store
-end
-
 -- study.open(path): a study as its run file has it, to look at or to go on with.
 function study.open(path)
   if type(path) ~= "string" then
@@ -171,37 +119,20 @@ local run_fields = {
   workers = check.whole(1, 256), file = check.text, shard = shard_kind, progress = check.progress,
 }
 
+-- The share i of n: cases i, i + n, i + 2n, ...
 local function read_shard(text)
   if not text then return nil end
   local i, n = text:match("(%d+)/(%d+)")
-  return { tonumber(i), tonumber(n) }
+  return function(id) return (id - tonumber(i)) % tonumber(n) == 0 end
 end
 
 -- A value out of range is told before anything starts: by the first case, made here.
-local function try_first(self)
+local function try_first(self, where)
   if self.task then return end
   local made, run = pcall(wear, settings.nest(self.flat[1]))
   if made then return run:close() end
   if type(run) ~= "table" then error(run, 0) end
-  check.fail("study:run", ("case 1: %s"):format(run.message), run.code)
-end
-
-local most_warnings = 3 -- shown one by one; more become one line
-
-local function report(failed, warned)
-  local function tell(text, ...) io.stderr:write("study: ", text:format(...), "\n") end
-  for _, case in ipairs(failed) do
-    tell("case %d (%s) failed: %s", case.id, case.label, case.message)
-  end
-  table.sort(warned, function(a, b) return a.id < b.id end)
-  for i = 1, #warned <= most_warnings and #warned or 0 do
-    tell("case %d (%s): warning: %s", warned[i].id, warned[i].label, warned[i].message)
-  end
-  if #warned <= most_warnings then return end
-  local ids = {}
-  for i, case in ipairs(warned) do ids[i] = case.id end
-  tell("%d cases (%s) have warnings, as case %d (%s): %s", #warned, table.concat(ids, ", "),
-    warned[1].id, warned[1].label, warned[1].message)
+  check.fail(where, ("case 1: %s"):format(run.message), run.code)
 end
 
 -- run{ workers=, file=, shard="i/n", progress= } -> the study itself. Cases that are done stay as
@@ -210,17 +141,26 @@ function methods:run(options)
   options = options or {}
   check.fields("study:run", options, run_fields)
   local path = options.file or self.file or "study.archard"
-  if self.reading then self.reading:close() end
-  self.reading = nil
-  try_first(self)
-  local store = open_for_run(self, path)
+  self:close()
+  try_first(self, "study:run")
+  local store = definitions.for_run(self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
   self.failed, self.warned = require "archard.study.run"(store, { workers = workers,
-    shard = read_shard(options.shard), progress = options.progress })
+    chosen = read_shard(options.shard), progress = options.progress })
   store:close()
   report(self.failed, self.warned)
   return self
+end
+
+-- submit{ engine=, shares=, workers=, file=, options=, tries=, wait=, progress= } -> the study: the
+-- cases as shares of a job array, joined in the run file; see study/submit.lua.
+function methods:submit(options)
+  options = merged(check.fields("study:submit", options or {}, submit.fields))
+  self:close()
+  try_first(self, "study:submit")
+  self.file = options.file or self.file or "study.archard"
+  return submit.run(self, options)
 end
 
 -- The cases in their order, with the results of those that have run.
@@ -277,7 +217,7 @@ function study.merge(...)
   end
   if #files == 0 then check.fail("study.merge", "expected the names of run files, got none") end
   return require "archard.study.merge"(files, options.file or "study.archard", study.open,
-    write_definitions)
+    definitions.write)
 end
 
 -- --- showing -----------------------------------------------------------------------------------

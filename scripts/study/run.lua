@@ -3,17 +3,13 @@
 
 local process = require "archard.process"
 local check = require "archard.lib.check"
+local itself = require "archard.lib.itself"
 local progress = require "archard.study.progress"
 
--- The share i of n: cases i, i + n, i + 2n, ...
-local function in_share(id, shard)
-  return not shard or (id - shard[1]) % shard[2] == 0
-end
-
-local function waiting(store, shard)
+local function waiting(store, chosen)
   local queue, finished = {}, 0
   for _, case in ipairs(store:cases()) do
-    if in_share(case.id, shard) then
+    if not chosen or chosen(case.id) then
       if case.status == "done" then finished = finished + 1 else queue[#queue + 1] = case end
     end
   end
@@ -78,17 +74,17 @@ function run:attend(event)
   if not self.busy[i] then self:feed(i) end
 end
 
--- store: open for writing. options: workers, shard, progress. Returns the failed cases, as a list
+-- store: open for writing. options: workers, chosen (function(id) -> whether it is to be done; nil:
+-- all), progress. Returns the failed cases, as a list
 -- of { id=, label=, message= }, a list of the same of those that were warned of, and how many there
 -- were to compute.
 return function(store, options)
   store:release()
-  local queue, finished = waiting(store, options.shard)
+  local queue, finished = waiting(store, options.chosen)
   local count, failed, warned = #queue, {}, {}
   if count == 0 then return failed, warned, 0 end
   local workers = math.min(options.workers, count)
-  local pool <close> = process.pool(workers, { "-e",
-    ("require('archard.study.worker')(%q)"):format(store.path) })
+  local pool <close> = process.pool(workers, { "-e", itself("study.worker", store.path) })
   local display <close> = progress.new(workers, count + finished, finished, options.progress)
   local self = setmetatable({ store = store, pool = pool, queue = queue, busy = {}, running = 0,
     failed = failed, warned = warned, display = display }, run)

@@ -193,7 +193,9 @@ function trial:good(jump, increments)
     worst = 1
   end
   self.jumps[#self.jumps + 1], self.roughnesses[#self.roughnesses + 1] = jump, worst
-  return worst <= self.allowed and even <= self.limit.symmetric, worst, even, updates
+  local smooth, symmetric = worst <= self.allowed, even <= self.limit.symmetric
+  if smooth and not symmetric then self.lopsided = even end
+  return smooth and symmetric, worst, even, updates
 end
 
 -- Numbers people would choose: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ...
@@ -207,14 +209,14 @@ end
 
 -- The largest good jump of the ladder, looked for from above: from the limit of stability or, where
 -- that is farther, a tenth of all cycles. Fills in what is told of it.
-function trial:largest_jump(found)
+function trial:largest_jump(found, increments)
   local highest = self.cycles / 10
   local i = rung_of(math.min(highest, self.stable))
   found.limit = self.stable < math.huge and self.stable or nil
   found.bound = self.stable < highest and "stability" or "cycles"
   found.capped = true
   while rung(i) >= 1e-3 * self.guess do
-    local good, worst, even, updates = self:good(rung(i), usual_increments)
+    local good, worst, even, updates = self:good(rung(i), increments)
     if good then
       found.jump, found.roughness, found.asymmetry, found.judged = rung(i), worst, even, updates
       return
@@ -254,12 +256,14 @@ end
 -- (whether no larger jump was tried) and bound (why not: "stability", or "cycles" for a tenth of
 -- them), judged (updates it was judged by), increments (nil where the plate does not slide),
 -- roughness, smooth (what was allowed of it, where that had to be more than the limit), asymmetry,
--- change (of the profiles by these increments), first_depth [mm], trials, and
+-- lopsided (the asymmetry of smooth runs, where that is why no jump was good), change (of the profiles by these increments), first_depth [mm], trials, and
 -- what was tried as lists jumps and roughnesses.
 local function find(given, on_progress)
   local self = new_trial(without_limits(given), merged(limits, given.converge), on_progress or print)
   local found = {}
-  self:largest_jump(found)
+  self:largest_jump(found, usual_increments)
+  if not found.jump and self.lopsided then self:largest_jump(found, many) end -- no jump cures that
+  found.lopsided = not found.jump and self.lopsided or nil
   if found.jump then
     found.first_depth = found.jump * self.k * self.p_hertz * self.strokes * self.stroke
     if self.procedure == "SP" then

@@ -205,7 +205,6 @@ static int close_output(int status) {
 
 int main(int argc, char **argv) {
   setlocale(LC_CTYPE, "");
-  arc_single_threaded();
   command self = {.argc = argc, .argv = argv};
   self.steps = calloc((size_t)argc + 1, sizeof *self.steps);
   if (self.steps == NULL) {

@@ -49,6 +49,9 @@ ok(found.smooth > search.limits.smooth, "the limit of roughness that this mesh n
 holds(tostring(c), { "jump", "roughness", "stable to", "was allowed" }, "print")
 
 -- A k that depends on the state is searched as its table is.
+local simple = study.converge{ base = { stroke = 0.15, rule = "simple", model = coarse }, mesh = false }
+ok(tostring(simple):find("lopsided"), "Eq. (5): it is the rule that is to blame, and it says so")
+
 local stepped = study.converge{ base = { alpha = 1, model = coarse,
   k = function(state) return state.distance < 300 and 2e-8 or 1e-8 end }, mesh = false }.cases[1].found
 local tabled = study.converge{ base = { alpha = 1, model = coarse,

@@ -33,7 +33,7 @@ end
 -- CSV
 local w = wear{ increments = 20 }
 w:step(3)
-export.csv(w, at "history.csv")
+is(export.csv(w, at "history.csv"), at "history.csv", "it says what it wrote")
 local columns, names, headers = read_csv "history.csv"
 holds(headers, { "cycle,distance [mm],", ",p_center [MPa],", ",volume_plate [mm3],", ",depth_partition," },
   "history: units behind the names")
@@ -116,7 +116,7 @@ is(headers, "node,x [mm],y [mm]", "a mesh has units")
 is(#columns.node, mesh.nodes, "a mesh as CSV")
 local x, y = mesh:node(7)
 ok(columns.x[7] == x and columns.y[7] == y, "node by node")
-fails(function() mesh:write(at "mesh.stl") end, "ends in .vtk, .vtu, .inp or .csv", "another ending")
+fails(function() mesh:write(at "mesh.stl") end, "ends in .vtk, .vtu, .inp, .msh or .csv", "another ending")
 fails(function() mesh:write() end, "expected a file name", "no name")
 
 -- decks: tests/verify/calculix.lua runs them

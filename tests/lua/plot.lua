@@ -323,6 +323,8 @@ do
   ok((read("jump.gp") or ""):find("END\n10 40\n20 60\nEND", 1, true), "jumps begin at the first update")
   refused(function() plot.history(one, "p_centre") end, "did you mean 'p_center'",
     "an unknown column")
+  refused(function() plot.history(one, "pressure") end, "no column 'pressure' in the history",
+    "and one that is like none")
 end
 
 -- --- meshes and fields --------------------------------------------------------------------------
@@ -374,7 +376,9 @@ do
   ok(read("stress.png"), "and in colour")
   text = picture_of(function(file) plot.stress(contact_.stress(), { file = file }) end)
   has(text, "von Mises stress / MPa", "plot.stress takes the field itself")
-  refused(function() plot.stress({}) end, "expected a contact or its stress()", "but no other table")
+  text = picture_of(function(file) plot.stress(wear { model = { mesh = { size = 0.04 } } }, { file = file }) end)
+  has(text, "von Mises stress / MPa", "and a run, for its contact as it is")
+  refused(function() plot.stress({}) end, "expected a contact, its stress() or a run", "but no other table")
   refused(function() plot.stress(material {}) end, "got a material", "a contact is asked for")
   refused(function() plot(material {}) end, "got a material", "objects are named by their kind")
   refused(function() plot.stress(contact_, { component = "misses" }) end, "field 'component'",

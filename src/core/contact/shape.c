@@ -75,12 +75,23 @@ static void fill_unworn(shape_side *side) {
   read_nodes(side);
 }
 
+static arc_status check_geometry(const arc_model *model, arc_geometry geometry, arc_error *error) {
+  if (geometry == ARC_FROZEN || !arc_model_is_given(model)) return ARC_OK;
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field 'geometry': expected \"frozen\" on a mesh from outside, got \"%s\": it has "
+      "no wear box whose nodes could move with the surface",
+      arc_geometry_names[geometry]);
+}
+
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
                             arc_shape **result, arc_error *error) {
   *result = NULL;
   if (!(refresh >= 0))
     return arc_fail(error, ARC_ARGUMENT, "field 'refresh': expected a number >= 0, got %g",
                     refresh);
+  const arc_status status = check_geometry(model, geometry, error);
+  if (status != ARC_OK) return status;
   arc_shape *shape = calloc(1, sizeof *shape);
   if (!shape) return out_of_memory(error);
   shape->model = arc_model_retain(model);
@@ -131,14 +142,14 @@ arc_model *arc_shape_model(const arc_shape *shape) {
 }
 
 /* Node k of the wear box: its column is pulled along with the surface, fully at the top, not at all
- * at the bottom. */
+ * at the bottom. Without rows all stay. */
 static void box_node_at(const shape_side *side, const double *surface_xy, int k, double xy[2]) {
   const arc_mesh *mesh = side->body->mesh;
   const int column = k / (mesh->rows + 1), row = k % (mesh->rows + 1);
   const double *top = &mesh->xy[2 * mesh->surface_node[column]];
   /* far elements share the nodes at the box's sides, and stay as they are: so do these */
   const int side_column = column == 0 || column == side->n - 1;
-  const double share = side_column ? 0 : (double)(mesh->rows - row) / mesh->rows;
+  const double share = side_column || mesh->rows == 0 ? 0 : (double)(mesh->rows - row) / mesh->rows;
   for (int d = 0; d < 2; d++)
     xy[d] = mesh->xy[2 * mesh->box_node[k] + d] + share * (surface_xy[2 * column + d] - top[d]);
 }
@@ -366,7 +377,8 @@ static arc_status compliance_for(const shape_side *side, arc_geometry geometry, 
 arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
                                   arc_error *error) {
   compliance renewed[ARC_BODIES] = {{0}};
-  arc_status status = ARC_OK;
+  arc_status status = check_geometry(shape->model, geometry, error);
+  if (status != ARC_OK) return status;
   if (geometry != shape->geometry) {
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
       status = compliance_for(&shape->side[b], geometry, &renewed[b], error);

@@ -85,7 +85,7 @@ static int goes_on(const arc_mesh *m, int e) {
 }
 
 int arc_body_cell(const elastic_body *b, int e) {
-  if (b->mesh->def.element != ARC_CPE4I || !is_triangle(b->mesh, e)) return 1;
+  if (b->mesh->def.element != ARC_CPE4I || b->mesh->rows == 0 || !is_triangle(b->mesh, e)) return 1;
   if (goes_on(b->mesh, e)) return 0;
   int count = 1;
   while (goes_on(b->mesh, e + 2 * count) && count < most_cell_nodes - 1) count++;
@@ -181,6 +181,7 @@ static void difference_at_centre(elastic_body *b, const compliance *thinner, dou
 }
 
 static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
+  if (b->mesh->rows == 0) return ARC_OK; /* no box that could get thinner */
   static const double share = 0.01;
   const int rows = b->mesh->rows, first = b->mesh->surface / 2 * (rows + 1);
   const double *bottom = &box[2 * (first + rows)], top = box[2 * first + 1];
@@ -207,12 +208,21 @@ static arc_status condense_unworn(elastic_body *b, work_watch *seen, arc_error *
   return status;
 }
 
-static arc_status make(elastic_body *b, const arc_model_def *def, arc_body which, work_watch *seen,
-                       arc_error *error) {
+/* Builds the mesh of the body, or takes the one that is given. */
+static arc_status take_mesh(elastic_body *b, const arc_model_def *def, arc_body which,
+                            arc_mesh **given, arc_error *error) {
   arc_mesh_def mesh = def->mesh;
   mesh.element = arc_element_for(mesh.element, b->material.nu);
-  arc_status status = arc_mesh_build(&mesh, which, def->radius, &b->mesh, error);
-  if (status == ARC_OK) status = arc_watch_stage(seen);
+  if (!*given) return arc_mesh_build(&mesh, which, def->radius, &b->mesh, error);
+  b->mesh = *given;
+  *given = NULL;
+  b->mesh->def.element = mesh.element;
+  return ARC_OK;
+}
+
+/* All but the mesh. */
+static arc_status make(elastic_body *b, work_watch *seen, arc_error *error) {
+  arc_status status = arc_watch_stage(seen);
   if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);
   if (status == ARC_OK) status = eliminate_far(b, error);
   if (status == ARC_OK) status = arc_watch_stage(seen);
@@ -220,14 +230,15 @@ static arc_status make(elastic_body *b, const arc_model_def *def, arc_body which
   return status == ARC_OK ? arc_watch_stage(seen) : status;
 }
 
-arc_status arc_body_create(const arc_model_def *def, arc_body which, work_watch *seen,
-                           elastic_body **result, arc_error *error) {
+arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **given,
+                           work_watch *seen, elastic_body **result, arc_error *error) {
   *result = NULL;
   elastic_body *b = calloc(1, sizeof *b);
   if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(which));
   b->material = def->material[which];
   b->d = arc_elasticity_of(b->material);
-  const arc_status status = make(b, def, which, seen, error);
+  arc_status status = take_mesh(b, def, which, given, error);
+  if (status == ARC_OK) status = make(b, seen, error);
   if (status != ARC_OK) arc_body_destroy(&b);
   *result = b;
   return status;

@@ -52,11 +52,12 @@ static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
 }
 
-/* Meshes, assembles, factorises, condenses: ARC_BODY_STAGES of the watch (NULL: nobody's). On
- * failure *body is NULL. */
+/* Meshes, assembles, factorises, condenses: ARC_BODY_STAGES of the watch (NULL: nobody's). A mesh
+ * that is given (*given not NULL) is taken over and nulled, on failure too. On failure *body is
+ * NULL. */
 enum { ARC_BODY_STAGES = 4 };
-arc_status arc_body_create(const arc_model_def *def, arc_body which, work_watch *seen,
-                           elastic_body **body, arc_error *error);
+arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **given,
+                           work_watch *seen, elastic_body **body, arc_error *error);
 void arc_body_destroy(elastic_body **body);
 size_t arc_body_bytes(const elastic_body *body);
 
@@ -76,7 +77,8 @@ arc_status arc_body_condense(const elastic_body *body, const double *box_xy, com
                              arc_error *error);
 
 /* Triangles that share one dilatation with triangle e, the first of its cell: e, e + 2, ...; none
- * locks alone then. 1 for elements that stand for themselves, 0 for the later ones of a cell. */
+ * locks alone then. 1 for elements that stand for themselves, as all of a mesh from outside do, 0
+ * for the later ones of a cell. */
 int arc_body_cell(const elastic_body *body, int e);
 
 /* Displacements u [2 * nodes] of the whole body under surface forces f [2 * surface, N/mm], along x

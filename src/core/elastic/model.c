@@ -72,6 +72,7 @@ static double now(void) {
 /* A model under construction, by whoever waits for it or by a thread that is left behind. */
 typedef struct build {
   arc_model *model;
+  arc_mesh *given[ARC_BODIES]; /* NULL: to be made */
   work_watch progress;
   arc_error error;
 } build;
@@ -82,7 +83,8 @@ static arc_status build_bodies(void *job) {
   arc_status status = ARC_OK;
   m->seconds = -now();
   for (int i = 0; i < ARC_BODIES && status == ARC_OK; i++)
-    status = arc_body_create(&m->def, (arc_body)i, &b->progress, &m->body[i], &b->error);
+    status =
+        arc_body_create(&m->def, (arc_body)i, &b->given[i], &b->progress, &m->body[i], &b->error);
   m->seconds += now();
   return status;
 }
@@ -90,6 +92,7 @@ static arc_status build_bodies(void *job) {
 static void discard(void *job) {
   build *b = job;
   arc_model_release(&b->model);
+  for (int i = 0; i < ARC_BODIES; i++) arc_mesh_destroy(&b->given[i]);
   free(b);
 }
 
@@ -117,22 +120,19 @@ static arc_status refuse_memory(const arc_model_def *def, arc_error *error) {
                   def->mesh.zone[ARC_CYLINDER], def->mesh.zone[ARC_PLATE]);
 }
 
-arc_status arc_model_build_watched(const arc_model_def *wanted, const arc_callbacks *callbacks,
-                                   arc_model **result, arc_error *error) {
-  *result = NULL;
-  arc_model_def def = *wanted;
-  arc_status status = arc_settings_check(arc_model_settings, "", &def, error);
-  if (status != ARC_OK) return status;
-  arc_model_fit_alone(&def);
-  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status = arc_mesh_check(&def.mesh, (arc_body)b, def.radius, error);
-  if (status == ARC_OK) status = refuse_memory(&def, error);
-  if (status != ARC_OK) return status;
-  build *b = begin_build(&def);
+/* Meshes that are given (NULL: none) are taken over and nulled. */
+static arc_status build_watched(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
+                                const arc_callbacks *callbacks, arc_model **result,
+                                arc_error *error) {
+  build *b = begin_build(def);
   if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for a model");
+  for (int i = 0; i < ARC_BODIES && given; i++) {
+    b->given[i] = given[i];
+    given[i] = NULL;
+  }
   const watched_work work = {build_bodies, discard, &b->progress};
   int left_behind;
-  status = arc_watched(&work, b, "model", callbacks, &left_behind);
+  const arc_status status = arc_watched(&work, b, "model", callbacks, &left_behind);
   if (left_behind) return arc_fail(error, status, "stopped while a model was built");
   if (status == ARC_OK) {
     *result = b->model;
@@ -144,8 +144,56 @@ arc_status arc_model_build_watched(const arc_model_def *wanted, const arc_callba
   return status;
 }
 
+arc_status arc_model_build_watched(const arc_model_def *wanted, const arc_callbacks *callbacks,
+                                   arc_model **result, arc_error *error) {
+  *result = NULL;
+  arc_model_def def = *wanted;
+  arc_status status = arc_settings_check(arc_model_settings, "", &def, error);
+  if (status != ARC_OK) return status;
+  arc_model_fit_alone(&def);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    status = arc_mesh_check(&def.mesh, (arc_body)b, def.radius, error);
+  if (status == ARC_OK) status = refuse_memory(&def, error);
+  return status == ARC_OK ? build_watched(&def, NULL, callbacks, result, error) : status;
+}
+
 arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_error *error) {
   return arc_model_build_watched(def, NULL, result, error);
+}
+
+/* The definition says of a given pair what it says of the program's own. */
+static arc_model_def fitted(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]) {
+  arc_model_def fit = *def;
+  const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;
+  fit.mesh.size = fit.mesh.height = fmin(upper->size, lower->size);
+  fit.mesh.far = fmax(upper->far, lower->far);
+  fit.mesh.fineness = 0; /* nobody fits it to another contact */
+  for (int b = 0; b < ARC_BODIES; b++) fit.mesh.zone[b] = given[b]->def.zone[b];
+  return fit;
+}
+
+static arc_status check_given(const arc_mesh *mesh, arc_error *error) {
+  if (mesh->materials < 2) return ARC_OK;
+  return arc_fail(
+      error, ARC_ARGUMENT, "mesh of the %s: expected one material, got %d ('%s', '%s', ...)",
+      arc_body_name(mesh->body), mesh->materials, mesh->material_name[0], mesh->material_name[1]);
+}
+
+arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
+                                 const arc_callbacks *callbacks, arc_model **result,
+                                 arc_error *error) {
+  *result = NULL;
+  arc_status status = ARC_OK;
+  for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++) status = check_given(given[b], error);
+  const arc_model_def fit = fitted(def, given);
+  if (status == ARC_OK) status = arc_settings_check(arc_model_settings, "", &fit, error);
+  if (status == ARC_OK) status = build_watched(&fit, given, callbacks, result, error);
+  for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
+  return status;
+}
+
+int arc_model_is_given(const arc_model *model) {
+  return model->body[ARC_CYLINDER]->mesh->rows == 0 || model->body[ARC_PLATE]->mesh->rows == 0;
 }
 
 arc_model *arc_model_retain(arc_model *model) {

@@ -89,9 +89,18 @@ static void write_body(FILE *out, const arc_mesh *m, numbering at) {
   write_surface(out, m, at, name);
 }
 
+/* Decks name the faces of the wear box. */
+static arc_status check_box(const arc_mesh *mesh, arc_error *error) {
+  if (mesh->rows > 0) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "expected a mesh of archard's own for an input deck, got one from outside, which "
+                  "has no wear box");
+}
+
 arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error *error) {
   output_file file;
-  const arc_status status = arc_output_open(&file, path, error);
+  arc_status status = check_box(mesh, error);
+  if (status == ARC_OK) status = arc_output_open(&file, path, error);
   if (status != ARC_OK) return status;
   const char *name = arc_body_name(mesh->body);
   fprintf(file.stream, "*HEADING\narchard: %s, units mm\n*NODE, NSET=%s\n", name, name);
@@ -199,11 +208,16 @@ static void write_deck(const deck *d) {
 arc_status arc_export_inp(const char *path, const arc_contact *contact, arc_error *error) {
   deck d = {.contact = contact, .model = arc_contact_model(contact)};
   d.def = arc_model_definition(d.model);
-  for (int body = 0; body < ARC_BODIES; body++) d.nodes += mesh_of(&d, body)->nodes;
+  arc_status status = ARC_OK;
+  for (int body = 0; status == ARC_OK && body < ARC_BODIES; body++) {
+    status = check_box(mesh_of(&d, body), error);
+    d.nodes += mesh_of(&d, body)->nodes;
+  }
+  if (status != ARC_OK) return status;
   d.xy = malloc(2 * (size_t)d.nodes * sizeof *d.xy);
   if (!d.xy) return arc_fail(error, ARC_MEMORY, "out of memory for writing %s", path);
   output_file file;
-  arc_status status = arc_output_open(&file, path, error);
+  status = arc_output_open(&file, path, error);
   if (status == ARC_OK) {
     d.out = file.stream;
     write_deck(&d);

@@ -327,6 +327,8 @@ void arc_mesh_destroy(arc_mesh **mesh) {
   free((*mesh)->box_node);
   free((*mesh)->fixed_node);
   free((*mesh)->outline_node);
+  free((*mesh)->material_name);
+  free((*mesh)->material);
   free(*mesh);
   *mesh = NULL;
 }

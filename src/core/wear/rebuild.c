@@ -129,6 +129,9 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
   const arc_mesh_def *now = &arc_model_definition(w->model)->mesh;
   const arc_model_def def = grown(w, why);
   *result = NULL;
+  if (arc_model_is_given(w->model))
+    return arc_fail(error, why,
+                    "a mesh from outside does not grow: make its contact curves longer");
   if (like(now, &def.mesh))
     return arc_fail(error, why,
                     "no larger mesh fits into bodies of radius %g mm: zones end at %g mm, wear "

@@ -64,29 +64,35 @@ static double added_by(const arc_wear *w, const arc_wear_record *end) {
 /* Steps of second order are tried again with the state they led to ahead, where functions of it
  * were surprised. Steps that choose themselves answer for what is left: of a surprise half is
  * missing, of a parabola's way less than a third of what it was off at first. */
-static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
-                          arc_error *error) {
+static arc_status follow(arc_wear *w, wear_plan *plan, arc_wear_record *ahead, wear_watch *watch,
+                         wear_outcome *out, arc_error *error) {
   enum { most_tries = 3 };
   static const double let_pass = 0.02, usual = 1e-3, left_over = 0.3;
   const double tolerance = tolerance_of(w, plan), goal = tolerance > 0 ? tolerance : usual;
-  arc_wear_record ahead;
   double surprise = 0, off = 0;
-  plan->ahead = NULL;
   for (int try = 0; try < most_tries; try++) {
     arc_status status = attempt_once(w, plan, watch, out, error);
     const int follows = status == ARC_OK && (tolerance > 0 || arc_wear_follows(w, plan));
     if (!follows || !arc_wear_has_state_functions(w)) return status;
     if ((status = find_surprise(w, out, &surprise, error)) != ARC_OK) return status;
-    if (plan->ahead) off = fmax(off, left_over * apart(&ahead, &out->record));
-    ahead = out->record;
-    plan->ahead = &ahead;
-    if (!arc_wear_follows(w, plan) || surprise * added_by(w, &ahead) <= let_pass * goal) break;
+    if (plan->ahead) off = fmax(off, left_over * apart(ahead, &out->record));
+    *ahead = out->record;
+    plan->ahead = ahead;
+    if (!arc_wear_follows(w, plan) || surprise * added_by(w, ahead) <= let_pass * goal) break;
   }
-  plan->ahead = NULL;
   if (tolerance > 0)
     out->record.error =
         fmax(out->record.error, fmax(surprise / 2, off) * added_by(w, &out->record) / tolerance);
   return ARC_OK;
+}
+
+static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
+                          arc_error *error) {
+  arc_wear_record ahead = {0};
+  plan->ahead = NULL;
+  const arc_status status = follow(w, plan, &ahead, watch, out, error);
+  plan->ahead = NULL;
+  return status;
 }
 
 /* A law with a jump in it may have no implicit solution for any step: then the plan is an explicit

@@ -38,6 +38,7 @@ static const char *const scripted[][2] = {
     {"study", "archard.study"},
     {"calibrate", "archard.study.calibrate"},
     {"csv", "archard.lib.csv"},
+    {"profile", "archard.profile"},
     {"export", "archard.export"},
     {"who", "archard.lib.who"},
     {"time", "archard.lib.time"},
@@ -84,6 +85,9 @@ static void open_scripted(lua_State *L) {
 }
 
 int luaopen_archard(lua_State *L) {
+  luaL_checkversion(L);
+  arc_single_threaded();
+  lua_warning(L, "@on", 0); /* off in the stock interpreter: nothing may go wrong in silence */
   script_preload(L);
   preload_modules(L);
   lua_newtable(L);

@@ -17,7 +17,9 @@
 #include <lua.h>
 
 /* Registers the scripts and modules below package.preload, sets the globals and leaves the module
- * table on the stack (also in package.loaded.archard). The standard libraries must be open. */
+ * table on the stack (also in package.loaded.archard). The standard libraries must be open. It is
+ * also what the stock interpreter calls for `require "archard"`, in archard.so: the same there but
+ * for Ctrl-C, which is the interpreter's. Turns warnings on, and threads of BLAS and OpenMP off. */
 int luaopen_archard(lua_State *L);
 
 /* The module `archard.term`: what the terminal is and can do. */

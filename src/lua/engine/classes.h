@@ -83,6 +83,8 @@ arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, arc_geometr
 
 /* The definition of the model that a worn wear object lives on; NULL for anything else. */
 const arc_model_def *worn_model_def(lua_State *L, int worn);
+/* Its model where that is of meshes from outside, which no definition builds again; else NULL. */
+arc_model *worn_given_model(lua_State *L, int worn);
 
 /* --- others --- */
 

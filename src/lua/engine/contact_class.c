@@ -142,10 +142,11 @@ static arc_status needed_zones(const void *asker, const arc_model_def *model,
 
 /* Pushes what holds the shape; a worn object on the same model lends its own. */
 static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model) {
-  arc_wear_def defaults = arc_wear_default();
+  const arc_geometry geometry =
+      arc_model_is_given(model) ? ARC_FROZEN : arc_wear_default().geometry;
   box *other = box_test(L, worn, &wear_class);
   if (!other || arc_wear_model(other->thing) != model)
-    return worn_push_shape(L, worn, model, defaults.geometry, 0, "contact");
+    return worn_push_shape(L, worn, model, geometry, 0, "contact");
   lua_pushvalue(L, worn);
   return arc_wear_shape(other->thing);
 }

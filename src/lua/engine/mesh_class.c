@@ -184,6 +184,12 @@ static arc_status write_csv(lua_State *L, const char *path, const arc_mesh *mesh
   return arc_export_csv(path, 3, names, units, data, rows, error);
 }
 
+static arc_status write_msh(const char *path, const arc_mesh *mesh, arc_error *error) {
+  const arc_mesh *bodies[ARC_BODIES] = {0};
+  bodies[mesh->body] = mesh;
+  return arc_export_msh(path, bodies, error);
+}
+
 /* mesh:write(path): the format goes by the ending */
 static int mesh_write(lua_State *L) {
   static const char where[] = "mesh:write";
@@ -199,11 +205,13 @@ static int mesh_write(lua_State *L) {
     status = arc_export_vtu(path, mesh, NULL, 0, &error);
   else if (ending && strcmp(ending, ".inp") == 0)
     status = arc_export_mesh_inp(path, mesh, &error);
+  else if (ending && strcmp(ending, ".msh") == 0)
+    status = write_msh(path, mesh, &error);
   else if (ending && strcmp(ending, ".csv") == 0)
     status = write_csv(L, path, mesh, &error);
   else
     args_refuse(L, (args_place){where, ""}, "path",
-                "a file name that ends in .vtk, .vtu, .inp or .csv");
+                "a file name that ends in .vtk, .vtu, .inp, .msh or .csv");
   error_check(L, status, &error, where, -1);
   return 0;
 }

@@ -5,6 +5,7 @@
 #include "lua/base/interrupt.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static const char cache_key = 0, last_key = 0; /* their addresses name the registry's entries */
 
@@ -127,6 +128,16 @@ static void end_showing(building *b) {
     tell(b, 0);
 }
 
+/* Puts a model into its box, or raises why there is none. */
+static void end_build(lua_State *L, box *holder, arc_model *model, building *shown,
+                      arc_status status, const arc_error *error, const char *where) {
+  holder->thing = model;
+  end_showing(shown);
+  if (status == ARC_STOPPED && interrupt_pending(NULL)) interrupt_raise(L, "building a model");
+  error_check(L, status, error, where, -1);
+  box_weigh(L, arc_model_bytes(model));
+}
+
 /* Pushes a holder with a new model. */
 static void build_holder(lua_State *L, const arc_model_def *def, const char *where) {
   arc_error error = {0};
@@ -135,11 +146,7 @@ static void build_holder(lua_State *L, const arc_model_def *def, const char *whe
   building shown = {.L = L};
   const arc_callbacks callbacks = {.stop = interrupt_pending, .working = show, .context = &shown};
   arc_status status = arc_model_build_watched(def, &callbacks, &model, &error);
-  holder->thing = model;
-  end_showing(&shown);
-  if (status == ARC_STOPPED && interrupt_pending(NULL)) interrupt_raise(L, "building a model");
-  error_check(L, status, &error, where, -1);
-  box_weigh(L, arc_model_bytes(model));
+  end_build(L, holder, model, &shown, status, &error, where);
 }
 
 /* Pushes the holder for a definition. */
@@ -171,16 +178,60 @@ arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where)
   return made->thing;
 }
 
+/* --- meshes from outside ---------------------------------------------------------------------- */
+
+/* Reads the other fields of the table at index 1, whose mesh is a file. */
+static void read_beside_file(lua_State *L, arc_model_def *def) {
+  lua_newtable(L);
+  lua_pushnil(L);
+  while (lua_next(L, 1)) {
+    const int is_mesh = lua_type(L, -2) == LUA_TSTRING && !strcmp(lua_tostring(L, -2), "mesh");
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    if (is_mesh)
+      lua_pop(L, 2);
+    else
+      lua_rawset(L, -4);
+  }
+  read_definition(L, lua_gettop(L), (args_place){"model", ""}, def);
+  lua_pop(L, 1);
+}
+
+/* Pushes a model of the meshes in a file. It is built anew each time: the file may have changed. */
+static void push_of_file(lua_State *L, const char *path) {
+  arc_model_def def = begin_definition();
+  const int has_radius = args_given(L, 1, "radius");
+  arc_mesh *mesh[ARC_BODIES];
+  arc_model *model = NULL;
+  arc_error error = {0};
+  building shown = {.L = L};
+  const arc_callbacks callbacks = {.stop = interrupt_pending, .working = show, .context = &shown};
+  read_beside_file(L, &def);
+  box *made = box_push(L, &model_class);
+  arc_status status = arc_mesh_read_msh(path, mesh, &error);
+  if (status == ARC_OK) {
+    if (!has_radius) def.radius = mesh[ARC_CYLINDER]->radius;
+    status = arc_model_build_given(&def, mesh, &callbacks, &model, &error);
+  }
+  end_build(L, made, model, &shown, status, &error, "model");
+}
+
 void model_push_living(lua_State *L, arc_model *model) {
   box *made = box_push(L, &model_class);
   made->thing = arc_model_retain(model);
   box_weigh(L, arc_model_bytes(model));
 }
 
-/* model{ radius=, cylinder=, plate=, thickness=, mesh={...} } */
+/* model{ radius=, cylinder=, plate=, thickness=, mesh={...} | "pair.msh" } */
 static int model_new(lua_State *L) {
+  lua_settop(L, 1);
+  if (lua_istable(L, 1) && args_get(L, 1, "mesh") == LUA_TSTRING) {
+    push_of_file(L, lua_tostring(L, -1));
+    return 1;
+  }
+  lua_settop(L, 1);
   arc_model_def def = begin_definition();
-  if (!lua_isnone(L, 1)) read_definition(L, 1, (args_place){"model", ""}, &def);
+  if (!lua_isnil(L, 1)) read_definition(L, 1, (args_place){"model", ""}, &def);
   arc_model_fit_alone(&def);
   model_push(L, &def, "model");
   return 1;
@@ -202,6 +253,12 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
   if (box_test(L, -1, &model_class)) return box_check(L, -1, &model_class, where)->thing;
   if (!lua_isnil(L, -1) && !lua_istable(L, -1))
     args_refuse(L, (args_place){where, ""}, "model", "a model object or a table of its fields");
+  arc_model *kept = lua_isnil(L, -1) ? worn_given_model(L, worn) : NULL;
+  if (kept) {
+    lua_pop(L, 1);
+    model_push_living(L, kept);
+    return kept;
+  }
   arc_model_def def = begin_definition();
   const arc_model_def *other = lua_isnil(L, -1) ? worn_model_def(L, worn) : NULL;
   if (other) {

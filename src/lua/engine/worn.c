@@ -50,12 +50,14 @@ static void check_profile(lua_State *L, args_place place, arc_depths profile) {
   }
 }
 
-/* Reads and checks { x=, h= } at `index`; leaves what holds the numbers on the stack. */
+/* Reads and checks { x=, h= } at `index`, or what an object's __worn makes of it; leaves what holds
+ * the numbers on the stack. */
 static arc_depths push_profile(lua_State *L, int index, args_place place) {
   size_t depths = 0;
   arc_depths profile = {0, NULL, NULL};
   index = lua_absindex(L, index);
   luaL_checkstack(L, 12, place.where);
+  if (luaL_callmeta(L, index, "__worn")) index = lua_gettop(L);
   profile.x = push_column(L, index, place, "x", &profile.count);
   profile.h = push_column(L, index, place, "h", &depths);
   if (depths != profile.count || depths < 2)
@@ -93,6 +95,12 @@ void worn_check(lua_State *L, int index, const char *where) {
 const arc_model_def *worn_model_def(lua_State *L, int worn) {
   box *other = box_test(L, worn, &wear_class);
   return other ? arc_model_definition(arc_wear_model(other->thing)) : NULL;
+}
+
+arc_model *worn_given_model(lua_State *L, int worn) {
+  box *other = box_test(L, worn, &wear_class);
+  arc_model *model = other ? arc_wear_model(other->thing) : NULL;
+  return model && arc_model_is_given(model) ? model : NULL;
 }
 
 /* --- depths at the nodes --------------------------------------------------------------------- */

@@ -179,7 +179,7 @@ static void write_table(lua_State *L, const char *path, int index, int units) {
 }
 
 /* csv(wear | contact | stress | table of arrays, path [, units of the table's columns by name]) ->
- * the two files of a stress */
+ * the file written, or the two of a stress */
 int export_csv(lua_State *L) {
   lua_settop(L, 3);
   const char *path = export_path(L, 2, where);
@@ -196,5 +196,6 @@ int export_csv(lua_State *L) {
     error_raise(L, ARC_ARGUMENT, where,
                 "expected a wear or contact object, a stress or a table of arrays, got %s",
                 names_push_shown(L, 1));
-  return 0;
+  lua_pushvalue(L, 2);
+  return 1;
 }

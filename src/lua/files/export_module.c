@@ -151,6 +151,31 @@ static int export_inp(lua_State *L) {
   return 1;
 }
 
+/* --- Gmsh files ------------------------------------------------------------------------------ */
+
+/* msh(model | mesh, path) -> the file written: both bodies of a model */
+static int export_msh(lua_State *L) {
+  static const char where[] = "export.msh";
+  static const char *const endings[] = {".msh", NULL};
+  const arc_mesh *mesh[ARC_BODIES] = {0};
+  lua_settop(L, 2);
+  const char *path = path_ending(L, where, endings, "a file name that ends in .msh");
+  if (box_test(L, 1, &mesh_class)) {
+    const arc_mesh *one = mesh_of(L, 1, where);
+    mesh[one->body] = one;
+  } else if (box_test(L, 1, &model_class)) {
+    for (int body = 0; body < ARC_BODIES; body++)
+      mesh[body] = arc_model_mesh(box_check(L, 1, &model_class, where)->thing, (arc_body)body);
+  } else {
+    error_raise(L, ARC_ARGUMENT, where, "expected a model or a mesh, got %s",
+                names_push_shown(L, 1));
+  }
+  arc_error error = {0};
+  error_check(L, arc_export_msh(path, mesh, &error), &error, where, -1);
+  lua_pushvalue(L, 2);
+  return 1;
+}
+
 /* --- for scripts ----------------------------------------------------------------------------- */
 
 /* write(where, path, text): the file is whole, or not there and an error of `where` is raised */
@@ -170,9 +195,9 @@ static int files_number(lua_State *L) {
 }
 
 int luaopen_archard_files(lua_State *L) {
-  static const luaL_Reg functions[] = {{"csv", export_csv},      {"vtk", export_vtk},
-                                       {"inp", export_inp},      {"write", files_write},
-                                       {"number", files_number}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {
+      {"csv", export_csv},    {"vtk", export_vtk},      {"inp", export_inp}, {"msh", export_msh},
+      {"write", files_write}, {"number", files_number}, {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

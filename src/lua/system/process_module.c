@@ -310,6 +310,14 @@ static int process_processors(lua_State *L) {
   return 1;
 }
 
+/* process.pause(seconds): does nothing for so long; an interrupt ends it */
+static int process_pause(lua_State *L) {
+  const double seconds = luaL_checknumber(L, 1);
+  poll(NULL, 0, (int)(1000 * seconds));
+  if (interrupt_pending(NULL)) luaL_error(L, "interrupted");
+  return 0;
+}
+
 /* process.make_folder(path) -> true, or nil and the reason; one that is there already is fine */
 static int process_make_folder(lua_State *L) {
   const char *path = luaL_checkstring(L, 1);
@@ -362,6 +370,7 @@ int luaopen_archard_process(lua_State *L) {
                                        {"make_folder", process_make_folder},
                                        {"program", process_program},
                                        {"files", process_files},
+                                       {"pause", process_pause},
                                        {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;

@@ -1,0 +1,25 @@
+-- A cylinder on a plate, pressed and not yet worn: pressure, width and stresses beside Hertz' formulas.
+--   archard examples/01_contact.lua
+
+local c = contact{ model = { radius = 10 }, load = 100 } -- mm, N; all else by default: steel on steel
+local closed = hertz{ radius = 10, load = 100 }
+local field = c:stress()
+
+-- Under a line contact the largest von Mises stress lies 0.7 half widths deep: 0.5575 of the pressure
+-- at the centre on half-planes with nu = 0.3, a little more where a body of finite size is held.
+local deepest = { mises = 0 }
+for i, mises in ipairs(field.plate.mises) do
+  if mises > deepest.mises then deepest = { mises = mises, y = field.plate.y[i] } end
+end
+
+print(("%-32s %10s %10s"):format("", "elements", "Hertz"))
+local function row(name, form, mine, theirs)
+  print(("%-32s %10s %10s"):format(name, form:format(mine), form:format(theirs)))
+end
+row("pressure at the centre [MPa]", "%.1f", c.p_center, closed.p_max)
+row("half width [mm]", "%.4f", c.half_width, closed.half_width)
+row("von Mises stress, plate [MPa]", "%.1f", deepest.mises, 0.5575 * closed.p_max)
+row("how deep it lies [mm]", "%.4f", -deepest.y, 0.704 * closed.half_width)
+print()
+
+plot.stress(c, { title = "Von Mises stress, unworn contact" })

@@ -1,0 +1,31 @@
+-- How many cycles go into one update of the geometry: fixed by you, or chosen by the program. Fixed steps
+-- must stay under the limit past which ripples grow; the longer they are, the larger their error.
+--   archard examples/04_steps.lua
+
+local m = model{}
+local exact = wear{ model = m, jump = 5 }
+print(("ripples grow past %.0f cycles an update on the unworn surfaces\n"):format(exact:stability().jump_limit))
+exact:run{ progress = false }
+
+local choices = {
+  { "jump = 200", { jump = 200 } },
+  { "jump = 100", { jump = 100 } },
+  { "jump = 25", { jump = 25 } },
+  { 'jump = "auto"', { jump = "auto" } },
+  { 'scheme = "implicit"', { scheme = "implicit", tolerance = 1e-3 } },
+}
+print(("%-20s %8s %10s %15s %9s"):format("", "updates", "solutions", "plate off by", "seconds"))
+local chosen, titles = {}, {}
+for _, choice in ipairs(choices) do
+  local definition = choice[2]
+  definition.model = m
+  local start = os.clock()
+  local w = wear(definition):run{ progress = false }
+  print(("%-20s %8d %10d %13.3f %% %8.2f"):format(choice[1], w.update, w.solutions,
+    100 * (w.depth.plate / exact.depth.plate - 1), os.clock() - start))
+  chosen[#chosen + 1], titles[#titles + 1] = w, choice[1]
+end
+print()
+
+plot.history(chosen[2], chosen[4], chosen[5], "jump", { titles = { titles[2], titles[4], titles[5] },
+  title = "Cycles in one update" })

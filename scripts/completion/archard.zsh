@@ -1,0 +1,17 @@
+#compdef archard
+# Completion of archard(1) in zsh: options as the program itself lists them, scripts, files.
+local -a flags
+local line
+for line in ${(f)"$($words[1] --help 2>/dev/null)"}; do
+  [[ $line =~ '^  -([^ ,]+)(, (--[a-z]+))?( [A-Z]+)? +(.*)$' ]] || continue
+  case -$match[1] in
+  -e) flags+=('*-e[run a Lua text]:Lua text: ') ;;
+  -l) flags+=('*-l[require a module]:module:_files -g "*.lua(\:r)"') ;;
+  -|--) ;;
+  *)
+    flags+=("-${match[1]}[${match[5]}]")
+    [[ -z $match[3] ]] || flags+=("${match[3]}[${match[5]}]")
+    ;;
+  esac
+done
+_arguments -S $flags '1:script:_files -g "*.lua"' '*:argument:_files'

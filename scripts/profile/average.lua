@@ -1,0 +1,53 @@
+-- Fewer points with less noise: means over cells of one length, and means of several traces.
+
+local average = {}
+
+-- Points where x would be at even steps, each the mean of a cell around it; `counts` of points. Nothing is put
+-- where no point is: returns nil and where that is.
+function average.cells(x, z, step)
+  local count = math.max(1, math.floor((x[#x] - x[1]) / step + 1e-9))
+  local first = (x[1] + x[#x] - (count - 1) * step) / 2
+  local cx, cz, counts = {}, {}, {}
+  for i = 1, count do cx[i], cz[i], counts[i] = first + (i - 1) * step, 0, 0 end
+  for i = 1, #x do
+    local cell = math.floor((x[i] - first) / step + 0.5) + 1
+    if cell == count + 1 and x[i] - cx[count] <= step * (0.5 + 1e-9) then cell = count end
+    if counts[cell] then cz[cell], counts[cell] = cz[cell] + z[i], counts[cell] + 1 end
+  end
+  for i = 1, count do
+    if counts[i] == 0 then return nil, cx[i] end
+    cz[i] = cz[i] / counts[i]
+  end
+  return cx, cz, counts
+end
+
+-- z at the places `at`, growing and within x, on straight lines between the points.
+function average.at(x, z, at)
+  local result, i = {}, 1
+  for k = 1, #at do
+    while i < #x - 1 and x[i + 1] < at[k] do i = i + 1 end
+    local share = (at[k] - x[i]) / (x[i + 1] - x[i])
+    result[k] = z[i] + share * (z[i + 1] - z[i])
+  end
+  return result
+end
+
+-- Means of several lists of heights with weights, their standard deviation by the weights' noise, and by
+-- how much they really differ (as that of a mean, over all points).
+function average.traces(lists, errors)
+  local weights, total = {}, 0
+  for t, e in ipairs(errors) do
+    weights[t] = e > 0 and 1 / e ^ 2 or 1
+    total = total + weights[t]
+  end
+  local mean, spread = {}, 0
+  for i = 1, #lists[1] do
+    local sum = 0
+    for t = 1, #lists do sum = sum + weights[t] * lists[t][i] end
+    mean[i] = sum / total
+    for t = 1, #lists do spread = spread + weights[t] * (lists[t][i] - mean[i]) ^ 2 end
+  end
+  return mean, math.sqrt(spread / total / (#lists - 1) / #lists[1])
+end
+
+return average

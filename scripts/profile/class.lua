@@ -1,0 +1,285 @@
+-- Class profile: a measured trace. Places x and heights z (or depths h) in mm, what it scatters, and what has
+-- been done to it; each method returns a new one. What it comes to is the business of evaluate.lua.
+
+local average = require "archard.profile.average"
+local check = require "archard.lib.check"
+local form = require "archard.profile.form"
+local gaussian = require "archard.profile.gaussian"
+local merged = require "archard.lib.merged"
+local noise = require "archard.profile.noise"
+local scar = require "archard.profile.scar"
+local strict = require "archard.strict"
+
+local methods = {}
+local class = { __name = "profile", __methods = methods, __fields = { "x", "z", "h", "error", "correlation",
+  "form", "radius", "scar", "scatter", "cutoff", "missing", "path" } }
+
+-- The form that was taken off a profile, and what of it counted as not worn: not for the user.
+local taken = setmetatable({}, { __mode = "k" })
+
+local profile = { class = class, methods = methods }
+
+function profile.is(value) return getmetatable(value) == class end
+
+function profile.self(where, value)
+  if not profile.is(value) then
+    check.fail(where, "expected a profile, called as p:" .. where:match("[^.:]+$") .. "(...), got "
+      .. check.shown(value))
+  end
+  return value
+end
+
+-- --- making ---------------------------------------------------------------------------------------
+
+-- Heights, of depths too.
+function profile.heights(p)
+  if p.z then return p.z end
+  local z = {}
+  for i = 1, #p.h do z[i] = -p.h[i] end
+  return z
+end
+
+function profile.step(p) return (p.x[#p.x] - p.x[1]) / (#p.x - 1) end
+
+-- A profile as p with other places, heights and fields; `into` "z" or "h" where that changes too.
+function profile.derived(p, x, z, changes, into)
+  local result = merged(p, changes)
+  result.x, result.z, result.h = x, z, nil
+  if into == "h" or not into and p.h then
+    result.z, result.h = nil, {}
+    for i = 1, #z do result.h[i] = -z[i] end
+  end
+  taken[result] = taken[p]
+  return setmetatable(result, class)
+end
+
+-- What both kinds of lists must be. Values that are not numbers are left out of both, and counted.
+local function clean(where, x, z, name)
+  local cx, cz, missing = {}, {}, 0
+  for i = 1, #x do
+    if x[i] ~= x[i] or z[i] ~= z[i] then
+      missing = missing + 1
+    else
+      cx[#cx + 1], cz[#cz + 1] = x[i], z[i]
+    end
+  end
+  if #cx > 1 and cx[1] > cx[#cx] then
+    for i = 1, #cx // 2 do
+      local j = #cx + 1 - i
+      cx[i], cx[j], cz[i], cz[j] = cx[j], cx[i], cz[j], cz[i]
+    end
+  end
+  if #cx < 8 then
+    check.fail(where, ("fields 'x' and '%s': expected at least 8 points, got %d"):format(name, #cx))
+  end
+  for i = 1, #cx do
+    if math.abs(cx[i]) == math.huge or math.abs(cz[i]) == math.huge then
+      check.fail(where, ("fields 'x' and '%s': expected finite numbers, got %g and %g"):format(name, cx[i], cz[i]))
+    end
+    if i > 1 and cx[i] <= cx[i - 1] then
+      check.fail(where, ("field 'x': expected places that grow (or fall) all the way, got %.9g mm after %.9g mm")
+        :format(cx[i], cx[i - 1]))
+    end
+  end
+  return cx, cz, missing
+end
+
+-- (where, x, values, "z" | "h", error or nil, path or nil), in mm, checked here.
+function profile.new(where, x, values, name, given, path)
+  if #x ~= #values then
+    check.fail(where, ("fields 'x' and '%s': expected as many of one as of the other, got %d and %d")
+      :format(name, #x, #values))
+  end
+  local cx, cz, missing = clean(where, x, values, name)
+  local self = { x = cx, [name] = cz, missing = missing, path = path }
+  self.error = given or noise.estimate(cx, cz)
+  self.correlation = profile.step(self)
+  return setmetatable(self, class)
+end
+
+-- --- levelling --------------------------------------------------------------------------------------
+
+local range = check.kind('"auto" or { from, to } in mm, from < to', function(v)
+  return v == "auto" or type(v) == "table" and check.range.test(v) and v[1] ~= nil and v[2] ~= nil and v[1] < v[2]
+end)
+profile.range, profile.level_kind = range, check.one_of(form.kinds)
+
+-- Heights before any form was taken off.
+local function original(p)
+  local z, off = profile.heights(p), taken[p] and taken[p].form
+  if not off then return z end
+  local result = {}
+  for i = 1, #z do result[i] = z[i] + off:height(p.x[i]) end
+  return result
+end
+
+local function fitted(where, p, z, kind, worn)
+  local found, from, to, is_used
+  if worn == "auto" then
+    found, from, to, is_used = scar.find(p.x, z, kind)
+  elseif worn then
+    found, from, to, is_used = scar.fit(p.x, z, kind, worn[1], worn[2])
+  else
+    found = form.fit(kind, p.x, z)
+  end
+  if not found or not (found:height(p.x[1]) and found:height(p.x[#p.x])) then
+    check.fail(where, ("field 'level': expected points that tell a %s%s, those of this trace do not"):format(kind,
+      worn and " beside what is worn" or ""))
+  end
+  return found, from and { from, to }, is_used
+end
+
+-- The profile less its form by least squares, over all or without what is worn.
+function profile.level(where, p, kind, worn)
+  local z = original(p)
+  local found, scar_at, is_used = fitted(where, p, z, kind, worn)
+  local rest, depth = {}, {}
+  for i = 1, #z do
+    rest[i] = z[i] - found:height(p.x[i])
+    depth[i] = -rest[i]
+  end
+  local deviation, length = scar.scatter(p.x, depth, is_used)
+  local result = profile.derived(p, p.x, rest, { form = kind, scatter = strict.table({ deviation = deviation,
+    length = length }, "profile.scatter") })
+  result.radius = kind == "circle" and found:radius() or nil
+  result.scar = scar_at and strict.table({ from = scar_at[1], to = scar_at[2] }, "profile.scar") or nil
+  taken[result] = { form = found, is_used = is_used }
+  return result
+end
+
+-- The form taken off, for the uncertainty of areas.
+function profile.form_of(p) return taken[p] and taken[p].form end
+
+-- Takes differences of two profiles for a trace of its own.
+function profile.forget(p) taken[p] = nil return p end
+
+function methods:level(kind, worn)
+  local where = "profile:level"
+  profile.self(where, self)
+  kind = kind or "line"
+  if not profile.level_kind.test(kind) then check.refuse(where, "level", profile.level_kind.expected, kind) end
+  if worn ~= nil and not range.test(worn) then check.refuse(where, "scar", range.expected, worn) end
+  return profile.level(where, self, kind, worn)
+end
+
+-- --- filter, mean, part -----------------------------------------------------------------------------
+
+-- The step where it is the same all along, to a twentieth.
+function profile.even_step(where, p)
+  local step = profile.step(p)
+  for i = 2, #p.x do
+    if math.abs(p.x[i] - p.x[1] - (i - 1) * step) > 0.05 * step then
+      check.fail(where, ("expected even steps of x, got %.6g mm at x = %.6g mm among steps of %.6g mm; "
+        .. "p:average(step) makes them even"):format(p.x[i] - p.x[i - 1], p.x[i], step))
+    end
+  end
+  return step
+end
+
+-- The long-wave heights and the step; refuses a cut-off that the trace does not hold or resolve.
+function profile.long_waves(where, p, z, cutoff, name)
+  local step, whole = profile.even_step(where, p), p.x[#p.x] - p.x[1]
+  if not (check.positive.test(cutoff) and cutoff >= 2 * step and cutoff <= whole) then
+    check.refuse(where, name, ("a cut-off in mm in [%.4g, %.4g], two steps to the trace's length"):format(2 * step, whole),
+      cutoff)
+  end
+  return gaussian.long(z, step, cutoff), step
+end
+
+-- p:filter(cutoff [, "long" | "short"])
+function methods:filter(cutoff, part)
+  local where, kinds = "profile:filter", check.one_of{ "long", "short" }
+  profile.self(where, self)
+  if part ~= nil and not kinds.test(part) then check.refuse(where, "part", kinds.expected, part) end
+  local z = profile.heights(self)
+  local long, step = profile.long_waves(where, self, z, cutoff, "filter")
+  local kept, rest, length = gaussian.noise(self.correlation, self.correlation <= 1.01 * step, cutoff)
+  if part ~= "short" then
+    return profile.derived(self, self.x, long, { cutoff = cutoff, error = self.error * math.sqrt(kept),
+      correlation = length })
+  end
+  for i = 1, #z do long[i] = z[i] - long[i] end
+  return profile.derived(self, self.x, long, { cutoff = cutoff, error = self.error * math.sqrt(rest) })
+end
+
+-- p:average(step): means over cells
+function methods:average(step)
+  local where, old = "profile:average", profile.step(profile.self("profile:average", self))
+  local most = (self.x[#self.x] - self.x[1]) / 4
+  if not (check.positive.test(step) and step <= most) then
+    check.refuse(where, "step", ("a length in mm in (0, %.4g], a quarter of the trace"):format(most), step)
+  end
+  local x, z = average.cells(self.x, profile.heights(self), step)
+  if not x then
+    check.refuse(where, "step", ("cells that all hold points (they are %.4g mm apart; none is near x = %.6g mm)")
+      :format(old, z), step)
+  end
+  return profile.derived(self, x, z, { error = self.error * math.sqrt(math.min(1, self.correlation / step)),
+    correlation = math.max(step, self.correlation) })
+end
+
+-- p:cut(from, to): the part between two places
+function methods:cut(from, to)
+  local where = "profile:cut"
+  profile.self(where, self)
+  if not (check.number.test(from) and check.number.test(to) and from < to) then
+    check.fail(where, ("expected two places in mm, from < to, got %s and %s"):format(check.shown(from), check.shown(to)))
+  end
+  local x, z, all = {}, {}, profile.heights(self)
+  for i = 1, #all do
+    if self.x[i] >= from and self.x[i] <= to then x[#x + 1], z[#z + 1] = self.x[i], all[i] end
+  end
+  if #x < 8 then
+    check.fail(where, ("expected at least 8 points between %g and %g mm, got %d"):format(from, to, #x))
+  end
+  return profile.derived(self, x, z)
+end
+
+-- profile.mean{ p1, p2, ... }: over the stretch they share, at the places of the first
+function profile.mean(given)
+  local where = "profile.mean"
+  local from, to = -math.huge, math.huge
+  if type(given) ~= "table" or #given < 2 then
+    check.fail(where, "expected a list of at least two profiles, got " .. check.shown(given))
+  end
+  for i, p in ipairs(given) do
+    if not profile.is(p) or (p.z == nil) ~= (given[1].z == nil) then
+      check.fail(where, ("item %d: expected a profile of %s, got %s"):format(i,
+        given[1] and given[1].h and "depths" or "heights", check.shown(p)))
+    end
+    from, to = math.max(from, p.x[1]), math.min(to, p.x[#p.x])
+  end
+  if from >= to then check.fail(where, "expected traces that overlap, got none") end
+  local shared, lists, errors = given[1]:cut(from, to), {}, {}
+  for i, p in ipairs(given) do
+    lists[i], errors[i] = average.at(p.x, profile.heights(p), shared.x), p.error
+  end
+  local z, sum = nil, 0
+  z, shared.error = average.traces(lists, errors)
+  for _, e in ipairs(errors) do sum = sum + (e > 0 and 1 / e ^ 2 or math.huge) end
+  local result = profile.derived(shared, shared.x, z, { error = math.max(shared.error, math.sqrt(1 / sum)) })
+  result.path = nil
+  return result
+end
+
+-- --- printing -----------------------------------------------------------------------------------------
+
+local function um(value) return ("%.4g um"):format(1000 * value) end
+
+function class.__tostring(p)
+  local low, high = math.huge, -math.huge
+  for _, value in ipairs(p.z or p.h) do low, high = math.min(low, value), math.max(high, value) end
+  local lines = { ("profile: %d points, x %.6g to %.6g mm, step %s"):format(#p.x, p.x[1], p.x[#p.x], um(profile.step(p))),
+    ("  %s %.4g to %s, noise %s%s"):format(p.z and "heights" or "depths", 1000 * low, um(high), um(p.error),
+      p.correlation > 1.5 * profile.step(p) and (" over %.4g mm"):format(p.correlation) or "") }
+  if p.form then
+    lines[#lines + 1] = ("  less a %s%s, scatter about it %s"):format(p.form,
+      p.radius and (" of radius %.6g mm"):format(p.radius) or "", um(p.scatter.deviation))
+  end
+  if p.scar then lines[#lines + 1] = ("  worn from x %.4g to %.4g mm"):format(p.scar.from, p.scar.to) end
+  if p.cutoff then lines[#lines + 1] = ("  Gaussian filter, cut-off %.4g mm"):format(p.cutoff) end
+  if p.missing > 0 then lines[#lines + 1] = ("  %d points without a value were left out"):format(p.missing) end
+  return table.concat(lines, "\n")
+end
+
+return profile

@@ -1,0 +1,195 @@
+-- What a profile comes to: depths below a reference, the scar's area and volume with their uncertainty,
+-- roughness, and the shape a run starts from. These are methods of the class in class.lua.
+
+local average = require "archard.profile.average"
+local check = require "archard.lib.check"
+local form = require "archard.profile.form"
+local merged = require "archard.lib.merged"
+local profile = require "archard.profile.class"
+local roughness = require "archard.profile.roughness"
+local scar = require "archard.profile.scar"
+local strict = require "archard.strict"
+
+local methods = profile.methods
+
+-- --- depth -------------------------------------------------------------------------------------------
+
+local depth_fields = { level = profile.level_kind, scar = profile.range,
+  reference = check.kind("a profile of heights", function(v) return profile.is(v) and v.z ~= nil end) }
+
+-- Heights less those of the same trace before, where both are.
+local function change(where, p, reference)
+  local from, to = math.max(p.x[1], reference.x[1]), math.min(p.x[#p.x], reference.x[#reference.x])
+  if from >= to then
+    check.fail(where, ("field 'reference': expected one that overlaps x %g to %g mm, got x %g to %g mm"):format(
+      p.x[1], p.x[#p.x], reference.x[1], reference.x[#reference.x]))
+  end
+  local part = p:cut(from, to)
+  local before, z = average.at(reference.x, reference.z, part.x), {}
+  for i = 1, #before do z[i] = part.z[i] - before[i] end
+  local result = profile.derived(part, part.x, z, { form = "line",
+    error = math.sqrt(p.error ^ 2 + reference.error ^ 2) })
+  return profile.forget(result)
+end
+
+-- p:depth() | p:depth(reference) | p:depth{ reference=, level=, scar= }
+function methods:depth(given)
+  local where = "profile:depth"
+  profile.self(where, self)
+  local options = profile.is(given) and { reference = given } or given or {}
+  check.definition(where, options, depth_fields, "a profile or ")
+  local p = self
+  if options.reference then
+    if not p.z then check.fail(where, "field 'reference': expected none, these are depths already") end
+    p = change(where, p, options.reference)
+  end
+  p = profile.level(where, p, options.level or p.form or "line", options.scar or "auto")
+  return profile.derived(p, p.x, profile.heights(p), nil, "h")
+end
+
+-- --- volume ------------------------------------------------------------------------------------------
+
+local volume_fields = { scar = profile.range, length = check.positive }
+
+-- Beside a scar this share of its width is piled up, if anything is; the form is fitted beyond it.
+local piled_share = 0.2
+
+local function dot(weights, values)
+  local sum = 0
+  for i = 1, #values do sum = sum + weights[i] * values[i] end
+  return sum
+end
+
+-- Depths with the ends of the scar: heights are levelled beside it, depths stay as they are but for "auto".
+local function scar_of(p, options)
+  if p.h and options.scar ~= "auto" then
+    local at = options.scar or p.scar and { p.scar.from, p.scar.to } or { p.x[1], p.x[#p.x] }
+    return p, at[1], at[2]
+  end
+  local depths = p:depth{ scar = options.scar }
+  if not depths.scar then
+    check.fail("profile:volume", ("no scar is clearly deeper than the scatter of %.3g um; scar = { from, to } says where it is")
+      :format(1000 * depths.scatter.deviation), "MISSING")
+  end
+  return depths, depths.scar.from, depths.scar.to
+end
+
+-- Standard deviation of the weighted sum: by what scatters within, and by the line or circle, whose fit
+-- scatters with what it was fitted to.
+local function errors_of(p, weights, width)
+  local deviation = p.scatter and p.scatter.deviation or p.error
+  local length = p.scatter and p.scatter.length or p.correlation
+  local found = profile.form_of(p)
+  local level = found and found:variance(p.x, weights) * math.max(1, length / profile.step(p)) or 0
+  return deviation * math.sqrt(length * width), deviation * math.sqrt(level)
+end
+
+-- The largest mean over a fiftieth of the width, or over one point.
+local function deepest(p, from, to)
+  local cell = math.max((to - from) / 50, profile.step(p))
+  local part = p:cut(from, to)
+  local x, h = average.cells(part.x, part.h, cell)
+  if not x then h = part.h end
+  return math.max(table.unpack(h, 1, math.min(#h, 200)))
+end
+
+-- p:volume{ scar=, length= }
+function methods:volume(given)
+  local where = "profile:volume"
+  profile.self(where, self)
+  local options = check.definition(where, given or {}, volume_fields)
+  local p, from, to = scar_of(self, options)
+  from, to = math.max(from, p.x[1]), math.min(to, p.x[#p.x])
+  local weights, width, length = scar.weights(p.x, from, to), to - from, options.length or 1
+  local side = piled_share * width
+  local piled = -dot(scar.weights(p.x, from - side, from), p.h) - dot(scar.weights(p.x, to, to + side), p.h)
+  local area, scatter, level = dot(weights, p.h), errors_of(p, weights, width)
+  local total = math.sqrt(scatter ^ 2 + level ^ 2)
+  return strict.table({ area = area, error = total, scatter = scatter, level = level, volume = area * length,
+    volume_error = total * length, length = length, from = from, to = to, width = width, mean_depth = area / width,
+    depth = deepest(p, from, to), piled = piled }, "profile:volume")
+end
+
+-- --- roughness ----------------------------------------------------------------------------------------
+
+local roughness_fields = { short = check.positive, sections = check.whole(1, 1000), cutoff = check.kind(
+  "a number > 0 in mm, or false for the whole profile (P-parameters)", function(v)
+    return v == false or check.positive.test(v)
+  end) }
+local usual_cutoff, usual_sections = 0.8, 5 -- mm, ISO 21920-3 for the usual roughness
+
+local function without_line(x, z)
+  local line, rest = form.fit("line", x, z), {}
+  for i = 1, #z do rest[i] = z[i] - line:height(x[i]) end
+  return rest
+end
+
+-- Whole sections of one cut-off, as many as there are between half a cut-off off both ends.
+local function section_counts(where, p, step, cutoff, wanted)
+  local size = math.floor(cutoff / step + 0.5)
+  local there = (#p.x - 2 * math.ceil(cutoff / step / 2)) // size
+  if there < (wanted or 1) then
+    check.fail(where, ("expected a trace of at least %.4g mm, %d sections of the cut-off %g mm and half of one at either end, "
+      .. "got %.4g mm"):format(((wanted or 1) + 1) * cutoff, wanted or 1, cutoff, p.x[#p.x] - p.x[1]))
+  end
+  return size, wanted or math.min(usual_sections, there)
+end
+
+local function middle_part(z, count)
+  local first = (#z - count) // 2
+  return table.move(z, first + 1, first + count, 1, {})
+end
+
+-- p:roughness{ cutoff=, short=, sections= }
+function methods:roughness(given)
+  local where = "profile:roughness"
+  profile.self(where, self)
+  local options = check.definition(where, given or {}, roughness_fields)
+  local step, z = profile.even_step(where, self), profile.heights(self)
+  if options.short then z = profile.long_waves(where, self, z, options.short, "short") end
+  local cutoff, letter, size, count = options.cutoff, "R", nil, nil
+  if cutoff == nil then cutoff = usual_cutoff end
+  if cutoff then
+    size, count = section_counts(where, self, step, cutoff, options.sections)
+    local long = profile.long_waves(where, self, z, cutoff, "cutoff")
+    local short = {}
+    for i = 1, #z do short[i] = z[i] - long[i] end
+    z = middle_part(short, size * count)
+  else
+    letter, count = "P", options.sections or 1
+    z, size = without_line(self.x, z), #z // count
+  end
+  local result = roughness.of(z, step, size, count, letter)
+  result[letter .. "Sm"] = result[letter .. "Sm"] or 0 / 0
+  return strict.table(merged(result, { cutoff = cutoff, short = options.short, sections = count,
+    length = #z * step, noise = self.error }), "profile:roughness")
+end
+
+-- --- the start of a run ----------------------------------------------------------------------------------
+
+-- Heights: depth below the highest point. Depths: those above the form by no more than they scatter are 0.
+local function start_of(p)
+  local h, top = {}, -math.huge
+  if p.z then
+    for i = 1, #p.z do top = math.max(top, p.z[i]) end
+    for i = 1, #p.z do h[i] = top - p.z[i] end
+    return h
+  end
+  local room = 5 * math.max(p.error, p.scatter and p.scatter.deviation or 0)
+  for i = 1, #p.h do
+    if p.h[i] < -room then
+      check.fail("profile", ("expected depths no further than 5 scatters (%.3g um) above the form to start from, got %.4g um "
+        .. "at x = %.4g mm; where material is piled up, start from the heights, or level beside the scar"):format(
+        1000 * room, 1000 * p.h[i], p.x[i]))
+    end
+    h[i] = math.max(0, p.h[i])
+  end
+  return h
+end
+
+-- What worn = { plate = p } takes of p.
+function profile.class.__worn(p) return { x = p.x, h = start_of(p) } end
+
+strict.class(profile.class)
+
+return profile

@@ -1,0 +1,135 @@
+-- The line or circle through heights, by least squares of the vertical distances, with what its
+-- scatter does to a value or an area. A circle is that through a point with a slope and a curvature,
+-- which has no trouble where it is nearly a line.
+
+local form = { kinds = { "line", "circle" } }
+local shape = {}
+shape.__index = shape
+
+-- The height at u and its derivatives: all in half lengths of the trace from its middle.
+local models = {}
+
+function models.line(u, p) return p[1] + p[2] * u, 1, u end
+
+-- p: height and sine of the slope at u = 0, curvature. nil where the circle does not reach.
+function models.circle(u, p)
+  local t, k = p[2], p[3]
+  local q = t + k * u
+  if math.abs(t) >= 1 or math.abs(q) >= 1 then return nil end
+  local c, d = math.sqrt(1 - t * t), math.sqrt(1 - q * q)
+  local sum, rise = c + d, u * (2 * t + k * u)
+  return p[1] + rise / sum, 1, 2 * u / sum + rise * (t / c + q / d) / sum ^ 2,
+    u * u / sum + rise * q * u / d / sum ^ 2
+end
+
+-- Solves a x = b for each of the right sides in b, by elimination with pivots; nil where it cannot.
+local function solve(a, b)
+  local n = #a
+  for i = 1, n do
+    local best = i
+    for r = i + 1, n do if math.abs(a[r][i]) > math.abs(a[best][i]) then best = r end end
+    a[i], a[best], b[i], b[best] = a[best], a[i], b[best], b[i]
+    if math.abs(a[i][i]) < 1e-280 then return nil end
+    for r = 1, n do
+      local share = r ~= i and a[r][i] / a[i][i] or 0
+      for c = i, n do a[r][c] = a[r][c] - share * a[i][c] end
+      for c = 1, #b[r] do b[r][c] = b[r][c] - share * b[i][c] end
+    end
+  end
+  for i = 1, n do for c = 1, #b[i] do b[i][c] = b[i][c] / a[i][i] end end
+  return b
+end
+
+-- Sums over the points: J'J, J'r, r'r; nil where the form does not reach a point.
+local function normal(self, x, z, is_used)
+  local a11, a12, a13, a22, a23, a33, b1, b2, b3, rr, count = 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
+  local model, p, middle, half = models[self.kind], self.p, self.middle, self.half
+  for i = 1, #x do
+    if not is_used or is_used(x[i]) then
+      local value, g1, g2, g3 = model((x[i] - middle) / half, p)
+      if not value then return nil end
+      g3 = g3 or 0
+      local r = z[i] / half - value
+      a11, a12, a13 = a11 + g1 * g1, a12 + g1 * g2, a13 + g1 * g3
+      a22, a23, a33 = a22 + g2 * g2, a23 + g2 * g3, a33 + g3 * g3
+      b1, b2, b3, rr, count = b1 + g1 * r, b2 + g2 * r, b3 + g3 * r, rr + r * r, count + 1
+    end
+  end
+  if self.kind == "line" then return { { a11, a12 }, { a12, a22 } }, { { b1 }, { b2 } }, rr, count end
+  return { { a11, a12, a13 }, { a12, a22, a23 }, { a13, a23, a33 } }, { { b1 }, { b2 }, { b3 } }, rr, count
+end
+
+-- A step of Gauss and Newton, halved until the form reaches all points and fits no worse.
+local function advance(self, x, z, is_used, a, b, rr)
+  local step, old = solve(a, b), self.p
+  if not step then return nil end
+  local share, size = 1, 0
+  for _ = 1, 40 do
+    self.p, size = {}, 0
+    for i = 1, #old do
+      self.p[i] = old[i] + share * step[i][1]
+      size = math.max(size, math.abs(share * step[i][1]))
+    end
+    local a2, b2, rr2, count = normal(self, x, z, is_used)
+    if a2 and rr2 <= rr * (1 + 1e-9) + 1e-28 * count then return a2, b2, rr2, size end
+    share = share / 2
+  end
+  self.p = old
+  return nil
+end
+
+local function identity(n)
+  local rows = {}
+  for i = 1, n do
+    rows[i] = {}
+    for c = 1, n do rows[i][c] = i == c and 1 or 0 end
+  end
+  return rows
+end
+
+-- form.fit("line" | "circle", x, z, is_used(x) or nil) -> the form, or nil where the points do not
+-- tell it: too few, all in one place, no circle through them.
+function form.fit(kind, x, z, is_used)
+  local self = setmetatable({ kind = kind, middle = (x[1] + x[#x]) / 2, half = (x[#x] - x[1]) / 2,
+    p = kind == "line" and { 0, 0 } or { 0, 0, 0 } }, shape)
+  local a, b, rr, count = normal(self, x, z, is_used)
+  if count <= #self.p then return nil end
+  self.p[1] = b[1][1] / count -- their mean first: what is far from zero loses no digits
+  a, b, rr = normal(self, x, z, is_used)
+  for _ = 1, 50 do
+    local size
+    local a2, b2, rr2, moved = advance(self, x, z, is_used, a, b, rr)
+    if not a2 then break end
+    a, b, rr, size = a2, b2, rr2, moved
+    if size < 1e-13 then break end
+  end
+  a = normal(self, x, z, is_used)
+  self.inverse = solve(a, identity(#self.p))
+  self.count, self.deviation = count, self.half * math.sqrt(rr / math.max(1, count - #self.p))
+  return self.inverse and self or nil
+end
+
+-- Height [mm] at x [mm]; nil where a circle does not reach.
+function shape:height(x)
+  local value = models[self.kind]((x - self.middle) / self.half, self.p)
+  return value and value * self.half
+end
+
+-- 1 / mm, at most 0 on a convex body, and mm.
+function shape:curvature() return (self.p[3] or 0) / self.half end
+function shape:radius() return 1 / math.abs(self:curvature()) end
+
+-- Variance of the sum of weights[i] * height(x[i]), for independent heights of variance 1.
+function shape:variance(x, weights)
+  local g = {}
+  for c = 1, #self.p do g[c] = 0 end
+  for i = 1, #x do
+    local derivatives = { select(2, models[self.kind]((x[i] - self.middle) / self.half, self.p)) }
+    for c = 1, #self.p do g[c] = g[c] + weights[i] * derivatives[c] end
+  end
+  local sum = 0
+  for r = 1, #g do for c = 1, #g do sum = sum + g[r] * self.inverse[r][c] * g[c] end end
+  return sum
+end
+
+return form

@@ -1,0 +1,79 @@
+-- The Gaussian filter of profiles (ISO 16610-21): weights exp(-pi (x / (alpha cutoff))^2), by which
+-- a wave as long as the cut-off keeps half of its amplitude.
+--
+-- Within reach of an end the weights lack a side: there a line is fitted under the weights that are
+-- left, and its value taken (the moments of order 0 and 1 are kept, ISO 16610-28). Away from the
+-- ends that is the plain filter, and a straight line passes unchanged everywhere.
+
+local fft = require "archard.profile.fft"
+
+local gaussian = { alpha = math.sqrt(math.log(2) / math.pi) }
+
+local reach = 2 -- in cut-offs: beyond, weights are below 1e-24 of the middle one
+
+-- How much of a wave's amplitude stays in the long-wave part.
+function gaussian.transmission(cutoff, wave) return math.exp(-math.pi * (gaussian.alpha * cutoff / wave) ^ 2) end
+
+-- Sums of weights to one side, out to 0, 1, 2, ... steps: of w, w u and w u^2, u = x / (alpha cutoff).
+local function one_sided(ratio, count)
+  local s0, s1, s2 = { [0] = 1 / ratio }, { [0] = 0 }, { [0] = 0 }
+  for i = 1, count do
+    local u = i / ratio
+    local w = math.exp(-math.pi * u * u) / ratio
+    s0[i], s1[i], s2[i] = s0[i - 1] + w, s1[i - 1] + w * u, s2[i - 1] + w * u * u
+  end
+  return s0, s1, s2
+end
+
+-- The transform of w (1 + i u), sampled in steps: that of the curve, repeated with the sampling as often as 1e-15
+-- of it matters. It is real.
+local function response(f, ratio)
+  local sum, repeats = 0, ratio < 3 and 3 or 1
+  for shift = -repeats, repeats do
+    local g = (f + shift) * ratio
+    sum = sum + math.exp(-math.pi * g * g) * (1 + g)
+  end
+  return sum
+end
+
+-- Sums of w z and w u z around each point, u towards smaller x.
+local function weighted(z, ratio, steps)
+  local count, re, im = 1, {}, {}
+  while count < #z + steps do count = 2 * count end
+  for i = 1, count do re[i], im[i] = z[i] or 0, 0 end
+  fft(re, im, -1)
+  for i = 1, count do
+    local f = (i - 1) / count
+    local r = response(f > 0.5 and f - 1 or f, ratio) / count
+    re[i], im[i] = re[i] * r, im[i] * r
+  end
+  fft(re, im, 1)
+  return re, im
+end
+
+-- (heights at even steps, step, cutoff) -> the long-wave part, as many. Costs two transforms.
+function gaussian.long(z, step, cutoff)
+  local count, ratio = #z, gaussian.alpha * cutoff / step
+  local steps = math.ceil(reach * cutoff / step)
+  local s0, s1, s2 = one_sided(ratio, math.min(steps, count))
+  local sums, moments = weighted(z, ratio, steps)
+  local most, result = #s0, {}
+  for i = 1, count do
+    local left, right = math.min(i - 1, most), math.min(count - i, most)
+    local a, b, c = s0[left] + s0[right] - s0[0], s1[right] - s1[left], s2[left] + s2[right]
+    result[i] = (c * sums[i] + b * moments[i]) / (a * c - b * b)
+  end
+  return result
+end
+
+-- Noise that hangs together over a length (white: over a step) behind the filter: the shares of its variance that
+-- are in the long and the short waves, and the length over which the long ones hang together.
+function gaussian.noise(length, is_white, cutoff)
+  local own = math.sqrt(2) * gaussian.alpha * cutoff
+  local squares = { is_white and 0 or length ^ 2, own ^ 2 }
+  local new = math.max(length, math.sqrt(squares[1] + squares[2]))
+  local long, mixed = length / new, math.min(1, length / math.sqrt(squares[1] + squares[2] / 2))
+  return long, math.max(0, 1 - 2 * mixed + long), new
+end
+
+return gaussian

@@ -1,0 +1,73 @@
+-- Profile parameters by ISO 21920-2 (and ISO 4287, whose names they keep), of heights about their mean
+-- line at even steps.
+
+local roughness = {}
+
+local function mean_power(z, power, middle)
+  local sum = 0
+  for i = 1, #z do sum = sum + (z[i] - middle) ^ power end
+  return sum / #z
+end
+
+local function extremes(z, first, last)
+  local low, high = math.huge, -math.huge
+  for i = first, last do
+    low, high = math.min(low, z[i]), math.max(high, z[i])
+  end
+  return low, high
+end
+
+-- Rz, Rp, Rv: means over the sections of the greatest height, peak and depth.
+local function sections(z, size, count)
+  local p, v = 0, 0
+  for section = 1, count do
+    local low, high = extremes(z, (section - 1) * size + 1, section * size)
+    p, v = p + math.max(0, high) / count, v + math.max(0, -low) / count
+  end
+  return p, v
+end
+
+-- Mean width of elements, from where the profile rises through the mean line to where it does so again,
+-- having been above and below by a tenth of Rz; nil where there are not two.
+local function width(z, step, height)
+  local limit, state, crossing, first, last, count = height / 10, nil, nil, nil, nil, -1
+  for i = 2, #z do
+    if z[i - 1] <= 0 and z[i] > 0 then crossing = (i - 1 - z[i - 1] / (z[i] - z[i - 1])) * step end
+    if z[i] < -limit then
+      state = "valley"
+    elseif z[i] > limit and state == "valley" then
+      first, last, count, state = first or crossing, crossing, count + 1, "hill"
+    end
+  end
+  return count > 0 and (last - first) / count or nil
+end
+
+-- Root mean square slope, by the formula over seven points.
+local function slope(z, step)
+  local sum = 0
+  for i = 4, #z - 3 do
+    local rise = z[i + 3] - z[i - 3] - 9 * (z[i + 2] - z[i - 2]) + 45 * (z[i + 1] - z[i - 1])
+    sum = sum + (rise / (60 * step)) ^ 2
+  end
+  return math.sqrt(sum / (#z - 6))
+end
+
+-- (heights [mm], step [mm], points of a section, sections, "R" | "P") -> Ra, Rq, ... in mm by name.
+function roughness.of(z, step, size, count, letter)
+  local middle = mean_power(z, 1, 0)
+  local heights, a = {}, 0
+  for i = 1, #z do
+    heights[i] = z[i] - middle
+    a = a + math.abs(heights[i]) / #z
+  end
+  local q = math.sqrt(mean_power(heights, 2, 0))
+  local p, v = sections(heights, size, count)
+  local low, high = extremes(heights, 1, #heights)
+  return { [letter .. "a"] = a, [letter .. "q"] = q, [letter .. "p"] = p, [letter .. "v"] = v,
+    [letter .. "z"] = p + v, [letter .. "t"] = high - low,
+    [letter .. "sk"] = q > 0 and mean_power(heights, 3, 0) / q ^ 3 or 0,
+    [letter .. "ku"] = q > 0 and mean_power(heights, 4, 0) / q ^ 4 or 0,
+    [letter .. "Sm"] = width(heights, step, p + v), [letter .. "dq"] = slope(heights, step) }
+end
+
+return roughness

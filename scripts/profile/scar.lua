@@ -1,0 +1,110 @@
+-- Where a trace is worn, the form of what is not, and the area between both.
+
+local form = require "archard.profile.form"
+local noise = require "archard.profile.noise"
+
+local scar = {}
+
+local ends = 0.15   -- of the trace at either end is taken as not worn before more is known
+local margin = 0.2  -- of the scar's width beside it is left out, where material is piled up
+local least = 0.05  -- of the trace at either end counts as not worn even so close to the scar
+local clear = 5     -- scatters that the deepest place must be below the form
+local blocks = 500  -- means in which a scar is looked for
+
+-- Means of up to `blocks` neighbours: x and z.
+local function blocked(x, z)
+  local size = math.max(1, math.ceil(#x / blocks))
+  local bx, bz = {}, {}
+  for first = 1, #x - size + 1, size do
+    local sx, sz = 0, 0
+    for i = first, first + size - 1 do sx, sz = sx + x[i], sz + z[i] end
+    bx[#bx + 1], bz[#bz + 1] = sx / size, sz / size
+  end
+  return bx, bz
+end
+
+local function outside(from, to)
+  return function(x) return x < from or x > to end
+end
+
+-- What counts as not worn beside a scar: what is not near it, but for a little at either end.
+local function beside(x, from, to)
+  local room, end_part = margin * (to - from), least * (x[#x] - x[1])
+  return outside(math.min(from, math.max(from - room, x[1] + end_part)),
+    math.max(to, math.min(to + room, x[#x] - end_part)))
+end
+
+-- The deepest block, and the first on either side of it that is not below the form.
+local function reach(x, depth, threshold)
+  local deepest = 1
+  for i = 2, #x do if depth[i] > depth[deepest] then deepest = i end end
+  if not (depth[deepest] > threshold) then return nil end
+  local first, last = deepest, deepest
+  while first > 1 and depth[first] > 0 do first = first - 1 end
+  while last < #x and depth[last] > 0 do last = last + 1 end
+  return x[first], x[last]
+end
+
+local function depths_below(found, x, z)
+  local depth = {}
+  for i = 1, #x do
+    local height = found:height(x[i])
+    if not height then return nil end
+    depth[i] = height - z[i]
+  end
+  return depth
+end
+
+-- (x, z, kind) -> the form of what is not worn, from, to; from is nil where nothing is clearly worn, the
+-- form where the points tell none.
+function scar.find(x, z, kind)
+  local bx, bz = blocked(x, z)
+  local whole = x[#x] - x[1]
+  local is_used = outside(x[1] + ends * whole, x[#x] - ends * whole)
+  local from, to, found
+  for _ = 1, 12 do
+    found = form.fit(kind, bx, bz, is_used)
+    local depth = found and depths_below(found, bx, bz)
+    if not depth then return nil end
+    local flanks = {}
+    for i = 1, #bx do if is_used(bx[i]) then flanks[#flanks + 1] = depth[i] end end
+    local new_from, new_to = reach(bx, depth, math.max(clear * noise.robust(flanks), 1e-12 * whole))
+    if new_from == from and new_to == to then break end
+    from, to = new_from, new_to
+    if not from then break end
+    is_used = beside(x, from, to)
+  end
+  return form.fit(kind, x, z, from and is_used), from, to, from and is_used
+end
+
+-- The form of what is not worn beside a scar that is known.
+function scar.fit(x, z, kind, from, to)
+  local is_used = beside(x, from, to)
+  return form.fit(kind, x, z, is_used), from, to, is_used
+end
+
+-- Scatter of what is not worn about its form: standard deviation, and the length in mm over which it hangs
+-- together.
+function scar.scatter(x, depth, is_used)
+  local list, sum = {}, 0
+  for i = 1, #x do
+    if not is_used or is_used(x[i]) then
+      list[#list + 1] = depth[i]
+      sum = sum + depth[i] ^ 2
+    end
+  end
+  return math.sqrt(sum / #list), noise.length(list) * (x[#x] - x[1]) / (#x - 1)
+end
+
+-- The length of each point's cell that lies between from and to.
+function scar.weights(x, from, to)
+  local weights = {}
+  for i = 1, #x do
+    local low = i > 1 and (x[i - 1] + x[i]) / 2 or x[1]
+    local high = i < #x and (x[i] + x[i + 1]) / 2 or x[i]
+    weights[i] = math.max(0, math.min(high, to) - math.max(low, from))
+  end
+  return weights
+end
+
+return scar

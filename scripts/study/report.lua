@@ -1,0 +1,19 @@
+-- What a study says on standard error when its cases have run: those that failed, and warnings.
+
+local most_warnings = 3 -- shown one by one; more become one line
+
+return function(failed, warned)
+  local function tell(text, ...) io.stderr:write("study: ", text:format(...), "\n") end
+  for _, case in ipairs(failed) do
+    tell("case %d (%s) failed: %s", case.id, case.label, case.message)
+  end
+  table.sort(warned, function(a, b) return a.id < b.id end)
+  for i = 1, #warned <= most_warnings and #warned or 0 do
+    tell("case %d (%s): warning: %s", warned[i].id, warned[i].label, warned[i].message)
+  end
+  if #warned <= most_warnings then return end
+  local ids = {}
+  for i, case in ipairs(warned) do ids[i] = case.id end
+  tell("%d cases (%s) have warnings, as case %d (%s): %s", #warned, table.concat(ids, ", "),
+    warned[1].id, warned[1].label, warned[1].message)
+end

@@ -1,0 +1,45 @@
+-- One share of a submitted study, in a process of its own: every n-th of the cases that wait in the
+-- whole, computed into a run file of its own. ARCHARD_SHARE in the environment is its number. Leans
+-- on archard.store and study/run.lua.
+
+local definitions = require "archard.study.definitions"
+
+local where = "study:submit"
+
+-- The ids of share i of n.
+local function chosen(whole, i, n)
+  local store <close> = definitions.open(where, whole, "read")
+  local ids, position = {}, 0
+  for _, case in ipairs(store:cases()) do
+    if case.status == "waiting" then
+      position = position + 1
+      if (position - i) % n == 0 then ids[case.id] = true end
+    end
+  end
+  return function(id) return ids[id] end
+end
+
+-- A file is there whole, or not at all.
+local function copy(from, to)
+  local source <close> = assert(io.open(from, "rb"))
+  local target = assert(io.open(to .. ".new", "wb"))
+  assert(target:write(source:read("a")))
+  assert(target:close())
+  assert(os.rename(to .. ".new", to))
+end
+
+local function exists(path)
+  local file <close> = io.open(path, "r")
+  return file ~= nil
+end
+
+-- whole: the run file of the study; blank: one with its definitions and no results; path: that of a
+-- share, with {} for its number. One that was begun, by a task that Slurm starts again, is gone on with.
+return function(whole, blank, path, shares, workers)
+  local i = assert(math.tointeger(tonumber(os.getenv "ARCHARD_SHARE")), "ARCHARD_SHARE: no number")
+  local mine = path:gsub("{}", i)
+  if not exists(mine) then copy(blank, mine) end
+  local store <close> = definitions.open(where, mine, "write")
+  require "archard.study.run"(store, { workers = workers, chosen = chosen(whole, i, shares),
+    progress = "lines" })
+end

@@ -1,0 +1,323 @@
+-- A study as a job array: its cases in shares, each a process with a run file of its own, started by
+-- Slurm or GNU parallel; followed, joined into the study's run file when they have ended, and what
+-- was cut short started again. Beside the run file stands a folder with the script of a share, the
+-- run files and logs of the shares, and a note of the job; it goes when all is joined. So whatever
+-- is killed, the next submit of the same study finds the job and follows it, or joins what there is
+-- and goes on. Leans on the engines of scripts/slurm/ and on study/share.lua, which a share runs.
+
+local check = require "archard.lib.check"
+local definitions = require "archard.study.definitions"
+local itself = require "archard.lib.itself"
+local process = require "archard.process"
+local progress = require "archard.lib.progress"
+local report = require "archard.study.report"
+local shell = require "archard.lib.shell"
+
+local where = "study:submit"
+local submit = {}
+
+local texts = check.kind("a list of strings", function(v)
+  if type(v) ~= "table" then return false end
+  for _, text in ipairs(v) do
+    if type(text) ~= "string" then return false end
+  end
+  return true
+end)
+submit.fields = { engine = check.one_of{ "slurm", "parallel", "local" }, shares = check.whole(1, 1000),
+  workers = check.whole(1, 256), file = check.text, options = texts, tries = check.whole(1, 100),
+  wait = check.flag, progress = check.progress }
+
+local engines = { slurm = require "archard.slurm.array", parallel = require "archard.slurm.parallel" }
+
+-- --- the folder of a job -------------------------------------------------------------------------
+
+local function write(path, text)
+  local file, why = io.open(path, "w")
+  if not file or not file:write(text) or not file:close() then
+    check.fail(where, ("%s cannot be written: %s"):format(path, why or "disk full?"), "IO")
+  end
+end
+
+local function read(path)
+  local file <close> = io.open(path, "r")
+  return file and file:read("a")
+end
+
+-- What a job is and where its things are; `name` is the engine's, once it has started.
+local function describe(folder, engine, shares, name)
+  return { folder = folder, engine = engine, shares = shares, name = name,
+    script = folder .. "/share.sh", note = folder .. "/job", blank = folder .. "/blank.archard",
+    file = function(i) return ("%s/%s-of-%d.archard"):format(folder, i, shares) end,
+    log = function(i) return ("%s/%s-of-%d.log"):format(folder, i, shares) end }
+end
+
+local function write_note(job)
+  write(job.note, ("%s %d %s\n"):format(job.engine, job.shares, job.name or "-"))
+end
+
+-- The job that the folder tells of, or nil.
+local function noted(folder)
+  local engine, shares, name = (read(folder .. "/job") or ""):match("^(%a+) (%d+) (%S+)")
+  if not engines[engine] then return nil end
+  return describe(folder, engine, tonumber(shares), name ~= "-" and name or nil)
+end
+
+local function clear(job)
+  for i = 1, job.shares do
+    os.remove(job.file(i))
+    os.remove(job.file(i) .. ".new")
+    os.remove(job.log(i))
+  end
+  for _, path in ipairs{ job.log("parallel"), job.blank, job.script, job.note, job.folder } do os.remove(path) end
+end
+
+-- --- following -----------------------------------------------------------------------------------
+
+-- How many cases a share has gone through: it says so in the last line of its log.
+local function gone_through(path)
+  local file <close> = io.open(path, "r")
+  if not file then return 0 end
+  file:seek("end", -math.min(file:seek("end"), 1000))
+  local count = 0
+  for number in ("\n" .. file:read("a")):gmatch("\n(%d+)/%d+  case ") do count = tonumber(number) end
+  return count
+end
+
+local function counted(job)
+  local sum = 0
+  for i = 1, job.shares do sum = sum + gone_through(job.log(i)) end
+  return sum
+end
+
+-- Shows how far a job is, in the manner that `mode` asks for (see study:run).
+local function display(total, mode)
+  local last
+  local bar = mode == nil and progress.new{ total = total, label = "study", unit = "cases" }
+  return {
+    show = function(done, note)
+      if bar then return bar:update(done, note) end
+      if not mode or done == last then return end
+      last = done
+      if mode ~= "lines" then return mode{ done = done, total = total } end
+      print(("%d/%d  %s"):format(done, total, note))
+      io.flush()
+    end,
+    close = function() if bar then bar:close() end end,
+  }
+end
+
+local patience = 30 -- how often in a row the engine may fail to answer
+
+-- Waits until the job has ended, asking the engine less often the longer it goes.
+local function follow(job, total, mode)
+  local shown <close> = setmetatable(display(total, mode), { __close = function(self) self.close() end })
+  local pause, silent = 0.2, 0
+  while true do
+    local state, why = engines[job.engine].state(job)
+    if state == nil then break end
+    silent = state and 0 or silent + 1
+    if silent > patience then
+      check.fail(where, ("job %s: %s does not tell how it goes: %s"):format(job.name, job.engine, why),
+        "IO")
+    end
+    shown.show(counted(job), ("job %s: %s"):format(job.name, state or "no answer"))
+    process.pause(pause)
+    pause = math.min(1.3 * pause, 10)
+  end
+  shown.show(counted(job), "ended")
+end
+
+-- --- joining -------------------------------------------------------------------------------------
+
+local function exists(path)
+  local file <close> = io.open(path, "r")
+  return file ~= nil
+end
+
+-- Whether the whole holds all that a share has finished: it was killed between joining and removing.
+local function is_joined(store, path)
+  local status = {}
+  for _, case in ipairs(store:cases()) do status[case.id] = case.status end
+  local share <close> = definitions.open(where, path, "read")
+  local any = false
+  for _, case in ipairs(share:cases()) do
+    if case.status == "done" then
+      if status[case.id] ~= "done" then return false end
+      any = true
+    end
+  end
+  return any
+end
+
+-- Joins the shares of a job that has ended; each is in the whole before its own file goes.
+local function join(store, job)
+  for i = 1, job.shares do
+    local path = job.file(i)
+    if exists(path) then
+      if not is_joined(store, path) then store:merge(path) end
+      os.remove(path)
+    end
+  end
+  store:release()
+end
+
+local function of_status(store, status)
+  local list = {}
+  for _, case in ipairs(store:cases()) do
+    if case.status == status then list[#list + 1] = case end
+  end
+  return list
+end
+
+-- --- starting ------------------------------------------------------------------------------------
+
+local function absolute(path)
+  local text, fine = shell.ask("realpath -m -- " .. shell.quote(path))
+  if not fine then check.fail(where, text, "IO") end
+  return text
+end
+
+-- What every share runs: its number comes from Slurm, or as an argument.
+local function script_of(job, whole)
+  local program = process.program() or check.fail(where, "nobody knows where this program is", "IO")
+  local chunk = itself("study.share", whole, job.blank, job.file("{}"), job.shares, job.workers)
+  return ("#!/bin/sh\n# One share of %s; written by s:submit{}.\nARCHARD_SHARE=${SLURM_ARRAY_TASK_ID:-$1}\n"
+    .. "export ARCHARD_SHARE\nexec %s\n"):format(whole, shell.line{ program, "-e", chunk })
+end
+
+-- The definitions of the study and no results: every share begins with a copy of it.
+local function write_blank(self, path)
+  os.remove(path)
+  local store <close> = definitions.open(where, path, "create")
+  definitions.write(self, store)
+end
+
+local function start(self, job, whole)
+  local made, why = process.make_folder(job.folder)
+  if not made then check.fail(where, ("folder %s: %s"):format(job.folder, why), "IO") end
+  write(job.script, script_of(job, whole))
+  write_blank(self, job.blank)
+  for i = 1, job.shares do os.remove(job.log(i)) end
+  write_note(job)
+  job.name, why = engines[job.engine].start(job)
+  if not job.name then
+    os.remove(job.note)
+    check.fail(where, ("%s does not take the job: %s"):format(engines[job.engine].program, why), "IO")
+  end
+  write_note(job)
+end
+
+-- Why a job brought nothing: the last line of a share, or the first of what started them.
+local function last_words(job)
+  for i = 1, job.shares do
+    local line = (read(job.log(i)) or ""):match("([^\n]+)%s*$")
+    if line then return line end
+  end
+  return (read(job.log("parallel")) or ""):match("[^\n]+") or "its shares said nothing; see " .. job.folder
+end
+
+-- --- all of it -----------------------------------------------------------------------------------
+
+-- The cases to compute; those that failed before are tried again.
+local function prepare(whole)
+  local store <close> = definitions.open(where, whole, "write")
+  for _, case in ipairs(of_status(store, "failed")) do store:mark(case.id, "waiting") end
+  store:release()
+  return of_status(store, "waiting")
+end
+
+-- Starts the job for what waits; the note says whose it is.
+local function new_job(folder, options, waiting)
+  local job = describe(folder, options.engine, math.min(options.shares, waiting))
+  job.workers, job.options = options.workers or 1, options.options or {}
+  return job
+end
+
+-- One round: what waits, as a job, to its end; returns the job and how many still wait. Fails where
+-- it brought no case to an end.
+local function round(self, options, folder, whole, waiting)
+  local job = new_job(folder, options, waiting)
+  start(self, job, whole)
+  if options.wait == false then return job end
+  follow(job, waiting, options.progress)
+  local store <close> = definitions.open(where, whole, "write")
+  join(store, job)
+  local left = #of_status(store, "waiting")
+  if left == waiting then
+    check.fail(where, ("job %s ended without a result: %s"):format(job.name, last_words(job)), "IO")
+  end
+  return job, left
+end
+
+-- Of the cases that were asked for, those whose runs warned.
+local function warned_of(store, asked)
+  local list = {}
+  for _, case in ipairs(asked) do
+    local text = store:values(case.id, "results").warning
+    if text then list[#list + 1] = { id = case.id, label = case.label, message = text } end
+  end
+  return list
+end
+
+local function finish(self, store, asked)
+  self.failed, self.warned = of_status(store, "failed"), warned_of(store, asked)
+  local waiting = #of_status(store, "waiting")
+  report(self.failed, self.warned)
+  if waiting > 0 then
+    io.stderr:write(("study: %d cases were cut short; submit again to go on\n"):format(waiting))
+  end
+end
+
+-- A job that is under way is followed, one that has ended is joined. Returns false if it goes on.
+local function earlier(self, folder, whole, options)
+  local job = noted(folder)
+  if not job then return true end
+  if job.name and engines[job.engine].state(job) ~= nil then
+    io.stderr:write(("study: job %s is under way\n"):format(job.name))
+    if options.wait == false then return false end
+    follow(job, #self.flat, options.progress)
+  end
+  local store <close> = definitions.open(where, whole, "write")
+  join(store, job)
+  clear(job)
+  return true
+end
+
+local function check_engine(options)
+  local program = engines[options.engine].program
+  if not shell.has(program) then
+    check.fail(where, ("field 'engine': \"%s\" needs the program %s, which is not in PATH"):format(
+      options.engine, program), "MISSING")
+  end
+end
+
+local function rounds(self, options, folder, whole)
+  local asked = prepare(whole)
+  local waiting, job = #asked, nil
+  for _ = 1, options.tries or 3 do
+    if waiting == 0 then break end
+    job, waiting = round(self, options, folder, whole, waiting)
+    if options.wait == false then return end
+  end
+  if job then clear(job) end
+  local store <close> = definitions.open(where, whole, "write")
+  finish(self, store, asked)
+end
+
+-- (study, options) -> the study; self.file is its run file.
+function submit.run(self, options)
+  options.engine = options.engine or "local"
+  options.shares = options.shares or process.processors()
+  local whole = absolute(self.file)
+  local folder = whole .. ".shares"
+  if options.engine ~= "local" then check_engine(options) end
+  definitions.for_run(self, whole):close() -- it is there from here on, and holds this very study
+  if not earlier(self, folder, whole, options) then return self end
+  if options.engine == "local" then
+    return self:run{ workers = math.min(options.shares, 256), progress = options.progress }
+  end
+  rounds(self, options, folder, whole)
+  return self
+end
+
+return submit
