@@ -299,7 +299,8 @@ static arc_status copy_points(const arc_loading *from, arc_loading *to) {
   const size_t n = (size_t)from->count, bytes = n * sizeof(double);
   double *points = malloc((from->tangential ? 3 : 2) * bytes);
   if (!points) return ARC_MEMORY;
-  to->x = memcpy(points, from->x, bytes);
+  memcpy(points, from->x, bytes);
+  to->x = points;
   to->load = memcpy(points + n, from->load, bytes);
   if (from->tangential) to->tangential = memcpy(points + 2 * n, from->tangential, bytes);
   return ARC_OK;
