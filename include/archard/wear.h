@@ -45,12 +45,14 @@ extern "C" {
   X(UPDATE_CYCLE, "cycle")                                                                         \
   X(UPDATE_INCREMENT, "increment")
 /* Wear laws, each a factor on k at a node under the pressure p [MPa], and the growth d ln(p factor)
- * / d ln p that implicit steps ask for; d is the arc_wear_def, law_pressure is p0. */
+ * / d ln p that implicit steps ask for; d is the arc_wear_def, law_pressure is p0. The energy law
+ * takes k q ds: with friction, its coefficient times Archard's. */
 #define ARC_LAW_LIST(X)                                                                            \
   X(LAW_ARCHARD, "archard", 1, 1)                                                                  \
   X(LAW_POWER, "power", p > 0 ? pow(p / d->law_pressure, d->law_exponent) : 0,                     \
     1 + d->law_exponent)                                                                           \
-  X(LAW_THRESHOLD, "threshold", p > d->law_pressure, 1)
+  X(LAW_THRESHOLD, "threshold", p > d->law_pressure, 1)                                            \
+  X(LAW_ENERGY, "energy", 1, 1)
 
 typedef enum arc_procedure { ARC_PROCEDURE_LIST(ARC_CHOICE_ENUM) } arc_procedure;
 typedef enum arc_scheme { ARC_SCHEME_LIST(ARC_CHOICE_ENUM) } arc_scheme;
@@ -83,9 +85,11 @@ typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const do
  * simulated as they are. A load of 0 is a lift-off: no contact and no wear there. */
 typedef struct arc_loading {
   int count;
-  const double *x;    /* [count] [mm] */
-  const double *load; /* [count] [N], >= 0 */
-  double cycles;      /* how often, > 0 (INFINITY: to the end of the distance, last block only) */
+  const double *x;          /* [count] [mm] */
+  const double *load;       /* [count] [N], >= 0 */
+  const double *tangential; /* [count] [N] drives the plate instead of x, which is 0 then; NULL: x
+                               does */
+  double cycles; /* how often, > 0 (INFINITY: to the end of the distance, last block only) */
   int periodic; /* 0: a generic history (Eq. 4): run once, updated at every increment, one increment
                    a step */
 } arc_loading;
@@ -149,6 +153,16 @@ typedef struct arc_loading {
       "Sliding distance of an increment: the motion of the plate, or with the elastic part "       \
       "added, found at pairs of points that touch. With the rigid one the volume is k L_N d to "   \
       "rounding; with both, volumes are as k_c to k_p.")                                           \
+  QUANTITY(friction, "", 0, FROM(0), ARC_FUNCTION | ARC_SERIES,                                    \
+           "Coefficient of friction of the couple; 0: none. With it slip is the real one, that "   \
+           "of each point: increments of the cycle are solved with stick and slip, on both "       \
+           "strokes, from surfaces pressed anew, until the cycle is steady; that one counts. "     \
+           "k p ds and the energy are those of that slip. An update takes the "                    \
+           "coefficient of its start. For updates of whole cycles by explicit steps.")             \
+  NUMBER(tangential, "N", 0, ABOVE(0), ARC_OPTIONAL,                                               \
+         "Amplitude of a tangential force that moves the plate to and fro, instead of stroke; "    \
+         "needs friction, and less than friction times load. Of distance it counts as "            \
+         "force / (E* thickness), as slip is not known beforehand: give cycles.")                  \
   CHOICE(                                                                                          \
       slide, slide, ARC_SLIDE_X, 0,                                                                \
       "The way of the plate: along x, or out of the plane along z. Then the contact stays at x "   \
@@ -160,7 +174,8 @@ typedef struct arc_loading {
          "When the geometry is updated: after jump cycles together, or at every increment "        \
          "(quasi-continuous).")                                                                    \
   CHOICE(law, law, ARC_LAW_ARCHARD, 0,                                                             \
-         "Wear law, as a factor on k: 1; (p / p0)^m; or 1 where p > p0 and 0 elsewhere.")          \
+         "Wear law, as a factor on k: 1; (p / p0)^m; 1 where p > p0 and 0 elsewhere; or, with "    \
+         "friction, q / p: k takes the energy q ds that is dissipated.")                           \
   NUMBER(law_pressure, "MPa", 100, ABOVE(0), 0, "Pressure p0 of the law.")                         \
   NUMBER(law_exponent, "", 1, ABOVE_TO(-1, 10), 0, "Exponent m of the power law.")                 \
   WHOLE(order, "", 2, WITHIN(1, 2), 0,                                                             \
@@ -217,6 +232,10 @@ void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]);
 /* The same from the materials, where one of them has a wear coefficient; else returns 0. */
 int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model);
 
+/* Distance of a cycle of the plain stroke [mm]: r s of Eq. (21); under a tangential force the sum
+ * of its changes over E* and the thickness. */
+double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model);
+
 /* Checks a definition against the model it is to run on: ranges, and what goes together.
  * ARC_ARGUMENT names field, expectation and value. */
 arc_status arc_wear_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
@@ -259,7 +278,12 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(depth_partition, "", "depth partition factor alpha-tilde; NaN before any wear")                \
   X(error, "", "estimated error of an adaptive step, over its tolerance")                          \
   X(solutions, "", "contact solutions so far")                                                     \
-  X(elements, "", "elements of both meshes, new where outgrown")
+  X(elements, "", "elements of both meshes, new where outgrown")                                   \
+  X(energy, "N mm", "dissipated by friction so far")                                               \
+  X(cycle_energy, "N mm", "dissipated in a cycle of the update")                                   \
+  X(largest_shear, "N", "largest tangential force of the update's cycle")                          \
+  X(stick_width, "mm", "width that sticks throughout that cycle")                                  \
+  X(gross, "", "1: the whole contact slips at some time in it, else 0")
 
 struct arc_wear_record {
 #define ARC_WEAR_MEMBER(name, unit, text) double name;
@@ -361,6 +385,20 @@ typedef struct arc_surface {
 /* The present surfaces, cylinder before plate; *surfaces [ARC_BODIES], one block with all its
  * arrays, is to be freed with free(). Errors: those of arc_wear_contact. */
 arc_status arc_wear_surfaces(const arc_wear *wear, arc_surface **surfaces, arc_error *error);
+
+/* The fretting loop of the steady cycle that an update begins with. */
+typedef struct arc_loop {
+  size_t count;
+  double energy;            /* [N mm] dissipated in the cycle */
+  double stick_width;       /* [mm] what never slips */
+  int gross;                /* all of the contact slips at some time */
+  const double *x;          /* [count] position of the plate's base [mm] */
+  const double *tangential; /* [count] force that drives it [N] */
+} arc_loop;
+
+/* The loop on the present surfaces; *loop is one block, to be freed with free(). ARC_ARGUMENT: the
+ * run has no friction; also what a step may fail of. */
+arc_status arc_wear_loop(arc_wear *wear, arc_loop **loop, arc_error *error);
 
 /* Growth rate of ripples: largest eigenvalue of the wear of one cycle per unit of depth, linearised
  * about the present state [1/cycle], by power iteration. Explicit updates are stable while jump *

@@ -240,6 +240,19 @@ return {
   { "wear.stability", kind = "method", use = "w:stability()",
     text = "{ eigenvalue=, jump_limit= }: the growth rate of ripples in 1/cycle, linearised about the "
       .. "present state, and 2 / eigenvalue. Explicit updates with a larger jump get rough." },
+  { "wear.loop", kind = "method", use = "w:loop()",
+    text = "{ x=, tangential=, energy=, stick_width=, gross= }: the fretting loop of a steady cycle on the present surfaces: position "
+      .. "of the plate's base in mm, the force in N that drives it, and the energy in N mm that a cycle "
+      .. "dissipates; the width that never slips in mm, and whether all of it slips at some time. Of runs with friction. plot.loop(w) draws it." },
+  { "wear.energy", kind = "field", unit = "N mm", text = "Energy dissipated by friction so far." },
+  { "wear.cycle_energy", kind = "field", unit = "N mm",
+    text = "Energy that a steady cycle dissipates on the present surfaces; 0 before the first update." },
+  { "wear.largest_shear", kind = "field", unit = "N",
+    text = "Largest tangential force in that cycle. On curved or worn surfaces it may exceed friction times the load." },
+  { "wear.stick_width", kind = "field", unit = "mm",
+    text = "Width of the contact that never slips in that cycle; 0 in gross slip." },
+  { "wear.gross", kind = "field",
+    text = "1 where the whole contact slips at some time in that cycle, 0 where a part of it always sticks." },
   { "wear.model", kind = "field", class = "model", text = "The model it runs on." },
   { "wear.mesh", kind = "field", use = "w.mesh.plate:quality()",
     text = "The meshes as they are worn by now, cylinder and plate: objects like those of a model, for "

@@ -44,6 +44,15 @@ return {
     text = "Joins the run files of the shards of one study; refuses missing and double cases." },
   { "study.merge{file}", type = "string", default = '"study.archard"',
     text = "The file that receives all cases." },
+  { "study.fretting_map", kind = "function", class = "fretting_map",
+    use = "f = study.fretting_map{ load={ 50, 100 }, motion={ 1e-3, 3e-3, 1e-2 } }",
+    text = "The running condition fretting map of unworn surfaces: for each load in N and each amplitude of motion in "
+      .. "mm whether the contact sticks (but for less than a tenth of its width), slips partially or grossly, from "
+      .. "its steady cycle; and at each load the motions between, to 1 % or an element. Takes the fields of wear{} too." },
+  { "study.fretting_map{load}", type = "list of numbers", unit = "N", text = "Normal loads, increasing." },
+  { "study.fretting_map{motion}", type = "list of numbers", unit = "mm",
+    text = "Amplitudes of the plate's motion, half its strokes, increasing." },
+  { "study.fretting_map{friction}", type = "number", default = 0.6, text = "Coefficient of friction." },
   { "study.converge", kind = "function", class = "convergence",
     use = "c = study.converge{ base={ stroke=0.22 } }",
     text = "Finds the settings that cases need, by trial: the element size whose unworn pressure is "
@@ -139,6 +148,20 @@ return {
     text = "The run file as it is, for those who write scripts of their own around it." },
   { "study.close", kind = "method", use = "s:close()",
     text = "Closes the run file; it is opened again when needed." },
+
+  -- --- fretting maps --------------------------------------------------------------------------
+  { "fretting_map", kind = "object", use = "f = study.fretting_map{...}",
+    text = "What study.fretting_map found; print shows the borders." },
+  { "fretting_map.regime", kind = "field", type = "table",
+    text = "regime[i][j]: \"stick\", \"partial\" or \"gross\" at load i and motion j." },
+  { "fretting_map.partial_from", kind = "field", type = "list of numbers", unit = "mm",
+    text = "At each load the amplitude above which it slips partially." },
+  { "fretting_map.gross_from", kind = "field", type = "list of numbers", unit = "mm",
+    text = "At each load the amplitude above which it slips grossly." },
+  { "fretting_map.load", kind = "field", type = "list of numbers", unit = "N", text = "The loads." },
+  { "fretting_map.motion", kind = "field", type = "list of numbers", unit = "mm", text = "The amplitudes." },
+  { "fretting_map.plot", kind = "method", takes = "plot", use = "f:plot{ file= }",
+    text = "Draws the map: load against amplitude, a point for each condition, and the borders. Takes the options of plot{} too." },
 
   -- --- convergence ----------------------------------------------------------------------------
   { "convergence", kind = "object", use = "c = study.converge{...}",

@@ -1,14 +1,15 @@
 -- plot: curves, and the pictures of contact and wear. Only gathers what users see; the work is in
 -- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/naming.lua (titles and keys),
 -- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses),
--- plot/shear.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies), plot/fit.lua and
--- plot/animate.lua.
+-- plot/shear.lua and plot/loop.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies),
+-- plot/fit.lua and plot/animate.lua.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
 local curves = require "archard.plot.curves"
 local fit = require "archard.plot.fit"
 local mesh = require "archard.plot.mesh"
+local loop = require "archard.plot.loop"
 local shear = require "archard.plot.shear"
 local animate = require "archard.plot.animate"
 local response = require "archard.plot.response"
@@ -21,6 +22,7 @@ local plot = {
   pressure = curves.pressure,
   profile = curves.profile,
   history = curves.history,
+  loop = loop.loop,
   shear = shear.shear,
   slip = shear.slip,
   mesh = mesh.mesh,

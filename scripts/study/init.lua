@@ -230,6 +230,11 @@ function study.converge(given, options)
   return require "archard.study.converge"(study, given, options)
 end
 
+-- study.fretting_map{...}: what loads and motions lead to stick, partial or gross slip; see fretting_map.lua.
+function study.fretting_map(given)
+  return require "archard.study.fretting_map"(given)
+end
+
 -- --- joining -----------------------------------------------------------------------------------
 
 -- study.merge(file, ..., { file = }): joins the shares of one study into one file, "study.archard"

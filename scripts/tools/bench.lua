@@ -154,10 +154,20 @@ local function samples(count, geometry)
   line("bands and quantiles from them", string.format("%.2f", asked), "s")
 end
 
+-- McColl's fretting case at its published length, in gross slip.
+local function fretting()
+  local w = wear{ model = { radius = 6, mesh = { size = 0.01, height = 0.01 } }, friction = 0.9, load = 18.5,
+    stroke = 0.05, increments = 40, k_cylinder = 1.9e-8, k_plate = 2.9e-8, cycles = 18000, jump = "auto" }
+  local seconds = timed(function() w:run{ progress = false } end)
+  io.write("\nfretting with friction\n")
+  line(string.format("McColl's 18000 cycles, 10 um, %d increments", w.solutions), string.format("%.2f", seconds), "s", "10")
+end
+
 local mode = arg and arg[1]
 io.write("archard bench: CPU time, one thread\n")
 if mode == "sizes" then return sizes() end
 measure(0.020, 1, { moving = "0.3", frozen = "2", solution = "2.5", friction = "4 of these", memory = "300" })
+fretting()
 studies()
 io.write("\nsamples of the reference case, results stored\n")
 for _, geometry in ipairs{ "moving", "frozen" } do samples(mode == "quick" and 64 or 10000, geometry) end

@@ -1,4 +1,4 @@
--- The measurements of examples/16_fit_profile.lua and examples/17_running_in_fit.lua: runs with known values,
+-- The measurements of examples/20_fit_profile.lua and examples/21_running_in_fit.lua: runs with known values,
 -- read as instruments would, with seeded noise. archard scripts/tools/fit_data.lua writes them anew.
 
 math.randomseed(20, 26)

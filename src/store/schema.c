@@ -79,7 +79,12 @@ static const struct migration {
      "ALTER TABLE history ADD COLUMN load_N;"
      "ALTER TABLE history ADD COLUMN travel_mm;"
      "ALTER TABLE history ADD COLUMN load_distance_N_mm;"
-     "ALTER TABLE history ADD COLUMN elements;"},
+     "ALTER TABLE history ADD COLUMN elements;"
+     "ALTER TABLE history ADD COLUMN energy_N_mm;"
+     "ALTER TABLE history ADD COLUMN cycle_energy_N_mm;"
+     "ALTER TABLE history ADD COLUMN largest_shear_N;"
+     "ALTER TABLE history ADD COLUMN stick_width_mm;"
+     "ALTER TABLE history ADD COLUMN gross;"},
 };
 
 enum { MIGRATIONS = sizeof migrations / sizeof *migrations };

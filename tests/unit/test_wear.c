@@ -271,7 +271,7 @@ static void test_leaps(void **state) {
   (void)state;
   static const arc_callbacks callbacks = {.warn = hear};
   static const double x[] = {-0.055, 0.055, -0.055}, load[] = {100, 100, 100};
-  const arc_loading ends = {3, x, load, INFINITY, 1}, once = {3, x, load, 1, 0};
+  const arc_loading ends = {3, x, load, NULL, INFINITY, 1}, once = {3, x, load, NULL, 1, 0};
   arc_wear_def def = quick(0.44, 0.5);
   for (int k = 0; k < 5; k++) {
     if (k == 1) def.increments = 0; /* follows the contact */

@@ -134,15 +134,16 @@ static double dundurs_beta(const arc_material material[ARC_BODIES]) {
   return arc_contact_modulus(material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
 }
 
-static void warn_of_coupling(const arc_contact *c, const arc_callbacks *callbacks) {
+void arc_friction_warn(const arc_model *model, double mu, const char *who,
+                       const arc_callbacks *callbacks) {
   static const double unique = 0.4;
-  const double beta = fabs(dundurs_beta(arc_model_definition(c->shape->model)->material));
+  const double beta = fabs(dundurs_beta(arc_model_definition(model)->material));
   char text[200];
-  if (!callbacks || !callbacks->warn || c->def.friction * beta <= unique) return;
+  if (!callbacks || !callbacks->warn || mu * beta <= unique) return;
   snprintf(text, sizeof text,
-           "contact: friction %.3g times Dundurs' beta %.3g is above %g: the solution is one that "
+           "%s: friction %.3g times Dundurs' beta %.3g is above %g: the solution is one that "
            "the motion leads to, it may not be the only one",
-           c->def.friction, beta, unique);
+           who, mu, beta, unique);
   callbacks->warn(callbacks->context, text);
 }
 
@@ -157,7 +158,7 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
   if (status == ARC_OK) status = arc_pose_update(&c->pose, c->shape, def->x, error);
   if (status == ARC_OK && c->rubs) status = arc_contact_press(c, error);
   if (status == ARC_OK && !c->rubs) status = arc_pose_solve(&c->pose, contact_line(c), error);
-  if (status == ARC_OK) warn_of_coupling(c, callbacks);
+  if (status == ARC_OK) arc_friction_warn(c->shape->model, c->def.friction, "contact", callbacks);
   return arc_contact_finish(result, status, callbacks, error);
 }
 

@@ -102,6 +102,8 @@ typedef struct friction_state {
 /* Unloaded: nothing touches, the plate's base at x [mm]. */
 arc_status arc_friction_create(friction_state *s, const arc_model *model, double x);
 void arc_friction_free(friction_state *s);
+/* Unloaded again, as created. */
+void arc_friction_reset(friction_state *s, double x);
 void arc_friction_copy(friction_state *to, const friction_state *from);
 /* A state as numbers and back, to the same bits. */
 size_t arc_friction_size(const friction_state *s);
@@ -128,6 +130,11 @@ arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction
 /* The state's displacements anew, from its forces on a pose up to date: after wear, so that what
  * the change of compliance does is not taken for slip. */
 void arc_friction_follow(const pose *p, grip *g, friction_room *w, friction_state *s);
+
+/* Says where friction and the difference of the materials are so large that the solution may not be
+ * the only one. */
+void arc_friction_warn(const arc_model *model, double mu, const char *who,
+                       const arc_callbacks *callbacks);
 
 /* Forces of the solution on a body's surface [N/mm], as arc_pose_forces_on. */
 void arc_friction_forces_on(const pose *p, friction_room *w, arc_body body, double *force);

@@ -25,6 +25,12 @@ arc_status arc_friction_create(friction_state *s, const arc_model *model, double
   return ARC_OK;
 }
 
+void arc_friction_reset(friction_state *s, double x) {
+  memset(s->f, 0, numbers_of(s) * sizeof *s->f);
+  s->x = x;
+  s->approach = s->line = s->tangential = s->energy = 0;
+}
+
 void arc_friction_free(friction_state *s) {
   free(s->f);
   *s = (friction_state){0};

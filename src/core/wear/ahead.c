@@ -24,6 +24,7 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wea
   depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * rate->even : 0;
   depth->error = 0;
   depth->peak = rate->peak;
+  depth->energy = dose->cycles * rate->energy;
 }
 
 /* --- what is measured --------------------------------------------------------------------------
@@ -84,7 +85,7 @@ arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double s
   state.distance += share * (plan->end - state.distance);
   state.cycle += share * plan->cycles;
   arc_wear_note_motion(w, plan->block, plan->first, &state);
-  if (!rate) return state;
+  if (!rate || !dose) return state;
   wear_depths *depth = &w->work.depth;
   double *deepest[ARC_BODIES] = {&state.depth_cylinder, &state.depth_plate};
   arc_wear_depths_of_rate(w, rate, dose, depth);

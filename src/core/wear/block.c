@@ -11,7 +11,7 @@ enum { most_poses = 2048 };
 static arc_status block_create(wear_block *b, int count) {
   const size_t n = (size_t)count;
   *b = (wear_block){.count = count, .repeat = 1};
-  b->x = malloc(3 * n * sizeof(double));
+  b->x = calloc(4 * n, sizeof(double));
   b->place = malloc(n * sizeof(int));
   if (!b->x || !b->place) return ARC_MEMORY;
   b->line = b->x + n;
@@ -25,9 +25,9 @@ static int compare(const void *a, const void *b) {
 }
 
 /* NSP looks at the flat plate at x = 0 only, and a way out of the plane leads nowhere else. */
-static void one_pose(wear_block *b) {
+static void one_pose(wear_block *b, double x) {
   b->poses = 1;
-  memset(b->pose_x, 0, (size_t)b->count * sizeof *b->pose_x);
+  for (int i = 0; i < b->count; i++) b->pose_x[i] = x;
   memset(b->place, 0, (size_t)b->count * sizeof *b->place);
 }
 
@@ -47,8 +47,16 @@ static void find_poses(wear_block *b) {
   memcpy(b->pose_x, b->x, (size_t)b->count * sizeof *b->x);
 }
 
-static void finish(wear_block *b, const arc_wear_def *def, arc_procedure procedure) {
-  double once = 0, low = b->x[0], high = b->x[0];
+/* A force has a way only once it is solved for: it counts as force / E*. */
+static double way_of_force(const wear_block *b, const arc_model_def *model) {
+  double once = 0;
+  for (int i = 1; i < b->count; i++) once += fabs(b->tangential[i] - b->tangential[i - 1]);
+  return once / arc_contact_modulus(model->material);
+}
+
+static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *model) {
+  const arc_procedure procedure = arc_wear_choose_procedure(def, model);
+  double once = b->tangential ? way_of_force(b, model) : 0, low = b->x[0], high = b->x[0];
   for (int i = 1; i < b->count; i++) {
     once += fabs(b->x[i] - b->x[i - 1]);
     low = fmin(low, b->x[i]);
@@ -57,9 +65,30 @@ static void finish(wear_block *b, const arc_wear_def *def, arc_procedure procedu
   b->sliding = b->repeat * once;
   b->travel = high - low;
   if (procedure == ARC_NSP || def->slide == ARC_SLIDE_Z)
-    one_pose(b);
+    one_pose(b, 0);
+  else if (arc_wear_rubs(def) && b->travel <= arc_wear_reach(model, b->load))
+    one_pose(b, (low + high) / 2); /* points that stick keep their partners */
   else
     find_poses(b);
+}
+
+/* A force to and fro; pressed where it is about 0. */
+static arc_status by_force(const arc_wear_def *def, const arc_model_def *model, wear_block *b) {
+  const int half = arc_wear_def_increments(def, model) / 2;
+  const arc_status status = block_create(b, 2 * half + 1);
+  if (status != ARC_OK) return status;
+  b->tangential = b->pose_x + b->count;
+  for (int i = 0; i < b->count; i++) {
+    const int at = i <= half ? i : 2 * half - i;
+    b->tangential[i] = def->tangential / model->thickness * (2 * at - half) / half;
+    b->line[i] = def->load / model->thickness;
+  }
+  b->periodic = 1;
+  b->cycles = INFINITY;
+  b->press = half + (half + 1) / 2;
+  b->load = def->load;
+  finish(b, def, model);
+  return ARC_OK;
 }
 
 /* The plate's position at point i of `last` along a stroke from -s/2 to s/2: symmetric to the bit.
@@ -73,9 +102,11 @@ static double along(double stroke, int i, int last) {
  * than the ends. */
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
                                 wear_block *b) {
+  if (def->tangential > 0) return by_force(def, model, b);
+  const int rubs = arc_wear_rubs(def);
   const arc_procedure procedure = arc_wear_choose_procedure(def, model);
   const int over = arc_wear_over_plate(def, model),
-            back = def->update == ARC_UPDATE_INCREMENT && !over;
+            back = rubs || (def->update == ARC_UPDATE_INCREMENT && !over);
   const int stays = procedure == ARC_NSP || def->slide == ARC_SLIDE_Z;
   const int half =
       stays && def->update == ARC_UPDATE_CYCLE ? 1 : arc_wear_def_increments(def, model) / 2;
@@ -88,11 +119,12 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   b->periodic = 1;
   b->cycles = INFINITY;
   b->repeat = over || back ? 1 : 2;
-  finish(b, def, procedure);
+  if (rubs) b->press = half + (half + 1) / 2; /* about x = 0 */
+  b->load = def->load;
+  finish(b, def, model);
   /* r s to the bit, whatever the increments add up to */
   b->sliding = (over ? 1 : 2) * def->stroke;
   b->travel = def->stroke;
-  b->load = def->load;
   return ARC_OK;
 }
 
@@ -116,6 +148,10 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model,
   const arc_status status = block_create(b, count);
   if (status != ARC_OK) return status;
   int at = 0;
+  if (from->tangential) {
+    b->tangential = b->pose_x + b->count;
+    b->tangential[0] = from->tangential[0] / model->thickness;
+  }
   b->x[0] = from->x[0];
   b->line[0] = from->load[0] / model->thickness;
   for (int i = 1; i < from->count; i++) {
@@ -124,12 +160,15 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model,
       const double left = (double)(n - j) / n, right = (double)j / n;
       b->x[++at] = left * from->x[i - 1] + right * from->x[i];
       b->line[at] = (left * from->load[i - 1] + right * from->load[i]) / model->thickness;
+      if (b->tangential)
+        b->tangential[at] =
+            (left * from->tangential[i - 1] + right * from->tangential[i]) / model->thickness;
     }
   }
   for (int i = 0; i < from->count; i++) b->load = fmax(b->load, from->load[i]);
   b->periodic = from->periodic;
   b->cycles = from->cycles;
-  finish(b, def, arc_wear_choose_procedure(def, model));
+  finish(b, def, model);
   return ARC_OK;
 }
 

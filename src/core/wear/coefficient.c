@@ -15,6 +15,10 @@ static double series_at(const arc_series *s, double distance, double inside) {
   return s->value[i - 1] + share * (s->value[i] - s->value[i - 1]);
 }
 
+double arc_wear_series(const arc_series *s, double distance) {
+  return series_at(s, distance, distance);
+}
+
 /* First point of a series after `from`, if before `to`. */
 static double next_point(const arc_series *s, double from, double to) {
   for (int i = 0; i < s->count; i++)
@@ -128,6 +132,10 @@ double arc_wear_law_slope(const arc_wear *w, double p, double q) {
 
 double arc_wear_law(const arc_wear *w, double p) {
   return p * law_factor(&w->def, p);
+}
+
+double arc_wear_law_rubbed(const arc_wear *w, double p, double mu) {
+  return w->def.law == ARC_LAW_ENERGY ? mu * p : arc_wear_law(w, p);
 }
 
 static arc_status ask_factors(const arc_wear *w, const arc_wear_record *state, arc_body body,

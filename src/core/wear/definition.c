@@ -52,8 +52,8 @@ double arc_wear_reach(const arc_model_def *model, double load) {
 
 int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { usual = 100 };
-  if (def->increments > 0 || arc_wear_choose_procedure(def, model) == ARC_NSP)
-    return def->increments > 0 ? def->increments : usual;
+  const int stays = arc_wear_choose_procedure(def, model) == ARC_NSP || def->tangential > 0;
+  if (def->increments > 0 || stays) return def->increments > 0 ? def->increments : usual;
   const double half = ceil(def->stroke / arc_wear_reach(model, def->load) * (1 - 1e-9));
   return half > usual / 2 ? 2 * (int)half : usual;
 }
@@ -62,12 +62,22 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   return arc_wear_over_plate(def, model) ? 1 : 2;
 }
 
+int arc_wear_rubs(const arc_wear_def *def) {
+  return def->friction > 0 || def->friction_function || def->friction_series.count > 0;
+}
+
+double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model) {
+  if (!(def->tangential > 0)) return arc_wear_def_strokes(def, model) * def->stroke;
+  return 4 * def->tangential / model->thickness / arc_contact_modulus(model->material);
+}
+
 static int alpha_stays_one(const arc_wear_def *def) {
   return def->alpha == 1 && !def->alpha_function && def->alpha_series.count == 0;
 }
 
 arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model) {
   if (def->procedure != ARC_AUTO) return def->procedure;
+  if (arc_wear_rubs(def)) return ARC_SP;
   return alpha_stays_one(def) || arc_wear_over_plate(def, model) ? ARC_NSP : ARC_SP;
 }
 
@@ -102,14 +112,65 @@ static arc_status check_points(const arc_loading *l, int number, arc_error *erro
   return ARC_OK;
 }
 
-static arc_status check_block(const arc_loading *l, int number, int last, arc_error *error) {
+/* Whether values come back to the first, but for rounding. */
+static int closes(int count, const double *value) {
+  double most = 0;
+  for (int i = 0; i < count; i++) most = fmax(most, fabs(value[i]));
+  return fabs(value[count - 1] - value[0]) <= 1e-9 * most;
+}
+
+/* More than friction carries, where that is known; and a cycle that does not come back. */
+static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int number,
+                                arc_error *error) {
+  const int last = l->count - 1;
+  const int known = !d->friction_function && d->friction_series.count == 0;
+  for (int i = 0; i < l->count && l->tangential; i++) {
+    if (!isfinite(l->tangential[i]))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field 'loading[%d].tangential[%d]': expected a finite force in N, got %g",
+                      number, i + 1, l->tangential[i]);
+    if (known && fabs(l->tangential[i]) >= d->friction * l->load[i])
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field 'loading[%d].tangential[%d]': expected less than friction times the "
+                      "load, %g N, got %g N",
+                      number, i + 1, d->friction * l->load[i], l->tangential[i]);
+  }
+  if (!l->periodic)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'loading[%d].periodic': with friction expected a cycle: what counts is "
+                    "its steady state",
+                    number);
+  const double *drive = l->tangential ? l->tangential : l->x;
+  if (closes(l->count, drive) && closes(l->count, l->load)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'loading[%d]': with friction expected a cycle that ends where it begins, "
+                  "got %s = %g and %g %s, load = %g and %g N",
+                  number, l->tangential ? "tangential" : "x", drive[0], drive[last],
+                  l->tangential ? "N" : "mm", l->load[0], l->load[last]);
+}
+
+static arc_status check_block(const arc_wear_def *d, int number, arc_error *error) {
+  const arc_loading *l = &d->loading[number - 1];
+  const int last = number == d->blocks;
   double sliding = 0;
   if (l->count < 2)
     return arc_fail(error, ARC_ARGUMENT, "field 'loading[%d]': expected at least 2 points, got %d",
                     number, l->count);
   const arc_status status = check_points(l, number, error);
   if (status != ARC_OK) return status;
-  for (int i = 1; i < l->count; i++) sliding += fabs(l->x[i] - l->x[i - 1]);
+  for (int i = 1; i < l->count; i++)
+    sliding +=
+        fabs(l->tangential ? l->tangential[i] - l->tangential[i - 1] : l->x[i] - l->x[i - 1]);
+  if (l->tangential && !arc_wear_rubs(d))
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'loading[%d].tangential': a force drives the plate by friction only; "
+                    "give friction",
+                    number);
+  if (!(sliding > 0) && l->tangential)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'loading[%d].tangential': expected a force that changes, got %g N all "
+                    "the time",
+                    number, l->tangential[0]);
   if (!(sliding > 0))
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'loading[%d].x': expected a plate that moves, got %g mm all the time",
@@ -129,7 +190,9 @@ static arc_status check_block(const arc_loading *l, int number, int last, arc_er
 
 static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   for (int b = 0; b < d->blocks; b++) {
-    const arc_status status = check_block(&d->loading[b], b + 1, b + 1 == d->blocks, error);
+    arc_status status = check_block(d, b + 1, error);
+    if (status == ARC_OK && arc_wear_rubs(d))
+      status = check_rubbing(d, &d->loading[b], b + 1, error);
     if (status != ARC_OK) return status;
   }
   if (d->distance == 0 && !(d->blocks > 0 && isfinite(d->loading[d->blocks - 1].cycles)))
@@ -182,14 +245,66 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
   return ARC_OK;
 }
 
+static arc_status refuse_with_friction(const char *field, const char *why, arc_error *error) {
+  return arc_fail(error, ARC_ARGUMENT, "field '%s': with friction %s", field, why);
+}
+
+/* What stands on slip that is known beforehand, or on a state that outlives an update. */
+static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
+  const int known = !d->friction_function && d->friction_series.count == 0;
+  if (!arc_wear_rubs(d) && d->tangential > 0)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'tangential': a force drives the plate by friction only; give friction");
+  if (!arc_wear_rubs(d) && d->law == ARC_LAW_ENERGY)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'law': \"energy\" is that of friction; give friction");
+  if (!arc_wear_rubs(d)) return ARC_OK;
+  if (d->scheme == ARC_IMPLICIT)
+    return refuse_with_friction(
+        "scheme",
+        "expected \"explicit\": slip depends on the wear in a way that implicit steps "
+        "do not follow; jump = \"auto\" is of second order",
+        error);
+  if (d->procedure == ARC_NSP)
+    return refuse_with_friction("procedure", "expected \"SP\": slip needs the way of the plate",
+                                error);
+  if (d->update == ARC_UPDATE_INCREMENT)
+    return refuse_with_friction(
+        "update", "expected \"cycle\": updates within a cycle cause slip of their own", error);
+  if (d->slide == ARC_SLIDE_Z)
+    return refuse_with_friction("slide", "expected \"x\": its slip is that in the plane", error);
+  if (d->slip == ARC_SLIP_TOTAL)
+    return refuse_with_friction("slip", "expected \"rigid\": slip is found point by point anyway",
+                                error);
+  if (known && d->blocks == 0 && d->tangential >= d->friction * d->load)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'tangential': expected less than friction times the load, %g N, got %g "
+                    "N",
+                    d->friction * d->load, d->tangential);
+  return ARC_OK;
+}
+
 arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   arc_status status = arc_settings_check(arc_wear_settings, "", d, error);
   if (status == ARC_OK) status = check_procedure(d, model, error);
   if (status == ARC_OK) status = check_scheme(d, error);
+  if (status == ARC_OK) status = check_friction(d, error);
   return status == ARC_OK ? check_loading(d, error) : status;
 }
 
 /* --- copies --- */
+
+/* x, load and, where there is one, the tangential force of a block as one piece of memory. */
+static arc_status copy_points(const arc_loading *from, arc_loading *to) {
+  const size_t n = (size_t)from->count, bytes = n * sizeof(double);
+  double *points = malloc((from->tangential ? 3 : 2) * bytes);
+  if (!points) return ARC_MEMORY;
+  memcpy(points, from->x, bytes);
+  to->x = points;
+  to->load = memcpy(points + n, from->load, bytes);
+  if (from->tangential) to->tangential = memcpy(points + 2 * n, from->tangential, bytes);
+  return ARC_OK;
+}
 
 /* Two arrays of n doubles as one block, given back as the first. */
 static double *copy_pair(int n, const double *first, const double *second) {
@@ -227,10 +342,7 @@ static arc_status copy_loading(const arc_wear_def *def, arc_wear_def *copy) {
   copy->loading = blocks;
   for (int b = 0; b < def->blocks; b++) {
     blocks[b] = def->loading[b];
-    double *pair = copy_pair(blocks[b].count, def->loading[b].x, def->loading[b].load);
-    if (!pair) return ARC_MEMORY;
-    blocks[b].x = pair;
-    blocks[b].load = pair + blocks[b].count;
+    if (copy_points(&def->loading[b], &blocks[b]) != ARC_OK) return ARC_MEMORY;
     copy->blocks++;
   }
   return ARC_OK;
@@ -285,7 +397,8 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
 
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {
   const int slides = def->slide == ARC_SLIDE_X && arc_wear_choose_procedure(def, model) == ARC_SP;
-  double reach = slides && def->blocks == 0 ? def->stroke / 2 : 0, load = def->load;
+  const int strokes = slides && def->blocks == 0 && !(def->tangential > 0);
+  double reach = strokes ? def->stroke / 2 : 0, load = def->load;
   for (int b = 0; b < def->blocks; b++)
     for (int i = 0; i < def->loading[b].count; i++) {
       if (slides) reach = fmax(reach, fabs(def->loading[b].x[i]));

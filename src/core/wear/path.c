@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-arc_status arc_path_create(wear_path *path, const arc_model *model) {
+arc_status arc_path_create(wear_path *path, const arc_model *model, int rubs) {
   const int nc = arc_model_mesh(model, ARC_CYLINDER)->surface;
   const int n = nc + arc_model_mesh(model, ARC_PLATE)->surface;
   double *at = calloc((size_t)(8 * n), sizeof *at);
-  *path = (wear_path){.nodes = n};
+  *path = (wear_path){.nodes = n, .rubs = rubs};
   if (!at) return ARC_MEMORY;
   for (int k = 0; k < 2; k++) {
     double **part[] = {path->point[k].p, path->point[k].q, path->point[k].u, path->point[k].f};
@@ -18,12 +18,17 @@ arc_status arc_path_create(wear_path *path, const arc_model *model) {
       part[m][ARC_PLATE] = at + nc;
     }
   }
-  return ARC_OK;
+  if (!rubs) return ARC_OK;
+  const arc_status status = arc_friction_room_create(&path->room, model);
+  return status == ARC_OK ? arc_friction_create(&path->state, model, 0) : status;
 }
 
 static void leave(wear_path *path) {
   for (int i = 0; i < path->poses; i++) arc_pose_free(&path->pose[i]);
+  for (int i = 0; i < path->poses && path->grip; i++) arc_grip_free(&path->grip[i]);
   free(path->pose);
+  free(path->grip);
+  path->grip = NULL;
   path->pose = NULL;
   path->poses = 0;
   path->block = NULL;
@@ -31,8 +36,20 @@ static void leave(wear_path *path) {
 
 void arc_path_free(wear_path *path) {
   leave(path);
+  if (path->rubs) {
+    arc_friction_room_free(&path->room);
+    arc_friction_free(&path->state);
+  }
   free(path->point[0].p[0]);
   *path = (wear_path){0};
+}
+
+static arc_status make_grips(wear_path *path, const wear_block *block, const arc_model *model) {
+  arc_status status = ARC_OK;
+  path->grip = calloc((size_t)block->poses, sizeof *path->grip);
+  for (int i = 0; i < block->poses && path->grip && status == ARC_OK; i++)
+    status = arc_grip_create(&path->grip[i], model);
+  return path->grip ? status : ARC_MEMORY;
 }
 
 arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_model *model,
@@ -44,6 +61,7 @@ arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_mo
   arc_status status = path->pose ? ARC_OK : ARC_MEMORY;
   for (; path->poses < block->poses && status == ARC_OK; path->poses++)
     status = arc_pose_create(&path->pose[path->poses], model);
+  if (path->rubs && status == ARC_OK) status = make_grips(path, block, model);
   if (status != ARC_OK) {
     leave(path);
     return arc_fail(error, ARC_MEMORY, "out of memory for %d contact poses", block->poses);

@@ -4,15 +4,17 @@
 #define WEAR_PATH_H
 
 #include "archard/wear.h"
-#include "core/contact/pose.h"
+#include "core/contact/friction.h"
 
 /* A block of loading: points, which of them share a pose, how often. */
 typedef struct wear_block {
-  int count;      /* points; increments between them */
-  double *x;      /* [count] plate position [mm] */
-  double *line;   /* [count] load per thickness [N/mm], 0: lifted off */
-  double *pose_x; /* [count] plate position of the contact [mm]: x, or 0 for NSP */
-  int *place;     /* [count] which pose a point belongs to */
+  int count;          /* points; increments between them */
+  double *x;          /* [count] plate position [mm] */
+  double *line;       /* [count] load per thickness [N/mm], 0: lifted off */
+  double *pose_x;     /* [count] plate position of the contact [mm]: x, or 0 for NSP */
+  double *tangential; /* [count] force per thickness that drives the plate [N/mm]; NULL: x does */
+  int press;          /* with friction: the point at which surfaces are pressed together */
+  int *place;         /* [count] which pose a point belongs to */
   int poses;
   int periodic;
   double load, travel;                /* largest [N]; from one end of the way to the other [mm] */
@@ -48,10 +50,16 @@ typedef struct wear_path {
   pose *pose; /* [poses] */
   int nodes;  /* surface nodes of both bodies */
   wear_point point[2];
+
+  /* with friction */
+  int rubs;
+  grip *grip; /* [poses] */
+  friction_room room;
+  friction_state state;
 } wear_path;
 
 /* Room for the points; ARC_MEMORY leaves nothing to free. */
-arc_status arc_path_create(wear_path *path, const arc_model *model);
+arc_status arc_path_create(wear_path *path, const arc_model *model, int rubs);
 void arc_path_free(wear_path *path);
 /* Makes poses for a block, unless it is the one at hand. ARC_MEMORY: no block is at hand. */
 arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_model *model,

@@ -20,14 +20,31 @@ static void deepen(pose *p, const wear_trial *trial) {
 
 /* The law is evaluated where pressure is an unknown, and what wears there wears the plate under it
  * too: both bodies see the same pressure at a pair of points. */
-static void apply_law(const arc_wear *w, const pose *p, wear_point *point) {
+static void apply_law(const arc_wear *w, const pose *p, double mu, wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
   if (w->def.law == ARC_LAW_ARCHARD) {
     memcpy(qc, point->p[ARC_CYLINDER], (size_t)w->path.nodes * sizeof *qc);
     return;
   }
-  for (int i = 0; i < p->nc; i++) qc[i] = arc_wear_law(w, point->p[ARC_CYLINDER][i]);
+  for (int i = 0; i < p->nc; i++) qc[i] = arc_wear_law_rubbed(w, point->p[ARC_CYLINDER][i], mu);
   arc_pose_transfer(p, qc, qp);
+}
+
+arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_error *error) {
+  const wear_block *block = w->path.block;
+  pose *p = &w->path.pose[block->place[at]];
+  const arc_status status = arc_pose_update(p, window->shape, block->pose_x[at], error);
+  if (status == ARC_OK && window->trial) deepen(p, window->trial);
+  return status;
+}
+
+arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, wear_point *point,
+                         arc_error *error) {
+  arc_pose_pressures(p, point->p[ARC_CYLINDER], point->p[ARC_PLATE]);
+  apply_law(w, p, window->mu, point);
+  for (int b = 0; b < ARC_BODIES && w->def.slip == ARC_SLIP_TOTAL; b++)
+    arc_pose_tangential(p, window->shape, (arc_body)b, point->u[b]);
+  return window->state ? arc_wear_local(w, window->state, point, error) : ARC_OK;
 }
 
 /* Solves point `at` of the block at hand into `point`. */
@@ -37,16 +54,11 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at, we
   arc_path_clear(&w->path, point);
   if (block->line[at] == 0) return ARC_OK; /* lifted off */
   pose *p = &w->path.pose[block->place[at]];
-  arc_status status = arc_pose_update(p, window->shape, block->pose_x[at], error);
+  arc_status status = arc_wear_prepare(w, window, at, error);
+  if (status == ARC_OK) status = arc_pose_solve(p, block->line[at], error);
   if (status != ARC_OK) return status;
-  if (window->trial) deepen(p, window->trial);
-  if ((status = arc_pose_solve(p, block->line[at], error)) != ARC_OK) return status;
   watch->solutions++;
-  arc_pose_pressures(p, point->p[ARC_CYLINDER], point->p[ARC_PLATE]);
-  apply_law(w, p, point);
-  for (int b = 0; b < ARC_BODIES && w->def.slip == ARC_SLIP_TOTAL; b++)
-    arc_pose_tangential(p, window->shape, (arc_body)b, point->u[b]);
-  return window->state ? arc_wear_local(w, window->state, point, error) : ARC_OK;
+  return arc_wear_take(w, window, p, point, error);
 }
 
 /* NSP or a way out of the plane, under a steady load: the next point is the last one again. */
@@ -145,8 +157,13 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
                              wear_rate *rate, arc_error *error) {
   const size_t n = (size_t)(w->nc + w->np);
   assert(0 <= window->first && window->last < w->path.block->count);
+  if (arc_wear_rubs(&w->def)) {
+    const arc_status status = arc_wear_fret(w, window, watch, rate, error);
+    if (status == ARC_OK) incline(w, window, rate);
+    return status;
+  }
   memset(rate->node[0], 0, n * sizeof(double));
-  rate->even = rate->peak = 0;
+  rate->even = rate->peak = rate->energy = rate->shear = rate->stick = rate->gross = 0;
   if (window->jacobian) arc_wear_jacobian_clear(window->jacobian);
   for (int at = window->first; at <= window->last; at++) {
     const arc_status status = reach_point(w, window, at, watch, error);

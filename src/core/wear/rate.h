@@ -18,6 +18,7 @@ typedef struct wear_window {
   int chained;                    /* the path holds the solved point `first`, of an earlier shape
                                      (Eq. 4) */
   const arc_wear_record *state;   /* for local factors; NULL: they are not asked */
+  double mu;                      /* coefficient of friction, where the run has one */
   const wear_trial *trial;        /* NULL: the shape as it is */
   struct wear_jacobian *jacobian; /* if not NULL, written */
 } wear_window;
@@ -34,6 +35,20 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
                              wear_rate *rate, arc_error *error);
 /* Solves the point window->first only: can the contact be there? */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
+
+/* Brings the pose of point `at` of the block at hand up to date with a window. */
+arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_error *error);
+/* What the solution on a pose presses and wears. */
+arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, wear_point *point,
+                         arc_error *error);
+
+/* --- fretting.c --- */
+/* The coefficient of friction of a state. */
+arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
+                             arc_error *error);
+/* The wear of a steady cycle with friction. */
+arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_watch *watch, wear_rate *rate,
+                         arc_error *error);
 
 /* --- slip.c --- */
 /* Adds the work of the increment that ends at `at`, with the elastic part of the slip. */

@@ -9,6 +9,9 @@ typedef struct wear_rate {
   double *node[ARC_BODIES]; /* [surface of the body]; one block, cylinder first */
   double even;              /* the plate's, where it wears evenly (Eq. 27) */
   double peak;              /* largest nodal pressure on the way [MPa] */
+  double energy;            /* dissipated per thickness [N] */
+  double shear, stick;      /* largest tangential force [N/mm], width that never slips [mm] */
+  double gross;             /* 1: all of the contact slips at some time */
 } wear_rate;
 
 /* What an update takes off. */
@@ -17,6 +20,7 @@ typedef struct wear_depths {
   double even;              /* off the whole plate [mm] */
   double error;             /* estimated by an implicit update, over the tolerance; else 0 */
   double peak;              /* largest nodal pressure of the cycle they come from [MPa] */
+  double energy;            /* dissipated meanwhile, per thickness [N] */
 } wear_depths;
 
 /* Room that lasts for a call and means nothing between calls. */
@@ -83,6 +87,9 @@ int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model);
 arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
 void arc_wear_def_free(arc_wear_def *def);
 
+/* Whether a run is one with friction. */
+int arc_wear_rubs(const arc_wear_def *def);
+
 /* --- block.c --- */
 /* The block that holds the state after so many cycles. */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle);
@@ -93,6 +100,8 @@ const wear_block *arc_wear_block_at(const arc_wear *w, double cycle);
 arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,
                                  const arc_wear_record *state, double k[ARC_BODIES],
                                  arc_error *error);
+/* A table at a distance [mm]. */
+double arc_wear_series(const arc_series *s, double distance);
 /* Asks a function for a quantity, and refuses what is out of its range. */
 arc_status arc_wear_ask(const arc_wear *w, const arc_setting *what, arc_state_fn function,
                         const arc_wear_record *state, double *value, arc_error *error);
@@ -103,6 +112,8 @@ int arc_wear_has_state_functions(const arc_wear *w);
 void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *record);
 /* What wears under a pressure [MPa]: p times the factor of the law. */
 double arc_wear_law(const arc_wear *w, double p);
+/* The same with friction, whose coefficient the energy law takes. */
+double arc_wear_law_rubbed(const arc_wear *w, double p, double mu);
 /* Multiplies a point's q by the local factors. */
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
                           arc_error *error);

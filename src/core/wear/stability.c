@@ -54,12 +54,13 @@ static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const do
     free(work);
     return arc_fail(error, ARC_MEMORY, "out of memory for the stability limit");
   }
-  const wear_window cycle = {.shape = w->shape,
-                             .last = block->count - 1,
-                             .state = arc_wear_last(w),
-                             .jacobian = &jacobian};
+  wear_window cycle = {.shape = w->shape,
+                       .last = block->count - 1,
+                       .state = arc_wear_last(w),
+                       .jacobian = &jacobian};
   wear_watch nobody = {0};
-  status = arc_wear_evaluate(w, &cycle, &nobody, &w->work.rate, error);
+  status = arc_wear_friction(w, cycle.state, &cycle.mu, error);
+  if (status == ARC_OK) status = arc_wear_evaluate(w, &cycle, &nobody, &w->work.rate, error);
   if (status == ARC_OK) *eigenvalue = arc_wear_eigenvalue(w, k, jacobian.value, work);
   arc_wear_jacobian_free(&jacobian);
   free(work);
@@ -154,7 +155,8 @@ static double longest_increment(const arc_wear *w) {
 static void warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double leap = 4; /* half the contact's half width */
   const arc_wear_def *d = &w->def;
-  if (d->increments == 0 || w->procedure == ARC_NSP || d->slide == ARC_SLIDE_Z) return;
+  if (d->increments == 0 || d->tangential > 0 || w->procedure == ARC_NSP || d->slide == ARC_SLIDE_Z)
+    return;
   const double longest = longest_increment(w);
   if (longest <= leap * (1 + 1e-9)) return;
   if (d->blocks > 0)
@@ -171,11 +173,18 @@ static void warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
         d->increments, 2 * (int)ceil(longest * d->increments / 2 * (1 - 1e-9)));
 }
 
+static void warn_of_friction(const arc_wear *w, const arc_callbacks *callbacks) {
+  double mu;
+  if (arc_wear_friction(w, arc_wear_last(w), &mu, NULL) == ARC_OK)
+    arc_friction_warn(w->model, mu, "wear", callbacks);
+}
+
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *last = arc_wear_last(w);
   if (!callbacks || !callbacks->warn || last->distance >= w->def.distance) return;
   if (!w->warned && last->update == 0) arc_model_warn(w->model, last->half_width, callbacks);
   if (!w->warned) warn_leaps(w, callbacks);
+  if (!w->warned && last->update == 0) warn_of_friction(w, callbacks);
   warn_unstable(w, callbacks);
   w->warned = 1;
 }

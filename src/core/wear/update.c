@@ -16,6 +16,7 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
                         arc_error *error) {
   arc_wear_add_volumes(w, out->shape, depth, &out->record);
   out->record.error = depth->error;
+  out->record.energy += depth->energy * arc_model_definition(w->model)->thickness;
   out->record.p_peak = fmax(out->record.p_peak, depth->peak);
   for (int b = 0; b < ARC_BODIES; b++) {
     if (!any_depth(depth->node[b], out->shape->side[b].n)) continue;
@@ -102,7 +103,7 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
 static void closed_form(const arc_wear *w, wear_rate *rate) {
   memset(rate->node[0], 0, (size_t)(w->nc + w->np) * sizeof(double));
   rate->even = w->block[0].line[0];
-  rate->peak = 0;
+  rate->peak = rate->energy = 0;
 }
 
 /* What a whole update consists of. */
@@ -158,7 +159,17 @@ static void take_start(arc_wear *w, wear_rate *rate) {
   memcpy(rate->node[0], from->node[0], (size_t)(w->nc + w->np) * sizeof(double));
   rate->even = from->even;
   rate->peak = from->peak;
+  rate->energy = from->energy;
   w->start.solutions = 0;
+}
+
+/* What a cycle with friction tells, into the record of the surfaces it was solved on. */
+static void note_rubbing(const arc_wear *w, const wear_rate *rate, arc_wear_record *record) {
+  const double thickness = arc_model_definition(w->model)->thickness;
+  record->cycle_energy = rate->energy * thickness;
+  record->largest_shear = rate->shear * thickness;
+  record->stick_width = rate->stick;
+  record->gross = rate->gross;
 }
 
 arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
@@ -168,13 +179,15 @@ arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
   if (!is_explicit(w, plan) || !plan->block->periodic || split || arc_wear_closed_form(w))
     return ARC_OK;
   wear_watch later = {.callbacks = callbacks};
-  const wear_window cycle = {.shape = out->shape,
-                             .last = plan->block->count - 1,
-                             .state = w->def.local_factor ? NULL : &out->record};
-  const arc_status status = solve_start(w, plan, cycle, &later, error);
+  wear_window cycle = {.shape = out->shape,
+                       .last = plan->block->count - 1,
+                       .state = w->def.local_factor ? NULL : &out->record};
+  arc_status status = arc_wear_friction(w, &out->record, &cycle.mu, error);
+  if (status == ARC_OK) status = solve_start(w, plan, cycle, &later, error);
   if (status == ARC_ZONE || status == ARC_NUMERIC) return ARC_OK; /* the next step will tell */
   if (status != ARC_OK) return status;
   out->record.p_peak = w->start.rate.peak;
+  note_rubbing(w, &w->start.rate, &out->record);
   if (w->def.blocks == 0) out->record.p_peak = fmax(out->record.p_peak, out->record.p_max);
   return ARC_OK;
 }
@@ -243,7 +256,9 @@ static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
                            .last = generic ? plan->first + 1 : plan->block->count - 1,
                            .state = &middle};
   wear_depths *depth = &w->work.depth;
-  arc_status status = whole_create(&u);
+  arc_status status = arc_wear_friction(w, &out->record, &u.window.mu, error);
+  if (status != ARC_OK) return status;
+  status = whole_create(&u);
   if (status != ARC_OK)
     arc_fail(error, status, "out of memory for an update");
   else

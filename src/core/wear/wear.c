@@ -20,7 +20,7 @@ static arc_status allocate(arc_wear *w) {
       .rate.node = {rate, rate + nc}, .depth.node = {depth, depth + nc}, .slip = depth + nc + np};
   double *start = rate + 6 * (nc + np);
   w->start.rate = (wear_rate){.node = {start, start + nc}};
-  if (arc_path_create(&w->path, w->model) != ARC_OK) return ARC_MEMORY;
+  if (arc_path_create(&w->path, w->model, arc_wear_rubs(&w->def)) != ARC_OK) return ARC_MEMORY;
   return arc_pose_create(&w->reference, w->model);
 }
 
@@ -234,9 +234,11 @@ arc_model *arc_wear_model(const arc_wear *w) {
 
 size_t arc_wear_bytes(const arc_wear *w) {
   const size_t n = (size_t)(w->nc + w->np), linear = w->start.jacobian ? n * n : 0;
-  return (size_t)(w->path.poses + 1) * arc_pose_bytes(&w->reference) +
-         (15 * n + linear) * sizeof(double) + 2 * arc_shape_bytes(w->shape) +
-         w->capacity * sizeof(arc_wear_record);
+  const size_t rubs = w->path.rubs ? 1 : 0;
+  const size_t grips = w->path.grip ? (size_t)w->path.poses * arc_grip_bytes(&w->path.grip[0]) : 0;
+  return (size_t)(w->path.poses + 1) * arc_pose_bytes(&w->reference) + grips +
+         rubs * arc_friction_room_bytes(&w->path.room) + (15 * n + linear) * sizeof(double) +
+         2 * arc_shape_bytes(w->shape) + w->capacity * sizeof(arc_wear_record);
 }
 
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {

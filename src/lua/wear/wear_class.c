@@ -185,6 +185,7 @@ static const luaL_Reg methods[] = {
     {"roughness", wear_roughness},
     {"stability", wear_stability},
     {"sensitivity", wear_sensitivity},
+    {"loop", wear_loop},
     {NULL, NULL},
 };
 

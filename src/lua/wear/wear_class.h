@@ -81,6 +81,7 @@ int wear_local_partition(lua_State *L);
 int wear_roughness(lua_State *L);
 int wear_stability(lua_State *L);
 int wear_sensitivity(lua_State *L);
+int wear_loop(lua_State *L);
 
 /* --- wear_class.c --- */
 /* Pushes the box of the model that the run in the box at `index` lives on now. */

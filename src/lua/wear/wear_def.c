@@ -67,8 +67,8 @@ arc_wear_def wear_request_settle(const wear_request *request, const arc_model_de
   arc_wear_def def = request->def;
   if (!request->own_k) arc_wear_def_of_bodies(&def, model);
   if (request->cycles > 0)
-    def.distance = request->distance_before + (request->cycles - request->cycle_before) *
-                                                  arc_wear_def_strokes(&def, model) * def.stroke;
+    def.distance = request->distance_before +
+                   (request->cycles - request->cycle_before) * arc_wear_def_sliding(&def, model);
   return def;
 }
 
@@ -118,6 +118,11 @@ static void settle_loading(lua_State *L, int index, args_place place, wear_reque
   if (args_given(L, index, "stroke"))
     error_raise(L, ARC_ARGUMENT, place.where,
                 "fields 'stroke' and 'loading': expected one of them, got both");
+  if (args_given(L, index, "tangential"))
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "fields 'tangential' and 'loading': expected one of them, got both; a block of "
+                "loading has a tangential of its own");
+  request->def.tangential = 0;
   share_cycles(L, place, request, args_given(L, index, "distance"));
   const double largest = loading_largest(&request->def);
   if (!changed && !args_given(L, index, "load") && largest > 0) request->def.load = largest;
@@ -220,7 +225,11 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
                 "fields 'distance' and 'cycles': expected one of them, got both");
   check_ahead(L, place, &request);
   read_all_series(L, index, place, &request.def);
-  if (args_given(L, index, "stroke")) request.def.blocks = 0;
+  if (args_given(L, index, "stroke") && args_given(L, index, "tangential"))
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "fields 'stroke' and 'tangential': expected one of them, got both");
+  if (args_given(L, index, "stroke")) request.def.tangential = 0;
+  if (args_given(L, index, "stroke") || args_given(L, index, "tangential")) request.def.blocks = 0;
   if (loading_read(L, index, place, &request.def))
     settle_loading(L, index, place, &request, changed);
   else if (request.cycles > 0 && request.def.blocks > 0)

@@ -36,7 +36,7 @@ static void refuse_behind(lua_State *L, double covered, double wanted) {
 /* The distance of a number of cycles in all; those of loading have no common length. */
 static double distance_of_cycles(lua_State *L, const arc_wear *wear, double cycles) {
   const arc_wear_def *def = arc_wear_definition(wear);
-  const double length = arc_wear_strokes(wear) * def->stroke;
+  const double length = arc_wear_def_sliding(def, arc_model_definition(arc_wear_model(wear)));
   const double from = def->start_distance, before = def->start_cycle;
   if (def->blocks > 0)
     error_raise(L, ARC_ARGUMENT, where, "field 'cycles': a run with loading takes a distance");

@@ -6,6 +6,7 @@
 #include "lua/wear/wear_class.h"
 
 #include <stdio.h>
+#include <string.h>
 
 typedef struct block_def {
   int increments; /* 0: not given */
@@ -22,6 +23,7 @@ static const arc_setting definition[] = {
     ARGS_OTHER("t"),
     ARGS_OTHER("x"),
     ARGS_OTHER("load"),
+    ARGS_OTHER("tangential"),
     ARGS_OTHER("periodic"),
     {.name = NULL},
 };
@@ -75,7 +77,11 @@ static size_t array_length(const reading *r, const char *name) {
  * asked for. */
 static void find_times(reading *r, int increments) {
   lua_State *L = r->L;
-  const size_t x = array_length(r, "x"), load = array_length(r, "load"), values = x ? x : load;
+  const size_t x = array_length(r, "x"), load = array_length(r, "load"),
+               tangential = array_length(r, "tangential"),
+               values = x            ? x
+                        : tangential ? tangential
+                                     : load;
   const int timed = lua_getfield(L, r->table, "t") != LUA_TNIL;
   if (timed)
     r->from = push_times(r, &r->given);
@@ -153,6 +159,14 @@ static const double *sample(const reading *r, int holder, const char *name, doub
   return value;
 }
 
+/* Pushes as many zeros. */
+static const double *still(const reading *r, int holder) {
+  double *value = array_buffer(r->L, r->count);
+  memset(value, 0, r->count * sizeof *value);
+  lua_rawseti(r->L, holder, luaL_len(r->L, holder) + 1);
+  return value;
+}
+
 /* --- blocks ---------------------------------------------------------------------------------- */
 
 static int read_periodic(const reading *r) {
@@ -175,7 +189,13 @@ static arc_loading read_block(lua_State *L, int holder, args_place place, double
   args_read(L, top, place, definition, &def);
   find_times(&r, def.increments);
   arc_loading block = {.count = (int)r.count, .periodic = read_periodic(&r)};
-  block.x = sample(&r, holder, "x", NAN);
+  const int by_force = args_given(L, top, "tangential");
+  if (by_force && args_given(L, top, "x"))
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "fields '%sx' and '%stangential': expected one of them, got both", place.prefix,
+                place.prefix);
+  block.x = by_force ? still(&r, holder) : sample(&r, holder, "x", NAN);
+  if (by_force) block.tangential = sample(&r, holder, "tangential", NAN);
   block.load = sample(&r, holder, "load", load);
   block.cycles = def.cycles > 0 ? def.cycles : block.periodic ? (double)INFINITY : 1;
   lua_settop(L, top);
@@ -229,7 +249,10 @@ void loading_push(lua_State *L, const arc_wear_def *def) {
   for (int b = 0; b < def->blocks; b++) {
     const arc_loading *block = &def->loading[b];
     lua_createtable(L, 0, 4);
-    array_set(L, "x", block->x, (size_t)block->count);
+    if (block->tangential)
+      array_set(L, "tangential", block->tangential, (size_t)block->count);
+    else
+      array_set(L, "x", block->x, (size_t)block->count);
     array_set(L, "load", block->load, (size_t)block->count);
     if (isfinite(block->cycles)) {
       lua_pushnumber(L, block->cycles);

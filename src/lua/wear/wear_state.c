@@ -5,6 +5,7 @@
 #include "lua/wear/wear_functions.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 static arc_wear *self(lua_State *L) {
   return wear_self(L, "wear");
@@ -122,6 +123,36 @@ static int wear_jump(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_jump]);
 }
 
+static int wear_friction(lua_State *L) {
+  return push_quantity(L, &arc_wear_settings[ARC_AT_friction]);
+}
+
+/* The steady cycle on the present surfaces: { x=, tangential=, energy=, stick_width=, gross= }. */
+int wear_loop(lua_State *L) {
+  box *made = box_self_idle(L, &wear_class, "wear:loop");
+  arc_error error = {0};
+  arc_loop *loop = NULL;
+  lua_settop(L, 1);
+  lua_getiuservalue(L, 1, RUN_FUNCTIONS);
+  functions_call call = functions_enter(L, lua_gettop(L), made);
+  made->busy = RUN_BUSY;
+  const arc_status status = arc_wear_loop(made->thing, &loop, &error);
+  made->busy = RUN_IDLE;
+  functions_leave(L, &call, "wear:loop");
+  error_check(L, status, &error, "wear:loop", -1);
+  lua_createtable(L, 0, 5);
+  array_set(L, "x", loop->x, loop->count);
+  array_set(L, "tangential", loop->tangential, loop->count);
+  lua_pushnumber(L, loop->energy);
+  lua_setfield(L, -2, "energy");
+  lua_pushnumber(L, loop->stick_width);
+  lua_setfield(L, -2, "stick_width");
+  lua_pushboolean(L, loop->gross);
+  lua_setfield(L, -2, "gross");
+  free(loop);
+  return 1;
+}
+
 static int wear_local_factor(lua_State *L) {
   self(L);
   if (!push_function(L, "local_factor")) lua_pushboolean(L, 0);
@@ -186,6 +217,7 @@ const luaL_Reg wear_fields[] = {
     {"k_plate", wear_k_plate},
     {"total_distance", wear_total_distance},
     {"jump", wear_jump},
+    {"friction", wear_friction},
     {"load", wear_load},
     {"stroke", wear_stroke},
     {"strokes", wear_strokes},
@@ -215,7 +247,10 @@ static const char *show_coefficient(double number, const arc_series *series, int
 static void show_motion(const arc_wear *wear, char *text, size_t size) {
   const int blocks = arc_wear_definition(wear)->blocks;
   const double travel = arc_wear_travel(wear);
-  if (blocks == 0)
+  const double force = arc_wear_definition(wear)->tangential;
+  if (force > 0)
+    snprintf(text, size, "force of +-%.6g N along x", force);
+  else if (blocks == 0)
     snprintf(text, size, "stroke %.6g mm", travel);
   else
     snprintf(text, size, "loading of %d block%s%s over %.6g mm", blocks, blocks == 1 ? "" : "s",
@@ -236,10 +271,10 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
 
 /* Settings that the first lines tell. */
 static int told_already(const arc_setting *s) {
-  static const int told[] = {ARC_AT_scheme,   ARC_AT_k,        ARC_AT_alpha,     ARC_AT_load,
-                             ARC_AT_stroke,   ARC_AT_distance, ARC_AT_jump,      ARC_AT_increments,
-                             ARC_AT_slip,     ARC_AT_rule,     ARC_AT_procedure, ARC_AT_geometry,
-                             ARC_AT_tolerance};
+  static const int told[] = {
+      ARC_AT_scheme,    ARC_AT_k,        ARC_AT_alpha,      ARC_AT_load,      ARC_AT_stroke,
+      ARC_AT_distance,  ARC_AT_jump,     ARC_AT_increments, ARC_AT_slip,      ARC_AT_rule,
+      ARC_AT_procedure, ARC_AT_geometry, ARC_AT_tolerance,  ARC_AT_tangential};
   for (size_t i = 0; i < sizeof told / sizeof *told; i++)
     if (s == &arc_wear_settings[told[i]]) return 1;
   return 0;

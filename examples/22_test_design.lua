@@ -1,6 +1,6 @@
 -- Before a test: what must be measured, and when, to tell k and alpha apart? The standard errors that
 -- each measurement would leave, and in which order measurements are worth their while.
---   archard examples/18_test_design.lua
+--   archard examples/22_test_design.lua
 
 local d = fit.design{
   base = { stroke = 0.22, jump = 50 },

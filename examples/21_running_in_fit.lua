@@ -1,6 +1,6 @@
 -- k and alpha while a couple runs in: curves over the distance, from volumes measured on the way. How
 -- smooth they are is what predicts each volume best from the others.
---   archard examples/17_running_in_fit.lua
+--   archard examples/21_running_in_fit.lua
 
 local measured = csv.read((arg[0]:match("^(.*)/") or ".") .. "/running_in_fit.csv",
   { distance = "distance [mm]", cylinder = "cylinder [mm3]", plate = "plate [mm3]" })

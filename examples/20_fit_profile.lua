@@ -1,6 +1,6 @@
 -- k and alpha from one pair of measured profiles, and how sure they are. The traces lie a little beside,
 -- tilted and lifted: that is fitted along.
---   archard examples/16_fit_profile.lua
+--   archard examples/20_fit_profile.lua
 
 local folder = (arg[0]:match("^(.*)/") or ".") .. "/"
 local function trace(body)

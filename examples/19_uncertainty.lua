@@ -1,6 +1,6 @@
 -- How sure is a forecast? Wear coefficients scatter by 40 % from test to test, alpha is hardly ever
 -- measured, loads drift: which of them decides the depth, and how likely is a groove of more than 1.5 um?
---   archard examples/15_uncertainty.lua [run file]
+--   archard examples/19_uncertainty.lua [run file]
 local w = wear{ geometry = "frozen", distance = 660 }
 w:run{ progress = false }
 local s = w:sensitivity{ of = { "depth_cylinder", "p_center" }, to = { "k", "alpha", "load", "E" } }

@@ -1,0 +1,22 @@
+-- Energy wear: k takes the energy q ds that friction dissipates. Three couples of different friction wear the same
+-- per N mm dissipated, V = k E, though not per cycle: that is what the energy law is used for.
+--   archard examples/17_energy_law.lua
+
+local bodies = model{ mesh = { size = 0.02, height = 0.025 } }
+local k = 2e-8 -- mm3 per N mm
+local curves = {}
+print "friction  energy / N mm  volume / mm3     V / E   depth of the plate / um"
+for i, friction in ipairs{ 0.3, 0.6, 0.9 } do
+  local w = wear{ model = bodies, friction = friction, load = 100, stroke = 0.05, k = k, law = "energy",
+    cycles = 3000, jump = "auto", increments = 60 }
+  w:run{ progress = false }
+  print(("%8.1f %14.1f %13.4e %9.3e %12.4f"):format(friction, w.energy, w.volume.total, w.volume.total / w.energy,
+    1e3 * w.depth.plate))
+  local volume = {}
+  for j, v in ipairs(w.history.volume_cylinder) do volume[j] = 1e3 * (v + w.history.volume_plate[j]) end
+  curves[i] = { x = w.history.energy, y = volume, title = ("friction %g"):format(friction) }
+end
+print()
+
+plot{ curves[1], curves[2], curves[3], xlabel = "energy / N mm", ylabel = "volume / 0.001 mm³",
+  title = "one line for all: V = k E" }

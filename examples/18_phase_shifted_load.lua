@@ -1,0 +1,25 @@
+-- Fretting under a load that swings with the force: 100 +- 40 N, a tangential force of +-30 N, friction 0.6, at several
+-- shifts of phase. The same forces, in another order: in quadrature, where the load falls as the force rises, more of the
+-- contact slips, and it dissipates several times as much as in phase.
+--   archard examples/18_phase_shifted_load.lua
+
+local bodies = model{ mesh = { size = 0.01, height = 0.0125 } }
+local loops, titles = {}, {}
+print "shift / deg  energy / N mm a cycle  stick / mm  plate after 2000 cycles / um"
+for i, degrees in ipairs{ 0, 45, 90 } do
+  local shift = math.rad(degrees)
+  local w = wear{
+    model = bodies, friction = 0.6, load = 100, k = 1e-7, jump = 200,
+    loading = {
+      tangential = function(t) return 30 * math.sin(2 * math.pi * t) end,
+      load = function(t) return 100 + 40 * math.sin(2 * math.pi * t + shift) end,
+      increments = 60, cycles = 2000,
+    },
+  }
+  loops[i], titles[i] = w:loop(), ("%d degrees"):format(degrees)
+  w:run{ progress = false }
+  print(("%11d %22.3e %11.4f %24.5f"):format(degrees, loops[i].energy, w.stick_width, 1e3 * w.depth.plate))
+end
+print()
+
+plot.loop(loops[1], loops[2], loops[3], { titles = titles })

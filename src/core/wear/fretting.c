@@ -1,0 +1,284 @@
+/* The wear of a cycle with friction: increments of stick and slip on a given shape, from surfaces
+ * pressed anew, until the cycle is steady; that one counts.
+ *
+ * Every evaluation begins with surfaces that nothing has sheared. What has slipped forgets in a
+ * cycle what was before, and what never slipped is held as it was pressed: so no history has to
+ * outlive an update, slip of the update itself is in no cycle, and a stored run goes on to the same
+ * bits. Work meets pressure at the cylinder's nodes, those that open or close within the increment
+ * too; the plate gets the same work through the coupling (Eq. 15).
+ */
+#include "core/base/callbacks.h"
+#include "core/wear/rate.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { most_cycles = 40 };
+
+/* A cycle is steady where forces come back within this share of the largest load. */
+static const double steady = 1e-6;
+
+typedef struct fretting {
+  arc_wear *w;
+  const wear_window *window;
+  wear_watch *watch;
+  wear_rate *rate;
+  arc_loop *loop;    /* NULL: none is wanted */
+  double *start;     /* [2 nc] f and t as the cycle began */
+  double *least;     /* [nc] smallest force in the cycle */
+  int *slipped;      /* [nc] */
+  double *work, *on; /* [nc], [np] */
+} fretting;
+
+arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
+                             arc_error *error) {
+  const arc_wear_def *d = &w->def;
+  *mu = d->friction;
+  if (d->friction_function)
+    return arc_wear_ask(w, &arc_wear_settings[ARC_AT_friction], d->friction_function, state, mu,
+                        error);
+  if (d->friction_series.count > 0) *mu = arc_wear_series(&d->friction_series, state->distance);
+  return ARC_OK;
+}
+
+static arc_status fretting_create(fretting *r) {
+  const size_t nc = (size_t)r->w->nc, np = (size_t)r->w->np;
+  r->start = malloc((4 * nc + np) * sizeof *r->start);
+  r->slipped = malloc(nc * sizeof *r->slipped);
+  if (!r->start || !r->slipped) return ARC_MEMORY;
+  r->least = r->start + 2 * nc;
+  r->work = r->least + nc;
+  r->on = r->work + nc;
+  return ARC_OK;
+}
+
+static void fretting_free(fretting *r) {
+  free(r->start);
+  free(r->slipped);
+}
+
+/* --- one increment ---------------------------------------------------------------------------- */
+
+/* The contact after an increment to point `at`, with all that wears there. */
+static arc_status go_to(fretting *r, int at, double mu, arc_error *error) {
+  arc_wear *w = r->w;
+  wear_path *path = &w->path;
+  const wear_block *b = path->block;
+  const int place = b->place[at], by_force = b->tangential && mu > 0;
+  const friction_step step = {.mu = mu,
+                              .line = b->line[at],
+                              .by_force = by_force,
+                              .x = b->tangential ? path->state.x : b->x[at],
+                              .tangential = by_force ? b->tangential[at] : 0};
+  wear_point *point = &path->point[at % 2];
+  pose *p = &path->pose[place];
+  if (callbacks_stop(r->watch->callbacks))
+    return arc_fail(error, ARC_STOPPED, "stopped on request");
+  arc_path_clear(path, point);
+  arc_status status = arc_wear_prepare(w, r->window, at, error);
+  if (status != ARC_OK) return status;
+  status = arc_friction_solve(p, &path->grip[place], &path->room, &step, &path->state, error);
+  r->watch->solutions++;
+  return status == ARC_OK ? arc_wear_take(w, r->window, p, point, error) : status;
+}
+
+/* The path to point 0, which is the last one as well. */
+static void wrap(fretting *r) {
+  wear_path *path = &r->w->path;
+  const int last = path->block->count - 1;
+  if (last % 2 != 0) arc_path_copy(path, &path->point[1], &path->point[0]);
+}
+
+/* From apart: pressed without friction, then to the end of the cycle, where it begins. */
+static arc_status approach(fretting *r, arc_error *error) {
+  wear_path *path = &r->w->path;
+  friction_state *s = &path->state;
+  const wear_block *b = path->block;
+  for (size_t i = 0; i < (size_t)path->poses; i++)
+    path->pose[i].active = path->pose[i].factored = 0;
+  path->room.shear.factored = 0;
+  arc_friction_reset(s, b->x[b->press]);
+  arc_status status = go_to(r, b->press, 0, error);
+  for (int at = b->press; at < b->count && b->press > 0 && status == ARC_OK; at++)
+    status = go_to(r, at, r->window->mu, error);
+  if (b->press == 0 && status == ARC_OK) status = go_to(r, 0, r->window->mu, error);
+  if (b->press > 0) wrap(r);
+  return status;
+}
+
+/* --- what it wears ---------------------------------------------------------------------------- */
+
+/* Pressure and slip at one end of the increment into the rate of both bodies. */
+static void add_end(fretting *r, int at, double share) {
+  const arc_wear *w = r->w;
+  const wear_block *b = w->path.block;
+  const wear_point *point = &w->path.point[at % 2];
+  const pose *p = &w->path.pose[b->place[at]];
+  const double *slip = w->path.state.slip;
+  const int local = w->def.local_factor != NULL;
+  if (b->line[at] == 0) return; /* lifted off */
+  for (int i = 0; i < w->nc; i++) {
+    const double pressure = point->p[ARC_CYLINDER][i], way = share * fabs(slip[i]);
+    r->work[i] = way * arc_wear_law_rubbed(w, pressure, r->window->mu);
+    r->rate->energy += r->window->mu * pressure * p->wc[i] * way;
+    r->rate->node[ARC_CYLINDER][i] += r->work[i] * (local ? point->f[ARC_CYLINDER][i] : 1);
+  }
+  arc_pose_transfer(p, r->work, r->on);
+  for (int l = 0; l < w->np; l++)
+    r->rate->node[ARC_PLATE][l] += r->on[l] * (local ? point->f[ARC_PLATE][l] : 1);
+}
+
+/* Slip at all points in touch; the largest of it [mm] to `most`. */
+static int slips_everywhere(const friction_state *s, double *most) {
+  int touching = 0, stuck = 0;
+  *most = 0;
+  for (int i = 0; i < s->nc; i++) {
+    if (!(s->f[i] > 0)) continue;
+    touching++;
+    stuck += s->slip[i] == 0;
+    *most = fmax(*most, fabs(s->slip[i]));
+  }
+  return touching > 0 && stuck == 0;
+}
+
+static void note_increment(fretting *r, int at) {
+  const arc_wear *w = r->w;
+  const friction_state *s = &w->path.state;
+  wear_rate *rate = r->rate;
+  double most;
+  if (slips_everywhere(s, &most)) rate->gross = 1;
+  rate->shear = fmax(rate->shear, fabs(s->tangential));
+  for (int i = 0; i < s->nc; i++) {
+    r->least[i] = fmin(r->least[i], s->f[i]);
+    r->slipped[i] |= s->slip[i] != 0;
+    rate->peak = fmax(rate->peak, w->path.point[at % 2].p[ARC_CYLINDER][i]);
+  }
+  if (r->window->jacobian && s->line > 0) arc_wear_jacobian_add(w, r->window, at, most);
+}
+
+static void note_loop(fretting *r, int at) {
+  if (!r->loop) return;
+  ((double *)(size_t)r->loop->x)[at] = r->w->path.state.x;
+  ((double *)(size_t)r->loop->tangential)[at] = r->w->path.state.tangential;
+}
+
+static arc_status add_increment(fretting *r, int at, arc_error *error) {
+  const int mean = r->w->def.rule == ARC_TRAPEZOID;
+  const arc_status status = go_to(r, at, r->window->mu, error);
+  if (status != ARC_OK) return status;
+  if (mean) add_end(r, at - 1, 0.5);
+  add_end(r, at, mean ? 0.5 : 1);
+  note_increment(r, at);
+  note_loop(r, at);
+  return ARC_OK;
+}
+
+/* --- the cycle -------------------------------------------------------------------------------- */
+
+static void begin_cycle(fretting *r) {
+  const friction_state *s = &r->w->path.state;
+  const size_t nc = (size_t)s->nc;
+  memset(r->rate->node[0], 0, (nc + (size_t)s->np) * sizeof(double));
+  r->rate->even = r->rate->peak = r->rate->energy = r->rate->shear = r->rate->stick = 0;
+  r->rate->gross = 0;
+  memcpy(r->start, s->f, nc * sizeof *s->f);
+  memcpy(r->start + nc, s->t, nc * sizeof *s->t);
+  memcpy(r->least, s->f, nc * sizeof *s->f);
+  memset(r->slipped, 0, nc * sizeof *r->slipped);
+  if (r->window->jacobian) arc_wear_jacobian_clear(r->window->jacobian);
+  note_loop(r, 0);
+}
+
+/* Whether forces are those the cycle began with. */
+static int has_closed(const fretting *r) {
+  const friction_state *s = &r->w->path.state;
+  const wear_block *b = r->w->path.block;
+  double off = 0;
+  for (int i = 0; i < s->nc; i++)
+    off += fabs(s->f[i] - r->start[i]) + fabs(s->t[i] - r->start[s->nc + i]);
+  return off * arc_model_definition(r->w->model)->thickness <= steady * b->load;
+}
+
+static void find_stick(fretting *r) {
+  const shape_side *cylinder = &r->w->shape->side[ARC_CYLINDER];
+  for (int i = 0; i < r->w->nc; i++)
+    if (r->least[i] > 0 && !r->slipped[i]) r->rate->stick += arc_shape_width(cylinder, i);
+}
+
+static arc_status run_cycles(fretting *r, arc_error *error) {
+  const wear_block *b = r->w->path.block;
+  arc_status status = approach(r, error);
+  for (int cycle = 0; cycle < most_cycles && status == ARC_OK; cycle++) {
+    if (cycle > 0) wrap(r);
+    begin_cycle(r);
+    for (int at = 1; at < b->count && status == ARC_OK; at++) status = add_increment(r, at, error);
+    if (status != ARC_OK || !has_closed(r)) continue;
+    find_stick(r);
+    if (r->window->jacobian) arc_wear_jacobian_finish(r->window->jacobian);
+    return ARC_OK;
+  }
+  if (status != ARC_OK) return status;
+  return arc_fail(error, ARC_NOT_CONVERGED,
+                  "the cycle of stick and slip is not steady after %d repetitions", most_cycles);
+}
+
+static arc_status evaluate(fretting *r, arc_error *error) {
+  arc_status status = fretting_create(r);
+  if (status != ARC_OK)
+    arc_fail(error, status, "out of memory for a cycle with friction");
+  else
+    status = run_cycles(r, error);
+  fretting_free(r);
+  return status;
+}
+
+arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_watch *watch, wear_rate *rate,
+                         arc_error *error) {
+  fretting r = {.w = w, .window = window, .watch = watch, .rate = rate};
+  return evaluate(&r, error);
+}
+
+/* --- the loop --------------------------------------------------------------------------------- */
+
+static arc_loop *make_loop(size_t count) {
+  arc_loop *loop = malloc(sizeof *loop + 2 * count * sizeof(double));
+  if (!loop) return NULL;
+  double *numbers = (double *)(void *)(loop + 1);
+  *loop = (arc_loop){.count = count, .x = numbers, .tangential = numbers + count};
+  return loop;
+}
+
+/* Forces of the whole thickness. */
+static void finish_loop(arc_loop *loop, double thickness, const wear_rate *rate) {
+  double *tangential = (double *)(size_t)loop->tangential;
+  for (size_t i = 0; i < loop->count; i++) tangential[i] *= thickness;
+  loop->energy = rate->energy * thickness;
+  loop->stick_width = rate->stick;
+  loop->gross = rate->gross != 0;
+}
+
+arc_status arc_wear_loop(arc_wear *w, arc_loop **loop, arc_error *error) {
+  const wear_block *block = arc_wear_block_at(w, arc_wear_last(w)->cycle);
+  wear_window cycle = {.shape = w->shape, .state = arc_wear_last(w)};
+  wear_watch nobody = {0};
+  *loop = NULL;
+  if (!arc_wear_rubs(&w->def))
+    return arc_fail(error, ARC_ARGUMENT, "field 'friction': a run without friction has no loop");
+  arc_status status = arc_wear_friction(w, cycle.state, &cycle.mu, error);
+  if (status == ARC_OK) status = arc_path_enter(&w->path, block, w->model, error);
+  if (status != ARC_OK) return status;
+  fretting r = {.w = w,
+                .window = &cycle,
+                .watch = &nobody,
+                .rate = &w->work.rate,
+                .loop = make_loop((size_t)block->count)};
+  if (!r.loop) return arc_fail(error, ARC_MEMORY, "out of memory for a loop");
+  cycle.last = block->count - 1;
+  status = evaluate(&r, error);
+  if (status == ARC_OK)
+    finish_loop(*loop = r.loop, arc_model_definition(w->model)->thickness, r.rate);
+  else
+    free(r.loop);
+  return status;
+}

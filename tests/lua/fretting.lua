@@ -1,0 +1,149 @@
+-- Wear with friction at the prompt: steady cycles, what they tell, the energy law, files and copies, what is refused.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
+
+local m = model{ mesh = { size = 0.02, height = 0.025 } }
+local function run(fields)
+  local all = { model = m, friction = 0.6, load = 100, k = 1e-7, jump = 50, cycles = 400, increments = 24 }
+  for name, value in pairs(fields) do all[name] = value end
+  if all.stroke == false then all.stroke, all.tangential = nil, all.tangential or 30 end
+  return wear(all)
+end
+
+-- gross slip: slip is the way less what the bodies give, and the force that of friction
+local gross = run{ stroke = 0.1 }
+is(gross.energy, 0, "nothing dissipated yet")
+gross:run{ progress = false }
+is(gross.gross, 1, "all of it slips")
+is(gross.stick_width, 0, "nothing sticks")
+near(gross.largest_shear, 60, 0.02, "mu L drives it")
+local loop = gross:loop()
+is(#loop.x, 25, "a loop of all increments")
+is(loop.energy, gross.cycle_energy, "of the cycle that the records tell of")
+near(loop.x[1], loop.x[25], 1e-12, "closed")
+local area = 0
+for i = 2, #loop.x do
+  area = area + (loop.x[i] - loop.x[i - 1]) * (loop.tangential[i] + loop.tangential[i - 1]) / 2
+end
+near(area, loop.energy, 0.05, "its area is the energy, but for the increments' length")
+local ideal = 1e-7 * 100 * gross.distance
+ok(gross.volume.total < ideal and gross.volume.total > 0.9 * ideal, "wear of the slip, which is less than the way")
+near(gross.volume.total, 1e-7 * gross.energy / 0.6, 1e-9, "k p ds and mu p ds go together")
+near(gross.volume.cylinder, gross.volume.plate, 1e-9, "on both bodies alike")
+
+-- the energy law
+for _, jump in ipairs{ 50, "auto" } do
+  local w = run{ stroke = 0.1, law = "energy", jump = jump }
+  w:run{ progress = false }
+  near(w.volume.total, 1e-7 * w.energy, 1e-9, "V = k E, jump " .. jump)
+end
+local table_of_mu = run{ stroke = 0.1, law = "energy", friction = { distance = { 0, 80 }, value = { 0.3, 0.9 } } }
+table_of_mu:run{ progress = false }
+near(table_of_mu.volume.total, 1e-7 * table_of_mu.energy, 1e-9, "V = k E where friction changes")
+near(table_of_mu.largest_shear, 90, 0.05, "to its last value")
+local by_function = run{ stroke = 0.1, friction = function(state) return state.cycle < 200 and 0.6 or 0.2 end }
+by_function:run{ progress = false }
+near(by_function.largest_shear, 20, 0.05, "friction as a function of the state")
+
+-- partial slip under a force
+local partial = run{ stroke = false, cycles = 200 }
+partial:run{ progress = false }
+is(partial.cycle, 200, "so many cycles")
+is(partial.gross, 0, "a part sticks")
+near(partial.stick_width, 2 * hertz{}.half_width * math.sqrt(0.5), 0.1, "Cattaneo and Mindlin's")
+near(partial.largest_shear, 30, 1e-9, "under the force that is given")
+local block = run{ stroke = nil, cycles = 20,
+  loading = { tangential = function(t) return 30 * math.sin(2 * math.pi * t) end, load = 100, increments = 24 } }
+block:run{ progress = false }
+near(block.cycle_energy, run{ stroke = false }:loop().energy, 0.02, "a force as a loading")
+local phase = run{ stroke = nil, cycles = 20, loading = {
+  x = function(t) return 0.05 * math.sin(2 * math.pi * t) end,
+  load = function(t) return 100 + 40 * math.sin(2 * math.pi * t + 1) end } }
+phase:run{ progress = false }
+ok(phase.gross == 1 and phase.energy > 0, "a load that changes meanwhile")
+ok(#block.loading[1].tangential == 25 and #phase.loading[1].x == 101, "loadings tell what drives the plate")
+
+-- friction that hardly is: the wear of the plain run, which slides rigidly
+local plain, slight = run{ friction = 0, stroke = 0.2 }, run{ friction = 1e-6, stroke = 0.2 }
+plain:run{ progress = false } slight:run{ progress = false }
+near(slight.volume.total, plain.volume.total, 1e-3, "without shear slip is nearly the way")
+near(slight.depth.plate, plain.depth.plate, 5e-3, "and depths as without friction")
+is(plain.energy, 0, "where nothing is dissipated")
+fails(function() plain:loop() end, { "field 'friction'", "without friction" }, "no loop without friction")
+
+-- files and copies: nothing but the shape and the history is kept
+local name = os.tmpname()
+os.remove(name)
+for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" }, force = { stroke = false },
+  block = { stroke = nil, cycles = 400, loading = { tangential = { -20, 30, -20 }, load = { 80, 100, 80 } } } } do
+  local w = run(fields)
+  w:step(2)
+  local file = name .. label .. ".arc"
+  w:save(file)
+  local copy, stored = w:clone(), wear.open(file)
+  os.remove(file)
+  w:step(2) copy:step(2) stored:step(2)
+  for _, field in ipairs{ "energy", "cycle_energy", "largest_shear", "stick_width", "distance", "p_center" } do
+    is(copy[field], w[field], label .. ": copy, " .. field)
+    is(stored[field], w[field], label .. ": from a file, " .. field)
+  end
+  is(stored.depth.plate, w.depth.plate, label .. ": depth to the bit")
+end
+
+-- materials so different that the solution may not be the only one
+local heard = require "archard.warnings"
+heard.keep()
+local uneven = wear{ model = { mesh = { size = 0.04, height = 0.05 }, plate = { E = 2e3, nu = 0.1 } }, friction = 1.2,
+  load = 20, stroke = 0.4, k = 1e-9, cycles = 1, increments = 20 }
+heard.take()
+uneven:step()
+tap.holds(heard.take() or "", { "wear: friction 1.2 times Dundurs' beta" }, "a warning on uniqueness")
+
+-- pictures
+local function picture(draw)
+  local stem = os.tmpname()
+  draw(stem .. ".gp")
+  local file = io.open(stem .. ".gp")
+  local text = file and file:read("a") or ""
+  if file then file:close() end
+  os.remove(stem .. ".gp")
+  os.remove(stem)
+  return text
+end
+local text = picture(function(file) plot.loop(gross, partial:loop(), { file = file, titles = { "one", "two" } }) end)
+tap.holds(text, { "tangential force / N", "fretting loops", "one, ", "two, ", "N mm a cycle" }, "plot.loop")
+fails(function() plot.loop(plain) end, "without friction", "no loop to draw")
+fails(function() plot.loop() end, "expected wear runs with friction", "nothing to draw")
+fails(function() plot.loop(m) end, "expected wear runs with friction", "a model has no loop")
+
+-- the fretting map: gross slip begins where half-planes of the bodies' lengths say, in proportion to friction times load
+local map = study.fretting_map{ load = { 50, 100 }, motion = { 2e-4, 1e-3, 4e-3 }, model = m }
+is(table.concat(map.regime[1], " "), "stick partial gross", "from stick to gross slip")
+near(map.gross_from[2], 2.677e-3, 0.02, "gross slip from [mm]")
+ok(map.gross_from[1] < map.gross_from[2] and map.partial_from[2] < map.gross_from[2], "borders are in order")
+tap.holds(tostring(map), { "partial slip from", "gross slip from" }, "in words")
+text = picture(function(file) map:plot{ file = file } end)
+tap.holds(text, { "running condition fretting map", "load / N", "gross slip from here" }, "and as a picture")
+fails(function() study.fretting_map{ load = { 100 } } end, { "field 'motion'", "increasing" }, "no motions")
+fails(function() study.fretting_map{ load = { 100, 50 }, motion = { 1 } } end, { "field 'load'", "increasing" }, "loads that fall")
+
+-- what is refused
+local function refused(fields, words, label) fails(function() run(fields) end, words, label) end
+refused({ friction = -0.1 }, { "field 'friction'", ">= 0", "-0.1" }, "friction below 0")
+refused({ friction = 0, tangential = 10 }, { "field 'tangential'", "friction" }, "a force without friction")
+refused({ tangential = 60 }, { "field 'tangential'", "less than friction times the load, 60 N" }, "more than mu L")
+refused({ tangential = 10, stroke = 0.1 }, { "'stroke' and 'tangential'", "both" }, "stroke and force")
+refused({ loading = { x = { 0, 1, 0 }, tangential = { 0, 1, 0 } } }, { "'loading.x' and 'loading.tangential'", "both" },
+  "x and force")
+refused({ loading = { tangential = { 0, 50, 0 }, load = { 100, 80, 100 } } },
+  { "loading[1].tangential[2]", "48 N", "50 N" }, "more than mu L in a block")
+refused({ friction = 0, loading = { tangential = { 0, 5, 0 } } }, "loading[1].tangential", "a block's force without friction")
+refused({ loading = { x = { 0, 0.1 } } }, "ends where it begins", "a cycle that does not close")
+refused({ stroke = 0.1, scheme = "implicit" }, { "field 'scheme'", "explicit" }, "implicit steps")
+refused({ stroke = 0.1, update = "increment" }, "field 'update'", "updates within a cycle")
+refused({ stroke = 0.1, slide = "z" }, "field 'slide'", "slip out of the plane")
+refused({ stroke = 0.1, slip = "total" }, "field 'slip'", "total slip")
+refused({ stroke = 0.1, procedure = "NSP", alpha = 1 }, "field 'procedure'", "a plate that does not move")
+refused({ stroke = 0.1, friction = 0, law = "energy" }, { "field 'law'", "friction" }, "energy without friction")
+
