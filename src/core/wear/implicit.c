@@ -68,7 +68,10 @@ static double pressure_error(newton *s, pose *p, const double *off) {
     gap[k] = off[i] + p->work[i];
   }
   arc_dense_cholesky_solve(p->active, 1, p->factor, p->active, gap, p->active);
-  for (int k = 0; k < p->active; k++) sum += gap[k], total += p->ones[k];
+  for (int k = 0; k < p->active; k++) {
+    const double down = p->down[p->set[k]];
+    sum += down * gap[k], total += down * p->ones[k];
+  }
   for (int k = 0; k < p->active; k++) {
     const double width = p->wc[p->lo + p->set[k]];
     largest = fmax(largest, fabs(gap[k] - sum / total * p->ones[k]) / width);

@@ -11,9 +11,13 @@
 
 /* Classes in C: name of the global, and the function that leaves its value on the stack. */
 static const luaL_Reg classes[] = {
-    {"material", luaopen_archard_material}, {"hertz", luaopen_archard_hertz},
-    {"model", luaopen_archard_model},       {"contact", luaopen_archard_contact},
-    {"wear", luaopen_archard_wear},         {NULL, NULL},
+    {"material", luaopen_archard_material},
+    {"hertz", luaopen_archard_hertz},
+    {"model", luaopen_archard_model},
+    {"contact", luaopen_archard_contact},
+    {"body", luaopen_archard_body},
+    {"wear", luaopen_archard_wear},
+    {NULL, NULL},
 };
 
 /* Modules in C that are no globals: reached by require only. */
@@ -33,16 +37,11 @@ static const luaL_Reg modules[] = {
 
 /* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
 static const char *const scripted[][2] = {
-    {"help", "archard.help"},
-    {"plot", "archard.plot"},
-    {"study", "archard.study"},
-    {"calibrate", "archard.study.calibrate"},
-    {"csv", "archard.lib.csv"},
-    {"export", "archard.export"},
-    {"who", "archard.lib.who"},
-    {"time", "archard.lib.time"},
-    {"session", "archard.lib.session"},
-    {"examples", "archard.lib.examples"},
+    {"help", "archard.help"},           {"plot", "archard.plot"},
+    {"study", "archard.study"},         {"calibrate", "archard.study.calibrate"},
+    {"csv", "archard.lib.csv"},         {"export", "archard.export"},
+    {"who", "archard.lib.who"},         {"time", "archard.lib.time"},
+    {"session", "archard.lib.session"}, {"examples", "archard.lib.examples"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 

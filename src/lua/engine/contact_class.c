@@ -136,7 +136,8 @@ static arc_status needed_zones(const void *asker, const arc_model_def *model,
   arc_hertz hertz = {0};
   arc_status status =
       arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, error);
-  if (status == ARC_OK) arc_zone_for(fabs(def->x), 2 * hertz.half_width, model->mesh.size, zone);
+  const double half = status == ARC_OK ? arc_model_half_width(model, def->load) : 0;
+  if (status == ARC_OK) arc_zone_for(fabs(def->x), 2 * half, model->mesh.size, zone);
   return status;
 }
 
