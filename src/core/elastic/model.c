@@ -26,7 +26,8 @@ const arc_setting arc_material_settings[] = {
 #define ARC_BODY_SETTING(role, name_, text_)                                                       \
   {                                                                                                \
     .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_body_settings,                      \
-    .offset = offsetof(arc_model_def, body[role]), .type = "a body", .text = text_                 \
+    .offset = offsetof(arc_model_def, body[role]), .class_name = "body",                           \
+    .type = "a body, as body.cylinder{ radius=10 } makes one", .text = text_                       \
   }
 
 #define ARC_SETTING_OF arc_model_def

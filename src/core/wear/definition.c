@@ -77,7 +77,8 @@ void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
 }
 
 int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model) {
-  const double k[ARC_BODIES] = {model->material[ARC_CYLINDER].k, model->material[ARC_PLATE].k};
+  const double k[ARC_BODIES] = {arc_model_wear_k(model, ARC_CYLINDER),
+                                arc_model_wear_k(model, ARC_PLATE)};
   const int have = k[ARC_CYLINDER] > 0 || k[ARC_PLATE] > 0;
   if (have) arc_wear_def_partition(def, k);
   return have;

@@ -1,4 +1,5 @@
 /* One update of the geometry: its coefficients, then its depths, by whichever scheme. */
+#include "core/wear/layers.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -14,6 +15,8 @@ static int any_depth(const double *depth, int n) {
 /* Wears the outcome's shape, and adds volumes and error. */
 static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out,
                         arc_error *error) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    arc_wear_into_layers(out->shape, (arc_body)b, depth->node[b]);
   arc_wear_add_volumes(w, out->shape, depth, &out->record);
   out->record.error = depth->error;
   out->record.p_peak = fmax(out->record.p_peak, depth->peak);

@@ -10,4 +10,7 @@
  * in. */
 void body_read(lua_State *L, int index, args_place place, arc_model_def *def);
 
+/* Pushes a body of a model as body_read takes it, or nil where it is the usual one. */
+void body_push(lua_State *L, const arc_model_def *def, arc_body body);
+
 #endif

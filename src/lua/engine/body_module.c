@@ -246,6 +246,60 @@ void body_read(lua_State *L, int index, args_place place, arc_model_def *def) {
   }
 }
 
+/* --- pushing ---------------------------------------------------------------------------------- */
+
+static void set_number(lua_State *L, const char *name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
+static void set_material(lua_State *L, arc_material m) {
+  set_number(L, "E", m.E);
+  set_number(L, "nu", m.nu);
+  set_number(L, "k", m.k);
+}
+
+static void set_layers(lua_State *L, const arc_body_def *def) {
+  const int layers = arc_body_layers(def);
+  if (layers == 0) return;
+  lua_createtable(L, layers, 0);
+  for (int l = 0; l < layers; l++) {
+    lua_newtable(L);
+    set_number(L, "thickness", def->layer[l].thickness);
+    set_material(L, def->layer[l].material);
+    lua_rawseti(L, -2, l + 1);
+  }
+  lua_setfield(L, -2, "layers");
+}
+
+/* What it has of its own, as far as it was given. */
+static void set_shape(lua_State *L, const arc_body_def *def) {
+  for (const arc_setting *s = arc_body_settings; s->name; s++) {
+    const int given = s->kind == ARC_CHOICE || arc_setting_number(s, def) != 0;
+    if (!is_own(def->kind, s->name) || !given || s->kind == ARC_GROUP) continue;
+    settings_push(L, s, def);
+    lua_setfield(L, -2, s->name);
+  }
+  const arc_series y = def->y_series;
+  if (def->kind != ARC_SOLID_PROFILE) return;
+  array_set(L, "x", y.distance, (size_t)y.count);
+  array_set(L, "y", y.value, (size_t)y.count);
+}
+
+void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
+  const arc_body_def *def = &model->body[body];
+  if (def->kind == ARC_SOLID_USUAL) {
+    lua_pushnil(L);
+    return;
+  }
+  lua_newtable(L);
+  lua_pushstring(L, arc_solid_names[def->kind]);
+  lua_setfield(L, -2, "kind");
+  set_shape(L, def);
+  set_material(L, model->material[body]);
+  set_layers(L, def);
+}
+
 /* --- making ----------------------------------------------------------------------------------- */
 
 /* body.KIND{...}: a copy of the table with its kind, checked. */

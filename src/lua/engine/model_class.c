@@ -263,6 +263,16 @@ static int model_plate(lua_State *L) {
   return 1;
 }
 
+static int model_upper(lua_State *L) {
+  body_push(L, arc_model_definition(self(L)), ARC_UPPER);
+  return 1;
+}
+
+static int model_lower(lua_State *L) {
+  body_push(L, arc_model_definition(self(L)), ARC_LOWER);
+  return 1;
+}
+
 /* The meshes by body, and their definition beside them. */
 static int model_mesh(lua_State *L) {
   settings_push(L, arc_setting_find(arc_model_settings, "mesh"), arc_model_definition(self(L)));
@@ -303,7 +313,8 @@ static int model_tostring(lua_State *L) {
 
 static const luaL_Reg fields[] = {
     {"seconds", model_seconds}, {"bytes", model_bytes}, {"cylinder", model_cylinder},
-    {"plate", model_plate},     {"mesh", model_mesh},   {NULL, NULL},
+    {"plate", model_plate},     {"mesh", model_mesh},   {"upper", model_upper},
+    {"lower", model_lower},     {NULL, NULL},
 };
 
 static const void *definition(lua_State *L) {
