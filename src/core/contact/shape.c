@@ -136,7 +136,7 @@ static void box_node_at(const shape_side *side, const double *surface_xy, int k,
   const double *top = arc_body_top(side->body, column);
   /* far elements share the nodes at the box's sides, and stay as they are: so do these */
   const int side_column = column == 0 || column == side->n - 1;
-  const double share = side_column ? 0 : (double)(mesh->rows - row) / mesh->rows;
+  const double share = side_column ? 0 : arc_body_pull(side->body, column, row);
   for (int d = 0; d < 2; d++)
     xy[d] = side->body->box_at[2 * k + d] + share * (surface_xy[2 * column + d] - top[d]);
 }

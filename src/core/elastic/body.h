@@ -82,6 +82,15 @@ static inline const double *arc_body_bottom(const elastic_body *body, int i) {
   return &body->box_at[2 * (i * (body->mesh->rows + 1) + body->mesh->rows)];
 }
 
+/* Share of the surface's way that row `row` of wear-box column i takes: by its depth, which goes by
+ * rows but where layers have rows of their own. */
+static inline double arc_body_pull(const elastic_body *body, int i, int row) {
+  const int rows = body->mesh->rows;
+  if (body->mesh->solid.layer[0].thickness == 0) return (double)(rows - row) / rows;
+  const double top = arc_body_top(body, i)[1], bottom = arc_body_bottom(body, i)[1];
+  return (bottom - body->box_at[2 * (i * (rows + 1) + row) + 1]) / (bottom - top);
+}
+
 /* Elasticity of an element outside the wear box. */
 static inline elasticity arc_body_elasticity(const elastic_body *body, int e) {
   return body->layer[body->mesh->layer[e]];

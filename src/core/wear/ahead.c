@@ -24,6 +24,7 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wea
   depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * rate->even : 0;
   depth->error = 0;
   depth->peak = rate->peak;
+  depth->pressed = dose->cycles * rate->pressed;
 }
 
 /* --- what is measured --------------------------------------------------------------------------

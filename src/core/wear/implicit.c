@@ -142,6 +142,7 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
     status = run(&s, depth);
   depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * s.even : 0;
   depth->peak = s.peak;
+  depth->pressed = dose->cycles * s.pressed;
   arc_newton_free(&s);
   return tell(&s, status, error);
 }

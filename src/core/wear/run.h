@@ -9,6 +9,7 @@ typedef struct wear_rate {
   double *node[ARC_BODIES]; /* [surface of the body]; one block, cylinder first */
   double even;              /* the plate's, where it wears evenly (Eq. 27) */
   double peak;              /* largest nodal pressure on the way [MPa] */
+  double pressed;           /* normal force over the sliding of a cycle [N] */
 } wear_rate;
 
 /* What an update takes off. */
@@ -17,6 +18,7 @@ typedef struct wear_depths {
   double even;              /* off the whole plate [mm] */
   double error;             /* estimated by an implicit update, over the tolerance; else 0 */
   double peak;              /* largest nodal pressure of the cycle they come from [MPa] */
+  double pressed;           /* normal force over the sliding of the update [N] */
 } wear_depths;
 
 /* Room that lasts for a call and means nothing between calls. */
