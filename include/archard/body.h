@@ -101,8 +101,11 @@ double arc_body_measure(const arc_body_def *def);
 /* The widest zone that leaves room beside it [mm]. */
 double arc_body_widest_zone(const arc_body_def *def);
 
-/* How far the surface lies inside the body at x [mm], below its outermost point; 0 for arcs. */
-double arc_body_inset(const arc_body_def *def, double x);
+/* Height of a profile's outermost point [mm]; 0 for others. */
+double arc_body_crest(const arc_body_def *def);
+/* How far the surface lies inside the body at x [mm], below its outermost point, the crest; 0 for
+ * arcs. */
+double arc_body_inset(const arc_body_def *def, double crest, double x);
 
 /* Layers; the lower end of one [mm]; the one at a depth [mm], `layers` for the body's own material.
  */

@@ -63,6 +63,7 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   m.core = solid->kind == ARC_SOLID_CYLINDER || solid->kind == ARC_SOLID_DISC;
   m.half_s = arc_body_half_length(solid);
   m.depth = arc_body_depth(solid);
+  m.crest = arc_body_crest(solid);
   m.near_s = near_s;
   m.near_d = near_d;
   m.root_level = choose_root_level(def, &m);
@@ -100,7 +101,7 @@ static double radius_at(const body_map *m, double depth) {
 
 /* A rectangle: the height of its surface fades towards its base. */
 static void point_of_block(const body_map *m, double along, double j, double xy[2]) {
-  const double depth = depth_at(m, j), inset = arc_body_inset(m->solid, along);
+  const double depth = depth_at(m, j), inset = arc_body_inset(m->solid, m->crest, along);
   xy[0] = along;
   xy[1] = m->up * (inset == 0 ? depth : depth + inset * (1 - depth / m->depth));
 }

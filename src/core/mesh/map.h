@@ -21,6 +21,7 @@ typedef struct body_map {
   double depth;
   int root_level;
   int columns, lines; /* root cells over the half body */
+  double crest;       /* [mm] of a profile */
   int layers;
   double line[ARC_MOST_LAYERS];  /* row of each layer's lower end, in units */
   double shift[ARC_MOST_LAYERS]; /* [mm] what comes on top of the depth there */

@@ -130,10 +130,14 @@ static double highest(const arc_series *y) {
   return most;
 }
 
-double arc_body_inset(const arc_body_def *b, double x) {
+double arc_body_crest(const arc_body_def *b) {
+  return b->kind == ARC_SOLID_PROFILE ? highest(&b->y_series) : 0;
+}
+
+double arc_body_inset(const arc_body_def *b, double crest, double x) {
   if (b->kind == ARC_SOLID_PUNCH) return punch_inset(b, x);
   if (b->kind != ARC_SOLID_PROFILE) return 0;
-  return highest(&b->y_series) - height_at(&b->y_series, x);
+  return crest - height_at(&b->y_series, x);
 }
 
 int arc_body_layers(const arc_body_def *b) {
