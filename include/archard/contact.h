@@ -190,7 +190,9 @@ typedef struct arc_contact_result {
   double left, right; /* [mm] contact edges, cylinder frame, between nodes: to 0.05 of an element
                          where the surfaces meet smoothly, as unworn, to 0.6 (r.m.s. 0.2) at the
                          edges of scars */
-  double approach;    /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
+  double normal_force; /* [N] integral of the pressure over the area: the load but in hollow
+                          surfaces, where it is up to 4/pi times that */
+  double approach;     /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
   double
       tangential; /* [N] force that drives the plate along x; without friction what slopes bear */
   double energy;  /* [N mm] dissipated by friction since the bodies came together */

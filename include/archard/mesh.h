@@ -7,18 +7,12 @@
 #ifndef ARCHARD_MESH_H
 #define ARCHARD_MESH_H
 
-#include "archard/setting.h"
+#include "archard/body.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 #pragma GCC visibility push(default)
-
-typedef enum arc_body { ARC_CYLINDER = 0, ARC_PLATE = 1 } arc_body;
-#define ARC_BODIES 2
-
-/* "cylinder" or "plate". */
-const char *arc_body_name(arc_body body);
 
 /* Formulation: CPE4 fully integrated bilinear; CPE4I with incompatible modes (bends freely, does
  * not lock where nu nears 1/2), triangles of one cell then share one dilatation; auto chooses for
@@ -69,17 +63,19 @@ arc_mesh_def arc_mesh_default(void);
  * Elements and their corners run counter-clockwise. */
 typedef struct arc_mesh {
   arc_body body;
-  double radius;    /* [mm] */
-  arc_mesh_def def; /* as asked for; in a model, element is what the body has, never auto */
-  int nodes;        /* number of nodes */
-  double *xy;       /* [2 * nodes] x, y of each node [mm] */
-  int elements;     /* number of elements = quads + triangles */
-  int *element;     /* [4 * elements] corners; a triangle has -1 as its fourth. Triangles that close
-                       one cell start with the same corner, and stand two apart: between them are
-                       their mirror images */
+  arc_body_def solid; /* in numbers; its profile belongs to the model */
+  double radius;      /* [mm] of the cylinder; of other bodies the dimension that limits the mesh */
+  arc_mesh_def def;   /* as asked for; in a model, element is what the body has, never auto */
+  int nodes;          /* number of nodes */
+  double *xy;         /* [2 * nodes] x, y of each node [mm] */
+  int elements;       /* number of elements = quads + triangles */
+  int *element; /* [4 * elements] corners; a triangle has -1 as its fourth. Triangles that close
+                   one cell start with the same corner, and stand two apart: between them are
+                   their mirror images */
   int quads, triangles;
   int surface;       /* number of candidate contact nodes; odd, the middle one is at x = 0 */
   int *surface_node; /* [surface] by increasing x */
+  int *layer;        /* [elements] layer of each, `layers of the body` for its own material */
   int rows;          /* rows of the wear box */
   int *box_node; /* [surface * (rows + 1)] nodes of the wear box, column by column in the order of
                     surface_node, each from the surface inwards */
@@ -93,11 +89,14 @@ typedef struct arc_mesh {
   int *material;             /* [elements] material of each, NULL where there is no choice */
 } arc_mesh;
 
-/* Meshes one body. Errors: ARC_ARGUMENT (a size not positive, larger than the body, fewer than 1
- * row), ARC_ZONE (zone too wide for the body or too narrow to hold contact), ARC_GEOMETRY (an
- * element came out inverted), ARC_MEMORY. On failure *mesh is NULL. */
+/* Meshes one body of the paper's pair. Errors: ARC_ARGUMENT (a size not positive, larger than the
+ * body, fewer than 1 row), ARC_ZONE (zone too wide for the body or too narrow to hold contact),
+ * ARC_GEOMETRY (an element came out inverted), ARC_MEMORY. On failure *mesh is NULL. */
 arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius, arc_mesh **mesh,
                           arc_error *error);
+/* The same of any body in numbers (arc_body_resolve), whose profile outlives the mesh. */
+arc_status arc_mesh_build_solid(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
+                                arc_mesh **mesh, arc_error *error);
 
 /* Most named materials of one body in a mesh from outside. */
 enum { ARC_MESH_MATERIALS = 16 };

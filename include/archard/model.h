@@ -14,40 +14,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-#define ARC_MATERIAL_SETTINGS(NUMBER)                                                              \
-  NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
-  NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")                                     \
-  NUMBER(                                                                                          \
-      k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                        \
-      "Wear coefficient of the body, for wear{} without k and alpha. A body without one beside "   \
-      "one that has it does not wear.")
-
-typedef struct arc_material {
-  ARC_MATERIAL_SETTINGS(ARC_MEMBER_NUMBER)
-} arc_material;
-
-extern const arc_setting arc_material_settings[];
-
-/* A material as a setting of another definition, whose member `material` is by body. */
-#define ARC_MATERIAL_SETTING(owner, body, name_, text_)                                            \
-  {                                                                                                \
-    .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_material_settings,                  \
-    .offset = offsetof(owner, material[body]), .class_name = "material",                           \
-    .usual_text = "material{}", .type = "a material object or a table { E=, nu=, k= }",            \
-    .text = text_                                                                                  \
-  }
-
-/* Steel of the reference case: 200e3 MPa, 0.3. */
-arc_material arc_material_default(void);
-
-/* Plane-strain modulus E / (1 - nu^2) [MPa]. */
-double arc_material_E_star(arc_material material);
-
 /* Contact modulus of the couple, 1 / (1/E*_c + 1/E*_p) [MPa]. */
 double arc_contact_modulus(const arc_material material[ARC_BODIES]);
-
-/* Checks ranges; ARC_ARGUMENT names field, expectation and value. */
-arc_status arc_material_check(arc_material material, arc_error *error);
 
 #define ARC_MODEL_SETTINGS(NUMBER)                                                                 \
   NUMBER(radius, "mm", 10, ABOVE(0), 0,                                                            \
@@ -58,6 +26,7 @@ arc_status arc_material_check(arc_material material, arc_error *error);
 typedef struct arc_model_def {
   ARC_MODEL_SETTINGS(ARC_MEMBER_NUMBER)
   arc_material material[ARC_BODIES]; /* by arc_body; settings "cylinder" and "plate" */
+  arc_body_def body[ARC_BODIES];     /* their shapes; settings "upper" and "lower" */
   arc_mesh_def mesh;
 } arc_model_def;
 
@@ -65,6 +34,27 @@ extern const arc_setting arc_model_settings[];
 
 /* The paper's case: all in numbers, see arc_mesh_default. */
 arc_model_def arc_model_default(void);
+
+/* One body in numbers. */
+arc_body_def arc_model_solid(const arc_model_def *def, arc_body body);
+
+/* The wear coefficient that a body's pressures are taken with [mm2/N]: the largest of its layers
+ * and its own; the others wear by their share of it. 0: none has one. */
+double arc_model_wear_k(const arc_model_def *def, arc_body body);
+
+/* Relative radius of the surfaces [mm]: 1 / (1/R_upper + 1/R_lower), hollow ones counted negative;
+ * INFINITY where they fit, are flat, or are no arcs. */
+double arc_model_relative_radius(const arc_model_def *def);
+
+/* Whether Hertz' formulas hold: a solid cylinder or disc on a block without layers. */
+int arc_model_is_hertzian(const arc_model_def *def);
+
+/* Width [mm] of the lower body along its surface: a stroke as long as that wears it evenly. */
+double arc_model_width(const arc_model_def *def);
+
+/* Half width [mm] of the unworn contact under a load [N], as far as a formula tells: Hertz', of
+ * punches with rounded edges, or Persson's of a pin in a hole. */
+double arc_model_half_width(const arc_model_def *def, double load);
 
 /* Closed-form Hertz line contact of a cylinder on a half-space. */
 typedef struct arc_hertz {

@@ -274,7 +274,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(depth_plate, "mm", "largest wear depth of the plate")                                          \
   X(volume_cylinder, "mm3", "wear volume of the cylinder")                                         \
   X(volume_plate, "mm3", "wear volume of the plate")                                               \
-  X(load_distance, "N mm", "integral of the load over the sliding distance")                       \
+  X(load_distance, "N mm", "load, in holes normal force, over sliding distance")                   \
   X(depth_partition, "", "depth partition factor alpha-tilde; NaN before any wear")                \
   X(error, "", "estimated error of an adaptive step, over its tolerance")                          \
   X(solutions, "", "contact solutions so far")                                                     \

@@ -27,6 +27,26 @@ return {
       .. "in, on a plate 2 radius wide and radius high. A model never changes, so that any number of "
       .. "contact and wear objects share one. Plane strain. mesh = \"pair.msh\" takes both bodies from "
       .. "a Gmsh file: help \"gmsh\"." },
+  { "model.upper", kind = "field", text = "The upper body as it was given; nil: a cylinder." },
+  { "model.lower", kind = "field", text = "The lower body as it was given; nil: a block." },
+  { "body", kind = "module", use = "model{ upper = body.punch{ flat=1, radius=2 }, lower = body.block{} }",
+    text = "Makes bodies for model{ upper=, lower= }: the upper one carries the load by its top or held "
+      .. "part, the lower one moves. Each takes E, nu, k (or material=) and layers = {{ thickness=, "
+      .. "material= }, ...} from the surface inwards, whose k counts as deep as they reach." },
+  { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
+    text = "A half cylinder, its flat built in." },
+  { "body.block", kind = "function", use = "body.block{ width=20, height=10 }", result = "table",
+    text = "A block, its base (of an upper one: its top) built in." },
+  { "body.punch", kind = "function", use = "body.punch{ flat=1, radius=2, height=10 }", result = "table",
+    text = "A block with a flat of full width `flat` and edges rounded by `radius` beside it." },
+  { "body.profile", kind = "function", use = "body.profile{ y=function(x) return 1e-4*math.cos(60*x) end }",
+    result = "table",
+    text = "A block with a measured or made-up surface: y(x) out of the body in mm, or lists x and y." },
+  { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
+    text = "A whole disc, held by a hub of 0.15 radius in its middle." },
+  { "body.ring", kind = "function", use = 'body.ring{ inner=10, outer=20, fixed="outer" }', result = "table",
+    text = "A ring; fixed=\"outer\": its hole is in contact, with a disc, cylinder or inner ring in it. "
+      .. "Then contact is solved along the arc, x is the length along the hole; without friction." },
   { "model.seconds", kind = "field", unit = "s", text = "Time it took to build." },
   { "model.bytes", kind = "field", unit = "bytes", text = "Memory it takes." },
   { "model.close", kind = "method", use = "m:close()",
@@ -94,6 +114,8 @@ return {
     text = "Largest pressure averaged over the length `average`: settles as the mesh shrinks." },
   { "contact.p_center", kind = "field", unit = "MPa",
     text = "Pressure at the lowest point of the cylinder." },
+  { "contact.normal_force", kind = "field", unit = "N",
+    text = "Integral of the pressure over the area: the load, but in holes up to 4/pi times that." },
   { "contact.approach", kind = "field", unit = "mm",
     text = "Rigid approach of the cylinder's built-in top and the plate's base." },
   { "contact.iterations", kind = "field", text = "Active sets the solution went through." },

@@ -211,6 +211,28 @@ static int read_function(reading *r, const arc_value *value, const arc_setting *
   return value->kind == ARC_VALUE_FLAG;
 }
 
+/* A table of a model's settings on its way. */
+typedef struct model_table {
+  reading *r;
+  const arc_value *value;
+  int read;
+} model_table;
+
+static int take_model_table(void *context, const char *path, const arc_setting *s, void *member,
+                            const void *def) {
+  model_table *at = context;
+  const size_t length = strlen(path);
+  (void)member;
+  if (!(s->forms & ARC_SERIES) || strncmp(path, at->value->name, length) != 0) return 0;
+  arc_series *series = (arc_series *)(void *)((char *)(size_t)def + s->series);
+  const char *ending = at->value->name + length;
+  if (strcmp(ending, "_series.distance") == 0)
+    at->read = read_series(at->r, at->value, series, &series->distance);
+  else if (strcmp(ending, "_series.value") == 0)
+    at->read = read_series(at->r, at->value, series, &series->value);
+  return at->read;
+}
+
 /* What stands beside a setting under its name with an ending; 0: it is none. */
 static int read_other_form(reading *r, const arc_value *value) {
   for (const arc_setting *s = arc_wear_settings; s->name; s++) {
@@ -228,7 +250,9 @@ static int read_other_form(reading *r, const arc_value *value) {
     if (s->forms & ARC_SERIES && strcmp(ending, "_series.value") == 0)
       return read_series(r, value, series, &series->value);
   }
-  return 0;
+  model_table table = {r, value, 0};
+  arc_settings_walk(arc_model_settings, "model.", &r->run->model, take_model_table, &table);
+  return table.read;
 }
 
 static int read_block(reading *r, const arc_value *value, arc_loading *block, const char *what) {

@@ -18,6 +18,8 @@ static pose room(int n) {
   p.open = calloc((size_t)n, sizeof(double));
   p.ones = calloc((size_t)n, sizeof(double));
   p.joined = calloc((size_t)n, sizeof(int));
+  p.down = malloc((size_t)n * sizeof(double));
+  for (int k = 0; k < n; k++) p.down[k] = 1;
   p.work = calloc(4 * (size_t)(2 * n), sizeof(double));
   return p;
 }
@@ -31,6 +33,7 @@ static void room_free(pose *p) {
   free(p->f);
   free(p->open);
   free(p->ones);
+  free(p->down);
   free(p->work);
 }
 

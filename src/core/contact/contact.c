@@ -73,6 +73,13 @@ static double driving_force(const arc_contact *c) {
   return sum;
 }
 
+/* What presses along the normals [N/mm]. */
+static double normal_force(const arc_contact *c) {
+  double sum = 0;
+  for (int k = 0; k < c->pose.count; k++) sum += c->pose.f[k];
+  return sum;
+}
+
 static void read_result(arc_contact *c) {
   const double thickness = arc_model_definition(c->shape->model)->thickness;
   double edges[2], center, largest;
@@ -85,6 +92,7 @@ static void read_result(arc_contact *c) {
                            .left = edges[0],
                            .right = edges[1],
                            .half_width = (edges[1] - edges[0]) / 2,
+                           .normal_force = thickness * normal_force(c),
                            .approach = c->pose.approach,
                            .tangential = thickness * driving_force(c),
                            .energy = thickness * c->state.energy,
@@ -98,6 +106,10 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
   if (!c) return out_of_memory(error);
   c->def = *def;
   c->rubs = def->friction > 0;
+  if (c->rubs && arc_model_body(shape->model, ARC_UPPER)->chart.polar)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'friction': expected 0 in a hole, where shear carries load too, got %g",
+                    def->friction);
   arc_status status = arc_shape_clone(shape, &c->shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
   return status;

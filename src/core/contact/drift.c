@@ -15,8 +15,7 @@ enum { reach = ARC_THINNING_REACH, span = ARC_THINNING_SPAN };
 
 /* Share of the wear box's thickness that column i has lost since the last condensation. */
 static double thinned(const shape_side *side, int i) {
-  const arc_mesh *mesh = side->body->mesh;
-  const double bottom = mesh->xy[2 * mesh->box_node[i * (mesh->rows + 1) + mesh->rows] + 1];
+  const double bottom = arc_body_bottom(side->body, i)[1];
   const double then = side->settled[2 * i + 1], now = side->xy[2 * i + 1];
   return (now - then) / (bottom - then);
 }

@@ -110,6 +110,12 @@ arc_status arc_contact_field(const arc_contact *c, arc_body body, arc_field **fi
   const elastic_body *b = c->shape->side[body].body;
   const size_t n = (size_t)b->mesh->nodes,
                box_size = 2 * (size_t)b->box_count + 2 * (size_t)b->mesh->surface;
+  *field = NULL;
+  if (body == ARC_LOWER && b->chart.polar && c->pose.x != 0)
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'x': stresses of a body around or in a hole are told at x = 0, got %g mm",
+        c->pose.x);
   double *work = calloc(4 * n, sizeof *work), *box = malloc(box_size * sizeof *box);
   arc_status status = field_create(field, b->mesh->nodes);
   if (!work || !box || status != ARC_OK)

@@ -1,5 +1,6 @@
 /* The contact problem: f >= 0, g = gap - approach + A f >= 0, f'g = 0, sum f = line, the load per
- * thickness.
+ * thickness. On polar charts 1 gives way to the shares `down` of forces along the load: g = gap -
+ * approach down + A f and sum down f = line.
  *
  * A primal-dual active set (semismooth Newton) from the last set: one factorisation where the set
  * is still right. Should it cycle, a primal active-set method on the equivalent convex problem, min
@@ -21,7 +22,7 @@ static int factorise(pose *p) {
     for (int r = c; r < n; r++)
       p->factor[dense_at(r, c, n)] = p->a[dense_at(p->set[r], p->set[c], p->count)];
   if (arc_dense_cholesky(n, p->factor, n)) return 1;
-  for (int k = 0; k < n; k++) p->ones[k] = 1;
+  for (int k = 0; k < n; k++) p->ones[k] = p->down[p->set[k]];
   arc_dense_cholesky_solve(n, 1, p->factor, n, p->ones, n);
   p->factored = 1;
   return 0;
@@ -35,8 +36,9 @@ static int solve_on_set(pose *p, double line, double *fs) {
   for (int k = 0; k < p->active; k++) fs[k] = p->gap[p->set[k]];
   arc_dense_cholesky_solve(p->active, 1, p->factor, p->active, fs, p->active);
   for (int k = 0; k < p->active; k++) {
-    sum += fs[k];
-    total += p->ones[k];
+    const double down = p->down[p->set[k]];
+    sum += down * fs[k];
+    total += down * p->ones[k];
   }
   p->approach = (line + sum) / total;
   for (int k = 0; k < p->active; k++) fs[k] = p->approach * p->ones[k] - fs[k];
@@ -68,7 +70,7 @@ ARC_WIDE static void open_by(const pose *p, const double *fs, int first, int las
 static void spread(pose *p, const double *fs) {
   for (int k = 0; k < p->count; k++) {
     p->f[k] = 0;
-    p->open[k] = p->gap[k] - p->approach;
+    p->open[k] = p->gap[k] - p->approach * p->down[k];
   }
   for (int s = 0, first = 0; s <= p->active; s++) {
     const int last = s < p->active ? p->set[s] : p->count;
@@ -161,9 +163,9 @@ static int descend(pose *p, double line, double *fs) {
   double *f = p->work + p->nc;
   int start = 0;
   for (int k = 1; k < p->count; k++)
-    if (p->gap[k] < p->gap[start]) start = k;
+    if (p->gap[k] * p->down[start] < p->gap[start] * p->down[k]) start = k;
   memset(f, 0, (size_t)p->count * sizeof *f);
-  f[start] = line;
+  f[start] = line / p->down[start];
   p->active = 0;
   insert(p, start);
   for (int guard = 0; guard < 100 * p->count; guard++) {

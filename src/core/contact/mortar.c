@@ -99,6 +99,16 @@ static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
   for (int q = 0; q < p->width; q++) row[q] /= p->wc[i];
 }
 
+/* Forces f_k (-m_k, 1) along s and z, by the load's direction: that of z at s = 0. */
+static void find_down(pose *p, const shape_side *cylinder) {
+  const chart *c = &cylinder->body->chart;
+  for (int k = 0; k < p->count; k++) {
+    double along[2], across[2];
+    arc_chart_axes(c, cylinder->settled[2 * (p->lo + k)], along, across);
+    p->down[k] = c->polar ? across[1] - p->slope[p->lo + k] * along[1] : 1;
+  }
+}
+
 arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *error) {
   const double *cyl = shape->side[ARC_CYLINDER].settled, *plate = shape->side[ARC_PLATE].settled;
   p->x = x;
@@ -117,6 +127,7 @@ arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *
   for (int l = 0; l < p->np; l++) p->wp[l] = arc_shape_width(&shape->side[ARC_PLATE], l);
   for (int k = 0; k < p->count; k++) fill_row(p, k, cyl, plate);
   arc_pose_to_cylinder(p, shape_compliance(&shape->side[ARC_PLATE])->slope, p->slope);
+  find_down(p, &shape->side[ARC_CYLINDER]);
   return ARC_OK;
 }
 

@@ -16,7 +16,7 @@ arc_status arc_pose_create(pose *p, const arc_model *model) {
   p->joined = malloc(nc * sizeof(int));
   p->a = malloc(nc * nc * sizeof(double));
   p->factor = malloc(nc * nc * sizeof(double));
-  p->wc = calloc(6 * nc + np + 5 * (nc + np), sizeof(double)); /* one block for the small arrays */
+  p->wc = calloc(7 * nc + np + 5 * (nc + np), sizeof(double)); /* one block for the small arrays */
   if (!p->first || !p->set || !p->joined || !p->a || !p->factor || !p->wc) {
     arc_pose_free(p);
     return ARC_MEMORY;
@@ -26,7 +26,8 @@ arc_status arc_pose_create(pose *p, const arc_model *model) {
   p->open = p->f + nc;
   p->ones = p->open + nc;
   p->slope = p->ones + nc;
-  p->wp = p->slope + nc;
+  p->down = p->slope + nc;
+  p->wp = p->down + nc;
   p->work = p->wp + np;
   return ARC_OK;
 }
@@ -44,7 +45,7 @@ void arc_pose_free(pose *p) {
 
 size_t arc_pose_bytes(const pose *p) {
   const size_t nc = (size_t)p->nc, np = (size_t)p->np, width = (size_t)p->width;
-  return sizeof *p + (2 * nc * nc + nc * width + 11 * nc + 6 * np) * sizeof(double) +
+  return sizeof *p + (2 * nc * nc + nc * width + 12 * nc + 6 * np) * sizeof(double) +
          3 * nc * sizeof(int);
 }
 

@@ -23,6 +23,8 @@ typedef struct pose {
   double *wc, *wp;        /* [nc], [np] tributary widths along x [mm] */
   double *slope;          /* [nc] dy/dx of the surface at each candidate, else 0: forces along x are
                              -slope f */
+  double *down;           /* [nc] share of a candidate's force that carries load: 1 but on polar
+                             charts; the approach opens and closes gaps by it */
   double *a;              /* [count x count] A [mm2/N] */
   double *gap;            /* [nc] initial gap of the candidates [mm] */
   double *f;              /* [nc] solution: nodal forces [N/mm], by candidate */
@@ -33,7 +35,7 @@ typedef struct pose {
   int *set;               /* [nc] the active candidates in increasing order */
   int *joined;            /* [nc] work: the next set */
   double *factor;         /* [active x active] Cholesky factor of A on the set */
-  double *ones;           /* [nc] (A_set)^-1 1 */
+  double *ones;           /* [nc] (A_set)^-1 down */
   int factored;           /* factor and ones belong to set and A */
   double *work;           /* [5 * (nc + np)] */
 } pose;

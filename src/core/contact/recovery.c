@@ -73,7 +73,7 @@ static element element_with(const recovery *r, int e, double u[8]) {
 static void sample_element(recovery *r, int e) {
   double u[8];
   const element el = element_with(r, e, u);
-  arc_element_stress(&el, r->body->d, u, &r->value[3 * e]);
+  arc_element_stress(&el, arc_body_elasticity(r->body, e), u, &r->value[3 * e]);
   for (int c = 0; c < el.corners; c++)
     for (int d = 0; d < 2; d++) r->place[2 * e + d] += el.xy[c][d] / el.corners;
   r->known[e] = 1;
@@ -90,7 +90,7 @@ static double swelling_of(const recovery *r, int e, double *area) {
 
 /* Triangles of one cell share the pressure of their common dilatation. */
 static void share_dilatation(recovery *r, int e, int triangles) {
-  const double bulk = arc_elasticity_bulk(r->body->d);
+  const double bulk = arc_elasticity_bulk(arc_body_elasticity(r->body, e));
   double area = 0, change = 0;
   for (int t = e; t < e + 2 * triangles; t += 2) change += swelling_of(r, t, &area);
   for (int t = e; t < e + 2 * triangles; t += 2) {
@@ -133,7 +133,10 @@ static int last_of(const boundary *o, int k) {
  * nowhere else, so that the stress along it is -p. What is left of the stress comes from afar
  * and is smooth, even where the pressure ends. */
 static void split_edges(const recovery *r, boundary *o) {
-  const double nu = r->body->material.nu, modulus = arc_material_E_star(r->body->material);
+  const arc_body_def *solid = &r->mesh->solid; /* what the surface is made of */
+  const arc_material top =
+      arc_body_layers(solid) > 0 ? solid->layer[0].material : r->body->material;
+  const double nu = top.nu, modulus = arc_material_E_star(top);
   const int *node = r->mesh->outline_node;
   for (int k = 0; k < o->count; k++) {
     const double *a = &r->xy[2 * node[k]], *b = &r->xy[2 * node[next_of(o, k)]];

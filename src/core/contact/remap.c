@@ -36,9 +36,8 @@ static arc_status track_create(track *t, int n) {
 }
 
 static void track_of(const shape_side *side, track *t) {
-  const arc_mesh *mesh = side->body->mesh;
   for (int i = 0; i < side->n; i++) {
-    const double *top = &mesh->xy[2 * mesh->surface_node[i]];
+    const double *top = arc_body_top(side->body, i);
     t->x[i] = side->x0[i];
     t->value[WAY_X][i] = side->xy[2 * i] - top[0];
     t->value[WAY_Y][i] = side->xy[2 * i + 1] - top[1];
@@ -137,10 +136,9 @@ static void track_at(const track *t, double at, double value[QUANTITIES]) {
 /* The area that the polygon of a side's unworn nodes gains under it [mm2] by `scale` times the ways
  * of a track. */
 static double area_under(const shape_side *side, const track *t, double scale) {
-  const arc_mesh *mesh = side->body->mesh;
   double area = 0, before[4] = {0};
   for (int i = 0; i < t->n; i++) {
-    const double *top = &mesh->xy[2 * mesh->surface_node[i]];
+    const double *top = arc_body_top(side->body, i);
     const double x = top[0] + scale * t->value[WAY_X][i], y = top[1] + scale * t->value[WAY_Y][i];
     if (i > 0)
       area += ((x - before[0]) * (y + before[1]) - (top[0] - before[2]) * (top[1] + before[3])) / 2;
@@ -166,11 +164,10 @@ static void scale_to(const shape_side *side, track *t, double wanted) {
 
 /* Where nodes stay over their places, the height of the surface there. */
 static void stand_upright(const shape_side *side, track *t) {
-  const arc_mesh *mesh = side->body->mesh;
   memcpy(t->room, t->value[WAY_Y], (size_t)t->n * sizeof(double));
   for (int i = 1; i + 1 < t->n; i++) {
-    const double *a = &mesh->xy[2 * mesh->surface_node[i - 1]];
-    const double *b = &mesh->xy[2 * mesh->surface_node[i + 1]];
+    const double *a = arc_body_top(side->body, i - 1);
+    const double *b = arc_body_top(side->body, i + 1);
     const double dx = b[0] - a[0] + t->value[WAY_X][i + 1] - t->value[WAY_X][i - 1];
     const double dy = b[1] - a[1] + t->value[WAY_Y][i + 1] - t->value[WAY_Y][i - 1];
     t->room[i] -= t->value[WAY_X][i] * dy / dx;

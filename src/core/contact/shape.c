@@ -52,9 +52,8 @@ static void chord_at(const double *xy, int n, int i, double chord[2]) {
 /* What follows from where nodes are. They move along x with their normals while the coupling stays
  * where they settled: levels are those there. */
 static void read_nodes(shape_side *side) {
-  const arc_mesh *mesh = side->body->mesh;
   for (int i = 0; i < side->n; i++) {
-    const double *now = &side->xy[2 * i], *top = &mesh->xy[2 * mesh->surface_node[i]];
+    const double *now = &side->xy[2 * i], *top = arc_body_top(side->body, i);
     double chord[2];
     chord_at(side->xy, side->n, i, chord);
     side->level[i] = now[1] - (now[0] - side->settled[2 * i]) * chord[1] / chord[0];
@@ -65,9 +64,8 @@ static void read_nodes(shape_side *side) {
 }
 
 static void fill_unworn(shape_side *side) {
-  const arc_mesh *mesh = side->body->mesh;
   for (int i = 0; i < side->n; i++) {
-    const double *node = &mesh->xy[2 * mesh->surface_node[i]];
+    const double *node = arc_body_top(side->body, i);
     side->x0[i] = node[0];
     memcpy(&side->xy[2 * i], node, 2 * sizeof(double));
   }
@@ -146,12 +144,12 @@ arc_model *arc_shape_model(const arc_shape *shape) {
 static void box_node_at(const shape_side *side, const double *surface_xy, int k, double xy[2]) {
   const arc_mesh *mesh = side->body->mesh;
   const int column = k / (mesh->rows + 1), row = k % (mesh->rows + 1);
-  const double *top = &mesh->xy[2 * mesh->surface_node[column]];
+  const double *top = arc_body_top(side->body, column);
   /* far elements share the nodes at the box's sides, and stay as they are: so do these */
   const int side_column = column == 0 || column == side->n - 1;
-  const double share = side_column || mesh->rows == 0 ? 0 : (double)(mesh->rows - row) / mesh->rows;
+  const double share = side_column || mesh->rows == 0 ? 0 : arc_body_pull(side->body, column, row);
   for (int d = 0; d < 2; d++)
-    xy[d] = mesh->xy[2 * mesh->box_node[k] + d] + share * (surface_xy[2 * column + d] - top[d]);
+    xy[d] = side->body->box_at[2 * k + d] + share * (surface_xy[2 * column + d] - top[d]);
 }
 
 void arc_shape_box(const shape_side *side, const double *surface_xy, double *box_xy) {
@@ -240,9 +238,10 @@ static void move_surface(const shape_side *side, arc_geometry geometry, const do
  */
 static arc_status check_box(const shape_side *side, const double *xy, arc_error *error) {
   const arc_mesh *mesh = side->body->mesh;
-  const double box = mesh->rows * mesh->def.height;
+  const double *top = arc_body_top(side->body, side->n / 2);
+  const double box = fabs(arc_body_bottom(side->body, side->n / 2)[1] - top[1]);
   for (int i = 0; i < side->n; i++) {
-    const double *bottom = &mesh->xy[2 * mesh->box_node[i * (mesh->rows + 1) + mesh->rows]];
+    const double *bottom = arc_body_bottom(side->body, i);
     const double left = (bottom[1] - xy[2 * i + 1]) * inward(side);
     if (left > thinnest * box && (i == 0 || xy[2 * i] > xy[2 * i - 2])) continue;
     return arc_fail(
@@ -260,7 +259,7 @@ static arc_status check_box(const shape_side *side, const double *xy, arc_error 
  * shows in the pressure at a scar's edge as much. */
 static int gone_too_far(const shape_side *side, const double *xy, int i, double share) {
   const arc_mesh *mesh = side->body->mesh;
-  const double *bottom = &mesh->xy[2 * mesh->box_node[i * (mesh->rows + 1) + mesh->rows]];
+  const double *bottom = arc_body_bottom(side->body, i);
   const double height = fabs(bottom[1] - xy[2 * i + 1]) / mesh->rows;
   const double along = fabs(xy[2 * i] - side->settled[2 * i]),
                across = fabs(xy[2 * i + 1] - side->settled[2 * i + 1]);
@@ -298,10 +297,8 @@ static int refresh_is_due(const arc_shape *shape, const shape_side *side, const 
 }
 
 static int is_unworn(const shape_side *side) {
-  const arc_mesh *mesh = side->body->mesh;
   for (int i = 0; i < side->n; i++)
-    if (memcmp(&side->xy[2 * i], &mesh->xy[2 * mesh->surface_node[i]], 2 * sizeof(double)))
-      return 0;
+    if (memcmp(&side->xy[2 * i], arc_body_top(side->body, i), 2 * sizeof(double))) return 0;
   return 1;
 }
 
@@ -399,12 +396,11 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
 arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, const double *way_y,
                          const double *h, double even, arc_error *error) {
   shape_side *side = &shape->side[body], put = *side;
-  const arc_mesh *mesh = side->body->mesh;
   compliance renewed = {0};
   put.xy = malloc(2 * (size_t)side->n * sizeof *put.xy);
   if (!put.xy) return out_of_memory(error);
   for (int i = 0; i < side->n; i++) {
-    const double *top = &mesh->xy[2 * mesh->surface_node[i]];
+    const double *top = arc_body_top(side->body, i);
     put.xy[2 * i] = top[0] + way_x[i];
     put.xy[2 * i + 1] = top[1] + way_y[i];
   }
@@ -485,8 +481,11 @@ void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy) {
   const shape_side *side = &shape->side[body];
   const arc_mesh *mesh = side->body->mesh;
   memcpy(xy, mesh->xy, 2 * (size_t)mesh->nodes * sizeof *xy);
-  for (int k = 0; k < side->body->box_count; k++)
-    box_node_at(side, side->xy, k, &xy[2 * mesh->box_node[k]]);
+  for (int k = 0; k < side->body->box_count; k++) {
+    double at[2];
+    box_node_at(side, side->xy, k, at);
+    arc_chart_to_space(&side->body->chart, 1, at, &xy[2 * mesh->box_node[k]]);
+  }
 }
 
 size_t arc_shape_bytes(const arc_shape *shape) {

@@ -11,6 +11,13 @@ static const double rounding = 1e-9;
 
 /* Force along the load that presses on a node [N/mm]. */
 static double across(const arc_contact *c, arc_body body, int i) {
+  const chart *on = &c->shape->side[body].body->chart;
+  if (on->polar) {
+    double along[2], up[2];
+    const double *f = c->force[body];
+    arc_chart_axes(on, c->x[body][i], along, up);
+    return (body == ARC_CYLINDER ? 1 : -1) * (up[1] * f[c->count[body] + i] + along[1] * f[i]);
+  }
   const double y = c->force[body][c->count[body] + i];
   if (!c->rubs) return c->f[body][i];
   return body == ARC_CYLINDER ? y : -y;
@@ -33,7 +40,7 @@ static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *e
 
 /* gap - approach + A f at a candidate [mm]. */
 static double gap_left(const pose *p, int candidate) {
-  double g = p->gap[candidate] - p->approach;
+  double g = p->gap[candidate] - p->approach * p->down[candidate];
   for (int k = 0; k < p->count; k++) g += p->a[dense_at(candidate, k, p->count)] * p->f[k];
   return g;
 }

@@ -2,6 +2,7 @@
 #include "core/elastic/body.h"
 #include "core/base/dense.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -102,7 +103,7 @@ static int enter_node(int node, int *nodes, int *count) {
 
 /* Triangles of one cell: each resists a change of its shape, all together that of their area. */
 static arc_status add_cell(elastic_body *b, int e, int triangles, sparse_entries *stiffness) {
-  const elasticity shape = arc_elasticity_deviatoric(b->d);
+  const elasticity d = arc_body_elasticity(b, e), shape = arc_elasticity_deviatoric(d);
   int nodes[most_cell_nodes], count = 0;
   double swelling[2 * most_cell_nodes] = {0}, area = 0, k[4 * most_cell_nodes * most_cell_nodes];
   arc_status status = ARC_OK;
@@ -120,7 +121,7 @@ static arc_status add_cell(elastic_body *b, int e, int triangles, sparse_entries
   }
   if (status != ARC_OK) return status;
   const int n = 2 * count;
-  const double bulk = arc_elasticity_bulk(b->d) / area;
+  const double bulk = arc_elasticity_bulk(d) / area;
   for (int r = 0; r < n; r++)
     for (int c = 0; c < n; c++) k[r * n + c] = bulk * (swelling[r] * swelling[c]);
   return add_block(b, nodes, count, k, stiffness);
@@ -131,7 +132,7 @@ static arc_status add_far_elements(elastic_body *b, sparse_entries *stiffness) {
   for (int e = b->mesh->box_elements; e < b->mesh->elements && status == ARC_OK; e++) {
     const int triangles = arc_body_cell(b, e);
     if (triangles == 1)
-      status = add_element(b, e, b->d, stiffness);
+      status = add_element(b, e, arc_body_elasticity(b, e), stiffness);
     else if (triangles > 1)
       status = add_cell(b, e, triangles, stiffness);
   }
@@ -161,6 +162,10 @@ static arc_status allocate(elastic_body *b) {
   if (!b->node_box || !b->node_far || !b->box_inner || !b->box_rim) return ARC_MEMORY;
   number_box(b);
   number_far(b);
+  b->box_at = malloc(2 * (size_t)b->box_count * sizeof *b->box_at);
+  if (!b->box_at) return ARC_MEMORY;
+  for (int k = 0; k < b->box_count; k++)
+    arc_chart_from_space(&b->chart, 1, &m->xy[2 * m->box_node[k]], &b->box_at[2 * k]);
   b->s_far = calloc((size_t)(4 * b->rim) * (size_t)b->rim, sizeof(double));
   if (!b->s_far) return ARC_MEMORY;
   b->thinning = calloc(ARC_THINNING_SPAN * ARC_THINNING_SPAN, sizeof(double));
@@ -199,8 +204,7 @@ static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) 
 static arc_status condense_unworn(elastic_body *b, work_watch *seen, arc_error *error) {
   double *box = malloc(2 * (size_t)b->box_count * sizeof *box);
   if (!box) return out_of_memory(b, error);
-  for (int k = 0; k < b->box_count; k++)
-    memcpy(&box[2 * k], &b->mesh->xy[2 * b->mesh->box_node[k]], 2 * sizeof *box);
+  memcpy(box, b->box_at, 2 * (size_t)b->box_count * sizeof *box);
   arc_status status = arc_body_condense(b, box, &b->unworn, error);
   if (status == ARC_OK) status = arc_watch_stage(seen);
   if (status == ARC_OK) status = find_thinning(b, box, error);
@@ -208,16 +212,31 @@ static arc_status condense_unworn(elastic_body *b, work_watch *seen, arc_error *
   return status;
 }
 
+/* By layer; returns the largest Poisson's ratio. */
+static double take_materials(elastic_body *b, const arc_body_def *solid) {
+  const int layers = arc_body_layers(solid);
+  double nu = b->material.nu;
+  for (int l = 0; l < layers; l++) {
+    b->layer[l] = arc_elasticity_of(solid->layer[l].material);
+    nu = fmax(nu, solid->layer[l].material.nu);
+  }
+  b->layer[layers] = b->d;
+  return nu;
+}
+
 /* Builds the mesh of the body, or takes the one that is given. */
 static arc_status take_mesh(elastic_body *b, const arc_model_def *def, arc_body which,
                             arc_mesh **given, arc_error *error) {
   arc_mesh_def mesh = def->mesh;
-  mesh.element = arc_element_for(mesh.element, b->material.nu);
-  if (!*given) return arc_mesh_build(&mesh, which, def->radius, &b->mesh, error);
+  const arc_body_def solid = arc_model_solid(def, which);
+  mesh.element = arc_element_for(mesh.element, take_materials(b, &solid));
+  if (!*given) return arc_mesh_build_solid(&mesh, which, &solid, &b->mesh, error);
   b->mesh = *given;
   *given = NULL;
   b->mesh->def.element = mesh.element;
-  return ARC_OK;
+  b->mesh->solid = solid;
+  b->mesh->layer = calloc((size_t)b->mesh->elements, sizeof(int)); /* one material */
+  return b->mesh->layer ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for a given mesh");
 }
 
 /* All but the mesh. */
@@ -237,6 +256,7 @@ arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **
   if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(which));
   b->material = def->material[which];
   b->d = arc_elasticity_of(b->material);
+  b->chart = arc_chart_of(def);
   arc_status status = take_mesh(b, def, which, given, error);
   if (status == ARC_OK) status = make(b, seen, error);
   if (status != ARC_OK) arc_body_destroy(&b);
@@ -257,6 +277,7 @@ void arc_body_destroy(elastic_body **body) {
   free(b->s_far);
   arc_compliance_free(&b->unworn);
   free(b->thinning);
+  free(b->box_at);
   free(b);
   *body = NULL;
 }

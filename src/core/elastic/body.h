@@ -9,6 +9,7 @@
 
 #include "archard/model.h"
 #include "core/base/watch.h"
+#include "core/elastic/chart.h"
 #include "core/elastic/element.h"
 #include "core/elastic/factor.h"
 
@@ -27,7 +28,10 @@ typedef struct compliance {
 typedef struct elastic_body {
   arc_mesh *mesh;
   arc_material material;
-  elasticity d;
+  elasticity d;                          /* of its own material, under all layers */
+  elasticity layer[ARC_MOST_LAYERS + 1]; /* by the layer of an element */
+  chart chart;
+  double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */
   int *node_box;  /* [nodes] index in the wear box (as box_node), or -1 */
   int *node_far;  /* [nodes] far unknown of its x (y follows), or -1 */
   int far_count;  /* far unknowns */
@@ -71,9 +75,31 @@ void arc_compliance_incline(compliance *c);
 /* Bytes of a compliance of n nodes. */
 size_t arc_compliance_bytes(int n);
 
-/* The compliance with the wear-box nodes at box_xy [2 * box_count] (order of box_node).
- * ARC_NUMERIC, ARC_MEMORY. */
-arc_status arc_body_condense(const elastic_body *body, const double *box_xy, compliance *result,
+/* An unworn surface node in the chart, and the wear box's bottom under it: s and z [mm]. */
+static inline const double *arc_body_top(const elastic_body *body, int i) {
+  return &body->box_at[2 * i * (body->mesh->rows + 1)];
+}
+static inline const double *arc_body_bottom(const elastic_body *body, int i) {
+  return &body->box_at[2 * (i * (body->mesh->rows + 1) + body->mesh->rows)];
+}
+
+/* Share of the surface's way that row `row` of wear-box column i takes: by its depth, which goes by
+ * rows but where layers have rows of their own. */
+static inline double arc_body_pull(const elastic_body *body, int i, int row) {
+  const int rows = body->mesh->rows;
+  if (body->mesh->solid.layer[0].thickness == 0) return (double)(rows - row) / rows;
+  const double top = arc_body_top(body, i)[1], bottom = arc_body_bottom(body, i)[1];
+  return (bottom - body->box_at[2 * (i * (rows + 1) + row) + 1]) / (bottom - top);
+}
+
+/* Elasticity of an element outside the wear box. */
+static inline elasticity arc_body_elasticity(const elastic_body *body, int e) {
+  return body->layer[body->mesh->layer[e]];
+}
+
+/* The compliance, in the chart's directions, with the wear-box nodes at box_at [2 * box_count] of
+ * the chart (order of box_node). ARC_NUMERIC, ARC_MEMORY. */
+arc_status arc_body_condense(const elastic_body *body, const double *box_at, compliance *result,
                              arc_error *error);
 
 /* Triangles that share one dilatation with triangle e, the first of its cell: e, e + 2, ...; none
@@ -81,9 +107,9 @@ arc_status arc_body_condense(const elastic_body *body, const double *box_xy, com
  * for the later ones of a cell. */
 int arc_body_cell(const elastic_body *body, int e);
 
-/* Displacements u [2 * nodes] of the whole body under surface forces f [2 * surface, N/mm], along x
- * at all nodes first, then along y, by back-substitution. */
-arc_status arc_body_displacements(const elastic_body *body, const double *box_xy, const double *f,
+/* Displacements u [2 * nodes] of the whole body, in space, under surface forces f [2 * surface,
+ * N/mm], along s at all nodes first, then along z, by back-substitution. */
+arc_status arc_body_displacements(const elastic_body *body, const double *box_at, const double *f,
                                   double *u, arc_error *error);
 
 /* The model's body (not public: contact and wear lean on it). */
@@ -99,14 +125,20 @@ void arc_model_warn(const arc_model *model, double half_width, const arc_callbac
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
+/* Whether two bodies, each in order, make a pair; ARC_ARGUMENT. */
+arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error);
+
+/* The widest zone of a body of the model [mm]: arcs curl away from the contact. */
+double arc_model_widest_zone(const arc_model_def *def, arc_body body);
+
+/* The deepest wear box that both bodies have room for [mm]. */
+double arc_model_deepest_box(const arc_model_def *def);
+
 /* The size that "auto" is at a fineness of 1 for a half width [mm]. */
 double arc_model_size_for(double half_width);
 
 /* Bytes that building the model takes at its height, about. */
 double arc_model_memory(const arc_model_def *def);
-
-/* The widest zone of a body, in radii: the cylinder curls away from the contact. */
-#define ARC_WIDEST_ZONE 1.6
 
 /* Room for the edge peaks of worn contacts, in half widths. */
 #define ARC_CONTACT_ROOM 1.3

@@ -11,6 +11,7 @@
 #include "core/base/dense.h"
 #include "core/elastic/body.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,14 +56,53 @@ static arc_status condensation_create(const elastic_body *b, condensation *c) {
   return ARC_MEMORY;
 }
 
-/* Adds one wear-box element with its nodes at box_xy. */
+/* Depth of a wear-box node under the unworn surface [mm]. */
+static double depth_of(const elastic_body *b, const double *box_at, int k) {
+  const double up = b->mesh->body == ARC_UPPER ? 1 : -1;
+  return up * (box_at[2 * k + 1] - arc_body_top(b, k / (b->mesh->rows + 1))[1]);
+}
+
+/* Elasticity of a wear-box element between two depths: that of the layers it lies in now, by their
+ * shares. */
+static elasticity mix_layers(const elastic_body *b, double from, double to) {
+  const int layers = arc_body_layers(&b->mesh->solid);
+  elasticity mixed = {.nu = b->d.nu};
+  for (int l = 0; l <= layers; l++) {
+    const double top = l > 0 ? arc_body_interface(&b->mesh->solid, l - 1) : -INFINITY;
+    const double end = l < layers ? arc_body_interface(&b->mesh->solid, l) : INFINITY;
+    const double share = fmax(0, fmin(to, end) - fmax(from, top)) / (to - from);
+    mixed.c11 += share * b->layer[l].c11;
+    mixed.c12 += share * b->layer[l].c12;
+    mixed.c33 += share * b->layer[l].c33;
+  }
+  return mixed;
+}
+
+/* The surface moves through the layers, which stay where they are. */
+static elasticity box_elasticity(const elastic_body *b, const double *box_at, const int corner[4]) {
+  const int rows = b->mesh->rows + 1;
+  double from = 0, to = 0;
+  int least = corner[0] % rows;
+  if (arc_body_layers(&b->mesh->solid) == 0) return b->d;
+  for (int a = 1; a < 4; a++) least = corner[a] % rows < least ? corner[a] % rows : least;
+  for (int a = 0; a < 4; a++) {
+    const double depth = depth_of(b, box_at, corner[a]) / 2;
+    if (corner[a] % rows == least)
+      from += depth;
+    else
+      to += depth;
+  }
+  return mix_layers(b, from, to);
+}
+
+/* Adds one wear-box element with its nodes at box_xy, in the chart at box_at. */
 static arc_status add_box_element(const elastic_body *b, int e, const double *box_xy,
-                                  condensation *c) {
+                                  const double *box_at, condensation *c) {
   int corner[4], inner[8], rim[8];
   for (int a = 0; a < 4; a++) corner[a] = b->node_box[b->mesh->element[4 * e + a]];
   const element el = arc_element_at(box_xy, corner, b->mesh->def.element);
   double k[64];
-  arc_element_stiffness(&el, b->d, k);
+  arc_element_stiffness(&el, box_elasticity(b, box_at, corner), k);
   for (int r = 0; r < 8; r++) {
     const int at = corner[r / 2];
     inner[r] = b->box_inner[at] < 0 ? -1 : 2 * b->box_inner[at] + r % 2;
@@ -167,20 +207,33 @@ static arc_status factorise(const elastic_body *b, condensation *c, arc_error *e
                   arc_body_name(b->mesh->body), bad);
 }
 
-static arc_status condense(const elastic_body *b, const double *box_xy, condensation *c,
-                           arc_error *error) {
+static arc_status condense_in_space(const elastic_body *b, const double *box_xy,
+                                    const double *box_at, condensation *c, arc_error *error) {
   const char *name = arc_body_name(b->mesh->body);
   if (condensation_create(b, c) != ARC_OK)
     return arc_fail(error, ARC_MEMORY, "out of memory for the %s's wear box", name);
   memcpy(c->t, b->s_far, (size_t)c->nr * (size_t)c->nr * sizeof(double));
   arc_status status = ARC_OK;
   for (int e = 0; e < b->mesh->box_elements && status == ARC_OK; e++)
-    status = add_box_element(b, e, box_xy, c);
+    status = add_box_element(b, e, box_xy, box_at, c);
   if (status != ARC_OK)
     arc_fail(error, status, "out of memory for the %s's wear box", name);
   else
     status = factorise(b, c, error);
   if (status != ARC_OK) condensation_free(c);
+  return status;
+}
+
+static arc_status condense(const elastic_body *b, const double *box_at, condensation *c,
+                           arc_error *error) {
+  if (!b->chart.polar) return condense_in_space(b, box_at, box_at, c, error);
+  double *box_xy = malloc(2 * (size_t)b->box_count * sizeof *box_xy);
+  if (!box_xy)
+    return arc_fail(error, ARC_MEMORY, "out of memory for the %s's wear box",
+                    arc_body_name(b->mesh->body));
+  arc_chart_to_space(&b->chart, b->box_count, box_at, box_xy);
+  const arc_status status = condense_in_space(b, box_xy, box_at, c, error);
+  free(box_xy);
   return status;
 }
 
@@ -241,16 +294,54 @@ static void split(const condensation *c, compliance *result) {
     }
 }
 
-arc_status arc_body_condense(const elastic_body *b, const double *box_xy, compliance *result,
+/* Displacement of node r under a force at node k, both turned into the chart's directions: ss, sz,
+ * zs, zz. */
+static void turn_pair(const compliance *c, const double *axes, int r, int k, double turned[4]) {
+  const size_t at = dense_at(r, k, c->n);
+  const double *u = &axes[4 * r], *v = &axes[4 * k];
+  for (int i = 0; i < 4; i++) {
+    const double *from = &v[i % 2 * 2], *to = &u[i / 2 * 2];
+    turned[i] = to[0] * (c->xx[at] * from[0] + c->xy[at] * from[1]) +
+                to[1] * (c->yx[at] * from[0] + c->yy[at] * from[1]);
+  }
+}
+
+/* Into the chart's directions, symmetric to the bit. */
+static void turn(compliance *c, const double *axes) {
+  for (int k = 0; k < c->n; k++)
+    for (int r = k; r < c->n; r++) {
+      double t[4];
+      const size_t below = dense_at(r, k, c->n), above = dense_at(k, r, c->n);
+      turn_pair(c, axes, r, k, t);
+      c->xx[below] = c->xx[above] = t[0];
+      c->xy[below] = c->yx[above] = t[1];
+      c->yx[below] = c->xy[above] = t[2];
+      c->yy[below] = c->yy[above] = t[3];
+    }
+}
+
+static arc_status turn_into_chart(const elastic_body *b, const double *box_at, compliance *c,
+                                  arc_error *error) {
+  if (!b->chart.polar) return ARC_OK;
+  double *axes = malloc(4 * (size_t)c->n * sizeof *axes);
+  if (!axes) return arc_fail(error, ARC_MEMORY, "out of memory for a compliance");
+  for (int i = 0; i < c->n; i++)
+    arc_chart_axes(&b->chart, box_at[2 * i * (b->mesh->rows + 1)], &axes[4 * i], &axes[4 * i + 2]);
+  turn(c, axes);
+  free(axes);
+  return ARC_OK;
+}
+
+arc_status arc_body_condense(const elastic_body *b, const double *box_at, compliance *result,
                              arc_error *error) {
   condensation c;
-  const arc_status status = condense(b, box_xy, &c, error);
+  const arc_status status = condense(b, box_at, &c, error);
   if (status != ARC_OK) return status;
   for (int q = 0; q < 2 * c.ns; q += together) add_z(b, &c, q);
   for (int j = 0; j < 2 * c.ns; j += panel) add_panel(&c, j);
   split(&c, result);
   condensation_free(&c);
-  return ARC_OK;
+  return turn_into_chart(b, box_at, result, error);
 }
 
 /* u_far = -K_ff^-1 K_fr u_rim, written into u. */
@@ -287,14 +378,28 @@ static void box_displacements(const elastic_body *b, const condensation *c, cons
   for (int i = 0; i < c->ni; i++) inner[i] = c->side[together * i];
 }
 
-arc_status arc_body_displacements(const elastic_body *b, const double *box_xy, const double *f,
+/* Forces [2 n] from the chart's directions to those of space. */
+static void turn_forces(const elastic_body *b, const double *box_at, const double *f, double *to) {
+  const int n = b->mesh->surface;
+  for (int i = 0; i < n; i++) {
+    double along[2], across[2];
+    arc_chart_axes(&b->chart, box_at[2 * i * (b->mesh->rows + 1)], along, across);
+    for (int d = 0; d < 2; d++) to[d * n + i] = along[d] * f[i] + across[d] * f[n + i];
+  }
+}
+
+arc_status arc_body_displacements(const elastic_body *b, const double *box_at, const double *f,
                                   double *u, arc_error *error) {
   condensation c;
-  arc_status status = condense(b, box_xy, &c, error);
+  arc_status status = condense(b, box_at, &c, error);
   if (status != ARC_OK) return status;
-  double *rim = malloc((size_t)(c.nr + c.ni) * sizeof *rim);
+  double *rim = malloc((size_t)(c.nr + c.ni + 2 * c.ns) * sizeof *rim);
   if (rim) {
-    double *inner = rim + c.nr;
+    double *inner = rim + c.nr, *turned = inner + c.ni;
+    if (b->chart.polar) {
+      turn_forces(b, box_at, f, turned);
+      f = turned;
+    }
     box_displacements(b, &c, f, rim, inner);
     memset(u, 0, 2 * (size_t)b->mesh->nodes * sizeof *u);
     for (int k = 0; k < b->box_count; k++) {

@@ -6,12 +6,6 @@
 
 #include <math.h>
 
-static double half_width_of(const arc_model_def *def, double load) {
-  arc_hertz hertz = {0};
-  arc_hertz_solve(def->radius, def->thickness, load, def->material, &hertz, NULL);
-  return hertz.half_width;
-}
-
 double arc_model_size_for(double half_width) {
   const arc_hertz_def paper = arc_hertz_default();
   arc_hertz hertz = {0};
@@ -19,18 +13,35 @@ double arc_model_size_for(double half_width) {
   return arc_mesh_default().size * (half_width / hertz.half_width);
 }
 
+/* The least dimension of both bodies that limits meshes. */
+static double least_measure(const arc_model_def *def) {
+  const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
+                     lower = arc_model_solid(def, ARC_LOWER);
+  return fmin(arc_body_measure(&upper), arc_body_measure(&lower));
+}
+
+double arc_model_deepest_box(const arc_model_def *def) {
+  return least_measure(def) / 4;
+}
+
+double arc_model_widest_zone(const arc_model_def *def, arc_body body) {
+  const arc_body_def solid = arc_model_solid(def, body);
+  return arc_body_widest_zone(&solid);
+}
+
 /* Rows of the usual height take a tenth of the radius at the most, and leave room for the rest. */
 static double largest_size(const arc_model_def *def) {
   const arc_mesh_def paper = arc_mesh_default();
   const double stretch = paper.height / paper.size;
-  return fmin(def->radius / 10 / stretch, def->radius / 4 / stretch / def->mesh.rows);
+  const double measure = least_measure(def);
+  return fmin(measure / 10 / stretch, measure / 4 / stretch / def->mesh.rows);
 }
 
 static void fit_size(arc_model_def *def, double load) {
   arc_mesh_def *mesh = &def->mesh;
   if (mesh->fineness == 0) mesh->fineness = 1;
   mesh->size =
-      fmin(arc_model_size_for(half_width_of(def, load)) / mesh->fineness, largest_size(def));
+      fmin(arc_model_size_for(arc_model_half_width(def, load)) / mesh->fineness, largest_size(def));
 }
 
 void arc_model_fit(arc_model_def *def, double load) {
@@ -38,7 +49,7 @@ void arc_model_fit(arc_model_def *def, double load) {
   arc_mesh_def *mesh = &def->mesh;
   if (mesh->size == 0) fit_size(def, load);
   if (mesh->height == 0) mesh->height = paper.height * (mesh->size / paper.size);
-  if (mesh->far == 0) mesh->far = fmax(def->radius / 10, fmax(mesh->size, mesh->height));
+  if (mesh->far == 0) mesh->far = fmax(least_measure(def) / 10, fmax(mesh->size, mesh->height));
 }
 
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
@@ -49,24 +60,25 @@ void arc_zone_for(double reach, double half_width, double size, double zone[ARC_
 }
 
 /* Rounded up, so that runs that differ a little share a model. */
-static double rounded_zone(const arc_model_def *def, double needed) {
+static double rounded_zone(const arc_model_def *def, arc_body body, double needed) {
   const double unit = 10 * def->mesh.size, rounded = ceil(needed / unit - 1e-9) * unit;
-  return fmin(rounded, ARC_WIDEST_ZONE * def->radius);
+  return fmin(rounded, arc_model_widest_zone(def, body));
 }
 
 void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]) {
   for (int b = 0; b < ARC_BODIES; b++)
-    if (def->mesh.zone[b] == 0) def->mesh.zone[b] = rounded_zone(def, needed[b]);
+    if (def->mesh.zone[b] == 0) def->mesh.zone[b] = rounded_zone(def, (arc_body)b, needed[b]);
 }
 
 void arc_model_fit_alone(arc_model_def *def) {
   const double load = arc_hertz_default().load;
-  const double half_width = half_width_of(def, load);
+  const double half_width = arc_model_half_width(def, load);
   double zone[ARC_BODIES];
   arc_model_fit(def, load);
   arc_zone_for(0, half_width, arc_model_size_for(half_width), zone);
   for (int b = 0; b < ARC_BODIES; b++)
-    if (def->mesh.zone[b] == 0) def->mesh.zone[b] = fmin(zone[b], ARC_WIDEST_ZONE * def->radius);
+    if (def->mesh.zone[b] == 0)
+      def->mesh.zone[b] = fmin(zone[b], arc_model_widest_zone(def, (arc_body)b));
 }
 
 /* --- what it costs ---------------------------------------------------------------------------- */
@@ -74,7 +86,8 @@ void arc_model_fit_alone(arc_model_def *def) {
 /* Found on meshes of 20 to 2.5 um: per node the stiffness and its factor; beside them dense blocks
  * over the wear box. */
 static double body_memory(const arc_model_def *def, arc_body body) {
-  const double nodes = arc_mesh_nodes(&def->mesh, body, def->radius);
+  const arc_body_def solid = arc_model_solid(def, body);
+  const double nodes = arc_mesh_nodes(&def->mesh, body, &solid);
   const double surface = def->mesh.zone[body] / def->mesh.size + 1, rows = def->mesh.rows;
   const double rim = 2 * (surface + 2 * rows), inner = 2 * surface * rows;
   const double dense = inner * (rim + 2 * surface) + 4 * rim * rim + 10 * surface * surface;

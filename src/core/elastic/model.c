@@ -6,12 +6,14 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 struct arc_model {
   int references;
   arc_model_def def;
   elastic_body *body[ARC_BODIES];
+  double *profile[ARC_BODIES]; /* of the definition */
   double seconds;
   long version; /* the last number given to a compliance */
 };
@@ -21,11 +23,22 @@ const arc_setting arc_material_settings[] = {
     ARC_MATERIAL_SETTINGS(ARC_SETTING_NUMBER){.name = NULL}};
 #undef ARC_SETTING_OF
 
+#define ARC_BODY_SETTING(role, name_, text_)                                                       \
+  {                                                                                                \
+    .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_body_settings,                      \
+    .offset = offsetof(arc_model_def, body[role]), .class_name = "body",                           \
+    .type = "a body, as body.cylinder{ radius=10 } makes one", .text = text_                       \
+  }
+
 #define ARC_SETTING_OF arc_model_def
 const arc_setting arc_model_settings[] = {
     ARC_MODEL_SETTINGS(ARC_SETTING_NUMBER)
         ARC_MATERIAL_SETTING(arc_model_def, ARC_CYLINDER, "cylinder", "Material of the cylinder."),
     ARC_MATERIAL_SETTING(arc_model_def, ARC_PLATE, "plate", "Material of the plate."),
+    ARC_BODY_SETTING(ARC_UPPER, "upper",
+                     "The upper body, which carries the load: body.cylinder{}, body.punch{}, ..."),
+    ARC_BODY_SETTING(ARC_LOWER, "lower",
+                     "The lower body, which moves: body.block{}, body.ring{}, ..."),
     {.name = "mesh",
      .unit = "",
      .kind = ARC_GROUP,
@@ -57,7 +70,7 @@ arc_status arc_material_check(arc_material m, arc_error *error) {
 }
 
 arc_model_def arc_model_default(void) {
-  arc_model_def def;
+  arc_model_def def = {0};
   arc_settings_default(arc_model_settings, &def);
   def.mesh = arc_mesh_default();
   return def;
@@ -96,6 +109,25 @@ static void discard(void *job) {
   free(b);
 }
 
+/* Profiles belong to whoever asked: a model has its own. */
+static arc_status keep_profiles(arc_model *m) {
+  arc_status status = ARC_OK;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    arc_series *y = &m->def.body[b].y_series;
+    const size_t n = (size_t)y->count;
+    if (n == 0) continue;
+    m->profile[b] = malloc(2 * n * sizeof(double));
+    if (m->profile[b]) {
+      memcpy(m->profile[b], y->distance, n * sizeof(double));
+      memcpy(m->profile[b] + n, y->value, n * sizeof(double));
+    } else {
+      status = ARC_MEMORY;
+    }
+    *y = (arc_series){(int)n, m->profile[b], m->profile[b] ? m->profile[b] + n : NULL};
+  }
+  return status;
+}
+
 static build *begin_build(const arc_model_def *def) {
   build *b = calloc(1, sizeof *b);
   if (b) b->model = calloc(1, sizeof *b->model);
@@ -107,7 +139,10 @@ static build *begin_build(const arc_model_def *def) {
   b->model->references = 1;
   b->model->version = ARC_UNWORN_VERSION;
   b->model->def = *def;
-  return b;
+  if (keep_profiles(b->model) == ARC_OK) return b;
+  arc_model_release(&b->model);
+  free(b);
+  return NULL;
 }
 
 static arc_status refuse_memory(const arc_model_def *def, arc_error *error) {
@@ -150,9 +185,13 @@ arc_status arc_model_build_watched(const arc_model_def *wanted, const arc_callba
   arc_model_def def = *wanted;
   arc_status status = arc_settings_check(arc_model_settings, "", &def, error);
   if (status != ARC_OK) return status;
+  status = arc_model_check_pair(&def, error);
+  if (status != ARC_OK) return status;
   arc_model_fit_alone(&def);
-  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status = arc_mesh_check(&def.mesh, (arc_body)b, def.radius, error);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
+    const arc_body_def solid = arc_model_solid(&def, (arc_body)b);
+    status = arc_mesh_check(&def.mesh, (arc_body)b, &solid, error);
+  }
   if (status == ARC_OK) status = refuse_memory(&def, error);
   return status == ARC_OK ? build_watched(&def, NULL, callbacks, result, error) : status;
 }
@@ -206,7 +245,10 @@ void arc_model_release(arc_model **model) {
   arc_model *m = *model;
   *model = NULL;
   if (--m->references > 0) return;
-  for (int b = 0; b < ARC_BODIES; b++) arc_body_destroy(&m->body[b]);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    arc_body_destroy(&m->body[b]);
+    free(m->profile[b]);
+  }
   free(m);
 }
 

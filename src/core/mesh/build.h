@@ -18,15 +18,17 @@ typedef struct mesh_builder {
 } mesh_builder;
 
 /* Errors of arc_mesh_build that are known beforehand. */
-arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, double radius, arc_error *error);
+arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
+                          arc_error *error);
 /* About how many nodes a mesh will have. */
-double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, double radius);
+double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def *solid);
 
 /* Adds the elements of the half body s >= 0: the wear box first, column by column, then the rest;
  * hanging nodes are closed with triangles. `columns` x `rows` is the half wear box. ARC_MEMORY. */
 arc_status arc_mesh_tile(mesh_builder *builder, const quadtree *tree, int columns, int rows);
 
-/* Chains the edges that only one element has into the boundary polygon. ARC_MEMORY or ARC_GEOMETRY.
+/* Chains the edges that only one element has into the boundary polygon; of a ring, whose boundary
+ * is two, that with the surface. ARC_MEMORY or ARC_GEOMETRY.
  */
 arc_status arc_mesh_outline(arc_mesh *mesh);
 

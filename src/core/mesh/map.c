@@ -1,34 +1,18 @@
-/* The two maps: the plate's is the identity, the half cylinder's polar. Below the contact region
- * the cylinder's depth follows r = r0 exp(-d / r0), which keeps the cells' shape while circles
- * shrink. */
+/* The maps: rectangles with a surface of some height that fades with depth, solid arcs and walls of
+ * rings. Below the contact region the depth of solid arcs follows r = r0 exp(-d / r0), which keeps
+ * the cells' shape while circles shrink. */
 #include "core/mesh/map.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-static const double pi = 3.14159265358979323846;
-
-/* Roots along the half surface: few on the cylinder, so that the fan at its centre has blunt
+/* Roots along the half surface: few on solid arcs, so that the fan at their centre has blunt
  * triangles. */
-static int choose_root_level(const arc_mesh_def *def, arc_body body, double half_s) {
-  const double largest = body == ARC_CYLINDER ? half_s / 2.5 : fmin(def->far, half_s / 2);
+static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
+  const double wide = m->solid->kind == ARC_SOLID_DISC ? 5 : 2.5;
+  const double largest = m->core ? m->half_s / wide : fmin(def->far, m->half_s / 2);
   const int level = (int)floor(log2(largest / def->size) + 1e-9);
   return level > 0 ? level : 0;
-}
-
-body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, double radius, double near_s,
-                           double near_d) {
-  body_map m = {.body = body, .radius = radius, .size = def->size, .height = def->height};
-  m.half_s = body == ARC_CYLINDER ? pi * radius / 2 : radius;
-  m.near_s = near_s;
-  m.near_d = near_d;
-  m.root_level = choose_root_level(def, body, m.half_s);
-  const double unit = ldexp(1, m.root_level);
-  const double deep = body == ARC_CYLINDER ? 1.9 * radius : radius;
-  m.columns = (int)fmax(1, round(m.half_s / (unit * def->size)));
-  m.lines = (int)fmax(1, round(deep / (unit * def->height)));
-  m.units_s = m.columns * unit * def->size;
-  m.units_d = m.lines * unit * def->height;
-  return m;
 }
 
 /* Identity up to `near`, then linear so that `units` lands on `target`. */
@@ -37,29 +21,113 @@ static double stretch(double at, double near, double units, double target) {
   return near + (at - near) * ((target - near) / (units - near));
 }
 
-static double cylinder_radius_at(const body_map *m, double depth) {
-  if (depth <= m->near_d) return m->radius - depth;
+/* Depth [mm] of a logical one, layers left out. */
+static double plain_depth(const body_map *m, double d) {
+  if (m->core) return d;
+  return d >= m->units_d ? m->depth : stretch(d, m->near_d, m->units_d, m->depth);
+}
+
+/* The row nearest a depth [mm]; deep ones on the lines of coarse cells. */
+static double row_at(const body_map *m, double depth, double above) {
+  double least = 0, most = m->units_d;
+  for (int k = 0; k < 60; k++) {
+    const double middle = (least + most) / 2;
+    if (plain_depth(m, middle) < depth)
+      least = middle;
+    else
+      most = middle;
+  }
+  const double j = least / m->height, coarse = exp2(floor(log2(fmax(1, j / 8))));
+  return fmax(above + 1, round(j / coarse) * coarse);
+}
+
+/* Rows of elements on every interface. */
+static void lay_layers(body_map *m) {
+  m->layers = arc_body_layers(m->solid);
+  for (int l = 0; l < m->layers; l++) {
+    const double depth = arc_body_interface(m->solid, l);
+    m->line[l] = row_at(m, depth, l > 0 ? m->line[l - 1] : 0);
+    m->shift[l] = depth - plain_depth(m, m->line[l] * m->height);
+  }
+}
+
+body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
+                           double near_s, double near_d) {
+  body_map m = {.solid = solid,
+                .up = body == ARC_UPPER ? 1 : -1,
+                .round = arc_body_is_round(solid),
+                .hollow = arc_body_is_hollow(solid),
+                .radius = fabs(arc_body_radius(solid)),
+                .size = def->size,
+                .height = def->height};
+  m.core = solid->kind == ARC_SOLID_CYLINDER || solid->kind == ARC_SOLID_DISC;
+  m.half_s = arc_body_half_length(solid);
+  m.depth = arc_body_depth(solid);
+  m.crest = arc_body_crest(solid);
+  m.near_s = near_s;
+  m.near_d = near_d;
+  m.root_level = choose_root_level(def, &m);
+  const double unit = ldexp(1, m.root_level), deep = m.core ? 1.9 * m.radius : m.depth;
+  m.columns = (int)fmax(1, round(m.half_s / (unit * def->size)));
+  m.lines = (int)fmax(1, round(deep / (unit * def->height)));
+  m.units_s = m.columns * unit * def->size;
+  m.units_d = m.lines * unit * def->height;
+  lay_layers(&m);
+  return m;
+}
+
+/* What layers add to the depth at row j [mm]: linear between interfaces, nothing at the ends. */
+static double shift_at(const body_map *m, double j) {
+  double above = 0, from = 0;
+  for (int l = 0; l < m->layers; l++) {
+    if (j <= m->line[l]) return from + (m->shift[l] - from) * (j - above) / (m->line[l] - above);
+    above = m->line[l];
+    from = m->shift[l];
+  }
+  return from * (1 - (j - above) / (m->units_d / m->height - above));
+}
+
+static double depth_at(const body_map *m, double j) {
+  const double d = plain_depth(m, j * m->height);
+  return m->layers > 0 ? d + shift_at(m, j) : d;
+}
+
+static double radius_at(const body_map *m, double depth) {
+  if (m->hollow) return m->radius + depth;
+  if (!m->core || depth <= m->near_d) return m->radius - depth;
   const double r0 = m->radius - m->near_d;
   return r0 * exp(-(depth - m->near_d) / r0);
 }
 
-void arc_body_map_point(const body_map *m, double i, double j, double xy[2]) {
-  const double s = i * m->size, d = j * m->height;
-  const double along =
-      i * m->size >= m->units_s ? m->half_s : stretch(s, m->near_s, m->units_s, m->half_s);
-  if (m->body == ARC_PLATE) {
-    xy[0] = along;
-    xy[1] = d >= m->units_d ? -m->radius : -stretch(d, m->near_d, m->units_d, m->radius);
-    return;
-  }
-  const double r = cylinder_radius_at(m, d), angle = along / m->radius;
+/* A rectangle: the height of its surface fades towards its base. */
+static void point_of_block(const body_map *m, double along, double j, double xy[2]) {
+  const double depth = depth_at(m, j), inset = arc_body_inset(m->solid, m->crest, along);
+  xy[0] = along;
+  xy[1] = m->up * (inset == 0 ? depth : depth + inset * (1 - depth / m->depth));
+}
+
+/* An arc about (0, R), or (0, -R) where it faces the other way. */
+static void point_of_arc(const body_map *m, double along, double j, double xy[2]) {
+  const double r = radius_at(m, depth_at(m, j)), angle = along / m->radius;
+  const double side = m->hollow ? -m->up : m->up;
   /* R - r cos(angle), written so that nothing cancels near the apex */
   const double half = sin(angle / 2);
-  xy[0] = r * sin(angle);
-  xy[1] = along >= m->half_s ? m->radius : (m->radius - r) + 2 * r * half * half;
+  const int end = fabs(along) >= m->half_s, closed = arc_body_map_closed(m);
+  xy[0] = end && closed ? 0 : r * sin(angle);
+  xy[1] = side * (end && !closed ? m->radius : (m->radius - r) + 2 * r * half * half);
+}
+
+void arc_body_map_point(const body_map *m, double i, double j, double xy[2]) {
+  const double s = fabs(i) * m->size;
+  const double there = s >= m->units_s ? m->half_s : stretch(s, m->near_s, m->units_s, m->half_s);
+  const double along = i < 0 ? -there : there;
+  if (m->round)
+    point_of_arc(m, along, j, xy);
+  else
+    point_of_block(m, along, j, xy);
 }
 
 double arc_body_map_unit(const body_map *m, double j) {
-  if (m->body == ARC_PLATE) return m->size;
-  return m->size * cylinder_radius_at(m, j * m->height) / m->radius;
+  if (!m->core) return m->size;
+  return m->size * radius_at(m, j * m->height) / m->radius;
 }

@@ -9,10 +9,6 @@
 /* A finer mesh than this is a mistake, not a wish. */
 enum { most_elements = 1000000 };
 
-const char *arc_body_name(arc_body body) {
-  return body == ARC_CYLINDER ? "cylinder" : "plate";
-}
-
 const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
 _Static_assert(0 ARC_ELEMENT_LIST(ARC_CHOICE_ONE) == 3,
                "a new element: decide it in elastic/element.c, body.c, model.c and export/inp.c");
@@ -69,13 +65,19 @@ typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
-static partitions partitions_of(const arc_mesh_def *def, arc_body body, double radius) {
-  const double z = def->zone[body], c = def->zone[ARC_CYLINDER];
+/* Half of the surface that the outer partition may take. */
+static double broadest(const arc_body_def *solid) {
+  const int half = solid->kind == ARC_SOLID_CYLINDER;
+  return 0.9 * (half ? solid->radius : arc_body_half_length(solid));
+}
+
+static partitions partitions_of(const arc_mesh_def *def, arc_body body, const arc_body_def *solid) {
+  const double measure = arc_body_measure(solid), z = def->zone[body], c = def->zone[ARC_CYLINDER];
   partitions p = body == ARC_CYLINDER ? (partitions){z / 2, 0.5 * c, 2 * c, c}
                                       : (partitions){z / 2, 0.5 * c, z / 2 + 1.5 * c, 1.5 * c};
   p.inner_d = fmax(p.inner_d, (def->rows + 1) * def->height);
-  p.outer_s = fmin(p.outer_s, 0.9 * radius);
-  p.outer_d = fmin(fmax(p.outer_d, p.inner_d), 0.5 * radius);
+  p.outer_s = fmin(p.outer_s, broadest(solid));
+  p.outer_d = fmin(fmax(p.outer_d, p.inner_d), 0.5 * measure);
   return p;
 }
 
@@ -85,27 +87,40 @@ typedef struct size_rule {
   double far;
 } size_rule;
 
-/* Finest in the inner partition, at most four times that in the outer one, at most `far` elsewhere.
- */
+/* Whether an interface runs through the inside of a cell. */
+static int straddles(const body_map *m, const quad_cell *c) {
+  for (int l = 0; l < m->layers; l++)
+    if (c->j < m->line[l] && m->line[l] < c->j + (1 << c->level)) return 1;
+  return 0;
+}
+
+/* Finest in the inner partition, at most four times that in the outer one, at most `far` elsewhere,
+ * and cells end at interfaces. */
 static int coarsest_level(const void *context, const quad_cell *c) {
   const size_rule *rule = context;
   const body_map *m = rule->map;
   const double s = c->i * m->size * (1 + 1e-12) + 1e-12, d = c->j * m->height + 1e-12;
   if (s < rule->part.inner_s && d < rule->part.inner_d) return 0;
+  if (straddles(m, c)) return c->level - 1;
   const double wide = arc_body_map_unit(m, c->j), tall = wide * m->height / m->size;
   int level = (int)floor(log2(rule->far / fmax(wide, tall)) + 1e-9);
   if (s < rule->part.outer_s && d < rule->part.outer_d && level > 2) level = 2;
   return level > 0 ? level : 0;
 }
 
-static arc_status check_zone(const arc_mesh_def *def, arc_body body, double radius,
+static const char *widest_text(const arc_body_def *solid) {
+  if (solid->kind == ARC_SOLID_CYLINDER || solid->width == 2 * solid->radius) return "1.6 radius";
+  return arc_body_is_round(solid) ? "2.8 radius" : "0.8 of the width";
+}
+
+static arc_status check_zone(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
                              arc_error *error) {
-  const double z = def->zone[body], widest = 1.6 * radius, narrowest = 4 * def->size;
-  if (z >= narrowest * (1 - 1e-9) && z <= widest) return ARC_OK;
-  return arc_fail(
-      error, ARC_ZONE,
-      "field 'mesh.zone.%s': expected a number from 4 size = %g to 1.6 radius = %g mm, got %g",
-      arc_body_name(body), narrowest, widest, z);
+  const double z = def->zone[body], narrowest = 4 * def->size;
+  const double widest = arc_body_widest_zone(solid);
+  if (z >= narrowest * (1 - 1e-9) && z <= widest * (1 + 1e-12)) return ARC_OK;
+  return arc_fail(error, ARC_ZONE,
+                  "field 'mesh.zone.%s': expected a number from 4 size = %g to %s = %g mm, got %g",
+                  arc_body_name(body), narrowest, widest_text(solid), widest, z);
 }
 
 static arc_status check_positive(const char *field, double value, double limit, const char *what,
@@ -116,18 +131,19 @@ static arc_status check_positive(const char *field, double value, double limit, 
                   limit, value);
 }
 
-double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, double radius) {
-  const partitions p = partitions_of(def, body, radius);
+double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def *solid) {
+  const partitions p = partitions_of(def, body, solid);
+  const double area = 2 * arc_body_half_length(solid) * arc_body_depth(solid);
+  const double whole = arc_body_is_round(solid) ? area / 1.5 : area;
   const double outer_element = 16 * def->size * def->height;
   return 2 * p.inner_s * p.inner_d / (def->size * def->height) +
          2 * p.outer_s * p.outer_d / fmin(outer_element, def->far * def->far) +
-         radius * radius * 2 / (def->far * def->far);
+         whole / (def->far * def->far);
 }
 
-arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, double radius, arc_error *error) {
-  if (!(radius > 0) || !isfinite(radius))
-    return arc_fail(error, ARC_ARGUMENT, "field 'radius': expected a number > 0 mm, got %g",
-                    radius);
+arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
+                          arc_error *error) {
+  const double radius = arc_body_measure(solid);
   arc_status status;
   if ((status = check_positive("mesh.size", def->size, radius / 10, "radius / 10", error)) ||
       (status = check_positive("mesh.height", def->height, radius / 10, "radius / 10", error)) ||
@@ -147,8 +163,8 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, double radius,
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'mesh.rows': expected from 1 to radius / 4 / height = %d, got %d",
                     (int)(radius / 4 / def->height), def->rows);
-  if ((status = check_zone(def, body, radius, error))) return status;
-  const double estimate = arc_mesh_nodes(def, body, radius);
+  if ((status = check_zone(def, body, solid, error))) return status;
+  const double estimate = arc_mesh_nodes(def, body, solid);
   if (estimate > most_elements)
     return arc_fail(error, ARC_ARGUMENT,
                     "mesh.size: %g mm asks for about %.0f elements, at most %d are allowed",
@@ -164,6 +180,12 @@ static int compare_keys(const void *a, const void *b) {
   return (p->i > q->i) - (p->i < q->i);
 }
 
+/* A point of the other half; whole arcs are closed: their ends are one. */
+static mesh_key mirrored(const body_map *m, mesh_key key) {
+  const int seam = arc_body_map_closed(m) && key.i == 2 * (m->columns << m->root_level);
+  return (mesh_key){seam ? key.i : -key.i, key.j};
+}
+
 /* Sorted distinct keys of both halves. Returns their number, or -1. */
 static int collect_keys(const mesh_builder *b, mesh_key **keys) {
   const int corners = 4 * b->count;
@@ -171,7 +193,7 @@ static int collect_keys(const mesh_builder *b, mesh_key **keys) {
   if (!all) return -1;
   for (int c = 0; c < corners; c++) {
     all[2 * c] = b->corner[c];
-    all[2 * c + 1] = (mesh_key){-b->corner[c].i, b->corner[c].j};
+    all[2 * c + 1] = mirrored(&b->map, b->corner[c]);
   }
   qsort(all, 2 * (size_t)corners, sizeof *all, compare_keys);
   int n = 0;
@@ -196,12 +218,21 @@ static double twice_area(const double *xy, const int *e) {
   return area;
 }
 
+/* Cells end at interfaces: the layer of one is that of its upper end. */
+static int layer_of(const body_map *map, const mesh_key *corner) {
+  int top = corner[0].j, layer = 0;
+  for (int c = 1; c < 4; c++) top = corner[c].j < top ? corner[c].j : top;
+  while (layer < map->layers && top >= 2 * map->line[layer]) layer++;
+  return layer;
+}
+
 /* Writes one element counter-clockwise; `mirror` is 1 or -1. */
-static void place_element(arc_mesh *mesh, const mesh_key *keys, const mesh_key *corner, int mirror,
-                          int at) {
+static void place_element(arc_mesh *mesh, const body_map *map, const mesh_key *keys,
+                          const mesh_key *corner, int mirror, int at) {
   int *e = &mesh->element[4 * at];
+  mesh->layer[at] = layer_of(map, corner);
   for (int c = 0; c < 4; c++)
-    e[c] = find_key(keys, mesh->nodes, (mesh_key){mirror * corner[c].i, corner[c].j});
+    e[c] = find_key(keys, mesh->nodes, mirror < 0 ? mirrored(map, corner[c]) : corner[c]);
   if (e[3] == e[2]) e[3] = -1;
   if (twice_area(mesh->xy, e) < 0) {
     const int last = e[3] < 0 ? 2 : 3, swap = e[1];
@@ -214,12 +245,11 @@ static void place_nodes(arc_mesh *mesh, const body_map *map, const mesh_key *key
   const int core = 2 * (map->lines << map->root_level) + 2;
   for (int n = 0; n < mesh->nodes; n++) {
     double *xy = &mesh->xy[2 * n];
-    if (map->body == ARC_CYLINDER && keys[n].j == core) {
-      xy[0] = 0, xy[1] = map->radius;
+    if (map->core && keys[n].j == core) {
+      xy[0] = 0, xy[1] = map->up * map->radius;
       continue;
     }
-    arc_body_map_point(map, abs(keys[n].i) / 2.0, keys[n].j / 2.0, xy);
-    if (keys[n].i < 0) xy[0] = -xy[0];
+    arc_body_map_point(map, keys[n].i / 2.0, keys[n].j / 2.0, xy);
   }
 }
 
@@ -229,15 +259,24 @@ static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key
   int at = 0;
   for (int column = half - 1; column >= 0; column--)
     for (int row = 0; row < mesh->rows; row++)
-      place_element(mesh, keys, &b->corner[4 * (column * mesh->rows + row)], -1, at++);
-  for (int e = 0; e < box; e++) place_element(mesh, keys, &b->corner[4 * e], 1, at++);
+      place_element(mesh, &b->map, keys, &b->corner[4 * (column * mesh->rows + row)], -1, at++);
+  for (int e = 0; e < box; e++) place_element(mesh, &b->map, keys, &b->corner[4 * e], 1, at++);
   for (int e = box; e < b->count; e++) {
-    place_element(mesh, keys, &b->corner[4 * e], 1, at++);
-    place_element(mesh, keys, &b->corner[4 * e], -1, at++);
+    place_element(mesh, &b->map, keys, &b->corner[4 * e], 1, at++);
+    place_element(mesh, &b->map, keys, &b->corner[4 * e], -1, at++);
   }
   mesh->box_elements = 2 * box;
   for (int e = 0; e < mesh->elements; e++) mesh->triangles += mesh->element[4 * e + 3] < 0;
   mesh->quads = mesh->elements - mesh->triangles;
+}
+
+/* A half cylinder is held by its flat, a disc by the hub in its middle, others by their base or
+ * rim. */
+static int is_tied(const body_map *map, mesh_key key) {
+  const int side = 2 * (map->columns << map->root_level);
+  const int deep = 2 * (map->lines << map->root_level);
+  if (map->solid->kind == ARC_SOLID_CYLINDER) return abs(key.i) == side || key.j == deep + 2;
+  return key.j >= deep;
 }
 
 static void place_sets(arc_mesh *mesh, const body_map *map, const mesh_key *keys, int half) {
@@ -247,13 +286,8 @@ static void place_sets(arc_mesh *mesh, const body_map *map, const mesh_key *keys
           find_key(keys, mesh->nodes, (mesh_key){2 * (c - half), 2 * row});
   for (int c = 0; c < mesh->surface; c++)
     mesh->surface_node[c] = mesh->box_node[c * (mesh->rows + 1)];
-  const int side = 2 * (map->columns << map->root_level),
-            deep = 2 * (map->lines << map->root_level);
-  for (int n = 0; n < mesh->nodes; n++) {
-    const int tied = map->body == ARC_PLATE ? keys[n].j == deep
-                                            : abs(keys[n].i) == side || keys[n].j == deep + 2;
-    if (tied) mesh->fixed_node[mesh->fixed++] = n;
-  }
+  for (int n = 0; n < mesh->nodes; n++)
+    if (is_tied(map, keys[n])) mesh->fixed_node[mesh->fixed++] = n;
 }
 
 static arc_status fill(arc_mesh *mesh, const mesh_builder *b, int half) {
@@ -267,8 +301,9 @@ static arc_status fill(arc_mesh *mesh, const mesh_builder *b, int half) {
   mesh->surface_node = malloc((size_t)mesh->surface * sizeof(int));
   mesh->box_node = malloc((size_t)(mesh->surface * (mesh->rows + 1)) * sizeof(int));
   mesh->fixed_node = malloc((size_t)mesh->nodes * sizeof(int));
-  const int complete =
-      mesh->xy && mesh->element && mesh->surface_node && mesh->box_node && mesh->fixed_node;
+  mesh->layer = malloc((size_t)mesh->elements * sizeof(int));
+  const int complete = mesh->xy && mesh->element && mesh->layer && mesh->surface_node &&
+                       mesh->box_node && mesh->fixed_node;
   if (complete) {
     place_nodes(mesh, &b->map, keys);
     place_elements(mesh, b, keys, half);
@@ -279,9 +314,9 @@ static arc_status fill(arc_mesh *mesh, const mesh_builder *b, int half) {
 }
 
 static arc_status tile_and_fill(arc_mesh *mesh, int half) {
-  const partitions part = partitions_of(&mesh->def, mesh->body, mesh->radius);
+  const partitions part = partitions_of(&mesh->def, mesh->body, &mesh->solid);
   mesh_builder b = {
-      .map = arc_body_map_make(&mesh->def, mesh->body, mesh->radius, part.outer_s, part.outer_d)};
+      .map = arc_body_map_make(&mesh->def, mesh->body, &mesh->solid, part.outer_s, part.outer_d)};
   const size_rule rule = {part, &b.map, mesh->def.far};
   quadtree tree = {0};
   arc_status status = arc_quadtree_build(&tree, b.map.root_level, b.map.columns, b.map.lines,
@@ -296,13 +331,24 @@ static arc_status tile_and_fill(arc_mesh *mesh, int half) {
 arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius, arc_mesh **out,
                           arc_error *error) {
   *out = NULL;
-  arc_status status = arc_mesh_check(def, body, radius, error);
+  if (!(radius > 0) || !isfinite(radius))
+    return arc_fail(error, ARC_ARGUMENT, "field 'radius': expected a number > 0 mm, got %g",
+                    radius);
+  const arc_body_def usual = arc_body_resolve(&(arc_body_def){0}, body, radius);
+  return arc_mesh_build_solid(def, body, &usual, out, error);
+}
+
+arc_status arc_mesh_build_solid(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
+                                arc_mesh **out, arc_error *error) {
+  *out = NULL;
+  arc_status status = arc_mesh_check(def, body, solid, error);
   if (status != ARC_OK) return status;
   arc_mesh *mesh = calloc(1, sizeof *mesh);
   if (!mesh)
     return arc_fail(error, ARC_MEMORY, "out of memory for the %s's mesh", arc_body_name(body));
   mesh->body = body;
-  mesh->radius = radius;
+  mesh->solid = *solid;
+  mesh->radius = arc_body_measure(solid);
   mesh->def = *def;
   mesh->rows = def->rows;
   const int half = (int)ceil(def->zone[body] / 2 / def->size - 1e-9);
@@ -326,6 +372,7 @@ void arc_mesh_destroy(arc_mesh **mesh) {
   free((*mesh)->surface_node);
   free((*mesh)->box_node);
   free((*mesh)->fixed_node);
+  free((*mesh)->layer);
   free((*mesh)->outline_node);
   free((*mesh)->material_name);
   free((*mesh)->material);

@@ -24,8 +24,8 @@ static int all_edges(const arc_mesh *mesh, edge *list) {
   return n;
 }
 
-/* next[node] = the node that follows it on the boundary, -1 inside. Returns a boundary node, or -1.
- */
+/* next[node] = the node that follows it on the boundary, -1 inside. Returns a node of the boundary
+ * of the surface, or -1. */
 static int link_boundary(const arc_mesh *mesh, edge *list, int *next) {
   const int n = all_edges(mesh, list);
   qsort(list, (size_t)n, sizeof *list, compare_undirected);
@@ -47,7 +47,8 @@ arc_status arc_mesh_outline(arc_mesh *mesh) {
   mesh->outline_node = malloc((size_t)mesh->nodes * sizeof(int));
   arc_status status = list && next && mesh->outline_node ? ARC_OK : ARC_MEMORY;
   if (status == ARC_OK) {
-    const int first = link_boundary(mesh, list, next);
+    int first = link_boundary(mesh, list, next);
+    if (mesh->solid.kind == ARC_SOLID_RING) first = mesh->surface_node[mesh->surface / 2];
     int at = first;
     while (at >= 0 && mesh->outline < mesh->nodes) {
       mesh->outline_node[mesh->outline++] = at;

@@ -67,11 +67,11 @@ static arc_status add_leaf(mesh_builder *b, const quadtree *tree, const quad_cel
   return close_one(b, point, middle + 1);
 }
 
-/* The half cylinder's last line of cells ends on a small circle: triangles from there to the
+/* A solid arc's last line of cells ends on a small circle: triangles from there to the
  * centre, whose key is (0, last line + 1). */
 static arc_status add_core(mesh_builder *b, const quadtree *tree, const quad_cell *leaf) {
   const int last = tree->lines << tree->root_level, w = 1 << leaf->level;
-  if (b->map.body != ARC_CYLINDER || leaf->j + w != last) return ARC_OK;
+  if (!b->map.core || leaf->j + w != last) return ARC_OK;
   return add_triangle(b, (mesh_key){2 * leaf->i, 2 * last}, (mesh_key){2 * (leaf->i + w), 2 * last},
                       (mesh_key){0, 2 * last + 2});
 }

@@ -12,7 +12,7 @@ void arc_wear_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_
     for (int i = 0; i < shape->side[b].n; i++)
       sum[b] += depth->node[b][i] * arc_shape_span(shape, (arc_body)b, i);
   record->volume_cylinder += sum[ARC_CYLINDER] * md->thickness;
-  record->volume_plate += (sum[ARC_PLATE] + depth->even * 2 * md->radius) * md->thickness;
+  record->volume_plate += (sum[ARC_PLATE] + depth->even * arc_model_width(md)) * md->thickness;
 }
 
 void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_dose *dose,
@@ -25,6 +25,7 @@ void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wea
   depth->error = 0;
   depth->peak = rate->peak;
   depth->energy = dose->cycles * rate->energy;
+  depth->pressed = dose->cycles * rate->pressed;
 }
 
 /* --- what is measured --------------------------------------------------------------------------

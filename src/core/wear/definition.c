@@ -40,14 +40,12 @@ arc_wear_def arc_wear_default(void) {
 
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
   return def->blocks == 0 && def->slide == ARC_SLIDE_X &&
-         fabs(def->stroke - 2 * model->radius) <= 1e-9 * model->radius;
+         fabs(def->stroke - arc_model_width(model)) <= 1e-9 * model->radius;
 }
 
 double arc_wear_reach(const arc_model_def *model, double load) {
   static const double share = 0.125; /* centre pressures within 1 % for short strokes, too */
-  arc_hertz hertz = {0};
-  arc_hertz_solve(model->radius, model->thickness, load, model->material, &hertz, NULL);
-  return share * hertz.half_width;
+  return share * arc_model_half_width(model, load);
 }
 
 int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model) {
@@ -89,7 +87,8 @@ void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
 }
 
 int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model) {
-  const double k[ARC_BODIES] = {model->material[ARC_CYLINDER].k, model->material[ARC_PLATE].k};
+  const double k[ARC_BODIES] = {arc_model_wear_k(model, ARC_CYLINDER),
+                                arc_model_wear_k(model, ARC_PLATE)};
   const int have = k[ARC_CYLINDER] > 0 || k[ARC_PLATE] > 0;
   if (have) arc_wear_def_partition(def, k);
   return have;
@@ -219,12 +218,13 @@ static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
 
 static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *model,
                                   arc_error *error) {
-  if (d->blocks == 0 && d->stroke > 2 * model->radius * (1 + 1e-9))
+  const double width = arc_model_width(model);
+  if (d->blocks == 0 && d->stroke > width * (1 + 1e-9))
     return arc_fail(
         error, ARC_ARGUMENT,
-        "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm",
-        2 * model->radius, d->stroke);
-  const double widest = 1.5 * model->radius; /* the mesher's widest zone less a contact */
+        "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm", width,
+        d->stroke);
+  const double widest = 0.75 * width; /* the mesher's widest zone less a contact */
   if (d->slide == ARC_SLIDE_Z && d->slip == ARC_SLIP_TOTAL)
     return arc_fail(
         error, ARC_ARGUMENT,
@@ -235,13 +235,13 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
         error, ARC_ARGUMENT,
         "field 'stroke': a sliding plate (SP) takes at most 1.5 radius = %g mm, got %g mm; 2 "
         "radius = %g mm is the half-reciprocating stroke over the whole plate (NSP)",
-        widest, d->stroke, 2 * model->radius);
+        widest, d->stroke, width);
   if (d->procedure == ARC_NSP && !alpha_stays_one(d) && !arc_wear_over_plate(d, model))
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'procedure': NSP needs a plate that stays flat, alpha = 1 or stroke = 2 "
                     "radius = %g mm; "
                     "got alpha = %g, stroke = %g mm",
-                    2 * model->radius, d->alpha, d->stroke);
+                    width, d->alpha, d->stroke);
   return ARC_OK;
 }
 
@@ -385,11 +385,11 @@ static double largest_k(const arc_wear_def *def) {
 /* Half width of the widest contact: Hertz' at first, and a flat scar of the whole volume on the
  * cylinder at the most (on a flat plate, b^3 = 3 R k L d / 2 per thickness). */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
-  arc_hertz hertz = {0};
-  arc_hertz_solve(model->radius, model->thickness, load, model->material, &hertz, NULL);
-  const double line = load / model->thickness;
-  const double scar = cbrt(1.5 * model->radius * largest_k(def) * line * whole_distance(def));
-  const double widest = fmax(hertz.half_width, hertz.half_width / 2 + scar);
+  const double line = load / model->thickness, half = arc_model_half_width(model, load);
+  const double relative = arc_model_relative_radius(model);
+  const double radius = isfinite(relative) ? relative : arc_model_solid(model, ARC_UPPER).radius;
+  const double scar = cbrt(1.5 * radius * largest_k(def) * line * whole_distance(def));
+  const double widest = fmax(half, half / 2 + scar);
   /* on coarse meshes the room beside it is counted in elements: one under the edge, two that stay
    * open */
   return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_ROOM);

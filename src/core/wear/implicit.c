@@ -68,7 +68,10 @@ static double pressure_error(newton *s, pose *p, const double *off) {
     gap[k] = off[i] + p->work[i];
   }
   arc_dense_cholesky_solve(p->active, 1, p->factor, p->active, gap, p->active);
-  for (int k = 0; k < p->active; k++) sum += gap[k], total += p->ones[k];
+  for (int k = 0; k < p->active; k++) {
+    const double down = p->down[p->set[k]];
+    sum += down * gap[k], total += down * p->ones[k];
+  }
   for (int k = 0; k < p->active; k++) {
     const double width = p->wc[p->lo + p->set[k]];
     largest = fmax(largest, fabs(gap[k] - sum / total * p->ones[k]) / width);
@@ -140,6 +143,7 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
   depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * s.even : 0;
   depth->peak = s.peak;
   depth->energy = 0;
+  depth->pressed = dose->cycles * s.pressed;
   arc_newton_free(&s);
   return tell(&s, status, error);
 }

@@ -69,7 +69,7 @@ void arc_wear_jacobian_clear(wear_jacobian *j) {
 static void fill_c(const pose *p, double *c) {
   const int m = p->active;
   double total = 0;
-  for (int s = 0; s < m; s++) total += p->ones[s];
+  for (int s = 0; s < m; s++) total += p->down[p->set[s]] * p->ones[s];
   arc_dense_cholesky_invert(m, p->factor, c);
   for (int t = 0; t < m; t++)
     for (int s = 0; s < m; s++) c[dense_at(s, t, m)] -= p->ones[s] * p->ones[t] / total;

@@ -65,6 +65,7 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
   for (int i = 0; i < s->n; i++) rate[i] *= k_at(s, i);
   s->even = here.even;
   s->peak = here.peak;
+  s->pressed = here.pressed;
   return ARC_OK;
 }
 

@@ -13,6 +13,7 @@ typedef struct newton {
   arc_error error;
   int n;             /* nodes of both surfaces */
   double even, peak; /* rate of the last evaluation; its largest pressure [MPa] */
+  double pressed;    /* its normal force over the sliding [N] */
   double *z, *known; /* [n] depths gained [mm]; the fixed part of a stage */
   double *residual, *step, *down;
   double *rate[3]; /* [n] k times the wear of a cycle [mm] at the start and both stages */

@@ -10,12 +10,15 @@ static const double whole = 1e-9;
 
 /* --- how far --- */
 
-/* Scale of wear [mm]: the drop of the cylinder at the edge of the unworn contact, a^2 / 2R. */
+/* Scale of wear [mm]: the drop of the cylinder at the edge of the unworn contact, a^2 / 2R. It is 2
+ * L / (pi t E*), whatever R: what elasticity gives way by, in other pairs too. */
 static double natural_depth(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
+  const double radius = arc_model_relative_radius(d);
   arc_hertz hertz = {0};
-  arc_hertz_solve(d->radius, d->thickness, w->def.load, d->material, &hertz, NULL);
-  return hertz.half_width * hertz.half_width / (2 * d->radius);
+  arc_hertz_solve(isfinite(radius) ? radius : d->radius, d->thickness, w->def.load, d->material,
+                  &hertz, NULL);
+  return hertz.half_width * hertz.half_width / (2 * (isfinite(radius) ? radius : d->radius));
 }
 
 /* Integral of k over the distance [mm3/N] that takes `depth` [mm] off the deepest node at the

@@ -144,6 +144,24 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   arc_wear_jacobian_add(w, window, at, share);
 }
 
+/* Normal force on the cylinder at a point [N/mm]. */
+static double pressing(const wear_window *window, const wear_point *point) {
+  const shape_side *side = &window->shape->side[ARC_CYLINDER];
+  double sum = 0;
+  for (int i = 0; i < side->n; i++) sum += point->p[ARC_CYLINDER][i] * arc_shape_width(side, i);
+  return sum;
+}
+
+/* In hollow surfaces it is more than the load. */
+static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
+  const wear_block *b = w->path.block;
+  if (!window->shape->side[ARC_CYLINDER].body->chart.polar) return;
+  const double now = pressing(window, &w->path.point[at % 2]);
+  const int mean = w->def.rule == ARC_TRAPEZOID;
+  const double before = mean ? pressing(window, &w->path.point[(at + 1) % 2]) : now;
+  rate->pressed += b->repeat * (now + before) / 2 * fabs(b->x[at] - b->x[at - 1]);
+}
+
 static void note_peak(const arc_wear *w, const wear_point *point, wear_rate *rate) {
   for (int i = 0; i < w->nc; i++) rate->peak = fmax(rate->peak, point->p[ARC_CYLINDER][i]);
 }
@@ -163,17 +181,20 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
     return status;
   }
   memset(rate->node[0], 0, n * sizeof(double));
-  rate->even = rate->peak = rate->energy = rate->shear = rate->stick = rate->gross = 0;
+  rate->even = rate->peak = rate->pressed = 0;
+  rate->energy = rate->shear = rate->stick = rate->gross = 0;
   if (window->jacobian) arc_wear_jacobian_clear(window->jacobian);
   for (int at = window->first; at <= window->last; at++) {
     const arc_status status = reach_point(w, window, at, watch, error);
     if (status != ARC_OK) return status;
     note_peak(w, &w->path.point[at % 2], rate);
     add_to_jacobian(w, window, at);
-    if (at > window->first)
+    if (at > window->first) {
       add_increment(w, at, rate);
-    else if (wears_evenly(w) && w->def.slip == ARC_SLIP_RIGID)
+      add_pressing(w, window, at, rate);
+    } else if (wears_evenly(w) && w->def.slip == ARC_SLIP_RIGID) {
       add_even(w, &w->path.point[at % 2], rate);
+    }
   }
   if (window->jacobian) arc_wear_jacobian_finish(window->jacobian);
   if (wears_evenly(w) && w->def.slip == ARC_SLIP_TOTAL) spread_work(w, rate);

@@ -53,7 +53,9 @@ int arc_wear_has_room(const arc_wear *w) {
   const arc_model_def *def = arc_model_definition(w->model);
   double needed[ARC_BODIES];
   arc_wear_zones(&w->def, def, needed);
-  return fmax(needed[ARC_CYLINDER], needed[ARC_PLATE]) <= ARC_WIDEST_ZONE * def->radius;
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (needed[b] > arc_model_widest_zone(def, (arc_body)b)) return 0;
+  return 1;
 }
 
 /* --- the meshes that would do ----------------------------------------------------------------- */
@@ -70,7 +72,7 @@ static void widen(const arc_wear *w, arc_model_def *def) {
 }
 
 static void deepen(arc_model_def *def) {
-  const double room = def->radius / 4 / def->mesh.height;
+  const double room = arc_model_deepest_box(def) / def->mesh.height;
   def->mesh.rows = (int)fmin(fmin(deeper * def->mesh.rows, most_rows), floor(room));
 }
 
@@ -134,9 +136,10 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
                     "a mesh from outside does not grow: make its contact curves longer");
   if (like(now, &def.mesh))
     return arc_fail(error, why,
-                    "no larger mesh fits into bodies of radius %g mm: zones end at %g mm, wear "
-                    "boxes at %g mm",
-                    def.radius, ARC_WIDEST_ZONE * def.radius, def.radius / 4);
+                    "no larger mesh fits into the bodies: zones end at %g and %g mm, wear boxes at "
+                    "%g mm",
+                    arc_model_widest_zone(&def, ARC_CYLINDER),
+                    arc_model_widest_zone(&def, ARC_PLATE), arc_model_deepest_box(&def));
   return arc_wear_onto(w, &def, callbacks, result, error);
 }
 

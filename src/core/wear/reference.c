@@ -7,7 +7,8 @@
 int arc_wear_closed_form(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   return d->alpha == 0 && !d->alpha_function && d->alpha_series.count == 0 &&
-         d->law == ARC_LAW_ARCHARD && !d->local_factor && w->over_plate && w->procedure == ARC_NSP;
+         arc_model_is_hertzian(arc_model_definition(w->model)) && d->law == ARC_LAW_ARCHARD &&
+         !d->local_factor && w->over_plate && w->procedure == ARC_NSP;
 }
 
 /* From unworn surfaces it stays Hertz'. */
@@ -27,8 +28,8 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
   const arc_model_def *def = arc_model_definition(w->model);
   if (stays_hertzian(w, shape)) {
     arc_hertz hertz = {0};
-    const arc_status status =
-        arc_hertz_solve(def->radius, def->thickness, w->def.load, def->material, &hertz, error);
+    const arc_status status = arc_hertz_solve(arc_model_relative_radius(def), def->thickness,
+                                              w->def.load, def->material, &hertz, error);
     record->p_center = record->p_max = hertz.p_max;
     record->half_width = hertz.half_width;
     return status;

@@ -12,6 +12,7 @@ typedef struct wear_rate {
   double energy;            /* dissipated per thickness [N] */
   double shear, stick;      /* largest tangential force [N/mm], width that never slips [mm] */
   double gross;             /* 1: all of the contact slips at some time */
+  double pressed;           /* normal force over the sliding of a cycle [N] */
 } wear_rate;
 
 /* What an update takes off. */
@@ -21,6 +22,7 @@ typedef struct wear_depths {
   double error;             /* estimated by an implicit update, over the tolerance; else 0 */
   double peak;              /* largest nodal pressure of the cycle they come from [MPa] */
   double energy;            /* dissipated meanwhile, per thickness [N] */
+  double pressed;           /* normal force over the sliding of the update [N] */
 } wear_depths;
 
 /* Room that lasts for a call and means nothing between calls. */

@@ -34,6 +34,7 @@ typedef struct staged {
   wear_rate *rate; /* of the last stage */
   int n, stages;
   double even, energy;    /* sums of the rates */
+  double pressed;         /* the same of the normal force over the sliding */
   double peak;            /* pressure on the way of the first */
   double *z, *down, *sum; /* [n] depths so far, sum of the rates */
   double *first, *bend;   /* [n] the first rate; second difference of the sums over thirds */
@@ -69,6 +70,7 @@ static void add_stage(staged *s, int stage) {
   const double weight = 3 * stage / s->stages == 1 ? -2 : 1;
   s->even += s->rate->even;
   s->energy += s->rate->energy;
+  s->pressed += s->rate->pressed;
   for (int i = 0; i < s->n; i++) {
     s->sum[i] += rate[i];
     s->bend[i] += weight * rate[i];
@@ -146,6 +148,7 @@ arc_status arc_wear_stages(arc_wear *w, const wear_window *window, const wear_do
   if (status == ARC_OK) {
     for (int i = 0; i < s.n; i++) depth->node[0][i] = scale(&s, i) * s.sum[i] / s.stages;
     depth->peak = s.peak;
+    depth->pressed = dose->cycles * s.pressed / s.stages;
     depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * s.even / s.stages : 0;
     depth->energy = dose->cycles * s.energy / s.stages;
     depth->error = estimate(&s, depth);

@@ -1,4 +1,5 @@
 /* One update of the geometry: its coefficients, then its depths, by whichever scheme. */
+#include "core/wear/layers.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -11,12 +12,20 @@ static int any_depth(const double *depth, int n) {
   return 0;
 }
 
+static int is_hollow(const arc_wear *w) {
+  return arc_model_body(w->model, ARC_CYLINDER)->chart.polar;
+}
+
 /* Wears the outcome's shape, and adds volumes and error. */
 static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out,
                         arc_error *error) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    arc_wear_into_layers(out->shape, (arc_body)b, depth->node[b]);
   arc_wear_add_volumes(w, out->shape, depth, &out->record);
   out->record.error = depth->error;
   out->record.energy += depth->energy * arc_model_definition(w->model)->thickness;
+  if (is_hollow(w)) /* forces along the load balance it, those along normals are more */
+    out->record.load_distance += depth->pressed * arc_model_definition(w->model)->thickness;
   out->record.p_peak = fmax(out->record.p_peak, depth->peak);
   for (int b = 0; b < ARC_BODIES; b++) {
     if (!any_depth(depth->node[b], out->shape->side[b].n)) continue;
@@ -103,7 +112,7 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
 static void closed_form(const arc_wear *w, wear_rate *rate) {
   memset(rate->node[0], 0, (size_t)(w->nc + w->np) * sizeof(double));
   rate->even = w->block[0].line[0];
-  rate->peak = rate->energy = 0;
+  rate->peak = rate->pressed = rate->energy = 0;
 }
 
 /* What a whole update consists of. */
@@ -160,6 +169,7 @@ static void take_start(arc_wear *w, wear_rate *rate) {
   rate->even = from->even;
   rate->peak = from->peak;
   rate->energy = from->energy;
+  rate->pressed = from->pressed;
   w->start.solutions = 0;
 }
 
@@ -279,6 +289,7 @@ arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear
   out->record.update += split ? plan->block->count - 1 : 1;
   const int generic = !plan->block->periodic;
   const int first = generic ? plan->first : 0, last = plan->block->count - 1;
+  if (is_hollow(w)) return status;
   out->record.load_distance +=
       plan->times * load_distance(w, plan->block, first, generic ? first + 1 : last);
   return status;

@@ -11,9 +11,13 @@
 
 /* Classes in C: name of the global, and the function that leaves its value on the stack. */
 static const luaL_Reg classes[] = {
-    {"material", luaopen_archard_material}, {"hertz", luaopen_archard_hertz},
-    {"model", luaopen_archard_model},       {"contact", luaopen_archard_contact},
-    {"wear", luaopen_archard_wear},         {NULL, NULL},
+    {"material", luaopen_archard_material},
+    {"hertz", luaopen_archard_hertz},
+    {"model", luaopen_archard_model},
+    {"contact", luaopen_archard_contact},
+    {"body", luaopen_archard_body},
+    {"wear", luaopen_archard_wear},
+    {NULL, NULL},
 };
 
 /* Modules in C that are no globals: reached by require only. */

@@ -21,6 +21,7 @@
 int luaopen_archard_material(lua_State *L);
 int luaopen_archard_hertz(lua_State *L);
 int luaopen_archard_model(lua_State *L);
+int luaopen_archard_body(lua_State *L);
 int luaopen_archard_contact(lua_State *L);
 int luaopen_archard_wear(lua_State *L);
 

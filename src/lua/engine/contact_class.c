@@ -26,6 +26,7 @@ NUMBER_FIELD(contact, p_center, result(L).p_center)
 NUMBER_FIELD(contact, p_max, result(L).p_max)
 NUMBER_FIELD(contact, p_average, result(L).p_average)
 NUMBER_FIELD(contact, half_width, result(L).half_width)
+NUMBER_FIELD(contact, normal_force, result(L).normal_force)
 NUMBER_FIELD(contact, approach, result(L).approach)
 NUMBER_FIELD(contact, tangential, result(L).tangential)
 NUMBER_FIELD(contact, energy, result(L).energy)
@@ -136,7 +137,8 @@ static arc_status needed_zones(const void *asker, const arc_model_def *model,
   arc_hertz hertz = {0};
   arc_status status =
       arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, error);
-  if (status == ARC_OK) arc_zone_for(fabs(def->x), 2 * hertz.half_width, model->mesh.size, zone);
+  const double half = status == ARC_OK ? arc_model_half_width(model, def->load) : 0;
+  if (status == ARC_OK) arc_zone_for(fabs(def->x), 2 * half, model->mesh.size, zone);
   return status;
 }
 
@@ -208,12 +210,19 @@ static int contact_move(lua_State *L) {
 }
 
 static const luaL_Reg fields[] = {
-    {"p_center", contact_p_center},     {"p_max", contact_p_max},
-    {"p_average", contact_p_average},   {"edges", contact_edges},
-    {"half_width", contact_half_width}, {"approach", contact_approach},
-    {"tangential", contact_tangential}, {"energy", contact_energy},
-    {"stick", contact_stick},           {"iterations", contact_iterations},
-    {"model", contact_model},           {NULL, NULL},
+    {"p_center", contact_p_center},
+    {"p_max", contact_p_max},
+    {"p_average", contact_p_average},
+    {"edges", contact_edges},
+    {"half_width", contact_half_width},
+    {"approach", contact_approach},
+    {"normal_force", contact_normal_force},
+    {"tangential", contact_tangential},
+    {"energy", contact_energy},
+    {"stick", contact_stick},
+    {"iterations", contact_iterations},
+    {"model", contact_model},
+    {NULL, NULL},
 };
 
 static const luaL_Reg methods[] = {{"pressure", contact_pressure}, {"shear", contact_shear},

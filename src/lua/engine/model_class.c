@@ -1,5 +1,6 @@
 /* Class model: two meshed and condensed bodies. Models of one definition are built once and shared:
  * a weak table in the registry finds the living ones, and the one asked for last is kept. */
+#include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
@@ -47,11 +48,30 @@ static void check_fineness(lua_State *L, int index, args_place place, arc_mesh_d
   lua_pop(L, 1);
 }
 
+/* Pushes the table at `index` without its bodies, which are read on their own. */
+static void push_without_bodies(lua_State *L, int index, args_place place) {
+  index = lua_absindex(L, index);
+  if (!lua_istable(L, index)) args_read(L, index, place, arc_model_settings, NULL); /* refuses */
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, index);) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
+  lua_pushnil(L);
+  lua_setfield(L, -2, "upper");
+  lua_pushnil(L);
+  lua_setfield(L, -2, "lower");
+}
+
 /* Reads the table at `index` over a definition; of a mesh that is given, nothing is left of what
  * was there. */
 static void read_definition(lua_State *L, int index, args_place place, arc_model_def *def) {
   if (lua_isnil(L, index)) return;
-  args_read(L, index, place, arc_model_settings, def);
+  push_without_bodies(L, index, place);
+  args_read(L, -1, place, arc_model_settings, def);
+  lua_pop(L, 1);
+  body_read(L, lua_absindex(L, index), place, def);
   check_fineness(L, index, place, &def->mesh);
 }
 
@@ -63,6 +83,10 @@ static int add_to_key(void *context, const char *path, const arc_setting *s, voi
   (void)path, (void)member;
   snprintf(text, sizeof text, "%a ", arc_setting_number(s, def));
   luaL_addstring(context, text);
+  const arc_series series = arc_setting_series(s, def);
+  if (series.count == 0) return 0;
+  luaL_addlstring(context, (const char *)series.distance, (size_t)series.count * sizeof(double));
+  luaL_addlstring(context, (const char *)series.value, (size_t)series.count * sizeof(double));
   return 0;
 }
 
@@ -296,6 +320,16 @@ static int model_plate(lua_State *L) {
   return 1;
 }
 
+static int model_upper(lua_State *L) {
+  body_push(L, arc_model_definition(self(L)), ARC_UPPER);
+  return 1;
+}
+
+static int model_lower(lua_State *L) {
+  body_push(L, arc_model_definition(self(L)), ARC_LOWER);
+  return 1;
+}
+
 /* The meshes by body, and their definition beside them. */
 static int model_mesh(lua_State *L) {
   settings_push(L, arc_setting_find(arc_model_settings, "mesh"), arc_model_definition(self(L)));
@@ -336,7 +370,8 @@ static int model_tostring(lua_State *L) {
 
 static const luaL_Reg fields[] = {
     {"seconds", model_seconds}, {"bytes", model_bytes}, {"cylinder", model_cylinder},
-    {"plate", model_plate},     {"mesh", model_mesh},   {NULL, NULL},
+    {"plate", model_plate},     {"mesh", model_mesh},   {"upper", model_upper},
+    {"lower", model_lower},     {NULL, NULL},
 };
 
 static const void *definition(lua_State *L) {

@@ -1,0 +1,119 @@
+/* archard/body.h - shapes of bodies: outline, layers, what is held.
+ *
+ * A body is the upper or the lower one of a pair. Its surface passes through the first point of
+ * contact, the origin; it is symmetric about x = 0, but for measured profiles.
+ */
+#ifndef ARCHARD_BODY_H
+#define ARCHARD_BODY_H
+
+#include "archard/material.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* Roles. The upper body carries the load by what is held of it, the lower one moves. In the pair
+ * of the paper they are the cylinder and the plate. */
+typedef enum arc_body {
+  ARC_CYLINDER = 0,
+  ARC_PLATE = 1,
+  ARC_UPPER = ARC_CYLINDER,
+  ARC_LOWER = ARC_PLATE
+} arc_body;
+#define ARC_BODIES 2
+
+/* "cylinder" or "plate". */
+const char *arc_body_name(arc_body body);
+
+#define ARC_SOLID_LIST(X)                                                                          \
+  X(SOLID_USUAL, "usual")                                                                          \
+  X(SOLID_CYLINDER, "cylinder")                                                                    \
+  X(SOLID_BLOCK, "block")                                                                          \
+  X(SOLID_PUNCH, "punch")                                                                          \
+  X(SOLID_PROFILE, "profile")                                                                      \
+  X(SOLID_DISC, "disc")                                                                            \
+  X(SOLID_RING, "ring")
+typedef enum arc_solid { ARC_SOLID_LIST(ARC_CHOICE_ENUM) } arc_solid;
+extern const char *const arc_solid_names[];
+
+#define ARC_RIM_LIST(X)                                                                            \
+  X(RIM_OUTER, "outer")                                                                            \
+  X(RIM_INNER, "inner")
+typedef enum arc_rim { ARC_RIM_LIST(ARC_CHOICE_ENUM) } arc_rim;
+extern const char *const arc_rim_names[];
+
+/* A layer on a body's surface, with a material of its own. */
+typedef struct arc_layer {
+  double thickness; /* [mm]; 0: there is none */
+  arc_material material;
+} arc_layer;
+enum { ARC_MOST_LAYERS = 4 };
+
+#define ARC_BODY_SETTINGS(NUMBER, CHOICE)                                                          \
+  CHOICE(kind, solid, ARC_SOLID_USUAL, 0,                                                          \
+         "Its shape; the usual one is a cylinder above, and a block below.")                       \
+  NUMBER(radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
+         "Radius of a cylinder or disc, or of a punch's rounded edges. Left out: the model's.")    \
+  NUMBER(width, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
+         "Width of a block or profile. Left out: twice the model's radius.")                       \
+  NUMBER(height, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
+         "Height of a block, profile or punch. Left out: the model's radius.")                     \
+  NUMBER(flat, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                    \
+         "Full width of a punch's flat; its rounded edges, a radius wide, come on both sides.")    \
+  NUMBER(inner, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Inner radius of a ring.")                        \
+  NUMBER(outer, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Outer radius of a ring.")                        \
+  CHOICE(fixed, rim, ARC_RIM_OUTER, 0, "Which rim of a ring is held; the other one is in contact.")
+
+typedef struct arc_body_def {
+  ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
+  double y;            /* stands for the series: 0 */
+  arc_series y_series; /* heights of a profile [mm] over x [mm], out of the body; linear between
+                          points, level beyond them. Owned by whoever made the definition; a model
+                          keeps a copy */
+  arc_layer layer[ARC_MOST_LAYERS]; /* from the surface inwards */
+} arc_body_def;
+
+extern const arc_setting arc_body_settings[];
+
+/* The body in numbers: what it leaves out by a model's radius [mm] and its role. */
+arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double radius);
+
+/* ARC_ARGUMENT where a resolved body cannot be one: names field, expectation, value; `path` is
+ * "upper." or "lower.". */
+arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *error);
+
+/* Whether its surface is the hollow side of an arc; whether it is an arc at all. */
+int arc_body_is_hollow(const arc_body_def *def);
+int arc_body_is_round(const arc_body_def *def);
+
+/* Radius of its surface [mm], negative where it is hollow, INFINITY where it is flat. */
+double arc_body_radius(const arc_body_def *def);
+
+/* Half of its length along the surface [mm]; its depth below the surface [mm]. */
+double arc_body_half_length(const arc_body_def *def);
+double arc_body_depth(const arc_body_def *def);
+
+/* The least of its dimensions that limit meshes [mm]: the radius of a cylinder and disc, half the
+ * width or the height of a block, the wall of a ring. */
+double arc_body_measure(const arc_body_def *def);
+
+/* The widest zone that leaves room beside it [mm]. */
+double arc_body_widest_zone(const arc_body_def *def);
+
+/* Height of a profile's outermost point [mm]; 0 for others. */
+double arc_body_crest(const arc_body_def *def);
+/* How far the surface lies inside the body at x [mm], below its outermost point, the crest; 0 for
+ * arcs. */
+double arc_body_inset(const arc_body_def *def, double crest, double x);
+
+/* Layers; the lower end of one [mm]; the one at a depth [mm], `layers` for the body's own material.
+ */
+int arc_body_layers(const arc_body_def *def);
+double arc_body_interface(const arc_body_def *def, int layer);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,48 @@
+/* archard/material.h - elastic materials that wear. */
+#ifndef ARCHARD_MATERIAL_H
+#define ARCHARD_MATERIAL_H
+
+#include "archard/setting.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+#define ARC_MATERIAL_SETTINGS(NUMBER)                                                              \
+  NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
+  NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")                                     \
+  NUMBER(                                                                                          \
+      k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                        \
+      "Wear coefficient of the body, for wear{} without k and alpha. A body without one beside "   \
+      "one that has it does not wear.")
+
+typedef struct arc_material {
+  ARC_MATERIAL_SETTINGS(ARC_MEMBER_NUMBER)
+} arc_material;
+
+extern const arc_setting arc_material_settings[];
+
+/* A material as a setting of another definition, whose member `material` is by body. */
+#define ARC_MATERIAL_SETTING(owner, body, name_, text_)                                            \
+  {                                                                                                \
+    .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_material_settings,                  \
+    .offset = offsetof(owner, material[body]), .class_name = "material",                           \
+    .usual_text = "material{}", .type = "a material object or a table { E=, nu=, k= }",            \
+    .text = text_                                                                                  \
+  }
+
+/* Steel of the reference case: 200e3 MPa, 0.3. */
+arc_material arc_material_default(void);
+
+/* Plane-strain modulus E / (1 - nu^2) [MPa]. */
+double arc_material_E_star(arc_material material);
+
+/* Checks ranges; ARC_ARGUMENT names field, expectation and value. */
+arc_status arc_material_check(arc_material material, arc_error *error);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+#endif

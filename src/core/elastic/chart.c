@@ -1,0 +1,46 @@
+/* Charts of pairs. */
+#include "core/elastic/chart.h"
+
+#include <math.h>
+#include <string.h>
+
+chart arc_chart_of(const arc_model_def *def) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
+    if (arc_body_is_hollow(&solid)) return (chart){1, solid.inner, b == ARC_LOWER ? 1 : -1};
+  }
+  return (chart){0};
+}
+
+/* z as (2 side R y - x^2 - y^2) / (R + r), side times: R - r cancels near the surface. */
+void arc_chart_from_space(const chart *c, int n, const double *xy, double *sz) {
+  if (!c->polar) {
+    memcpy(sz, xy, 2 * (size_t)n * sizeof *sz);
+    return;
+  }
+  for (int i = 0; i < n; i++) {
+    const double x = xy[2 * i], up = c->side * xy[2 * i + 1], to = c->radius - up;
+    sz[2 * i] = c->radius * atan2(x, to);
+    sz[2 * i + 1] = c->side * (2 * c->radius * up - x * x - up * up) / (c->radius + hypot(x, to));
+  }
+}
+
+void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy) {
+  if (!c->polar) {
+    memcpy(xy, sz, 2 * (size_t)n * sizeof *xy);
+    return;
+  }
+  for (int i = 0; i < n; i++) {
+    const double angle = sz[2 * i] / c->radius, z = c->side * sz[2 * i + 1];
+    const double half = sin(angle / 2), r = c->radius - z;
+    xy[2 * i] = r * sin(angle);
+    xy[2 * i + 1] = c->side * (z + 2 * r * half * half);
+  }
+}
+
+void arc_chart_axes(const chart *c, double s, double along[2], double across[2]) {
+  const double angle = c->polar ? s / c->radius : 0;
+  along[0] = across[1] = cos(angle);
+  along[1] = c->side * sin(angle);
+  across[0] = -along[1];
+}

@@ -1,0 +1,29 @@
+/* Charts: coordinates (s, z) along and across the surfaces of a pair, in which contact is solved.
+ *
+ * A line's are x and y themselves. A polar one lies about the centre (0, side R) of a hollow
+ * surface of radius R: s = R theta, z = side (R - r), so that z grows towards +y at the first point
+ * of contact, which is the origin of both. Lengths along s are those of the hole, and pressures
+ * those on its area; kinematics are of first order in clearance over R.
+ */
+#ifndef ELASTIC_CHART_H
+#define ELASTIC_CHART_H
+
+#include "archard/model.h"
+
+typedef struct chart {
+  int polar;
+  double radius; /* [mm] R */
+  double side;   /* 1: the lower body is hollow, -1: the upper one is */
+} chart;
+
+/* The chart of a pair. */
+chart arc_chart_of(const arc_model_def *def);
+
+/* Space to chart, and back; n points. */
+void arc_chart_from_space(const chart *c, int n, const double *xy, double *sz);
+void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy);
+
+/* Directions of s and z at s: along[2], across[2]. */
+void arc_chart_axes(const chart *c, double s, double along[2], double across[2]);
+
+#endif

@@ -1,0 +1,113 @@
+/* Pairs of bodies: what two shapes are to each other, and how wide they touch. */
+#include "core/elastic/body.h"
+
+#include <math.h>
+
+arc_body_def arc_model_solid(const arc_model_def *def, arc_body body) {
+  return arc_body_resolve(&def->body[body], body, def->radius);
+}
+
+double arc_model_wear_k(const arc_model_def *def, arc_body body) {
+  double k = def->material[body].k;
+  for (int l = 0; l < arc_body_layers(&def->body[body]); l++)
+    k = fmax(k, def->body[body].layer[l].material.k);
+  return k;
+}
+
+static arc_status check_fit(const arc_body_def *pin, const arc_body_def *hole, arc_error *error) {
+  if (!arc_body_is_round(pin) || arc_body_is_hollow(pin))
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "in a ring held by its outer rim: expected a cylinder, a disc or a ring held by "
+        "its inner rim, got a %s",
+        arc_solid_names[pin->kind]);
+  const double radius = arc_body_radius(pin);
+  if (radius < hole->inner && radius >= 0.5 * hole->inner) return ARC_OK;
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field 'radius': expected from half of the hole's radius %g mm to less than it, got "
+      "%g mm",
+      hole->inner, radius);
+}
+
+arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error) {
+  const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
+                     lower = arc_model_solid(def, ARC_LOWER);
+  arc_status status = arc_body_check(&upper, "upper.", error);
+  if (status == ARC_OK) status = arc_body_check(&lower, "lower.", error);
+  if (status != ARC_OK) return status;
+  if (arc_body_is_hollow(&lower)) return check_fit(&upper, &lower, error);
+  if (arc_body_is_hollow(&upper)) return check_fit(&lower, &upper, error);
+  return ARC_OK;
+}
+
+double arc_model_relative_radius(const arc_model_def *def) {
+  const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
+                     lower = arc_model_solid(def, ARC_LOWER);
+  const double ru = arc_body_radius(&upper), rl = arc_body_radius(&lower);
+  if (isinf(ru)) return rl;
+  if (isinf(rl)) return ru;
+  return 1 / (1 / ru + 1 / rl);
+}
+
+int arc_model_is_hertzian(const arc_model_def *def) {
+  const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
+                     lower = arc_model_solid(def, ARC_LOWER);
+  const int arc = upper.kind == ARC_SOLID_CYLINDER || upper.kind == ARC_SOLID_DISC;
+  return arc && lower.kind == ARC_SOLID_BLOCK && arc_body_layers(&upper) == 0 &&
+         arc_body_layers(&lower) == 0;
+}
+
+double arc_model_width(const arc_model_def *def) {
+  const arc_body_def lower = arc_model_solid(def, ARC_LOWER);
+  return 2 * arc_body_half_length(&lower);
+}
+
+/* --- how wide the unworn contact is ----------------------------------------------------------- */
+
+/* Rounded punch: sin f = b / a, 4 P R / (E* a^2) = pi - 2 f - sin 2f. */
+static double punch_half_width(const arc_body_def *punch, double line, double E_star) {
+  const double b = punch->flat / 2, pi = acos(-1);
+  double low = 0, high = pi / 2; /* of f */
+  for (int i = 0; i < 60; i++) {
+    const double f = (low + high) / 2, a = b / sin(f);
+    if (pi - 2 * f - sin(2 * f) > 4 * line * punch->radius / (E_star * a * a))
+      low = f;
+    else
+      high = f;
+  }
+  return fmin(b / sin(high), b + punch->radius);
+}
+
+/* Persson's pin in a hole of equal materials: 2 E* c / P by b = tan(e / 2). */
+static double conformal_half_width(double hole, double clearance, double line, double E_star) {
+  const double pi = acos(-1);
+  double low = 0, high = 1; /* of b */
+  for (int i = 0; i < 60; i++) {
+    const double b = (low + high) / 2, s = b * b;
+    const double c = (2 - 2 * s * s - log1p(s)) / (pi * s * (1 + s));
+    if (c > 2 * E_star * clearance / line)
+      low = b;
+    else
+      high = b;
+  }
+  return hole * 2 * atan(high);
+}
+
+double arc_model_half_width(const arc_model_def *def, double load) {
+  const arc_body_def solid[ARC_BODIES] = {arc_model_solid(def, ARC_UPPER),
+                                          arc_model_solid(def, ARC_LOWER)};
+  const double line = load / def->thickness, E_star = arc_contact_modulus(def->material);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_body_def *other = &solid[1 - b];
+    if (arc_body_is_hollow(&solid[b]))
+      return conformal_half_width(solid[b].inner, solid[b].inner - arc_body_radius(other), line,
+                                  E_star);
+    if (solid[b].kind == ARC_SOLID_PUNCH) return punch_half_width(&solid[b], line, E_star);
+  }
+  const double radius = arc_model_relative_radius(def);
+  if (isinf(radius)) return fmin(solid[0].width, solid[1].width) / 4;
+  arc_hertz hertz = {0};
+  arc_hertz_solve(radius, def->thickness, load, def->material, &hertz, NULL);
+  return hertz.half_width;
+}

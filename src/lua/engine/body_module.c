@@ -1,0 +1,339 @@
+/* Bodies: body.cylinder{}, body.block{}, ... are tables that say what a body is, checked when made;
+ * a model reads them. */
+#include "lua/engine/bodies.h"
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+#include "lua/engine/classes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char samples_key = 0; /* its address names the registry's table of samples */
+
+/* What each kind has of its own, by arc_solid. */
+static const char *const own[][4] = {
+    {NULL},
+    {"radius", NULL},
+    {"width", "height", NULL},
+    {"flat", "radius", "height", NULL},
+    {"width", "height", "y", "x"},
+    {"radius", NULL},
+    {"inner", "outer", "fixed", NULL},
+};
+
+static const arc_setting common[] = {
+    ARGS_OTHER("kind"),
+    ARGS_OTHER("material"),
+    ARGS_OTHER("layers"),
+    {.name = NULL},
+};
+
+static const arc_setting layer_fields[] = {
+    {.name = "thickness", .unit = "mm", .kind = ARC_NUMBER, ARC_RANGE_ABOVE(0)},
+    ARGS_OTHER("material"),
+    {.name = NULL},
+};
+
+static int is_own(arc_solid kind, const char *name) {
+  for (int i = 0; i < 4 && own[kind][i]; i++)
+    if (strcmp(own[kind][i], name) == 0) return 1;
+  return 0;
+}
+
+static int is_known(arc_solid kind, const char *name) {
+  return is_own(kind, name) || arc_setting_find(common, name) ||
+         arc_setting_find(arc_material_settings, name);
+}
+
+static void refuse_name(lua_State *L, args_place place, arc_solid kind, const char *name)
+    __attribute__((noreturn));
+
+static void refuse_name(lua_State *L, args_place place, arc_solid kind, const char *name) {
+  luaL_Buffer known;
+  luaL_buffinit(L, &known);
+  for (int i = 0; i < 4 && own[kind][i]; i++) {
+    luaL_addstring(&known, own[kind][i]);
+    luaL_addstring(&known, ", ");
+  }
+  luaL_addstring(&known, "E, nu, k, material, layers");
+  luaL_pushresult(&known);
+  error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' of a %s (known: %s)",
+              place.prefix, name, arc_solid_names[kind], lua_tostring(L, -1));
+}
+
+static void check_names(lua_State *L, int index, args_place place, arc_solid kind) {
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING)
+      error_raise(L, ARC_ARGUMENT, place.where, "field '%s': a body's fields are given by name",
+                  place.prefix);
+    if (!is_known(kind, lua_tostring(L, -2))) refuse_name(L, place, kind, lua_tostring(L, -2));
+  }
+}
+
+/* Pushes a table with those fields of the one at `index` that the list has. */
+static void push_part(lua_State *L, int index, const arc_setting *list) {
+  lua_newtable(L);
+  for (const arc_setting *s = list; s->name; s++) {
+    if (strcmp(s->name, "y") == 0) continue;
+    lua_getfield(L, index, s->name);
+    lua_setfield(L, -2, s->name);
+  }
+}
+
+/* --- materials and layers --------------------------------------------------------------------- */
+
+/* From the field `material`, then from E, nu and k beside it. */
+static void read_material(lua_State *L, int index, args_place place, arc_material *to) {
+  static const arc_setting whole[] = {{.name = "material",
+                                       .kind = ARC_GROUP,
+                                       .group = arc_material_settings,
+                                       .class_name = "material",
+                                       .type = "a material object or a table { E=, nu=, k= }"},
+                                      {.name = NULL}};
+  push_part(L, index, whole);
+  args_read(L, -1, place, whole, to);
+  push_part(L, index, arc_material_settings);
+  args_read(L, -1, place, arc_material_settings, to);
+  lua_pop(L, 2);
+}
+
+static void read_layer(lua_State *L, args_place place, arc_layer *layer) {
+  if (!lua_istable(L, -1)) args_refuse(L, place, "", "a table { thickness=, material= }");
+  const int at = lua_gettop(L);
+  layer->material = arc_material_default();
+  for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1))
+    if (lua_type(L, -2) != LUA_TSTRING ||
+        (!arc_setting_find(layer_fields, lua_tostring(L, -2)) &&
+         !arc_setting_find(arc_material_settings, lua_tostring(L, -2))))
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "unknown field '%s%s' (known: thickness, material, E, nu, k)", place.prefix,
+                  luaL_tolstring(L, -2, NULL));
+  lua_getfield(L, at, "thickness");
+  layer->thickness = args_number(L, place, &layer_fields[0]);
+  lua_pop(L, 1);
+  read_material(L, at, place, &layer->material);
+}
+
+static void read_layers(lua_State *L, int index, args_place place, arc_body_def *def) {
+  if (lua_getfield(L, index, "layers") == LUA_TNIL) {
+    lua_pop(L, 1);
+    return;
+  }
+  if (!lua_istable(L, -1)) args_refuse(L, place, "layers", "a list { { thickness=, material= } }");
+  const int count = (int)lua_rawlen(L, -1);
+  if (count > ARC_MOST_LAYERS)
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "field '%slayers': expected at most %d layers, got %d", place.prefix,
+                ARC_MOST_LAYERS, count);
+  for (int l = 0; l < count; l++) {
+    lua_rawgeti(L, -1, l + 1);
+    const char *prefix = lua_pushfstring(L, "%slayers[%d].", place.prefix, l + 1);
+    lua_insert(L, -2);
+    read_layer(L, (args_place){place.where, prefix}, &def->layer[l]);
+    lua_pop(L, 2);
+  }
+  lua_pop(L, 1);
+}
+
+/* --- profiles --------------------------------------------------------------------------------- */
+
+enum { SAMPLES = 20001 }; /* of a function */
+
+/* Keeps the value on top of the stack as long as the table at `index` lives, and pops it. */
+static void keep_beside(lua_State *L, int index) {
+  if (lua_rawgetp(L, LUA_REGISTRYINDEX, &samples_key) != LUA_TTABLE) {
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_createtable(L, 0, 1);
+    lua_pushliteral(L, "k");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &samples_key);
+  }
+  lua_pushvalue(L, index);
+  lua_rotate(L, -3, -1);
+  lua_rawset(L, -3);
+  lua_pop(L, 1);
+}
+
+static arc_series sample_function(lua_State *L, int function, args_place place, double width) {
+  double *x = array_buffer(L, 2 * SAMPLES), *y = x + SAMPLES;
+  for (int i = 0; i < SAMPLES; i++) {
+    x[i] = width * ((double)i / (SAMPLES - 1) - 0.5);
+    lua_pushvalue(L, function);
+    lua_pushnumber(L, x[i]);
+    lua_call(L, 1, 1);
+    if (lua_type(L, -1) != LUA_TNUMBER)
+      args_refuse(L, place, "y", "a function that returns a height in mm");
+    y[i] = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+  }
+  return (arc_series){SAMPLES, x, y};
+}
+
+/* Pushes a buffer with both lists. */
+static arc_series copy_lists(lua_State *L, int index, args_place place) {
+  size_t xs, ys;
+  lua_getfield(L, index, "x");
+  if (!lua_istable(L, -1)) args_refuse(L, place, "x", "a list of places in mm beside y");
+  const double *x = array_read(L, place, "x", &xs);
+  lua_getfield(L, index, "y");
+  const double *y = array_read(L, place, "y", &ys);
+  if (xs != ys || xs < 2 || xs > 1000000)
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "fields '%sx' and '%sy': expected two lists of one length from 2, got %d and %d "
+                "numbers",
+                place.prefix, place.prefix, (int)xs, (int)ys);
+  double *both = array_buffer(L, 2 * xs);
+  memcpy(both, x, xs * sizeof *x);
+  memcpy(both + xs, y, xs * sizeof *y);
+  return (arc_series){(int)xs, both, both + xs};
+}
+
+static void read_profile(lua_State *L, int index, args_place place, double radius,
+                         arc_body_def *def) {
+  const int top = lua_gettop(L), type = lua_getfield(L, index, "y");
+  if (type == LUA_TFUNCTION)
+    def->y_series = sample_function(L, top + 1, place, def->width > 0 ? def->width : 2 * radius);
+  else if (type == LUA_TTABLE)
+    def->y_series = copy_lists(L, index, place);
+  else
+    args_refuse(L, place, "y", "a function y(x) or a list of heights in mm");
+  keep_beside(L, index);
+  lua_settop(L, top);
+}
+
+/* --- reading ---------------------------------------------------------------------------------- */
+
+static arc_solid read_kind(lua_State *L, int index, args_place place) {
+  lua_getfield(L, index, "kind");
+  const int kind = args_choice(L, -1, place, "kind", arc_solid_names, ARC_SOLID_USUAL);
+  lua_pop(L, 1);
+  if (kind == ARC_SOLID_USUAL)
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "field '%skind': expected a body, as body.cylinder{ radius=10 } makes one",
+                place.prefix);
+  return (arc_solid)kind;
+}
+
+static void read_at(lua_State *L, int index, args_place place, double radius, arc_body_def *def,
+                    arc_material *material) {
+  luaL_checkstack(L, 20, place.where);
+  const arc_solid kind = read_kind(L, index, place);
+  check_names(L, index, place, kind);
+  *def = (arc_body_def){0};
+  arc_settings_default(arc_body_settings, def);
+  push_part(L, index, arc_body_settings);
+  args_read(L, -1, place, arc_body_settings, def);
+  lua_pop(L, 1);
+  read_material(L, index, place, material);
+  read_layers(L, index, place, def);
+  if (kind == ARC_SOLID_PROFILE) read_profile(L, index, place, radius, def);
+}
+
+void body_read(lua_State *L, int index, args_place place, arc_model_def *def) {
+  static const char *const roles[ARC_BODIES] = {"upper", "lower"};
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const int top = lua_gettop(L);
+    if (lua_getfield(L, index, roles[b]) != LUA_TNIL) {
+      if (!lua_istable(L, -1))
+        args_refuse(L, place, roles[b], "a body, as body.cylinder{ radius=10 } makes one");
+      const args_place inside = {place.where, lua_pushfstring(L, "%s%s.", place.prefix, roles[b])};
+      read_at(L, top + 1, inside, def->radius, &def->body[b], &def->material[b]);
+    }
+    lua_settop(L, top);
+  }
+}
+
+/* --- pushing ---------------------------------------------------------------------------------- */
+
+static void set_number(lua_State *L, const char *name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
+static void set_material(lua_State *L, arc_material m) {
+  set_number(L, "E", m.E);
+  set_number(L, "nu", m.nu);
+  set_number(L, "k", m.k);
+}
+
+static void set_layers(lua_State *L, const arc_body_def *def) {
+  const int layers = arc_body_layers(def);
+  if (layers == 0) return;
+  lua_createtable(L, layers, 0);
+  for (int l = 0; l < layers; l++) {
+    lua_newtable(L);
+    set_number(L, "thickness", def->layer[l].thickness);
+    set_material(L, def->layer[l].material);
+    lua_rawseti(L, -2, l + 1);
+  }
+  lua_setfield(L, -2, "layers");
+}
+
+/* What it has of its own, as far as it was given. */
+static void set_shape(lua_State *L, const arc_body_def *def) {
+  for (const arc_setting *s = arc_body_settings; s->name; s++) {
+    const int given = s->kind == ARC_CHOICE || arc_setting_number(s, def) != 0;
+    if (!is_own(def->kind, s->name) || !given || s->kind == ARC_GROUP) continue;
+    settings_push(L, s, def);
+    lua_setfield(L, -2, s->name);
+  }
+  const arc_series y = def->y_series;
+  if (def->kind != ARC_SOLID_PROFILE) return;
+  array_set(L, "x", y.distance, (size_t)y.count);
+  array_set(L, "y", y.value, (size_t)y.count);
+}
+
+void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
+  const arc_body_def *def = &model->body[body];
+  if (def->kind == ARC_SOLID_USUAL) {
+    lua_pushnil(L);
+    return;
+  }
+  lua_newtable(L);
+  lua_pushstring(L, arc_solid_names[def->kind]);
+  lua_setfield(L, -2, "kind");
+  set_shape(L, def);
+  set_material(L, model->material[body]);
+  set_layers(L, def);
+}
+
+/* --- making ----------------------------------------------------------------------------------- */
+
+/* body.KIND{...}: a copy of the table with its kind, checked. */
+static int make(lua_State *L) {
+  const arc_solid kind = (arc_solid)lua_tointeger(L, lua_upvalueindex(1));
+  char where[40];
+  snprintf(where, sizeof where, "body.%s", arc_solid_names[kind]);
+  const args_place place = {where, ""};
+  arc_body_def def;
+  arc_material material = arc_material_default();
+  arc_error error = {0};
+  lua_settop(L, 1);
+  lua_newtable(L);
+  if (!lua_isnil(L, 1)) luaL_checktype(L, 1, LUA_TTABLE);
+  for (lua_pushnil(L); lua_istable(L, 1) && lua_next(L, 1);) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, 2);
+  }
+  lua_settop(L, 2);
+  lua_pushstring(L, arc_solid_names[kind]);
+  lua_setfield(L, 2, "kind");
+  read_at(L, 2, place, arc_model_default().radius, &def, &material);
+  def = arc_body_resolve(&def, ARC_UPPER, arc_model_default().radius);
+  error_check(L, arc_body_check(&def, "", &error), &error, where, -1);
+  return 1;
+}
+
+int luaopen_archard_body(lua_State *L) {
+  lua_newtable(L);
+  for (int kind = ARC_SOLID_CYLINDER; arc_solid_names[kind]; kind++) {
+    lua_pushinteger(L, kind);
+    lua_pushcclosure(L, make, 1);
+    lua_setfield(L, -2, arc_solid_names[kind]);
+  }
+  return 1;
+}

@@ -1,0 +1,72 @@
+-- Bodies of one's own: what they are made from, refusals, studies and run files.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
+
+local coarse = { size = 0.1, height = 0.1, far = 2, zone = { cylinder = 4, plate = 5 } }
+local pin = { upper = body.disc{ radius = 9.5, k = 1e-8 }, lower = body.ring{ inner = 10, outer = 15, E = 20e3, nu = 0.4 }, mesh = coarse }
+
+-- What they are.
+local m = model(pin)
+is(m.upper.kind, "disc", "the upper body as it was given")
+is(m.lower.outer, 15.0, "and the lower one")
+is(m.plate.E, 20e3, "its material is that of the role")
+is(model{ mesh = coarse }.upper, nil, "the usual pair has none")
+is(contact{ model = { upper = m.upper, lower = m.lower, mesh = coarse }, load = 10 }.p_max, contact{ model = m, load = 10 }.p_max,
+  "given back they make the same model")
+local layered = model{ lower = body.block{ layers = { { thickness = 0.05, material = material{ E = 1e5 }, k = 1e-9 } } }, mesh = coarse }
+is(layered.lower.layers[1].E, 1e5, "layers")
+is(layered.lower.layers[1].thickness, 0.05, "their thickness")
+local listed = model{ upper = body.profile{ x = { -1, 0, 1 }, y = { 0, 0.01, 0 } , width = 10 }, mesh = coarse }
+near(listed.upper.y[2], 0.01, 1e-15, "a profile's heights")
+
+-- Stresses, forces.
+local c = contact{ model = m, load = 50 }
+local worst = 0
+local field = c:stress()
+for _, v in ipairs(field.plate.mises) do worst = math.max(worst, v) end
+ok(worst > 0.3 * c.p_max and worst < c.p_max, "stresses in a ring are of the contact's size")
+fails(function() contact{ model = m, load = 50, x = 0.1 }:stress() end, "x = 0", "stresses of a turned ring")
+
+-- Runs: in two parts, stored in between.
+local file = os.tmpname()
+os.remove(file)
+local function run(distance) return wear{ model = m, load = 20, stroke = 0.5, distance = distance, jump = 10 } end
+local whole = run(400)
+whole:run()
+local part = run(400)
+part:run{ cycles = 200 }
+part:save(file)
+local later = wear.open(file)
+later:run()
+is(("%a %a"):format(later.depth_cylinder, later.p_center), ("%a %a"):format(whole.depth_cylinder, whole.p_center),
+  "a pin in a ring goes on from a run file to the bit")
+os.remove(file)
+local waves = wear{ model = { upper = body.profile{ width = 10, y = function(x) return 1e-3 * math.cos(x) end }, mesh = coarse },
+  load = 50, stroke = 0.5, distance = 20, k = 1e-8 }
+waves:run()
+waves:save(file)
+is(wear.open(file).model.upper.y[7], waves.model.upper.y[7], "a profile is kept in the run file")
+os.remove(file)
+
+-- Refusals.
+local function refused(parts, what, f) fails(f, parts, what) end
+refused({ "body.cylinder", "'width'", "radius" }, "a field of another body", function() body.cylinder{ width = 3 } end)
+refused({ "'radius'", "> 0 mm", "-1" }, "a negative radius", function() body.cylinder{ radius = -1 } end)
+refused({ "inner", "outer", "12 and 10" }, "a ring inside out", function() body.ring{ inner = 12, outer = 10 } end)
+refused({ "'flat'" }, "a punch without a flat", function() body.punch{ radius = 1 } end)
+refused({ "'height'", "radius / 0.9" }, "a punch too low", function() body.punch{ flat = 1, radius = 2, height = 1 } end)
+refused({ "'y'" }, "a profile without heights", function() body.profile{ width = 3 } end)
+refused({ "'x'" }, "heights without places", function() body.profile{ y = { 1, 2 } } end)
+refused({ "x", "increasing", "1 after 1" }, "places that stand still", function() body.profile{ x = { 1, 1 }, y = { 0, 0 } } end)
+refused({ "within half" }, "a profile higher than its body", function() body.profile{ x = { 0, 1 }, y = { 0, 9 } } end)
+refused({ "'layers'", "at most 4" }, "too many layers", function() body.block{ layers = { {}, {}, {}, {}, {} } } end)
+refused({ "layers[1].thickness", "nil" }, "a layer of no thickness", function() body.block{ layers = { { E = 3 } } } end)
+refused({ "layers[1]", "nue" }, "a layer's unknown field", function() body.block{ layers = { { thickness = 1, nue = 3 } } } end)
+refused({ "layers", "0.9" }, "layers thicker than the body", function() body.block{ layers = { { thickness = 30 } } } end)
+refused({ "upper", "a body" }, "no body", function() model{ upper = 3 } end)
+refused({ "upper.kind", "body.cylinder" }, "a table that is none", function() model{ upper = { radius = 3 } } end)
+refused({ "hole's radius 10", "got 10" }, "a pin as wide as its hole", function() model{ upper = body.disc{ radius = 10 }, lower = body.ring{ inner = 10, outer = 20 } } end)
+refused({ "got a block" }, "a block in a hole", function() model{ upper = body.block{}, lower = body.ring{ inner = 10, outer = 20 } } end)
+refused({ "'friction'", "in a hole" }, "friction in a hole", function() contact{ model = m, friction = 0.1, load = 10 } end)
+
