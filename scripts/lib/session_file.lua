@@ -134,15 +134,27 @@ local function gather()
   return cases, left
 end
 
+-- Runs a function of the store; what it raises is told of as the call that the user made, `name` being
+-- the global it is about.
+local function as(where, name, f, ...)
+  local results = table.pack(pcall(f, ...))
+  if results[1] then return table.unpack(results, 2, results.n) end
+  local err = results[2]
+  if type(err) ~= "table" or not err.message then error(err, 0) end
+  check.fail(where, (name and name .. ": " or "") .. err.message, err.code)
+end
+
+local function write_one(file, id, each)
+  file:add(id, each.name:sub(1, 190))
+  if each.class ~= "same" then writers[each.class](each.value, each.given, file, id) end
+  file:set_values(id, "settings", each.given)
+  file:mark(id, "done")
+end
+
 local function write(file, cases)
   file:begin()
   file:set_info("program", "archard " .. require "archard".version)
-  for id, each in ipairs(cases) do
-    file:add(id, each.name:sub(1, 190))
-    if each.class ~= "same" then writers[each.class](each.value, each.given, file, id) end
-    file:set_values(id, "settings", each.given)
-    file:mark(id, "done")
-  end
+  for id, each in ipairs(cases) do as("session.save", each.name, write_one, file, id, each) end
   file:commit()
 end
 
@@ -185,22 +197,13 @@ local function check_path(where, path)
   check.fail(where, "expected the name of a file, got " .. check.shown(path))
 end
 
--- Runs a function of the store; what it raises is told of as the call that the user made.
-local function as(where, f, ...)
-  local results = table.pack(pcall(f, ...))
-  if results[1] then return table.unpack(results, 2, results.n) end
-  local err = results[2]
-  if type(err) == "table" and err.message then check.fail(where, err.message, err.code) end
-  error(err, 0)
-end
-
 -- save(path) -> what was saved, in words. A session that was saved there before is replaced, anything
 -- else is refused; the file is there whole or not at all.
 function session.save(path)
   if path == nil then path = last end
   check_path("session.save", path)
   local cases, left = gather()
-  as("session.save", function()
+  as("session.save", nil, function()
     local file <close> = store.replace(path, "session")
     write(file, cases)
     file:publish()
@@ -272,7 +275,7 @@ end
 -- of the runs cannot be stored: session.open(path, { w = { k = f } }) gives them again.
 function session.open(path, functions)
   check_path("session.open", path)
-  local cases, missing = as("session.open", function()
+  local cases, missing = as("session.open", nil, function()
     local file <close> = store.open(path, "read")
     file:check()
     check_kind(file, path)

@@ -68,7 +68,7 @@ fails(function() export.csv({}, at "a.csv") end, "export.csv: the table is empty
 fails(function() export.csv({ 1, 2 }, at "a.csv") end, { "arrays by name", "found [1]" }, "a list")
 fails(function() export.csv({ x = { 1 }, y = { 1, 2 } }, at "a.csv") end,
   "1 numbers in 'x' and 2 in 'y'", "lengths differ")
-fails(function() export.csv({ x = { "a" } }, at "a.csv") end, "field 'x[1]': expected a finite number",
+fails(function() export.csv({ x = { "a" } }, at "a.csv") end, "field 'x[1]': expected a number",
   "text in an array")
 fails(function() export.csv(hertz{}, at "a.csv") end, "expected a wear or contact object", "hertz")
 fails(function() export.csv(w) end, "field 'path': expected a file name, got nil", "no path")

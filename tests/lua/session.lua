@@ -72,6 +72,7 @@ base.distance = nil
 whole, share, text, yes, huge, numbers = 7, 0.1, "a\nb", true, math.maxinteger, { 1, 2.5, -0.0 }
 long, wide = {}, { 1, (2^53 | 0) + 1 }
 for i = 1, 200000 do long[i] = i end
+told, odd = w.history, { 1, 0 / 0, math.huge, nothing = 0 / 0, nested = { -math.huge } }
 touch = contact{ model = m }
 function compute() return 1 end
 before = { w = tostring(w), volume = driven.volume.total, pair = runs.pair[1].depth.plate }
@@ -105,6 +106,9 @@ is(huge, math.maxinteger, "the largest whole number")
 is(#numbers .. " " .. 1 / numbers[3], "3 -inf", "lists, with the sign of zero")
 is(#long .. " " .. math.type(long[9]) .. " " .. long[200000], "200000 integer 200000", "long ones")
 is(wide[2] - 1, 2^53 | 0, "whole numbers that doubles do not hold")
+ok(told.depth_partition[1] ~= told.depth_partition[1] and told.distance[2] == w.history.distance[2], "a history, NaN in it")
+is(odd[1] .. " " .. tostring(odd[2] ~= odd[2]) .. " " .. odd[3] .. " " .. odd.nested[1], "1 true inf -inf", "infinite numbers")
+ok(odd.nothing ~= odd.nothing, "NaN alone")
 is(plan:cases()[2].stroke .. " " .. plan:cases()[2].alpha .. " " .. plan.name, "0.2 0.5 plan", "a study that has not run")
 is(computed:cases()[1].status, "done", "one that has, from its file")
 w_next = w:step(3)

@@ -24,7 +24,23 @@ double *array_buffer(lua_State *L, size_t count) {
   return lua_newuserdatauv(L, (count ? count : 1) * sizeof(double), 0);
 }
 
-double *array_read(lua_State *L, args_place place, const char *name, size_t *count) {
+/* The kinds of numbers that a list may hold. */
+typedef struct kind {
+  int (*fits)(double value);
+  const char *expected;
+} kind;
+
+static int is_finite(double value) {
+  return isfinite(value);
+}
+
+static int is_any(double value) {
+  (void)value;
+  return 1;
+}
+
+static double *read_kind(lua_State *L, args_place place, const char *name, size_t *count,
+                         kind wanted) {
   if (!lua_istable(L, -1)) args_refuse(L, place, name, "an array of numbers");
   int table = lua_gettop(L);
   *count = (size_t)luaL_len(L, table);
@@ -32,12 +48,20 @@ double *array_read(lua_State *L, args_place place, const char *name, size_t *cou
   for (size_t i = 0; i < *count; i++) {
     lua_geti(L, table, (lua_Integer)i + 1);
     values[i] = lua_tonumber(L, -1);
-    if (lua_type(L, -1) != LUA_TNUMBER || !isfinite(values[i])) {
+    if (lua_type(L, -1) != LUA_TNUMBER || !wanted.fits(values[i])) {
       const char *element = lua_pushfstring(L, "%s[%d]", name, (int)i + 1);
       lua_insert(L, -2);
-      args_refuse(L, place, element, "a finite number");
+      args_refuse(L, place, element, wanted.expected);
     }
     lua_pop(L, 1);
   }
   return values;
+}
+
+double *array_read(lua_State *L, args_place place, const char *name, size_t *count) {
+  return read_kind(L, place, name, count, (kind){is_finite, "a finite number"});
+}
+
+double *array_read_any(lua_State *L, args_place place, const char *name, size_t *count) {
+  return read_kind(L, place, name, count, (kind){is_any, "a number"});
 }

@@ -168,7 +168,7 @@ static void write_table(lua_State *L, const char *path, int index, int units) {
   for (size_t i = 0; i < table.columns; i++) {
     size_t rows;
     lua_getfield(L, index, table.names[i]);
-    table.data[i] = array_read(L, (args_place){where, ""}, table.names[i], &rows);
+    table.data[i] = array_read_any(L, (args_place){where, ""}, table.names[i], &rows);
     if (i > 0 && rows != table.rows)
       error_raise(L, ARC_ARGUMENT, where,
                   "expected arrays of one length, got %d numbers in '%s' and %d in '%s'",

@@ -24,7 +24,7 @@ static arc_value read_value(lua_State *L, const char *name, const char *where) {
     break;
   case LUA_TTABLE:
     value.kind = ARC_VALUE_ARRAY;
-    value.array = array_read(L, (args_place){where, ""}, name, &value.count);
+    value.array = array_read_any(L, (args_place){where, ""}, name, &value.count);
     lua_insert(L, -2);
     break;
   default:
