@@ -24,11 +24,23 @@ function writers.wear(value, _, file, id) file:save(id, value) end
 
 function readers.wear(_, file, id, functions) return file:wear(id, functions) end
 
+-- What is wrong, and how to give a run its functions where they are what is missing.
+local function cure(message, name)
+  if not message:find("the function again", 1, true) then return message end
+  local field = message:match "^field '([%w_]+)'" or "k"
+  local key = name:find "^[%a_][%w_]*$" and name or ("[%q]"):format(name)
+  return ("%s; give it as session.open(path, { %s = { %s = f } })"):format(message, key, field)
+end
+
 function writers.model(value, given)
   for name, one in pairs(settings.flatten("session.save", { is = value })) do given[name] = one end
 end
 
-function readers.model(given) return model(settings.nest(given).is) end
+-- The model of a run is the run's: settings alone may make another one of the same mesh.
+function readers.model(given, _, _, _, values)
+  if given.of then return values[math.tointeger(given.of)].model end
+  return model(settings.nest(given).is)
+end
 
 function writers.material(value, given) given["is.E"], given["is.nu"] = value.E, value.nu end
 
@@ -112,6 +124,16 @@ end
 
 -- --- saving --------------------------------------------------------------------------------------
 
+-- Says of a model the number of the first run that has it.
+local function note_owners(cases)
+  for _, each in ipairs(cases) do
+    for id, other in ipairs(each.class == "model" and cases or {}) do
+      local has_it = not each.given.of and other.class == "wear" and other.value.model == each.value
+      if has_it then each.given.of = id end
+    end
+  end
+end
+
 -- What is to be written, in order: a table before what is in it, one object under several names
 -- once and then by the number of its case.
 local function gather()
@@ -131,6 +153,7 @@ local function gather()
     if object then number[value] = number[value] or #cases end
     return class == "table" and given.kind == "table"
   end)
+  note_owners(cases)
   return cases, left
 end
 
@@ -141,7 +164,7 @@ local function as(where, name, f, ...)
   if results[1] then return table.unpack(results, 2, results.n) end
   local err = results[2]
   if type(err) ~= "table" or not err.message then error(err, 0) end
-  check.fail(where, (name and name .. ": " or "") .. err.message, err.code)
+  check.fail(where, name and ("%s: %s"):format(name, cure(err.message, name)) or err.message, err.code)
 end
 
 local function write_one(file, id, each)
@@ -239,21 +262,38 @@ local function is_there(path)
   return file ~= nil
 end
 
+-- What a case of a file is, without its value.
+local function described(file, id)
+  local given = file:values(id, "settings")
+  local path = read_path(given)
+  return { id = id, given = given, path = path, name = own.spoken(path), class = given.kind }
+end
+
+-- A run's model comes after the run.
+local function in_order(file)
+  local first, later = {}, {}
+  for _, case in ipairs(file:cases()) do
+    local each = described(file, case.id)
+    local list = (each.given.of or each.given.same) and later or first
+    list[#list + 1] = each
+  end
+  return table.move(later, 1, #later, #first + 1, first)
+end
+
 -- Makes all values of a file; nothing of the session has changed yet.
 local function read(file, functions)
   local values, cases, missing = {}, {}, {}
-  for _, case in ipairs(file:cases()) do
-    local given = file:values(case.id, "settings")
-    local path = read_path(given)
-    local each = { path = path, name = own.spoken(path), class = given.kind }
+  for _, each in ipairs(in_order(file)) do
+    local given = each.given
     if given.same then
       each.value = values[math.tointeger(given.same)]
     elseif given.kind == "study" and given.file and not is_there(given.file) then
       missing[#missing + 1] = ("%s: %s is not there"):format(each.name, given.file)
     else
-      each.value = readers[given.kind](given, file, case.id, functions_of(functions, each.name))
+      each.value = as("session.open", each.name, readers[given.kind], given, file, each.id,
+        functions_of(functions, each.name), values)
     end
-    values[case.id] = each.value
+    values[each.id] = each.value
     if each.value ~= nil then cases[#cases + 1] = each end
   end
   return cases, missing

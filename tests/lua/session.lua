@@ -61,6 +61,8 @@ driven:step(2)
 base.k = nil
 m = w.model
 steel = material{ E = 210e3 }
+fitted = model{}
+on_fitted = wear{ model = fitted }
 runs = { w, pair = { quickened{ alpha = 0.25 } }, [7] = "text" }
 runs.pair[1]:step(2)
 plan = study{ name = "plan", vary = { alpha = { 0.25, 0.5 } }, base = { stroke = 0.2 } }
@@ -79,7 +81,7 @@ before = { w = tostring(w), volume = driven.volume.total, pair = runs.pair[1].de
 holds(leave.question(), "not saved: driven, runs.pair[1], w\n", "runs in tables are asked about, each once")
 
 local said = session.save(path "s.archard")
-holds(said, { "saved in " .. path "s.archard", "3 runs, 1 model, 2 studies", "not kept: ", "compute (function)", "touch (contact)",
+holds(said, { "saved in " .. path "s.archard", "4 runs, 2 models, 2 studies", "not kept: ", "compute (function)", "touch (contact)",
   "driven: give its functions again when you open it (k)", "computed: its cases stay in " .. path "computed.archard" },
   "it says what was kept and what was not")
 is(w.saved and driven.saved and runs.pair[1].saved, true, "the runs are in a file now")
@@ -90,9 +92,10 @@ local expected = { w_next.p_center, w_next.depth_plate, w_next.volume_cylinder }
 local kept = table.move({ path, tap, expected }, 1, 3, 1, {})
 forget()
 is(rawget(_G, "w"), nil, "an empty session")
-fails(function() session.open(path "s.archard") end, { "session.open", "'k': expected the function again" }, "functions are asked for")
+fails(function() session.open(path "s.archard") end, { "session.open: driven: field 'k': expected the function again",
+  "session.open(path, { driven = { k = f } })" }, "functions are asked for, and how to give them")
 is(#own.list(), 0, "and nothing has come without them")
-holds(session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }), "3 runs, 1 model, 2 studies", "it opens")
+holds(session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }), "4 runs, 2 models, 2 studies", "it opens")
 is(tostring(w), before.w, "a run as it was")
 is(driven.volume.total, before.volume, "one with a function too")
 is(driven.k(), 2e-8, "which it has again")
@@ -100,6 +103,8 @@ is(runs.pair[1].depth.plate, before.pair, "and one in a table")
 ok(rawequal(runs[1], w), "one object under two names is one again")
 is(runs[7], "text", "values stand at their numbers")
 is(w.model, m, "the model is that of the run")
+is(on_fitted.model, fitted, "also where its size followed from the load")
+is(fitted.mesh.fineness, 1, "and may again")
 is(steel.E, 210e3, "a material")
 is(math.type(whole) .. " " .. whole .. " " .. share .. " " .. tostring(yes) .. " " .. text, "integer 7 0.1 true a\nb", "plain values")
 is(huge, math.maxinteger, "the largest whole number")
