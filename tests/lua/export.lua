@@ -60,7 +60,18 @@ columns, names = read_csv "profile.csv"
 is(table.concat(names, ","), "x,y,h,way,worn_x", "a plain table: x first")
 is(columns.h[31], w:profile("plate").h[31], "its numbers")
 export.csv(w:profile("plate"), at "profile.csv", { x = "mm", h = "mm" })
-is(select(3, read_csv "profile.csv"), "x [mm],y,h [mm],way,worn_x", "units as they are given")
+is(select(3, read_csv "profile.csv"), "x [mm],y [mm],h [mm],way [mm],worn_x [mm]", "which our own tables know")
+export.csv(w:pressure("plate"), at "pressure.txt", { p = "N/mm2" })
+is(select(3, read_csv "pressure.txt"), "x [mm],p [N/mm2]", "unless another is given")
+export.csv(w.history, at "columns")
+holds(select(3, read_csv "columns"), { "distance [mm],", "p_center [MPa]" }, "a history as a table; no ending")
+export.csv({ x = { 1 } }, at "plain.csv")
+is(read "plain.csv", "x\n1\n", "a table of the user's has those that are given")
+for _, ending in ipairs{ "json", "vtu", "png", "pvd" } do
+  fails(function() export.csv(w, at("w." .. ending)) end, { "field 'path': expected a file name that ends in .csv", "w." .. ending },
+    "not as ." .. ending)
+  ok(not io.open(at("w." .. ending)), "nothing is written")
+end
 fails(function() export.csv({ x = { 1 } }, at "a.csv", { y = "mm" }) end, { "the unit of a column", "'y' = \"mm\"" },
   "a unit of nothing")
 fails(function() export.csv({ x = { 1 } }, at "a.csv", "mm") end, "expected units by name", "units of what")

@@ -7,6 +7,9 @@
 /* The file name at `index`. */
 const char *export_path(lua_State *L, int index, const char *where);
 
+/* The ending of the last name of a path, ".vtk"; NULL where it has none. */
+const char *export_ending(const char *path);
+
 /* Pushes "file-cylinder.ending" for "file.ending"; `usual` is the ending where there is none. */
 const char *export_push_path(lua_State *L, const char *path, arc_body body, const char *usual);
 

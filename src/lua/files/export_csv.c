@@ -142,6 +142,25 @@ static csv_table push_names(lua_State *L, int index) {
   return table;
 }
 
+/* The unit of a column by this name in the tables that objects hand out, or NULL. */
+static const char *unit_of(const char *name) {
+#define KNOWN(name, unit, text) {#name, unit},
+  static const char *const known[][2] = {{"x", "mm"},      {"y", "mm"},   {"h", "mm"},
+                                         {"worn_x", "mm"}, {"way", "mm"}, {"p", "MPa"},
+                                         ARC_WEAR_COLUMNS(KNOWN)};
+#undef KNOWN
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    if (strcmp(known[i][0], name) == 0) return known[i][1][0] ? known[i][1] : NULL;
+  return NULL;
+}
+
+/* Gives the columns their units where the table at `index` is one of ours. */
+static void own_units(lua_State *L, int index, csv_table table) {
+  if (luaL_getmetafield(L, index, "__plain") == LUA_TNIL) return;
+  lua_pop(L, 1);
+  for (size_t i = 0; i < table.columns; i++) table.units[i] = unit_of(table.names[i]);
+}
+
 /* Gives the columns the units in the table { name = unit } at `index`, if there is one. */
 static void read_units(lua_State *L, int index, csv_table table) {
   if (lua_isnil(L, index)) return;
@@ -163,6 +182,7 @@ static void read_units(lua_State *L, int index, csv_table table) {
 /* Writes a plain table of arrays of one length. */
 static void write_table(lua_State *L, const char *path, int index, int units) {
   csv_table table = push_names(L, index);
+  own_units(L, index, table);
   read_units(L, units, table);
   luaL_checkstack(L, 2 * (int)table.columns + 12, where);
   for (size_t i = 0; i < table.columns; i++) {
@@ -178,11 +198,23 @@ static void write_table(lua_State *L, const char *path, int index, int units) {
   write_columns(L, path, table);
 }
 
+/* The file name at index 2; an ending that is another format's would promise what is not inside. */
+static const char *csv_path(lua_State *L) {
+  static const char *const endings[] = {".csv", ".txt", ".dat", ".tsv", NULL};
+  const char *path = export_path(L, 2, where), *ending = export_ending(path);
+  for (int i = 0; ending && endings[i]; i++)
+    if (strcmp(ending, endings[i]) == 0) return path;
+  if (!ending) return path;
+  lua_settop(L, 2);
+  args_refuse(L, (args_place){where, ""}, "path",
+              "a file name that ends in .csv, .txt, .dat or .tsv, or in nothing");
+}
+
 /* csv(wear | contact | stress | table of arrays, path [, units of the table's columns by name]) ->
  * the file written, or the two of a stress */
 int export_csv(lua_State *L) {
   lua_settop(L, 3);
-  const char *path = export_path(L, 2, where);
+  const char *path = csv_path(L);
   luaL_checkstack(L, 2 * ARC_WEAR_COLUMN_COUNT + 12, where);
   if (box_test(L, 1, &wear_class))
     write_history(L, path, box_check(L, 1, &wear_class, where)->thing);

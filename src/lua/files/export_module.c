@@ -15,14 +15,13 @@ const char *export_path(lua_State *L, int index, const char *where) {
   args_refuse(L, (args_place){where, ""}, "path", "a file name");
 }
 
-/* The ending of the last name of a path, ".vtk"; NULL where it has none. */
-static const char *ending_of(const char *path) {
+const char *export_ending(const char *path) {
   const char *name = strrchr(path, '/');
   return strrchr(name ? name : path, '.');
 }
 
 const char *export_push_path(lua_State *L, const char *path, arc_body body, const char *usual) {
-  const char *ending = ending_of(path);
+  const char *ending = export_ending(path);
   size_t stem = ending ? (size_t)(ending - path) : strlen(path);
   lua_pushlstring(L, path, stem);
   lua_pushfstring(L, "%s-%s%s", lua_tostring(L, -1), body_names[body], ending ? ending : usual);
@@ -33,7 +32,7 @@ const char *export_push_path(lua_State *L, const char *path, arc_body body, cons
 /* The file name at index 2, with the first of the endings where it has none; it is replaced. */
 static const char *path_ending(lua_State *L, const char *where, const char *const endings[],
                                const char *expected) {
-  const char *path = export_path(L, 2, where), *ending = ending_of(path);
+  const char *path = export_path(L, 2, where), *ending = export_ending(path);
   if (!ending) {
     lua_pushfstring(L, "%s%s", path, endings[0]);
     lua_replace(L, 2);
@@ -77,7 +76,7 @@ typedef struct vtk_source {
 static void write_vtk(lua_State *L, const char *file, const arc_mesh *mesh, vtk_source from) {
   arc_error error = {0};
   arc_status status;
-  if (strcmp(ending_of(file), ".vtu") == 0) {
+  if (strcmp(export_ending(file), ".vtu") == 0) {
     status = arc_export_vtu(file, mesh, from.contact, from.time, &error);
   } else {
     const arc_field *field =
