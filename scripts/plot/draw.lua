@@ -124,6 +124,26 @@ local function add_points(where, panel, points)
   panel.curves[#panel.curves + 1] = curve
 end
 
+local function same_numbers(a, b)
+  if a == nil or b == nil or #a ~= #b then return a == b end
+  for i = 1, #a do
+    if a[i] ~= b[i] then return false end
+  end
+  return true
+end
+
+-- Adds points; where they are there already, from a call that drew them elsewhere, they take their place.
+local function put_points(where, panel, points)
+  add_points(where, panel, points)
+  local new = panel.curves[#panel.curves]
+  for i = #panel.curves - 1, 1, -1 do
+    local old = panel.curves[i]
+    local again = old.style == new.style and same_numbers(old.x, new.x) and same_numbers(old.y, new.y)
+      and same_numbers(old.error, new.error)
+    if again then table.remove(panel.curves, i) end
+  end
+end
+
 local most_in_key = 8
 
 -- More names than a key can hold stand at the ends of their curves, unless a colour tells them.
@@ -261,7 +281,7 @@ function draw.points(where, given)
   end
   local panel = merged(figure.panels[number])
   panel.curves = table.move(panel.curves, 1, #panel.curves, 1, {})
-  add_points(where, panel, curve)
+  put_points(where, panel, curve)
   figure.panels = table.move(figure.panels, 1, #figure.panels, 1, {})
   figure.panels[number] = panel
   show(paint(where, figure, merged(last_given and placed(last_given) or {}, place)))

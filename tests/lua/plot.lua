@@ -518,6 +518,12 @@ do
   local text = read("q.txt") or ""
   ok(text:find("squares") and text:find("measured"), "plot.points adds to the last picture")
   ok(not read("p.txt"):find("measured"), "whose own file stays")
+  local first = script_of(function(file) plot.points { x = measured.x, y = measured.y, error = measured.error, file = file } end)
+  local _, bars = first:gsub("with yerrorbars", "")
+  ok(bars == 1, "the same points again, into a file, are drawn once")
+  local other = script_of(function(file) plot.points { x = { 1, 2 }, y = { 3, 5 }, error = { 1, 1 }, file = file } end)
+  _, bars = other:gsub("with yerrorbars", "")
+  ok(bars == 2, "others join them")
   measured.error = { 0.5 }
   refused(function() plot.points(measured) end, "error 1; they must be as many", "a bar is missing")
   measured.error = { 0.5, -1 }
