@@ -19,7 +19,7 @@ end
 -- A value as JSON can hold it: no program can read a function.
 local function plain(value)
   if type(value) == "function" then return "function" end
-  if type(value) ~= "table" then return value end
+  if type(value) ~= "table" or value == json.null then return value end
   local copy = {}
   for name, inner in pairs(value) do copy[name] = plain(inner) end
   return copy
@@ -44,6 +44,7 @@ local function definition(class, object, units, prefix)
       into[path] = definition("material", object[path], units, prefix .. path .. ".")
     elseif setting.plain and not setting.group then
       local value = value_at(object, class == "wear" and held_as[path] or path)
+      if setting.optional and value == 0 then value = json.null end -- not given
       put(into, units, prefix, path, value, setting.unit)
     end
   end

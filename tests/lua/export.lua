@@ -179,6 +179,7 @@ holds(summary, { '"archard": "' .. require "archard".version .. '"', '"stroke": 
 local fresh = wear{ model = w.model, k = function() return 1e-8 end }
 export.json(fresh, at "fresh.json")
 holds(read "fresh.json", { '"depth_partition": null', '"k": "function"' }, "NaN is null, a function is named")
+holds(read "fresh.json", '"k": null,', "a body without a coefficient has none, not 0")
 fails(function() export.json(c, at "c.json") end, "export.json: expected a wear object", "of a contact")
 fails(function() export.json(w, at "w.txt") end, "ends in .json", "another ending")
 fails(function() export.json(w) end, "field 'path': expected a file name, got nil", "no path")

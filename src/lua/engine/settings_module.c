@@ -78,6 +78,7 @@ static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   set_flag(L, "choice", s->kind == ARC_CHOICE);
   set_flag(L, "group", s->kind == ARC_GROUP);
   set_flag(L, "series", (s->forms & ARC_SERIES) != 0);
+  set_flag(L, "optional", (s->forms & ARC_OPTIONAL) != 0);
   set_flag(L, "fixed", (s->forms & ARC_FIXED) != 0);
 }
 
