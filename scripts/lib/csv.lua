@@ -3,6 +3,7 @@
 
 local check = require "archard.lib.check"
 local units = require "archard.lib.csv_units"
+local strict = require "archard.strict"
 
 local where = "csv.read"
 local csv = {}
@@ -144,7 +145,7 @@ local function all_of(path, columns)
     end
     result[column.name], told[column.name], order[i] = column.values, column.unit, column.name
   end
-  return result, told, order
+  return strict.table(result, where), told, order
 end
 
 function csv.read(path, choice)
@@ -158,7 +159,7 @@ function csv.read(path, choice)
   if not choice then return all_of(path, columns) end
   local result = {}
   for name, wanted in pairs(choice) do result[name] = find(path, columns, wanted) end
-  return result
+  return strict.table(result, where)
 end
 
 return csv

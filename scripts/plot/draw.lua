@@ -7,6 +7,7 @@ local check = require "archard.lib.check"
 local output = require "archard.plot.output"
 local csv = require "archard.plot.csv"
 local merged = require "archard.lib.merged"
+local strict = require "archard.strict"
 
 local draw = {}
 
@@ -237,11 +238,23 @@ local function show(picture)
   io.flush()
 end
 
+local default_fields = { term = check.one_of(terms), size = check.size, file_size = check.size,
+  colour = check.flag, key = check.one_of(keys, check.flag) }
+local default_names = {}
+for name in pairs(default_fields) do default_names[#default_names + 1] = name end
+table.sort(default_names)
+
+-- A name that is none is an error where it is written or read.
+setmetatable(draw.default, { __plain = true,
+  __index = function(_, name) return strict.refuse("plot.default", name, default_names) end,
+  __newindex = function(default, name, value)
+    if value ~= nil then check.fields("plot.default", { [name] = value }, default_fields) end
+    rawset(default, name, value)
+  end })
+
 -- Checks the options, draws, and returns the picture where it is one for the terminal.
 local function render(where, given, moving)
-  check.fields(where .. ": plot.default", draw.default,
-    { term = check.one_of(terms), size = check.size, file_size = check.size, colour = check.flag,
-      key = check.one_of(keys, check.flag) })
+  check.fields(where .. ": plot.default", draw.default, default_fields)
   return paint(where, to_figure(where, given), given, moving)
 end
 

@@ -34,6 +34,18 @@ local function held(study, case, wanted)
   return true
 end
 
+-- A name that no case has is a misspelt one.
+local function check_where(study, wanted)
+  for name in pairs(wanted) do
+    local known = false
+    for _, case in ipairs(study:cases()) do known = known or setting_of(study, case, name) ~= nil end
+    if not known then
+      check.fail(where, ("field 'where': no case has a setting '%s'%s"):format(tostring(name),
+        check.hint(tostring(name), study.varied)))
+    end
+  end
+end
+
 -- The finished cases that are asked for, each as { x=, by=, y= }.
 local function points_of(study, options)
   local points = {}
@@ -55,6 +67,9 @@ local function points_of(study, options)
   return points
 end
 
+-- As Lua spells it in a table: stroke, ["model.radius"].
+local function key_of(name) return name:find("^[%a_][%w_]*$") and name or ("[%q]"):format(name) end
+
 -- Two cases at one place differ in something that the picture would hide.
 local function refuse_hidden(study, points)
   local seen = {}
@@ -65,8 +80,8 @@ local function refuse_hidden(study, points)
       local a, b = setting_of(study, other, name), setting_of(study, point.case, name)
       if a ~= b then
         check.fail(where, ("cases %d and %d stand at the same place and differ in %s: choose with "
-          .. "by=\"%s\" or where={ %s=%s }"):format(other.id, point.case.id, name, name, name,
-          tostring(a)))
+          .. "by=\"%s\" or where={ %s=%s }"):format(other.id, point.case.id, name, name, key_of(name),
+          type(a) == "string" and ("%q"):format(a) or tostring(a)))
       end
     end
     seen[place] = point.case
@@ -176,6 +191,7 @@ return function(study, options)
   check_varied(study, "x", options.x)
   if options.by then check_varied(study, "by", options.by) end
   if options.map and not options.by then check.refuse(where, "by", "a string (for map)", nil) end
+  check_where(study, options.where or {})
   local points = points_of(study, options)
   refuse_hidden(study, points)
   local name, label, factor, body = labels_of(options.y)

@@ -3,6 +3,7 @@
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
+local strict = require "archard.strict"
 
 local style = {}
 
@@ -31,11 +32,12 @@ local fields = {
   lines = of_numbers(0.1, 10),
 }
 
-local function shown(chosen)
-  local copy = {}
-  for name, value in pairs(chosen) do copy[name] = value end
-  return copy
-end
+-- What a style may have: its options, and what a preset brings besides.
+local names = { "name", "column", "page", "shape" }
+for name in pairs(fields) do names[#names + 1] = name end
+local held = { __plain = true, __index = function(_, name) return strict.refuse("plot.style", name, names) end }
+
+local function shown(chosen) return setmetatable(merged(chosen), held) end
 
 local function refuse_on_screen(given)
   for _, name in ipairs { "width", "height", "dpi" } do

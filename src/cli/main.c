@@ -173,6 +173,7 @@ static int session(lua_State *L) {
   set_arg_table(L, self);
   luaopen_archard(L);
   strict_globals(L);
+  strict_libraries(L);
   if (self->lax) strict_lax(L);
   lua_settop(L, 0);
   lua_pushinteger(L, run_command(L, self));

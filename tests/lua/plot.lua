@@ -158,12 +158,15 @@ do
   _, problem = pcall(chunk)
   has(tostring(problem), "mine:2: plot: unknown field", "an error names the user's line")
   refused(function() plot(nil) end, "got nil", "plot without a table")
+  refused(function() plot.default.term = "dump" end, "plot.default: field 'term'", "a wrong default")
+  plot.default.term = "dumb"
   plot.default.term = "dump"
-  refused(function() plot { line } end, "plot.default: field 'term'", "a wrong default")
+  refused(function() plot { line } end, "plot.default: field 'term'", "also in the place of another")
   plot.default.term = nil
-  plot.default.sise = { 60, 12 }
-  refused(function() plot { line } end, "plot.default: unknown field 'sise' (did you mean 'size'?)", "an unknown one")
-  plot.default.sise = nil
+  refused(function() plot.default.sise = { 60, 12 } end, "plot.default: unknown field 'sise' (did you mean 'size'?)",
+    "an unknown one")
+  refused(function() return plot.default.siz end, "plot.default: no field 'siz'; did you mean 'size'?", "read, too")
+  ok(plot.default.size == nil, "none by itself")
   plot.default.file_size = { 44, 11 }
   local small = picture_of(function(file) plot { line, file = file } end)
   local longest = 0
@@ -562,6 +565,15 @@ do
   end)
   has(script, "set xtics ('0.25' 1, '0.75' 2)", "a map has the values at its sides")
   has(script, "with image", "and colours")
+  refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { alfa = 0.5 } }) end,
+    "field 'where': no case has a setting 'alfa' (did you mean 'alpha'?)", "a misspelt setting")
+  refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { stroke = 7 } }) end,
+    "no finished case", "a value of none")
+  local dotted = sweep("model.radius")
+  for id = 1, 4 do dotted.flat[id]["model.radius"] = id end
+  dotted.flat[2].alpha = 0.75
+  refused(function() plot.response(dotted, { x = "alpha", y = "depth_plate", by = "stroke" }) end,
+    'where={ ["model.radius"]=1 }', "what to choose, as Lua spells it")
   refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate" }) end,
     'by="stroke" or where={ stroke=1 }', "what the picture would hide")
   script = script_of(function(file)

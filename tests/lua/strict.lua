@@ -31,6 +31,13 @@ local m = model{ mesh = { size = 0.04, height = 0.05 } }
 local w = wear{ model = m, increments = 8, jump = 10 }
 local row = w:step(2)
 local c = w:contact()
+local rubbed = contact{ model = m, friction = 0.3 }
+local name = os.tmpname()
+local file <close> = io.open(name, "w")
+file:write("distance,k\n1,2\n")
+file:flush()
+local columns = csv.read(name)
+os.remove(name)
 local s = study{ vary = { alpha = { 0.25, 0.5 } } }
 for _, each in ipairs{
   { function() return material{}.e_star end, "material: no field 'e_star'; did you mean 'E_star'?" },
@@ -55,6 +62,15 @@ for _, each in ipairs{
   { function() return w:combined().hh end, "combined: no field 'hh'" },
   { function() return w:stability().jumplimit end, "did you mean 'jump_limit'?" },
   { function() return m.mesh.plate:quality().aspekt end, "did you mean 'aspect'?" },
+  { function() return rubbed.stick[1].lefft end, "zone: no field 'lefft'; did you mean 'left'?" },
+  { function() return c.edges.rigt end, "zone: no field 'rigt'; did you mean 'right'?" },
+  { function() return m.mesh.zone.plat end, "zone: no field 'plat'; did you mean 'plate'?" },
+  { function() return plot.style().widht end, "plot.style: no field 'widht'; did you mean 'width'?" },
+  { function() return columns.distanc end, "csv.read: no field 'distanc'; did you mean 'distance'?" },
+  -- Lua's own libraries
+  { function() return math.sqr(2) end, "math: no field 'sqr'; did you mean 'sqrt'?" },
+  { function() return string.fromat("%d", 1) end, "string: no field 'fromat'; did you mean 'format'?" },
+  { function() return ("a"):uper() end, "string: no field 'uper'; did you mean 'upper'?" },
   -- and functions of ours
   { function() plot.presure(w) end, "plot: no field 'presure'; did you mean 'pressure'?" },
   { function() export.cvs(w, "w.csv") end, "export: no field 'cvs'; did you mean 'csv'?" },
@@ -64,6 +80,8 @@ for _, each in ipairs{
 } do
   fails(each[1], { "strict.lua:", each[2] }, each[2])
 end
+is(math.mod or table.getn or string.gfind, nil, "what text for other versions of Lua asks its libraries for is nil")
+is(plot.style().width, nil, "so is an option that a style may have")
 is(s.file, nil, "a field that may be without a value is nil")
 is(s:cases()[1].message, nil, "as of a case that has not failed")
 is(w.history.distance[9], nil, "a list ends with nil")

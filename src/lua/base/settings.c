@@ -1,6 +1,7 @@
-/* Settings as scripts see them. Leans on array.c. */
+/* Settings as scripts see them. Leans on array.c and strict.c. */
 #include "lua/base/settings.h"
 #include "lua/base/array.h"
+#include "lua/base/strict.h"
 
 #include <lauxlib.h>
 
@@ -14,6 +15,7 @@ static void push_group(lua_State *L, const arc_setting *group, const void *membe
   lua_newtable(L);
   for (const arc_setting *s = group; s->name; s++) {
     settings_push(L, s, member);
+    if (s->kind == ARC_GROUP) strict_table(L, s->name);
     lua_setfield(L, -2, s->name);
   }
 }

@@ -119,10 +119,9 @@ static const char *const asked_for[] = {"_",       "unpack",   "loadstring", "se
                                         "getfenv", "module",   "jit",        "bit",
                                         "bit32",   "newproxy", "ngx",        NULL};
 
-static int is_asked_for(const char *name) {
-  int i = 0;
-  while (asked_for[i] && strcmp(asked_for[i], name) != 0) i++;
-  return asked_for[i] != NULL;
+static int is_among(const char *const *names, const char *name) {
+  while (*names && strcmp(*names, name) != 0) names++;
+  return *names != NULL;
 }
 
 static int was_assigned(lua_State *L) {
@@ -136,7 +135,7 @@ static int was_assigned(lua_State *L) {
 static int global_index(lua_State *L) {
   if (lua_type(L, 2) != LUA_TSTRING || !strict_reads(L) || was_assigned(L)) return 0;
   const char *name = lua_tostring(L, 2);
-  if (is_asked_for(name)) return 0;
+  if (is_among(asked_for, name)) return 0;
   names_search search = names_begin(name);
   offer_all(L, 1, &search);
   if (search.best) return luaL_error(L, "no global '%s'; did you mean '%s'?", name, search.best);
@@ -162,6 +161,39 @@ void strict_globals(lua_State *L) {
   lua_setfield(L, -2, "__newindex");
   lua_setmetatable(L, -2);
   lua_pop(L, 1);
+}
+
+/* --- Lua's own libraries --------------------------------------------------------------------- */
+
+/* What text for other versions of Lua asks them for. */
+static const char *const asked_of_libraries[] = {
+    "pow",  "ldexp", "frexp", "cosh",    "sinh",     "tanh",    "log10",   "mod",  "maxn",
+    "getn", "setn",  "gfind", "foreach", "foreachi", "setfenv", "getfenv", "new",  "clear",
+    NULL};
+
+/* __index(library, name); upvalue: the library's name. */
+static int library_index(lua_State *L) {
+  if (lua_type(L, 2) != LUA_TSTRING) return 0;
+  return is_among(asked_of_libraries, lua_tostring(L, 2)) ? 0 : table_index(L);
+}
+
+static void strict_library(lua_State *L, const char *name) {
+  if (lua_getglobal(L, name) == LUA_TTABLE && !lua_getmetatable(L, -1)) {
+    lua_createtable(L, 0, 1);
+    lua_pushstring(L, name);
+    lua_pushcclosure(L, library_index, 1);
+    lua_setfield(L, -2, "__index");
+    lua_setmetatable(L, -2);
+  }
+}
+
+void strict_libraries(lua_State *L) {
+  static const char *const names[] = {"math", "string", "table", "os", "io", "utf8", "coroutine"};
+  const int top = lua_gettop(L);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    strict_library(L, names[i]);
+    lua_settop(L, top);
+  }
 }
 
 /* --- for scripts ----------------------------------------------------------------------------- */

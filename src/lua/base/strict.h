@@ -31,4 +31,7 @@ void strict_module(lua_State *L, const char *where);
 /* Makes reading of globals that were never assigned an error. */
 void strict_globals(lua_State *L);
 
+/* The same of the names in Lua's own libraries: math.sqr. */
+void strict_libraries(lua_State *L);
+
 #endif

@@ -41,6 +41,7 @@ static int push_edges(lua_State *L, double left, double right) {
   lua_setfield(L, -2, "left");
   lua_pushnumber(L, right);
   lua_setfield(L, -2, "right");
+  strict_table(L, "zone");
   return 1;
 }
 

@@ -154,10 +154,25 @@ static const char *unit_of(const char *name) {
   return NULL;
 }
 
+/* Whether an object of ours handed out the table at `index`, all of whose columns have our units. */
+static int is_own(lua_State *L, int index) {
+  static const char *const ours[] = {"wear:profile", "case:profile",     "pressure", "case:pressure",
+                                     "combined",     "mesh:coordinates", "history"};
+  const int top = lua_gettop(L);
+  int own = 0;
+  if (!lua_getmetatable(L, index)) return 0;
+  for (size_t i = 0; !own && i < sizeof ours / sizeof *ours; i++) {
+    luaL_getmetatable(L, lua_pushfstring(L, "archard.table %s", ours[i]));
+    own = lua_rawequal(L, -1, top + 1);
+    lua_pop(L, 2);
+  }
+  lua_settop(L, top);
+  return own;
+}
+
 /* Gives the columns their units where the table at `index` is one of ours. */
 static void own_units(lua_State *L, int index, csv_table table) {
-  if (luaL_getmetafield(L, index, "__plain") == LUA_TNIL) return;
-  lua_pop(L, 1);
+  if (!is_own(L, index)) return;
   for (size_t i = 0; i < table.columns; i++) table.units[i] = unit_of(table.names[i]);
 }
 
