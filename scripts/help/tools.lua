@@ -311,7 +311,7 @@ return {
     text = "A model or a mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
       .. "path } reads: upper is the cylinder, lower the plate. Coordinates read back to the bit." },
   { "export.json", kind = "function", use = "export.json(w, path)",
-    text = "Summary of a wear run: versions, definition with its model, results, units. NaN is null, "
+    text = "Summary of a wear run: versions, definition with its model, results, units. NaN and what was not given are null, "
       .. "a function of the user the word \"function\"." },
 
   -- --- help -----------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 -- Units behind the names of columns, "h [um]" or "h (um)", and what brings their numbers to mm, N,
 -- MPa and s.
 
-local larger = { mm = 1, cm = 10, m = 1000, ["in"] = 25.4, N = 1, kN = 1000, MPa = 1, ["N/mm2"] = 1, GPa = 1000, s = 1,
-  min = 60, h = 3600, mm2 = 1, mm3 = 1, ["mm2/N"] = 1, ["N mm"] = 1, J = 1000, ["m2/N"] = 1e6, ["1/MPa"] = 1, cycles = 1, ["-"] = 1 }
+local larger = { mm = 1, cm = 10, m = 1000, km = 1e6, ["in"] = 25.4, inch = 25.4, N = 1, kN = 1000, MPa = 1, ["N/mm2"] = 1, GPa = 1000, s = 1,
+  min = 60, h = 3600, mm2 = 1, mm3 = 1, cm3 = 1000, m3 = 1e9, ["mm2/N"] = 1, ["N mm"] = 1, J = 1000, ["m2/N"] = 1e6, ["1/MPa"] = 1, cycles = 1, ["-"] = 1 }
 -- Divisors: a tenth is no number of a computer, ten is.
 local smaller = { um = 1000, ["µm"] = 1000, ["μm"] = 1000, nm = 1e6, mN = 1000, kPa = 1000, Pa = 1e6, ms = 1000,
   um3 = 1e9, ["mm3/(N m)"] = 1000, ["mm3/Nm"] = 1000, ["%"] = 100 }
@@ -17,10 +17,16 @@ function units.split(header)
   return name, unit
 end
 
-function units.known(unit) return (larger[unit] or smaller[unit]) ~= nil end
+-- Powers as they are written elsewhere: m^3, m³, m**3.
+local function plain(unit)
+  return (unit:gsub("%*%*(%d)", "%1"):gsub("%^(%d)", "%1"):gsub("²", "2"):gsub("³", "3"))
+end
+
+function units.known(unit) return (larger[plain(unit)] or smaller[plain(unit)]) ~= nil end
 
 -- A number in that unit, in ours.
 function units.scaled(value, unit)
+  unit = plain(unit)
   return larger[unit] and value * larger[unit] or value / smaller[unit]
 end
 
