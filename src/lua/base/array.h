@@ -17,7 +17,8 @@ double *array_buffer(lua_State *L, size_t count);
  * (the table stays below). Errors name the field and the position. */
 double *array_read(lua_State *L, args_place place, const char *name, size_t *count);
 
-/* The same of any numbers, NaN and infinite ones too: values that are kept or written as they are. */
+/* The same of any numbers, NaN and infinite ones too: values that are kept or written as they are.
+ */
 double *array_read_any(lua_State *L, args_place place, const char *name, size_t *count);
 
 #endif

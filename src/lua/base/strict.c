@@ -167,9 +167,8 @@ void strict_globals(lua_State *L) {
 
 /* What text for other versions of Lua asks them for. */
 static const char *const asked_of_libraries[] = {
-    "pow",  "ldexp", "frexp", "cosh",    "sinh",     "tanh",    "log10",   "mod",  "maxn",
-    "getn", "setn",  "gfind", "foreach", "foreachi", "setfenv", "getfenv", "new",  "clear",
-    NULL};
+    "pow",  "ldexp", "frexp",   "cosh",     "sinh",    "tanh",    "log10", "mod",   "maxn", "getn",
+    "setn", "gfind", "foreach", "foreachi", "setfenv", "getfenv", "new",   "clear", NULL};
 
 /* __index(library, name); upvalue: the library's name. */
 static int library_index(lua_State *L) {

@@ -145,8 +145,12 @@ static csv_table push_names(lua_State *L, int index) {
 /* The unit of a column by this name in the tables that objects hand out, or NULL. */
 static const char *unit_of(const char *name) {
 #define KNOWN(name, unit, text) {#name, unit},
-  static const char *const known[][2] = {{"x", "mm"},      {"y", "mm"},   {"h", "mm"},
-                                         {"worn_x", "mm"}, {"way", "mm"}, {"p", "MPa"},
+  static const char *const known[][2] = {{"x", "mm"},
+                                         {"y", "mm"},
+                                         {"h", "mm"},
+                                         {"worn_x", "mm"},
+                                         {"way", "mm"},
+                                         {"p", "MPa"},
                                          ARC_WEAR_COLUMNS(KNOWN)};
 #undef KNOWN
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)
@@ -154,10 +158,12 @@ static const char *unit_of(const char *name) {
   return NULL;
 }
 
-/* Whether an object of ours handed out the table at `index`, all of whose columns have our units. */
+/* Whether an object of ours handed out the table at `index`, all of whose columns have our units.
+ */
 static int is_own(lua_State *L, int index) {
-  static const char *const ours[] = {"wear:profile", "case:profile",     "pressure", "case:pressure",
-                                     "combined",     "mesh:coordinates", "history"};
+  static const char *const ours[] = {"wear:profile",  "case:profile", "pressure",
+                                     "case:pressure", "combined",     "mesh:coordinates",
+                                     "history"};
   const int top = lua_gettop(L);
   int own = 0;
   if (!lua_getmetatable(L, index)) return 0;

@@ -64,12 +64,13 @@ static void tell_of_missing(lua_State *L, const wear_request *request, const arc
   const double k[ARC_BODIES] = {model->material[ARC_CYLINDER].k, model->material[ARC_PLATE].k};
   if (request->own_k || (k[ARC_CYLINDER] > 0) == (k[ARC_PLATE] > 0)) return;
   const char *has = body_names[k[ARC_PLATE] > 0], *none = body_names[!(k[ARC_PLATE] > 0)];
-  lua_warning(L,
-              lua_pushfstring(L,
-                              "wear: the %s has a wear coefficient (model.%s.k), the %s has none and "
-                              "does not wear; give model.%s.k [mm2/N] where it should",
-                              has, has, none, none),
-              0);
+  lua_warning(
+      L,
+      lua_pushfstring(L,
+                      "wear: the %s has a wear coefficient (model.%s.k), the %s has none and "
+                      "does not wear; give model.%s.k [mm2/N] where it should",
+                      has, has, none, none),
+      0);
   lua_pop(L, 1);
 }
 
