@@ -478,6 +478,10 @@ do
   changed.history.load = { 0, 100, 150 }
   local text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
   has(text, "load 100 to 150 N", "a load that has changed is told as a range")
+  changed.alpha, changed.load, changed.stroke = 0.9, 10, 0.3
+  changed.history.alpha, changed.history.travel = { 0.5, 0.5, 0.5 }, { 0.11, 0.11, 0.11 }
+  text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
+  has(text, "s = 0.11 mm, α = 0.5, load 100 to 150 N", "what is set for the next update is not told of those before")
   changed.history.load = nil
   local loaded = stand_in { alpha = 0.5, stroke = 0.11, load = 100, loading = {} }
   text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
