@@ -235,15 +235,17 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
  * configuration (plate at x = 0, nominal load). Only p_peak looks further: over the whole cycle of
  * the update, on the row's own surfaces and under the loads of the cycle (an update at every
  * increment, or a generic history: at what was solved on the way; row 0: p_max). Without a loading
- * it is never less than p_max; and load and travel tell what went by in the update: of a cycle, or
- * of the increment of a generic history (row 0: of the first to come). NaN where a file is older
- * than they are. X(name, unit, text). */
+ * it is never less than p_max; and load, load_low and travel tell what went by in the update: of a
+ * cycle, or of the increment of a generic history (row 0: of the first to come). NaN where a file
+ * is older than they are. X(name, unit, text). */
 #define ARC_WEAR_COLUMNS(X)                                                                        \
   X(update, "", "geometry updates so far")                                                         \
   X(cycle, "", "loading cycles so far")                                                            \
   X(distance, "mm", "travelled distance d")                                                        \
   X(jump, "", "cycles of this update")                                                             \
   X(load, "N", "largest normal load of the update's cycle")                                        \
+  X(load_low, "N", "smallest normal load of it")                                                   \
+  X(load_reference, "N", "normal load of the row's pressures and width")                           \
   X(travel, "mm", "way of the plate in it, from one end to the other")                             \
   X(k, "mm2/N", "wear coefficient of this update")                                                 \
   X(alpha, "", "wear partition factor of this update")                                             \

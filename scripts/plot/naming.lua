@@ -62,7 +62,8 @@ local unnamed = { ["function"] = "%s by function", table = "%s by table" }
 
 -- Columns of the history that tell what a setting was all along: a changed one holds from the next
 -- update on.
-local course = { load = "load", alpha = "alpha", stroke = "travel", k = "k" }
+local course = { load = "load", alpha = "alpha", stroke = "travel", k = "k",
+  load_low = "load_low", load_reference = "load_reference" }
 
 -- Smallest and largest of a column from its first update on; nil: there is no such column.
 local function span_of(object, name)
@@ -83,12 +84,24 @@ local function show_span(low, high)
   return same(low, high) and ("%g"):format(low) or ("%g to %g"):format(low, high)
 end
 
+-- Loads are from the smallest of a cycle to the largest; where pressures are told under another one,
+-- that is said too.
+local function said_load(object, low, high)
+  low = span_of(object, "load_low") or low
+  local from, to = span_of(object, "load_reference")
+  local text = ("load %s N"):format(show_span(low, high))
+  if from and not (same(from, high) and same(to, high)) and not same(low, high) then
+    text = text .. (", pressures under %s N"):format(show_span(from, to))
+  end
+  return text
+end
+
 -- A loading has no one stroke and load of its own: nothing is said of it that no column tells.
 local function under_loading(object, setting)
   local low, high = span_of(object, setting[1])
   if not low then return nil end
-  local name = setting[1] == "stroke" and "travel %s mm" or "load %s N"
-  return name:format(show_span(low, high))
+  if setting[1] == "load" then return said_load(object, low, high) end
+  return ("travel %s mm"):format(show_span(low, high))
 end
 
 -- What it has been, or as it is set where no column tells.

@@ -278,6 +278,12 @@ near(w.stroke, 0.1, 1e-15, "the stroke is the way of the loading")
 holds(tostring(w), "loading of 2 blocks, now over 0.1 mm", "and print says so")
 w:step()
 is(w.travel .. " " .. w.history.load[#w.history.load], "0.1 30.0", "load and travel of the last update")
+is(w.load_low .. " " .. w.load_reference, "30.0 200.0", "the smallest load too, and that of the pressures")
+local swing = run_of{ loading = { x = { 0, 0.05, 0 }, load = { 50, 150, 50 } }, distance = 10 }
+swing:step()
+is(swing.history.load_low[2] .. " " .. swing.history.load_reference[2], "50.0 150.0", "a load that varies in a cycle")
+swing:set{ load = 20 }
+holds(tostring(swing), "load 150 N until now, 20 N from here on", "the load of the pressures changes")
 w:run{ distance = 105 }
 is(w.travel .. " " .. w.history.load[#w.history.load], "0.2 200.0", "of the next block")
 is(w.history.load[1] .. " " .. w.history.travel[1], "100.0 0.11", "and of the first")

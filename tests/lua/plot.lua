@@ -487,6 +487,13 @@ do
   text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
   ok(text:find("α = 0.5") and not text:find("0.11") and not text:find("100 N"),
     "a run with a loading has no one stroke and load")
+  loaded.history.load, loaded.history.load_low = { 150, 150 }, { 50, 50 }
+  loaded.history.load_reference = { 150, 150 }
+  text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
+  ok(text:find("load 50 to 150 N", 1, true) and not text:find "under", "loads of a cycle are a range")
+  loaded.history.load_reference = { 20, 20 }
+  text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
+  has(text, "pressures under 20 N", "with the load of the pressures, where it is another")
 end
 
 do

@@ -314,8 +314,7 @@ static const char *show_alpha(const arc_wear *wear, char *text, size_t size) {
 /* The load of the reference configuration, in which pressures are told. */
 static const char *show_load(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
-  const double before = def->blocks == 0 ? arc_wear_last(wear)->load : NAN;
-  return show_course(before, def->load, " N", text, size);
+  return show_course(arc_wear_last(wear)->load_reference, def->load, " N", text, size);
 }
 
 /* Those of a loading are its own, unless they are too long. */
