@@ -330,8 +330,12 @@ arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_ta
 
 /* Changes the definition between steps (load, k, alpha, stroke, jump, loading, ...); the worn shape
  * and the history stay. The loading begins here, unless it is arc_wear_definition's own array: then
- * it goes on. On failure everything stays. */
-arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, arc_error *error);
+ * it goes on. The run goes over to new meshes, which the callbacks are told of, where `mesh` is not
+ * NULL (what is "auto" of it is that of an unworn contact, its zones those that are needed; rows 0:
+ * as deep a wear box as before), and where its way has no room on those it has. On failure
+ * everything stays; ARC_STOPPED where the callbacks asked for it. */
+arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_def *mesh,
+                        const arc_callbacks *callbacks, arc_error *error);
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);
 arc_procedure arc_wear_procedure(const arc_wear *wear); /* never ARC_AUTO */
