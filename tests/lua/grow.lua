@@ -110,6 +110,11 @@ is(tostring(light), stays, "what is refused changes nothing")
 local _, soft = pcall(model, { radius = 7.3, cylinder = { E = 1e6, nu = 0.1 }, plate = { E = 5, nu = 0.49 } })
 ok(tostring(soft):find("nearly as wide as the bodies", 1, true), "elements too large: why is said")
 
+-- A model sized for another load.
+warnings.take()
+contact{ model = model{}, load = 0.1 }
+ok((warnings.take() or ""):find("found for another load: give the model's fields", 1, true), "what helps is said")
+
 -- Where there is no room to grow, the run stays as it was.
 local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder = 1.6, plate = 1.6 } } },
   alpha = 1, k = 4e-6, jump = "auto" }
