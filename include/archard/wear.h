@@ -254,15 +254,17 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
  * configuration (plate at x = 0, nominal load). Only p_peak looks further: over the whole cycle of
  * the update, on the row's own surfaces and under the loads of the cycle (an update at every
  * increment, or a generic history: at what was solved on the way; row 0: p_max). Without a loading
- * it is never less than p_max; and load and travel tell what went by in the update: of a cycle, or
- * of the increment of a generic history (row 0: of the first to come). NaN where a file is older
- * than they are. X(name, unit, text). */
+ * it is never less than p_max; and load, load_low and travel tell what went by in the update: of a
+ * cycle, or of the increment of a generic history (row 0: of the first to come). NaN where a file
+ * is older than they are. X(name, unit, text). */
 #define ARC_WEAR_COLUMNS(X)                                                                        \
   X(update, "", "geometry updates so far")                                                         \
   X(cycle, "", "loading cycles so far")                                                            \
   X(distance, "mm", "travelled distance d")                                                        \
   X(jump, "", "cycles of this update")                                                             \
   X(load, "N", "largest normal load of the update's cycle")                                        \
+  X(load_low, "N", "smallest normal load of it")                                                   \
+  X(load_reference, "N", "normal load of the row's pressures and width")                           \
   X(travel, "mm", "way of the plate in it, from one end to the other")                             \
   X(k, "mm2/N", "wear coefficient of this update")                                                 \
   X(alpha, "", "wear partition factor of this update")                                             \
@@ -278,6 +280,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(depth_partition, "", "depth partition factor alpha-tilde; NaN before any wear")                \
   X(error, "", "estimated error of an adaptive step, over its tolerance")                          \
   X(solutions, "", "contact solutions so far")                                                     \
+  X(mesh_rows, "", "rows of elements that may wear, more where outgrown")                          \
   X(elements, "", "elements of both meshes, new where outgrown")                                   \
   X(energy, "N mm", "dissipated by friction so far")                                               \
   X(cycle_energy, "N mm", "dissipated in a cycle of the update")                                   \
@@ -352,8 +355,12 @@ arc_status arc_wear_run_until(arc_wear *wear, double distance, const arc_wear_ta
 
 /* Changes the definition between steps (load, k, alpha, stroke, jump, loading, ...); the worn shape
  * and the history stay. The loading begins here, unless it is arc_wear_definition's own array: then
- * it goes on. On failure everything stays. */
-arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, arc_error *error);
+ * it goes on. The run goes over to new meshes, which the callbacks are told of, where `mesh` is not
+ * NULL (what is "auto" of it is that of an unworn contact, its zones those that are needed; rows 0:
+ * as deep a wear box as before), and where its way has no room on those it has. On failure
+ * everything stays; ARC_STOPPED where the callbacks asked for it. */
+arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_def *mesh,
+                        const arc_callbacks *callbacks, arc_error *error);
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);
 arc_procedure arc_wear_procedure(const arc_wear *wear); /* never ARC_AUTO */

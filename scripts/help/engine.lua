@@ -227,9 +227,12 @@ return {
     text = "Called with the run after every step; the run ends where it returns true." },
   { "wear.set", kind = "method", takes = "wear", class = "wear", use = "w:set{ alpha=0.3, load=200 }",
     text = "Changes the definition between two steps: any field of wear{} but model, geometry and "
-      .. "worn. What is not given stays; the worn shapes and the history stay too. A new loading "
+      .. "worn; and mesh={ ... }, to which the worn shapes are carried over. What is not given stays; the worn shapes and the history stay too. A new loading "
       .. "begins at its start, loading=false and stroke go back to the plain stroke. distance and "
       .. "cycles count from the start of the run. Returns the run." },
+  { "wear.set{mesh}", type = "table { size=, fineness=, rows=, zone=, ... }",
+    text = "New meshes for both bodies: fields of model{ mesh= }; what is not given stays. With another "
+      .. "size and no rows, the wear box stays as deep as it was." },
   { "wear.clone", kind = "method", class = "wear", use = "w:clone()",
     text = "A copy that goes its own way: for a before and after, or for two futures of one past." },
   { "wear.close", kind = "method", use = "w:close()",

@@ -60,8 +60,10 @@ end
 
 local unnamed = { ["function"] = "%s by function", table = "%s by table" }
 
--- Columns of the history that tell what a setting was all along.
-local course = { load = "load", alpha = "alpha", stroke = "travel" }
+-- Columns of the history that tell what a setting was all along: a changed one holds from the next
+-- update on.
+local course = { load = "load", alpha = "alpha", stroke = "travel", k = "k",
+  load_low = "load_low", load_reference = "load_reference" }
 
 -- Smallest and largest of a column from its first update on; nil: there is no such column.
 local function span_of(object, name)
@@ -75,17 +77,34 @@ local function span_of(object, name)
   if low <= high then return low, high end
 end
 
-local function same(low, high) return high - low <= 1e-9 * math.max(1, math.abs(high)) end
+local function same(low, high) return high - low <= 1e-9 * math.max(math.abs(low), math.abs(high)) end
+
+-- "0.5", "0.5 to 0.9"
+local function show_span(low, high)
+  return same(low, high) and ("%g"):format(low) or ("%g to %g"):format(low, high)
+end
+
+-- Loads are from the smallest of a cycle to the largest; where pressures are told under another one,
+-- that is said too.
+local function said_load(object, low, high)
+  low = span_of(object, "load_low") or low
+  local from, to = span_of(object, "load_reference")
+  local text = ("load %s N"):format(show_span(low, high))
+  if from and not (same(from, high) and same(to, high)) and not same(low, high) then
+    text = text .. (", pressures under %s N"):format(show_span(from, to))
+  end
+  return text
+end
 
 -- A loading has no one stroke and load of its own: nothing is said of it that no column tells.
 local function under_loading(object, setting)
   local low, high = span_of(object, setting[1])
   if not low then return nil end
-  local name = setting[1] == "stroke" and "travel %s mm" or "load %s N"
-  return name:format(same(low, high) and ("%g"):format(low) or ("%g to %g"):format(low, high))
+  if setting[1] == "load" then return said_load(object, low, high) end
+  return ("travel %s mm"):format(show_span(low, high))
 end
 
--- As it was set, or what it has been where that has changed.
+-- What it has been, or as it is set where no column tells.
 local function said(object, setting)
   local name = setting[1]
   if (name == "stroke" or name == "load") and get(object, "loading") then
@@ -94,11 +113,8 @@ local function said(object, setting)
   local value = get(object, name)
   local form = setting[3] and unnamed[type(value)]
   if form then return form:format(setting[3]) end
-  local low, high = nil, nil
-  if name ~= "stroke" then low, high = span_of(object, name) end
-  if low and not same(low, high) then
-    return (setting[2]:gsub("%%g", "%%s")):format(("%g to %g"):format(low, high))
-  end
+  local low, high = span_of(object, name)
+  if low then return (setting[2]:gsub("%%g", "%%s")):format(show_span(low, high)) end
   if type(value) == "number" and setting[2]:find("%s", 1, true) then value = ("%g"):format(value) end
   if type(value) ~= "number" and type(value) ~= "string" then return nil end
   return setting[2]:format(value)

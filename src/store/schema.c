@@ -77,8 +77,11 @@ static const struct migration {
     {2, "", "ALTER TABLE history ADD COLUMN p_peak_MPa;"},
     {3, "",
      "ALTER TABLE history ADD COLUMN load_N;"
+     "ALTER TABLE history ADD COLUMN load_low_N;"
+     "ALTER TABLE history ADD COLUMN load_reference_N;"
      "ALTER TABLE history ADD COLUMN travel_mm;"
      "ALTER TABLE history ADD COLUMN load_distance_N_mm;"
+     "ALTER TABLE history ADD COLUMN mesh_rows;"
      "ALTER TABLE history ADD COLUMN elements;"
      "ALTER TABLE history ADD COLUMN energy_N_mm;"
      "ALTER TABLE history ADD COLUMN cycle_energy_N_mm;"

@@ -2,6 +2,7 @@
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, ok = tap.is, tap.ok
+local warnings = require "archard.warnings"
 
 local function off(a, b) return math.abs(a / b - 1) end
 
@@ -42,6 +43,8 @@ local deep = run_on(mesh(2, 2.2, 3), { k = 2e-7, distance = 800, jump = 4 })
 flat:run()
 deep:run()
 ok(flat.model.mesh.rows > 1, "the wear box was outgrown")
+local rows = flat.history.mesh_rows
+is(rows[1] .. " " .. rows[#rows], "1.0 " .. flat.model.mesh.rows .. ".0", "the history tells of its rows")
 ok(off(flat.volume.total, deep.volume.total) < 1e-9, "volume")
 ok(off(flat.p_center, deep.p_center) < 0.002, "pressure")
 
@@ -68,8 +71,10 @@ os.remove(path)
 local s = wear{}
 s:run{ distance = 100 }
 local volume = s.volume.total
-s:set{ stroke = 0.6, jump = "auto" }
-ok(s.model.mesh.zone.plate > 1.2, "a longer stroke gets a wider plate")
+warnings.keep()
+s:set{ stroke = 1.2, jump = "auto" }
+ok((warnings.take() or ""):find("the contact outgrows its mesh", 1, true), "which is said")
+ok(s.model.mesh.zone.plate > 1.3, "a longer stroke gets a wider plate")
 is(s.volume.total, volume, "the record stays")
 s:run{ distance = 120 }
 ok(off(s.volume.total, 1e-8 * 100 * 120) < 1e-9, "and the run goes on")
@@ -77,10 +82,38 @@ local light = wear{ jump = "auto" }
 light:step()
 volume = light.volume.total
 light:set{ load = 2 }
-ok(light.model.mesh.size < 0.01, "a lighter load gets finer elements")
+is(light.model.mesh.size, 0.02, "a lighter load leaves the mesh")
+light:set{ mesh = { fineness = 2 }, load = 50 }
+ok(off(light.model.mesh.size, 0.01 / math.sqrt(2)) < 1e-9, "finer elements where they are asked for")
+ok((warnings.take() or ""):find("the meshes are those asked for", 1, true), "which is said")
+ok(light.model.mesh.rows * light.model.mesh.height >= 0.075, "the wear box is as deep as before")
 is(light.volume.total, volume, "the record stays")
 light:step()
 ok(light.volume.total > volume, "and the run goes on")
+light:set{ mesh = { size = 0.02, rows = 4, zone = { plate = 1.6 } } }
+local mesh_now = light.model.mesh
+is(mesh_now.size .. " " .. mesh_now.rows .. " " .. mesh_now.zone.plate, "0.02 4 1.6", "sizes, rows and zones too")
+light:save(path)
+local again = wear.open(path)
+is(again:step() and again.p_center, light:step() and light.p_center, "stored in between: the same bits")
+os.remove(path)
+local stays = tostring(light)
+for fields, said in pairs{ [{ mesh = 3 }] = "field 'mesh': expected a table",
+  [{ mesh = { size = 0.1, fineness = 2 } }] = "expected one of them", [{ mesh = { sise = 1 } }] = "'mesh.sise'",
+  [{ load = 7, mesh = { zone = { plate = 0.01 } } }] = "mesh.zone.plate" } do
+  local set, why = pcall(light.set, light, fields)
+  ok(not set and tostring(why):find(said, 1, true), said)
+end
+is(tostring(light), stays, "what is refused changes nothing")
+
+-- A contact as wide as the bodies.
+local _, soft = pcall(model, { radius = 7.3, cylinder = { E = 1e6, nu = 0.1 }, plate = { E = 5, nu = 0.49 } })
+ok(tostring(soft):find("nearly as wide as the bodies", 1, true), "elements too large: why is said")
+
+-- A model sized for another load.
+warnings.take()
+contact{ model = model{}, load = 0.1 }
+ok((warnings.take() or ""):find("found for another load: give the model's fields", 1, true), "what helps is said")
 
 -- Where there is no room to grow, the run stays as it was.
 local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder = 1.6, plate = 1.6 } } },

@@ -251,12 +251,15 @@ fails(function() cosine:run{ cycles = 3 } end, "a run with loading takes a dista
 local w = run_of{}
 w:step(2)
 is(w:set{ alpha = 1, load = 200 }, w, "set returns the run")
+holds(tostring(w), { "stroke 0.11 mm, load 100 N until now, 200 N from here on, k 1e-08 mm2/N, "
+  .. "alpha 0.5 until now, 1 from here on" }, "print says what the last record was made with")
 is(w.alpha, 1, "what is given changes")
 is(w.k, 1e-8, "what is not stays")
 is(w.update, 2, "and so does the history")
 is(w.procedure, "NSP", "the procedure follows")
 w:step()
 near(w.volume.total, 1e-8 * (100 * 44 + 200 * 22), 1e-9, "the wear goes on under the new load")
+holds(tostring(w), { "load 200 N, k 1e-08 mm2/N, alpha 1\n" }, "and print has one load again")
 w:set{ k = function() return 3e-8 end }
 is(w.functions[1], "k", "a number becomes a function")
 w:step()
@@ -275,6 +278,12 @@ near(w.stroke, 0.1, 1e-15, "the stroke is the way of the loading")
 holds(tostring(w), "loading of 2 blocks, now over 0.1 mm", "and print says so")
 w:step()
 is(w.travel .. " " .. w.history.load[#w.history.load], "0.1 30.0", "load and travel of the last update")
+is(w.load_low .. " " .. w.load_reference, "30.0 200.0", "the smallest load too, and that of the pressures")
+local swing = run_of{ loading = { x = { 0, 0.05, 0 }, load = { 50, 150, 50 } }, distance = 10 }
+swing:step()
+is(swing.history.load_low[2] .. " " .. swing.history.load_reference[2], "50.0 150.0", "a load that varies in a cycle")
+swing:set{ load = 20 }
+holds(tostring(swing), "load 150 N until now, 20 N from here on", "the load of the pressures changes")
 w:run{ distance = 105 }
 is(w.travel .. " " .. w.history.load[#w.history.load], "0.2 200.0", "of the next block")
 is(w.history.load[1] .. " " .. w.history.travel[1], "100.0 0.11", "and of the first")

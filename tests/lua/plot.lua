@@ -481,11 +481,22 @@ do
   changed.history.load = { 0, 100, 150 }
   local text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
   has(text, "load 100 to 150 N", "a load that has changed is told as a range")
+  changed.alpha, changed.load, changed.stroke = 0.9, 10, 0.3
+  changed.history.alpha, changed.history.travel = { 0.5, 0.5, 0.5 }, { 0.11, 0.11, 0.11 }
+  text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
+  has(text, "s = 0.11 mm, α = 0.5, load 100 to 150 N", "what is set for the next update is not told of those before")
   changed.history.load = nil
   local loaded = stand_in { alpha = 0.5, stroke = 0.11, load = 100, loading = {} }
   text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
   ok(text:find("α = 0.5") and not text:find("0.11") and not text:find("100 N"),
     "a run with a loading has no one stroke and load")
+  loaded.history.load, loaded.history.load_low = { 150, 150 }, { 50, 50 }
+  loaded.history.load_reference = { 150, 150 }
+  text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
+  ok(text:find("load 50 to 150 N", 1, true) and not text:find "under", "loads of a cycle are a range")
+  loaded.history.load_reference = { 20, 20 }
+  text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
+  has(text, "pressures under 20 N", "with the load of the pressures, where it is another")
 end
 
 do

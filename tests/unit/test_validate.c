@@ -67,7 +67,7 @@ static void test_changed_run(void **state) {
   arc_wear *wear = run(&def);
   def.load = 80;
   def.distance = 200;
-  check_ok(arc_wear_set(wear, &def, why));
+  check_ok(arc_wear_set(wear, &def, NULL, NULL, why));
   check_ok(arc_wear_run(wear, 200, NULL, why));
   check_ok(arc_wear_validate(wear, why));
   arc_wear_destroy(&wear);

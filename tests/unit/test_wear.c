@@ -312,11 +312,11 @@ static void test_warnings(void **state) {
   assert_int_equal(warnings, 1);
   check_same(wear, whole);
   def.distance *= 2;
-  check_ok(arc_wear_set(wear, &def, why));
+  check_ok(arc_wear_set(wear, &def, NULL, NULL, why));
   check_ok(arc_wear_step(wear, &callbacks, why));
   assert_int_equal(warnings, 2);
   def.jump /= 1.2;
-  check_ok(arc_wear_set(wear, &def, why));
+  check_ok(arc_wear_set(wear, &def, NULL, NULL, why));
   check_ok(arc_wear_step(wear, &callbacks, why));
   assert_int_equal(warnings, 2);
   arc_wear_destroy(&wear);

@@ -285,8 +285,12 @@ void arc_model_warn(const arc_model *model, double half_width, const arc_callbac
   if (2 * half_width < fewest * size)
     arc_warn(callbacks,
              "the contact, %.2g mm wide, has fewer than %d elements of %g mm: pressures may be far "
-             "off; use mesh.size = \"auto\" or a smaller one",
-             2 * half_width, fewest, size);
+             "off; %s",
+             2 * half_width, fewest, size,
+             model->def.mesh.fineness > 0
+                 ? "mesh.size was found for another load: give the model's fields to contact{} or "
+                   "wear{}, whose load then counts, or a smaller size"
+                 : "use mesh.size = \"auto\" or a smaller one");
 }
 
 long arc_model_next_version(arc_model *model) {

@@ -160,9 +160,12 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
                     "field 'mesh.far': expected at least the element size %g mm, got %g mm",
                     fmax(def->size, def->height), def->far);
   if (def->rows < 1 || def->rows * def->height > radius / 4)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'mesh.rows': expected from 1 to radius / 4 / height = %d, got %d",
-                    (int)(radius / 4 / def->height), def->rows);
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'mesh.rows': expected from 1 to radius / 4 / height = %d, got %d; elements %g mm "
+        "high are large in bodies of radius %g mm (those that suit a contact are where "
+        "it is nearly as wide as the bodies: take less load or a stiffer material)",
+        (int)(radius / 4 / def->height), def->rows, def->height, radius);
   if ((status = check_zone(def, body, solid, error))) return status;
   const double estimate = arc_mesh_nodes(def, body, solid);
   if (estimate > most_elements)

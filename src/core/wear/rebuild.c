@@ -143,16 +143,24 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
   return arc_wear_onto(w, &def, callbacks, result, error);
 }
 
+void arc_wear_tell_meshes(const arc_wear *before, const arc_wear *now, const char *why,
+                          const arc_callbacks *callbacks) {
+  const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
+  arc_warn(callbacks,
+           "after %.6g mm %s: both bodies have new ones from there on, elements %.4g x %.4g mm in "
+           "%d rows, zones %.4g and %.4g mm",
+           arc_wear_last(before)->distance, why, mesh->size, mesh->height, mesh->rows,
+           mesh->zone[ARC_CYLINDER], mesh->zone[ARC_PLATE]);
+}
+
 void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,
                          const arc_callbacks *callbacks) {
   const arc_mesh_def *old = &arc_model_definition(before->model)->mesh;
   const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
   const int wider_now = mesh->zone[ARC_PLATE] > old->zone[ARC_PLATE];
-  arc_warn(callbacks,
-           "after %.6g mm the %s its mesh: both bodies have new ones from there on, elements "
-           "%.4g x %.4g mm in %d rows, zones %.4g and %.4g mm",
-           arc_wear_last(before)->distance, wider_now ? "contact outgrows" : "wear outgrows",
-           mesh->size, mesh->height, mesh->rows, mesh->zone[ARC_CYLINDER], mesh->zone[ARC_PLATE]);
+  arc_wear_tell_meshes(before, now,
+                       wider_now ? "the contact outgrows its mesh" : "the wear outgrows its mesh",
+                       callbacks);
 }
 
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
@@ -173,18 +181,25 @@ void arc_wear_exchange(arc_wear *a, arc_wear *b) {
   *b = held;
 }
 
-arc_status arc_wear_suit(arc_wear *w, arc_wear **result, arc_error *error) {
+/* The mesh asked for on the bodies of the run. */
+static arc_model_def remeshed(const arc_wear *w, const arc_mesh_def *mesh) {
   arc_model_def def = *arc_model_definition(w->model);
-  arc_mesh_def *mesh = &def.mesh;
-  const double depth = mesh->rows * mesh->height;
-  arc_wear_record now = {0};
-  *result = NULL;
-  if (mesh->fineness == 0 || arc_wear_measure(w, w->shape, &now, NULL) != ARC_OK) return ARC_OK;
-  const double fitted = arc_model_size_for(now.half_width) / mesh->fineness;
-  if (fitted >= mesh->size / 2) return ARC_OK;
-  mesh->size = fitted;
-  mesh->height = 0;
+  const double depth = def.mesh.rows * def.mesh.height;
+  double needed[ARC_BODIES];
+  def.mesh = *mesh;
+  if (mesh->rows == 0) def.mesh.rows = 1; /* what fits is not for want of rows */
   arc_model_fit(&def, w->def.load);
-  mesh->rows = (int)fmin(most_rows, ceil(depth / mesh->height - 1e-9));
-  return arc_wear_onto(w, &def, NULL, result, error);
+  if (mesh->rows == 0) def.mesh.rows = (int)fmin(most_rows, ceil(depth / def.mesh.height - 1e-9));
+  arc_wear_zones(&w->def, &def, needed);
+  arc_model_fit_zones(&def, needed);
+  return def;
+}
+
+arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
+                           const arc_callbacks *callbacks, arc_wear **result, arc_error *error) {
+  const arc_model_def def = remeshed(w, mesh);
+  *result = NULL;
+  if (arc_model_is_given(w->model))
+    return arc_fail(error, ARC_ARGUMENT, "field 'mesh': a mesh from outside stays what it is");
+  return arc_wear_onto(w, &def, callbacks, result, error);
 }

@@ -16,14 +16,18 @@ int arc_wear_has_room(const arc_wear *w);
 arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
                          arc_wear **result, arc_error *error);
 
-/* A copy of the run, whose definition has changed, on meshes that its contact asks for: where the
- * element size is nobody's choice, and the contact under the present load has less than half of the
- * elements that it would get. *result is NULL where they serve as they are. */
-arc_status arc_wear_suit(arc_wear *w, arc_wear **result, arc_error *error);
+/* A copy of the run on a mesh that is asked for, as in arc_wear_set. Errors: those of
+ * arc_wear_onto, ARC_ARGUMENT where the meshes are from outside. */
+arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
+                           const arc_callbacks *callbacks, arc_wear **result, arc_error *error);
 
 /* A copy of the run on another model of the same bodies. */
 arc_status arc_wear_onto(const arc_wear *w, const arc_model_def *def,
                          const arc_callbacks *callbacks, arc_wear **result, arc_error *error);
+
+/* Says which meshes a run has got by now, and why. */
+void arc_wear_tell_meshes(const arc_wear *before, const arc_wear *now, const char *why,
+                          const arc_callbacks *callbacks);
 
 /* Says that and how a run has grown. */
 void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,

@@ -26,13 +26,23 @@ const char *arc_wear_column_name(int column) {
   return names[column];
 }
 
+/* A plain stroke has one load, to the bit. */
+static double smallest_load(const arc_wear *w, const wear_block *block) {
+  double line = block->line[0];
+  for (int i = 1; i < block->count; i++) line = fmin(line, block->line[i]);
+  return w->def.blocks == 0 ? block->load : line * arc_model_definition(w->model)->thickness;
+}
+
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record) {
   const double *x = &block->x[first], *line = &block->line[first];
+  const double thickness = arc_model_definition(w->model)->thickness;
   record->load = block->load;
+  record->load_low = smallest_load(w, block);
   record->travel = block->travel;
   if (block->periodic) return;
-  record->load = fmax(line[0], line[1]) * arc_model_definition(w->model)->thickness;
+  record->load = fmax(line[0], line[1]) * thickness;
+  record->load_low = fmin(line[0], line[1]) * thickness;
   record->travel = fabs(x[1] - x[0]);
 }
 

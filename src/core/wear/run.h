@@ -130,7 +130,7 @@ arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record
                             arc_error *error);
 
 /* --- record.c --- */
-/* load and travel of a record: a cycle of a block, or increment `first` of a generic one. */
+/* Loads and travel of a record: a cycle of a block, or increment `first` of a generic one. */
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record);
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);

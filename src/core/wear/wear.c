@@ -161,25 +161,40 @@ void arc_wear_destroy(arc_wear **wear) {
   *wear = NULL;
 }
 
-/* Puts a changed run on meshes that suit it, where the ones it has do not. */
-static arc_status make_room(arc_wear **w, arc_error *error) {
-  arc_wear *suited = NULL;
-  arc_error why = {0};
-  arc_status status = arc_wear_suit(*w, &suited, error);
-  if (status == ARC_OK && suited) {
-    arc_wear_destroy(w);
-    *w = suited;
-  }
-  if (status != ARC_OK || (status = check_reach(*w, &why)) == ARC_OK) return status;
-  if (status != ARC_ZONE || !arc_wear_has_room(*w) ||
-      arc_wear_grow(*w, status, NULL, &suited, error) != ARC_OK)
-    return arc_fail(error, status, "%s", why.message);
+/* A run takes the place of another. */
+static void replace(arc_wear **w, arc_wear *by) {
   arc_wear_destroy(w);
-  *w = suited;
+  *w = by;
+}
+
+/* Puts a changed run on larger meshes where its way has no room on those it has. */
+static arc_status make_room(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
+  arc_wear *larger = NULL;
+  arc_error why = {0};
+  const arc_status status = check_reach(*w, &why);
+  if (status == ARC_OK) return ARC_OK;
+  if (status != ARC_ZONE || !arc_wear_has_room(*w))
+    return arc_fail(error, status, "%s", why.message);
+  const arc_status grown = arc_wear_grow(*w, status, callbacks, &larger, error);
+  if (grown == ARC_STOPPED) return grown;
+  if (grown != ARC_OK) return arc_fail(error, status, "%s", why.message);
+  arc_wear_tell_grown(*w, larger, callbacks);
+  replace(w, larger);
   return check_reach(*w, error);
 }
 
-arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, arc_error *error) {
+static arc_status go_over(arc_wear **w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
+                          arc_error *error) {
+  arc_wear *other = NULL;
+  const arc_status status = arc_wear_remesh(*w, mesh, callbacks, &other, error);
+  if (status != ARC_OK) return status;
+  arc_wear_tell_meshes(*w, other, "the meshes are those asked for", callbacks);
+  replace(w, other);
+  return ARC_OK;
+}
+
+arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, const arc_mesh_def *mesh,
+                        const arc_callbacks *callbacks, arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
   arc_wear_def def = *wanted;
   const int same_loading = def.blocks > 0 && def.loading == w->def.loading;
@@ -189,7 +204,8 @@ arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, arc_error *erro
   if (status != ARC_OK) return status;
   arc_wear *changed;
   status = take_up(w->model, &def, w->shape, w->history, w->records, &changed, error);
-  if (status == ARC_OK) status = make_room(&changed, error);
+  if (status == ARC_OK && mesh) status = go_over(&changed, mesh, callbacks, error);
+  if (status == ARC_OK) status = make_room(&changed, callbacks, error);
   if (status == ARC_OK) arc_wear_exchange(w, changed);
   arc_wear_destroy(&changed);
   return status;

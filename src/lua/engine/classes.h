@@ -52,6 +52,10 @@ typedef arc_status (*zones_fn)(const void *asker, const arc_model_def *def, doub
 arc_model *model_argument(lua_State *L, int worn, const char *where, double load, zones_fn zones,
                           const void *asker);
 
+/* Reads the field "mesh" of the table at `index` over that of a run, for arc_wear_set; returns 0
+ * where there is none. */
+int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *mesh);
+
 /* Pushes the box of a model of this definition: one that lives already, or a new one. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
 

@@ -75,6 +75,31 @@ static void read_definition(lua_State *L, int index, args_place place, arc_model
   check_fineness(L, index, place, &def->mesh);
 }
 
+/* What is not given stays, but for what follows from the size: that is found anew. */
+static void begin_mesh(lua_State *L, int at, arc_mesh_def *mesh) {
+  const int size = args_given(L, at, "size"), fineness = args_given(L, at, "fineness");
+  if (!size && !fineness) return;
+  mesh->size = mesh->height = 0;
+  if (!args_given(L, at, "rows")) mesh->rows = 0;
+  if (size && !fineness) mesh->fineness = 0;
+}
+
+int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *mesh) {
+  const args_place place = {where, "mesh."};
+  const int type = args_get(L, index, "mesh");
+  if (type == LUA_TTABLE) {
+    begin_mesh(L, lua_gettop(L), mesh);
+    args_read(L, lua_gettop(L), place, arc_mesh_settings, mesh);
+    lua_pop(L, 1);
+    check_fineness(L, index, (args_place){where, ""}, mesh);
+    return 1;
+  }
+  if (type != LUA_TNIL)
+    args_refuse(L, (args_place){where, ""}, "mesh", "a table of the fields of model{ mesh = }");
+  lua_pop(L, 1);
+  return 0;
+}
+
 /* --- building and sharing -------------------------------------------------------------------- */
 
 static int add_to_key(void *context, const char *path, const arc_setting *s, void *member,

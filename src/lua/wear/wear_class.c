@@ -1,6 +1,7 @@
 /* Class wear: construction, cloning, and the list of what the other wear_*.c files do. */
 #include "lua/wear/wear_class.h"
 #include "lua/base/error.h"
+#include "lua/base/interrupt.h"
 #include "lua/wear/wear_functions.h"
 
 /* --- construction ---------------------------------------------------------------------------- */
@@ -151,7 +152,11 @@ static void keep_arrays(arc_wear_def *def, const arc_wear_def *before, const arc
   def->blocks = now->blocks;
 }
 
-/* wear:set{ load=, alpha=, ... } -> the object itself; what is not given stays as it is */
+static void warn(void *context, const char *text) {
+  lua_warning(context, text, 0);
+}
+
+/* wear:set{ load=, alpha=, ..., mesh={...} } -> the object itself; what is not given stays */
 static int wear_set(lua_State *L) {
   static const char where[] = "wear:set";
   arc_error error = {0};
@@ -159,15 +164,19 @@ static int wear_set(lua_State *L) {
   box *made = box_self_idle(L, &wear_class, where);
   const arc_wear_def before = *arc_wear_definition(made->thing);
   wear_request request = wear_request_read(L, 2, 1);
+  arc_mesh_def mesh = arc_model_definition(arc_wear_model(made->thing))->mesh;
+  const int remeshed = lua_istable(L, 2) && model_read_mesh(L, 2, where, &mesh);
+  const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
   made = box_self_idle(L, &wear_class, where);
   keep_arrays(&request.def, &before, arc_wear_definition(made->thing));
   arc_wear_def def =
       wear_request_settle(&request, arc_model_definition(arc_wear_model(made->thing)));
   functions_call call = functions_enter(L, request.functions, made);
   made->busy = RUN_BUSY;
-  arc_status status = arc_wear_set(made->thing, &def, &error);
+  arc_status status = arc_wear_set(made->thing, &def, remeshed ? &mesh : NULL, &callbacks, &error);
   made->busy = RUN_IDLE;
   functions_leave(L, &call, where);
+  if (status == ARC_STOPPED && interrupt_pending(NULL)) interrupt_raise(L, "changing a run");
   error_check(L, status, &error, where, -1);
   made->tag = 0;
   lua_pushvalue(L, request.functions);

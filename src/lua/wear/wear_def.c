@@ -129,10 +129,11 @@ static void settle_loading(lua_State *L, int index, args_place place, wear_reque
 }
 
 /* What a new run takes, or one that is changed. */
-static void list_settings(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1], int changed) {
+static void list_settings(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 2], int changed) {
   int count = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     if (!(changed && s->forms & ARC_FIXED)) list[count++] = *s;
+  if (changed) list[count++] = (arc_setting)ARGS_OTHER("mesh"); /* the class reads it */
   list[count] = (arc_setting){.name = NULL};
 }
 
@@ -213,7 +214,7 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
   args_place place = {changed ? "wear:set" : "wear", ""};
   luaL_checkstack(L, 30, "wear");
   wear_request request = begin_request(L, index, changed, place);
-  arc_setting settings[ARC_WEAR_SETTINGS_COUNT + 1];
+  arc_setting settings[ARC_WEAR_SETTINGS_COUNT + 2];
   list_settings(settings, changed);
   read_bodies(L, index, place, &request);
   request.own_k = request.own_k || args_given(L, index, "k") || args_given(L, index, "alpha");

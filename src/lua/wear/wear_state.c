@@ -4,6 +4,7 @@
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -234,13 +235,28 @@ const luaL_Reg wear_fields[] = {
 
 /* --- in words -------------------------------------------------------------------------------- */
 
+/* "100 N"; where wear:set has changed what the last record was made with, "100 N until now, 20 N
+ * from here on". NaN in a record: not known. */
+static const char *show_course(double record, double set, const char *unit, char *text,
+                               size_t size) {
+  if (fabs(record - set) > 1e-9 * fmax(fabs(record), fabs(set)))
+    snprintf(text, size, "%.6g%s until now, %.6g%s from here on", record, unit, set, unit);
+  else
+    snprintf(text, size, "%.6g%s", set, unit);
+  return text;
+}
+
+/* What a record tells of its update; before the first one, nothing has come of it. */
+static double of_update(const arc_wear_record *record, double value) {
+  return record->update > 0 ? value : NAN;
+}
+
 /* "0.5", "by distance" for a series, "by function". */
-static const char *show_coefficient(double number, const arc_series *series, int function,
-                                    char *text, size_t size) {
+static const char *show_coefficient(double record, double number, const arc_series *series,
+                                    int function, const char *unit, char *text, size_t size) {
   if (function) return "by function";
   if (series->count > 0) return "by distance";
-  snprintf(text, size, "%.6g", number);
-  return text;
+  return show_course(record, number, unit, text, size);
 }
 
 /* "stroke 0.11 mm", or "loading of 3 blocks, now over 0.2 mm". */
@@ -248,10 +264,13 @@ static void show_motion(const arc_wear *wear, char *text, size_t size) {
   const int blocks = arc_wear_definition(wear)->blocks;
   const double travel = arc_wear_travel(wear);
   const double force = arc_wear_definition(wear)->tangential;
+  const arc_wear_record *now = arc_wear_last(wear);
+  char way[100];
   if (force > 0)
     snprintf(text, size, "force of +-%.6g N along x", force);
   else if (blocks == 0)
-    snprintf(text, size, "stroke %.6g mm", travel);
+    snprintf(text, size, "stroke %s",
+             show_course(of_update(now, now->travel), travel, " mm", way, sizeof way));
   else
     snprintf(text, size, "loading of %d block%s%s over %.6g mm", blocks, blocks == 1 ? "" : "s",
              blocks == 1 ? "" : ", now", travel);
@@ -313,12 +332,24 @@ static void add_others(luaL_Buffer *text, const arc_wear_def *settings) {
   if (before[0] == ',') luaL_addchar(text, '\n');
 }
 
-/* "1e-08 mm2/N", "by function". */
-static const char *show_k(const arc_wear_def *settings, char *text, size_t size) {
-  if (settings->k_function) return "by function";
-  if (settings->k_series.count > 0) return "by distance";
-  snprintf(text, size, "%.6g mm2/N", settings->k);
-  return text;
+static const char *show_k(const arc_wear *wear, char *text, size_t size) {
+  const arc_wear_def *def = arc_wear_definition(wear);
+  const arc_wear_record *now = arc_wear_last(wear);
+  return show_coefficient(of_update(now, now->k), def->k, &def->k_series, def->k_function != NULL,
+                          " mm2/N", text, size);
+}
+
+static const char *show_alpha(const arc_wear *wear, char *text, size_t size) {
+  const arc_wear_def *def = arc_wear_definition(wear);
+  const arc_wear_record *now = arc_wear_last(wear);
+  return show_coefficient(of_update(now, now->alpha), def->alpha, &def->alpha_series,
+                          def->alpha_function != NULL, "", text, size);
+}
+
+/* The load of the reference configuration, in which pressures are told. */
+static const char *show_load(const arc_wear *wear, char *text, size_t size) {
+  const arc_wear_def *def = arc_wear_definition(wear);
+  return show_course(arc_wear_last(wear)->load_reference, def->load, " N", text, size);
 }
 
 /* Those of a loading are its own, unless they are too long. */
@@ -353,13 +384,12 @@ static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
 
 static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_def *settings = arc_wear_definition(wear);
-  char line[400], motion[80], k[40], alpha[40], steps[40], increments[40];
+  char line[600], motion[140], load[100], k[100], alpha[100], steps[40], increments[40];
   show_motion(wear, motion, sizeof motion);
   show_steps(settings, steps, sizeof steps);
-  snprintf(line, sizeof line, "wear: %s, load %.6g N, k %s, alpha %s\n", motion, settings->load,
-           show_k(settings, k, sizeof k),
-           show_coefficient(settings->alpha, &settings->alpha_series,
-                            settings->alpha_function != NULL, alpha, sizeof alpha));
+  snprintf(line, sizeof line, "wear: %s, load %s, k %s, alpha %s\n", motion,
+           show_load(wear, load, sizeof load), show_k(wear, k, sizeof k),
+           show_alpha(wear, alpha, sizeof alpha));
   luaL_addstring(text, line);
   add_bodies(text, arc_model_definition(arc_wear_model(wear)));
   snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s slip, %s\n",
