@@ -280,7 +280,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(depth_partition, "", "depth partition factor alpha-tilde; NaN before any wear")                \
   X(error, "", "estimated error of an adaptive step, over its tolerance")                          \
   X(solutions, "", "contact solutions so far")                                                     \
-  X(mesh_rows, "", "rows of elements that may wear, more where outgrown")                          \
+  X(box_rows, "", "rows of elements that may wear, more where outgrown")                           \
   X(elements, "", "elements of both meshes, new where outgrown")                                   \
   X(energy, "N mm", "dissipated by friction so far")                                               \
   X(cycle_energy, "N mm", "dissipated in a cycle of the update")                                   \

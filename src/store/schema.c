@@ -81,7 +81,7 @@ static const struct migration {
      "ALTER TABLE history ADD COLUMN load_reference_N;"
      "ALTER TABLE history ADD COLUMN travel_mm;"
      "ALTER TABLE history ADD COLUMN load_distance_N_mm;"
-     "ALTER TABLE history ADD COLUMN mesh_rows;"
+     "ALTER TABLE history ADD COLUMN box_rows;"
      "ALTER TABLE history ADD COLUMN elements;"
      "ALTER TABLE history ADD COLUMN energy_N_mm;"
      "ALTER TABLE history ADD COLUMN cycle_energy_N_mm;"

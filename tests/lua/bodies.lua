@@ -20,14 +20,7 @@ is(same.p_center, w.p_center, "given by the bodies: the same run to the bit")
 is(same.volume.plate, w.volume.plate, "and the same volume")
 local hard = wear{ model = { cylinder = { k = 0 }, plate = { k = 1e-8 }, mesh = coarse } }
 is(hard.alpha, 0.0, "a body of k = 0 does not wear")
-local warnings = require "archard.warnings"
-warnings.keep()
-warnings.take()
 is(wear{ model = { cylinder = { k = 1e-8 }, mesh = coarse } }.alpha, 1.0, "nor does one without")
-holds(warnings.take(), "the plate has none and does not wear; give model.plate.k", "which is said")
-wear{ model = { cylinder = { k = 1e-8 }, plate = { k = 1e-8 }, mesh = coarse } }
-wear{ model = { mesh = coarse } }
-is(warnings.take(), nil, "where both have one, or none, there is nothing to say")
 
 w:set{ k_plate = 0 }
 near(w.k, 1e-8, 1e-15, "w:set of one leaves the other")

@@ -43,7 +43,7 @@ local deep = run_on(mesh(2, 2.2, 3), { k = 2e-7, distance = 800, jump = 4 })
 flat:run()
 deep:run()
 ok(flat.model.mesh.rows > 1, "the wear box was outgrown")
-local rows = flat.history.mesh_rows
+local rows = flat.history.box_rows
 is(rows[1] .. " " .. rows[#rows], "1.0 " .. flat.model.mesh.rows .. ".0", "the history tells of its rows")
 ok(off(flat.volume.total, deep.volume.total) < 1e-9, "volume")
 ok(off(flat.p_center, deep.p_center) < 0.002, "pressure")

@@ -20,7 +20,7 @@ end
 
 local function model_of(pair, size, element)
   return model{ cylinder = pair[2], plate = pair[3],
-    mesh = { size = size, height = 1.25 * size, element = element } }
+    mesh = { size = size, height = 1.25 * size, far = 1, zone = { cylinder = 1, plate = 1.2 }, element = element } }
 end
 
 -- r.m.s. and largest error of the centre pressure over half widths from 5 elements of 20 um upwards

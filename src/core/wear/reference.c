@@ -52,7 +52,7 @@ arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record
   if (w->def.blocks == 0 || record->p_peak == 0)
     record->p_peak = fmax(record->p_peak, record->p_max);
   record->load_reference = w->def.load;
-  record->mesh_rows = arc_model_definition(w->model)->mesh.rows;
+  record->box_rows = arc_model_definition(w->model)->mesh.rows;
   record->elements = arc_model_mesh(w->model, ARC_CYLINDER)->elements +
                      arc_model_mesh(w->model, ARC_PLATE)->elements;
   record->depth_cylinder = arc_shape_depth(shape, ARC_CYLINDER);

@@ -60,21 +60,6 @@ static void check_coefficients(lua_State *L, const wear_request *request,
                 args_show_number(L, model->material[ARC_PLATE].k));
 }
 
-/* One body that has a coefficient may have been meant for both. */
-static void tell_of_missing(lua_State *L, const wear_request *request, const arc_model_def *model) {
-  const double k[ARC_BODIES] = {model->material[ARC_CYLINDER].k, model->material[ARC_PLATE].k};
-  if (request->own_k || (k[ARC_CYLINDER] > 0) == (k[ARC_PLATE] > 0)) return;
-  const char *has = body_names[k[ARC_PLATE] > 0], *none = body_names[!(k[ARC_PLATE] > 0)];
-  lua_warning(
-      L,
-      lua_pushfstring(L,
-                      "wear: the %s has a wear coefficient (model.%s.k), the %s has none and "
-                      "does not wear; give model.%s.k [mm2/N] where it should",
-                      has, has, none, none),
-      0);
-  lua_pop(L, 1);
-}
-
 /* wear{ model=, k=, alpha=, load=, stroke=, ... }; called as a method of the table `wear`. */
 static int wear_new(lua_State *L) {
   lua_remove(L, 1);
@@ -90,7 +75,6 @@ static int wear_new(lua_State *L) {
   box_keep(L, holder);
   keep_functions(L, request.functions);
   create_run(L, made, model, &request, start);
-  tell_of_missing(L, &request, arc_model_definition(model));
   return 1;
 }
 
