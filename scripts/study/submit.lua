@@ -64,8 +64,7 @@ end
 
 local function clear(job)
   for i = 1, job.shares do
-    os.remove(job.file(i))
-    os.remove(job.file(i) .. ".new")
+    for _, ending in ipairs{ "", ".new", "-journal", "-wal", "-shm" } do os.remove(job.file(i) .. ending) end
     os.remove(job.log(i))
   end
   for _, path in ipairs{ job.log("parallel"), job.blank, job.script, job.note, job.folder } do os.remove(path) end

@@ -48,7 +48,8 @@ local unworn = contact{ model = steel, load = 300, x = 0.08 }
 compare("unworn", unworn, unworn, { mises = 0.015, approach = 0.003 })
 local worn = contact{ model = steel, load = 300, worn = { cylinder = scar, plate = scar } }
 compare("worn", worn, worn, { mises = 0.015, approach = 0.003 })
-local soft = model{ plate = { E = 1000, nu = 0.495 }, mesh = { size = 0.04, height = 0.05, far = 2 } }
+local soft = model{ plate = { E = 1000, nu = 0.495 }, mesh = { size = 0.04, height = 0.05, far = 2,
+  zone = { cylinder = 1, plate = 1.2 } } }
 tap.is(soft.mesh.plate.element, "CPE4I", "soft bodies have incompatible modes")
 local pressed = contact{ model = soft, load = 2 }
 compare("soft", pressed, pressed, { mises = 0.05, approach = 0.01 })

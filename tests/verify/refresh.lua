@@ -51,7 +51,7 @@ for _, case in ipairs{ { 0.5, 0.11 }, { 0, 0.22 }, { 0.75, 0.44 }, { 1, 0.11 } }
     jump = 11 / stroke, distance = 1320 }, 0.02)
 end
 check("10 um", { model = { mesh = { size = 0.01, height = 0.0125 } }, jump = 50, distance = 660 }, 0.01)
-check("a soft plate, 8 um deep", { model = { plate = { E = 2e3, nu = 0.4 }, mesh = { zone = { cylinder = 2.4, plate = 2.8 } } },
+check("a soft plate, 8 um deep", { model = { plate = { E = 2e3, nu = 0.4 }, mesh = { size = 0.02, height = 0.025, far = 1, zone = { cylinder = 2.4, plate = 2.8 } } },
   load = 20, k = 1e-6, jump = 15, distance = 330, alpha = 0 }, 0.02)
 
 -- Stored half-way, between two condensations, a run goes on to the same bits.

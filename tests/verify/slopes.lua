@@ -19,7 +19,7 @@ end
 local function deep(radius, distance, couple)
   local zone = radius == 2 and 2 or 3.2
   local model = { radius = radius, cylinder = couple.cylinder, plate = couple.plate,
-    mesh = { rows = radius == 2 and 12 or 6, zone = { cylinder = zone, plate = zone * 1.1 } } }
+    mesh = { size = 0.02, height = 0.025, far = 1, rows = radius == 2 and 12 or 6, zone = { cylinder = zone, plate = zone * 1.1 } } }
   return wear{ k = 1e-6, load = 100, distance = distance, jump = couple.jump, scheme = couple.scheme,
     increments = 20, refresh = 0.05, stroke = 0.11, model = model }:run()
 end

@@ -204,7 +204,7 @@ local ranks = one:uncertainty{ of = "volume_plate" }
 near(ranks.volume_plate.rank.k, 1, 1e-12, "without indices: the correlation of ranks")
 
 -- --- the same bits -------------------------------------------------------------------------------
-local content = here .. "/lib/content.lua"
+local content = here .. "/../lua/lib/content.lua"
 local function bits(file)
   local pipe = io.popen(("%s %s %s 2>/dev/null"):format(os.getenv("ARCHARD") or "build/archard", content, file))
   local text = pipe:read("a")
