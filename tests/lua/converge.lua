@@ -1,4 +1,5 @@
 -- study.converge and calibrate: what they find, and that it is the right thing.
+-- Run once: its work is in Lua alone, which small steps of the collector only slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds

@@ -1,4 +1,5 @@
 -- fit and fit.design: what they refuse, what they find, what they say of it, run files, pictures.
+-- Run once: its work is in Lua alone, which small steps of the collector only slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds

@@ -1,4 +1,5 @@
 -- Measured profiles against closed forms: filter, levelling, noise, areas and their uncertainty, roughness, files.
+-- Run once: its work is in Lua alone, which small steps of the collector only slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
