@@ -148,10 +148,10 @@ static int wear_set(lua_State *L) {
   box *made = box_self_idle(L, &wear_class, where);
   const arc_wear_def before = *arc_wear_definition(made->thing);
   wear_request request = wear_request_read(L, 2, 1);
+  made = box_self_idle(L, &wear_class, where);
   arc_mesh_def mesh = arc_model_definition(arc_wear_model(made->thing))->mesh;
   const int remeshed = lua_istable(L, 2) && model_read_mesh(L, 2, where, &mesh);
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
-  made = box_self_idle(L, &wear_class, where);
   keep_arrays(&request.def, &before, arc_wear_definition(made->thing));
   arc_wear_def def =
       wear_request_settle(&request, arc_model_definition(arc_wear_model(made->thing)));
