@@ -73,14 +73,19 @@ else
 -include $(BUILD)/config.mk
 endif
 
+# What the compiler can do against memory errors that are still there. Checked calls need an
+# optimising compiler, and hide from the sanitizers what they look for.
+hardening   = -fstack-protector-strong -fPIE \
+              $(if $(SANITIZER),,$(if $(filter-out -O0,$(filter -O%,$(CFLAGS))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2))
+
 # One set of flags for every file: -std=c11 with POSIX; contraction off, so that results do not
 # depend on what the compiler fuses; loops marked for it are vectorised, which changes no bit.
 all_cflags = -std=c11 -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc -MMD -MP -ffp-contract=off -fopenmp-simd \
              $(lua_cflags) $(cholmod_cflags) $(readline_cflags) $(sqlite_cflags) $(gsl_cflags) $(omp_cflags) \
-             $(WARNINGS) $(if $(WERROR),-Werror) $(if $(CHECKS),-DARC_CHECKS) \
+             $(hardening) $(WARNINGS) $(if $(WERROR),-Werror) $(if $(CHECKS),-DARC_CHECKS) \
              $(if $(SANITIZER),-fsanitize=$(SANITIZER) -fno-omit-frame-pointer -fno-sanitize-recover=all) \
              $(CPPFLAGS) $(CFLAGS)
-all_ldflags = $(if $(SANITIZER),-fsanitize=$(SANITIZER)) $(LDFLAGS)
+all_ldflags = -Wl,-z,relro,-z,now,-z,noexecstack $(if $(SANITIZER),-fsanitize=$(SANITIZER)) $(LDFLAGS)
 lib_libs    = $(sqlite_libs) $(cholmod_libs) $(blas_libs) $(omp_libs) -lm
 
 jobs  = $(shell nproc 2>/dev/null || echo 2)
@@ -122,7 +127,7 @@ $(OBJ)/embedded.o: $(BUILD)/embedded.c $(BUILD)/config.mk
 
 $(program): $(front_obj) $(plot_obj) $(static_lib) $(BUILD)/sources
 	$(say) LD $@
-	$(quiet)$(CC) $(all_ldflags) -rdynamic $(filter-out %/sources,$^) $(lua_libs) $(readline_libs) $(gsl_libs) $(lib_libs) -ldl -o $@
+	$(quiet)$(CC) -pie $(all_ldflags) -rdynamic $(filter-out %/sources,$^) $(lua_libs) $(readline_libs) $(gsl_libs) $(lib_libs) -ldl -o $@
 
 # The module for the stock interpreter: the program without its command and prompt. It stays loaded,
 # for the threads of BLAS and OpenMP run in it to the end.
@@ -137,7 +142,7 @@ $(lua_module): $(module_obj) $(static_lib) $(BUILD)/sources
 $(unit_tests): $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(plot_obj) $(static_lib)
 	@mkdir -p $(@D)
 	$(say) LD $@
-	$(quiet)$(CC) $(all_ldflags) $^ $(test_ldflags) -lcmocka $(lib_libs) -o $@
+	$(quiet)$(CC) -pie $(all_ldflags) $^ $(test_ldflags) -lcmocka $(lib_libs) -o $@
 
 # Out of memory on demand: this test stands between the engine and its allocations.
 $(BUILD)/tests/test_oom: test_ldflags = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free \
