@@ -157,6 +157,16 @@ int args_get(lua_State *L, int index, const char *name) {
   return LUA_TNIL;
 }
 
+void args_push_copy(lua_State *L, int index) {
+  index = lua_absindex(L, index);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, index);) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
+}
+
 int args_given(lua_State *L, int index, const char *name) {
   const int type = args_get(L, index, name);
   lua_pop(L, 1);

@@ -51,6 +51,9 @@ void args_refuse(lua_State *L, args_place place, const char *name, const char *e
 /* Pushes the fields' value of the table at `index` (nil where there is no table). */
 int args_get(lua_State *L, int index, const char *name);
 
+/* Pushes a table with what the one at `index` has itself. */
+void args_push_copy(lua_State *L, int index);
+
 /* Whether the table at `index` has something under the name. */
 int args_given(lua_State *L, int index, const char *name);
 

@@ -312,14 +312,9 @@ static int make(lua_State *L) {
   arc_material material = arc_material_default();
   arc_error error = {0};
   lua_settop(L, 1);
-  lua_newtable(L);
-  if (!lua_isnil(L, 1)) luaL_checktype(L, 1, LUA_TTABLE);
-  for (lua_pushnil(L); lua_istable(L, 1) && lua_next(L, 1);) {
-    lua_pushvalue(L, -2);
-    lua_insert(L, -2);
-    lua_rawset(L, 2);
-  }
-  lua_settop(L, 2);
+  if (lua_isnil(L, 1)) lua_newtable(L), lua_replace(L, 1);
+  luaL_checktype(L, 1, LUA_TTABLE);
+  args_push_copy(L, 1);
   lua_pushstring(L, arc_solid_names[kind]);
   lua_setfield(L, 2, "kind");
   read_at(L, 2, place, arc_model_default().radius, &def, &material);

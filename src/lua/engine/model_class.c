@@ -6,7 +6,6 @@
 #include "lua/base/interrupt.h"
 
 #include <stdio.h>
-#include <string.h>
 
 static const char cache_key = 0, last_key = 0; /* their addresses name the registry's entries */
 
@@ -50,14 +49,8 @@ static void check_fineness(lua_State *L, int index, args_place place, arc_mesh_d
 
 /* Pushes the table at `index` without its bodies, which are read on their own. */
 static void push_without_bodies(lua_State *L, int index, args_place place) {
-  index = lua_absindex(L, index);
   if (!lua_istable(L, index)) args_read(L, index, place, arc_model_settings, NULL); /* refuses */
-  lua_newtable(L);
-  for (lua_pushnil(L); lua_next(L, index);) {
-    lua_pushvalue(L, -2);
-    lua_insert(L, -2);
-    lua_rawset(L, -4);
-  }
+  args_push_copy(L, index);
   lua_pushnil(L);
   lua_setfield(L, -2, "upper");
   lua_pushnil(L);
@@ -231,17 +224,9 @@ arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where)
 
 /* Reads the other fields of the table at index 1, whose mesh is a file. */
 static void read_beside_file(lua_State *L, arc_model_def *def) {
-  lua_newtable(L);
+  args_push_copy(L, 1);
   lua_pushnil(L);
-  while (lua_next(L, 1)) {
-    const int is_mesh = lua_type(L, -2) == LUA_TSTRING && !strcmp(lua_tostring(L, -2), "mesh");
-    lua_pushvalue(L, -2);
-    lua_insert(L, -2);
-    if (is_mesh)
-      lua_pop(L, 2);
-    else
-      lua_rawset(L, -4);
-  }
+  lua_setfield(L, -2, "mesh");
   read_definition(L, lua_gettop(L), (args_place){"model", ""}, def);
   lua_pop(L, 1);
 }

@@ -1,6 +1,6 @@
 /* The module `archard.least_squares`: nonlinear least squares by Levenberg and Marquardt with a
  * trust region, and singular values, both of GSL. Knows nothing of wear: scripts/fit does. The one
- * file that includes GSL.
+ * file that includes GSL's fits.
  *
  * GSL calls back into Lua in the midst of its own work: every such call is protected, and what it
  * raises is raised again once GSL has been left and its memory freed.

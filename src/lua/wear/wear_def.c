@@ -193,12 +193,7 @@ static void read_bodies(lua_State *L, int index, args_place place, wear_request 
     lua_pop(L, 1);
   }
   arc_wear_def_partition(&request->def, k);
-  lua_newtable(L);
-  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
-    lua_pushvalue(L, -2);
-    lua_pushvalue(L, -2);
-    lua_rawset(L, -5);
-  }
+  args_push_copy(L, index);
   for (int b = 0; b < ARC_BODIES; b++) {
     lua_pushnil(L);
     lua_setfield(L, -2, of_bodies[b].name);
