@@ -20,6 +20,11 @@ void array_set(lua_State *L, const char *name, const double *values, size_t coun
   lua_setfield(L, -2, name);
 }
 
+void array_set_number(lua_State *L, const char *name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
 double *array_buffer(lua_State *L, size_t count) {
   return lua_newuserdatauv(L, (count ? count : 1) * sizeof(double), 0);
 }

@@ -248,15 +248,10 @@ void body_read(lua_State *L, int index, args_place place, arc_model_def *def) {
 
 /* --- pushing ---------------------------------------------------------------------------------- */
 
-static void set_number(lua_State *L, const char *name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
 static void set_material(lua_State *L, arc_material m) {
-  set_number(L, "E", m.E);
-  set_number(L, "nu", m.nu);
-  set_number(L, "k", m.k);
+  array_set_number(L, "E", m.E);
+  array_set_number(L, "nu", m.nu);
+  array_set_number(L, "k", m.k);
 }
 
 static void set_layers(lua_State *L, const arc_body_def *def) {
@@ -265,7 +260,7 @@ static void set_layers(lua_State *L, const arc_body_def *def) {
   lua_createtable(L, layers, 0);
   for (int l = 0; l < layers; l++) {
     lua_newtable(L);
-    set_number(L, "thickness", def->layer[l].thickness);
+    array_set_number(L, "thickness", def->layer[l].thickness);
     set_material(L, def->layer[l].material);
     lua_rawseti(L, -2, l + 1);
   }

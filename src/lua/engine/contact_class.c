@@ -38,10 +38,8 @@ static int contact_iterations(lua_State *L) {
 
 static int push_edges(lua_State *L, double left, double right) {
   lua_createtable(L, 0, 2);
-  lua_pushnumber(L, left);
-  lua_setfield(L, -2, "left");
-  lua_pushnumber(L, right);
-  lua_setfield(L, -2, "right");
+  array_set_number(L, "left", left);
+  array_set_number(L, "right", right);
   strict_table(L, "zone");
   return 1;
 }

@@ -146,18 +146,13 @@ static int mesh_coordinates(lua_State *L) {
   return 1;
 }
 
-static void set_number(lua_State *L, const char *name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
 static void push_quality(lua_State *L, arc_quality quality) {
   lua_createtable(L, 0, 6);
-  set_number(L, "smallest_angle", quality.smallest_angle);
-  set_number(L, "largest_angle", quality.largest_angle);
-  set_number(L, "aspect", quality.aspect);
-  set_number(L, "jacobian_ratio", quality.jacobian_ratio);
-  set_number(L, "smallest_jacobian", quality.smallest_jacobian);
+  array_set_number(L, "smallest_angle", quality.smallest_angle);
+  array_set_number(L, "largest_angle", quality.largest_angle);
+  array_set_number(L, "aspect", quality.aspect);
+  array_set_number(L, "jacobian_ratio", quality.jacobian_ratio);
+  array_set_number(L, "smallest_jacobian", quality.smallest_jacobian);
   strict_table(L, "mesh:quality");
 }
 

@@ -1,5 +1,6 @@
 /* Class model: two meshed and condensed bodies. Models of one definition are built once and shared:
  * a weak table in the registry finds the living ones, and the one asked for last is kept. */
+#include "lua/base/array.h"
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
@@ -18,10 +19,8 @@ arc_body body_argument(lua_State *L, int index, const char *where, int otherwise
 
 void push_by_body(lua_State *L, double cylinder, double plate) {
   lua_createtable(L, 0, 3);
-  lua_pushnumber(L, cylinder);
-  lua_setfield(L, -2, "cylinder");
-  lua_pushnumber(L, plate);
-  lua_setfield(L, -2, "plate");
+  array_set_number(L, "cylinder", cylinder);
+  array_set_number(L, "plate", plate);
 }
 
 /* --- the definition -------------------------------------------------------------------------- */

@@ -1,5 +1,6 @@
 /* The module `archard.settings`: what can be set and what is recorded, as the engine's own lists
  * have it. Help, the manual, completion and studies read it. */
+#include "lua/base/array.h"
 #include "lua/base/archard.h"
 #include "lua/engine/classes.h"
 
@@ -24,8 +25,7 @@ static void set_text(lua_State *L, const char *name, const char *text) {
 /* An end of a range, where there is one. */
 static void set_bound(lua_State *L, const char *name, double value) {
   if (!isfinite(value)) return;
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
+  array_set_number(L, name, value);
 }
 
 static void set_flag(lua_State *L, const char *name, int flag) {

@@ -1,5 +1,6 @@
 /* The module `archard.store`: run files, exact and plain. study.lua and its kin are what users see.
  * Leans on archard/store.h. */
+#include "lua/base/array.h"
 #include "lua/base/archard.h"
 #include "lua/files/store_module.h"
 #include "lua/base/error.h"
@@ -154,10 +155,7 @@ static void push_case(lua_State *L, const arc_case *one) {
     lua_pushstring(L, one->message);
     lua_setfield(L, -2, "message");
   }
-  if (isfinite(one->seconds)) {
-    lua_pushnumber(L, one->seconds);
-    lua_setfield(L, -2, "seconds");
-  }
+  if (isfinite(one->seconds)) array_set_number(L, "seconds", one->seconds);
 }
 
 /* Pushes the list of cases; a light userdata with them is the argument, so that what Lua raises

@@ -123,10 +123,8 @@ static void push_surface(lua_State *L, const arc_surface *surface) {
   lua_createtable(L, 0, 7);
   lua_pushstring(L, arc_body_name(surface->body));
   lua_setfield(L, -2, "body");
-  lua_pushnumber(L, surface->update);
-  lua_setfield(L, -2, "update");
-  lua_pushnumber(L, surface->distance);
-  lua_setfield(L, -2, "distance");
+  array_set_number(L, "update", surface->update);
+  array_set_number(L, "distance", surface->distance);
   array_set(L, "x", surface->x, surface->count);
   array_set(L, "h", surface->h, surface->count);
   array_set(L, "y", surface->y, surface->count);

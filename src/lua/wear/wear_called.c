@@ -1,5 +1,6 @@
 /* The state that a user's function is called with: one object, used again for every call, that
  * reads the record at hand. Shows nothing once the call is over. */
+#include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
@@ -22,8 +23,7 @@ static const arc_wear_record *record_of(lua_State *L) {
 
 static void push_volume(lua_State *L, const arc_wear_record *record) {
   push_by_body(L, record->volume_cylinder, record->volume_plate);
-  lua_pushnumber(L, record->volume_cylinder + record->volume_plate);
-  lua_setfield(L, -2, "total");
+  array_set_number(L, "total", record->volume_cylinder + record->volume_plate);
 }
 
 /* state.NAME; the upvalue tells the column of a name. */

@@ -198,10 +198,8 @@ static void read_bodies(lua_State *L, int index, args_place place, wear_request 
     lua_pushnil(L);
     lua_setfield(L, -2, of_bodies[b].name);
   }
-  lua_pushnumber(L, request->def.k);
-  lua_setfield(L, -2, "k");
-  lua_pushnumber(L, request->def.alpha);
-  lua_setfield(L, -2, "alpha");
+  array_set_number(L, "k", request->def.k);
+  array_set_number(L, "alpha", request->def.alpha);
   lua_replace(L, index);
 }
 

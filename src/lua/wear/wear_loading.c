@@ -255,8 +255,7 @@ void loading_push(lua_State *L, const arc_wear_def *def) {
       array_set(L, "x", block->x, (size_t)block->count);
     array_set(L, "load", block->load, (size_t)block->count);
     if (isfinite(block->cycles)) {
-      lua_pushnumber(L, block->cycles);
-      lua_setfield(L, -2, "cycles");
+      array_set_number(L, "cycles", block->cycles);
     }
     lua_pushboolean(L, block->periodic);
     lua_setfield(L, -2, "periodic");

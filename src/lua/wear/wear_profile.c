@@ -104,10 +104,8 @@ int wear_stability(lua_State *L) {
   functions_leave(L, &call, where);
   error_check(L, status, &error, where, (lua_Number)arc_wear_last(wear)->update);
   lua_createtable(L, 0, 2);
-  lua_pushnumber(L, eigenvalue);
-  lua_setfield(L, -2, "eigenvalue");
-  lua_pushnumber(L, 2 / eigenvalue);
-  lua_setfield(L, -2, "jump_limit");
+  array_set_number(L, "eigenvalue", eigenvalue);
+  array_set_number(L, "jump_limit", 2 / eigenvalue);
   strict_table(L, "wear:stability");
   return 1;
 }

@@ -1,4 +1,5 @@
 /* Rows of a run's history: as tables, as aligned lines, as columns. */
+#include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/strict.h"
 #include "lua/wear/wear_class.h"
@@ -19,8 +20,7 @@ void record_push(lua_State *L, const arc_wear_record *record) {
   lua_insert(L, -2);
   lua_setfield(L, -2, "text");
   for (int i = 0; i < ARC_WEAR_COLUMN_COUNT; i++) {
-    lua_pushnumber(L, arc_wear_record_get(record, i));
-    lua_setfield(L, -2, arc_wear_column_name(i));
+    array_set_number(L, arc_wear_column_name(i), arc_wear_record_get(record, i));
   }
   if (luaL_newmetatable(L, kind)) {
     lua_pushcfunction(L, record_tostring);

@@ -52,8 +52,7 @@ static int wear_vector_depth(lua_State *L) {
 static int wear_volume(lua_State *L) {
   const arc_wear_record *record = last(L);
   push_by_body(L, record->volume_cylinder, record->volume_plate);
-  lua_pushnumber(L, record->volume_cylinder + record->volume_plate);
-  lua_setfield(L, -2, "total");
+  array_set_number(L, "total", record->volume_cylinder + record->volume_plate);
   return 1;
 }
 
@@ -144,10 +143,8 @@ int wear_loop(lua_State *L) {
   lua_createtable(L, 0, 5);
   array_set(L, "x", loop->x, loop->count);
   array_set(L, "tangential", loop->tangential, loop->count);
-  lua_pushnumber(L, loop->energy);
-  lua_setfield(L, -2, "energy");
-  lua_pushnumber(L, loop->stick_width);
-  lua_setfield(L, -2, "stick_width");
+  array_set_number(L, "energy", loop->energy);
+  array_set_number(L, "stick_width", loop->stick_width);
   lua_pushboolean(L, loop->gross);
   lua_setfield(L, -2, "gross");
   free(loop);
