@@ -1,23 +1,24 @@
 /* Draws figures: into characters for the caller, into windows, into files. Leans on script.c for
  * the commands, on gnuplot.c to run them, on tidy.c for pictures in characters.
  *
- * A file is drawn beside its place under a name of ours and then moved there: it appears whole or
- * not at all, and gnuplot never sees a name that could mean something else to it.
+ * A file is drawn in a place of ours and published there when it is whole, and gnuplot never sees a
+ * name that could mean something else to it.
  */
 #include <errno.h>
-#include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "archard/place.h"
 #include "plot/plot.h"
 #include "plot/braille.h"
 #include "plot/figure.h"
+#include "plot/picture.h"
 #include "plot/tidy.h"
 
 static const char at_rest[] = "unset multiplot\nset output\nreset\nundefine $*\n";
+/* `reset` forgets that something failed: that is noted before. */
+static const char anew[] = ARC_GNUPLOT_NOTE_FAILURE "reset\nundefine $*\n";
 
 static arc_status no_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "no memory for the plot");
@@ -41,14 +42,15 @@ static void write_script(const arc_plot_figure *frames, size_t count, const arc_
   arc_canvas_command(canvas, animation, script);
   if (place) {
     arc_text_word(script, "set output ");
-    arc_text_quoted(script, place, 0);
+    arc_text_path(script, place);
     arc_text_word(script, "\n");
   }
   for (size_t i = 0; i < count; i++) {
-    if (i > 0) arc_text_word(script, "reset\nundefine $*\n");
+    if (i > 0) arc_text_word(script, anew);
     arc_plot_commands(&frames[i], canvas, script);
   }
-  arc_text_word(script, at_rest + strlen("unset multiplot\n"));
+  arc_text_word(script, "unset multiplot\nset output\n");
+  arc_text_word(script, anew);
 }
 
 /* The commands for a user leave the terminal to that user. */
@@ -75,51 +77,12 @@ arc_status arc_plot_script(const arc_plot_figure *figure, const arc_plot_output 
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-/* The n-th name beside `file`, absolute, since gnuplot may stand in another folder than we do. */
-static arc_status name_beside(const char *file, int n, char place[PATH_MAX], arc_error *error) {
-  char here[PATH_MAX] = "";
-  const char *slash = strrchr(file, '/');
-  int folder = slash ? (int)(slash - file) + 1 : 0;
-  for (int i = 0; file[i]; i++)
-    if ((unsigned char)file[i] < 0x20 || file[i] == 0x7f)
-      return arc_fail(error, ARC_ARGUMENT, "a file name with a control character in it");
-  if (file[0] != '/' && !getcwd(here, sizeof here - 1))
-    return arc_fail(error, ARC_IO, "'%.200s': %s", file, strerror(errno));
-  if (here[0]) strcat(here, "/");
-  int length = snprintf(place, PATH_MAX, "%s%.*s.archard-%ld-%d.part", here, folder, file,
-                        (long)getpid(), n);
-  if (length < 0 || length >= PATH_MAX)
-    return arc_fail(error, ARC_ARGUMENT, "'%.200s': the path is too long", file);
-  return ARC_OK;
-}
-
-static arc_status file_failed(const char *file, arc_error *error) {
-  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", file, strerror(errno));
-}
-
-/* Takes a place that nobody has. gnuplot would only say "cannot open file": here the reason is
- * known. */
-static arc_status take_place(const char *file, char place[PATH_MAX], arc_error *error) {
-  for (int n = 0; n < 1000; n++) {
-    arc_status status = name_beside(file, n, place, error);
-    if (status != ARC_OK) return status;
-    int descriptor = open(place, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) {
-      close(descriptor);
-      return ARC_OK;
-    }
-    if (errno != EEXIST) break;
-  }
-  return file_failed(file, error);
-}
-
-static arc_status write_text(const char *place, const char *file, const arc_text *text,
-                             arc_error *error) {
-  FILE *stream = fopen(place, "w");
-  if (!stream) return file_failed(file, error);
-  size_t written = fwrite(text->data, 1, text->length, stream);
-  if (fclose(stream) != 0 || written != text->length) return file_failed(file, error);
-  return ARC_OK;
+static arc_status write_text(const arc_place *place, const arc_text *text, arc_error *error) {
+  FILE *stream = fopen(arc_place_path(place), "w");
+  size_t written = stream ? fwrite(text->data, 1, text->length, stream) : 0;
+  if (stream && fclose(stream) == 0 && written == text->length) return ARC_OK;
+  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", arc_place_asked(place),
+                  strerror(errno));
 }
 
 /* --- drawing ---------------------------------------------------------------------------------- */
@@ -135,24 +98,21 @@ typedef struct drawing {
 } drawing;
 
 /* gnuplot reads its standard input byte by byte: many commands are read sooner from a file. Leaves
- * the script as it is where no file can be written. */
-static void through_file(arc_text *script, char place[PATH_MAX]) {
+ * the script as it is, and no place, where no file can be written. */
+static void through_file(arc_text *script, arc_place **place) {
   const char *folder = getenv("TMPDIR");
-  place[0] = '\0';
+  arc_error ignored;
+  *place = NULL;
   if (script->failed || script->length < 20000) return;
-  if (!folder || folder[0] != '/' || strpbrk(folder, "\n\r")) folder = "/tmp";
-  if (snprintf(place, PATH_MAX, "%s/archard-plot-XXXXXX", folder) >= PATH_MAX) return;
-  int descriptor = mkstemp(place);
-  if (descriptor < 0) {
-    place[0] = '\0';
+  if (!folder || folder[0] != '/') folder = P_tmpdir;
+  if (arc_place_scratch(folder, place, &ignored) != ARC_OK) return;
+  if (write_text(*place, script, &ignored) != ARC_OK) {
+    arc_place_drop(place);
     return;
   }
-  close(descriptor);
-  arc_error ignored;
-  if (write_text(place, place, script, &ignored) != ARC_OK) return;
   script->length = 0;
   arc_text_word(script, "load ");
-  arc_text_quoted(script, place, 0);
+  arc_text_path(script, arc_place_path(*place));
 }
 
 /* Runs the commands for a canvas; `reply` receives what came back. */
@@ -160,12 +120,12 @@ static arc_status ask(drawing *d, const arc_canvas *canvas, const char *place, c
                       size_t *length, arc_error *error) {
   arc_text script = {0};
   write_script(d->frames, d->count, canvas, d->animation, place, &script);
-  char file[PATH_MAX];
-  through_file(&script, file);
+  arc_place *file;
+  through_file(&script, &file);
   arc_status status =
       script.failed ? no_memory(error)
                     : arc_gnuplot_run(d->session, script.data, script.length, reply, length, error);
-  if (file[0]) unlink(file);
+  arc_place_drop(&file);
   arc_text_free(&script);
   if (status == ARC_ARGUMENT)
     arc_gnuplot_run(d->session, at_rest, sizeof at_rest - 1, NULL, NULL, NULL);
@@ -205,28 +165,28 @@ static arc_status run(drawing *d, const char *place, arc_text *picture, arc_erro
 }
 
 /* Characters and commands are written here, everything else by gnuplot. */
-static arc_status fill_place(drawing *d, const char *place, arc_error *error) {
+static arc_status fill_place(drawing *d, const arc_place *place, arc_error *error) {
   arc_text text = {0};
   arc_status status;
   if (!d->canvas.terminal)
     status = user_script(d->frames, &d->canvas, &text);
   else
-    status = run(d, d->canvas.text ? NULL : place, &text, error);
+    status = run(d, d->canvas.text ? NULL : arc_place_path(place), &text, error);
   if (status == ARC_OK && text.failed) status = no_memory(error);
   if (status == ARC_OK && (d->canvas.text || !d->canvas.terminal))
-    status = write_text(place, d->output->file, &text, error);
+    status = write_text(place, &text, error);
+  else if (status == ARC_OK)
+    status = arc_picture_check(arc_place_path(place), d->output->file, error);
   arc_text_free(&text);
   return status;
 }
 
 static arc_status draw_file(drawing *d, arc_error *error) {
-  char place[PATH_MAX];
-  const char *file = d->output->file;
-  arc_status status = take_place(file, place, error);
-  if (status != ARC_OK) return status;
-  status = fill_place(d, place, error);
-  if (status == ARC_OK && rename(place, file) != 0) status = file_failed(file, error);
-  if (status != ARC_OK) unlink(place);
+  arc_place *place;
+  arc_status status = arc_place_take(d->output->file, &place, error);
+  if (status == ARC_OK) status = fill_place(d, place, error);
+  if (status == ARC_OK) return arc_place_publish(&place, error);
+  arc_place_drop(&place);
   return status;
 }
 

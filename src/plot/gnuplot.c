@@ -120,6 +120,9 @@ static arc_status broken(arc_gnuplot *session, arc_exchange *x, arc_exchange_end
                     session->program, x->patience);
   case ARC_EXCHANGE_STOPPED:
     return arc_fail(error, ARC_STOPPED, "the plot was stopped");
+  case ARC_EXCHANGE_FLOOD:
+    return arc_fail(error, ARC_IO, "gnuplot ('%s') answered with more than %d MB and was ended",
+                    session->program, ARC_EXCHANGE_MOST >> 20);
   case ARC_EXCHANGE_MEMORY:
     return arc_fail(error, ARC_MEMORY, "no memory for what gnuplot answers");
   default:
@@ -157,10 +160,11 @@ static arc_status ask(arc_gnuplot *session, const char *commands, size_t count, 
   char mark[48];
   snprintf(mark, sizeof mark, "<<archard %lu:", ++session->questions);
   arc_text question = {0};
-  arc_text_word(&question, "reset errors\nset print '-'\n");
+  arc_text_word(&question, "reset errors\narchard_failed = 0\nset print '-'\n");
   arc_text_add(&question, commands, count);
   /* a picture need not end with a line break: print one, so that the mark begins a line */
-  arc_text_format(&question, "\nprint ''\nprint sprintf('%s%%d>>', GPVAL_ERRNO)\n", mark);
+  arc_text_format(&question, "\nprint ''\nprint sprintf('%s%%d>>', archard_failed + GPVAL_ERRNO)\n",
+                  mark);
   if (question.failed) {
     arc_text_free(&question);
     return arc_fail(error, ARC_MEMORY, "no memory for the plot's commands");

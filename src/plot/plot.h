@@ -189,6 +189,9 @@ typedef struct arc_plot_output {
   const char *family;   /* of the letters; NULL: the usual one */
 } arc_plot_output;
 
+/* Commands that forget errors (`reset`) stand behind these, so that arc_gnuplot_run is told. */
+#define ARC_GNUPLOT_NOTE_FAILURE "archard_failed = archard_failed + GPVAL_ERRNO\n"
+
 /* The file endings arc_plot_draw knows, separated by blanks. */
 #define ARC_PLOT_FILE_ENDINGS "png svg pdf eps gif txt gp"
 

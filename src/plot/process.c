@@ -116,6 +116,8 @@ arc_exchange_end arc_process_exchange(arc_process *process, arc_exchange *exchan
       end = ARC_EXCHANGE_DIED;
     else if (exchange->answer.failed || exchange->errors.failed)
       end = ARC_EXCHANGE_MEMORY;
+    else if (exchange->answer.length + exchange->errors.length > ARC_EXCHANGE_MOST)
+      end = ARC_EXCHANGE_FLOOD;
     else if (exchange->should_stop && exchange->should_stop(exchange->stop_context))
       end = ARC_EXCHANGE_STOPPED;
     else if (seconds() - last_sign > exchange->patience)

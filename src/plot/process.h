@@ -20,6 +20,9 @@ typedef struct arc_process {
  * ARC_IO otherwise; nothing is left over then. */
 arc_status arc_process_start(arc_process *process, char *const argv[], arc_error *error);
 
+/* What an answer, and the errors with it, may hold at most [bytes]. */
+enum { ARC_EXCHANGE_MOST = 64 << 20 };
+
 /* One question and its answer. */
 typedef struct arc_exchange {
   const char *question;
@@ -37,6 +40,7 @@ typedef enum arc_exchange_end {
   ARC_EXCHANGE_DIED,
   ARC_EXCHANGE_SILENT,
   ARC_EXCHANGE_STOPPED,
+  ARC_EXCHANGE_FLOOD,
   ARC_EXCHANGE_MEMORY
 } arc_exchange_end;
 

@@ -112,7 +112,26 @@ static void add_character(arc_text *text, const char *bytes, size_t length, long
       arc_text_word(text, *c == '\'' ? "''" : (char[]){*c, 0});
 }
 
+/* Whether the character is, or is spelled as, an apostrophe. */
+static int is_apostrophe(long code, int ascii) {
+  return code == '\'' || (ascii && code >= 0x80 && spelled(code)[0] == '\'');
+}
+
+/* gnuplot takes two quotes at the very beginning for an empty text: apostrophes there stand in
+ * double quotes. Returns what comes behind them. */
+static const char *leading_apostrophes(arc_text *text, const char *words, int ascii) {
+  const char *first = words;
+  size_t length;
+  while (is_apostrophe(code_point((const unsigned char *)words, &length), ascii)) {
+    arc_text_word(text, words == first ? "\"'" : "'");
+    words += length;
+  }
+  if (words != first) arc_text_word(text, "\".");
+  return words;
+}
+
 void arc_text_quoted(arc_text *text, const char *words, int ascii) {
+  words = leading_apostrophes(text, words, ascii);
   arc_text_word(text, "'");
   while (*words) {
     size_t length;
@@ -120,6 +139,12 @@ void arc_text_quoted(arc_text *text, const char *words, int ascii) {
     add_character(text, words, length, code, ascii);
     words += length;
   }
+  arc_text_word(text, "'");
+}
+
+void arc_text_path(arc_text *text, const char *path) {
+  arc_text_word(text, "'");
+  for (; *path; path++) arc_text_add(text, *path == '\'' ? "''" : path, *path == '\'' ? 2 : 1);
   arc_text_word(text, "'");
 }
 

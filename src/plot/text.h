@@ -18,6 +18,9 @@ void arc_text_format(arc_text *text, const char *format, ...) __attribute__((for
 /* Quoted as arc_plot_quote (archard/plot.h) says. */
 void arc_text_quoted(arc_text *text, const char *words, int ascii);
 
+/* An absolute path, quoted: its bytes stay as they are, for a name need not be UTF-8. */
+void arc_text_path(arc_text *text, const char *path);
+
 /* Whether something in the words is to be lowered or raised. */
 int arc_text_marked(const char *words);
 

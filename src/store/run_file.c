@@ -71,8 +71,7 @@ static arc_store *new_store(const char *path) {
 void arc_store_close(arc_store **store) {
   if (!store || !*store) return;
   arc_database_close(&(*store)->db);
-  if ((*store)->beside) unlink((*store)->beside);
-  free((*store)->beside);
+  arc_place_drop(&(*store)->place);
   free((*store)->path);
   free(*store);
   *store = NULL;
@@ -82,28 +81,19 @@ const char *arc_store_path(const arc_store *store) {
   return store->path;
 }
 
-/* Makes a whole file beside its place. */
+/* Makes a whole file in a place of its own. */
 static arc_status make_beside(arc_store *store, arc_error *error) {
-  store->beside = malloc(strlen(store->path) + 40);
-  if (!store->beside) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
-  sprintf(store->beside, "%s.new-%ld", store->path, (long)getpid());
-  unlink(store->beside);
-  arc_status status = arc_database_open(store->beside, 1, 1, &store->db, error);
+  arc_status status = arc_place_take(store->path, &store->place, error);
+  if (status == ARC_OK)
+    status = arc_database_open(arc_place_path(store->place), 1, 1, &store->db, error);
   return status == ARC_OK ? arc_schema_make(store, error) : status;
 }
 
-static arc_status move_into_place(arc_store *store, arc_error *error) {
-  arc_database_close(&store->db);
-  int moved = rename(store->beside, store->path) == 0, why = errno;
-  if (!moved) unlink(store->beside);
-  free(store->beside);
-  store->beside = NULL;
-  return moved ? ARC_OK : arc_fail(error, ARC_IO, "%s: %s", store->path, strerror(why));
-}
-
+/* Of several programs that start one file at once, the first makes it and the others open it. */
 static arc_status create(arc_store *store, arc_error *error) {
   arc_status status = make_beside(store, error);
-  if (status == ARC_OK) status = move_into_place(store, error);
+  arc_database_close(&store->db);
+  if (status == ARC_OK) status = arc_place_publish_first(&store->place, error);
   return status == ARC_OK ? arc_database_open(store->path, 1, 0, &store->db, error) : status;
 }
 
@@ -175,7 +165,8 @@ arc_status arc_store_replace(const char *path, const char *kind, arc_store **res
 }
 
 arc_status arc_store_publish(arc_store **store, arc_error *error) {
-  arc_status status = move_into_place(*store, error);
+  arc_database_close(&(*store)->db);
+  arc_status status = arc_place_publish(&(*store)->place, error);
   arc_store_close(store);
   return status;
 }

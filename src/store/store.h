@@ -2,6 +2,7 @@
 #ifndef STORE_STORE_H
 #define STORE_STORE_H
 
+#include "archard/place.h"
 #include "archard/store.h"
 #include "store/database.h"
 
@@ -13,9 +14,9 @@
 
 struct arc_store {
   database *db;
-  char *path;   /* the file's name for the user */
-  char *beside; /* where a replacing file is written until it is published; NULL: none */
-  int verified; /* the case whose checksum was compared last; 0: none */
+  char *path;       /* the file's name for the user */
+  arc_place *place; /* where a new file is written until it is published; NULL: none */
+  int verified;     /* the case whose checksum was compared last; 0: none */
 };
 
 /* --- transaction.c ------------------------------------------------------------------------------

@@ -19,7 +19,10 @@ static void test_quote(void **state) {
   assert_quoted("\302\233A", 0, "' A'");        /* a control character of two bytes */
   assert_quoted("\302\265m", 0, "'\302\265m'"); /* micro */
   assert_quoted("\302\265m \316\261", 1, "'um alpha'");
-  assert_quoted("\342\200\231", 1, "''''"); /* an apostrophe from ASCII's point of view */
+  assert_quoted("a\342\200\231", 1, "'a'''"); /* an apostrophe from ASCII's point of view */
+  /* gnuplot reads two quotes at the beginning as an empty text */
+  assert_quoted("'tis 'so'", 0, "\"'\".'tis ''so'''");
+  assert_quoted("\342\200\231'", 1, "\"''\".''");
   assert_quoted("\377\302", 0,
                 "'?"
                 "?'"); /* no UTF-8 */
@@ -38,7 +41,12 @@ static void test_quote_is_one_string(void **state) {
       seed = seed * 1103515245u + 12345u;
       text[i] = (char)(1 + (seed >> 16) % 255);
     }
-    char *quoted = arc_plot_quote(text, round % 2);
+    char *whole = arc_plot_quote(text, round % 2);
+    char *quoted = whole[0] == '"' ? whole + 1 + strspn(whole + 1, "'") : whole;
+    if (quoted > whole) {
+      assert_memory_equal(quoted, "\".", 2);
+      quoted += 2;
+    }
     size_t length = strlen(quoted);
     assert_true(quoted[0] == '\'' && quoted[length - 1] == '\'');
     for (size_t i = 1; i + 1 < length; i++) {
@@ -46,7 +54,7 @@ static void test_quote_is_one_string(void **state) {
       if (quoted[i] == '\'') assert_int_equal(quoted[++i], '\'');
       assert_true(i + 1 < length);
     }
-    free(quoted);
+    free(whole);
   }
 }
 
@@ -74,6 +82,33 @@ static void test_marks(void **state) {
   assert_label("file_name, p_max_of_all, _H, x_", "'file_name, p_max_of_all, _H, x_' noenhanced");
   assert_label("{/Symbol a} \\alphabet ^2", "'{/Symbol a} \\alphabet ^2' noenhanced");
   assert_label("it's p_H'", "'it''s p_{H}''' enhanced");
+}
+
+/* Titles that begin with an apostrophe are shown, in each place that words can stand in. */
+static void test_leading_apostrophe(void **state) {
+  double at[2] = {1, 3};
+  const char *words[2] = {"'low", "''high"};
+  arc_plot_curve c = curve("'quoted'");
+  arc_plot_panel panel = panel_of(&c, 1);
+  panel.x.label = "'p_H'";
+  panel.x.places = at, panel.x.words = words, panel.x.place_count = 2;
+  arc_plot_figure figure = {.title = "'tis", .panels = &panel, .panel_count = 1};
+  char *picture;
+  assert_int_equal(arc_plot_draw(*state, &figure, &as_text, &picture, NULL, NULL), ARC_OK);
+  static const char *const shown[] = {"'tis", "'quoted'", "'low", "''high", "'p_H'"};
+  for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
+    assert_non_null(strstr(picture, shown[i]));
+  free(picture);
+}
+
+/* A refusal is told although what follows makes gnuplot forget it. */
+static void test_refusal_is_told(void **state) {
+  static const char commands[] =
+      "set title (\n" ARC_GNUPLOT_NOTE_FAILURE "reset\nset title 'fine'";
+  arc_error error;
+  assert_int_equal(arc_gnuplot_run(*state, commands, strlen(commands), NULL, NULL, &error),
+                   ARC_ARGUMENT);
+  assert_int_equal(arc_gnuplot_run(*state, "set title 'x'", 13, NULL, NULL, &error), ARC_OK);
 }
 
 /* The dots of a known line: from corner to corner each cell holds some. */
@@ -142,6 +177,11 @@ static void test_strange_file_names(void **state) {
     assert_int_equal(arc_plot_draw(session, &figure, &output, &picture, NULL, NULL), ARC_OK);
     assert_true(exists(names[i]));
   }
+  assert_int_equal(mkdir("caf\351", 0700), 0); /* Latin-1: a name need not be UTF-8 */
+  arc_plot_output output = {.medium = ARC_PLOT_FILE, .file = "caf\351/\351t\351.png"};
+  char *picture;
+  assert_int_equal(arc_plot_draw(session, &figure, &output, &picture, NULL, NULL), ARC_OK);
+  assert_true(exists("caf\351/\351t\351.png"));
   assert_false(exists("ran") || exists("ran.png"));
   assert_int_equal(chdir(here), 0);
 }
@@ -250,6 +290,29 @@ static void test_file_whole_or_not(void **state) {
   output.file = "picture.bmp";
   assert_int_equal(arc_plot_draw(session, &figure, &output, &picture, NULL, &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "png svg pdf"));
+  arc_gnuplot_close(&session);
+}
+
+/* A gnuplot whose disk is full does not notice: the old picture stays, and it is told. */
+static void test_full_disk(void **state) {
+  (void)state;
+  static const char *const names[] = {"full.png", "full.svg", "full.pdf", "full.eps", "full.gif"};
+  char program[256], path[256], *picture;
+  arc_gnuplot *session =
+      open_session(fake("full", "trap '' XFSZ\nulimit -f 4\nexec gnuplot \"$@\"", program));
+  arc_plot_curve c = curve("x");
+  arc_plot_panel panel = panel_of(&c, 1);
+  arc_plot_figure figure = {.panels = &panel, .panel_count = 1};
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    arc_plot_output output = {.medium = ARC_PLOT_FILE, .file = path_of(names[i], path)};
+    arc_error error;
+    FILE *file = fopen(path, "w");
+    fputs("precious", file);
+    fclose(file);
+    assert_int_equal(arc_plot_draw(session, &figure, &output, &picture, NULL, &error), ARC_IO);
+    assert_non_null(strstr(error.message, "incomplete picture"));
+    assert_string_equal(content(names[i]), "precious");
+  }
   arc_gnuplot_close(&session);
 }
 
@@ -372,6 +435,8 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_quote),
       cmocka_unit_test(test_marks),
+      cmocka_unit_test(test_leading_apostrophe),
+      cmocka_unit_test(test_refusal_is_told),
       cmocka_unit_test(test_dots),
       cmocka_unit_test(test_quote_is_one_string),
       cmocka_unit_test(test_nothing_is_run),
@@ -381,6 +446,7 @@ int main(void) {
       cmocka_unit_test(test_ascii),
       cmocka_unit_test(test_files),
       cmocka_unit_test(test_file_whole_or_not),
+      cmocka_unit_test(test_full_disk),
       cmocka_unit_test(test_animation),
       cmocka_unit_test(test_panels),
       cmocka_unit_test(test_field),

@@ -3,17 +3,18 @@
 #define EXPORT_FILE_H
 
 #include "archard/export.h"
+#include "archard/place.h"
 
 #include <stdio.h>
 
 typedef struct output_file {
   FILE *stream;
-  char *path, *temporary;
+  arc_place *place;
 } output_file;
 
-/* Opens a temporary file beside `path`. ARC_IO with the reason, ARC_MEMORY. */
+/* Opens a file in a place for `path`. Errors of arc_place_take. */
 arc_status arc_output_open(output_file *file, const char *path, arc_error *error);
-/* Flushes, closes and renames; on any write error removes the temporary file and returns ARC_IO. */
+/* Flushes, closes and publishes; on any write error drops the place and returns ARC_IO. */
 arc_status arc_output_close(output_file *file, arc_error *error);
 
 #endif

@@ -1,0 +1,296 @@
+/* Files that appear whole or not at all. Leans on POSIX only.
+ *
+ * A place is a file ".archard-part-PID-N" that its writer holds a lock on: one that nobody holds
+ * was left by a program that was killed.
+ */
+#include "archard/place.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char prefix[] = ".archard-part-";
+
+struct arc_place {
+  int descriptor;        /* of the place, locked */
+  char asked[PATH_MAX];  /* as the user wrote it, for messages */
+  char target[PATH_MAX]; /* the file itself, behind symbolic links; "" for scratch */
+  char path[PATH_MAX];   /* of the place */
+  size_t folder;         /* letters of path that are the folder, with its slash */
+  int stream;            /* the target is a device or a pipe */
+};
+
+static arc_status failed(const char *path, int why, arc_error *error) {
+  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", path, strerror(why));
+}
+
+static int is_part(const char *name) {
+  return strncmp(name, prefix, sizeof prefix - 1) == 0;
+}
+
+/* --- what was left ---------------------------------------------------------------------------- */
+
+/* A database keeps its journal beside it. */
+static const char journal[] = "-journal";
+
+static void remove_part(int folder, const char *name) {
+  char beside[NAME_MAX + sizeof journal];
+  snprintf(beside, sizeof beside, "%s%s", name, journal);
+  unlinkat(folder, beside, 0);
+  unlinkat(folder, name, 0);
+}
+
+/* One that nobody holds, and is ours, is taken away. */
+static void sweep_part(int folder, const char *name) {
+  int descriptor = openat(folder, name, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  struct stat facts;
+  if (descriptor < 0) return;
+  if (fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) && facts.st_uid == geteuid() &&
+      flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+    remove_part(folder, name);
+  close(descriptor);
+}
+
+void arc_place_sweep(const char *folder) {
+  DIR *list = opendir(folder);
+  if (!list) return;
+  for (struct dirent *entry; (entry = readdir(list));)
+    if (is_part(entry->d_name) && !strstr(entry->d_name, journal))
+      sweep_part(dirfd(list), entry->d_name);
+  closedir(list);
+}
+
+/* --- whose place it is ------------------------------------------------------------------------ */
+
+static arc_status check_name(const char *path, arc_error *error) {
+  if (!path[0]) return arc_fail(error, ARC_ARGUMENT, "a file without a name");
+  for (const char *c = path; *c; c++)
+    if ((unsigned char)*c < 0x20 || *c == 0x7f)
+      return arc_fail(error, ARC_ARGUMENT, "a file name with a control character in it");
+  return strlen(path) < PATH_MAX - NAME_MAX
+             ? ARC_OK
+             : arc_fail(error, ARC_ARGUMENT, "'%.200s...': the path is too long", path);
+}
+
+/* Replaces the name in `target` by what the symbolic link says. Returns an errno. */
+static int follow(char target[PATH_MAX]) {
+  char link[PATH_MAX];
+  ssize_t length = readlink(target, link, sizeof link - 1);
+  if (length < 0) return errno;
+  link[length] = '\0';
+  char *slash = strrchr(target, '/');
+  char *name = link[0] != '/' && slash ? slash + 1 : target;
+  if ((size_t)(name - target) + (size_t)length >= PATH_MAX) return ENAMETOOLONG;
+  memcpy(name, link, (size_t)length + 1);
+  return 0;
+}
+
+/* The file that a name means: not yet there, or itself and no symbolic link. Returns an errno. */
+static int resolve(const char *path, char target[PATH_MAX]) {
+  struct stat facts;
+  snprintf(target, PATH_MAX, "%s", path);
+  for (int links = 0; links < 40; links++) {
+    if (lstat(target, &facts) != 0) return errno == ENOENT ? 0 : errno;
+    if (!S_ISLNK(facts.st_mode)) return 0;
+    int why = follow(target);
+    if (why) return why;
+  }
+  return ELOOP;
+}
+
+/* What is there already may forbid it, or give its permissions. Returns an errno. */
+static int look_at(arc_place *place, mode_t *mode) {
+  struct stat facts;
+  *mode = 0;
+  if (stat(place->target, &facts) != 0) return errno == ENOENT ? 0 : errno;
+  if (S_ISDIR(facts.st_mode)) return EISDIR;
+  if (access(place->target, W_OK) != 0) return errno;
+  place->stream = !S_ISREG(facts.st_mode);
+  if (!place->stream) *mode = facts.st_mode & 07777;
+  return 0;
+}
+
+/* Sets the folder: absolute, for whoever writes may stand in another one. Returns an errno. */
+static int set_folder(arc_place *place, const char *folder) {
+  char whole[PATH_MAX];
+  if (!realpath(folder, whole)) return errno;
+  if (strlen(whole) + 1 >= PATH_MAX - NAME_MAX) return ENAMETOOLONG;
+  place->folder = (size_t)snprintf(place->path, PATH_MAX, "%s%s", whole, whole[1] ? "/" : "");
+  return 0;
+}
+
+static int set_folder_of_target(arc_place *place) {
+  char folder[PATH_MAX];
+  if (place->stream) return set_folder(place, P_tmpdir);
+  snprintf(folder, sizeof folder, "%s", place->target);
+  char *slash = strrchr(folder, '/');
+  if (slash == folder) slash++;
+  if (slash) *slash = '\0';
+  return set_folder(place, slash ? folder : ".");
+}
+
+/* --- taking ----------------------------------------------------------------------------------- */
+
+/* Holds the file just made, unless somebody who swept was quicker. */
+static int hold(int descriptor) {
+  struct stat facts;
+  return flock(descriptor, LOCK_EX | LOCK_NB) == 0 && fstat(descriptor, &facts) == 0 &&
+         facts.st_nlink > 0;
+}
+
+/* Makes a file that nobody has in the folder. Returns an errno. */
+static int make_part(arc_place *place) {
+  for (int n = 0; n < 10000; n++) {
+    snprintf(place->path + place->folder, PATH_MAX - place->folder, "%s%ld-%d", prefix,
+             (long)getpid(), n);
+    place->descriptor = open(place->path, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (place->descriptor < 0 && errno == EEXIST) continue;
+    if (place->descriptor < 0) return errno;
+    if (hold(place->descriptor)) return 0;
+    close(place->descriptor);
+    place->descriptor = -1;
+  }
+  return EEXIST;
+}
+
+static int take(arc_place *place, mode_t mode) {
+  char *name = place->path + place->folder;
+  *name = '\0';
+  arc_place_sweep(place->path);
+  int why = make_part(place);
+  if (!why && mode && fchmod(place->descriptor, mode) != 0) why = errno;
+  return why;
+}
+
+static arc_place *new_place(const char *asked) {
+  arc_place *place = calloc(1, sizeof *place);
+  if (!place) return NULL;
+  place->descriptor = -1;
+  snprintf(place->asked, sizeof place->asked, "%s", asked);
+  return place;
+}
+
+/* Hands out the place, or ends it with the reason. */
+static arc_status given(arc_place *place, int why, arc_place **result, arc_error *error) {
+  arc_status status = why ? failed(place->asked, why, error) : ARC_OK;
+  if (why) arc_place_drop(&place);
+  *result = place;
+  return status;
+}
+
+arc_status arc_place_take(const char *path, arc_place **result, arc_error *error) {
+  *result = NULL;
+  mode_t mode = 0;
+  arc_status status = check_name(path, error);
+  if (status != ARC_OK) return status;
+  arc_place *place = new_place(path);
+  if (!place) return arc_fail(error, ARC_MEMORY, "out of memory for writing '%.200s'", path);
+  int why = resolve(path, place->target);
+  if (!why) why = look_at(place, &mode);
+  if (!why) why = set_folder_of_target(place);
+  if (!why) why = take(place, mode);
+  return given(place, why, result, error);
+}
+
+arc_status arc_place_scratch(const char *folder, arc_place **result, arc_error *error) {
+  *result = NULL;
+  arc_place *place = new_place(folder);
+  if (!place) return arc_fail(error, ARC_MEMORY, "out of memory for a file in '%.200s'", folder);
+  int why = set_folder(place, folder);
+  if (!why) why = take(place, S_IRUSR | S_IWUSR);
+  return given(place, why, result, error);
+}
+
+const char *arc_place_path(const arc_place *place) {
+  return place->path;
+}
+
+const char *arc_place_asked(const arc_place *place) {
+  return place->asked;
+}
+
+/* --- ending ----------------------------------------------------------------------------------- */
+
+void arc_place_drop(arc_place **place) {
+  if (!place || !*place) return;
+  if ((*place)->descriptor >= 0) {
+    unlink((*place)->path);
+    close((*place)->descriptor);
+  }
+  free(*place);
+  *place = NULL;
+}
+
+/* Writes all that stands in the place to a device or a pipe. Returns an errno. */
+static int pour(int from, const char *path) {
+  char block[1 << 16];
+  int to = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY), why = 0;
+  if (to < 0) return errno;
+  ssize_t got = 0;
+  if (lseek(from, 0, SEEK_SET) < 0) why = errno;
+  while (!why && (got = read(from, block, sizeof block)) > 0)
+    for (ssize_t done = 0; !why && done < got;) {
+      ssize_t written = write(to, block + done, (size_t)(got - done));
+      if (written < 0) why = errno;
+      done += written;
+    }
+  if (got < 0 && !why) why = errno;
+  if (close(to) != 0 && !why) why = errno;
+  return why;
+}
+
+/* The name is on the disk once the folder is; where a folder cannot be brought there, it cannot. */
+static void sync_folder(const arc_place *place) {
+  char folder[PATH_MAX];
+  snprintf(folder, sizeof folder, "%.*s", (int)place->folder, place->path);
+  int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+/* Gives the name unless somebody has it; where files cannot have two names, it is taken all the
+ * same. Returns an errno. */
+static int name_first(const char *path, const char *target) {
+  if (link(path, target) == 0 || errno == EEXIST) return unlink(path) == 0 ? 0 : errno;
+  if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) return errno;
+  return rename(path, target) == 0 ? 0 : errno;
+}
+
+/* Returns an errno. */
+static int give_name(arc_place *place, int first) {
+  if (place->stream) return pour(place->descriptor, place->target);
+  if (fsync(place->descriptor) != 0) return errno;
+  int why = 0;
+  if (first)
+    why = name_first(place->path, place->target);
+  else if (rename(place->path, place->target) != 0)
+    why = errno;
+  if (why) return why;
+  sync_folder(place);
+  close(place->descriptor);
+  place->descriptor = -1;
+  return 0;
+}
+
+static arc_status publish(arc_place **place, int first, arc_error *error) {
+  int why = give_name(*place, first);
+  arc_status status = why ? failed((*place)->asked, why, error) : ARC_OK;
+  arc_place_drop(place);
+  return status;
+}
+
+arc_status arc_place_publish(arc_place **place, arc_error *error) {
+  return publish(place, 0, error);
+}
+
+arc_status arc_place_publish_first(arc_place **place, arc_error *error) {
+  return publish(place, 1, error);
+}

@@ -1,0 +1,264 @@
+/* Files that appear whole or not at all: what they replace, what they follow, what is left. */
+#include "check.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "archard/place.h"
+
+static char folder[] = "/tmp/archard-place-XXXXXX";
+
+static int set_up(void **state) {
+  (void)state;
+  signal(SIGXFSZ, SIG_IGN);
+  return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
+}
+
+static int tear_down(void **state) {
+  (void)state;
+  char command[80];
+  snprintf(command, sizeof command, "chmod -R u+w %s && rm -rf %s", folder, folder);
+  return system(command);
+}
+
+static void write_to(const char *path, const char *text) {
+  FILE *file = fopen(path, "w");
+  assert_non_null(file);
+  fputs(text, file);
+  fclose(file);
+}
+
+static void assert_holds(const char *path, const char *text) {
+  char bytes[100] = "";
+  FILE *file = fopen(path, "r");
+  assert_non_null(file);
+  bytes[fread(bytes, 1, sizeof bytes - 1, file)] = '\0';
+  fclose(file);
+  assert_string_equal(bytes, text);
+}
+
+static int parts(const char *where) {
+  DIR *list = opendir(where);
+  int count = 0;
+  for (struct dirent *entry; (entry = readdir(list));)
+    count += strstr(entry->d_name, "archard-part") != NULL;
+  closedir(list);
+  return count;
+}
+
+/* Writes a text through a place, as everything of ours does. */
+static arc_status put(const char *path, const char *text, arc_error *error) {
+  arc_place *place;
+  arc_status status = arc_place_take(path, &place, error);
+  if (status != ARC_OK) return status;
+  write_to(arc_place_path(place), text);
+  return arc_place_publish(&place, error);
+}
+
+static void test_whole_or_not(void **state) {
+  (void)state;
+  arc_place *place;
+  assert_int_equal(put("new", "first", NULL), ARC_OK);
+  assert_int_equal(arc_place_take("new", &place, NULL), ARC_OK);
+  write_to(arc_place_path(place), "second");
+  assert_holds("new", "first");
+  arc_place_drop(&place);
+  assert_null(place);
+  assert_holds("new", "first");
+  assert_int_equal(put("./new", "third", NULL), ARC_OK);
+  assert_holds("new", "third");
+  assert_int_equal(parts("."), 0);
+  arc_place_drop(&place);
+}
+
+static void test_links_are_followed(void **state) {
+  (void)state;
+  struct stat facts;
+  mkdir("far", 0700);
+  assert_int_equal(symlink("far/there", "link"), 0);
+  assert_int_equal(symlink("link", "link of link"), 0);
+  assert_int_equal(put("link", "made", NULL), ARC_OK); /* names nothing yet */
+  assert_holds("far/there", "made");
+  assert_int_equal(put("link of link", "anew", NULL), ARC_OK);
+  assert_holds("far/there", "anew");
+  assert_int_equal(lstat("link of link", &facts), 0);
+  assert_true(S_ISLNK(facts.st_mode));
+  assert_int_equal(parts("far"), 0);
+  assert_int_equal(symlink("round", "round"), 0);
+  arc_error error;
+  assert_int_equal(put("round", "x", &error), ARC_IO);
+  assert_non_null(strstr(error.message, strerror(ELOOP)));
+}
+
+static void test_permissions_stay(void **state) {
+  (void)state;
+  struct stat facts;
+  write_to("mode", "old");
+  chmod("mode", 0640);
+  assert_int_equal(put("mode", "new", NULL), ARC_OK);
+  assert_int_equal(stat("mode", &facts), 0);
+  assert_int_equal(facts.st_mode & 07777, 0640);
+  mode_t usual = umask(027);
+  assert_int_equal(put("fresh", "new", NULL), ARC_OK);
+  umask(usual);
+  assert_int_equal(stat("fresh", &facts), 0);
+  assert_int_equal(facts.st_mode & 07777, 0640);
+}
+
+/* Each says why. root may write everywhere: where it runs the tests, those two are left out. */
+static void test_refused(void **state) {
+  (void)state;
+  arc_error error;
+  static char long_name[6000];
+  memset(long_name, 'a', sizeof long_name - 1);
+  struct refusal {
+    const char *path;
+    arc_status status;
+    const char *why;
+  } cases[] = {{"nowhere/file", ARC_IO, "No such file or directory"},
+               {"far", ARC_IO, "Is a directory"},
+               {"new/file", ARC_IO, "Not a directory"},
+               {"a\nb", ARC_ARGUMENT, "control character"},
+               {"", ARC_ARGUMENT, "without a name"},
+               {long_name, ARC_ARGUMENT, "too long"},
+               {"read-only", ARC_IO, "Permission denied"},
+               {"locked/file", ARC_IO, "Permission denied"}};
+  write_to("read-only", "kept");
+  chmod("read-only", 0444);
+  mkdir("locked", 0500);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases - (geteuid() == 0 ? 2 : 0); i++) {
+    assert_int_equal(put(cases[i].path, "x", &error), cases[i].status);
+    assert_non_null(strstr(error.message, cases[i].why));
+  }
+  if (geteuid() != 0) assert_holds("read-only", "kept");
+}
+
+static void test_devices_are_written_to(void **state) {
+  (void)state;
+  arc_error error;
+  struct stat facts;
+  char text[10] = "";
+  assert_int_equal(put("/dev/null", "gone", NULL), ARC_OK);
+  assert_int_equal(put("/dev/full", "no room", &error), ARC_IO);
+  assert_non_null(strstr(error.message, strerror(ENOSPC)));
+  assert_int_equal(stat("/dev/null", &facts), 0);
+  assert_true(S_ISCHR(facts.st_mode));
+  assert_int_equal(mkfifo("pipe", 0600), 0);
+  int reader = open("pipe", O_RDONLY | O_NONBLOCK);
+  assert_int_equal(put("pipe", "through", NULL), ARC_OK);
+  assert_int_equal(read(reader, text, sizeof text), 7);
+  assert_string_equal(text, "through");
+  close(reader);
+  assert_int_equal(stat("pipe", &facts), 0);
+  assert_true(S_ISFIFO(facts.st_mode));
+}
+
+/* A disk that is full when the file is brought to it. */
+static void test_no_room(void **state) {
+  (void)state;
+  struct rlimit limit, usual;
+  getrlimit(RLIMIT_FSIZE, &usual);
+  limit = usual;
+  arc_place *place;
+  write_to("kept", "old");
+  assert_int_equal(arc_place_take("kept", &place, NULL), ARC_OK);
+  limit.rlim_cur = 3;
+  setrlimit(RLIMIT_FSIZE, &limit);
+  FILE *file = fopen(arc_place_path(place), "w");
+  fputs("more than that", file);
+  int failed = fclose(file) != 0;
+  setrlimit(RLIMIT_FSIZE, &usual);
+  assert_true(failed);
+  arc_place_drop(&place);
+  assert_holds("kept", "old");
+  assert_int_equal(parts("."), 0);
+}
+
+/* A program that is killed leaves its part, and a database its journal: the next that writes there
+ * takes them away, and nothing that is in use or of somebody else's making. */
+static void test_strays(void **state) {
+  (void)state;
+  arc_place *held;
+  mkdir("busy", 0700);
+  pid_t child = fork();
+  if (child == 0) {
+    arc_place *lost;
+    arc_place_take("busy/lost", &lost, NULL);
+    char journal[5000];
+    snprintf(journal, sizeof journal, "%s-journal", arc_place_path(lost));
+    close(open(journal, O_CREAT | O_WRONLY, 0600));
+    raise(SIGKILL);
+  }
+  waitpid(child, NULL, 0);
+  assert_int_equal(parts("busy"), 2);
+  assert_int_equal(arc_place_take("busy/held", &held, NULL), ARC_OK);
+  assert_int_equal(parts("busy"), 1);
+  write_to("busy/.archard-party", "not ours");
+  assert_int_equal(put("busy/other", "x", NULL), ARC_OK);
+  assert_int_equal(parts("busy"), 2);
+  assert_int_equal(arc_place_publish(&held, NULL), ARC_OK);
+  assert_int_equal(parts("busy"), 1);
+  arc_place_sweep("busy");
+  arc_place_sweep("nowhere");
+}
+
+/* Many programs on one name: the first stays, or the last; always one that is whole. */
+static void test_together(void **state) {
+  (void)state;
+  arc_place *early, *late;
+  assert_int_equal(arc_place_take("race", &early, NULL), ARC_OK);
+  assert_int_equal(arc_place_take("race", &late, NULL), ARC_OK);
+  write_to(arc_place_path(early), "early");
+  write_to(arc_place_path(late), "late");
+  assert_int_equal(arc_place_publish_first(&late, NULL), ARC_OK);
+  assert_int_equal(arc_place_publish_first(&early, NULL), ARC_OK);
+  assert_holds("race", "late");
+  pid_t children[8];
+  for (int i = 0; i < 8; i++)
+    if ((children[i] = fork()) == 0) {
+      for (int k = 0; k < 50; k++)
+        if (put("shared", "whole", NULL) != ARC_OK) _exit(1);
+      _exit(0);
+    }
+  for (int i = 0; i < 8; i++) {
+    int how = -1;
+    waitpid(children[i], &how, 0);
+    assert_int_equal(how, 0);
+  }
+  assert_holds("shared", "whole");
+  assert_int_equal(parts("."), 0);
+}
+
+static void test_scratch(void **state) {
+  (void)state;
+  arc_place *place;
+  struct stat facts;
+  assert_int_equal(arc_place_scratch("far", &place, NULL), ARC_OK);
+  assert_int_equal(stat(arc_place_path(place), &facts), 0);
+  assert_int_equal(facts.st_mode & 07777, 0600);
+  arc_place_drop(&place);
+  assert_int_equal(parts("far"), 0);
+  assert_int_equal(arc_place_scratch("nowhere", &place, NULL), ARC_IO);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_whole_or_not),
+      cmocka_unit_test(test_links_are_followed),
+      cmocka_unit_test(test_permissions_stay),
+      cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_devices_are_written_to),
+      cmocka_unit_test(test_no_room),
+      cmocka_unit_test(test_strays),
+      cmocka_unit_test(test_together),
+      cmocka_unit_test(test_scratch),
+  };
+  return cmocka_run_group_tests_name("place", tests, set_up, tear_down);
+}
