@@ -108,7 +108,8 @@ static int solve_set(const pose *p, unsigned set, double load, double *f, double
   }
   m[dense_at(n, n, n + 1)] = 0;
   x[n] = load;
-  if (arc_dense_solve(n + 1, m, pivots, x)) return 0;
+  if (arc_dense_factor(n + 1, m, pivots)) return 0;
+  arc_dense_factor_solve(n + 1, 1, m, pivots, x);
   memset(f, 0, 8 * sizeof *f);
   for (int r = 0; r < n; r++) f[list[r]] = x[r];
   *approach = x[n];

@@ -10,8 +10,6 @@ void dpotrf_(const char *uplo, const int *n, double *a, const int *lda, int *inf
 void dpotrs_(const char *uplo, const int *n, const int *nrhs, const double *a, const int *lda,
              double *b, const int *ldb, int *info);
 void dpbtrf_(const char *uplo, const int *n, const int *kd, double *ab, const int *ldab, int *info);
-void dgesv_(const int *n, const int *nrhs, double *a, const int *lda, int *ipiv, double *b,
-            const int *ldb, int *info);
 void dgetrf_(const int *m, const int *n, double *a, const int *lda, int *ipiv, int *info);
 void dgetrs_(const char *trans, const int *n, const int *nrhs, const double *a, const int *lda,
              const int *ipiv, double *b, const int *ldb, int *info);
@@ -197,13 +195,6 @@ void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc
 void arc_dense_add_square(int n, int k, const double *a, int lda, double *c, int ldc) {
   const double one = 1;
   if (n > 0 && k > 0) dsyrk_("L", "T", &n, &k, &one, a, &lda, &one, c, &ldc);
-}
-
-int arc_dense_solve(int n, double *a, int *pivots, double *x) {
-  const int one = 1;
-  int info = 0;
-  if (n > 0) dgesv_(&n, &one, a, &n, pivots, x, &n, &info);
-  return info;
 }
 
 int arc_dense_factor(int n, double *a, int *pivots) {

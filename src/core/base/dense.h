@@ -32,11 +32,8 @@ void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int 
 void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc);
 /* c += a' a, lower triangle; a [k x n], c [n x n]. */
 void arc_dense_add_square(int n, int k, const double *a, int lda, double *c, int ldc);
-/* x := a^-1 x for a general a [n x n], which is destroyed; pivots [n] is work space. 0, or k > 0
- * where singular. */
-int arc_dense_solve(int n, double *a, int *pivots, double *x);
-
-/* The same in two steps: a := its factors, then b := a^-1 b as often as wanted, b [n x count]. */
+/* A general matrix in two steps: a [n x n] := its factors with pivots [n]; 0, or k > 0 where it is
+ * singular. Then b := a^-1 b as often as wanted, b [n x count]. */
 int arc_dense_factor(int n, double *a, int *pivots);
 void arc_dense_factor_solve(int n, int count, const double *a, const int *pivots, double *b);
 /* inverse := (L L')^-1, all of it; l and inverse [n x n]. */

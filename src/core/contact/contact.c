@@ -115,7 +115,8 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
   return status;
 }
 
-void arc_contact_read(arc_contact *c) {
+/* What users see, from the solved pose. */
+static void read_all(arc_contact *c) {
   read_pressures(c);
   read_shear(c);
   read_result(c);
@@ -124,7 +125,7 @@ void arc_contact_read(arc_contact *c) {
 arc_status arc_contact_finish(arc_contact **contact, arc_status status,
                               const arc_callbacks *callbacks, arc_error *error) {
   if (status == ARC_OK) {
-    arc_contact_read(*contact);
+    read_all(*contact);
     arc_model_warn((*contact)->shape->model, (*contact)->result.half_width, callbacks);
   }
 #ifdef ARC_CHECKS
@@ -196,7 +197,7 @@ size_t arc_contact_bytes(const arc_contact *c) {
   return sizeof *c + arc_shape_bytes(c->shape) + arc_pose_bytes(&c->pose) +
          6 * nodes * sizeof(double) +
          (c->rubs ? arc_grip_bytes(&c->grip) + arc_friction_room_bytes(&c->room) : 0) +
-         (c->rubs ? arc_friction_size(&c->state) * sizeof(double) : 0);
+         (c->rubs ? arc_friction_bytes(&c->state) : 0);
 }
 
 arc_contact_result arc_contact_get(const arc_contact *contact) {

@@ -28,7 +28,8 @@ static void set_total(friction_task *k) {
   if (k->over) s->total = copysign((1 - 1e-9) * carried, s->total);
 }
 
-void arc_friction_set_shear(friction_task *k) {
+/* That of the pose's present forces, from the ways of w->slip. */
+static void set_shear(friction_task *k) {
   const pose *p = k->p;
   shear_problem *s = &k->w->shear;
   s->n = p->active;
@@ -47,7 +48,8 @@ void arc_friction_set_shear(friction_task *k) {
   if (s->by_force) set_total(k);
 }
 
-void arc_friction_take_shear(friction_task *k) {
+/* Its solution to w->t and w->slip, by candidate. */
+static void take_shear(friction_task *k) {
   grip *g = k->g;
   friction_room *w = k->w;
   memset(w->t, 0, (size_t)g->count * sizeof *w->t);
@@ -101,11 +103,11 @@ static int sweep(friction_task *k) {
   double *sheared = w->work;
   set_gaps(k);
   if (arc_lcp_solve(k->p, k->step->line - k->held) != ARC_OK) return -1;
-  arc_friction_set_shear(k);
+  set_shear(k);
   w->shear.iterations = 0;
   if (arc_shear_solve(&w->shear) != 1) return -1;
   w->iterations += k->p->iterations + w->shear.iterations;
-  arc_friction_take_shear(k);
+  take_shear(k);
   arc_grip_gaps(g, k->p, w->t, sheared);
   const double held = carried_by_shear(k), change = changed(k, sheared);
   if (change <= settled && fabs(held - k->held) <= settled * k->step->line) return 1;
@@ -280,11 +282,6 @@ arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction
   const arc_status status = arc_pose_check_zone(p, error);
   if (status == ARC_OK) commit(&k, s);
   return status;
-}
-
-void arc_friction_follow(const pose *p, grip *g, friction_room *w, friction_state *s) {
-  arc_grip_update(g, p, w->work);
-  arc_grip_displace(p, g->flat, s->f, s->t, s->u, w->work);
 }
 
 void arc_friction_forces_on(const pose *p, friction_room *w, arc_body body, double *force) {

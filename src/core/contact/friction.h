@@ -105,10 +105,8 @@ void arc_friction_free(friction_state *s);
 /* Unloaded again, as created. */
 void arc_friction_reset(friction_state *s, double x);
 void arc_friction_copy(friction_state *to, const friction_state *from);
-/* A state as numbers and back, to the same bits. */
-size_t arc_friction_size(const friction_state *s);
-void arc_friction_save(const friction_state *s, double *numbers);
-void arc_friction_restore(friction_state *s, const double *numbers);
+/* Bytes of its arrays, one block from f on. */
+size_t arc_friction_bytes(const friction_state *s);
 
 /* Where an increment ends. */
 typedef struct friction_step {
@@ -126,10 +124,6 @@ typedef struct friction_step {
  * ARC_NUMERIC: the state is unchanged. */
 arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction_step *step,
                               friction_state *s, arc_error *error);
-
-/* The state's displacements anew, from its forces on a pose up to date: after wear, so that what
- * the change of compliance does is not taken for slip. */
-void arc_friction_follow(const pose *p, grip *g, friction_room *w, friction_state *s);
 
 /* Says where friction and the difference of the materials are so large that the solution may not be
  * the only one. */
@@ -159,11 +153,6 @@ typedef struct friction_task {
 int arc_friction_sweeps(friction_task *k, int limit);
 /* A given force by the motion that leads to it (bracket.c), where the sweeps do not end. */
 int arc_friction_bracket(friction_task *k);
-
-/* The shear problem of the pose's present forces, from the ways of w->slip. */
-void arc_friction_set_shear(friction_task *k);
-/* Its solution to w->t and w->slip, by candidate. */
-void arc_friction_take_shear(friction_task *k);
 
 /* The increment at once by semismooth Newton, from the sets of the last sweep (coupled.c). Returns
  * 1 solved, 0 not; then only p's set and w's ways have changed. */

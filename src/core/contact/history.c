@@ -1,10 +1,8 @@
-/* What friction remembers: room, copies, and the numbers that a file keeps. */
+/* What friction remembers: room and copies. */
 #include "core/contact/friction.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-enum { scalars = 5 };
 
 static size_t numbers_of(const friction_state *s) {
   return 4 * (size_t)s->nc + 2 * (size_t)(s->nc + s->np);
@@ -26,7 +24,7 @@ arc_status arc_friction_create(friction_state *s, const arc_model *model, double
 }
 
 void arc_friction_reset(friction_state *s, double x) {
-  memset(s->f, 0, numbers_of(s) * sizeof *s->f);
+  memset(s->f, 0, arc_friction_bytes(s));
   s->x = x;
   s->approach = s->line = s->tangential = s->energy = 0;
 }
@@ -36,23 +34,8 @@ void arc_friction_free(friction_state *s) {
   *s = (friction_state){0};
 }
 
-size_t arc_friction_size(const friction_state *s) {
-  return scalars + numbers_of(s);
-}
-
-void arc_friction_save(const friction_state *s, double *numbers) {
-  const double first[scalars] = {s->x, s->approach, s->line, s->tangential, s->energy};
-  memcpy(numbers, first, sizeof first);
-  memcpy(numbers + scalars, s->f, numbers_of(s) * sizeof *numbers);
-}
-
-void arc_friction_restore(friction_state *s, const double *numbers) {
-  s->x = numbers[0];
-  s->approach = numbers[1];
-  s->line = numbers[2];
-  s->tangential = numbers[3];
-  s->energy = numbers[4];
-  memcpy(s->f, numbers + scalars, numbers_of(s) * sizeof *numbers);
+size_t arc_friction_bytes(const friction_state *s) {
+  return numbers_of(s) * sizeof *s->f;
 }
 
 void arc_friction_copy(friction_state *to, const friction_state *from) {
@@ -61,5 +44,5 @@ void arc_friction_copy(friction_state *to, const friction_state *from) {
   to->line = from->line;
   to->tangential = from->tangential;
   to->energy = from->energy;
-  memcpy(to->f, from->f, numbers_of(from) * sizeof *from->f);
+  memcpy(to->f, from->f, arc_friction_bytes(from));
 }

@@ -24,8 +24,6 @@ struct arc_contact {
 /* An empty contact on a copy of the shape, without its solution. */
 arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def,
                               arc_contact **contact, arc_error *error);
-/* Reads what users see from the solved pose. */
-void arc_contact_read(arc_contact *contact);
 /* Reads, warns and, in builds with checks, validates; *contact is NULL where `status` is not OK. */
 arc_status arc_contact_finish(arc_contact **contact, arc_status status,
                               const arc_callbacks *callbacks, arc_error *error);

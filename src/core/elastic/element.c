@@ -159,12 +159,3 @@ void arc_element_stress(const element *e, elasticity d, const double *u, double 
   stress[1] = d.c12 * exx + d.c11 * eyy;
   stress[2] = d.c33 * gxy;
 }
-
-double arc_element_area(const element *e) {
-  double area = 0;
-  for (int c = 0; c < e->corners; c++) {
-    const double *p = e->xy[c], *q = e->xy[(c + 1) % e->corners];
-    area += (p[0] * q[1] - q[0] * p[1]) / 2;
-  }
-  return area;
-}

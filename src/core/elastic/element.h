@@ -41,7 +41,4 @@ double arc_triangle_swelling(const element *e, double gradient[6]);
 /* Stress at the centre of the element from corner displacements u [2 corners]: xx, yy, xy [MPa]. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]);
 
-/* Area [mm2]. */
-double arc_element_area(const element *e);
-
 #endif

@@ -110,8 +110,9 @@ static arc_status take_over(const arc_wear *w, arc_model *model, arc_wear **resu
   return status;
 }
 
-arc_status arc_wear_onto(const arc_wear *w, const arc_model_def *def,
-                         const arc_callbacks *callbacks, arc_wear **result, arc_error *error) {
+/* A copy of the run on another model of the same bodies. */
+static arc_status go_onto(const arc_wear *w, const arc_model_def *def,
+                          const arc_callbacks *callbacks, arc_wear **result, arc_error *error) {
   arc_model *model = NULL;
   *result = NULL;
   arc_status status = arc_model_build_watched(def, callbacks, &model, error);
@@ -140,7 +141,7 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
                     "%g mm",
                     arc_model_widest_zone(&def, ARC_CYLINDER),
                     arc_model_widest_zone(&def, ARC_PLATE), arc_model_deepest_box(&def));
-  return arc_wear_onto(w, &def, callbacks, result, error);
+  return go_onto(w, &def, callbacks, result, error);
 }
 
 void arc_wear_tell_meshes(const arc_wear *before, const arc_wear *now, const char *why,
@@ -201,5 +202,5 @@ arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
   *result = NULL;
   if (arc_model_is_given(w->model))
     return arc_fail(error, ARC_ARGUMENT, "field 'mesh': a mesh from outside stays what it is");
-  return arc_wear_onto(w, &def, callbacks, result, error);
+  return go_onto(w, &def, callbacks, result, error);
 }

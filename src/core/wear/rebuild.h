@@ -17,13 +17,9 @@ arc_status arc_wear_grow(const arc_wear *w, arc_status why, const arc_callbacks 
                          arc_wear **result, arc_error *error);
 
 /* A copy of the run on a mesh that is asked for, as in arc_wear_set. Errors: those of
- * arc_wear_onto, ARC_ARGUMENT where the meshes are from outside. */
+ * arc_wear_grow, ARC_ARGUMENT where the meshes are from outside. */
 arc_status arc_wear_remesh(const arc_wear *w, const arc_mesh_def *mesh,
                            const arc_callbacks *callbacks, arc_wear **result, arc_error *error);
-
-/* A copy of the run on another model of the same bodies. */
-arc_status arc_wear_onto(const arc_wear *w, const arc_model_def *def,
-                         const arc_callbacks *callbacks, arc_wear **result, arc_error *error);
 
 /* Says which meshes a run has got by now, and why. */
 void arc_wear_tell_meshes(const arc_wear *before, const arc_wear *now, const char *why,
