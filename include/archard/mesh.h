@@ -89,6 +89,9 @@ typedef struct arc_mesh {
   int *material;             /* [elements] material of each, NULL where there is no choice */
 } arc_mesh;
 
+/* Corners of an element: 3 or 4. */
+int arc_mesh_corners(const arc_mesh *mesh, int element);
+
 /* Meshes one body of the paper's pair. Errors: ARC_ARGUMENT (a size not positive, larger than the
  * body, fewer than 1 row), ARC_ZONE (zone too wide for the body or too narrow to hold contact),
  * ARC_GEOMETRY (an element came out inverted), ARC_MEMORY. On failure *mesh is NULL. */

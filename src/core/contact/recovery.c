@@ -48,17 +48,14 @@ static arc_status recovery_create(const elastic_body *body, const double *xy, co
   return ARC_OK;
 }
 
-static int corners_of(const arc_mesh *m, int e) {
-  return m->element[4 * e + 3] < 0 ? 3 : 4;
-}
-
 static void list_elements_around(recovery *r) {
   const arc_mesh *m = r->mesh;
   for (int e = 0; e < m->elements; e++)
-    for (int c = 0; c < corners_of(m, e); c++) r->start[m->element[4 * e + c]]++;
+    for (int c = 0; c < arc_mesh_corners(m, e); c++) r->start[m->element[4 * e + c]]++;
   for (int n = 0; n < m->nodes; n++) r->start[n + 1] += r->start[n];
   for (int e = m->elements - 1; e >= 0; e--)
-    for (int c = 0; c < corners_of(m, e); c++) r->around[--r->start[m->element[4 * e + c]]] = e;
+    for (int c = 0; c < arc_mesh_corners(m, e); c++)
+      r->around[--r->start[m->element[4 * e + c]]] = e;
 }
 
 /* --- what the elements know ------------------------------------------------------------------- */
@@ -257,11 +254,12 @@ static int gather_patch(recovery *r, int node, double *reach) {
     const int e = r->patch[k];
     *reach = fmax(*reach, hypot(r->place[2 * e] - r->xy[2 * node],
                                 r->place[2 * e + 1] - r->xy[2 * node + 1]));
-    for (int c = 0; c < corners_of(m, e); c++) take_around(r, m->element[4 * e + c], node, &count);
+    for (int c = 0; c < arc_mesh_corners(m, e); c++)
+      take_around(r, m->element[4 * e + c], node, &count);
   }
   const int all = count;
   for (int k = 0; k < all; k++)
-    for (int c = 0; c < corners_of(m, r->patch[k]); c++)
+    for (int c = 0; c < arc_mesh_corners(m, r->patch[k]); c++)
       take(r, m->elements + m->element[4 * r->patch[k] + c], node, &count);
   return count;
 }

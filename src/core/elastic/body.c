@@ -76,7 +76,7 @@ static arc_status add_element(elastic_body *b, int e, elasticity d, sparse_entri
 }
 
 static int is_triangle(const arc_mesh *m, int e) {
-  return m->element[4 * e + 3] < 0;
+  return arc_mesh_corners(m, e) == 3;
 }
 
 /* Whether triangle e goes on with the cell of e - 2. */

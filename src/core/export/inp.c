@@ -46,7 +46,7 @@ static void write_elements(FILE *out, const arc_mesh *m, numbering at, const cha
     fprintf(out, "*ELEMENT, TYPE=%s, ELSET=%s\n", element_type(m, corners, at.layer), name);
     for (int e = 0; e < m->elements; e++) {
       const int *c = &m->element[4 * e];
-      if ((c[3] < 0 ? 3 : 4) != corners) continue;
+      if (arc_mesh_corners(m, e) != corners) continue;
       fprintf(out, "%d", e + at.element);
       for (int k = 0; k < corners; k++) fprintf(out, ", %d", c[k] + at.node);
       for (int k = 0; k < corners && at.layer; k++) fprintf(out, ", %d", c[k] + at.node + at.layer);

@@ -40,7 +40,7 @@ static void add_contact(const arc_mesh *m, line_sink *s) {
 /* Edges between fixed nodes, wherever they are. */
 static void add_fixed(const arc_mesh *m, const char *fixed, line_sink *s) {
   for (int e = 0; e < m->elements; e++) {
-    const int *c = &m->element[4 * e], corners = c[3] < 0 ? 3 : 4;
+    const int *c = &m->element[4 * e], corners = arc_mesh_corners(m, e);
     for (int k = 0; k < corners; k++)
       if (fixed[c[k]] && fixed[c[(k + 1) % corners]]) add_line(s, c[k], c[(k + 1) % corners]);
   }
@@ -134,7 +134,7 @@ static void write_surface(const msh_output *o, int body, int corners, int first,
   fprintf(o->out, "2 %d %d %d\n", body + 1, corners == 4 ? MSH_QUAD : MSH_TRIANGLE, count);
   for (int e = 0; e < m->elements; e++) {
     const int *c = &m->element[4 * e];
-    if ((c[3] < 0 ? 3 : 4) != corners) continue;
+    if (arc_mesh_corners(m, e) != corners) continue;
     fprintf(o->out, "%d", (*tag)++);
     for (int k = 0; k < corners; k++) fprintf(o->out, " %d", c[k] + first);
     fputc('\n', o->out);

@@ -16,14 +16,14 @@ static void write_grid(FILE *out, const arc_mesh *mesh, const double *x, const d
   fprintf(out, "CELLS %d %d\n", mesh->elements, 5 * mesh->quads + 4 * mesh->triangles);
   for (int e = 0; e < mesh->elements; e++) {
     const int *c = &mesh->element[4 * e];
-    if (c[3] < 0)
+    if (arc_mesh_corners(mesh, e) == 3)
       fprintf(out, "3 %d %d %d\n", c[0], c[1], c[2]);
     else
       fprintf(out, "4 %d %d %d %d\n", c[0], c[1], c[2], c[3]);
   }
   fprintf(out, "CELL_TYPES %d\n", mesh->elements);
   for (int e = 0; e < mesh->elements; e++)
-    fprintf(out, "%d\n", mesh->element[4 * e + 3] < 0 ? vtk_triangle : vtk_quad);
+    fprintf(out, "%d\n", arc_mesh_corners(mesh, e) == 3 ? vtk_triangle : vtk_quad);
 }
 
 static void write_scalar(FILE *out, const char *name, int count, const double *value) {

@@ -101,10 +101,6 @@ static void add_points(grid *g, const arc_field *f) {
   }
 }
 
-static int corners_of(const arc_mesh *m, int e) {
-  return m->element[4 * e + 3] < 0 ? 3 : 4;
-}
-
 static void add_cells(grid *g) {
   const arc_mesh *m = g->mesh;
   array a = {.section = CELLS, .name = "connectivity", .type = INT32, .components = 1};
@@ -118,7 +114,7 @@ static void add_cells(grid *g) {
   uint8_t *type = add(g, a);
   int32_t end = 0;
   for (int e = 0; !g->failed && e < m->elements; e++) {
-    const int corners = corners_of(m, e);
+    const int corners = arc_mesh_corners(m, e);
     for (int c = 0; c < corners; c++) corner[end++] = m->element[4 * e + c];
     offset[e] = end;
     type[e] = corners == 3 ? VTK_TRIANGLE : VTK_QUAD;

@@ -145,7 +145,7 @@ static double jacobian_at(const arc_mesh *m, const int *e, int corners, int c) {
 
 static arc_status refuse_shape(const msh_body *b, int e, const char *what) {
   const arc_mesh *m = b->mesh;
-  const int *c = &m->element[4 * e], corners = c[3] < 0 ? 3 : 4;
+  const int *c = &m->element[4 * e], corners = arc_mesh_corners(m, e);
   double x = 0, y = 0;
   for (int k = 0; k < corners; k++) {
     x += m->xy[2 * c[k]] / corners;
@@ -158,7 +158,7 @@ static arc_status refuse_shape(const msh_body *b, int e, const char *what) {
 
 static arc_status check_shape(const msh_body *b, int e) {
   const arc_mesh *m = b->mesh;
-  const int *c = &m->element[4 * e], corners = c[3] < 0 ? 3 : 4;
+  const int *c = &m->element[4 * e], corners = arc_mesh_corners(m, e);
   int turned = 0, flat = 0;
   for (int k = 0; k < corners; k++) {
     const double *p = &m->xy[2 * c[k]], *q = &m->xy[2 * c[(k + 1) % corners]];

@@ -41,7 +41,7 @@ static int same_edge(const edge *p, const edge *q) {
 static int list_edges(const arc_mesh *m, edge *list) {
   int n = 0;
   for (int e = 0; e < m->elements; e++) {
-    const int *c = &m->element[4 * e], corners = c[3] < 0 ? 3 : 4;
+    const int *c = &m->element[4 * e], corners = arc_mesh_corners(m, e);
     for (int k = 0; k < corners; k++) list[n++] = (edge){c[k], c[(k + 1) % corners], e};
   }
   return n;
@@ -253,7 +253,7 @@ static void find_sizes(arc_mesh *m) {
     least = fmin(least, q[0] - p[0]);
   }
   for (int e = 0; e < m->elements; e++) {
-    const int *c = &m->element[4 * e], corners = c[3] < 0 ? 3 : 4;
+    const int *c = &m->element[4 * e], corners = arc_mesh_corners(m, e);
     for (int k = 0; k < corners; k++) {
       const double *p = &m->xy[2 * c[k]], *q = &m->xy[2 * c[(k + 1) % corners]];
       most = fmax(most, hypot(q[0] - p[0], q[1] - p[1]));

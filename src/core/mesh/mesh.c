@@ -269,7 +269,7 @@ static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key
     place_element(mesh, &b->map, keys, &b->corner[4 * e], -1, at++);
   }
   mesh->box_elements = 2 * box;
-  for (int e = 0; e < mesh->elements; e++) mesh->triangles += mesh->element[4 * e + 3] < 0;
+  for (int e = 0; e < mesh->elements; e++) mesh->triangles += arc_mesh_corners(mesh, e) == 3;
   mesh->quads = mesh->elements - mesh->triangles;
 }
 
@@ -366,6 +366,10 @@ arc_status arc_mesh_build_solid(const arc_mesh_def *def, arc_body body, const ar
   if (status != ARC_OK) arc_mesh_destroy(&mesh);
   *out = mesh;
   return status;
+}
+
+int arc_mesh_corners(const arc_mesh *mesh, int element) {
+  return mesh->element[4 * element + 3] < 0 ? 3 : 4;
 }
 
 void arc_mesh_destroy(arc_mesh **mesh) {

@@ -18,7 +18,7 @@ static int compare_undirected(const void *a, const void *b) {
 static int all_edges(const arc_mesh *mesh, edge *list) {
   int n = 0;
   for (int e = 0; e < mesh->elements; e++) {
-    const int *c = &mesh->element[4 * e], corners = c[3] < 0 ? 3 : 4;
+    const int *c = &mesh->element[4 * e], corners = arc_mesh_corners(mesh, e);
     for (int k = 0; k < corners; k++) list[n++] = (edge){c[k], c[(k + 1) % corners]};
   }
   return n;
