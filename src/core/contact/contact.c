@@ -1,8 +1,8 @@
 /* One contact solution as an object: a pose, solved, and what users ask of it. */
+#include "core/base/callbacks.h"
 #include "core/contact/solution.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -139,25 +139,15 @@ arc_status arc_contact_finish(arc_contact **contact, arc_status status,
   return status;
 }
 
-/* Dundurs' second constant of the pair, plane strain. */
-static double dundurs_beta(const arc_material material[ARC_BODIES]) {
-  double kappa[ARC_BODIES];
-  for (int b = 0; b < ARC_BODIES; b++)
-    kappa[b] = (1 - 2 * material[b].nu) * (1 + material[b].nu) / material[b].E;
-  return arc_contact_modulus(material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
-}
-
 void arc_friction_warn(const arc_model *model, double mu, const char *who,
                        const arc_callbacks *callbacks) {
   static const double unique = 0.4;
-  const double beta = fabs(dundurs_beta(arc_model_definition(model)->material));
-  char text[200];
-  if (!callbacks || !callbacks->warn || mu * beta <= unique) return;
-  snprintf(text, sizeof text,
-           "%s: friction %.3g times Dundurs' beta %.3g is above %g: the solution is one that "
-           "the motion leads to, it may not be the only one",
-           who, mu, beta, unique);
-  callbacks->warn(callbacks->context, text);
+  const double beta = fabs(arc_contact_mismatch(arc_model_definition(model)->material));
+  if (mu * beta > unique)
+    arc_warn(callbacks,
+             "%s: friction %.3g times Dundurs' beta %.3g is above %g: the solution is one that "
+             "the motion leads to, it may not be the only one",
+             who, mu, beta, unique);
 }
 
 arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,

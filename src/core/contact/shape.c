@@ -266,17 +266,9 @@ static int gone_too_far(const shape_side *side, const double *xy, int i, double 
   return across > share * height || along > share / 100 * mesh->def.size;
 }
 
-/* Dundurs' second constant: to first order slopes change pressures by it times the change of slope;
- * between like bodies the forces along x on both undo each other. */
-static double mismatch(const arc_material material[ARC_BODIES]) {
-  double kappa[ARC_BODIES];
-  for (int b = 0; b < ARC_BODIES; b++)
-    kappa[b] = (1 - 2 * material[b].nu) * (1 + material[b].nu) / material[b].E;
-  return arc_contact_modulus(material) * fabs(kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
-}
-
 /* Whether the slope at node i of the plate, along whose normals pressures act, has changed enough
- * to tell. */
+ * to tell: to first order slopes change pressures by Dundurs' beta times the change of slope;
+ * between like bodies the forces along x on both undo each other. */
 static int turned_too_far(const shape_side *side, const double *xy, int i, double limit) {
   double now[2], then[2];
   chord_at(xy, side->n, i, now);
@@ -287,7 +279,7 @@ static int turned_too_far(const shape_side *side, const double *xy, int i, doubl
 static int refresh_is_due(const arc_shape *shape, const shape_side *side, const double *xy) {
   static const double turn = 0.002; /* of `refresh`, over the mismatch: a share of the pressure */
   if (shape->geometry == ARC_FROZEN) return 0;
-  const double beta = mismatch(arc_model_definition(shape->model)->material);
+  const double beta = fabs(arc_contact_mismatch(arc_model_definition(shape->model)->material));
   const int inclines = side->body->mesh->body == ARC_PLATE && beta > 0;
   for (int i = 0; i < side->n; i++) {
     if (gone_too_far(side, xy, i, shape->refresh)) return 1;

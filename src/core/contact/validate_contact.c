@@ -24,7 +24,7 @@ static double across(const arc_contact *c, arc_body body, int i) {
 }
 
 static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *error) {
-  const double load = c->def.load / arc_model_definition(c->shape->model)->thickness;
+  const double load = contact_line(c);
   double sum = 0;
   for (int i = 0; i < c->count[body]; i++) {
     if (!(c->p[body][i] >= 0) || !isfinite(c->f[body][i]))

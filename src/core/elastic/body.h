@@ -125,6 +125,9 @@ void arc_model_warn(const arc_model *model, double half_width, const arc_callbac
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
+/* Dundurs' second constant of a pair in plane strain: how unlike its bodies are to shear. */
+double arc_contact_mismatch(const arc_material material[ARC_BODIES]);
+
 /* Whether two bodies, each in order, make a pair; ARC_ARGUMENT. */
 arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error);
 

@@ -14,6 +14,13 @@ double arc_model_wear_k(const arc_model_def *def, arc_body body) {
   return k;
 }
 
+double arc_contact_mismatch(const arc_material material[ARC_BODIES]) {
+  double kappa[ARC_BODIES];
+  for (int b = 0; b < ARC_BODIES; b++)
+    kappa[b] = (1 - 2 * material[b].nu) * (1 + material[b].nu) / material[b].E;
+  return arc_contact_modulus(material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
+}
+
 static arc_status check_fit(const arc_body_def *pin, const arc_body_def *hole, arc_error *error) {
   if (!arc_body_is_round(pin) || arc_body_is_hollow(pin))
     return arc_fail(
