@@ -118,17 +118,21 @@ static int closes(int count, const double *value) {
   return fabs(value[count - 1] - value[0]) <= 1e-9 * most;
 }
 
+/* Whether the coefficient of friction is one number, all the time. */
+static int friction_is_known(const arc_wear_def *d) {
+  return !d->friction_function && d->friction_series.count == 0;
+}
+
 /* More than friction carries, where that is known; and a cycle that does not come back. */
 static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int number,
                                 arc_error *error) {
   const int last = l->count - 1;
-  const int known = !d->friction_function && d->friction_series.count == 0;
   for (int i = 0; i < l->count && l->tangential; i++) {
     if (!isfinite(l->tangential[i]))
       return arc_fail(error, ARC_ARGUMENT,
                       "field 'loading[%d].tangential[%d]': expected a finite force in N, got %g",
                       number, i + 1, l->tangential[i]);
-    if (known && fabs(l->tangential[i]) >= d->friction * l->load[i])
+    if (friction_is_known(d) && fabs(l->tangential[i]) >= d->friction * l->load[i])
       return arc_fail(error, ARC_ARGUMENT,
                       "field 'loading[%d].tangential[%d]': expected less than friction times the "
                       "load, %g N, got %g N",
@@ -251,7 +255,6 @@ static arc_status refuse_with_friction(const char *field, const char *why, arc_e
 
 /* What stands on slip that is known beforehand, or on a state that outlives an update. */
 static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
-  const int known = !d->friction_function && d->friction_series.count == 0;
   if (!arc_wear_rubs(d) && d->tangential > 0)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': a force drives the plate by friction only; give friction");
@@ -276,7 +279,7 @@ static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
   if (d->slip == ARC_SLIP_TOTAL)
     return refuse_with_friction("slip", "expected \"rigid\": slip is found point by point anyway",
                                 error);
-  if (known && d->blocks == 0 && d->tangential >= d->friction * d->load)
+  if (friction_is_known(d) && d->blocks == 0 && d->tangential >= d->friction * d->load)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': expected less than friction times the load, %g N, got %g "
                     "N",

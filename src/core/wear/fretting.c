@@ -116,17 +116,13 @@ static void add_end(fretting *r, int at, double share) {
   const wear_point *point = &w->path.point[at % 2];
   const pose *p = &w->path.pose[b->place[at]];
   const double *slip = w->path.state.slip;
-  const int local = w->def.local_factor != NULL;
   if (b->line[at] == 0) return; /* lifted off */
   for (int i = 0; i < w->nc; i++) {
     const double pressure = point->p[ARC_CYLINDER][i], way = share * fabs(slip[i]);
     r->work[i] = way * arc_wear_law_rubbed(w, pressure, r->window->mu);
     r->rate->energy += r->window->mu * pressure * p->wc[i] * way;
-    r->rate->node[ARC_CYLINDER][i] += r->work[i] * (local ? point->f[ARC_CYLINDER][i] : 1);
   }
-  arc_pose_transfer(p, r->work, r->on);
-  for (int l = 0; l < w->np; l++)
-    r->rate->node[ARC_PLATE][l] += r->on[l] * (local ? point->f[ARC_PLATE][l] : 1);
+  arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
 /* Slip at all points in touch; the largest of it [mm] to `most`. */
@@ -179,9 +175,7 @@ static arc_status add_increment(fretting *r, int at, arc_error *error) {
 static void begin_cycle(fretting *r) {
   const friction_state *s = &r->w->path.state;
   const size_t nc = (size_t)s->nc;
-  memset(r->rate->node[0], 0, (nc + (size_t)s->np) * sizeof(double));
-  r->rate->even = r->rate->peak = r->rate->energy = r->rate->shear = r->rate->stick = 0;
-  r->rate->gross = 0;
+  arc_wear_rate_clear(r->rate, s->nc + s->np);
   memcpy(r->start, s->f, nc * sizeof *s->f);
   memcpy(r->start + nc, s->t, nc * sizeof *s->t);
   memcpy(r->least, s->f, nc * sizeof *s->f);

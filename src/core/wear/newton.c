@@ -27,12 +27,7 @@ arc_status arc_newton_create(newton *s) {
   for (int m = 0; m < 13; m++) *member[m] = block + (size_t)m * n;
   s->matrix = block + 13 * n;
   s->window.trial = &s->trial;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const size_t at = b == ARC_CYLINDER ? 0 : (size_t)s->w->nc;
-    arc_shape_downward(s->window.shape, (arc_body)b, s->down + at);
-    s->trial.depth[b] = s->z + at;
-    s->trial.down[b] = s->down + at;
-  }
+  s->trial = arc_wear_trial_on(s->window.shape, s->z, s->down);
   const shape_side *plate = &s->window.shape->side[ARC_PLATE];
   s->coarse = 2 * arc_shape_width(plate, plate->n / 2);
   const arc_status status = arc_wear_jacobian_create(&s->jacobian, s->w->nc, s->w->np);

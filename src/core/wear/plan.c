@@ -74,8 +74,7 @@ static void plan_staged(const arc_wear *w, wear_plan *plan) {
 
 /* Explicit updates that choose themselves. */
 static arc_status plan_automatic(arc_wear *w, wear_plan *plan, arc_error *error) {
-  const int split = w->def.update == ARC_UPDATE_INCREMENT && w->procedure == ARC_SP;
-  if (split || arc_wear_closed_form(w)) return plan_plain(w, plan, error);
+  if (splits_cycles(w) || arc_wear_closed_form(w)) return plan_plain(w, plan, error);
   plan_staged(w, plan);
   return ARC_OK;
 }

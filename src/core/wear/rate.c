@@ -7,6 +7,30 @@
 #include <math.h>
 #include <string.h>
 
+void arc_wear_rate_clear(wear_rate *rate, int n) {
+  memset(rate->node[0], 0, (size_t)n * sizeof(double));
+  *rate = (wear_rate){.node = {rate->node[ARC_CYLINDER], rate->node[ARC_PLATE]}};
+}
+
+void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n) {
+  wear_rate copy = *from;
+  memcpy(to->node[0], from->node[0], (size_t)n * sizeof(double));
+  memcpy(copy.node, to->node, sizeof copy.node);
+  *to = copy;
+}
+
+wear_trial arc_wear_trial_on(const arc_shape *shape, const double *depth, double *down) {
+  wear_trial trial;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    arc_shape_downward(shape, (arc_body)b, down);
+    trial.depth[b] = depth;
+    trial.down[b] = down;
+    depth += shape->side[b].n;
+    down += shape->side[b].n;
+  }
+  return trial;
+}
+
 /* Initial gaps deeper by the trial's depths along the normals. */
 static void deepen(pose *p, const wear_trial *trial) {
   double *plate = p->work, *below = plate + p->np;
@@ -45,6 +69,15 @@ arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, 
   for (int b = 0; b < ARC_BODIES && w->def.slip == ARC_SLIP_TOTAL; b++)
     arc_pose_tangential(p, window->shape, (arc_body)b, point->u[b]);
   return window->state ? arc_wear_local(w, window->state, point, error) : ARC_OK;
+}
+
+void arc_wear_share(const arc_wear *w, const pose *p, const wear_point *point, const double *work,
+                    double *on, wear_rate *rate) {
+  const double *added[ARC_BODIES] = {work, on};
+  arc_pose_transfer(p, work, on);
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < w->shape->side[b].n; i++)
+      rate->node[b][i] += added[b][i] * (w->def.local_factor ? point->f[b][i] : 1);
 }
 
 /* Solves point `at` of the block at hand into `point`. */
@@ -173,16 +206,13 @@ arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *err
 
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
                              wear_rate *rate, arc_error *error) {
-  const size_t n = (size_t)(w->nc + w->np);
   assert(0 <= window->first && window->last < w->path.block->count);
   if (arc_wear_rubs(&w->def)) {
     const arc_status status = arc_wear_fret(w, window, watch, rate, error);
     if (status == ARC_OK) incline(w, window, rate);
     return status;
   }
-  memset(rate->node[0], 0, n * sizeof(double));
-  rate->even = rate->peak = rate->pressed = 0;
-  rate->energy = rate->shear = rate->stick = rate->gross = 0;
+  arc_wear_rate_clear(rate, w->nc + w->np);
   if (window->jacobian) arc_wear_jacobian_clear(window->jacobian);
   for (int at = window->first; at <= window->last; at++) {
     const arc_status status = reach_point(w, window, at, watch, error);

@@ -11,6 +11,9 @@ typedef struct wear_trial {
                                       arc_shape_downward */
 } wear_trial;
 
+/* A trial on a shape by depths and room for `down`, [n] both, the cylinder's nodes first. */
+wear_trial arc_wear_trial_on(const arc_shape *shape, const double *depth, double *down);
+
 /* A part of the block at hand: increments first .. last. */
 typedef struct wear_window {
   const arc_shape *shape; /* on which the contact is solved */
@@ -30,6 +33,9 @@ typedef struct wear_watch {
 } wear_watch;
 
 /* --- rate.c --- */
+/* Nothing wears: the nodes' [n] and all that is told beside them. */
+void arc_wear_rate_clear(wear_rate *rate, int n);
+void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n);
 /* The wear of a window. */
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
                              wear_rate *rate, arc_error *error);
@@ -41,6 +47,12 @@ arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_
 /* What the solution on a pose presses and wears. */
 arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, wear_point *point,
                          arc_error *error);
+
+/* Adds work at the cylinder's nodes [MPa mm], as a density along x, to the wear of both bodies, by
+ * the factors of their places: the plate gets the same through the coupling (Eq. 15). on [np] is
+ * room. */
+void arc_wear_share(const arc_wear *w, const pose *p, const wear_point *point, const double *work,
+                    double *on, wear_rate *rate);
 
 /* --- fretting.c --- */
 /* The coefficient of friction of a state. */

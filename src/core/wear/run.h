@@ -81,6 +81,11 @@ static inline int wears_evenly(const arc_wear *w) {
   return w->over_plate && w->procedure == ARC_NSP;
 }
 
+/* Every increment of a cycle has an update of its own. */
+static inline int splits_cycles(const arc_wear *w) {
+  return w->def.update == ARC_UPDATE_INCREMENT && w->procedure == ARC_SP;
+}
+
 /* --- definition.c --- */
 arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model);
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model);

@@ -23,16 +23,12 @@ typedef struct increment {
 /* Slip and pressure of one end into the rate of both bodies. */
 static void add_end(const arc_wear *w, const increment *inc, wear_rate *rate) {
   const pose *p = inc->pose;
-  const int local = w->def.local_factor != NULL;
-  const double *fc = inc->end->f[ARC_CYLINDER], *fp = inc->end->f[ARC_PLATE];
   arc_pose_to_cylinder(p, inc->moved_p, inc->under);
   for (int i = 0; i < p->nc; i++) {
     const double slip = fabs(inc->rigid + inc->under[i] - inc->moved_c[i]);
     inc->work[i] = inc->share * slip * arc_wear_law(w, inc->end->p[ARC_CYLINDER][i]);
-    rate->node[ARC_CYLINDER][i] += inc->work[i] * (local ? fc[i] : 1);
   }
-  arc_pose_transfer(p, inc->work, inc->plate);
-  for (int l = 0; l < p->np; l++) rate->node[ARC_PLATE][l] += inc->plate[l] * (local ? fp[l] : 1);
+  arc_wear_share(w, p, inc->end, inc->work, inc->plate, rate);
 }
 
 /* NSP: the same contact all the way, under which the plate's material passes by `rigid`. */

@@ -49,12 +49,7 @@ static arc_status staged_create(staged *s) {
   s->first = s->sum + n;
   s->bend = s->first + n;
   s->window.trial = &s->trial;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const size_t at = b == ARC_CYLINDER ? 0 : (size_t)s->w->nc;
-    arc_shape_downward(s->window.shape, (arc_body)b, s->down + at);
-    s->trial.depth[b] = s->z + at;
-    s->trial.down[b] = s->down + at;
-  }
+  s->trial = arc_wear_trial_on(s->window.shape, s->z, s->down);
   return ARC_OK;
 }
 

@@ -110,9 +110,8 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
 
 /* alpha = 0 over the whole plate: the load is all that counts. */
 static void closed_form(const arc_wear *w, wear_rate *rate) {
-  memset(rate->node[0], 0, (size_t)(w->nc + w->np) * sizeof(double));
+  arc_wear_rate_clear(rate, w->nc + w->np);
   rate->even = w->block[0].line[0];
-  rate->peak = rate->pressed = rate->energy = 0;
 }
 
 /* What a whole update consists of. */
@@ -164,12 +163,7 @@ static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window wi
 
 /* The kept one into `rate`; its solutions count once. */
 static void take_start(arc_wear *w, wear_rate *rate) {
-  const wear_rate *from = &w->start.rate;
-  memcpy(rate->node[0], from->node[0], (size_t)(w->nc + w->np) * sizeof(double));
-  rate->even = from->even;
-  rate->peak = from->peak;
-  rate->energy = from->energy;
-  rate->pressed = from->pressed;
+  arc_wear_rate_copy(&w->start.rate, rate, w->nc + w->np);
   w->start.solutions = 0;
 }
 
@@ -184,9 +178,9 @@ static void note_rubbing(const arc_wear *w, const wear_rate *rate, arc_wear_reco
 
 arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
                          const arc_callbacks *callbacks, arc_error *error) {
-  const int split = w->def.update == ARC_UPDATE_INCREMENT && w->procedure == ARC_SP;
   w->start.block = NULL;
-  if (!is_explicit(w, plan) || !plan->block->periodic || split || arc_wear_closed_form(w))
+  if (!is_explicit(w, plan) || !plan->block->periodic || splits_cycles(w) ||
+      arc_wear_closed_form(w))
     return ARC_OK;
   wear_watch later = {.callbacks = callbacks};
   wear_window cycle = {.shape = out->shape,
@@ -282,8 +276,7 @@ static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
 
 arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_outcome *out,
                            arc_error *error) {
-  const int split =
-      w->def.update == ARC_UPDATE_INCREMENT && plan->block->periodic && w->procedure == ARC_SP;
+  const int split = splits_cycles(w) && plan->block->periodic;
   const arc_status status =
       split ? split_update(w, plan, watch, out, error) : whole_update(w, plan, watch, out, error);
   out->record.update += split ? plan->block->count - 1 : 1;
