@@ -16,11 +16,6 @@ static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
 }
 
-/* Into the material: up for the cylinder, down for the plate. */
-static double inward(const shape_side *side) {
-  return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
-}
-
 /* Doubles a node has in the arrays of its side. */
 enum { side_arrays = 14 + ARC_THINNING_SPAN };
 
@@ -42,23 +37,16 @@ static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   return ARC_OK;
 }
 
-/* The chord from one neighbour of node i of a surface [2 n] to the other; one-sided at the ends. */
-static void chord_at(const double *xy, int n, int i, double chord[2]) {
-  const double *a = &xy[2 * (i > 0 ? i - 1 : 0)], *b = &xy[2 * (i + 1 < n ? i + 1 : i)];
-  chord[0] = b[0] - a[0];
-  chord[1] = b[1] - a[1];
-}
-
 /* What follows from where nodes are. They move along x with their normals while the coupling stays
  * where they settled: levels are those there. */
 static void read_nodes(shape_side *side) {
   for (int i = 0; i < side->n; i++) {
     const double *now = &side->xy[2 * i], *top = arc_body_top(side->body, i);
     double chord[2];
-    chord_at(side->xy, side->n, i, chord);
+    shape_chord(side->xy, side->n, i, chord);
     side->level[i] = now[1] - (now[0] - side->settled[2 * i]) * chord[1] / chord[0];
     side->x[i] = now[0];
-    side->y[i] = now[1] + inward(side) * side->even;
+    side->y[i] = now[1] + shape_inward(side) * side->even;
     side->way[i] = hypot(now[0] - top[0], side->y[i] - top[1]);
   }
 }
@@ -156,84 +144,6 @@ void arc_shape_box(const shape_side *side, const double *surface_xy, double *box
   for (int k = 0; k < side->body->box_count; k++) box_node_at(side, surface_xy, k, &box_xy[2 * k]);
 }
 
-double arc_shape_width(const shape_side *side, int i) {
-  const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
-  return (side->settled[2 * b] - side->settled[2 * a]) / 2;
-}
-
-/* Inward normal at a node (frozen geometry: straight up or down). */
-static void normal_at(const shape_side *side, arc_geometry geometry, int i, double normal[2]) {
-  const double in = inward(side);
-  normal[0] = 0;
-  normal[1] = in;
-  if (geometry == ARC_FROZEN) return;
-  double chord[2];
-  chord_at(side->xy, side->n, i, chord);
-  const double length = hypot(chord[0], chord[1]);
-  normal[0] = -in * chord[1] / length;
-  normal[1] = in * chord[0] / length;
-}
-
-double arc_shape_span(const arc_shape *shape, arc_body body, int i) {
-  const shape_side *side = &shape->side[body];
-  if (shape->geometry == ARC_FROZEN) return arc_shape_width(side, i);
-  double chord[2];
-  chord_at(side->xy, side->n, i, chord);
-  return hypot(chord[0], chord[1]) / 2;
-}
-
-/* -inward n_i x n_i+1: the area that the ways of two neighbours share, twice, per depth of both. */
-static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
-  double here[2], next[2];
-  if (i + 1 == side->n) return 0;
-  normal_at(side, geometry, i, here);
-  normal_at(side, geometry, i + 1, next);
-  return -inward(side) * (here[0] * next[1] - here[1] * next[0]);
-}
-
-/* With ways d_i = h_i n_i the polygon loses the sum of h_i span_i + (d_i x d_i+1) / 2; each of two
- * nodes answers for half of the product. */
-void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
-  enum { sweeps = 4 }; /* each gains a factor of depth over radius of curvature */
-  const shape_side *side = &shape->side[body];
-  if (shape->geometry == ARC_FROZEN) return;
-  const int n = side->n;
-  double *span = side->room, *area = span + n, *turn = area + n, *before = turn + n;
-  for (int i = 0; i < n; i++) {
-    span[i] = arc_shape_span(shape, body, i);
-    area[i] = depth[i] * span[i];
-    turn[i] = turn_after(side, shape->geometry, i);
-  }
-  for (int sweep = 0; sweep < sweeps; sweep++) {
-    memcpy(before, depth, (size_t)n * sizeof *depth);
-    for (int i = 0; i < n; i++) {
-      const double left = i > 0 ? turn[i - 1] * before[i - 1] : 0;
-      const double right = i + 1 < n ? turn[i] * before[i + 1] : 0;
-      depth[i] = area[i] / (span[i] + (left + right) / 4);
-    }
-  }
-}
-
-void arc_shape_downward(const arc_shape *shape, arc_body body, double *down) {
-  const shape_side *side = &shape->side[body];
-  for (int i = 0; i < side->n; i++) {
-    double normal[2];
-    normal_at(side, shape->geometry, i, normal);
-    down[i] = 1 / fabs(normal[1]);
-  }
-}
-
-/* Moves the surface by `depth` along its present normals. */
-static void move_surface(const shape_side *side, arc_geometry geometry, const double *depth,
-                         double *xy) {
-  for (int i = 0; i < side->n; i++) {
-    double normal[2];
-    normal_at(side, geometry, i, normal);
-    xy[2 * i] = side->xy[2 * i] + depth[i] * normal[0];
-    xy[2 * i + 1] = side->xy[2 * i + 1] + depth[i] * normal[1];
-  }
-}
-
 /* The wear box must keep its elements: every column a share of its height, the nodes their order.
  */
 static arc_status check_box(const shape_side *side, const double *xy, arc_error *error) {
@@ -242,7 +152,7 @@ static arc_status check_box(const shape_side *side, const double *xy, arc_error 
   const double box = fabs(arc_body_bottom(side->body, side->n / 2)[1] - top[1]);
   for (int i = 0; i < side->n; i++) {
     const double *bottom = arc_body_bottom(side->body, i);
-    const double left = (bottom[1] - xy[2 * i + 1]) * inward(side);
+    const double left = (bottom[1] - xy[2 * i + 1]) * shape_inward(side);
     if (left > thinnest * box && (i == 0 || xy[2 * i] > xy[2 * i - 2])) continue;
     return arc_fail(
         error, ARC_GEOMETRY,
@@ -271,8 +181,8 @@ static int gone_too_far(const shape_side *side, const double *xy, int i, double 
  * between like bodies the forces along x on both undo each other. */
 static int turned_too_far(const shape_side *side, const double *xy, int i, double limit) {
   double now[2], then[2];
-  chord_at(xy, side->n, i, now);
-  chord_at(side->settled, side->n, i, then);
+  shape_chord(xy, side->n, i, now);
+  shape_chord(side->settled, side->n, i, then);
   return fabs(now[1] / now[0] - then[1] / then[0]) > limit;
 }
 
@@ -299,7 +209,7 @@ static void incline(const double *xy, compliance *c) {
   int flat = 1;
   for (int i = 0; i < c->n; i++) {
     double chord[2];
-    chord_at(xy, c->n, i, chord);
+    shape_chord(xy, c->n, i, chord);
     c->slope[i] = chord[1] / chord[0];
     flat = flat && c->slope[i] == 0;
   }
@@ -340,7 +250,7 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
   shape_side *side = &shape->side[body];
   double *xy = malloc(2 * (size_t)side->n * sizeof *xy);
   if (!xy) return out_of_memory(error);
-  move_surface(side, shape->geometry, depth, xy);
+  arc_shape_move(side, shape->geometry, depth, xy);
   arc_status status = shape->geometry == ARC_MOVING ? check_box(side, xy, error) : ARC_OK;
   compliance renewed = {0};
   const int due = status == ARC_OK && refresh_is_due(shape, side, xy);

@@ -35,12 +35,26 @@ static inline const compliance *shape_compliance(const shape_side *side) {
   return side->own.n > 0 ? &side->own : &side->body->unworn;
 }
 
+/* Into the material: up for the cylinder, down for the plate. */
+static inline double shape_inward(const shape_side *side) {
+  return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
+}
+
+/* The chord from one neighbour of node i of a surface [2 n] to the other; one-sided at the ends. */
+static inline void shape_chord(const double *xy, int n, int i, double chord[2]) {
+  const double *a = &xy[2 * (i > 0 ? i - 1 : 0)], *b = &xy[2 * (i + 1 < n ? i + 1 : i)];
+  chord[0] = b[0] - a[0];
+  chord[1] = b[1] - a[1];
+}
+
+/* --- surface.c --- */
+
+/* Surface nodes [2 n] moved by `depth` [n] along their present normals. */
+void arc_shape_move(const shape_side *side, arc_geometry geometry, const double *depth, double *xy);
+
 /* Tributary width of surface node i [mm], where the nodes stood along x at the last condensation.
  */
 double arc_shape_width(const shape_side *side, int i);
-
-/* Brings `drift` up to date with the present nodes (drift.c). */
-void arc_shape_drift(shape_side *side);
 
 /* How much lower the surface lies at a fixed x per depth along the normals that wear would follow,
  * 1 / cos of the slope, into down [n]. */
@@ -53,6 +67,13 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i);
 /* Depths that would take areas depth[i] * span to first order become those that take just these
  * areas off the polygon of the surface: on a curved one the next surface is shorter or longer. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
+
+/* --- drift.c --- */
+
+/* Brings `drift` up to date with the present nodes. */
+void arc_shape_drift(shape_side *side);
+
+/* --- shape.c --- */
 
 /* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n]. */
 void arc_shape_box(const shape_side *side, const double *surface_xy, double *box_xy);
