@@ -103,8 +103,7 @@ static void test_leading_apostrophe(void **state) {
 
 /* A refusal is told although what follows makes gnuplot forget it. */
 static void test_refusal_is_told(void **state) {
-  static const char commands[] =
-      "set title (\n" ARC_GNUPLOT_NOTE_FAILURE "reset\nset title 'fine'";
+  static const char commands[] = "set title (\n" ARC_GNUPLOT_NOTE_FAILURE "reset\nset title 'fine'";
   arc_error error;
   assert_int_equal(arc_gnuplot_run(*state, commands, strlen(commands), NULL, NULL, &error),
                    ARC_ARGUMENT);
