@@ -10,6 +10,7 @@ local definitions = require "archard.study.definitions"
 local settings = require "archard.study.settings"
 local strict = require "archard.strict"
 local submit = require "archard.study.submit"
+local text_file = require "archard.lib.text_file"
 
 local study = {}
 local methods = {}
@@ -132,12 +133,6 @@ function methods:store()
   return self.reading
 end
 
-local function exists(path)
-  local file = io.open(path)
-  if file then file:close() end
-  return file ~= nil
-end
-
 -- --- running -----------------------------------------------------------------------------------
 
 local shard_kind = check.kind('"i/n" with i from 1 to n', function(v)
@@ -173,7 +168,7 @@ function methods:run(options)
   local path = options.file or self.file or "study.archard"
   self:close()
   try_first(self, "study:run")
-  if self.sample and not exists(path) then require "archard.uncertainty.trial"(self) end
+  if self.sample and not text_file.exists(path) then require "archard.uncertainty.trial"(self) end
   local store = definitions.for_run(self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
