@@ -4,6 +4,7 @@
 local check = require "archard.lib.check"
 local known = require "archard.settings"
 local draw = require "archard.plot.draw"
+local keys = require "archard.lib.keys"
 local hertz_of = require "archard.lib.hertz_of"
 local measured = require "archard.plot.measured"
 local naming = require "archard.plot.naming"
@@ -205,9 +206,7 @@ end
 local function column_of(where, history, name)
   local column = get(history, name)
   if column then return column end
-  local known = {}
-  for word in pairs(history) do known[#known + 1] = word end
-  check.fail(where, ("no column '%s' in the history%s"):format(name, check.hint(name, known)))
+  check.fail(where, ("no column '%s' in the history%s"):format(name, check.hint(name, keys(history))))
 end
 
 -- A panel for each quantity, in the order of the columns.

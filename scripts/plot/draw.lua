@@ -4,6 +4,7 @@
 local files = require "archard.files"
 local gnuplot = require "archard.gnuplot"
 local check = require "archard.lib.check"
+local keys = require "archard.lib.keys"
 local output = require "archard.plot.output"
 local csv = require "archard.plot.csv"
 local merged = require "archard.lib.merged"
@@ -240,9 +241,7 @@ end
 
 local default_fields = { term = check.one_of(terms), size = check.size, file_size = check.size,
   colour = check.flag, key = check.one_of(keys, check.flag) }
-local default_names = {}
-for name in pairs(default_fields) do default_names[#default_names + 1] = name end
-table.sort(default_names)
+local default_names = keys(default_fields)
 
 -- A name that is none is an error where it is written or read.
 setmetatable(draw.default, { __plain = true,

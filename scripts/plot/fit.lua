@@ -4,6 +4,7 @@
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
 local draw = require "archard.plot.draw"
+local keys = require "archard.lib.keys"
 local naming = require "archard.plot.naming"
 
 local where = "plot.fit"
@@ -94,9 +95,7 @@ local function of_fit(fit)
 end
 
 local function of_curves(fit)
-  local figure, names = { panels = {} }, {}
-  for name in pairs(fit.band) do names[#names + 1] = name end
-  table.sort(names)
+  local figure, names = { panels = {} }, keys(fit.band)
   if #names == 0 then check.fail(where, "curves=true: this fit has no unknown with knots") end
   for i, name in ipairs(names) do figure.panels[i] = curve_panel(name, fit.band[name]) end
   return figure

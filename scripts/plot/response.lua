@@ -2,6 +2,7 @@
 -- second setting, or a map of two. Leans on plot/draw.lua; of the cases it uses only what users can.
 
 local check = require "archard.lib.check"
+local keys = require "archard.lib.keys"
 local draw = require "archard.plot.draw"
 local naming = require "archard.plot.naming"
 local curves = require "archard.plot.curves"
@@ -55,10 +56,8 @@ local function points_of(study, options)
         by = options.by and setting_of(study, case, options.by),
         y = naming.get(case, options.y) or case.last and case.last[options.y] }
       if type(point.y) ~= "number" then
-        local known = {}
-        for name in pairs(case.last or {}) do known[#known + 1] = name end
         check.fail(where, ("field 'y': the cases have no number '%s'%s"):format(options.y,
-          check.hint(options.y, known)))
+          check.hint(options.y, keys(case.last or {}))))
       end
       points[#points + 1] = point
     end

@@ -3,6 +3,7 @@
 
 local check = require "archard.lib.check"
 local csv = require "archard.lib.csv"
+local keys = require "archard.lib.keys"
 local units = require "archard.lib.csv_units"
 local profile = require "archard.profile.evaluate"
 
@@ -80,20 +81,13 @@ local function usual_name(columns, name)
   for _, word in ipairs(usual[name]) do if columns[word] then return word end end
 end
 
-local function names_in(columns)
-  local list = {}
-  for name in pairs(columns) do list[#list + 1] = name end
-  table.sort(list)
-  return table.concat(list, ", ")
-end
-
 -- Numbers of a column in mm; its header's unit goes before the one that is given.
 local function in_mm(where, path, read, name, wanted, given)
   local found = math.type(wanted) == "integer" and read.order[wanted] or wanted
   local values = found and read.columns[found]
   if not values then
     check.fail(where, ("%s: no column for '%s'; there are %s: name one, %s=\"...\""):format(path, name,
-      names_in(read.columns), name))
+      table.concat(keys(read.columns), ", "), name))
   end
   for i = 1, #values do
     if type(values[i]) ~= "number" then check.fail(where, ("%s: column %q: expected numbers"):format(path, found)) end

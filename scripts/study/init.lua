@@ -23,14 +23,7 @@ local open_file = definitions.open
 
 -- --- making ------------------------------------------------------------------------------------
 
-local list_of_tables = check.kind("a list of tables", function(v)
-  if type(v) ~= "table" or #v == 0 then return false end
-  for _, one in ipairs(v) do
-    if type(one) ~= "table" then return false end
-  end
-  return true
-end)
-local definition_fields = { base = check.table, vary = check.table, cases = list_of_tables,
+local definition_fields = { base = check.table, vary = check.table, cases = check.list_of(check.table, "a list of tables"),
   name = check.text, looks = check.whole(0), task = check.one_of{ "wear", "converge" }, sample = check.table,
   n = check.whole(2, 1000000), design = check.one_of(design.kinds), seed = check.whole(1, 2 ^ 31 - 1),
   indices = check.flag }

@@ -16,21 +16,8 @@ local class = strict.class{ __name = "uncertainty", __fields = { "name", "of", "
 
 -- --- what is asked -------------------------------------------------------------------------------
 
-local shares = check.kind("a list of numbers in (0, 1)", function(v)
-  if type(v) ~= "table" or #v == 0 then return false end
-  for _, share in ipairs(v) do
-    if not check.share.test(share) then return false end
-  end
-  return true
-end)
-local distances = check.kind("a list of distances > 0", function(v)
-  if type(v) ~= "table" or #v == 0 then return false end
-  for _, d in ipairs(v) do
-    if not check.positive.test(d) then return false end
-  end
-  return true
-end)
-local fields = { of = check.any "names", quantiles = shares, at = distances, confidence = check.share }
+local fields = { of = check.any "names", quantiles = check.list_of(check.share, "a list of numbers in (0, 1)"),
+  at = check.list_of(check.positive, "a list of distances > 0"), confidence = check.share }
 
 -- --- from samples to estimates -------------------------------------------------------------------
 
