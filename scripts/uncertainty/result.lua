@@ -2,12 +2,12 @@
 -- field causes how much of it, and how far the estimates have settled. Leans on
 -- uncertainty/outcomes.lua for the numbers.
 
+local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local indices = require "archard.uncertainty.indices"
 local outcomes = require "archard.uncertainty.outcomes"
 local sampled = require "archard.uncertainty.sampled"
 local strict = require "archard.strict"
-local align = require "archard.study.table".align
 
 local where = "study:uncertainty"
 
@@ -162,8 +162,7 @@ local function causes_table(self, g)
 end
 
 local function add_rows(lines, rows)
-  align(rows)
-  for _, row in ipairs(rows) do lines[#lines + 1] = "  " .. table.concat(row, "  "):gsub(" +$", "") end
+  for _, line in ipairs(aligned(rows)) do lines[#lines + 1] = "  " .. line end
 end
 
 -- How far the mean and the outermost quantile moved with the second half of the samples.
