@@ -5,6 +5,7 @@ local debug, math, next, rawequal, rawget, table, tostring, type =
 local globals = _G
 
 local help = require "archard.help"
+local spelling = require "archard.lib.spelling"
 
 local own = {}
 
@@ -90,11 +91,7 @@ end
 -- "runs[1].first" of a path.
 function own.spoken(path)
   local parts = { path[1] }
-  for i = 2, #path do
-    local key = path[i]
-    parts[i] = type(key) == "string" and key:find("^[%a_][%w_]*$") and "." .. key
-      or ("[%s]"):format(type(key) == "string" and ("%q"):format(key) or tostring(key))
-  end
+  for i = 2, #path do parts[i] = spelling.index(path[i]) end
   return table.concat(parts)
 end
 

@@ -8,6 +8,7 @@
 local check = require "archard.lib.check"
 local own = require "archard.lib.own"
 local settings = require "archard.study.settings"
+local spelling = require "archard.lib.spelling"
 local store = require "archard.store"
 local text_file = require "archard.lib.text_file"
 
@@ -29,8 +30,7 @@ function readers.wear(_, file, id, functions) return file:wear(id, functions) en
 local function cure(message, name)
   if not message:find("the function again", 1, true) then return message end
   local field = message:match "^field '([%w_]+)'" or "k"
-  local key = name:find "^[%a_][%w_]*$" and name or ("[%q]"):format(name)
-  return ("%s; give it as session.open(path, { %s = { %s = f } })"):format(message, key, field)
+  return ("%s; give it as session.open(path, { %s = { %s = f } })"):format(message, spelling.field(name), field)
 end
 
 function writers.model(value, given)

@@ -3,6 +3,7 @@
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
+local spelling = require "archard.lib.spelling"
 local draw = require "archard.plot.draw"
 local naming = require "archard.plot.naming"
 local curves = require "archard.plot.curves"
@@ -66,9 +67,6 @@ local function points_of(study, options)
   return points
 end
 
--- As Lua spells it in a table: stroke, ["model.radius"].
-local function key_of(name) return name:find("^[%a_][%w_]*$") and name or ("[%q]"):format(name) end
-
 -- Two cases at one place differ in something that the picture would hide.
 local function refuse_hidden(study, points)
   local seen = {}
@@ -79,7 +77,7 @@ local function refuse_hidden(study, points)
       local a, b = setting_of(study, other, name), setting_of(study, point.case, name)
       if a ~= b then
         check.fail(where, ("cases %d and %d stand at the same place and differ in %s: choose with "
-          .. "by=\"%s\" or where={ %s=%s }"):format(other.id, point.case.id, name, name, key_of(name),
+          .. "by=\"%s\" or where={ %s=%s }"):format(other.id, point.case.id, name, name, spelling.field(name),
           type(a) == "string" and ("%q"):format(a) or tostring(a)))
       end
     end
