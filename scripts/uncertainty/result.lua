@@ -21,12 +21,11 @@ local fields = { of = check.any "names", quantiles = check.list_of(check.share, 
 
 -- --- from samples to estimates -------------------------------------------------------------------
 
--- Which of the counted cases are samples of the distributions: all, or with indices the first two of
--- every point. Their positions among the counted.
+-- The positions of samples of the distributions among the counted cases.
 local function samples_of(study, count)
-  local group, list = #study.sample.fields + 2, {}
+  local list = {}
   for i = 1, count do
-    if not study.sample.indices or (i - 1) % group < 2 then list[#list + 1] = i end
+    if outcomes.is_sample(study, i) then list[#list + 1] = i end
   end
   return list
 end
