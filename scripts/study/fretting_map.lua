@@ -43,11 +43,7 @@ end
 
 -- --- the picture ---------------------------------------------------------------------------------
 
-local function um(list)
-  local scaled = {}
-  for i, value in ipairs(list) do scaled[i] = 1000 * value end
-  return scaled
-end
+local function um(list) return require "archard.plot.shapes".scaled(list, 1000) end
 
 local function points_of(self, name)
   local curve = { x = {}, y = {}, style = "points", title = name == "stick" and name or name .. " slip" }
