@@ -8,17 +8,8 @@
 
 const char *const arc_geometry_names[] = {ARC_GEOMETRY_LIST(ARC_CHOICE_NAME) NULL};
 
-/* An element of the wear box may lose this share of its height before the mesh counts as used up.
- */
-static const double thinnest = 0.1;
-
 static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
-}
-
-/* Into the material: up for the cylinder, down for the plate. */
-static double inward(const shape_side *side) {
-  return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
 }
 
 /* Doubles a node has in the arrays of its side. */
@@ -58,7 +49,7 @@ static void read_nodes(shape_side *side) {
     chord_at(side->xy, side->n, i, chord);
     side->level[i] = now[1] - (now[0] - side->settled[2 * i]) * chord[1] / chord[0];
     side->x[i] = now[0];
-    side->y[i] = now[1] + inward(side) * side->even;
+    side->y[i] = now[1] + shape_inward(side) * side->even;
     side->way[i] = hypot(now[0] - top[0], side->y[i] - top[1]);
   }
 }
@@ -163,7 +154,7 @@ double arc_shape_width(const shape_side *side, int i) {
 
 /* Inward normal at a node (frozen geometry: straight up or down). */
 static void normal_at(const shape_side *side, arc_geometry geometry, int i, double normal[2]) {
-  const double in = inward(side);
+  const double in = shape_inward(side);
   normal[0] = 0;
   normal[1] = in;
   if (geometry == ARC_FROZEN) return;
@@ -188,7 +179,7 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
   if (i + 1 == side->n) return 0;
   normal_at(side, geometry, i, here);
   normal_at(side, geometry, i + 1, next);
-  return -inward(side) * (here[0] * next[1] - here[1] * next[0]);
+  return -shape_inward(side) * (here[0] * next[1] - here[1] * next[0]);
 }
 
 /* With ways d_i = h_i n_i the polygon loses the sum of h_i span_i + (d_i x d_i+1) / 2; each of two
@@ -232,26 +223,6 @@ static void move_surface(const shape_side *side, arc_geometry geometry, const do
     xy[2 * i] = side->xy[2 * i] + depth[i] * normal[0];
     xy[2 * i + 1] = side->xy[2 * i + 1] + depth[i] * normal[1];
   }
-}
-
-/* The wear box must keep its elements: every column a share of its height, the nodes their order.
- */
-static arc_status check_box(const shape_side *side, const double *xy, arc_error *error) {
-  const arc_mesh *mesh = side->body->mesh;
-  const double *top = arc_body_top(side->body, side->n / 2);
-  const double box = fabs(arc_body_bottom(side->body, side->n / 2)[1] - top[1]);
-  for (int i = 0; i < side->n; i++) {
-    const double *bottom = arc_body_bottom(side->body, i);
-    const double left = (bottom[1] - xy[2 * i + 1]) * inward(side);
-    if (left > thinnest * box && (i == 0 || xy[2 * i] > xy[2 * i - 2])) continue;
-    return arc_fail(
-        error, ARC_GEOMETRY,
-        "the %s's wear at x = %.4g mm leaves %.3g mm of its wear box of %d rows of %g mm; "
-        "use mesh.rows = %.0f, higher elements or smaller steps",
-        arc_body_name(mesh->body), side->x0[i], left, mesh->rows, mesh->def.height,
-        ceil(1.5 * fmax(box - left, box) / mesh->def.height));
-  }
-  return ARC_OK;
 }
 
 /* Whether node i has gone too far since the last condensation: by more than a share of an element's
@@ -349,7 +320,8 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
   double *xy = malloc(2 * (size_t)side->n * sizeof *xy);
   if (!xy) return out_of_memory(error);
   move_surface(side, shape->geometry, depth, xy);
-  arc_status status = shape->geometry == ARC_MOVING ? check_box(side, xy, error) : ARC_OK;
+  arc_status status =
+      shape->geometry == ARC_MOVING ? arc_shape_check_box(shape, side, xy, error) : ARC_OK;
   compliance renewed = {0};
   const int due = status == ARC_OK && refresh_is_due(shape, side, xy);
   if (due) status = condense(side, xy, &renewed, error);
@@ -363,11 +335,11 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
 }
 
 /* The compliance of one side as a geometry wants it, into *renewed (n = 0: the unworn one). */
-static arc_status compliance_for(const shape_side *side, arc_geometry geometry, compliance *renewed,
-                                 arc_error *error) {
+static arc_status compliance_for(const arc_shape *shape, const shape_side *side,
+                                 arc_geometry geometry, compliance *renewed, arc_error *error) {
   *renewed = (compliance){0};
   if (geometry == ARC_FROZEN || is_unworn(side)) return ARC_OK;
-  const arc_status status = check_box(side, side->xy, error);
+  const arc_status status = arc_shape_check_box(shape, side, side->xy, error);
   return status == ARC_OK ? condense(side, side->xy, renewed, error) : status;
 }
 
@@ -378,7 +350,7 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
   if (status != ARC_OK) return status;
   if (geometry != shape->geometry) {
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-      status = compliance_for(&shape->side[b], geometry, &renewed[b], error);
+      status = compliance_for(shape, &shape->side[b], geometry, &renewed[b], error);
     if (status != ARC_OK) {
       for (int b = 0; b < ARC_BODIES; b++) arc_compliance_free(&renewed[b]);
       return status;
@@ -404,7 +376,7 @@ arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, c
     put.xy[2 * i] = top[0] + way_x[i];
     put.xy[2 * i + 1] = top[1] + way_y[i];
   }
-  const arc_status status = compliance_for(&put, shape->geometry, &renewed, error);
+  const arc_status status = compliance_for(shape, &put, shape->geometry, &renewed, error);
   if (status == ARC_OK) {
     memcpy(side->xy, put.xy, 2 * (size_t)side->n * sizeof *put.xy);
     side->even = even;
@@ -443,7 +415,7 @@ static arc_status restore_side(arc_shape *shape, arc_body body, const arc_surfac
   read_nodes(side);
   if (shape->geometry == ARC_MOVING) arc_shape_drift(side);
   if (!state->condensed) return ARC_OK;
-  const arc_status status = check_box(side, side->settled, error);
+  const arc_status status = arc_shape_check_box(shape, side, side->settled, error);
   if (status != ARC_OK) return status;
   return condense(side, side->settled, &side->own, error);
 }

@@ -31,6 +31,11 @@ struct arc_shape {
   shape_side side[ARC_BODIES];
 };
 
+/* Into the material: up for the cylinder, down for the plate. */
+static inline double shape_inward(const shape_side *side) {
+  return side->body->mesh->body == ARC_CYLINDER ? 1 : -1;
+}
+
 static inline const compliance *shape_compliance(const shape_side *side) {
   return side->own.n > 0 ? &side->own : &side->body->unworn;
 }
@@ -38,6 +43,11 @@ static inline const compliance *shape_compliance(const shape_side *side) {
 /* Tributary width of surface node i [mm], where the nodes stood along x at the last condensation.
  */
 double arc_shape_width(const shape_side *side, int i);
+
+/* The wear box must keep its elements with the surface at xy: every column a share of its height,
+ * the nodes their order; ARC_GEOMETRY (wear_box.c). */
+arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
+                               arc_error *error);
 
 /* Brings `drift` up to date with the present nodes (drift.c). */
 void arc_shape_drift(shape_side *side);
