@@ -9,7 +9,6 @@ local report = require "archard.study.report"
 local definitions = require "archard.study.definitions"
 local settings = require "archard.study.settings"
 local strict = require "archard.strict"
-local submit = require "archard.study.submit"
 local text_file = require "archard.lib.text_file"
 
 local study = {}
@@ -175,6 +174,7 @@ end
 -- submit{ engine=, shares=, workers=, file=, options=, tries=, wait=, progress= } -> the study: the
 -- cases as shares of a job array, joined in the run file; see study/submit.lua.
 function methods:submit(options)
+  local submit = require "archard.study.submit"
   options = merged(check.fields("study:submit", options or {}, submit.fields))
   self:close()
   try_first(self, "study:submit")
