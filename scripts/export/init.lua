@@ -2,12 +2,13 @@
 -- files and the summary of a run are made of these here.
 
 local files = require "archard.files"
+local later = require "archard.lib.later"
 
 return {
   csv = files.csv,
   vtk = files.vtk,
   inp = files.inp,
   msh = files.msh,
-  pvd = require "archard.export.series",
-  json = require "archard.export.summary",
+  pvd = later "archard.export.series",
+  json = later "archard.export.summary",
 }

@@ -2,6 +2,7 @@
 -- that JSON has no word for (NaN, infinite) are null.
 
 local files = require "archard.files"
+local keys = require "archard.lib.keys"
 
 local json = { null = setmetatable({}, { __name = "null" }) }
 
@@ -25,10 +26,8 @@ local function array(values, indent)
 end
 
 local function object(values, indent)
-  local names, parts, deeper = {}, {}, indent .. "  "
-  for name in pairs(values) do names[#names + 1] = name end
-  table.sort(names)
-  for i, name in ipairs(names) do parts[i] = deeper .. quoted(name) .. ": " .. encode(values[name], deeper) end
+  local parts, deeper = {}, indent .. "  "
+  for i, name in ipairs(keys(values)) do parts[i] = deeper .. quoted(name) .. ": " .. encode(values[name], deeper) end
   if #parts == 0 then return "{}" end
   return "{\n" .. table.concat(parts, ",\n") .. "\n" .. indent .. "}"
 end

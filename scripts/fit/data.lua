@@ -4,6 +4,7 @@
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
+local keys = require "archard.lib.keys"
 
 local data = {}
 
@@ -14,37 +15,23 @@ local made = {
   volume = { { "volume_cylinder", "volume_plate" }, 1, "mm3", "wear volume of both" },
   width = { { "half_width" }, 2, "mm", "contact width" },
 }
-local quantities, names = {}, {}
+local quantities = {}
 for _, column in ipairs(columns) do
   quantities[column.name] = { { column.name }, 1, column.unit or "", column.text }
 end
 for name, one in pairs(made) do quantities[name] = one end
-for name in pairs(quantities) do names[#names + 1] = name end
-table.sort(names)
 data.quantities = quantities
 
 -- --- kinds of fields -----------------------------------------------------------------------------
 
-local function positive_list(v)
-  for i = 1, #v do
-    if not check.positive.test(v[i]) then return false end
-  end
-  return #v > 0
-end
-local function finite_list(v)
-  for i = 1, #v do
-    if not check.number.test(v[i]) then return false end
-  end
-  return #v > 0
-end
-local is_list = check.list.test
+local positives = check.list_of(check.positive, "a list of numbers > 0")
+local list = check.list_of(check.number, "a list of finite numbers")
 local sizes = check.kind("a number > 0, or a list of them", function(v)
-  return check.positive.test(v) or is_list(v) and positive_list(v)
+  return check.positive.test(v) or positives.test(v)
 end)
 local one_or_more = check.kind("a finite number, or a list of them", function(v)
-  return check.number.test(v) or is_list(v) and finite_list(v)
+  return check.number.test(v) or list.test(v)
 end)
-local list = check.kind("a list of finite numbers", function(v) return is_list(v) and finite_list(v) end)
 local body = check.one_of{ "cylinder", "plate" }
 local profile = check.kind("a profile of depths, with lists x and h [mm] (of heights: p:depth())", function(v)
   return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
@@ -52,7 +39,7 @@ end)
 
 local fields = {
   profile = profile, x = list, h = list, body = body, shift = check.number, tilt = check.number,
-  level = check.number, of = check.one_of(names), distance = sizes, value = one_or_more,
+  level = check.number, of = check.one_of(keys(quantities)), distance = sizes, value = one_or_more,
   error = sizes, relative = check.positive, title = check.text,
 }
 data.fields = fields
@@ -85,7 +72,7 @@ local function errors_of(where, prefix, given, own, value)
   if given.relative then
     local errors = {}
     for i, v in ipairs(value) do errors[i] = given.relative * math.abs(v) end
-    if not positive_list(errors) then
+    if not positives.test(errors) then
       check.fail(where, ("field '%s.relative': a value of 0 has no relative error; expected error")
         :format(prefix))
     end
@@ -189,13 +176,6 @@ end
 
 -- --- what a run must be looked at for -------------------------------------------------------------
 
-local function sorted_keys(set)
-  local keys = {}
-  for key in pairs(set) do keys[#keys + 1] = key end
-  table.sort(keys)
-  return keys
-end
-
 -- The list for observe.lua; every value of an item learns at which look it is found.
 function data.wanted(items)
   local distances, wanted, bodies, at = {}, {}, {}, {}
@@ -207,8 +187,7 @@ function data.wanted(items)
       for _, name in ipairs(quantities[item.of][1]) do wanted[name] = true end
     end
   end
-  local what = { distances = sorted_keys(distances), columns = sorted_keys(wanted),
-    bodies = sorted_keys(bodies) }
+  local what = { distances = keys(distances), columns = keys(wanted), bodies = keys(bodies) }
   for i, distance in ipairs(what.distances) do at[distance] = i end
   for _, item in ipairs(items) do
     item.look = {}

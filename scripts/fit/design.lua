@@ -2,6 +2,7 @@
 -- apart. From the derivatives at the start come the standard errors that each measurement would
 -- leave, alone, and the order in which to add them. Leans on fit/problem.lua.
 
+local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local data = require "archard.fit.data"
 local merged = require "archard.lib.merged"
@@ -198,8 +199,9 @@ local function row_of(self, first, one)
   return row
 end
 
-local function head_of(self, first)
-  local row = { first, "measurement", "at [mm]" }
+-- The heads of a table, those given and one for each unknown.
+local function heads(self, ...)
+  local row = { ... }
   for i, name in ipairs(self.names) do
     row[#row + 1] = "error of " .. name .. (self.units[i] ~= "" and " [" .. self.units[i] .. "]" or "")
   end
@@ -207,20 +209,12 @@ local function head_of(self, first)
 end
 
 local function add_rows(lines, rows)
-  local widths = {}
-  for _, row in ipairs(rows) do
-    for c, text in ipairs(row) do widths[c] = math.max(widths[c] or 0, #text) end
-  end
-  for _, row in ipairs(rows) do
-    local words = {}
-    for c, text in ipairs(row) do words[c] = text .. (" "):rep(widths[c] - #text) end
-    lines[#lines + 1] = ("  " .. table.concat(words, "  ")):gsub(" +$", "")
-  end
+  for _, line in ipairs(aligned(rows, true)) do lines[#lines + 1] = "  " .. line end
 end
 
 function class.__tostring(self)
   local lines, rows = { ("design of a test for %s: standard errors to expect, %d runs"):format(
-    table.concat(self.names, ", "), self.runs) }, { head_of(self, "") }
+    table.concat(self.names, ", "), self.runs) }, { heads(self, "", "measurement", "at [mm]") }
   for _, one in ipairs(self.alone) do rows[#rows + 1] = row_of(self, "alone", one) end
   for i, one in ipairs(self.best) do rows[#rows + 1] = row_of(self, i == 1 and "best" or "then", one) end
   rows[#rows + 1] = row_of(self, "all", { title = "together", distance = 0, error = self.all })
@@ -232,10 +226,7 @@ end
 -- d:table{ file= } -> the rows "alone" as CSV
 function methods:table(options)
   check.fields("design:table", options or {}, { file = check.text })
-  local rows = { { "measurement", "distance [mm]" } }
-  for i, name in ipairs(self.names) do
-    rows[1][i + 2] = "error of " .. name .. (self.units[i] ~= "" and " [" .. self.units[i] .. "]" or "")
-  end
+  local rows = { heads(self, "measurement", "distance [mm]") }
   for _, one in ipairs(self.alone) do
     local row = { one.title, one.distance }
     for i, name in ipairs(self.names) do row[i + 2] = one.error[name] end

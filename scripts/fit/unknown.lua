@@ -25,24 +25,17 @@ local function setting_of(name)
   end
 end
 
-local growing = check.kind("at least two growing distances [mm]", function(v)
-  if type(v) ~= "table" or #v < 2 then return false end
-  for i, d in ipairs(v) do
-    if not check.number.test(d) or d < 0 or (i > 1 and d <= v[i - 1]) then return false end
-  end
-  return true
+local not_below_0 = check.kind("a number >= 0", function(v) return check.number.test(v) and v >= 0 end)
+local distances = check.list_of(not_below_0, "growing distances", true)
+local knots = check.kind("at least two growing distances [mm]", function(v)
+  return distances.test(v) and #v > 1
 end)
+local starts = check.list_of(check.number, "numbers")
 local start_kind = check.kind("a number, or one for each knot", function(v)
-  if type(v) ~= "table" then return check.number.test(v) end
-  for _, value in ipairs(v) do
-    if not check.number.test(value) then return false end
-  end
-  return #v > 0
+  return check.number.test(v) or starts.test(v)
 end)
-local fields = { start = start_kind, low = check.number, high = check.number, knots = growing,
-  smooth = check.one_of({ "auto" }, check.kind("a number >= 0", function(v)
-    return check.number.test(v) and v >= 0
-  end)) }
+local fields = { start = start_kind, low = check.number, high = check.number, knots = knots,
+  smooth = check.one_of({ "auto" }, not_below_0) }
 unknown.fields = fields
 
 -- How far a parameter can reasonably go: what its steps and its prior are measured by.

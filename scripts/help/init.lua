@@ -176,7 +176,7 @@ function help.address_of(value)
   if value == nil then return nil end
   local kind = type(value)
   if kind ~= "function" and kind ~= "table" and kind ~= "userdata" then return nil end
-  local module = package.loaded.archard or {}
+  local module = require "archard"
   for name, member in next, module do
     if rawequal(member, value) and entries[name] then return name end
   end

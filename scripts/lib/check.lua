@@ -2,6 +2,7 @@
 -- values, in the words of the classes written in C. Errors are those of every class, placed where
 -- the user's own text called. Leans on archard.names for both.
 
+local keys = require "archard.lib.keys"
 local names = require "archard.names"
 
 local check = {}
@@ -40,10 +41,8 @@ check.flag = kind("true or false", function(v) return type(v) == "boolean" end)
 check.number = kind("a number", finite)
 check.positive = kind("a number > 0", function(v) return finite(v) and v > 0 end)
 check.share = kind("a number in (0, 1)", function(v) return finite(v) and v > 0 and v < 1 end)
-check.list = kind("a list of numbers", function(v)
-  return type(v) == "table" or type(v) == "userdata"
-end)
 check.table = kind("a table", function(v) return type(v) == "table" end)
+check.list = kind("a list of numbers", check.table.test)
 check.progress = kind('a function, false or "lines"', function(v)
   return type(v) == "function" or v == false or v == "lines"
 end)
@@ -55,6 +54,18 @@ function check.whole(low, high)
 end
 
 check.count = check.whole(1, 100000)
+
+-- A list whose items are all of a kind, one at least; `growing`: each number beyond the one before.
+function check.list_of(item, expected, growing)
+  return kind(expected, function(v)
+    if type(v) ~= "table" or #v == 0 then return false end
+    for i = 1, #v do
+      local one = v[i]
+      if not item.test(one) or (growing and i > 1 and one <= v[i - 1]) then return false end
+    end
+    return true
+  end)
+end
 
 -- Whatever the caller has checked, or another one will.
 function check.any(expected) return kind(expected, function() return true end) end
@@ -104,9 +115,7 @@ function check.fields(where, given, fields, prefix)
     if type(name) == "string" then
       local wanted = fields[name]
       if not wanted then
-        local known = {}
-        for word in pairs(fields) do known[#known + 1] = word end
-        check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, known)))
+        check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, keys(fields))))
       elseif not wanted.test(value) then
         check.refuse(where, prefix .. name, wanted.expected, value)
       end

@@ -9,6 +9,7 @@ local find, sub, match = string.find, string.sub, string.match
 local globals = _G
 
 local help = require "archard.help"
+local spelling = require "archard.lib.spelling"
 
 local complete = {}
 
@@ -224,17 +225,11 @@ local function sorted(set, prefix)
   return words
 end
 
-local keywords = {}
-for word in ("and break do else elseif end false for function goto if in local nil not or repeat "
-  .. "return then true until while"):gmatch("%a+") do
-  keywords[#keywords + 1] = word
-end
-
 local function global_words(prefix)
   local set = {}
   add_keys(set, globals)
   if prefix ~= "" then
-    for _, word in next, keywords do set[word] = true end
+    for _, word in next, spelling.keywords do set[word] = true end
   end
   -- Names that begin with "_" only when asked for.
   local words = {}

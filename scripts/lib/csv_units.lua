@@ -1,6 +1,9 @@
 -- Units behind the names of columns, "h [um]" or "h (um)", and what brings their numbers to mm, N,
 -- MPa and s.
 
+local keys = require "archard.lib.keys"
+local merged = require "archard.lib.merged"
+
 local larger = { mm = 1, cm = 10, m = 1000, km = 1e6, ["in"] = 25.4, inch = 25.4, N = 1, kN = 1000, MPa = 1, ["N/mm2"] = 1, GPa = 1000, s = 1,
   min = 60, h = 3600, mm2 = 1, mm3 = 1, cm3 = 1000, m3 = 1e9, ["mm2/N"] = 1, ["N mm"] = 1, J = 1000, ["m2/N"] = 1e6, ["1/MPa"] = 1, cycles = 1, ["-"] = 1 }
 -- Divisors: a tenth is no number of a computer, ten is.
@@ -31,11 +34,7 @@ function units.scaled(value, unit)
 end
 
 function units.list()
-  local all = {}
-  for unit in pairs(larger) do all[#all + 1] = unit end
-  for unit in pairs(smaller) do all[#all + 1] = unit end
-  table.sort(all)
-  return table.concat(all, ", ")
+  return table.concat(keys(merged(larger, smaller)), ", ")
 end
 
 return units

@@ -3,6 +3,7 @@
 local check = require "archard.lib.check"
 local pager = require "archard.lib.pager"
 local process = require "archard.process"
+local text_file = require "archard.lib.text_file"
 
 local examples = {}
 
@@ -38,15 +39,10 @@ local function path_of(where, wanted)
   check.fail(where, ("no example %s%s"):format(check.shown(wanted), check.hint(tostring(wanted), plain)))
 end
 
-local function text_of(path)
-  local file <close> = assert(io.open(path, "r"))
-  return file:read "a"
-end
-
 -- The first sentence of the comment that an example begins with.
 local function title(path)
   local head = {}
-  for line in text_of(path):gmatch("[^\n]+") do
+  for line in text_file.read(path):gmatch("[^\n]+") do
     if not line:find("^%-%-") then break end
     head[#head + 1] = line:gsub("^%-%-%s*", "")
   end
@@ -75,10 +71,9 @@ function examples.run(name, ...)
   chunk(...)
 end
 
-
 return setmetatable(examples, {
   __call = function(_, name)
-    pager.show(name == nil and overview() or text_of(path_of("examples", name)))
+    pager.show(name == nil and overview() or text_file.read(path_of("examples", name)))
   end,
   __tostring = function() return overview() end,
 })

@@ -5,29 +5,29 @@ local debug, math, next, rawequal, rawget, table, tostring, type =
 local globals = _G
 
 local help = require "archard.help"
+local spelling = require "archard.lib.spelling"
 
 local own = {}
 
 local there = { _ = true, arg = true }
 for name in next, globals do there[name] = true end
 
--- Whether the program put it there: some of its globals may have come after this file was read.
-local function is_ours(name, value)
-  return there[name] or rawequal((package.loaded.archard or {})[name], value)
-end
+-- Some globals of the program may have come after this file was read.
+local function is_ours(name) return there[name] or (require "archard")[name] ~= nil end
 
--- "wear", "study", ...: the class of an object of ours, or else the type.
+-- "wear", "study", ...: the class of an object of ours, or else the type; "program" where it is a part of that.
 function own.class(value)
   local metatable = debug.getmetatable(value)
   local address = type(metatable) == "table" and help.address_of(value)
-  return address and not address:find("[.{]") and type(value) ~= "function" and address or type(value)
+  if not address or address:find("[.{]") or type(value) == "function" then return type(value) end
+  return rawequal((require "archard")[address], value) and "program" or address
 end
 
 -- List of { name=, value=, class= } in the order of names.
 function own.list()
   local list = {}
   for name, value in next, globals do
-    if type(name) == "string" and not is_ours(name, value) then
+    if type(name) == "string" and not is_ours(name) then
       list[#list + 1] = { name = name, value = value, class = own.class(value) }
     end
   end
@@ -90,11 +90,7 @@ end
 -- "runs[1].first" of a path.
 function own.spoken(path)
   local parts = { path[1] }
-  for i = 2, #path do
-    local key = path[i]
-    parts[i] = type(key) == "string" and key:find("^[%a_][%w_]*$") and "." .. key
-      or ("[%s]"):format(type(key) == "string" and ("%q"):format(key) or tostring(key))
-  end
+  for i = 2, #path do parts[i] = spelling.index(path[i]) end
   return table.concat(parts)
 end
 

@@ -4,6 +4,7 @@
 local debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8 =
   debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8
 
+local spelling = require "archard.lib.spelling"
 local term = require "archard.term"
 
 local pretty = {}
@@ -18,12 +19,6 @@ local limits = {
 }
 
 local colours = { number = "36", string = "32", boolean = "35", ["nil"] = "35", dim = "2" }
-
-local keywords = {}
-for word in ("and break do else elseif end false for function goto if in local nil not or repeat "
-  .. "return then true until while"):gmatch("%a+") do
-  keywords[word] = true
-end
 
 local function visible_length(text)
   local plain = text:gsub("\27%[[%d;]*m", "")
@@ -107,7 +102,7 @@ local function sorted_keys(value, count)
 end
 
 function writer:key(key)
-  if type(key) == "string" and key:find("^[%a_][%w_]*$") and not keywords[key] then return key end
+  if spelling.is_name(key) then return key end
   return "[" .. self:scalar(key, "key") .. "]"
 end
 

@@ -1,5 +1,5 @@
 -- The table session as users see it; the work is in lib/session_file.lua.
 
-local file = require "archard.lib.session_file"
+local later = require "archard.lib.later"
 
-return { save = file.save, open = file.open }
+return { save = later("archard.lib.session_file", "save"), open = later("archard.lib.session_file", "open") }

@@ -8,7 +8,9 @@
 local check = require "archard.lib.check"
 local own = require "archard.lib.own"
 local settings = require "archard.study.settings"
+local spelling = require "archard.lib.spelling"
 local store = require "archard.store"
+local text_file = require "archard.lib.text_file"
 
 local session = {}
 
@@ -28,8 +30,7 @@ function readers.wear(_, file, id, functions) return file:wear(id, functions) en
 local function cure(message, name)
   if not message:find("the function again", 1, true) then return message end
   local field = message:match "^field '([%w_]+)'" or "k"
-  local key = name:find "^[%a_][%w_]*$" and name or ("[%q]"):format(name)
-  return ("%s; give it as session.open(path, { %s = { %s = f } })"):format(message, key, field)
+  return ("%s; give it as session.open(path, { %s = { %s = f } })"):format(message, spelling.field(name), field)
 end
 
 function writers.model(value, given)
@@ -257,11 +258,6 @@ local function functions_of(given, name)
   return given[name]
 end
 
-local function is_there(path)
-  local file <close> = io.open(path, "r")
-  return file ~= nil
-end
-
 -- What a case of a file is, without its value.
 local function described(file, id)
   local given = file:values(id, "settings")
@@ -287,7 +283,7 @@ local function read(file, functions)
     local given = each.given
     if given.same then
       each.value = values[math.tointeger(given.same)]
-    elseif given.kind == "study" and given.file and not is_there(given.file) then
+    elseif given.kind == "study" and given.file and not text_file.exists(given.file) then
       missing[#missing + 1] = ("%s: %s is not there"):format(each.name, given.file)
     else
       each.value = as("session.open", each.name, readers[given.kind], given, file, each.id,
@@ -336,7 +332,7 @@ function session.suggested()
   if last then return last end
   for i = 1, math.huge do
     local name = i == 1 and "session.archard" or ("session-%d.archard"):format(i)
-    if not is_there(name) then return name end
+    if not text_file.exists(name) then return name end
   end
 end
 

@@ -4,6 +4,7 @@
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
 local curves = require "archard.plot.curves"
+local process = require "archard.process"
 local term = require "archard.term"
 
 local own = {
@@ -114,11 +115,6 @@ local function each_frame(w, every, frames, visit)
   end
 end
 
-local function pause(seconds)
-  local until_ = term.clock() + seconds
-  while term.clock() < until_ do end
-end
-
 -- plot.animate(w, { frames=30, every=, what="profile", delay=0.1, file="run.gif", ... })
 return function(w, given)
   local where = "plot.animate"
@@ -135,7 +131,7 @@ return function(w, given)
       local options = options_of(panels, title, limits)
       options.term, options.size, options.colour = given.term, given.size, given.colour
       show(options, not kept[1])
-      pause(delay)
+      process.pause(delay)
       kept[1] = kept[1] or true
     elseif given.file then
       kept[#kept + 1] = { panels, title }

@@ -5,42 +5,23 @@ local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
 local draw = require "archard.plot.draw"
 local naming = require "archard.plot.naming"
+local shapes = require "archard.plot.shapes"
 
 local where = "plot.bands"
-
-local function scaled(list, factor)
-  local result = {}
-  for i, value in ipairs(list) do result[i] = value * factor end
-  return result
-end
-
--- Out along the lower quantile and back along the upper one.
-local function area(distance, low, high, factor)
-  local x, y = {}, {}
-  for i, d in ipairs(distance) do x[i], y[i] = d, low[i] * factor end
-  for i = #distance, 1, -1 do x[#x + 1], y[#y + 1] = distance[i], high[i] * factor end
-  return x, y
-end
-
-local function labels_of(name)
-  local label, factor = curves.quantity_of(name)
-  return label or name, factor or 1
-end
 
 -- Quantiles from the outermost pair inwards, and the one in the middle, if there is one.
 local function panel_of(uncertainty, name)
   local result = uncertainty[name]
   local quantiles, distance = result.quantiles, uncertainty.distance
-  local label, factor = labels_of(name)
+  local label, factor = curves.quantity_of(name)
   local panel = { xlabel = "distance / mm", ylabel = label, title = name:gsub("_", " ") }
   for i = 1, #quantiles // 2 do
     local low, high = quantiles[i], quantiles[#quantiles + 1 - i]
-    local x, y = area(distance, low.value, high.value, factor)
-    panel[i] = { x = x, y = y, style = "filled", series = 1,
-      title = ("%g to %g %%"):format(100 * low.share, 100 * high.share) }
+    panel[i] = shapes.area(distance, low.value, high.value, factor)
+    panel[i].title = ("%g to %g %%"):format(100 * low.share, 100 * high.share)
   end
   local middle = #quantiles % 2 == 1 and quantiles[#quantiles // 2 + 1]
-  panel[#panel + 1] = { x = distance, y = scaled(middle and middle.value or result.mean, factor), series = 2,
+  panel[#panel + 1] = { x = distance, y = shapes.scaled(middle and middle.value or result.mean, factor), series = 2,
     title = middle and ("%g %%"):format(100 * middle.share) or "mean" }
   return panel
 end

@@ -4,9 +4,11 @@
 local check = require "archard.lib.check"
 local known = require "archard.settings"
 local draw = require "archard.plot.draw"
+local keys = require "archard.lib.keys"
 local hertz_of = require "archard.lib.hertz_of"
 local measured = require "archard.plot.measured"
 local naming = require "archard.plot.naming"
+local shapes = require "archard.plot.shapes"
 
 local curves = {}
 
@@ -43,12 +45,7 @@ end
 
 -- --- numbers ------------------------------------------------------------------------------------
 
-local function scaled(list, factor)
-  if factor == 1 then return list end
-  local result = {}
-  for i = 1, #list do result[i] = list[i] * factor end
-  return result
-end
+local scaled = shapes.scaled
 
 -- Widens reach to show all that is not zero: a little beyond the last such |x|, and the first zero
 -- on either side, where the curve comes down.
@@ -195,19 +192,17 @@ local spoken = { p_center = "centre", p_max = "largest", p_peak = "over the cycl
   depth_plate = "plate", volume_cylinder = "cylinder", volume_plate = "plate" }
 local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }
 
+-- The label of a column, and the factor to its unit; nil for what is none.
 local function quantity_of(name)
   for _, quantity in ipairs(quantities) do
-    if name:find(quantity[1]) then return quantity[2] or name, quantity[3] end
+    if name:find(quantity[1]) then return quantity[2], quantity[3] end
   end
-  return name
 end
 
 local function column_of(where, history, name)
   local column = get(history, name)
   if column then return column end
-  local known = {}
-  for word in pairs(history) do known[#known + 1] = word end
-  check.fail(where, ("no column '%s' in the history%s"):format(name, check.hint(name, known)))
+  check.fail(where, ("no column '%s' in the history%s"):format(name, check.hint(name, keys(history))))
 end
 
 -- A panel for each quantity, in the order of the columns.
@@ -215,9 +210,10 @@ local function history_panels(columns)
   local panels, by_label = {}, {}
   for _, name in ipairs(columns) do
     local label, factor = quantity_of(name)
+    label = label or name
     local panel = by_label[label]
     if not panel then
-      panel = { ylabel = label, factor = factor, columns = {} }
+      panel = { ylabel = label, factor = factor or 1, columns = {} }
       panels[#panels + 1], by_label[label] = panel, panel
     end
     panel.columns[#panel.columns + 1] = name

@@ -4,6 +4,7 @@
 local files = require "archard.files"
 local gnuplot = require "archard.gnuplot"
 local check = require "archard.lib.check"
+local keys = require "archard.lib.keys"
 local output = require "archard.plot.output"
 local csv = require "archard.plot.csv"
 local merged = require "archard.lib.merged"
@@ -17,7 +18,7 @@ draw.default = output.default
 
 -- --- what may be given --------------------------------------------------------------------------
 
-local styles, keys = gnuplot.styles, gnuplot.keys
+local styles, key_places = gnuplot.styles, gnuplot.keys
 local terms = output.terms
 draw.terms = terms
 
@@ -37,7 +38,7 @@ end)
 local panel_fields = {
   title = check.text, xlabel = check.text, ylabel = check.text, xrange = check.range,
   yrange = check.range, logx = check.flag, logy = check.flag, xdown = check.flag,
-  ydown = check.flag, key = check.one_of(keys, check.flag), style = check.one_of(styles),
+  ydown = check.flag, key = check.one_of(key_places, check.flag), style = check.one_of(styles),
   equal = check.flag, levels = check.count, vlabel = check.text, vrange = check.range,
   x = check.list, y = check.list, points = check.table, xplaces = places,
   yplaces = places,
@@ -239,10 +240,8 @@ local function show(picture)
 end
 
 local default_fields = { term = check.one_of(terms), size = check.size, file_size = check.size,
-  colour = check.flag, key = check.one_of(keys, check.flag) }
-local default_names = {}
-for name in pairs(default_fields) do default_names[#default_names + 1] = name end
-table.sort(default_names)
+  colour = check.flag, key = check.one_of(key_places, check.flag) }
+local default_names = keys(default_fields)
 
 -- A name that is none is an error where it is written or read.
 setmetatable(draw.default, { __plain = true,

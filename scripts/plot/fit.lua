@@ -4,23 +4,20 @@
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
 local draw = require "archard.plot.draw"
+local keys = require "archard.lib.keys"
 local naming = require "archard.plot.naming"
+local shapes = require "archard.plot.shapes"
 
 local where = "plot.fit"
 
 -- --- a fit ---------------------------------------------------------------------------------------
 
-local function scaled(list, factor)
-  local result = {}
-  for i, value in ipairs(list) do result[i] = factor * value end
-  return result
-end
+local scaled = shapes.scaled
 
--- A band as an area: along its lower edge, and back along the upper one.
-local function area(x, low, high)
-  local xs, ys = table.move(x, 1, #x, 1, {}), table.move(low, 1, #low, 1, {})
-  for i = #x, 1, -1 do xs[#xs + 1], ys[#ys + 1] = x[i], high[i] end
-  return xs, ys
+local function band_of(x, low, high, factor)
+  local area = shapes.area(x, low, high, factor)
+  area.title = "band"
+  return area
 end
 
 -- What is on the vertical axis, and the factor to its unit.
@@ -50,9 +47,8 @@ end
 local function main_panel(item)
   local label, factor = label_of(item)
   local x = item.x or item.distance
-  local xs, ys = area(x, scaled(item.low, factor), scaled(item.high, factor))
   return {
-    { x = xs, y = ys, style = "filled", series = 1, title = "band" },
+    band_of(x, item.low, item.high, factor),
     { x = x, y = scaled(item.model, factor), series = 1, title = "model",
       style = #x == 1 and "points" or "lines" },
     { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
@@ -75,8 +71,7 @@ local function residual_panel(item)
 end
 
 local function curve_panel(name, curve)
-  local xs, ys = area(curve.distance, curve.low, curve.high)
-  return { { x = xs, y = ys, style = "filled", series = 1, title = "band" },
+  return { band_of(curve.distance, curve.low, curve.high, 1),
     { x = curve.distance, y = curve.value, series = 1, title = "fit" },
     title = name .. " over the distance", xlabel = naming.axis_of("distance"), ylabel = naming.axis_of(name) }
 end
@@ -94,9 +89,7 @@ local function of_fit(fit)
 end
 
 local function of_curves(fit)
-  local figure, names = { panels = {} }, {}
-  for name in pairs(fit.band) do names[#names + 1] = name end
-  table.sort(names)
+  local figure, names = { panels = {} }, keys(fit.band)
   if #names == 0 then check.fail(where, "curves=true: this fit has no unknown with knots") end
   for i, name in ipairs(names) do figure.panels[i] = curve_panel(name, fit.band[name]) end
   return figure

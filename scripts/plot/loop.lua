@@ -4,6 +4,7 @@
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
 local draw = require "archard.plot.draw"
+local shapes = require "archard.plot.shapes"
 
 local loop = {}
 
@@ -26,12 +27,6 @@ local function split(...)
   return given, options or {}
 end
 
-local function positions(one)
-  local um = {}
-  for i, x in ipairs(one.x) do um[i] = 1000 * x end
-  return um
-end
-
 -- plot.loop(w1, w2 or w2:loop(), ..., { titles=, ... })
 function loop.loop(...)
   local where = "plot.loop"
@@ -43,7 +38,7 @@ function loop.loop(...)
   for i, thing in ipairs(things) do
     local one = loop_of(where, thing)
     local name = options.titles and options.titles[i]
-    given[i] = { x = positions(one), y = one.tangential,
+    given[i] = { x = shapes.scaled(one.x, 1000), y = one.tangential,
       title = ("%s%.4g N mm a cycle"):format(name and name .. ", " or "", one.energy) }
   end
   options.titles = nil

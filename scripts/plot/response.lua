@@ -2,6 +2,8 @@
 -- second setting, or a map of two. Leans on plot/draw.lua; of the cases it uses only what users can.
 
 local check = require "archard.lib.check"
+local keys = require "archard.lib.keys"
+local spelling = require "archard.lib.spelling"
 local draw = require "archard.plot.draw"
 local naming = require "archard.plot.naming"
 local curves = require "archard.plot.curves"
@@ -55,10 +57,8 @@ local function points_of(study, options)
         by = options.by and setting_of(study, case, options.by),
         y = naming.get(case, options.y) or case.last and case.last[options.y] }
       if type(point.y) ~= "number" then
-        local known = {}
-        for name in pairs(case.last or {}) do known[#known + 1] = name end
         check.fail(where, ("field 'y': the cases have no number '%s'%s"):format(options.y,
-          check.hint(options.y, known)))
+          check.hint(options.y, keys(case.last or {}))))
       end
       points[#points + 1] = point
     end
@@ -66,9 +66,6 @@ local function points_of(study, options)
   if #points == 0 then check.fail(where, "no finished case is among those asked for") end
   return points
 end
-
--- As Lua spells it in a table: stroke, ["model.radius"].
-local function key_of(name) return name:find("^[%a_][%w_]*$") and name or ("[%q]"):format(name) end
 
 -- Two cases at one place differ in something that the picture would hide.
 local function refuse_hidden(study, points)
@@ -80,7 +77,7 @@ local function refuse_hidden(study, points)
       local a, b = setting_of(study, other, name), setting_of(study, point.case, name)
       if a ~= b then
         check.fail(where, ("cases %d and %d stand at the same place and differ in %s: choose with "
-          .. "by=\"%s\" or where={ %s=%s }"):format(other.id, point.case.id, name, name, key_of(name),
+          .. "by=\"%s\" or where={ %s=%s }"):format(other.id, point.case.id, name, name, spelling.field(name),
           type(a) == "string" and ("%q"):format(a) or tostring(a)))
       end
     end

@@ -2,6 +2,7 @@
 -- Leans on nothing but checks; plot/output.lua asks here.
 
 local check = require "archard.lib.check"
+local keys = require "archard.lib.keys"
 local merged = require "archard.lib.merged"
 local strict = require "archard.strict"
 
@@ -33,8 +34,7 @@ local fields = {
 }
 
 -- What a style may have: its options, and what a preset brings besides.
-local names = { "name", "column", "page", "shape" }
-for name in pairs(fields) do names[#names + 1] = name end
+local names = keys(merged(fields, { name = true, column = true, page = true, shape = true }))
 local held = { __plain = true, __index = function(_, name) return strict.refuse("plot.style", name, names) end }
 
 local function shown(chosen) return setmetatable(merged(chosen), held) end

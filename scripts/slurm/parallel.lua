@@ -2,6 +2,7 @@
 -- several that share its files. The interface is that of slurm/array.lua.
 
 local shell = require "archard.lib.shell"
+local text_file = require "archard.lib.text_file"
 
 local parallel = { program = "parallel" }
 
@@ -20,16 +21,11 @@ function parallel.start(job)
   return said
 end
 
-local function read(path)
-  local file <close> = io.open(path, "r")
-  return file and file:read("a")
-end
-
 -- By the words of the process, for another one may have got its number. They are empty for a moment
 -- while one program makes way for another, and for good once it has died.
 function parallel.state(job)
-  local status = read(("/proc/%s/status"):format(job.name))
-  local words = read(("/proc/%s/cmdline"):format(job.name))
+  local status = text_file.read(("/proc/%s/status"):format(job.name))
+  local words = text_file.read(("/proc/%s/cmdline"):format(job.name))
   if not status or not words or status:find("\nState:%s+[ZX]") then return nil end
   return (words == "" or words:find("parallel", 1, true)) and "running" or nil
 end

@@ -14,14 +14,11 @@ local where = "calibrate"
 
 local pair = check.kind("a table { cylinder=, plate= } of numbers or lists of numbers",
   check.table.test)
+local distances = check.list_of(check.positive, "a list of growing numbers > 0", true)
 local fields = { volume = pair, depth = pair, load = check.positive, accuracy = check.share,
   confidence = check.share, error = check.positive,
   distance = check.kind("a number > 0, or a list of growing ones", function(v)
-    if type(v) ~= "table" then return check.positive.test(v) end
-    for i, d in ipairs(v) do
-      if not check.positive.test(d) or d <= (v[i - 1] or 0) then return false end
-    end
-    return #v > 0
+    return check.positive.test(v) or distances.test(v)
   end) }
 -- A search by depth may have the fields of wear{}, but not the one it looks for, another load, or a
 -- shape to start from.

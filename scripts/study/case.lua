@@ -3,7 +3,9 @@
 
 local check = require "archard.lib.check"
 local hertz_of = require "archard.lib.hertz_of"
+local keys = require "archard.lib.keys"
 local measure = require "archard.measure"
+local merged = require "archard.lib.merged"
 local settings = require "archard.study.settings"
 local strict = require "archard.strict"
 local settable = require "archard.settings".wear
@@ -129,10 +131,8 @@ function methods:wear() return self.study:store():wear(self.id) end
 -- --- the object ----------------------------------------------------------------------------------
 
 -- Names of all that a case may tell of, with a value or without one.
-local known = { "id", "label", "status", "message", "seconds", "settings", "study" }
-for name in pairs(methods) do known[#known + 1] = name end
-for name in pairs(computed) do known[#known + 1] = name end
-for name in pairs(measures) do known[#known + 1] = name end
+local own = { id = true, label = true, status = true, message = true, seconds = true, settings = true, study = true }
+local known = keys(merged(own, computed, measures, methods))
 for _, setting in ipairs(settable) do known[#known + 1] = setting.name end
 
 -- Settings as given come before those of the stored definition, that come with defaults.
@@ -156,9 +156,7 @@ end
 
 case.__name = "case"
 case.__methods = methods
-case.__fields = { "id", "label", "status", "message", "seconds", "settings", "study" }
-for name in pairs(computed) do case.__fields[#case.__fields + 1] = name end
-for name in pairs(measures) do case.__fields[#case.__fields + 1] = name end
+case.__fields = keys(merged(own, computed, measures))
 
 function case.__tostring(self)
   local head = ("case %d: %s, %s"):format(self.id, self.label, self.status)

@@ -1,12 +1,12 @@
 -- study.converge: which mesh, which cycles per update and which increments a model needs. One case
 -- is searched here; many are a study of their own whose workers search (search.lua).
 
+local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
 local search = require "archard.study.search"
 local settings = require "archard.study.settings"
 local strict = require "archard.strict"
-local align = require "archard.study.table".align
 
 local where = "study.converge"
 
@@ -128,10 +128,9 @@ local function mesh_lines(mesh)
       ("%.2f"):format(step.p_max), ("%+.2f %%"):format(100 * step.error),
       step.change and ("%+.2f %%"):format(100 * step.change) or "-" }
   end
-  align(rows)
   local lines = { ("element size: %g mm is enough (within %g %% of Hertz' pressure, as is half of it)")
     :format(mesh.size, 100 * mesh.limit) }
-  for _, row in ipairs(rows) do lines[#lines + 1] = "  " .. table.concat(row, "  ") end
+  for _, line in ipairs(aligned(rows)) do lines[#lines + 1] = "  " .. line end
   if not falls(mesh.steps, function(step) return math.abs(step.error) end) then
     lines[#lines + 1] = "  (it need not fall from step to step: where the contact's edge comes to lie "
       .. "within an element counts too)"
@@ -162,9 +161,7 @@ local function case_lines(rows)
   local lines = { { "case", "jump", "stable to", "increments", "roughness", "asymmetry", "updates",
     "first depth [um]" } }
   for i, row in ipairs(rows) do lines[i + 1] = case_row(row) end
-  align(lines)
-  for i, line in ipairs(lines) do lines[i] = table.concat(line, "  ") end
-  return table.concat(lines, "\n")
+  return table.concat(aligned(lines), "\n")
 end
 
 -- --- where the search ended ------------------------------------------------------------------------
@@ -263,10 +260,8 @@ function class.__tostring(self)
   if self.mesh then parts[1] = mesh_lines(self.mesh) end
   local rows = self:table_1()
   if rows then
-    align(rows)
-    for i, row in ipairs(rows) do rows[i] = table.concat(row, "  ") end
     parts[#parts + 1] = "cycles per update (n_c: increments per cycle)\n"
-      .. table.concat(rows, "\n")
+      .. table.concat(aligned(rows), "\n")
   else
     parts[#parts + 1] = case_lines(self.cases)
   end

@@ -11,13 +11,7 @@ local usual_friction, usual_increments = 0.6, 40
 local sticks = 0.9 -- of the width: at the very edges every contact slips
 local close = 1.01 -- of borders
 
-local growing = check.kind("a list of increasing numbers > 0", function(v)
-  if type(v) ~= "table" or #v == 0 then return false end
-  for i, each in ipairs(v) do
-    if not check.positive.test(each) or each <= (v[i - 1] or 0) then return false end
-  end
-  return true
-end)
+local growing = check.list_of(check.positive, "a list of increasing numbers > 0", true)
 
 local fields = { load = growing, motion = growing }
 for _, setting in ipairs(require "archard.settings".wear) do
@@ -49,11 +43,7 @@ end
 
 -- --- the picture ---------------------------------------------------------------------------------
 
-local function um(list)
-  local scaled = {}
-  for i, value in ipairs(list) do scaled[i] = 1000 * value end
-  return scaled
-end
+local function um(list) return require "archard.plot.shapes".scaled(list, 1000) end
 
 local function points_of(self, name)
   local curve = { x = {}, y = {}, style = "points", title = name == "stick" and name or name .. " slip" }
@@ -99,7 +89,7 @@ strict.class(class)
 return function(given)
   check.definition(where, given, fields)
   for _, name in ipairs{ "load", "motion" } do
-    if given[name] == nil then check.refuse(where, name, growing.text or "a list of increasing numbers > 0", nil) end
+    if given[name] == nil then check.refuse(where, name, growing.expected, nil) end
   end
   local base = merged({ friction = usual_friction, increments = usual_increments }, given)
   base.motion = nil

@@ -9,7 +9,7 @@ local report = require "archard.study.report"
 local definitions = require "archard.study.definitions"
 local settings = require "archard.study.settings"
 local strict = require "archard.strict"
-local submit = require "archard.study.submit"
+local text_file = require "archard.lib.text_file"
 
 local study = {}
 local methods = {}
@@ -22,14 +22,7 @@ local open_file = definitions.open
 
 -- --- making ------------------------------------------------------------------------------------
 
-local list_of_tables = check.kind("a list of tables", function(v)
-  if type(v) ~= "table" or #v == 0 then return false end
-  for _, one in ipairs(v) do
-    if type(one) ~= "table" then return false end
-  end
-  return true
-end)
-local definition_fields = { base = check.table, vary = check.table, cases = list_of_tables,
+local definition_fields = { base = check.table, vary = check.table, cases = check.list_of(check.table, "a list of tables"),
   name = check.text, looks = check.whole(0), task = check.one_of{ "wear", "converge" }, sample = check.table,
   n = check.whole(2, 1000000), design = check.one_of(design.kinds), seed = check.whole(1, 2 ^ 31 - 1),
   indices = check.flag }
@@ -132,12 +125,6 @@ function methods:store()
   return self.reading
 end
 
-local function exists(path)
-  local file = io.open(path)
-  if file then file:close() end
-  return file ~= nil
-end
-
 -- --- running -----------------------------------------------------------------------------------
 
 local shard_kind = check.kind('"i/n" with i from 1 to n', function(v)
@@ -173,7 +160,7 @@ function methods:run(options)
   local path = options.file or self.file or "study.archard"
   self:close()
   try_first(self, "study:run")
-  if self.sample and not exists(path) then require "archard.uncertainty.trial"(self) end
+  if self.sample and not text_file.exists(path) then require "archard.uncertainty.trial"(self) end
   local store = definitions.for_run(self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
@@ -187,6 +174,7 @@ end
 -- submit{ engine=, shares=, workers=, file=, options=, tries=, wait=, progress= } -> the study: the
 -- cases as shares of a job array, joined in the run file; see study/submit.lua.
 function methods:submit(options)
+  local submit = require "archard.study.submit"
   options = merged(check.fields("study:submit", options or {}, submit.fields))
   self:close()
   try_first(self, "study:submit")

@@ -2,6 +2,7 @@
 -- entries have them. A misspelt one is told before anything runs. Leans on check's hints.
 
 local check = require "archard.lib.check"
+local keys = require "archard.lib.keys"
 
 local tree -- by name: a table of the names inside, empty where those are not ours to check
 
@@ -29,9 +30,7 @@ local function refuse(where, at, prefix, name)
     check.fail(where, ("unknown field '%s': it is a field of model{}, as in model = { %s = ... }")
       :format(name, name))
   end
-  local known = {}
-  for word in pairs(at) do known[#known + 1] = word end
-  check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, known)))
+  check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, keys(at))))
 end
 
 -- Raises an error for a name like "model.mesh.sise" that nothing has.

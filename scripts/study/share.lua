@@ -3,6 +3,8 @@
 -- on archard.store and study/run.lua.
 
 local definitions = require "archard.study.definitions"
+local files = require "archard.files"
+local text_file = require "archard.lib.text_file"
 
 local where = "study:submit"
 
@@ -19,26 +21,12 @@ local function chosen(whole, i, n)
   return function(id) return ids[id] end
 end
 
--- A file is there whole, or not at all.
-local function copy(from, to)
-  local source <close> = assert(io.open(from, "rb"))
-  local target = assert(io.open(to .. ".new", "wb"))
-  assert(target:write(source:read("a")))
-  assert(target:close())
-  assert(os.rename(to .. ".new", to))
-end
-
-local function exists(path)
-  local file <close> = io.open(path, "r")
-  return file ~= nil
-end
-
 -- whole: the run file of the study; blank: one with its definitions and no results; path: that of a
 -- share, with {} for its number. One that was begun, by a task that Slurm starts again, is gone on with.
 return function(whole, blank, path, shares, workers)
   local i = assert(math.tointeger(tonumber(os.getenv "ARCHARD_SHARE")), "ARCHARD_SHARE: no number")
   local mine = path:gsub("{}", i)
-  if not exists(mine) then copy(blank, mine) end
+  if not text_file.exists(mine) then files.write(where, mine, assert(text_file.read(blank))) end
   local store <close> = definitions.open(where, mine, "write")
   require "archard.study.run"(store, { workers = workers, chosen = chosen(whole, i, shares),
     progress = "lines" })

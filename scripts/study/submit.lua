@@ -7,11 +7,13 @@
 
 local check = require "archard.lib.check"
 local definitions = require "archard.study.definitions"
+local files = require "archard.files"
 local itself = require "archard.lib.itself"
 local process = require "archard.process"
 local progress = require "archard.lib.progress"
 local report = require "archard.study.report"
 local shell = require "archard.lib.shell"
+local text_file = require "archard.lib.text_file"
 
 local where = "study:submit"
 local submit = {}
@@ -31,18 +33,6 @@ local engines = { slurm = require "archard.slurm.array", parallel = require "arc
 
 -- --- the folder of a job -------------------------------------------------------------------------
 
-local function write(path, text)
-  local file, why = io.open(path, "w")
-  if not file or not file:write(text) or not file:close() then
-    check.fail(where, ("%s cannot be written: %s"):format(path, why or "disk full?"), "IO")
-  end
-end
-
-local function read(path)
-  local file <close> = io.open(path, "r")
-  return file and file:read("a")
-end
-
 -- What a job is and where its things are; `name` is the engine's, once it has started.
 local function describe(folder, engine, shares, name)
   return { folder = folder, engine = engine, shares = shares, name = name,
@@ -52,19 +42,19 @@ local function describe(folder, engine, shares, name)
 end
 
 local function write_note(job)
-  write(job.note, ("%s %d %s\n"):format(job.engine, job.shares, job.name or "-"))
+  files.write(where, job.note, ("%s %d %s\n"):format(job.engine, job.shares, job.name or "-"))
 end
 
 -- The job that the folder tells of, or nil.
 local function noted(folder)
-  local engine, shares, name = (read(folder .. "/job") or ""):match("^(%a+) (%d+) (%S+)")
+  local engine, shares, name = (text_file.read(folder .. "/job") or ""):match("^(%a+) (%d+) (%S+)")
   if not engines[engine] then return nil end
   return describe(folder, engine, tonumber(shares), name ~= "-" and name or nil)
 end
 
 local function clear(job)
   for i = 1, job.shares do
-    for _, ending in ipairs{ "", ".new", "-journal", "-wal", "-shm" } do os.remove(job.file(i) .. ending) end
+    for _, ending in ipairs{ "", ".part", "-journal", "-wal", "-shm" } do os.remove(job.file(i) .. ending) end
     os.remove(job.log(i))
   end
   for _, path in ipairs{ job.log("parallel"), job.blank, job.script, job.note, job.folder } do os.remove(path) end
@@ -128,11 +118,6 @@ end
 
 -- --- joining -------------------------------------------------------------------------------------
 
-local function exists(path)
-  local file <close> = io.open(path, "r")
-  return file ~= nil
-end
-
 -- Whether the whole holds all that a share has finished: it was killed between joining and removing.
 local function is_joined(store, path)
   local status = {}
@@ -152,7 +137,7 @@ end
 local function join(store, job)
   for i = 1, job.shares do
     local path = job.file(i)
-    if exists(path) then
+    if text_file.exists(path) then
       if not is_joined(store, path) then store:merge(path) end
       os.remove(path)
     end
@@ -194,7 +179,7 @@ end
 local function start(self, job, whole)
   local made, why = process.make_folder(job.folder)
   if not made then check.fail(where, ("folder %s: %s"):format(job.folder, why), "IO") end
-  write(job.script, script_of(job, whole))
+  files.write(where, job.script, script_of(job, whole))
   write_blank(self, job.blank)
   for i = 1, job.shares do os.remove(job.log(i)) end
   write_note(job)
@@ -209,10 +194,10 @@ end
 -- Why a job brought nothing: the last line of a share, or the first of what started them.
 local function last_words(job)
   for i = 1, job.shares do
-    local line = (read(job.log(i)) or ""):match("([^\n]+)%s*$")
+    local line = (text_file.read(job.log(i)) or ""):match("([^\n]+)%s*$")
     if line then return line end
   end
-  return (read(job.log("parallel")) or ""):match("[^\n]+") or "its shares said nothing; see " .. job.folder
+  return (text_file.read(job.log("parallel")) or ""):match("[^\n]+") or "its shares said nothing; see " .. job.folder
 end
 
 -- --- all of it -----------------------------------------------------------------------------------

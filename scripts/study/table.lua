@@ -1,5 +1,6 @@
 -- Tables of a study's results: for the terminal, as CSV, as Markdown. Leans on the cases alone.
 
+local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local csv_text = require "archard.lib.csv_text"
 local files = require "archard.files"
@@ -78,21 +79,6 @@ local function heads(columns, with_unit)
   return row
 end
 
--- Pads to the widest of each column: numbers to the right, the last to the left.
-local function align(rows)
-  local widths = {}
-  for _, row in ipairs(rows) do
-    for c, text in ipairs(row) do widths[c] = math.max(widths[c] or 0, utf8.len(text) or #text) end
-  end
-  for _, row in ipairs(rows) do
-    for c, text in ipairs(row) do
-      local gap = (" "):rep(widths[c] - (utf8.len(text) or #text))
-      row[c] = c == #row and text or gap .. text
-    end
-  end
-  return widths
-end
-
 -- Short heads, the units in a line of their own: to fit a terminal.
 local short = { depth_cylinder = "h_cyl", depth_plate = "h_plate", half_width = "half_w",
   alpha_tilde = "a~", seconds = "time", updates = "upd." }
@@ -122,11 +108,10 @@ local function text_of(study, columns)
   local rows = rows_of(study, columns, shown)
   table.insert(rows, 1, units)
   table.insert(rows, 1, head)
-  local width, widths = -2, align(rows)
+  local lines, widths = aligned(rows)
+  local width = -2
   widths[#widths] = math.min(widths[#widths], widest_status)
   for _, each in ipairs(widths) do width = width + each + 2 end
-  local lines = {}
-  for i, row in ipairs(rows) do lines[i] = (table.concat(row, "  "):gsub(" +$", "")) end
   return table.concat(lines, "\n"), width
 end
 
@@ -185,7 +170,5 @@ function tables.rows(study, omitted)
   table.insert(rows, 1, heads(columns, true))
   return rows
 end
-
-tables.align = align
 
 return tables

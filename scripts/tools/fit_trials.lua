@@ -10,10 +10,7 @@ for _, kind in ipairs{ "pair", "curve" } do
     for name, is_in in pairs(inside) do hits[name] = (hits[name] or 0) + (is_in and 1 or 0) end
     longest, total = math.max(longest, seconds), total + seconds
   end
-  local names = {}
-  for name in pairs(hits) do names[#names + 1] = name end
-  table.sort(names)
-  for _, name in ipairs(names) do
+  for _, name in ipairs(require "archard.lib.keys"(hits)) do
     print(("%-6s %-17s inside in %d of %d"):format(kind, name, hits[name], count))
   end
   print(("%-6s a fit takes %.2f s on average, %.2f s at most (processor time)"):format(kind,

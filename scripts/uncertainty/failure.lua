@@ -53,18 +53,13 @@ function class.__tostring(self)
     self.course.probability[1])
 end
 
--- Among the counted cases with indices only two of every point are samples of the distributions.
-local function is_sample(study, number)
-  return not study.sample.indices or (number - 1) % (#study.sample.fields + 2) < 2
-end
-
 return function(study, given)
   check.definition(where, given, fields)
   if given.of == nil then check.refuse(where, "of", "the name of a column of the history", nil) end
   outcomes.names(where, given.of)
   local past, passed = test_of(given), {}
   local failed = outcomes.each(study, where, function(number, history)
-    if is_sample(study, number) then passed[#passed + 1] = passes(history, given.of, past, given.before) end
+    if outcomes.is_sample(study, number) then passed[#passed + 1] = passes(history, given.of, past, given.before) end
   end)
   local count, half = 0, 0
   for i, yes in ipairs(passed) do

@@ -46,6 +46,12 @@ function outcomes.rows(study, where)
   return rows
 end
 
+-- Whether the counted case of that number is a sample of the distributions: with indices only the
+-- first two of every point are.
+function outcomes.is_sample(study, number)
+  return not study.sample.indices or (number - 1) % (#study.sample.fields + 2) < 2
+end
+
 -- Whether a row counts: with indices the cases of one point stand or fall together.
 local function counted(study, rows)
   local kept, group, left_out = {}, study.sample.indices and #study.sample.fields + 2 or 1, 0

@@ -2,12 +2,12 @@
 -- field causes how much of it, and how far the estimates have settled. Leans on
 -- uncertainty/outcomes.lua for the numbers.
 
+local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local indices = require "archard.uncertainty.indices"
 local outcomes = require "archard.uncertainty.outcomes"
 local sampled = require "archard.uncertainty.sampled"
 local strict = require "archard.strict"
-local align = require "archard.study.table".align
 
 local where = "study:uncertainty"
 
@@ -16,30 +16,16 @@ local class = strict.class{ __name = "uncertainty", __fields = { "name", "of", "
 
 -- --- what is asked -------------------------------------------------------------------------------
 
-local shares = check.kind("a list of numbers in (0, 1)", function(v)
-  if type(v) ~= "table" or #v == 0 then return false end
-  for _, share in ipairs(v) do
-    if not check.share.test(share) then return false end
-  end
-  return true
-end)
-local distances = check.kind("a list of distances > 0", function(v)
-  if type(v) ~= "table" or #v == 0 then return false end
-  for _, d in ipairs(v) do
-    if not check.positive.test(d) then return false end
-  end
-  return true
-end)
-local fields = { of = check.any "names", quantiles = shares, at = distances, confidence = check.share }
+local fields = { of = check.any "names", quantiles = check.list_of(check.share, "a list of numbers in (0, 1)"),
+  at = check.list_of(check.positive, "a list of distances > 0"), confidence = check.share }
 
 -- --- from samples to estimates -------------------------------------------------------------------
 
--- Which of the counted cases are samples of the distributions: all, or with indices the first two of
--- every point. Their positions among the counted.
+-- The positions of samples of the distributions among the counted cases.
 local function samples_of(study, count)
-  local group, list = #study.sample.fields + 2, {}
+  local list = {}
   for i = 1, count do
-    if not study.sample.indices or (i - 1) % group < 2 then list[#list + 1] = i end
+    if outcomes.is_sample(study, i) then list[#list + 1] = i end
   end
   return list
 end
@@ -175,8 +161,7 @@ local function causes_table(self, g)
 end
 
 local function add_rows(lines, rows)
-  align(rows)
-  for _, row in ipairs(rows) do lines[#lines + 1] = "  " .. table.concat(row, "  "):gsub(" +$", "") end
+  for _, line in ipairs(aligned(rows)) do lines[#lines + 1] = "  " .. line end
 end
 
 -- How far the mean and the outermost quantile moved with the second half of the samples.

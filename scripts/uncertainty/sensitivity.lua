@@ -2,12 +2,12 @@
 -- as derivatives and as elasticities (percent by percent), each with its own error. Leans on
 -- uncertainty/repeated.lua for runs with a number changed, on uncertainty.plateau.lua.
 
+local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local derive = require "archard.uncertainty.plateau"
 local outcomes = require "archard.uncertainty.outcomes"
 local repeated = require "archard.uncertainty.repeated"
 local strict = require "archard.strict"
-local align = require "archard.study.table".align
 
 local where = "wear:sensitivity"
 
@@ -116,9 +116,8 @@ function class.__tostring(self)
         ("%.5f"):format(one.elasticity[g]), ("%.1g"):format(one.elasticity_error[g]) }
     end
   end
-  align(rows)
   local lines = { ("sensitivities at %g mm, from %d runs"):format(self.distance[g], self.runs) }
-  for _, row in ipairs(rows) do lines[#lines + 1] = "  " .. table.concat(row, "  "):gsub(" +$", "") end
+  for _, line in ipairs(aligned(rows)) do lines[#lines + 1] = "  " .. line end
   return table.concat(lines, "\n")
 end
 

@@ -7,6 +7,7 @@
 #include "cli/signals.h"
 #include "lua/base/archard.h"
 #include "lua/base/interrupt.h"
+#include "lua/base/scripts.h"
 #include "lua/base/strict.h"
 
 #include <getopt.h>
@@ -173,6 +174,7 @@ static int session(lua_State *L) {
   set_arg_table(L, self);
   luaopen_archard(L);
   strict_globals(L);
+  script_keep_methods(L);
   strict_libraries(L);
   if (self->lax) strict_lax(L);
   lua_settop(L, 0);

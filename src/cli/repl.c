@@ -6,6 +6,7 @@
 #include "archard/base.h"
 #include "cli/edit.h"
 #include "lua/base/interrupt.h"
+#include "lua/base/scripts.h"
 
 #include <lauxlib.h>
 #include <stdio.h>
@@ -40,9 +41,7 @@ static int pending_add(pending *self, const char *line) {
  * ------------------------------------------------------ */
 
 static void push_module_function(lua_State *L, const char *module, const char *name) {
-  lua_getglobal(L, "require");
-  lua_pushstring(L, module);
-  lua_call(L, 1, 1);
+  script_require(L, module);
   lua_getfield(L, -1, name);
   lua_remove(L, -2);
 }

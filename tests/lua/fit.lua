@@ -150,4 +150,11 @@ for name, draw in pairs{ fit = function(o) plot.fit(f, o) end, design = function
   opened:close()
   os.remove(file .. ".svg")
 end
+local width = fit{ base = base, unknown = { k = 1e-8 }, data = { { of = "width", distance = { 110, 220 },
+  value = { 0.23, 0.24 }, error = 0.01 } } }
+plot.fit(width, { file = file .. ".gp" })
+local script = io.open(file .. ".gp")
+holds(script:read "a", "'width / mm'", "a picture of what is no column of the history")
+script:close()
+os.remove(file .. ".gp")
 fails(function() plot.fit({}) end, "expected what fit{}", "plot.fit of something else")

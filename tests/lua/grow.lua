@@ -120,6 +120,8 @@ local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder
   alpha = 1, k = 4e-6, jump = "auto" }
 local fine, message = pcall(full.run, full)
 local at, pressure = full.distance, full.p_center
-ok(not fine and tostring(message):find("zones end at", 1, true), "no room: the limit is named")
+tap.holds(message, { "of its wear box of 4 rows of 0.0625 mm, the most that fit; use smaller steps",
+  "zones end at 1.6 and 1.6 mm, wear boxes at 0.25 mm" }, "no room: the limits are named, no deeper box is advised")
+ok(not fine, "and the run ends there")
 ok(not pcall(full.step, full), "again")
 ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is what it was")

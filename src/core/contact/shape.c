@@ -8,10 +8,6 @@
 
 const char *const arc_geometry_names[] = {ARC_GEOMETRY_LIST(ARC_CHOICE_NAME) NULL};
 
-/* An element of the wear box may lose this share of its height before the mesh counts as used up.
- */
-static const double thinnest = 0.1;
-
 static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
 }
@@ -144,26 +140,6 @@ void arc_shape_box(const shape_side *side, const double *surface_xy, double *box
   for (int k = 0; k < side->body->box_count; k++) box_node_at(side, surface_xy, k, &box_xy[2 * k]);
 }
 
-/* The wear box must keep its elements: every column a share of its height, the nodes their order.
- */
-static arc_status check_box(const shape_side *side, const double *xy, arc_error *error) {
-  const arc_mesh *mesh = side->body->mesh;
-  const double *top = arc_body_top(side->body, side->n / 2);
-  const double box = fabs(arc_body_bottom(side->body, side->n / 2)[1] - top[1]);
-  for (int i = 0; i < side->n; i++) {
-    const double *bottom = arc_body_bottom(side->body, i);
-    const double left = (bottom[1] - xy[2 * i + 1]) * shape_inward(side);
-    if (left > thinnest * box && (i == 0 || xy[2 * i] > xy[2 * i - 2])) continue;
-    return arc_fail(
-        error, ARC_GEOMETRY,
-        "the %s's wear at x = %.4g mm leaves %.3g mm of its wear box of %d rows of %g mm; "
-        "use mesh.rows = %.0f, higher elements or smaller steps",
-        arc_body_name(mesh->body), side->x0[i], left, mesh->rows, mesh->def.height,
-        ceil(1.5 * fmax(box - left, box) / mesh->def.height));
-  }
-  return ARC_OK;
-}
-
 /* Whether node i has gone too far since the last condensation: by more than a share of an element's
  * height as it is now; or, in elements' widths, by a hundredth of that along the surface, which
  * shows in the pressure at a scar's edge as much. */
@@ -251,7 +227,8 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
   double *xy = malloc(2 * (size_t)side->n * sizeof *xy);
   if (!xy) return out_of_memory(error);
   arc_shape_move(side, shape->geometry, depth, xy);
-  arc_status status = shape->geometry == ARC_MOVING ? check_box(side, xy, error) : ARC_OK;
+  arc_status status =
+      shape->geometry == ARC_MOVING ? arc_shape_check_box(shape, side, xy, error) : ARC_OK;
   compliance renewed = {0};
   const int due = status == ARC_OK && refresh_is_due(shape, side, xy);
   if (due) status = condense(side, xy, &renewed, error);
@@ -265,11 +242,11 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
 }
 
 /* The compliance of one side as a geometry wants it, into *renewed (n = 0: the unworn one). */
-static arc_status compliance_for(const shape_side *side, arc_geometry geometry, compliance *renewed,
-                                 arc_error *error) {
+static arc_status compliance_for(const arc_shape *shape, const shape_side *side,
+                                 arc_geometry geometry, compliance *renewed, arc_error *error) {
   *renewed = (compliance){0};
   if (geometry == ARC_FROZEN || is_unworn(side)) return ARC_OK;
-  const arc_status status = check_box(side, side->xy, error);
+  const arc_status status = arc_shape_check_box(shape, side, side->xy, error);
   return status == ARC_OK ? condense(side, side->xy, renewed, error) : status;
 }
 
@@ -280,7 +257,7 @@ arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, doubl
   if (status != ARC_OK) return status;
   if (geometry != shape->geometry) {
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-      status = compliance_for(&shape->side[b], geometry, &renewed[b], error);
+      status = compliance_for(shape, &shape->side[b], geometry, &renewed[b], error);
     if (status != ARC_OK) {
       for (int b = 0; b < ARC_BODIES; b++) arc_compliance_free(&renewed[b]);
       return status;
@@ -306,7 +283,7 @@ arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, c
     put.xy[2 * i] = top[0] + way_x[i];
     put.xy[2 * i + 1] = top[1] + way_y[i];
   }
-  const arc_status status = compliance_for(&put, shape->geometry, &renewed, error);
+  const arc_status status = compliance_for(shape, &put, shape->geometry, &renewed, error);
   if (status == ARC_OK) {
     memcpy(side->xy, put.xy, 2 * (size_t)side->n * sizeof *put.xy);
     side->even = even;
@@ -345,7 +322,7 @@ static arc_status restore_side(arc_shape *shape, arc_body body, const arc_surfac
   read_nodes(side);
   if (shape->geometry == ARC_MOVING) arc_shape_drift(side);
   if (!state->condensed) return ARC_OK;
-  const arc_status status = check_box(side, side->settled, error);
+  const arc_status status = arc_shape_check_box(shape, side, side->settled, error);
   if (status != ARC_OK) return status;
   return condense(side, side->settled, &side->own, error);
 }

@@ -56,6 +56,11 @@ void arc_shape_move(const shape_side *side, arc_geometry geometry, const double 
  */
 double arc_shape_width(const shape_side *side, int i);
 
+/* The wear box must keep its elements with the surface at xy: every column a share of its height,
+ * the nodes their order; ARC_GEOMETRY (wear_box.c). */
+arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
+                               arc_error *error);
+
 /* How much lower the surface lies at a fixed x per depth along the normals that wear would follow,
  * 1 / cos of the slope, into down [n]. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);

@@ -60,18 +60,14 @@ static const char *const scripted[][3] = {
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 
-static void preload_modules(lua_State *L) {
-  luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_PRELOAD_TABLE);
-  luaL_setfuncs(L, modules, 0);
-  lua_pop(L, 1);
-}
-
-/* Pops a value and makes it the field and the global `name`; the module table is on top below it.
- */
+/* Pops a value and makes it the field and the global `name`, the user's and that of scripts; the
+ * module table is on top below it. */
 static void publish(lua_State *L, const char *name) {
   if (lua_istable(L, -1)) strict_module(L, name);
   lua_pushvalue(L, -1);
   lua_setglobal(L, name);
+  lua_pushvalue(L, -1);
+  script_set_global(L, name);
   lua_setfield(L, -2, name);
 }
 
@@ -84,15 +80,9 @@ static void open_classes(lua_State *L) {
   }
 }
 
-static void require(lua_State *L, const char *module) {
-  lua_getglobal(L, "require");
-  lua_pushstring(L, module);
-  lua_call(L, 1, 1);
-}
-
 static void open_scripted(lua_State *L) {
   for (int i = 0; i < SCRIPTED; i++) {
-    require(L, scripted[i][1]);
+    script_require(L, scripted[i][1]);
     if (scripted[i][2]) {
       lua_getfield(L, -1, scripted[i][2]);
       lua_remove(L, -2);
@@ -105,8 +95,7 @@ int luaopen_archard(lua_State *L) {
   luaL_checkversion(L);
   arc_single_threaded();
   lua_warning(L, "@on", 0); /* off in the stock interpreter: nothing may go wrong in silence */
-  script_preload(L);
-  preload_modules(L);
+  script_preload(L, modules);
   lua_newtable(L);
   lua_pushliteral(L, ARC_VERSION);
   lua_setfield(L, -2, "version");
@@ -116,6 +105,8 @@ int luaopen_archard(lua_State *L) {
   lua_pushvalue(L, -2);
   lua_setfield(L, -2, "archard");
   lua_pop(L, 1);
+  lua_pushvalue(L, -1);
+  script_set_module(L, "archard");
 
   open_classes(L);
   open_scripted(L);

@@ -1,34 +1,210 @@
-/* The Lua files inside the binary as modules "archard.NAME". Leans on the generated table of
- * lua/embedded.h. */
+/* The Lua files inside the binary as modules "archard.NAME", and the globals that they see. Leans
+ * on the generated table of lua/embedded.h. */
 #include "lua/base/scripts.h"
 
 #include "lua/base/embedded.h"
 
-#include <lauxlib.h>
 #include <string.h>
 
-static void load_entry(lua_State *L, const embedded_script *script) {
-  lua_pushfstring(L, "@%s", script->path);
-  int status = luaL_loadbuffer(L, script->text, strlen(script->text), lua_tostring(L, -1));
-  lua_remove(L, -2);
-  if (status != LUA_OK) lua_error(L);
+/* Their addresses name entries of the registry: modules by name, and the globals of scripts. */
+static const char modules_key = 0, globals_key = 0;
+
+/* --- globals ---------------------------------------------------------------------------------- */
+
+static void copy_into(lua_State *L, int from, int into) {
+  from = lua_absindex(L, from);
+  into = lua_absindex(L, into);
+  for (lua_pushnil(L); lua_next(L, from); lua_pop(L, 1)) {
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, into);
+  }
 }
 
-/* Called by require with the module's name; the script sees that name as its argument. */
-static int open_script(lua_State *L) {
-  load_entry(L, lua_touserdata(L, lua_upvalueindex(1)));
-  lua_pushvalue(L, 1);
-  lua_call(L, 1, 1);
+/* Puts copies of Lua's libraries over what is in the table on top. _G and package stay the user's:
+ * scripts look in them for what the user has. */
+static void copy_libraries(lua_State *L) {
+  static const char *const names[] = {"coroutine", "debug", "io",     "math",
+                                      "os",        "table", "string", "utf8"};
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    lua_newtable(L);
+    if (lua_getfield(L, -2, names[i]) == LUA_TTABLE) copy_into(L, -1, -2);
+    lua_pop(L, 1);
+    lua_setfield(L, -2, names[i]);
+  }
+}
+
+/* What scripts print goes where the user's print puts it, as long as there is one. Upvalue: Lua's.
+ */
+static int user_print(lua_State *L) {
+  lua_pushglobaltable(L);
+  lua_pushliteral(L, "print");
+  if (lua_rawget(L, -2) != LUA_TFUNCTION) {
+    lua_pop(L, 1);
+    lua_pushvalue(L, lua_upvalueindex(1));
+  }
+  lua_insert(L, 1);
+  lua_pop(L, 1);
+  lua_call(L, lua_gettop(L) - 1, 0);
+  return 0;
+}
+
+static int own_require(lua_State *L) {
+  script_require(L, luaL_checkstring(L, 1));
   return 1;
 }
 
-void script_preload(lua_State *L) {
-  luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_PRELOAD_TABLE);
-  for (const embedded_script *script = embedded_scripts; script->name; script++) {
-    lua_pushfstring(L, "archard.%s", script->name);
-    lua_pushlightuserdata(L, (void *)script);
-    lua_pushcclosure(L, open_script, 1);
-    lua_settable(L, -3);
-  }
+static int no_global(lua_State *L) {
+  return luaL_error(L, "scripts have no global '%s'", luaL_tolstring(L, 2, NULL));
+}
+
+/* A misspelt name in a script is an error of the script. */
+static void refuse_others(lua_State *L) {
+  lua_createtable(L, 0, 2);
+  lua_pushcfunction(L, no_global);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, no_global);
+  lua_setfield(L, -2, "__newindex");
+  lua_setmetatable(L, -2);
+}
+
+static void make_globals(lua_State *L) {
+  lua_newtable(L);
+  lua_pushglobaltable(L);
+  copy_into(L, -1, -2);
   lua_pop(L, 1);
+  copy_libraries(L);
+  lua_getfield(L, -1, "print");
+  lua_pushcclosure(L, user_print, 1);
+  lua_setfield(L, -2, "print");
+  lua_pushcfunction(L, own_require);
+  lua_setfield(L, -2, "require");
+  refuse_others(L);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &globals_key);
+}
+
+void script_set_global(lua_State *L, const char *name) {
+  lua_rawgetp(L, LUA_REGISTRYINDEX, &globals_key);
+  lua_pushstring(L, name);
+  lua_rotate(L, -3, -1);
+  lua_rawset(L, -3);
+  lua_pop(L, 1);
+}
+
+/* --- modules ---------------------------------------------------------------------------------- */
+
+/* Pushes what a script returns. */
+static void run_script(lua_State *L, const embedded_script *script) {
+  const char *chunk = lua_pushfstring(L, "@%s", script->path);
+  if (luaL_loadbuffer(L, script->text, strlen(script->text), chunk) != LUA_OK) lua_error(L);
+  lua_rawgetp(L, LUA_REGISTRYINDEX, &globals_key);
+  lua_setupvalue(L, -2, 1);
+  lua_call(L, 0, 1);
+  lua_remove(L, -2);
+}
+
+static const embedded_script *find_script(const char *name) {
+  static const char prefix[] = "archard.";
+  if (strncmp(name, prefix, sizeof prefix - 1) != 0) return NULL;
+  const embedded_script *script = embedded_scripts;
+  while (script->name && strcmp(script->name, name + sizeof prefix - 1) != 0) script++;
+  return script->name ? script : NULL;
+}
+
+/* __index(modules, name): opens the module. Upvalue: the modules in C. */
+static int open_module(lua_State *L) {
+  const char *name = luaL_checkstring(L, 2);
+  const luaL_Reg *module = lua_touserdata(L, lua_upvalueindex(1));
+  while (module->name && strcmp(module->name, name) != 0) module++;
+  const embedded_script *script = find_script(name);
+  if (module->name)
+    luaL_requiref(L, name, module->func, 0);
+  else if (script)
+    run_script(L, script);
+  else
+    luaL_error(L, "the program has no module '%s'", name);
+  lua_pushvalue(L, 2);
+  lua_pushvalue(L, -2);
+  lua_rawset(L, 1);
+  return 1;
+}
+
+void script_require(lua_State *L, const char *name) {
+  luaL_checkstack(L, 4, name);
+  lua_rawgetp(L, LUA_REGISTRYINDEX, &modules_key);
+  lua_getfield(L, -1, name);
+  lua_remove(L, -2);
+}
+
+/* (name, argument, ...) */
+static int call_module(lua_State *L) {
+  script_require(L, lua_touserdata(L, 1));
+  lua_replace(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
+int script_pcall(lua_State *L, const char *name, int arguments, int results) {
+  luaL_checkstack(L, 4, name);
+  lua_pushcfunction(L, call_module);
+  lua_pushlightuserdata(L, (void *)name);
+  lua_rotate(L, -(arguments + 2), 2);
+  return lua_pcall(L, arguments + 1, results, 0);
+}
+
+void script_set_module(lua_State *L, const char *name) {
+  lua_rawgetp(L, LUA_REGISTRYINDEX, &modules_key);
+  lua_pushstring(L, name);
+  lua_rotate(L, -3, -1);
+  lua_rawset(L, -3);
+  lua_pop(L, 1);
+}
+
+static void make_modules(lua_State *L, const luaL_Reg *modules) {
+  lua_newtable(L);
+  lua_createtable(L, 0, 1);
+  lua_pushlightuserdata(L, (void *)modules);
+  lua_pushcclosure(L, open_module, 1);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
+}
+
+/* For the user's require: the same values. */
+static void fill_preload(lua_State *L, const luaL_Reg *modules) {
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_PRELOAD_TABLE);
+  lua_pushcfunction(L, own_require);
+  for (const embedded_script *script = embedded_scripts; script->name; script++) {
+    const char *name = lua_pushfstring(L, "archard.%s", script->name);
+    lua_pushvalue(L, -2);
+    lua_setfield(L, -4, name);
+    lua_pop(L, 1);
+  }
+  for (const luaL_Reg *module = modules; module->name; module++) {
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -3, module->name);
+  }
+  lua_pop(L, 2);
+}
+
+void script_preload(lua_State *L, const luaL_Reg *modules) {
+  make_globals(L);
+  make_modules(L, modules);
+  fill_preload(L, modules);
+}
+
+/* --- methods of strings ----------------------------------------------------------------------- */
+
+void script_keep_methods(lua_State *L) {
+  lua_pushliteral(L, "");
+  if (!lua_getmetatable(L, -1)) return;
+  lua_newtable(L);
+  lua_getglobal(L, "string");
+  copy_into(L, -1, -2);
+  lua_createtable(L, 0, 1);
+  lua_insert(L, -2);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_setfield(L, -2, "__index");
+  lua_pop(L, 2);
 }

@@ -3,6 +3,7 @@
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
+#include "lua/base/scripts.h"
 
 #include <lauxlib.h>
 #include <string.h>
@@ -65,9 +66,7 @@ static int table_index(lua_State *L) {
 /* As the prompt shows it, fitted to the terminal. */
 static int table_tostring(lua_State *L) {
   lua_settop(L, 1);
-  lua_getglobal(L, "require");
-  lua_pushliteral(L, "archard.lib.pretty");
-  lua_call(L, 1, 1);
+  script_require(L, "archard.lib.pretty");
   lua_getfield(L, -1, "fitted");
   lua_pushvalue(L, 1);
   lua_call(L, 1, 1);

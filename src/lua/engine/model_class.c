@@ -5,6 +5,7 @@
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
+#include "lua/base/scripts.h"
 
 #include <stdio.h>
 
@@ -137,9 +138,7 @@ typedef struct building {
 
 static void begin_showing(building *b) {
   b->begun = 1;
-  lua_getglobal(b->L, "require");
-  lua_pushliteral(b->L, "archard.lib.build_progress");
-  if (lua_pcall(b->L, 1, 1, 0) == LUA_OK && lua_pcall(b->L, 0, 1, 0) == LUA_OK) return;
+  if (script_pcall(b->L, "archard.lib.build_progress", 0, 1) == LUA_OK) return;
   lua_pop(b->L, 1);
   lua_pushnil(b->L); /* a model does not fail for want of a display */
 }

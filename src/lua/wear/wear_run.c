@@ -1,6 +1,7 @@
 /* Class wear: stepping, running, progress and interruption. */
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
+#include "lua/base/scripts.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
@@ -140,13 +141,9 @@ static int after_step(void *context, const arc_wear *wear) {
 
 /* Pushes what draws the progress of a run to `goal`, or nil: archard.lib.run_progress decides. */
 static void push_display(lua_State *L, double goal) {
-  lua_getglobal(L, "require");
-  lua_pushliteral(L, "archard.lib.run_progress");
-  if (lua_pcall(L, 1, 1, 0) == LUA_OK) {
-    lua_pushvalue(L, 1);
-    lua_pushnumber(L, goal);
-    if (lua_pcall(L, 2, 1, 0) == LUA_OK) return;
-  }
+  lua_pushvalue(L, 1);
+  lua_pushnumber(L, goal);
+  if (script_pcall(L, "archard.lib.run_progress", 2, 1) == LUA_OK) return;
   lua_pop(L, 1);
   lua_pushnil(L); /* a run does not fail for want of a display */
 }

@@ -1,12 +1,11 @@
 /* Methods of the class wear that are written in Lua: each calls the function that a module of
  * scripts/ returns, with the object and what else was given. */
+#include "lua/base/scripts.h"
 #include "lua/wear/wear_class.h"
 
 static int call_module(lua_State *L, const char *module) {
   const int given = lua_gettop(L);
-  lua_getglobal(L, "require");
-  lua_pushstring(L, module);
-  lua_call(L, 1, 1);
+  script_require(L, module);
   lua_insert(L, 1);
   lua_call(L, given, 1);
   return 1;

@@ -1,0 +1,83 @@
+-- fit{} and fit.design{}: what users give, checked and made the problem that fit/solve.lua solves. Leans
+-- on the other files of this folder.
+
+local check = require "archard.lib.check"
+local check_names = require "archard.study.names"
+local data = require "archard.fit.data"
+local merged = require "archard.lib.merged"
+local problems = require "archard.fit.problem"
+local result = require "archard.fit.result"
+local runs = require "archard.fit.runs"
+local solve = require "archard.fit.solve"
+local unknown = require "archard.fit.unknown"
+
+local fit = {}
+
+local where = "fit"
+local model_kind = check.kind("a model object or a table of its fields", function(v)
+  return type(v) == "userdata" or type(v) == "table"
+end)
+local common = { model = model_kind, base = check.table, unknown = check.table, file = check.text,
+  workers = check.whole(1, 256), progress = check.progress, confidence = check.share }
+local fields = merged(common, { data = check.table })
+
+-- The fields of wear{} of all runs: long enough for the last measurement.
+local function base_of(name, given, what)
+  local base = merged(given.base, { model = given.model })
+  local flat = {}
+  for field in pairs(base) do flat[tostring(field)] = 0 end
+  check_names(name, { flat })
+  local last = what.distances[#what.distances]
+  if base.cycles == nil and base.loading == nil and (base.distance or 1320) < last then
+    base.distance = last
+  end
+  return base
+end
+
+-- The parts that a fit and a design have in common.
+local function prepare(name, given, items)
+  local unknowns = unknown.read(name, given.unknown)
+  local what = data.wanted(items)
+  local all = runs.new(name, base_of(name, given, what), unknowns, what, given)
+  return problems.new(name, unknowns, items, all)
+end
+
+local function refuse_few(problem)
+  local count, wanted = #problem.measured, #problem.parameters
+  if count > wanted then return end
+  check.fail(where, ("too few data: %d value%s for %d unknowns (%d to be found, %d positions of profiles); "
+    .. "measure more, leave unknowns out, or fix shift, tilt and level"):format(count, count == 1 and "" or "s",
+    wanted, #problem.unknowns, #problem.positions))
+end
+
+local function start_of(problem)
+  local values = {}
+  for i, one in ipairs(problem.unknowns) do values[i] = one.start end
+  return values
+end
+
+local function need(name, given, list)
+  for _, field in ipairs(list) do
+    if given[field] == nil then check.refuse(name, field, fields[field].expected, nil) end
+  end
+end
+
+-- fit{ model=, base=, unknown=, data=, file=, workers=, progress=, confidence= }
+local function run(given)
+  check.definition(where, given, fields)
+  need(where, given, { "unknown", "data" })
+  local items, told = data.read(where, given.data)
+  local problem = prepare(where, given, items)
+  refuse_few(problem)
+  data.check_sizes(where, items, problem.runs:one(start_of(problem)))
+  local found = solve.fit(problem, unknown.smooth(problem.unknowns))
+  return result.new(problem, found, told, given.confidence or 0.95)
+end
+
+function fit.design(given)
+  return require "archard.fit.design"(given, common, prepare)
+end
+
+fit.run = run
+
+return fit

@@ -1,0 +1,28 @@
+-- How Lua spells the keys of a table: stroke, ["model.radius"]. Leans on nothing.
+
+local find, format, tostring, type = string.find, string.format, tostring, type
+
+local spelling = { keywords = {} } -- a list
+
+local is_keyword = {}
+for word in ("and break do else elseif end false for function goto if in local nil not or repeat "
+  .. "return then true until while"):gmatch("%a+") do
+  spelling.keywords[#spelling.keywords + 1], is_keyword[word] = word, true
+end
+
+function spelling.is_name(key)
+  return type(key) == "string" and find(key, "^[%a_][%w_]*$") ~= nil and not is_keyword[key]
+end
+
+-- As a field of a table in braces.
+function spelling.field(key)
+  if spelling.is_name(key) then return key end
+  return format(type(key) == "string" and "[%q]" or "[%s]", type(key) == "string" and key or tostring(key))
+end
+
+-- As it stands behind the table's name.
+function spelling.index(key)
+  return spelling.is_name(key) and "." .. key or spelling.field(key)
+end
+
+return spelling

@@ -1,0 +1,21 @@
+-- Numbers as pictures need them: in another unit, and two curves as the area between them. Leans on
+-- nothing.
+
+local shapes = {}
+
+function shapes.scaled(list, factor)
+  if factor == 1 then return list end
+  local result = {}
+  for i = 1, #list do result[i] = list[i] * factor end
+  return result
+end
+
+-- A filled curve: out along the lower one and back along the upper one.
+function shapes.area(x, low, high, factor)
+  local xs, ys = table.move(x, 1, #x, 1, {}), {}
+  for i = 1, #x do ys[i] = low[i] * factor end
+  for i = #x, 1, -1 do xs[#xs + 1], ys[#ys + 1] = x[i], high[i] * factor end
+  return { x = xs, y = ys, style = "filled", series = 1 }
+end
+
+return shapes

@@ -1,0 +1,122 @@
+-- Files of plot{...}: their kinds, sizes for print, names that must not be run, and a gnuplot that is
+-- missing, old or slow.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local pictures = dofile(here .. "/lib/pictures.lua")
+local ok, has, refused = tap.ok, tap.holds, tap.fails
+local folder, read, picture_of, line = pictures.folder, pictures.read, pictures.picture_of, pictures.line
+local gnuplot = require "archard.gnuplot"
+
+-- --- nothing is run -----------------------------------------------------------------------------
+
+do
+  local ran = folder .. "/ran"
+  local evil = ("`touch %s` ' \n!touch %s\n\"; system('touch %s') \\ |<\0\27[31m"):format(ran, ran,
+    ran)
+  local text = picture_of(function(file)
+    plot { { x = { 1, 2 }, y = { 1, 2 }, title = evil }, title = evil, xlabel = evil,
+      ylabel = evil, size = { 300, 24 }, file = file }
+  end)
+  has(text, "`touch " .. ran .. "`", "a title is shown as it stands")
+  ok(not text:find("\27"), "no escape code gets through")
+  pcall(plot, { line, file = folder .. "/`touch ran`.png" })
+  pcall(plot, { line, file = "|touch " .. ran .. ".png" })
+  os.remove("|touch " .. ran .. ".png")
+  ok(not read("ran") and not read("ran.png"), "nothing of it runs")
+end
+
+-- --- files --------------------------------------------------------------------------------------
+
+local first_bytes = { png = "\137PNG", svg = "<?xml", pdf = "%PDF", gif = "GIF8", gp = "# Draw" }
+for ending, first in pairs(first_bytes) do
+  plot { line, file = folder .. "/f." .. ending }
+  ok((read("f." .. ending) or ""):sub(1, #first) == first, "a file of kind " .. ending)
+end
+refused(function() plot { line, file = folder .. "/no/f.png" } end, "No such file",
+  "a folder that is not there")
+
+do
+  plot.save { line, { x = { 1, 2 }, y = { 0.1, 0 / 0 }, title = 'a "b", c' }, xlabel = "x / mm",
+    file = folder .. "/s.png" }
+  local lines = {}
+  for row in (read("s.csv") or ""):gmatch("[^\n]+") do lines[#lines + 1] = row end
+  ok(read("s.png"), "plot.save draws")
+  ok(lines[1] == 'squares: x / mm,squares: y,"a ""b"", c: x / mm","a ""b"", c: y"',
+    "and names the columns")
+  ok(lines[2] == "0,0,1,0.1", "the shortest numbers that read back to the same bits")
+  ok(lines[3] == "1,1,2,nan" and lines[5] == "3,9,,", "nan, and shorter columns end early")
+  plot { { x = { 7, 8 }, y = { 1, 2 } }, file = folder .. "/shown.txt" }
+  plot.save(folder .. "/again.svg")
+  has(read("again.csv") or "", "\n8,2\n", "plot.save(path) saves the last picture")
+  refused(function() plot.save {} end, "without file", "plot.save without a file")
+  refused(function() plot.save(folder .. "/x.svg", { siez = 1 }) end, "did you mean 'size'",
+    "plot.save checks its options")
+end
+
+-- --- for print -----------------------------------------------------------------------------------
+
+-- Width and height of a png, and where it says so its pixels in a metre.
+local function png_size(name)
+  local png = read(name) or ""
+  if #png < 24 then return 0, 0 end
+  return string.unpack(">I4", png, 17), string.unpack(">I4", png, 21)
+end
+
+do
+  plot.style "paper"
+  plot { line, file = folder .. "/c.png" }
+  local width, height = png_size("c.png")
+  ok(width == 2008 and height == 1446, "paper: a column of 85 mm at 600 dpi (" .. width .. ")")
+  plot { panels = { { line }, { line } }, layout = { 1, 2 }, file = folder .. "/c.png" }
+  ok(png_size("c.png") == 4016, "panels side by side take the page's 170 mm")
+  plot.style { width = "page", dpi = 300 }
+  plot { line, file = folder .. "/c.png" }
+  ok(png_size("c.png") == 2008, "what the style is told later holds from then on")
+  plot { line, file = folder .. "/c.png", size = { 1000, 500 } }
+  width, height = png_size("c.png")
+  ok(width == 1000 and height == 500, "pixels that are asked for are given")
+  plot.style { "paper", font = "Serif" }
+  plot { line, file = folder .. "/c.pdf" }
+  local box_x, box_y = (read("c.pdf") or ""):match("/MediaBox %[ 0 0 (%d+) (%d+) ?%]")
+  ok(box_x == "240" and box_y == "173", "a pdf is as large on paper: 240 by 173 pt, whole ones")
+  local held = plot.style()
+  ok(held.name == "paper" and held.points == 8 and held.font == "Serif", "plot.style() tells")
+  plot.style "slides"
+  plot { line, file = folder .. "/c.png" }
+  ok(png_size("c.png") == 1500, "slides: 254 mm at 150 dpi")
+  refused(function() plot.style "poster" end, '"paper", "slides" or "screen"', "no such style")
+  refused(function() plot.style { "paper", widht = 3 } end, "did you mean 'width'", "a wrong option")
+  refused(function() plot.style { "paper", width = 5 } end, "a number in [20, 1000]", "5 mm")
+  refused(function() plot.style { "screen", width = 85 } end, "size in pixels", "mm on the screen")
+  plot.style "screen"
+  plot { line, file = folder .. "/c.png" }
+  ok(png_size("c.png") == 900, "and screen is as before")
+end
+
+-- --- a gnuplot that is not well -----------------------------------------------------------------
+
+local function fake(name, body)
+  local path = folder .. "/" .. name
+  local file = io.open(path, "w")
+  file:write("#!/bin/sh\n", body, "\n")
+  file:close()
+  os.execute("chmod 755 " .. path)
+  gnuplot.use(path)
+end
+
+do
+  gnuplot.use("no-such-gnuplot")
+  refused(function() plot { line } end, "apt-get install gnuplot-nox", "gnuplot is missing")
+  local _, problem = pcall(plot, { line })
+  ok(problem.code == "MISSING", "with a code of its own")
+  fake("dying", "exit 3")
+  refused(function() plot { line } end, "exit status 3", "gnuplot dies at its start")
+  fake("slow", "sleep 0.5; exec gnuplot \"$@\"")
+  has(picture_of(function(file) plot { line, file = file } end), "squares", "a slow start is awaited")
+  gnuplot.use("gnuplot")
+  has(picture_of(function(file) plot { line, file = file } end), "squares", "and all is well again")
+  local version, terminals = gnuplot.about()
+  ok(version >= 5.2 and terminals:find(" dumb "), "about() tells version and terminals")
+end
+
+pictures.remove()

@@ -1,0 +1,204 @@
+-- plot.pressure, plot.profile, plot.history, plot.mesh, plot.stress, plot.animate: with tables that stand in
+-- for the objects of the engine.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local pictures = dofile(here .. "/lib/pictures.lua")
+local ok, has, refused = tap.ok, tap.holds, tap.fails
+local folder, read, picture_of, stand_in = pictures.folder, pictures.read, pictures.picture_of, pictures.stand_in
+
+-- --- objects ------------------------------------------------------------------------------------
+
+local one = stand_in { alpha = 0.25, stroke = 0.11, load = 100 }
+local two = stand_in { alpha = 0.75, stroke = 0.11, load = 100 }
+
+do
+  local text = picture_of(function(file) plot.pressure(one, { file = file }) end)
+  has(text, "p / MPa", "plot.pressure has units")
+  has(text, "contact pressure of the cylinder: s = 0.11 mm, α = 0.25", "and says of what")
+  text = picture_of(function(file) plot.pressure(one, two, { file = file }) end)
+  local coarse = { pressure = function()
+    return { x = { -3, -1, 0, 1, 3 }, p = { 0, 300, 400, 300, 0 } }
+  end }
+  plot.pressure(setmetatable(coarse, {}), { file = folder .. "/z.gp" })
+  local low, high = (read("z.gp") or ""):match("set xrange %[([%d.-]+):([%d.-]+)%]")
+  ok(low and tonumber(low) <= -3 and tonumber(high) >= 3, "the curve comes down to zero in sight")
+  has(text, "α = 0.25", "several objects are told apart by what differs")
+  ok(text:find("α = 0.75") and not text:find("0.11"), "and by nothing else")
+  text = picture_of(function(file) plot.pressure(one, "plate", { scaled = true, file = file }) end)
+  has(text, "p / p_H", "scaled as the paper does")
+  has(text, "x / a", "and x too")
+  ok(text:match("\n +1 [+|]"), "the plate's largest pressure is that of Hertz here")
+  text = picture_of(function(file)
+    plot.pressure(one, two, { titles = { "before", "after" }, file = file })
+  end)
+  ok(text:find("before") and text:find("after"), "titles of the user's")
+  refused(function() plot.pressure(one, { titles = { "a", "b" } }) end, "expected one for each of 1",
+    "too many titles")
+  refused(function() plot.pressure() end, "at least one object", "no object")
+  refused(function() plot.pressure(7) end, "argument 1", "a number is no object")
+  refused(function() plot.pressure(one, "plat") end, '"cylinder" or "plate"', "no such body")
+  refused(function() plot.pressure(one, { scale = true }) end, "did you mean 'scaled'",
+    "an unknown option")
+end
+
+do
+  local text = picture_of(function(file) plot.profile(one, { file = file }) end)
+  ok(text:find("* cylinder", 1, true) and text:find("# plate", 1, true), "plot.profile: both bodies")
+  has(text, "wear depth / µm", "in micrometres")
+  local zero, two_um = text:find("\n +0 [+]"), text:find("\n +2 [+]")
+  ok(zero and two_um and zero < two_um, "depth grows downwards")
+  text = picture_of(function(file) plot.profile(one, "plate", { file = file }) end)
+  has(text, "wear of the plate", "one body")
+  text = picture_of(function(file) plot.profile(one, two, { file = file, size = { 100, 30 } }) end)
+  ok(text:match("%(a%) cylinder +%(b%) plate\n"), "several objects: a panel for each body")
+end
+
+do
+  local text = picture_of(function(file) plot.history(one, { file = file }) end)
+  has(text, "pressure / MPa", "plot.history draws the centre pressure unless told otherwise")
+  has(text, "distance / mm", "against the distance")
+  text = picture_of(function(file)
+    plot.history(one, two, "p_center", "depth_plate", "depth_cylinder", "depth_partition",
+      { file = file, against = "cycle", size = { 100, 70 } })
+  end)
+  has(text, "pressure / MPa", "a panel for each quantity: pressure")
+  has(text, "wear depth / µm", "depth")
+  has(text, "wear depth partition", "partition")
+  has(text, "plate, α = 0.75", "columns and objects are told apart")
+  has(text, "cycles", "against cycles")
+  local k = function() return 1e-8 end
+  local first = stand_in { k = k, jump = "auto", scheme = "explicit" }
+  local second = stand_in { k = 1e-8, jump = 100, scheme = "implicit" }
+  text = picture_of(function(file)
+    plot.history(first, second, { file = file, size = { 120, 30 } })
+  end)
+  has(text, "k by function, jump auto, scheme explicit", "every setting that differs is named")
+  has(text, "k = 1e-08, jump 100, scheme implicit", "for every curve")
+  first.history.jump = { 0, 40, 60 }
+  plot.history(first, "jump", { file = folder .. "/jump.gp" })
+  ok((read("jump.gp") or ""):find("END\n10 40\n20 60\nEND", 1, true), "jumps begin at the first update")
+  refused(function() plot.history(one, "p_centre") end, "did you mean 'p_center'",
+    "an unknown column")
+  refused(function() plot.history(one, "pressure") end, "no column 'pressure' in the history",
+    "and one that is like none")
+end
+
+do
+  local many = {}
+  for i = 1, 10 do many[i] = stand_in { alpha = i / 10, stroke = 0.11, load = 100 } end
+  many[11] = { file = folder .. "/s.gp" }
+  plot.pressure(table.unpack(many))
+  has(read("s.gp"), "linecolor palette cb 0.5 ", "many runs that differ in alpha: its scale")
+  has(read("s.gp"), "set cblabel 'α'", "named")
+  local sp = stand_in { stroke = 0.11, procedure = "SP", cycle = 9 }
+  local nsp = stand_in { stroke = 20, procedure = "NSP", cycle = 7 }
+  local text = picture_of(function(file) plot.pressure(sp, nsp, { file = file }) end)
+  ok(text:find("s = 20 mm") and not text:find("SP") and not text:find("cycles"),
+    "a key names what differs, not what follows from it")
+  local a, b = stand_in { stroke = 1, cycle = 10 }, stand_in { stroke = 1, cycle = 20 }
+  text = picture_of(function(file) plot.pressure(a, b, { file = file }) end)
+  has(text, "20 cycles", "unless nothing else differs")
+end
+
+-- What a title may say of a run whose load changed on the way.
+do
+  local changed = stand_in { alpha = 0.5, stroke = 0.11, load = 150 }
+  changed.history.load = { 0, 100, 150 }
+  local text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
+  has(text, "load 100 to 150 N", "a load that has changed is told as a range")
+  changed.alpha, changed.load, changed.stroke = 0.9, 10, 0.3
+  changed.history.alpha, changed.history.travel = { 0.5, 0.5, 0.5 }, { 0.11, 0.11, 0.11 }
+  text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
+  has(text, "s = 0.11 mm, α = 0.5, load 100 to 150 N", "what is set for the next update is not told of those before")
+  changed.history.load = nil
+  local loaded = stand_in { alpha = 0.5, stroke = 0.11, load = 100, loading = {} }
+  text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
+  ok(text:find("α = 0.5") and not text:find("0.11") and not text:find("100 N"),
+    "a run with a loading has no one stroke and load")
+  loaded.history.load, loaded.history.load_low = { 150, 150 }, { 50, 50 }
+  loaded.history.load_reference = { 150, 150 }
+  text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
+  ok(text:find("load 50 to 150 N", 1, true) and not text:find "under", "loads of a cycle are a range")
+  loaded.history.load_reference = { 20, 20 }
+  text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
+  has(text, "pressures under 20 N", "with the load of the pressures, where it is another")
+end
+
+-- --- meshes and fields --------------------------------------------------------------------------
+
+-- Two squares, the second cut into triangles; `side` 1 above, -1 below.
+local function stand_in_mesh(side)
+  local x, y = { 0, 1, 1, 0, 2, 2 }, { 0, 0, side, side, 0, side }
+  return { nodes = 6, rows = 1, node = function(_, i) return x[i], y[i] end,
+    elements = function() return { 1, 2, 3, 4, 2, 5, 6, 0, 2, 6, 3, 0 } end,
+    box = function() return { 1, 4, 2, 3, 5, 6 } end }
+end
+local model_ = { mesh = { cylinder = stand_in_mesh(1), plate = stand_in_mesh(-1) } }
+
+local function stand_in_field(side)
+  return { x = { 0, 1, 1, 0, 2, 2 }, y = { 0, 0, side, side, 0, side },
+    ux = { 0, 0, 0, 0, 0, 0 }, uy = { 0, 0, 0, 0, 0, 0 },
+    elements = { 1, 2, 3, 4, 2, 5, 6, 0, 2, 6, 3, 0 }, mises = { 0, 1, 2, 1, 2, 3 },
+    sxy = { -1, 0, 1, 0, 1, 2 } }
+end
+local contact_ = { stress = function()
+  return { cylinder = stand_in_field(1), plate = stand_in_field(-1) }
+end }
+
+do
+  local text = picture_of(function(file) plot.mesh(model_, { file = file }) end)
+  has(text, "mesh: 12 nodes, 6 elements", "plot.mesh counts")
+  ok(text:find("cylinder") and text:find("plate"), "and draws both bodies")
+  text = picture_of(function(file) plot.mesh(model_, { body = "plate", file = file }) end)
+  ok(not text:find("cylinder") and text:find("plate"), "or one")
+  text = picture_of(function(file) plot.mesh(model_, { zoom = "wear box", file = file }) end)
+  has(text, "cylinder", "the wear box")
+  plot.mesh(model_, { file = folder .. "/m.gp" })
+  local edges = select(2, (read("m.gp") or ""):gsub("[%d%-. ]+\n[%d%-. ]+\n\n", ""))
+  ok(edges == 2 * 8, "every edge once (" .. edges .. ")")
+  refused(function() plot.mesh(7) end, "expected a model", "no model")
+  refused(function() plot.mesh(model_, { zoom = { 5, 6, 5, 6 } }) end, "no element lies in",
+    "a part where nothing is")
+  refused(function() plot.mesh(model_, { zom = 1 }) end, "did you mean 'zoom'", "a wrong option")
+end
+
+do
+  local text = picture_of(function(file) plot.stress(contact_, { file = file }) end)
+  has(text, "von Mises stress / MPa", "plot.stress draws von Mises' stress unless told otherwise")
+  has(text, "2.67 to 3", "its levels")
+  text = picture_of(function(file) plot.stress(contact_, { component = "sxy", file = file }) end)
+  has(text, "1.56 to 2", "values of both signs: zero in the middle")
+  has(text, "-2 to -1.56", "of the levels")
+  plot.stress(contact_, { file = folder .. "/stress.png" })
+  ok(read("stress.png"), "and in colour")
+  text = picture_of(function(file) plot.stress(contact_.stress(), { file = file }) end)
+  has(text, "von Mises stress / MPa", "plot.stress takes the field itself")
+  text = picture_of(function(file) plot.stress(wear { model = { mesh = { size = 0.04 } } }, { file = file }) end)
+  has(text, "von Mises stress / MPa", "and a run, for its contact as it is")
+  refused(function() plot.stress({}) end, "expected a contact, its stress() or a run", "but no other table")
+  refused(function() plot.stress(material {}) end, "got a material", "a contact is asked for")
+  refused(function() plot(material {}) end, "got a material", "objects are named by their kind")
+  refused(function() plot.stress(contact_, { component = "misses" }) end, "field 'component'",
+    "no such component")
+end
+
+-- --- animation ----------------------------------------------------------------------------------
+
+do
+  local steps = 0
+  local w = stand_in { alpha = 0.5, distance = 0 }
+  local running = setmetatable({}, { __index = function(_, name)
+    if name == "distance" then return 10 * math.min(steps, 5) end
+    if name == "step" then return function() steps = steps + 1 end end
+    return w[name]
+  end })
+  plot.animate(running, { what = "both", file = folder .. "/run.gif" })
+  local gif = read("run.gif") or ""
+  ok(gif:sub(1, 6) == "GIF89a", "plot.animate writes a gif")
+  ok(steps == 6, "and ends where the run does")
+  ok(select(2, gif:gsub("\33\249\4", "")) >= 6, "a picture before and after every step")
+  refused(function() plot.animate(running, { file = folder .. "/run.png" }) end, "ends in .gif",
+    "only as a gif")
+end
+
+pictures.remove()

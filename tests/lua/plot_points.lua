@@ -1,0 +1,88 @@
+-- Measured points over curves, and plot.response of studies.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local pictures = dofile(here .. "/lib/pictures.lua")
+local ok, has, refused = tap.ok, tap.holds, tap.fails
+local folder, read, script_of, line = pictures.folder, pictures.read, pictures.script_of, pictures.line
+
+-- --- measured points, responses -------------------------------------------------------------------
+
+do
+  local measured = { x = { 1, 2 }, y = { 2, 5 }, error = { 0.5, 1 }, title = "measured" }
+  local script = script_of(function(file) plot { line, points = measured, file = file } end)
+  has(script, "using 1:2:3 with yerrorbars", "points have bars")
+  has(script, "2 5 1\n", "as long as was said")
+  plot { line, file = folder .. "/p.txt" }
+  measured.file = folder .. "/q.txt"
+  plot.points(measured)
+  local text = read("q.txt") or ""
+  ok(text:find("squares") and text:find("measured"), "plot.points adds to the last picture")
+  ok(not read("p.txt"):find("measured"), "whose own file stays")
+  local first = script_of(function(file) plot.points { x = measured.x, y = measured.y, error = measured.error, file = file } end)
+  local _, bars = first:gsub("with yerrorbars", "")
+  ok(bars == 1, "the same points again, into a file, are drawn once")
+  local other = script_of(function(file) plot.points { x = { 1, 2 }, y = { 3, 5 }, error = { 1, 1 }, file = file } end)
+  _, bars = other:gsub("with yerrorbars", "")
+  ok(bars == 2, "others join them")
+  measured.error = { 0.5 }
+  refused(function() plot.points(measured) end, "error 1; they must be as many", "a bar is missing")
+  measured.error = { 0.5, -1 }
+  refused(function() plot.points(measured) end, "error[2] must be a finite number >= 0", "a bar < 0")
+  refused(function() plot.points { x = { 1 } } end, "y", "points without y")
+  measured.error, measured.panel = nil, 3
+  refused(function() plot.points(measured) end, "one of the 1 panels", "no such panel")
+end
+
+-- Four cases of two strokes and two alphas; depth = stroke * alpha in mm.
+local function sweep(extra)
+  local study_, list = { varied = { "alpha", "stroke", extra }, flat = {} }, {}
+  for _, stroke in ipairs { 1, 2 } do
+    for _, alpha in ipairs { 0.75, 0.25 } do
+      local id = #list + 1
+      study_.flat[id] = { alpha = alpha, stroke = stroke, k = extra and id }
+      list[id] = { id = id, status = "done", last = { depth_plate = stroke * alpha } }
+    end
+  end
+  list[#list + 1] = { id = 5, status = "failed" }
+  study_.flat[5] = { alpha = 0.5, stroke = 1 }
+  study_.cases = function() return list end
+  return study_
+end
+
+do
+  local script = script_of(function(file)
+    plot.response(sweep(), { x = "alpha", y = "depth_plate", by = "stroke", file = file })
+  end)
+  has(script, "$d0_0 << END\n0.25 250\n0.75 750\nEND", "plot.response: by size of x, in µm")
+  has(script, "$d0_1 << END\n0.25 500\n0.75 1500\nEND", "a curve for each value")
+  has(script, "title 's = 2 mm'", "that the key names")
+  has(script, "set title 'wear depth of the plate'", "the body is named")
+  script = script_of(function(file)
+    plot.response(sweep(), { x = "alpha", y = "depth_plate", by = "stroke", map = true, file = file })
+  end)
+  has(script, "set xtics ('0.25' 1, '0.75' 2)", "a map has the values at its sides")
+  has(script, "with image", "and colours")
+  refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { alfa = 0.5 } }) end,
+    "field 'where': no case has a setting 'alfa' (did you mean 'alpha'?)", "a misspelt setting")
+  refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { stroke = 7 } }) end,
+    "no finished case", "a value of none")
+  local dotted = sweep("model.radius")
+  for id = 1, 4 do dotted.flat[id]["model.radius"] = id end
+  dotted.flat[2].alpha = 0.75
+  refused(function() plot.response(dotted, { x = "alpha", y = "depth_plate", by = "stroke" }) end,
+    'where={ ["model.radius"]=1 }', "what to choose, as Lua spells it")
+  refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate" }) end,
+    'by="stroke" or where={ stroke=1 }', "what the picture would hide")
+  script = script_of(function(file)
+    plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { stroke = 2 }, file = file })
+  end)
+  has(script, "0.25 500\n0.75 1500", "is chosen with where")
+  refused(function() plot.response(sweep(), { x = "alfa", y = "depth_plate" }) end,
+    "did you mean 'alpha'", "x was not varied")
+  refused(function()
+    plot.response(sweep(), { x = "alpha", by = "stroke", y = "depth_plat" })
+  end, "did you mean 'depth_plate'", "no such result")
+  refused(function() plot.response(7) end, "expected a study", "no study")
+end
+
+pictures.remove()
