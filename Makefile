@@ -23,7 +23,7 @@ comma := ,
 BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),-checks)
 OBJ   = $(BUILD)/obj
 
-.PHONY: all demo check study figures test-programs bench peer gallery man format lint install \
+.PHONY: all demo check fuzz fuzz-programs study figures test-programs bench peer gallery man format lint install \
         install-files uninstall clean setup dist dist-check deb deb-check slurm-check
 .DELETE_ON_ERROR:
 
@@ -42,6 +42,9 @@ lib_obj   := $(call obj_of,$(lib_src))
 plot_obj  := $(call obj_of,$(plot_src))
 front_obj := $(call obj_of,$(front_src)) $(OBJ)/embedded.o
 unit_tests = $(patsubst tests/unit/%.c,$(BUILD)/tests/%,$(unit_src))
+fuzz_src  := $(filter-out tests/fuzz/replay.c,$(wildcard tests/fuzz/*.c))
+replays    = $(patsubst tests/fuzz/%.c,$(BUILD)/replay/%,$(fuzz_src))
+fuzzers    = $(patsubst tests/fuzz/%.c,$(BUILD)/fuzz/%,$(fuzz_src))
 
 version   := $(shell sed -n 's/^.define ARC_VERSION "\(.*\)"/\1/p' include/archard/base.h)
 soname     = libarchard.so.$(firstword $(subst ., ,$(version)))
@@ -54,7 +57,7 @@ lua_module = $(BUILD)/lua/archard.so
 # Plain `make` never installs: scripts/probe names what is missing. `make demo` and `make check`
 # install. Two notes in the build folder are written where they differ from what they hold: after
 # other flags all is probed and compiled anew, after other files all is linked anew.
-ifneq ($(filter-out check clean demo dist dist-check format install-files lint setup uninstall,$(or $(MAKECMDGOALS),all)),)
+ifneq ($(filter-out check clean demo fuzz dist dist-check format install-files lint setup uninstall,$(or $(MAKECMDGOALS),all)),)
 flags   := $(strip $(CC); $(CPPFLAGS); $(CFLAGS); $(LDFLAGS); $(PKG_CONFIG); $(WERROR))
 sources := $(strip $(lib_src) $(plot_src) $(front_src) $(scripts))
 $(shell mkdir -p $(BUILD))
@@ -148,9 +151,29 @@ $(unit_tests): $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(plot_obj) $(static_lib)
 $(BUILD)/tests/test_oom: test_ldflags = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free \
                                         -lsuitesparseconfig
 
-test-programs: all $(unit_tests)
+# What tests/cli/test_memory loads into the program.
+$(BUILD)/tests/failing.so: tests/memory/failing.c
+	@mkdir -p $(@D)
+	$(say) LD $@
+	$(quiet)$(CC) -O1 -std=gnu11 $(WARNINGS) -shared -fPIC $< -o $@
 
--include $(patsubst %.o,%.d,$(lib_obj) $(plot_obj) $(front_obj) $(call obj_of,$(unit_src)))
+# A fuzz target sees all but the command and its prompt; SQLite is there to damage files with.
+fuzzed = $(filter-out $(OBJ)/src/cli/%,$(front_obj)) $(OBJ)/src/cli/history_file.o $(plot_obj) $(static_lib)
+fuzz_libs = $(lua_libs) $(gsl_libs) $(lib_libs) -ldl
+$(replays): $(BUILD)/replay/%: $(OBJ)/tests/fuzz/%.o $(OBJ)/tests/fuzz/replay.o $(fuzzed)
+	@mkdir -p $(@D)
+	$(say) LD $@
+	$(quiet)$(CC) -pie $(all_ldflags) $^ $(fuzz_libs) -o $@
+
+$(fuzzers): $(BUILD)/fuzz/%: $(OBJ)/tests/fuzz/%.o $(fuzzed)
+	@mkdir -p $(@D)
+	$(say) LD $@
+	$(quiet)$(CC) $(all_ldflags) -fsanitize=fuzzer $^ $(fuzz_libs) -o $@
+
+test-programs: all $(unit_tests) $(replays) $(BUILD)/tests/failing.so
+fuzz-programs: $(fuzzers)
+
+-include $(patsubst %.o,%.d,$(lib_obj) $(plot_obj) $(front_obj) $(call obj_of,$(unit_src) $(wildcard tests/fuzz/*.c)))
 
 # --- use --------------------------------------------------------------------------------------
 demo:
@@ -162,6 +185,14 @@ check:
 	@scripts/setup test
 	@$(MAKE) --no-print-directory -j$(jobs) test-programs
 	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run
+
+# Inputs made to break things, by clang's libFuzzer under its sanitizers: SECONDS of each target, or of
+# the one named by TARGET. What was found, and what reached new code, stays in the folder of the build.
+SECONDS = 60
+fuzz:
+	@scripts/setup fuzz
+	@$(MAKE) --no-print-directory -j$(jobs) CC=clang SANITIZER=fuzzer-no-link,address,undefined fuzz-programs
+	@tests/fuzz/run $(SECONDS) $(TARGET)
 
 # The pictures of examples/gallery/, one of each example.
 gallery: $(program)
@@ -190,8 +221,8 @@ man: $(program)
 	$(program) scripts/tools/manfile.lua include/archard/store.h > man/archard-file.5
 
 # --- care -------------------------------------------------------------------------------------
-c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] examples/c/*.c)
-sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run \
+c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] tests/fuzz/*.[ch] tests/memory/*.c examples/c/*.c)
+sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run tests/fuzz/run \
            .ci/run tests/tap.bash $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 
 format:

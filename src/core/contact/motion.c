@@ -95,11 +95,13 @@ static arc_status travel(arc_contact *c, const arc_contact *from, const arc_moti
   return status;
 }
 
-arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motion,
+arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *wanted,
                             const arc_callbacks *callbacks, arc_contact **result,
                             arc_error *error) {
   *result = NULL;
   arc_contact_def def = from->def;
+  arc_motion_def whole = *wanted, *motion = &whole;
+  if (motion->load == 0) motion->load = from->def.load; /* left out */
   arc_status status = check_motion(from, motion, error);
   if (status != ARC_OK) return status;
   def.load = motion->load;

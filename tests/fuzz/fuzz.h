@@ -1,0 +1,71 @@
+/* What the fuzz targets share. A target is one file with LLVMFuzzerTestOneInput: built with clang's
+ * libFuzzer by `make fuzz`, and with replay.c by `make check`, which runs what stands in corpus/.
+ */
+#ifndef TESTS_FUZZ_H
+#define TESTS_FUZZ_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/* A finding: said, and the process ends where it stands. */
+#define FOUND(...) (fprintf(stderr, "found: " __VA_ARGS__), fputc('\n', stderr), abort())
+
+/* A file of this process, in memory where the system has a folder that is. */
+__attribute__((unused)) static const char *own_file(const char *ending) {
+  static char path[4][80];
+  static int turn;
+  turn = (turn + 1) % 4;
+  snprintf(path[turn], sizeof path[turn], "%s/archard-fuzz-%ld%s",
+           access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp", (long)getpid(), ending);
+  return path[turn];
+}
+
+__attribute__((unused)) static const char *as_file(const uint8_t *data, size_t size,
+                                                   const char *ending) {
+  const char *path = own_file(ending);
+  FILE *file = fopen(path, "wb");
+  if (!file || fwrite(data, 1, size, file) != size || fclose(file) != 0) abort();
+  return path;
+}
+
+/* Takes the next bytes of an input as a value; zero where there are none left. */
+typedef struct source {
+  const uint8_t *data;
+  size_t left;
+} source;
+
+__attribute__((unused)) static void take_bytes(source *s, void *to, size_t count) {
+  const size_t got = s->left < count ? s->left : count;
+  memset(to, 0, count);
+  memcpy(to, s->data, got);
+  s->data += got, s->left -= got;
+}
+
+__attribute__((unused)) static unsigned take_byte(source *s) {
+  uint8_t byte;
+  take_bytes(s, &byte, 1);
+  return byte;
+}
+
+/* In [low, high], by 16 bits. */
+__attribute__((unused)) static double take_in(source *s, double low, double high) {
+  uint16_t bits;
+  take_bytes(s, &bits, sizeof bits);
+  return low + (high - low) * bits / 65535;
+}
+
+/* Any number: NaN, infinite, tiny ones too. */
+__attribute__((unused)) static double take_any(source *s) {
+  double value;
+  take_bytes(s, &value, sizeof value);
+  return value;
+}
+
+#endif
