@@ -38,6 +38,22 @@ for _, jump in ipairs{ 50, "auto" } do
   w:run{ progress = false }
   near(w.volume.total, 1e-7 * w.energy, 1e-9, "V = k E, jump " .. jump)
 end
+for label, fields in pairs{ ["gross slip"] = { stroke = 0.1 }, ["partial slip"] = { stroke = false } } do
+  local function to_end(more)
+    for name, value in pairs(fields) do more[name] = value end
+    return run(more):run{ progress = false }
+  end
+  local short = to_end{ law = "energy", jump = 10 }
+  for order, off in ipairs{ 0.01, 1e-3 } do
+    local w = to_end{ law = "energy", scheme = "implicit", jump = 100, order = order }
+    label = ("implicit steps of order %d, %s"):format(order, label)
+    near(w.volume.total, 1e-7 * w.energy, 1e-9, label .. ": V = k E")
+    near(w.volume.total, short.volume.total, off, label .. ": the volume of short explicit steps")
+    near(w.depth.plate, short.depth.plate, 2 * off, label .. ": the depth too")
+    is(w.stick_width, short.stick_width, label .. ": what sticks")
+    near(w.cycle_energy, w:loop().energy, 1e-12, label .. ": records tell of the last cycle")
+  end
+end
 local table_of_mu = run{ stroke = 0.1, law = "energy", friction = { distance = { 0, 80 }, value = { 0.3, 0.9 } } }
 table_of_mu:run{ progress = false }
 near(table_of_mu.volume.total, 1e-7 * table_of_mu.energy, 1e-9, "V = k E where friction changes")
@@ -75,7 +91,8 @@ fails(function() plain:loop() end, { "field 'friction'", "without friction" }, "
 -- files and copies: nothing but the shape and the history is kept
 local name = os.tmpname()
 os.remove(name)
-for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" }, force = { stroke = false },
+for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" },
+  implicit = { stroke = 0.1, scheme = "implicit", tolerance = 1e-3, jump = nil }, force = { stroke = false },
   block = { stroke = nil, cycles = 400, loading = { tangential = { -20, 30, -20 }, load = { 80, 100, 80 } } } } do
   local w = run(fields)
   w:step(2)
@@ -140,7 +157,6 @@ refused({ loading = { tangential = { 0, 50, 0 }, load = { 100, 80, 100 } } },
   { "loading[1].tangential[2]", "48 N", "50 N" }, "more than mu L in a block")
 refused({ friction = 0, loading = { tangential = { 0, 5, 0 } } }, "loading[1].tangential", "a block's force without friction")
 refused({ loading = { x = { 0, 0.1 } } }, "ends where it begins", "a cycle that does not close")
-refused({ stroke = 0.1, scheme = "implicit" }, { "field 'scheme'", "explicit" }, "implicit steps")
 refused({ stroke = 0.1, update = "increment" }, "field 'update'", "updates within a cycle")
 refused({ stroke = 0.1, slide = "z" }, "field 'slide'", "slip out of the plane")
 refused({ stroke = 0.1, slip = "total" }, "field 'slip'", "total slip")

@@ -262,12 +262,6 @@ static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'law': \"energy\" is that of friction; give friction");
   if (!arc_wear_rubs(d)) return ARC_OK;
-  if (d->scheme == ARC_IMPLICIT)
-    return refuse_with_friction(
-        "scheme",
-        "expected \"explicit\": slip depends on the wear in a way that implicit steps "
-        "do not follow; jump = \"auto\" is of second order",
-        error);
   if (d->procedure == ARC_NSP)
     return refuse_with_friction("procedure", "expected \"SP\": slip needs the way of the plate",
                                 error);

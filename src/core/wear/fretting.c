@@ -138,6 +138,20 @@ static int slips_everywhere(const friction_state *s, double *most) {
   return touching > 0 && stuck == 0;
 }
 
+/* What a node of the plate slides: the way of what it touches, as the work tells. */
+static void add_to_jacobian(fretting *r, int at, double most) {
+  arc_wear *w = r->w;
+  double *const way[ARC_BODIES] = {r->work, r->on};
+  const wear_point *point = &w->path.point[at % 2];
+  for (int i = 0; i < w->nc; i++)
+    r->work[i] = fabs(w->path.state.slip[i]) * point->q[ARC_CYLINDER][i];
+  arc_pose_transfer(&w->path.pose[w->path.block->place[at]], r->work, r->on);
+  for (int i = 0; i < w->nc; i++) r->work[i] = fabs(w->path.state.slip[i]);
+  for (int l = 0; l < w->np; l++)
+    r->on[l] = point->q[ARC_PLATE][l] > 0 ? r->on[l] / point->q[ARC_PLATE][l] : 0;
+  arc_wear_jacobian_add(w, r->window, at, most, way);
+}
+
 static void note_increment(fretting *r, int at) {
   const arc_wear *w = r->w;
   const friction_state *s = &w->path.state;
@@ -150,7 +164,7 @@ static void note_increment(fretting *r, int at) {
     r->slipped[i] |= s->slip[i] != 0;
     rate->peak = fmax(rate->peak, w->path.point[at % 2].p[ARC_CYLINDER][i]);
   }
-  if (r->window->jacobian && s->line > 0) arc_wear_jacobian_add(w, r->window, at, most);
+  if (r->window->jacobian && s->line > 0) add_to_jacobian(r, at, most);
 }
 
 static void note_loop(fretting *r, int at) {

@@ -174,7 +174,7 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   const wear_block *block = w->path.block;
   const double share = weight(w, window, at);
   if (!window->jacobian || block->line[at] == 0) return;
-  arc_wear_jacobian_add(w, window, at, share);
+  arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
 /* Normal force on the cylinder at a point [N/mm]. */
