@@ -118,7 +118,7 @@ static void add_end(fretting *r, int at, double share) {
   const double *slip = w->path.state.slip;
   if (b->line[at] == 0) return; /* lifted off */
   for (int i = 0; i < w->nc; i++) {
-    const double pressure = point->p[ARC_CYLINDER][i], way = share * fabs(slip[i]);
+    const double pressure = point->p[ARC_CYLINDER][i], way = share * b->repeat * fabs(slip[i]);
     r->work[i] = way * arc_wear_law_rubbed(w, pressure, r->window->mu);
     r->rate->energy += r->window->mu * pressure * p->wc[i] * way;
   }
@@ -142,14 +142,15 @@ static int slips_everywhere(const friction_state *s, double *most) {
 static void add_to_jacobian(fretting *r, int at, double most) {
   arc_wear *w = r->w;
   double *const way[ARC_BODIES] = {r->work, r->on};
+  const double repeat = w->path.block->repeat;
   const wear_point *point = &w->path.point[at % 2];
   for (int i = 0; i < w->nc; i++)
     r->work[i] = fabs(w->path.state.slip[i]) * point->q[ARC_CYLINDER][i];
   arc_pose_transfer(&w->path.pose[w->path.block->place[at]], r->work, r->on);
-  for (int i = 0; i < w->nc; i++) r->work[i] = fabs(w->path.state.slip[i]);
+  for (int i = 0; i < w->nc; i++) r->work[i] = repeat * fabs(w->path.state.slip[i]);
   for (int l = 0; l < w->np; l++)
-    r->on[l] = point->q[ARC_PLATE][l] > 0 ? r->on[l] / point->q[ARC_PLATE][l] : 0;
-  arc_wear_jacobian_add(w, r->window, at, most, way);
+    r->on[l] = point->q[ARC_PLATE][l] > 0 ? repeat * r->on[l] / point->q[ARC_PLATE][l] : 0;
+  arc_wear_jacobian_add(w, r->window, at, repeat * most, way);
 }
 
 static void note_increment(fretting *r, int at) {
@@ -257,11 +258,11 @@ static arc_loop *make_loop(size_t count) {
   return loop;
 }
 
-/* Forces of the whole thickness. */
-static void finish_loop(arc_loop *loop, double thickness, const wear_rate *rate) {
+/* Forces of the whole thickness, energy of the whole loop. */
+static void finish_loop(arc_loop *loop, double repeat, double thickness, const wear_rate *rate) {
   double *tangential = (double *)(size_t)loop->tangential;
   for (size_t i = 0; i < loop->count; i++) tangential[i] *= thickness;
-  loop->energy = rate->energy * thickness;
+  loop->energy = rate->energy / repeat * thickness;
   loop->stick_width = rate->stick;
   loop->gross = rate->gross != 0;
 }
@@ -285,7 +286,7 @@ arc_status arc_wear_loop(arc_wear *w, arc_loop **loop, arc_error *error) {
   cycle.last = block->count - 1;
   status = evaluate(&r, error);
   if (status == ARC_OK)
-    finish_loop(*loop = r.loop, arc_model_definition(w->model)->thickness, r.rate);
+    finish_loop(*loop = r.loop, block->repeat, arc_model_definition(w->model)->thickness, r.rate);
   else
     free(r.loop);
   return status;
