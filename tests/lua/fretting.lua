@@ -90,6 +90,11 @@ local block = run{ stroke = nil, cycles = 20,
   loading = { tangential = function(t) return 30 * math.sin(2 * math.pi * t) end, load = 100, increments = 24 } }
 block:run{ progress = false }
 near(block.cycle_energy, run{ stroke = false }:loop().energy, 0.02, "a force as a loading")
+local pulsating = run{ stroke = nil, cycles = 20,
+  loading = { tangential = function(t) return 40 * math.sin(math.pi * t) ^ 2 end, load = 100, increments = 24 } }
+pulsating:run{ progress = false }
+ok(math.abs(pulsating.stick_width / 2 - hertz{}.half_width * math.sqrt(1 - 40 / 120)) < 0.02,
+  "a force that comes and goes slips where half of it to and fro would, within an element")
 local phase = run{ stroke = nil, cycles = 20, loading = {
   x = function(t) return 0.05 * math.sin(2 * math.pi * t) end,
   load = function(t) return 100 + 40 * math.sin(2 * math.pi * t + 1) end } }

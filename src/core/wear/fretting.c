@@ -27,7 +27,7 @@ typedef struct fretting {
   arc_loop *loop;    /* NULL: none is wanted */
   double *start;     /* [2 nc] f and t as the cycle began */
   double *least;     /* [nc] smallest force in the cycle */
-  int *slipped;      /* [nc] */
+  double *slid;      /* [nc] sum of |slip| in the cycle [mm] */
   double *work, *on; /* [nc], [np] */
 } fretting;
 
@@ -44,18 +44,17 @@ arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, do
 
 static arc_status fretting_create(fretting *r) {
   const size_t nc = (size_t)r->w->nc, np = (size_t)r->w->np;
-  r->start = malloc((4 * nc + np) * sizeof *r->start);
-  r->slipped = malloc(nc * sizeof *r->slipped);
-  if (!r->start || !r->slipped) return ARC_MEMORY;
+  r->start = malloc((5 * nc + np) * sizeof *r->start);
+  if (!r->start) return ARC_MEMORY;
   r->least = r->start + 2 * nc;
-  r->work = r->least + nc;
+  r->slid = r->least + nc;
+  r->work = r->slid + nc;
   r->on = r->work + nc;
   return ARC_OK;
 }
 
 static void fretting_free(fretting *r) {
   free(r->start);
-  free(r->slipped);
 }
 
 /* --- one increment ---------------------------------------------------------------------------- */
@@ -162,7 +161,7 @@ static void note_increment(fretting *r, int at) {
   rate->shear = fmax(rate->shear, fabs(s->tangential));
   for (int i = 0; i < s->nc; i++) {
     r->least[i] = fmin(r->least[i], s->f[i]);
-    r->slipped[i] |= s->slip[i] != 0;
+    r->slid[i] += fabs(s->slip[i]);
     rate->peak = fmax(rate->peak, w->path.point[at % 2].p[ARC_CYLINDER][i]);
   }
   if (r->window->jacobian && s->line > 0) add_to_jacobian(r, at, most);
@@ -194,7 +193,7 @@ static void begin_cycle(fretting *r) {
   memcpy(r->start, s->f, nc * sizeof *s->f);
   memcpy(r->start + nc, s->t, nc * sizeof *s->t);
   memcpy(r->least, s->f, nc * sizeof *s->f);
-  memset(r->slipped, 0, nc * sizeof *r->slipped);
+  memset(r->slid, 0, nc * sizeof *r->slid);
   if (r->window->jacobian) arc_wear_jacobian_clear(r->window->jacobian);
   note_loop(r, 0);
 }
@@ -209,10 +208,15 @@ static int has_closed(const fretting *r) {
   return off * arc_model_definition(r->w->model)->thickness <= steady * b->load;
 }
 
+/* Where the force only comes back to where it slipped once, rounding slips. */
 static void find_stick(fretting *r) {
+  static const double rounding = 1e-9;
   const shape_side *cylinder = &r->w->shape->side[ARC_CYLINDER];
+  double most = 0;
+  for (int i = 0; i < r->w->nc; i++) most = fmax(most, r->slid[i]);
   for (int i = 0; i < r->w->nc; i++)
-    if (r->least[i] > 0 && !r->slipped[i]) r->rate->stick += arc_shape_width(cylinder, i);
+    if (r->least[i] > 0 && r->slid[i] <= rounding * most)
+      r->rate->stick += arc_shape_width(cylinder, i);
 }
 
 static arc_status run_cycles(fretting *r, arc_error *error) {

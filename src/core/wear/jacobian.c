@@ -108,8 +108,7 @@ static void join(const arc_wear *w, const pose *p, const wear_point *point, doub
     const int n = b == ARC_CYLINDER ? j->nc : j->np;
     double *scale = b == ARC_CYLINDER ? g->scale : g->scale + j->nc;
     for (int i = 0; i < n; i++)
-      scale[i] +=
-          (way ? way[b][i] : share) * arc_wear_law_slope(w, point->p[b][i], point->q[b][i]);
+      scale[i] += (way ? way[b][i] : share) * arc_wear_law_slope(w, point->p[b][i], point->q[b][i]);
   }
   for (int k = 0; k < p->count; k++) {
     const int i = p->lo + k, first = p->first[k];
