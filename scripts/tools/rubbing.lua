@@ -1,5 +1,5 @@
--- What friction changes in the paper's cases, which leave it out: friction 0.3, gross sliding, the cases whose plate
--- slides (at a stroke of 2 radius it is simulated as standing). Changes in percent of the run without friction.
+-- What friction changes in the paper's cases, which leave it out: friction 0.3, gross sliding. Changes in percent of
+-- the run without friction.
 --   archard scripts/tools/rubbing.lua
 
 local paper = require "archard.study.paper"
@@ -17,12 +17,10 @@ end
 
 io.write("| s / mm | alpha | volume | depth of the cylinder | of the plate | p centre | half width |\n|---|---|---|---|---|---|---|\n")
 for _, case in ipairs(paper.cases()) do
-  if case.stroke < 1 then
-    local without, with = finished(case, 0), finished(case, 0.3)
-    io.write(("| %g | %g | %s | %s | %s | %s | %s |\n"):format(case.stroke, case.alpha,
-      change(with.volume.total, without.volume.total), change(with.depth.cylinder, without.depth.cylinder),
-      change(with.depth.plate, without.depth.plate), change(with.p_center, without.p_center),
-      change(with.half_width, without.half_width)))
-    io.flush()
-  end
+  local without, with = finished(case, 0), finished(case, 0.3)
+  io.write(("| %g | %g | %s | %s | %s | %s | %s |\n"):format(case.stroke, case.alpha,
+    change(with.volume.total, without.volume.total), change(with.depth.cylinder, without.depth.cylinder),
+    change(with.depth.plate, without.depth.plate), change(with.p_center, without.p_center),
+    change(with.half_width, without.half_width)))
+  io.flush()
 end

@@ -64,16 +64,16 @@ local function reduced(bodies, c)
   return run:run{ progress = false }
 end
 
-for _, case in ipairs{ { 0.01, 0.05 }, { 0.005, 0.015 } } do
-  local size, allowed = table.unpack(case)
-  local bodies = model{ mesh = { size = size, height = size } }
+for _, case in ipairs{ { 0.01, 1, 0.05 }, { 0.005, 1, 0.015 }, { 0.01, 0.5, 0.015 }, { 0.005, 0.5, 0.003 } } do
+  local size, height, allowed = table.unpack(case)
+  local bodies = model{ mesh = { size = size, height = height * size } }
   local c = (math.floor(0.65 * a / size) + 0.5) * size -- between nodes
   local w = wear{ model = bodies, friction = mu, load = load, tangential = mu * load * (1 - (c / a) ^ 2), k = k,
     cycles = last, jump = jump, increments = 40 }
   w:step()
   local first = w.stick_width
   w:run{ progress = false }
-  local label = ("%g um, %d cycles of partial slip: "):format(1e3 * size, last)
+  local label = ("elements of %g x %g um, %d cycles of partial slip: "):format(1e3 * size, 1e3 * height * size, last)
   within(w.volume.total, reduced(bodies, c).volume.total, allowed, label .. "volume [mm3]")
   within(first, 2 * c, 1e-3, label .. "width that sticks at first [mm]")
   within(w.stick_width, first, 1e-12, label .. "and at last")

@@ -15,7 +15,7 @@
 
 enum { newton_limit = 30 };
 
-static int factorise(pose *p) {
+int arc_lcp_factorise(pose *p) {
   if (p->factored) return 0;
   const int n = p->active;
   for (int c = 0; c < n; c++)
@@ -31,7 +31,7 @@ static int factorise(pose *p) {
 /* Forces on the set that close its gaps under the load `line`: fs [active] and the approach.
  * Non-zero: A is not definite. */
 static int solve_on_set(pose *p, double line, double *fs) {
-  if (factorise(p)) return 1;
+  if (arc_lcp_factorise(p)) return 1;
   double sum = 0, total = 0;
   for (int k = 0; k < p->active; k++) fs[k] = p->gap[p->set[k]];
   arc_dense_cholesky_solve(p->active, 1, p->factor, p->active, fs, p->active);

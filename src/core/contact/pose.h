@@ -113,5 +113,8 @@ void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double *
 /* The complementarity problem (lcp.c): finds p's set, factor, ones, f, approach for a load
  * per thickness [N/mm], from the set as a warm start. */
 arc_status arc_lcp_solve(pose *p, double line);
+/* factor and ones of the set at hand, which friction may have found without them. Non-zero: A is
+ * not definite there. */
+int arc_lcp_factorise(pose *p);
 
 #endif

@@ -98,8 +98,9 @@ static double along(double stroke, int i, int last) {
 }
 
 /* The paper's cycle: half of it, counted twice (r = 2), or the single pass over the plate (r = 1).
- * Where the geometry is updated within the cycle, both strokes are simulated. NSP needs no more
- * than the ends. */
+ * Where the geometry is updated within the cycle, and with friction, both strokes are simulated,
+ * which stand for one of the passes. NSP needs no more than the ends, unless slip has to be found.
+ */
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
                                 wear_block *b) {
   if (def->tangential > 0) return by_force(def, model, b);
@@ -107,7 +108,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   const arc_procedure procedure = arc_wear_choose_procedure(def, model);
   const int over = arc_wear_over_plate(def, model),
             back = rubs || (def->update == ARC_UPDATE_INCREMENT && !over);
-  const int stays = procedure == ARC_NSP || def->slide == ARC_SLIDE_Z;
+  const int stays = (procedure == ARC_NSP && !rubs) || def->slide == ARC_SLIDE_Z;
   const int half =
       stays && def->update == ARC_UPDATE_CYCLE ? 1 : arc_wear_def_increments(def, model) / 2;
   const arc_status status = block_create(b, back ? 2 * half + 1 : half + 1);
@@ -118,7 +119,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   }
   b->periodic = 1;
   b->cycles = INFINITY;
-  b->repeat = over || back ? 1 : 2;
+  b->repeat = over && back ? 0.5 : over || back ? 1 : 2;
   if (rubs) b->press = half + (half + 1) / 2; /* about x = 0 */
   b->load = def->load;
   finish(b, def, model);

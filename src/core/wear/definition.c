@@ -75,8 +75,8 @@ static int alpha_stays_one(const arc_wear_def *def) {
 
 arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model) {
   if (def->procedure != ARC_AUTO) return def->procedure;
-  if (arc_wear_rubs(def)) return ARC_SP;
-  return alpha_stays_one(def) || arc_wear_over_plate(def, model) ? ARC_NSP : ARC_SP;
+  if (arc_wear_over_plate(def, model)) return ARC_NSP;
+  return alpha_stays_one(def) && !arc_wear_rubs(def) ? ARC_NSP : ARC_SP;
 }
 
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
@@ -254,7 +254,8 @@ static arc_status refuse_with_friction(const char *field, const char *why, arc_e
 }
 
 /* What stands on slip that is known beforehand, or on a state that outlives an update. */
-static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
+static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
+                                 arc_error *error) {
   if (!arc_wear_rubs(d) && d->tangential > 0)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': a force drives the plate by friction only; give friction");
@@ -262,13 +263,7 @@ static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'law': \"energy\" is that of friction; give friction");
   if (!arc_wear_rubs(d)) return ARC_OK;
-  if (d->scheme == ARC_IMPLICIT)
-    return refuse_with_friction(
-        "scheme",
-        "expected \"explicit\": slip depends on the wear in a way that implicit steps "
-        "do not follow; jump = \"auto\" is of second order",
-        error);
-  if (d->procedure == ARC_NSP)
+  if (d->procedure == ARC_NSP && !arc_wear_over_plate(d, model))
     return refuse_with_friction("procedure", "expected \"SP\": slip needs the way of the plate",
                                 error);
   if (d->update == ARC_UPDATE_INCREMENT)
@@ -291,7 +286,7 @@ arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc
   arc_status status = arc_settings_check(arc_wear_settings, "", d, error);
   if (status == ARC_OK) status = check_procedure(d, model, error);
   if (status == ARC_OK) status = check_scheme(d, error);
-  if (status == ARC_OK) status = check_friction(d, error);
+  if (status == ARC_OK) status = check_friction(d, model, error);
   return status == ARC_OK ? check_loading(d, error) : status;
 }
 

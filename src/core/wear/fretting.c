@@ -27,7 +27,7 @@ typedef struct fretting {
   arc_loop *loop;    /* NULL: none is wanted */
   double *start;     /* [2 nc] f and t as the cycle began */
   double *least;     /* [nc] smallest force in the cycle */
-  int *slipped;      /* [nc] */
+  double *slid;      /* [nc] sum of |slip| in the cycle [mm] */
   double *work, *on; /* [nc], [np] */
 } fretting;
 
@@ -44,18 +44,17 @@ arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, do
 
 static arc_status fretting_create(fretting *r) {
   const size_t nc = (size_t)r->w->nc, np = (size_t)r->w->np;
-  r->start = malloc((4 * nc + np) * sizeof *r->start);
-  r->slipped = malloc(nc * sizeof *r->slipped);
-  if (!r->start || !r->slipped) return ARC_MEMORY;
+  r->start = malloc((5 * nc + np) * sizeof *r->start);
+  if (!r->start) return ARC_MEMORY;
   r->least = r->start + 2 * nc;
-  r->work = r->least + nc;
+  r->slid = r->least + nc;
+  r->work = r->slid + nc;
   r->on = r->work + nc;
   return ARC_OK;
 }
 
 static void fretting_free(fretting *r) {
   free(r->start);
-  free(r->slipped);
 }
 
 /* --- one increment ---------------------------------------------------------------------------- */
@@ -118,7 +117,7 @@ static void add_end(fretting *r, int at, double share) {
   const double *slip = w->path.state.slip;
   if (b->line[at] == 0) return; /* lifted off */
   for (int i = 0; i < w->nc; i++) {
-    const double pressure = point->p[ARC_CYLINDER][i], way = share * fabs(slip[i]);
+    const double pressure = point->p[ARC_CYLINDER][i], way = share * b->repeat * fabs(slip[i]);
     r->work[i] = way * arc_wear_law_rubbed(w, pressure, r->window->mu);
     r->rate->energy += r->window->mu * pressure * p->wc[i] * way;
   }
@@ -138,6 +137,21 @@ static int slips_everywhere(const friction_state *s, double *most) {
   return touching > 0 && stuck == 0;
 }
 
+/* What a node of the plate slides: the way of what it touches, as the work tells. */
+static void add_to_jacobian(fretting *r, int at, double most) {
+  arc_wear *w = r->w;
+  double *const way[ARC_BODIES] = {r->work, r->on};
+  const double repeat = w->path.block->repeat;
+  const wear_point *point = &w->path.point[at % 2];
+  for (int i = 0; i < w->nc; i++)
+    r->work[i] = fabs(w->path.state.slip[i]) * point->q[ARC_CYLINDER][i];
+  arc_pose_transfer(&w->path.pose[w->path.block->place[at]], r->work, r->on);
+  for (int i = 0; i < w->nc; i++) r->work[i] = repeat * fabs(w->path.state.slip[i]);
+  for (int l = 0; l < w->np; l++)
+    r->on[l] = point->q[ARC_PLATE][l] > 0 ? repeat * r->on[l] / point->q[ARC_PLATE][l] : 0;
+  arc_wear_jacobian_add(w, r->window, at, repeat * most, way);
+}
+
 static void note_increment(fretting *r, int at) {
   const arc_wear *w = r->w;
   const friction_state *s = &w->path.state;
@@ -147,10 +161,10 @@ static void note_increment(fretting *r, int at) {
   rate->shear = fmax(rate->shear, fabs(s->tangential));
   for (int i = 0; i < s->nc; i++) {
     r->least[i] = fmin(r->least[i], s->f[i]);
-    r->slipped[i] |= s->slip[i] != 0;
+    r->slid[i] += fabs(s->slip[i]);
     rate->peak = fmax(rate->peak, w->path.point[at % 2].p[ARC_CYLINDER][i]);
   }
-  if (r->window->jacobian && s->line > 0) arc_wear_jacobian_add(w, r->window, at, most);
+  if (r->window->jacobian && s->line > 0) add_to_jacobian(r, at, most);
 }
 
 static void note_loop(fretting *r, int at) {
@@ -179,7 +193,7 @@ static void begin_cycle(fretting *r) {
   memcpy(r->start, s->f, nc * sizeof *s->f);
   memcpy(r->start + nc, s->t, nc * sizeof *s->t);
   memcpy(r->least, s->f, nc * sizeof *s->f);
-  memset(r->slipped, 0, nc * sizeof *r->slipped);
+  memset(r->slid, 0, nc * sizeof *r->slid);
   if (r->window->jacobian) arc_wear_jacobian_clear(r->window->jacobian);
   note_loop(r, 0);
 }
@@ -194,10 +208,15 @@ static int has_closed(const fretting *r) {
   return off * arc_model_definition(r->w->model)->thickness <= steady * b->load;
 }
 
+/* Where the force only comes back to where it slipped once, rounding slips. */
 static void find_stick(fretting *r) {
+  static const double rounding = 1e-9;
   const shape_side *cylinder = &r->w->shape->side[ARC_CYLINDER];
+  double most = 0;
+  for (int i = 0; i < r->w->nc; i++) most = fmax(most, r->slid[i]);
   for (int i = 0; i < r->w->nc; i++)
-    if (r->least[i] > 0 && !r->slipped[i]) r->rate->stick += arc_shape_width(cylinder, i);
+    if (r->least[i] > 0 && r->slid[i] <= rounding * most)
+      r->rate->stick += arc_shape_width(cylinder, i);
 }
 
 static arc_status run_cycles(fretting *r, arc_error *error) {
@@ -243,11 +262,11 @@ static arc_loop *make_loop(size_t count) {
   return loop;
 }
 
-/* Forces of the whole thickness. */
-static void finish_loop(arc_loop *loop, double thickness, const wear_rate *rate) {
+/* Forces of the whole thickness, energy of the whole loop. */
+static void finish_loop(arc_loop *loop, double repeat, double thickness, const wear_rate *rate) {
   double *tangential = (double *)(size_t)loop->tangential;
   for (size_t i = 0; i < loop->count; i++) tangential[i] *= thickness;
-  loop->energy = rate->energy * thickness;
+  loop->energy = rate->energy / repeat * thickness;
   loop->stick_width = rate->stick;
   loop->gross = rate->gross != 0;
 }
@@ -271,7 +290,7 @@ arc_status arc_wear_loop(arc_wear *w, arc_loop **loop, arc_error *error) {
   cycle.last = block->count - 1;
   status = evaluate(&r, error);
   if (status == ARC_OK)
-    finish_loop(*loop = r.loop, arc_model_definition(w->model)->thickness, r.rate);
+    finish_loop(*loop = r.loop, block->repeat, arc_model_definition(w->model)->thickness, r.rate);
   else
     free(r.loop);
   return status;

@@ -17,32 +17,38 @@ static const double share_per_step = 0.5;
 static const double pressure_share = 30;
 static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
-/* Backward Euler; its error by comparison with the trapezoid. */
-static arc_status first_order(newton *s, double cycles, double *defect) {
+/* Backward Euler; its error, to s->residual, by comparison with the trapezoid. */
+static arc_status first_order(newton *s, double cycles, wear_depths *depth) {
+  double *defect = s->residual;
   memset(s->known, 0, (size_t)s->n * sizeof(double));
   memcpy(s->rate[2], s->rate[0], (size_t)s->n * sizeof(double));
   const arc_status status = arc_newton_solve(s, cycles, s->rate[2]);
   for (int i = 0; i < s->n && status == ARC_OK; i++)
     defect[i] = cycles * (s->rate[2][i] - s->rate[0][i]) / 2;
+  depth->energy = cycles * s->energy;
   return status;
 }
 
 /* The trapezoid to 2 gamma, then BDF2 to the end; the error by comparison with the quadrature
  * through the start and both stages. */
-static arc_status second_order(newton *s, double cycles, double *defect) {
+static arc_status second_order(newton *s, double cycles, wear_depths *depth) {
   const double g = gamma2, h = g * cycles, c = 2 * g, part = (1 - g) / 2;
   const double b1 = 1 / (6 * c * (1 - c)), b2 = (1 / 3.0 - c / 2) / (1 - c), b0 = 1 - b1 - b2;
   const size_t bytes = (size_t)s->n * sizeof(double);
+  double *defect = s->residual;
+  depth->energy = cycles * part * s->energy;
   for (int i = 0; i < s->n; i++) s->known[i] = h * s->rate[0][i];
   memcpy(s->rate[1], s->rate[0], bytes);
   arc_status status = arc_newton_solve(s, h, s->rate[1]);
   if (status != ARC_OK) return status;
+  depth->energy += cycles * part * s->energy;
   for (int i = 0; i < s->n; i++) s->known[i] = cycles * part * (s->rate[0][i] + s->rate[1][i]);
   memcpy(s->rate[2], s->rate[1], bytes);
   status = arc_newton_solve(s, h, s->rate[2]);
   for (int i = 0; i < s->n && status == ARC_OK; i++)
     defect[i] = cycles * ((b0 - part) * s->rate[0][i] + (b1 - part) * s->rate[1][i] +
                           (b2 - g) * s->rate[2][i]);
+  depth->energy += h * s->energy;
   return status;
 }
 
@@ -88,7 +94,7 @@ static double largest_pressure_error(newton *s, const double *off) {
   double largest = 0;
   for (int i = 0; i < 3; i++) {
     pose *p = &s->w->path.pose[block->place[points[i]]];
-    if (block->line[points[i]] > 0 && p->factored)
+    if (block->line[points[i]] > 0 && p->active > 0 && !arc_lcp_factorise(p))
       largest = fmax(largest, pressure_error(s, p, off));
   }
   return largest;
@@ -110,10 +116,9 @@ static arc_status run(newton *s, wear_depths *depth) {
   arc_status status = arc_newton_evaluate(s, s->rate[0], 1); /* z = 0: at the start */
   if (status != ARC_OK) return status;
   const int first = s->w->def.order == 1;
-  double *defect = s->residual;
-  status = first ? first_order(s, cycles, defect) : second_order(s, cycles, defect);
+  status = first ? first_order(s, cycles, depth) : second_order(s, cycles, depth);
   if (status != ARC_OK) return status;
-  depth->error = share_of_tolerance(s, first ? cycles : gamma2 * cycles, defect);
+  depth->error = share_of_tolerance(s, first ? cycles : gamma2 * cycles, s->residual);
   memcpy(depth->node[0], s->z, (size_t)s->n * sizeof(double));
   return ARC_OK;
 }
@@ -142,7 +147,6 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
     status = run(&s, depth);
   depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * s.even : 0;
   depth->peak = s.peak;
-  depth->energy = 0;
   depth->pressed = dose->cycles * s.pressed;
   arc_newton_free(&s);
   return tell(&s, status, error);

@@ -84,8 +84,9 @@ static void begin(wear_jacobian *j) {
   for (int i = 0; i < j->nc; i++) g->from[i] = j->np, g->to[i] = 0;
 }
 
-static void lead(wear_jacobian *j, const pose *p) {
+static void lead(wear_jacobian *j, pose *p) {
   jacobian_group *g = j->group;
+  if (arc_lcp_factorise(p)) return; /* as the solution had it to be */
   g->m = p->active;
   g->wc = p->wc;
   g->wp = p->wp;
@@ -99,7 +100,7 @@ static void lead(wear_jacobian *j, const pose *p) {
 }
 
 static void join(const arc_wear *w, const pose *p, const wear_point *point, double share,
-                 wear_jacobian *j) {
+                 double *const way[ARC_BODIES], wear_jacobian *j) {
   jacobian_group *g = j->group;
   g->points++;
   g->total += share;
@@ -107,7 +108,7 @@ static void join(const arc_wear *w, const pose *p, const wear_point *point, doub
     const int n = b == ARC_CYLINDER ? j->nc : j->np;
     double *scale = b == ARC_CYLINDER ? g->scale : g->scale + j->nc;
     for (int i = 0; i < n; i++)
-      scale[i] += share * arc_wear_law_slope(w, point->p[b][i], point->q[b][i]);
+      scale[i] += (way ? way[b][i] : share) * arc_wear_law_slope(w, point->p[b][i], point->q[b][i]);
   }
   for (int k = 0; k < p->count; k++) {
     const int i = p->lo + k, first = p->first[k];
@@ -227,15 +228,16 @@ static int is_head(const wear_jacobian *j, const wear_block *block, const wear_w
   return 1;
 }
 
-void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share) {
+void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
+                           double *const way[ARC_BODIES]) {
   wear_jacobian *j = window->jacobian;
   const wear_block *block = w->path.block;
-  const pose *p = &w->path.pose[block->place[at]];
+  pose *p = &w->path.pose[block->place[at]];
   const int apart = j->group->points == 0 || !same_group(j, block, window, at, at - 1);
   if (apart) {
     arc_wear_jacobian_finish(j);
     begin(j);
   }
   if (is_head(j, block, window, at)) lead(j, p);
-  join(w, p, &w->path.point[at % 2], share, j);
+  join(w, p, &w->path.point[at % 2], share, way, j);
 }

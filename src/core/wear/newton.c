@@ -51,6 +51,15 @@ static double largest_of(const double *v, int n) {
   return largest;
 }
 
+/* What a cycle wears off both bodies [mm2]. */
+static double area_of(const newton *s, const double *rate) {
+  double sum = 0;
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < s->window.shape->side[b].n; i++)
+      sum += *rate++ * arc_shape_span(s->window.shape, (arc_body)b, i);
+  return sum;
+}
+
 arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
   wear_rate here = {.node = {rate, rate + s->w->nc}};
   s->window.jacobian = with_jacobian ? &s->jacobian : NULL;
@@ -61,6 +70,8 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
   s->even = here.even;
   s->peak = here.peak;
   s->pressed = here.pressed;
+  s->energy = here.energy;
+  s->area = here.energy > 0 ? area_of(s, rate) : 0;
   return ARC_OK;
 }
 
@@ -219,8 +230,10 @@ static arc_status solve_exactly(newton *s, double h, double *rate) {
   return ARC_NOT_CONVERGED;
 }
 
+/* The energy goes with the wear: the last step was not evaluated any more. */
 static void settle(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->z[i] = s->known[i] + h * rate[i];
+  if (s->area > 0) s->energy *= area_of(s, rate) / s->area;
 }
 
 /* A new Jacobian, at the iterate that an iteration left or, where that is no nearer, at its start.

@@ -14,6 +14,8 @@ typedef struct newton {
   int n;             /* nodes of both surfaces */
   double even, peak; /* rate of the last evaluation; its largest pressure [MPa] */
   double pressed;    /* its normal force over the sliding [N] */
+  double energy;     /* what a cycle of the rate at hand dissipates [N] */
+  double area;       /* what one of the last evaluation wears [mm2] */
   double *z, *known; /* [n] depths gained [mm]; the fixed part of a stage */
   double *residual, *step, *down;
   double *rate[3]; /* [n] k times the wear of a cycle [mm] at the start and both stages */

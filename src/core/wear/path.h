@@ -17,10 +17,11 @@ typedef struct wear_block {
   int *place;         /* [count] which pose a point belongs to */
   int poses;
   int periodic;
-  double load, travel;                /* largest [N]; from one end of the way to the other [mm] */
-  double repeat;                      /* 2 where a half cycle stands for a whole one, else 1 */
-  double sliding;                     /* travelled distance of a cycle [mm] */
-  double cycles;                      /* how often, may be INFINITY for the last */
+  double load, travel; /* largest [N]; from one end of the way to the other [mm] */
+  double repeat;  /* 2 where a half cycle stands for a whole one, 1/2 where both strokes stand for
+                     one, else 1 */
+  double sliding; /* travelled distance of a cycle [mm] */
+  double cycles;  /* how often, may be INFINITY for the last */
   double start_distance, start_cycle; /* of the run, where this block begins */
 } wear_block;
 

@@ -154,7 +154,7 @@ static void add_even(const arc_wear *w, const wear_point *point, wear_rate *rate
     rate->even += point->q[ARC_PLATE][l] * arc_shape_width(plate, l);
 }
 
-/* The same of work with the elastic part of the slip: what all its nodes would lose, per length. */
+/* The same of work with the real slip: what all its nodes would lose, per length. */
 static void spread_work(const arc_wear *w, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
@@ -174,7 +174,7 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   const wear_block *block = w->path.block;
   const double share = weight(w, window, at);
   if (!window->jacobian || block->line[at] == 0) return;
-  arc_wear_jacobian_add(w, window, at, share);
+  arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
 /* Normal force on the cylinder at a point [N/mm]. */
@@ -209,8 +209,10 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
   assert(0 <= window->first && window->last < w->path.block->count);
   if (arc_wear_rubs(&w->def)) {
     const arc_status status = arc_wear_fret(w, window, watch, rate, error);
-    if (status == ARC_OK) incline(w, window, rate);
-    return status;
+    if (status != ARC_OK) return status;
+    if (wears_evenly(w)) spread_work(w, rate);
+    incline(w, window, rate);
+    return ARC_OK;
   }
   arc_wear_rate_clear(rate, w->nc + w->np);
   if (window->jacobian) arc_wear_jacobian_clear(window->jacobian);

@@ -80,8 +80,10 @@ arc_status arc_wear_jacobian_create(wear_jacobian *j, int nc, int np);
 void arc_wear_jacobian_free(wear_jacobian *j);
 void arc_wear_jacobian_clear(wear_jacobian *j);
 /* Adds share * (-d q / d depth) of point `at` of the window, just solved, to the window's; points
- * come in order. */
-void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share);
+ * come in order. way [surface] of both bodies: what each node slides, where that is not share; its
+ * largest is. */
+void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
+                           double *const way[ARC_BODIES]);
 /* After the last pose: value is complete. */
 void arc_wear_jacobian_finish(wear_jacobian *j);
 

@@ -4,16 +4,21 @@
 
 #include <math.h>
 
-int arc_wear_closed_form(const arc_wear *w) {
+/* The contact never changes. */
+static int stays_as_it_is(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   return d->alpha == 0 && !d->alpha_function && d->alpha_series.count == 0 &&
          arc_model_is_hertzian(arc_model_definition(w->model)) && d->law == ARC_LAW_ARCHARD &&
          !d->local_factor && w->over_plate && w->procedure == ARC_NSP;
 }
 
+int arc_wear_closed_form(const arc_wear *w) {
+  return stays_as_it_is(w) && !arc_wear_rubs(&w->def); /* whose slip has to be found */
+}
+
 /* From unworn surfaces it stays Hertz'. */
 static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
-  return arc_wear_closed_form(w) && arc_shape_depth(shape, ARC_CYLINDER) == 0;
+  return stays_as_it_is(w) && arc_shape_depth(shape, ARC_CYLINDER) == 0;
 }
 
 /* The reference pose on a shape, solved under the nominal load. */

@@ -179,8 +179,8 @@ static void note_rubbing(const arc_wear *w, const wear_rate *rate, arc_wear_reco
 arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
                          const arc_callbacks *callbacks, arc_error *error) {
   w->start.block = NULL;
-  if (!is_explicit(w, plan) || !plan->block->periodic || splits_cycles(w) ||
-      arc_wear_closed_form(w))
+  const int asked = is_explicit(w, plan) || arc_wear_rubs(&w->def);
+  if (!asked || !plan->block->periodic || splits_cycles(w) || arc_wear_closed_form(w))
     return ARC_OK;
   wear_watch later = {.callbacks = callbacks};
   wear_window cycle = {.shape = out->shape,
