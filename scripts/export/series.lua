@@ -27,7 +27,7 @@ end
 
 -- The path without its ending, which is .pvd.
 local function stem_of(path)
-  if type(path) ~= "string" then check.refuse(where, "path", "a file name", path) end
+  if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
   local stem, ending = path:match("^(.-)(%.[^./]*)$")
   if ending and ending ~= ".pvd" then
     check.refuse(where, "path", "a file name that ends in .pvd", path)

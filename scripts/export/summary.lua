@@ -67,7 +67,7 @@ return function(run, path)
   if check.shown(run) ~= "a wear object" then
     check.fail(where, "expected a wear object, got " .. check.shown(run))
   end
-  if type(path) ~= "string" then check.refuse(where, "path", "a file name", path) end
+  if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
   local ending = path:match("%.[^./]*$")
   if not ending then path = path .. ".json" end
   if ending and ending ~= ".json" then

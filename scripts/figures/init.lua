@@ -83,7 +83,7 @@ local general = {
 -- --- drawing -------------------------------------------------------------------------------------
 
 local fields = {
-  dir = check.text,
+  dir = check.file,
   term = check.kind('"svg", "png", "pdf", "dumb" or a list of them', function(v)
     for _, each in ipairs(type(v) == "table" and v or { v }) do
       if each ~= "svg" and each ~= "png" and each ~= "pdf" and each ~= "dumb" then return false end

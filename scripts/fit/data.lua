@@ -100,7 +100,7 @@ local function read_profile(where, prefix, given)
   local from = given.profile or given
   if not (from.x and from.h) then
     check.fail(where, ("field '%s': expected profile=, or x= and h= [mm], or of=, distance= and "
-      .. "value="):format(prefix))
+      .. "value=, got none of these"):format(prefix))
   end
   if given.body == nil then check.refuse(where, prefix .. ".body", body.expected, nil) end
   if not check.positive.test(given.distance) then

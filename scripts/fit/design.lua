@@ -41,7 +41,7 @@ local function check_one(number, given)
   check.fields(where, given, own, field .. ".")
   if (given.of == nil) == (given.profile == nil) then
     check.fail(where, ("field '%s': expected of=\"volume_cylinder\" and the like, or profile=\"cylinder\" or "
-      .. "\"plate\", one of them"):format(field))
+      .. "\"plate\", one of them, got %s"):format(field, given.of and "both" or "neither"))
   end
   if given.distance == nil then check.refuse(where, field .. ".distance", own.distance.expected, nil) end
   if (given.error == nil) == (given.relative == nil or given.profile ~= nil) then
@@ -225,7 +225,7 @@ end
 
 -- d:table{ file= } -> the rows "alone" as CSV
 function methods:table(options)
-  check.fields("design:table", options or {}, { file = check.text })
+  check.fields("design:table", options or {}, { file = check.file })
   local rows = { heads(self, "measurement", "distance [mm]") }
   for _, one in ipairs(self.alone) do
     local row = { one.title, one.distance }

@@ -17,13 +17,13 @@ local where = "fit"
 local model_kind = check.kind("a model object or a table of its fields", function(v)
   return type(v) == "userdata" or type(v) == "table"
 end)
-local common = { model = model_kind, base = check.table, unknown = check.table, file = check.text,
+local common = { model = model_kind, base = check.table, unknown = check.table, file = check.file,
   workers = check.whole(1, 256), progress = check.progress, confidence = check.share }
 local fields = merged(common, { data = check.table })
 
 -- The fields of wear{} of all runs: long enough for the last measurement.
 local function base_of(name, given, what)
-  local base = merged(given.base, { model = given.model })
+  local base = merged(check.definition(name, given.base or {}, check.anything, nil, "base"), { model = given.model })
   local flat = {}
   for field in pairs(base) do flat[tostring(field)] = 0 end
   check_names(name, { flat })

@@ -86,7 +86,7 @@ local function fingerprint(where, base)
 end
 
 local function open(self)
-  local store = require "archard.store".open(self.file, "create")
+  local store = check.as(self.where, require "archard.store".open, self.file, "create")
   store:check()
   same_fit(self, store)
   for _, case in ipairs(store:cases()) do

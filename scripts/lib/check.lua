@@ -37,6 +37,9 @@ local function whole(value, low, high)
 end
 
 check.text = kind("a string", function(v) return type(v) == "string" end)
+check.file = kind("a file name", function(v)
+  return type(v) == "string" and v ~= "" and not v:find("\0", 1, true)
+end)
 check.flag = kind("true or false", function(v) return type(v) == "boolean" end)
 check.number = kind("a number", finite)
 check.positive = kind("a number > 0", function(v) return finite(v) and v > 0 end)
@@ -69,6 +72,9 @@ end
 
 -- Whatever the caller has checked, or another one will.
 function check.any(expected) return kind(expected, function() return true end) end
+
+-- Fields of all names, which whoever reads them checks.
+check.anything = setmetatable({}, { __index = function() return check.any "a field" end })
 
 local function pair(names, low, high)
   return kind(("{ %s }, two whole numbers in [%d, %d]"):format(names, low, high), function(v)
@@ -111,6 +117,10 @@ end
 -- Every named field of `given` must be in `fields` (name = kind). List items are the caller's.
 function check.fields(where, given, fields, prefix)
   prefix = prefix or ""
+  if type(given) ~= "table" then
+    check.fail(where, ("%sexpected a table of named fields, got %s"):format(
+      prefix ~= "" and ("field '%s': "):format(prefix:sub(1, -2)) or "", check.shown(given)))
+  end
   for name, value in pairs(given) do
     if type(name) == "string" then
       local wanted = fields[name]
@@ -124,13 +134,25 @@ function check.fields(where, given, fields, prefix)
   return given
 end
 
--- The same of a table that holds nothing else; `or_else` is what might stand in its place.
-function check.definition(where, given, fields, or_else)
+-- Calls a function; what it raises is told of as the call `where` that the user made.
+function check.as(where, f, ...)
+  local results = table.pack(pcall(f, ...))
+  if results[1] then return table.unpack(results, 2, results.n) end
+  local err = results[2]
+  if type(err) ~= "table" or not err.message then error(err, 0) end
+  check.fail(where, err.message, err.code)
+end
+
+-- The same of a table that holds nothing else; `or_else` is what might stand in its place, `name` the
+-- field that it is.
+function check.definition(where, given, fields, or_else, name)
   if type(given) ~= "table" then
     check.fail(where, ("expected %sa table of named fields, got %s"):format(or_else or "",
       check.shown(given)))
   end
-  if given[1] ~= nil then check.fail(where, "fields are given by name; found [1]") end
+  if given[1] ~= nil then
+    check.fail(where, "fields are given by name; found [1]" .. (name and " in " .. name or ""))
+  end
   return check.fields(where, given, fields)
 end
 

@@ -149,7 +149,7 @@ local function all_of(path, columns)
 end
 
 function csv.read(path, choice)
-  if type(path) ~= "string" then
+  if not check.file.test(path) then
     check.fail(where, "expected the path of a file, got " .. check.shown(path))
   end
   if choice ~= nil and type(choice) ~= "table" then

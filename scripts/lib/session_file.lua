@@ -217,7 +217,7 @@ local function notes(cases, left)
 end
 
 local function check_path(where, path)
-  if type(path) == "string" and path ~= "" then return end
+  if check.file.test(path) then return end
   check.fail(where, "expected the name of a file, got " .. check.shown(path))
 end
 

@@ -31,7 +31,7 @@ return function(object, options)
   options = draw.options(where, options, { of = check.any "a name or a list of names" })
   local uncertainty = object
   if naming.get(object, "uncertainty") then
-    uncertainty = object:uncertainty{ of = options.of }
+    uncertainty = check.as(where, object.uncertainty, object, { of = options.of })
   elseif not (naming.get(object, "distance") and naming.get(object, "fields")) then
     check.fail(where, "expected a sampled study or its uncertainty, got " .. check.shown(object))
   end

@@ -44,7 +44,7 @@ local panel_fields = {
   yplaces = places,
 }
 local output_fields = {
-  term = check.one_of(terms), file = check.text, size = check.size, colour = check.flag,
+  term = check.one_of(terms), file = check.file, size = check.size, colour = check.flag,
 }
 local figure_fields = merged(panel_fields, output_fields,
   { panels = check.table, layout = check.grid, letters = check.flag })
@@ -197,6 +197,7 @@ local function to_figure(where, given)
   if not given.panels then
     return { panels = { to_panel(where, given) } }
   end
+  if #given.panels == 0 then check.refuse(where, "panels", "a list of panels", given.panels) end
   local layout = given.layout or {}
   local figure = { title = words(given.title), rows = layout[1], columns = layout[2], panels = {},
     one_key = given.key == nil }

@@ -37,7 +37,7 @@ function loop.loop(...)
     title = #things > 1 and "fretting loops" or "fretting loop" }
   for i, thing in ipairs(things) do
     local one = loop_of(where, thing)
-    local name = options.titles and options.titles[i]
+    local name = options.titles and options.titles[i] and tostring(options.titles[i])
     given[i] = { x = shapes.scaled(one.x, 1000), y = one.tangential,
       title = ("%s%.4g N mm a cycle"):format(name and name .. ", " or "", one.energy) }
   end

@@ -88,7 +88,7 @@ end
 return function(object, options)
   options = draw.options(where, options, { of = check.text, at = check.positive })
   if naming.get(object, "uncertainty") then
-    object = object:uncertainty{ of = options.of or "depth_cylinder" }
+    object = check.as(where, object.uncertainty, object, { of = options.of or "depth_cylinder" })
   end
   local read = reader_of(object)
   local of, place = name_in(object, options.of), place_of(object.distance, options.at)

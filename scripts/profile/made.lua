@@ -104,7 +104,7 @@ end
 local function read(path, given)
   local where = "profile.read"
   given = check.definition(where, given or {}, read_fields)
-  if type(path) ~= "string" then check.fail(where, "expected the path of a file, got " .. check.shown(path)) end
+  if not check.file.test(path) then check.fail(where, "expected the path of a file, got " .. check.shown(path)) end
   if given.z and given.h then one_of_both(where, given) end
   local source = {}
   source.columns, source.units, source.order = csv.read(path)

@@ -78,6 +78,9 @@ local methods = {}
 -- The stored surface of a body at the last look not after `distance` [mm]; nil: at the end.
 local function surface(self, where, body, distance)
   body = body or "cylinder"
+  if distance ~= nil and not check.number.test(distance) then
+    check.refuse(where, "distance", "a number in mm", distance)
+  end
   if body ~= "cylinder" and body ~= "plate" then
     check.refuse(where, "body", '"cylinder" or "plate"', body)
   end
@@ -94,11 +97,13 @@ local function surface(self, where, body, distance)
   return found
 end
 
-function methods:profile(body, distance)
-  local found = surface(self, "case:profile", body, distance)
+local function profile(self, where, body, distance)
+  local found = surface(self, where, body, distance)
   return strict.table({ x = found.x, h = found.h, y = found.y, distance = found.distance },
     "case:profile")
 end
+
+function methods:profile(body, distance) return profile(self, "case:profile", body, distance) end
 
 function methods:pressure(body, distance)
   local found = surface(self, "case:pressure", body, distance)
@@ -116,13 +121,14 @@ end
 
 -- The sum of both depths, Eq. (31).
 function methods:combined(distance)
-  return measure.combined(self:profile("cylinder", distance), self:profile("plate", distance))
+  local where = "case:combined"
+  return measure.combined(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
 end
 
 -- The cylinder's share of it, Eq. (30), where there is any wear.
 function methods:local_partition(distance)
-  return measure.local_partition(self:profile("cylinder", distance),
-    self:profile("plate", distance))
+  local where = "case:local_partition"
+  return measure.local_partition(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
 end
 
 -- The run as a wear object, that can go on.

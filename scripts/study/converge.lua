@@ -15,7 +15,7 @@ local where = "study.converge"
 local share = check.share
 local limit_fields = { pressure = share, smooth = share, symmetric = share, profile = share,
   updates = check.whole(4, 1000), first_depth = check.positive }
-local run_fields = { file = check.text, workers = check.count, progress = check.progress }
+local run_fields = { file = check.file, workers = check.count, progress = check.progress }
 local own_fields = merged(limit_fields, run_fields, { mesh = check.flag, base = check.table,
   vary = check.table, cases = check.table, name = check.text })
 

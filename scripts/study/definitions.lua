@@ -7,14 +7,9 @@ local settings = require "archard.study.settings"
 
 local definitions = {}
 
-local function store_module() return require "archard.store" end
-
 -- Opens a run file; what fails is told of as the call that the user made.
 function definitions.open(where, path, mode)
-  local fine, store = pcall(store_module().open, path, mode)
-  if fine then return store end
-  if type(store) == "table" then store.where = where end
-  error(store, 0)
+  return check.as(where, require "archard.store".open, path, mode)
 end
 
 -- As many cases as the study has, all waiting.
@@ -33,37 +28,37 @@ function definitions.write(self, store)
   store:commit()
 end
 
-local function other_study(store, what)
-  check.fail("study:run", ("%s holds another study (%s); name another file, or remove it")
+local function other_study(where, store, what)
+  check.fail(where, ("%s holds another study (%s); name another file, or remove it")
     :format(store.path, what), "ARGUMENT")
 end
 
 -- Whether the file holds this very study: then it goes on.
-local function compare(self, store)
+local function compare(where, self, store)
   local kind = store:info("kind")
-  if kind ~= "study" then other_study(store, "its kind is " .. tostring(kind)) end
+  if kind ~= "study" then other_study(where, store, "its kind is " .. tostring(kind)) end
   local cases = store:cases()
   if #cases ~= #self.flat then
-    other_study(store, ("it has %d cases, this one %d"):format(#cases, #self.flat))
+    other_study(where, store, ("it has %d cases, this one %d"):format(#cases, #self.flat))
   end
   for id, flat in ipairs(self.flat) do
     local there = store:values(id, "settings")
     local name = settings.difference(flat, there)
     if name then
-      other_study(store, ("case %d has %s = %s there, %s here"):format(id, name,
+      other_study(where, store, ("case %d has %s = %s there, %s here"):format(id, name,
         settings.shown(there[name]), settings.shown(flat[name])))
     end
   end
 end
 
 -- The run file of a study, open for writing: a new one with its definitions, or one that holds them.
-function definitions.for_run(self, path)
-  local store = definitions.open("study:run", path, "create")
+function definitions.for_run(where, self, path)
+  local store = definitions.open(where, path, "create")
   store:check()
   if #store:cases() == 0 and not store:info("kind") then
     definitions.write(self, store)
   else
-    compare(self, store)
+    compare(where, self, store)
   end
   return store
 end

@@ -20,8 +20,8 @@ end
 for _, own in ipairs{ "stroke", "tangential", "loading", "distance", "cycles" } do fields[own] = nil end
 
 local function regime_of(given, load, motion)
-  local w = wear(merged(given, { load = load, stroke = 2 * motion, cycles = 1 }))
-  local loop = w:loop()
+  local w <close> = check.as(where, wear, merged(given, { load = load, stroke = 2 * motion, cycles = 1 }))
+  local loop = check.as(where, w.loop, w)
   if loop.gross then return "gross" end
   return loop.stick_width >= sticks * 2 * w.half_width and "stick" or "partial"
 end

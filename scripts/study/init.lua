@@ -71,6 +71,7 @@ end
 -- The 20 cases of Table 1; other fields of wear{} may be given for all of them. With smaller elements
 -- than the paper's, fewer cycles go by from one update to the next.
 function study.paper(base)
+  base = check.definition("study.paper", base or {}, check.anything)
   local size = settings.flatten("study.paper", base or {})["model.mesh.size"]
   return new("study.paper", { name = "paper", base = base,
     cases = require "archard.study.paper".cases(type(size) == "number" and size or nil) })
@@ -78,12 +79,14 @@ end
 
 -- Stroke a on ever smaller elements.
 function study.meshes(base)
+  base = check.definition("study.meshes", base or {}, check.anything)
   return new("study.meshes", { name = "meshes of the paper", base = base, looks = 0,
     cases = require "archard.study.paper".mesh_cases() })
 end
 
 -- The runs of the paper's example of convergence (Fig. 8), by Eq. (4) and by Eq. (5).
 function study.trials(base)
+  base = check.definition("study.trials", base or {}, check.anything)
   return new("study.trials", { name = "trials", base = base, looks = 0,
     cases = require "archard.study.paper".trial_cases() })
 end
@@ -92,7 +95,7 @@ end
 
 -- study.open(path): a study as its run file has it, to look at or to go on with.
 function study.open(path)
-  if type(path) ~= "string" then
+  if not check.file.test(path) then
     check.fail("study.open", ("expected the name of a run file, got %s"):format(check.shown(path)))
   end
   local store = open_file("study.open", path, "read")
@@ -133,7 +136,7 @@ local shard_kind = check.kind('"i/n" with i from 1 to n', function(v)
   return type(v) == "string" and i ~= nil and i >= 1 and n >= i
 end)
 local run_fields = {
-  workers = check.whole(1, 256), file = check.text, shard = shard_kind, progress = check.progress,
+  workers = check.whole(1, 256), file = check.file, shard = shard_kind, progress = check.progress,
 }
 
 -- The share i of n: cases i, i + n, i + 2n, ...
@@ -161,7 +164,7 @@ function methods:run(options)
   self:close()
   try_first(self, "study:run")
   if self.sample and not text_file.exists(path) then require "archard.uncertainty.trial"(self) end
-  local store = definitions.for_run(self, path)
+  local store = definitions.for_run("study:run", self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
   self.failed, self.warned = require "archard.study.run"(store, { workers = workers,
@@ -230,16 +233,16 @@ end
 function study.merge(...)
   local files = { ... }
   local options = type(files[#files]) == "table" and table.remove(files) or {}
-  check.fields("study.merge", options, { file = check.text })
+  check.fields("study.merge", options, { file = check.file })
   for _, file in ipairs(options) do files[#files + 1] = file end
   for i, file in ipairs(files) do
-    if type(file) ~= "string" then
+    if not check.file.test(file) then
       check.fail("study.merge", ("argument %d: expected the name of a run file, got %s"):format(i,
         check.shown(file)))
     end
   end
   if #files == 0 then check.fail("study.merge", "expected the names of run files, got none") end
-  return require "archard.study.merge"(files, options.file or "study.archard", study.open,
+  return check.as("study.merge", require "archard.study.merge", files, options.file or "study.archard", study.open,
     definitions.write)
 end
 

@@ -26,7 +26,7 @@ local texts = check.kind("a list of strings", function(v)
   return true
 end)
 submit.fields = { engine = check.one_of{ "slurm", "parallel", "local" }, shares = check.whole(1, 1000),
-  workers = check.whole(1, 256), file = check.text, options = texts, tries = check.whole(1, 100),
+  workers = check.whole(1, 256), file = check.file, options = texts, tries = check.whole(1, 100),
   wait = check.flag, progress = check.progress }
 
 local engines = { slurm = require "archard.slurm.array", parallel = require "archard.slurm.parallel" }
@@ -295,7 +295,7 @@ function submit.run(self, options)
   local whole = absolute(self.file)
   local folder = whole .. ".shares"
   if options.engine ~= "local" then check_engine(options) end
-  definitions.for_run(self, whole):close() -- it is there from here on, and holds this very study
+  definitions.for_run(where, self, whole):close() -- it is there from here on, and holds this very study
   if not earlier(self, folder, whole, options) then return self end
   if options.engine == "local" then
     return self:run{ workers = math.min(options.shares, 256), progress = options.progress }

@@ -150,7 +150,7 @@ end
 -- --- making --------------------------------------------------------------------------------------
 
 local endings = { csv = "csv", md = "markdown", txt = "text" }
-local fields = { format = check.one_of{ "text", "csv", "markdown" }, file = check.text }
+local fields = { format = check.one_of{ "text", "csv", "markdown" }, file = check.file }
 
 -- make(study, { format=, file= }) -> the table as text that print() shows as it is
 function tables.make(study, options)

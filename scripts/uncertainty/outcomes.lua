@@ -21,10 +21,11 @@ end
 function outcomes.names(where, of)
   local list = type(of) == "table" and of or { of }
   for _, name in ipairs(list) do
+    if type(name) ~= "string" then check.refuse(where, "of", "the name of a column or a list of them", name) end
     local unit = outcomes.unit(name)
     if not unit then
-      check.fail(where, ("field 'of': no column '%s' in the history%s"):format(tostring(name),
-        check.hint(tostring(name), outcomes.columns)))
+      check.fail(where, ("field 'of': no column '%s' in the history%s"):format(name,
+        check.hint(name, outcomes.columns)))
     end
   end
   if #list == 0 then check.refuse(where, "of", "the name of a column or a list of them", of) end

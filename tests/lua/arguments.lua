@@ -91,6 +91,20 @@ ok(pcall(wear), "no table at all: the defaults")
 fails(function() wear{ radius = 6 } end, "it is a field of model{}", "a field of a model in wear{}")
 fails(function() wear{}.k = 3 end, "change it by w:set{ field = value }", "a field that cannot be set")
 
+-- names of files, numbers of cases
+for where, call in pairs{ ["wear.open"] = wear.open, ["csv.read"] = csv.read, ["study.open"] = study.open,
+  ["session.open"] = session.open, ["session.save"] = session.save, ["profile.read"] = profile.read } do
+  fails(function() call "a\0b" end, { where, [[got "a\0b"]] }, where .. ": a zero byte in a name is refused, not its end")
+  fails(function() call "" end, { where, 'got ""' }, where .. ": a name of nothing")
+end
+fails(function() export.csv({ x = { 1 } }, "a\0.csv") end, [[got "a\0.csv"]], "export.csv: likewise")
+fails(function() model{ mesh = "a\0.msh" } end, [[field 'mesh': expected a file name without zero bytes, got "a\0.msh"]], "a mesh: likewise")
+fails(function() plot{ { x = { 1 }, y = { 1 } }, file = "a\0.png" } end, [[got "a\0.png"]], "a picture: likewise")
+for _, case in ipairs{ 0, -1, 1.5, 2 ^ 31, 2 ^ 62, 0 / 0, "1" } do
+  fails(function() wear.open("x.archard", case) end, "wear.open: field 'case': expected a whole number in [1, 1000000000]",
+    ("case %s"):format(case))
+end
+
 -- an element keeps its shape when only its width is given
 local fine = model{ mesh = { size = 0.04 } }
 near(fine.mesh.height, 0.05, 1e-15, "the height follows the size")

@@ -3,6 +3,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 const char *arc_status_text(arc_status status) {
   switch (status) {
@@ -26,6 +27,11 @@ const char *arc_status_name(arc_status status) {
   return "UNKNOWN";
 }
 
+/* A NaN has no sign that means anything. */
+static void unsign(char *text) {
+  for (char *at = text; (at = strstr(at, "-nan")) != NULL;) memmove(at, at + 1, strlen(at));
+}
+
 arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...) {
   if (error) {
     error->status = status;
@@ -33,6 +39,7 @@ arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...
     va_start(arguments, format);
     vsnprintf(error->message, sizeof error->message, format, arguments);
     va_end(arguments);
+    unsign(error->message);
   }
   return status;
 }

@@ -50,12 +50,24 @@ void args_unknown(lua_State *L, args_place place, const arc_setting *list, const
               push_known(L, list));
 }
 
+void args_refuse_position(lua_State *L, args_place place) {
+  const size_t length = strlen(place.prefix);
+  const char *key = luaL_tolstring(L, -2, NULL);
+  lua_pushlstring(L, place.prefix, length > 0 ? length - 1 : 0);
+  error_raise(L, ARC_ARGUMENT, place.where, "fields are given by name; found [%s]%s%s", key,
+              length > 0 ? " in " : "", lua_tostring(L, -1));
+}
+
+void args_check_table(lua_State *L, int index, const char *where) {
+  if (lua_istable(L, index)) return;
+  error_raise(L, ARC_ARGUMENT, where, "expected a table of named fields, got %s",
+              names_push_shown(L, index));
+}
+
 void args_check_names(lua_State *L, int index, args_place place, const arc_setting *list) {
   index = lua_absindex(L, index);
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING)
-      error_raise(L, ARC_ARGUMENT, place.where, "fields are given by name; found [%s]%s%s",
-                  luaL_tolstring(L, -2, NULL), place.prefix[0] ? " in " : "", place.prefix);
+    if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, place);
     const char *name = lua_tostring(L, -2);
     if (!arc_setting_find(list, name)) args_unknown(L, place, list, name);
   }
@@ -178,9 +190,7 @@ void args_read(lua_State *L, int index, args_place place, const arc_setting *lis
   if (lua_isnoneornil(L, index)) return;
   luaL_checkstack(L, 12, place.where);
   index = lua_absindex(L, index);
-  if (!lua_istable(L, index))
-    error_raise(L, ARC_ARGUMENT, place.where, "expected a table of named fields, got %s",
-                names_push_shown(L, index));
+  args_check_table(L, index, place.where);
   args_check_names(L, index, place, list);
   for (const arc_setting *s = list; s->name; s++) {
     if (lua_getfield(L, index, s->name) != LUA_TNIL) read_value(L, place, s, definition);

@@ -32,6 +32,12 @@ void args_read(lua_State *L, int index, args_place place, const arc_setting *lis
 /* Only the check of the names; `index` as above, except that the table must be there. */
 void args_check_names(lua_State *L, int index, args_place place, const arc_setting *list);
 
+/* Raises the error for what is no table at `index`. */
+void args_check_table(lua_State *L, int index, const char *where);
+
+/* Raises the error for a field that has no name; its key stands below the top. */
+void args_refuse_position(lua_State *L, args_place place) __attribute__((noreturn));
+
 /* Raises the error for a name that is none of the list's. */
 void args_unknown(lua_State *L, args_place place, const arc_setting *list, const char *name)
     __attribute__((noreturn));

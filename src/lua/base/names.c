@@ -5,6 +5,7 @@
 #include "lua/base/error.h"
 
 #include <lauxlib.h>
+#include <math.h>
 #include <string.h>
 
 /* --- the nearest known name ------------------------------------------------------------------ */
@@ -60,12 +61,31 @@ static int names_nearest(lua_State *L) {
 
 /* --- values ---------------------------------------------------------------------------------- */
 
+/* C strings end at a zero byte: what a message shows has none. */
+static const char *push_quoted(lua_State *L, int index) {
+  size_t length;
+  const char *text = lua_tolstring(L, index, &length);
+  luaL_Buffer quoted;
+  luaL_buffinit(L, &quoted);
+  luaL_addchar(&quoted, '"');
+  for (size_t i = 0; i < length; i++) {
+    if (text[i])
+      luaL_addchar(&quoted, text[i]);
+    else
+      luaL_addstring(&quoted, "\\0");
+  }
+  luaL_addchar(&quoted, '"');
+  luaL_pushresult(&quoted);
+  return lua_tostring(L, -1);
+}
+
 const char *names_push_shown(lua_State *L, int index) {
   switch (lua_type(L, index)) {
   case LUA_TNUMBER:
+    if (isnan(lua_tonumber(L, index))) return lua_pushliteral(L, "nan");
     return luaL_tolstring(L, index, NULL);
   case LUA_TSTRING:
-    return lua_pushfstring(L, "\"%s\"", lua_tostring(L, index));
+    return push_quoted(L, index);
   case LUA_TBOOLEAN:
     return lua_pushstring(L, lua_toboolean(L, index) ? "true" : "false");
   default:

@@ -49,6 +49,39 @@ static int user_print(lua_State *L) {
   return 0;
 }
 
+/* __index(io, name): the user's own io.stderr, as long as that is something to write to. Upvalue:
+ * Lua's streams. */
+static int user_stream(lua_State *L) {
+  if (lua_getfield(L, lua_upvalueindex(1), lua_tostring(L, 2)) == LUA_TNIL) return 1;
+  lua_pushglobaltable(L);
+  lua_pushliteral(L, "io");
+  int type = lua_rawget(L, 4);
+  if (type == LUA_TTABLE) {
+    lua_pushvalue(L, 2);
+    type = lua_rawget(L, 5);
+  }
+  if (type != LUA_TTABLE && type != LUA_TUSERDATA) lua_settop(L, 3);
+  return 1;
+}
+
+/* Takes the streams out of the copy of io in the table on top. */
+static void follow_streams(lua_State *L) {
+  static const char *const names[] = {"stdin", "stdout", "stderr"};
+  lua_getfield(L, -1, "io");
+  lua_createtable(L, 0, 1);
+  lua_newtable(L);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    lua_getfield(L, -3, names[i]);
+    lua_setfield(L, -2, names[i]);
+    lua_pushnil(L);
+    lua_setfield(L, -4, names[i]);
+  }
+  lua_pushcclosure(L, user_stream, 1);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_pop(L, 1);
+}
+
 static int own_require(lua_State *L) {
   script_require(L, luaL_checkstring(L, 1));
   return 1;
@@ -74,6 +107,7 @@ static void make_globals(lua_State *L) {
   copy_into(L, -1, -2);
   lua_pop(L, 1);
   copy_libraries(L);
+  follow_streams(L);
   lua_getfield(L, -1, "print");
   lua_pushcclosure(L, user_print, 1);
   lua_setfield(L, -2, "print");

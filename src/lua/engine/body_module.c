@@ -63,9 +63,7 @@ static void refuse_name(lua_State *L, args_place place, arc_solid kind, const ch
 
 static void check_names(lua_State *L, int index, args_place place, arc_solid kind) {
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING)
-      error_raise(L, ARC_ARGUMENT, place.where, "field '%s': a body's fields are given by name",
-                  place.prefix);
+    if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, place);
     if (!is_known(kind, lua_tostring(L, -2))) refuse_name(L, place, kind, lua_tostring(L, -2));
   }
 }
@@ -212,7 +210,8 @@ static arc_solid read_kind(lua_State *L, int index, args_place place) {
   lua_pop(L, 1);
   if (kind == ARC_SOLID_USUAL)
     error_raise(L, ARC_ARGUMENT, place.where,
-                "field '%skind': expected a body, as body.cylinder{ radius=10 } makes one",
+                "field '%skind': expected a body, as body.cylinder{ radius=10 } makes one, got a "
+                "table without kind",
                 place.prefix);
   return (arc_solid)kind;
 }
@@ -308,7 +307,7 @@ static int make(lua_State *L) {
   arc_error error = {0};
   lua_settop(L, 1);
   if (lua_isnil(L, 1)) lua_newtable(L), lua_replace(L, 1);
-  luaL_checktype(L, 1, LUA_TTABLE);
+  args_check_table(L, 1, where);
   args_push_copy(L, 1);
   lua_pushstring(L, arc_solid_names[kind]);
   lua_setfield(L, 2, "kind");

@@ -4,6 +4,8 @@
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
+#include "lua/base/names.h"
+#include "lua/base/path.h"
 #include "lua/base/strict.h"
 
 #include <stdio.h>
@@ -118,7 +120,7 @@ static int mesh_node(lua_State *L) {
   lua_Integer number = lua_tointegerx(L, 2, &valid);
   if (!valid || number < 1 || number > mesh->nodes)
     error_raise(L, ARC_ARGUMENT, "mesh:node", "expected a node number from 1 to %d, got %s",
-                mesh->nodes, luaL_tolstring(L, 2, NULL));
+                mesh->nodes, names_push_shown(L, 2));
   lua_pushnumber(L, mesh->xy[2 * (number - 1)]);
   lua_pushnumber(L, mesh->xy[2 * (number - 1) + 1]);
   return 2;
@@ -190,7 +192,7 @@ static int mesh_write(lua_State *L) {
   static const char where[] = "mesh:write";
   const arc_mesh *mesh = self(L);
   lua_settop(L, 2);
-  const char *path = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+  const char *path = path_argument(L, 2, where, "path", PATH_WRITE);
   const char *ending = strrchr(path, '.');
   arc_error error = {0};
   arc_status status = ARC_OK;

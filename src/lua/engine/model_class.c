@@ -5,6 +5,7 @@
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
+#include "lua/base/path.h"
 #include "lua/base/scripts.h"
 
 #include <stdio.h>
@@ -258,7 +259,7 @@ void model_push_living(lua_State *L, arc_model *model) {
 static int model_new(lua_State *L) {
   lua_settop(L, 1);
   if (lua_istable(L, 1) && args_get(L, 1, "mesh") == LUA_TSTRING) {
-    push_of_file(L, lua_tostring(L, -1));
+    push_of_file(L, path_argument(L, -1, "model", "mesh", PATH_READ));
     return 1;
   }
   lua_settop(L, 1);

@@ -3,6 +3,7 @@
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
+#include "lua/base/names.h"
 
 #include <stdio.h>
 
@@ -124,7 +125,7 @@ static double call_depth(lua_State *L, int index, const char *where, const char 
   double depth = lua_tonumber(L, -1);
   if (lua_type(L, -1) != LUA_TNUMBER || !(isfinite(depth) && depth >= 0))
     error_raise(L, ARC_CALLBACK, where, "%s: expected a depth >= 0 in mm, got %s", call,
-                luaL_tolstring(L, -1, NULL));
+                names_push_shown(L, -1));
   lua_pop(L, 1);
   return depth;
 }

@@ -4,9 +4,6 @@
 
 #include "lua/engine/classes.h"
 
-/* The file name at `index`. */
-const char *export_path(lua_State *L, int index, const char *where);
-
 /* The ending of the last name of a path, ".vtk"; NULL where it has none. */
 const char *export_ending(const char *path);
 

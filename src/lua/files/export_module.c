@@ -4,16 +4,11 @@
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
+#include "lua/base/path.h"
 #include "lua/files/export.h"
 #include "lua/wear/wear_class.h"
 
 #include <string.h>
-
-const char *export_path(lua_State *L, int index, const char *where) {
-  if (lua_type(L, index) == LUA_TSTRING) return lua_tostring(L, index);
-  lua_settop(L, index);
-  args_refuse(L, (args_place){where, ""}, "path", "a file name");
-}
 
 const char *export_ending(const char *path) {
   const char *name = strrchr(path, '/');
@@ -32,7 +27,7 @@ const char *export_push_path(lua_State *L, const char *path, arc_body body, cons
 /* The file name at index 2, with the first of the endings where it has none; it is replaced. */
 static const char *path_ending(lua_State *L, const char *where, const char *const endings[],
                                const char *expected) {
-  const char *path = export_path(L, 2, where), *ending = export_ending(path);
+  const char *path = path_argument(L, 2, where, "path", PATH_WRITE), *ending = export_ending(path);
   if (!ending) {
     lua_pushfstring(L, "%s%s", path, endings[0]);
     lua_replace(L, 2);
@@ -180,7 +175,8 @@ static int export_msh(lua_State *L) {
 /* write(where, path, text): the file is whole, or not there and an error of `where` is raised */
 static int files_write(lua_State *L) {
   size_t length;
-  const char *where = luaL_checkstring(L, 1), *path = luaL_checkstring(L, 2);
+  const char *where = luaL_checkstring(L, 1);
+  const char *path = path_argument(L, 2, where, "file", PATH_WRITE);
   const char *text = luaL_checklstring(L, 3, &length);
   arc_error error = {0};
   error_check(L, arc_export_text(path, text, length, &error), &error, where, -1);

@@ -2,6 +2,7 @@
  * Leans on archard/store.h. */
 #include "lua/base/array.h"
 #include "lua/base/archard.h"
+#include "lua/base/path.h"
 #include "lua/files/store_module.h"
 #include "lua/base/error.h"
 
@@ -15,8 +16,8 @@ static arc_store *self(lua_State *L, const char *where) {
   return box_self(L, &store_class, where)->thing;
 }
 
-static int id_argument(lua_State *L, int index, const char *where) {
-  static const arc_setting id = {.name = "id", .kind = ARC_WHOLE, .low = 1, .high = 1e9};
+int store_id_argument(lua_State *L, int index, const char *where) {
+  static const arc_setting id = {.name = "case", .kind = ARC_WHOLE, .low = 1, .high = 1e9};
   lua_pushvalue(L, index);
   double value = args_number(L, (args_place){where, ""}, &id);
   lua_pop(L, 1);
@@ -42,8 +43,9 @@ arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const
 
 /* store.open(path, mode) */
 static int store_open(lua_State *L) {
-  const char *path = luaL_checkstring(L, 1);
   int mode = args_choice(L, 2, (args_place){"store.open", ""}, "mode", mode_names, 0);
+  const char *path =
+      path_argument(L, 1, "store.open", "file", mode == ARC_STORE_READ ? PATH_READ : PATH_WRITE);
   store_push(L, path, (arc_store_mode)mode, "store.open");
   return 1;
 }
@@ -60,7 +62,8 @@ static int store_publish(lua_State *L) {
 
 /* store.replace(path, kind) */
 static int store_replace(lua_State *L) {
-  const char *path = luaL_checkstring(L, 1), *kind = luaL_checkstring(L, 2);
+  const char *path = path_argument(L, 1, "store.replace", "file", PATH_WRITE);
+  const char *kind = luaL_checkstring(L, 2);
   arc_error error = {0};
   arc_store *store = NULL;
   box *made = box_push(L, &store_class);
@@ -114,7 +117,8 @@ static int store_set_info(lua_State *L) {
 static int store_merge(lua_State *L) {
   arc_error error = {0};
   arc_store *store = self(L, "store:merge");
-  error_check(L, arc_store_merge(store, luaL_checkstring(L, 2), &error), &error, "store:merge", -1);
+  const char *path = path_argument(L, 2, "store:merge", "file", PATH_READ);
+  error_check(L, arc_store_merge(store, path, &error), &error, "store:merge", -1);
   return 0;
 }
 
@@ -124,7 +128,7 @@ static int store_merge(lua_State *L) {
 static int store_add(lua_State *L) {
   arc_error error = {0};
   arc_store *store = self(L, "store:add");
-  int id = id_argument(L, 2, "store:add");
+  int id = store_id_argument(L, 2, "store:add");
   error_check(L, arc_store_add(store, id, luaL_checkstring(L, 3), &error), &error, "store:add", -1);
   return 0;
 }
@@ -134,7 +138,7 @@ static int store_mark(lua_State *L) {
   static const char where[] = "store:mark";
   arc_error error = {0};
   arc_store *store = self(L, where);
-  int id = id_argument(L, 2, where);
+  int id = store_id_argument(L, 2, where);
   int mark = args_choice(L, 3, (args_place){where, ""}, "status", arc_case_status_names, -1);
   const char *message = luaL_optstring(L, 4, NULL);
   double seconds = luaL_optnumber(L, 5, (lua_Number)NAN);
@@ -190,7 +194,7 @@ static int store_cases(lua_State *L) {
 static int store_values(lua_State *L) {
   static const char where[] = "store:values";
   arc_store *store = self(L, where);
-  int id = id_argument(L, 2, where);
+  int id = store_id_argument(L, 2, where);
   int use = args_choice(L, 3, (args_place){where, ""}, "use", use_names, 0);
   store_push_values(L, store, id, (arc_value_use)use, where);
   return 1;
@@ -200,7 +204,7 @@ static int store_values(lua_State *L) {
 static int store_set_values(lua_State *L) {
   static const char where[] = "store:set_values";
   arc_store *store = self(L, where);
-  int id = id_argument(L, 2, where);
+  int id = store_id_argument(L, 2, where);
   int use = args_choice(L, 3, (args_place){where, ""}, "use", use_names, -1);
   luaL_checktype(L, 4, LUA_TTABLE);
   store_write_values(L, store, id, (arc_value_use)use, 4, where);

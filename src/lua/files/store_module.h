@@ -10,6 +10,9 @@ extern const box_class store_class; /* thing: arc_store */
 /* Pushes an empty box and opens a file into it. */
 arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const char *where);
 
+/* The number of a case at `index`; ARC_ARGUMENT where it is none. */
+int store_id_argument(lua_State *L, int index, const char *where);
+
 /* Pushes the wear object stored as case `id`; the table at index `given` (0: none) holds the
  * functions of its definition again. */
 void store_push_wear(lua_State *L, arc_store *store, int id, int given, const char *where);

@@ -1,6 +1,7 @@
 /* Runs in a run file, as Lua sees them; and wear:save, wear.open, which keep one run in a file. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/base/path.h"
 #include "lua/files/store_module.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
@@ -11,10 +12,6 @@
 
 static arc_store *self(lua_State *L, const char *where) {
   return box_self(L, &store_class, where)->thing;
-}
-
-static int id_at(lua_State *L, int index) {
-  return (int)luaL_checkinteger(L, index);
 }
 
 /* --- saving ----------------------------------------------------------------------------------- */
@@ -83,7 +80,8 @@ int store_save(lua_State *L) {
     lua_pop(L, 1);
   }
   arc_error error = {0};
-  arc_status status = save(store, id_at(L, 2), wear, surfaces, count, &error);
+  arc_status status =
+      save(store, store_id_argument(L, 2, "store:save"), wear, surfaces, count, &error);
   error_check(L, status, &error, where, -1);
   return 0;
 }
@@ -111,8 +109,8 @@ int store_history(lua_State *L) {
   arc_error error = {0};
   arc_wear_record *history;
   size_t count;
-  arc_status status =
-      arc_store_history(self(L, "store:history"), id_at(L, 2), &history, &count, &error);
+  arc_status status = arc_store_history(
+      self(L, "store:history"), store_id_argument(L, 2, "store:history"), &history, &count, &error);
   error_check(L, status, &error, "store:history", -1);
   if (count > 0) return push_and_free(L, push_history, history, count);
   free(history);
@@ -148,7 +146,8 @@ int store_surfaces(lua_State *L) {
   arc_surface *surfaces;
   size_t count;
   arc_status status =
-      arc_store_surfaces(self(L, "store:surfaces"), id_at(L, 2), &surfaces, &count, &error);
+      arc_store_surfaces(self(L, "store:surfaces"), store_id_argument(L, 2, "store:surfaces"),
+                         &surfaces, &count, &error);
   error_check(L, status, &error, "store:surfaces", -1);
   return push_and_free(L, push_surfaces, surfaces, count);
 }
@@ -233,7 +232,8 @@ void store_push_wear(lua_State *L, arc_store *store, int id, int given, const ch
 /* store:wear(id, functions) -> a wear object */
 int store_wear(lua_State *L) {
   int given = lua_istable(L, 3) ? 3 : 0;
-  store_push_wear(L, self(L, "store:wear"), id_at(L, 2), given, "store:wear");
+  store_push_wear(L, self(L, "store:wear"), store_id_argument(L, 2, "store:wear"), given,
+                  "store:wear");
   return 1;
 }
 
@@ -267,7 +267,8 @@ static arc_status write_run(arc_store *store, const arc_wear *wear, arc_error *e
 /* wear:save(path) -> the object itself */
 int wear_save(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:save");
-  const char *path = luaL_checkstring(L, 2);
+  lua_settop(L, 2);
+  const char *path = path_argument(L, 2, "wear:save", "path", PATH_WRITE);
   arc_error error = {0};
   arc_store *store;
   arc_status status = arc_store_replace(path, "wear", &store, &error);
@@ -297,15 +298,16 @@ static int only_case(lua_State *L, arc_store *store) {
 /* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run; the case may be
  * left out where there is but one, the table where nothing in the definition was a function */
 int wear_open(lua_State *L) {
-  const char *path = luaL_checkstring(L, 1);
   lua_settop(L, 3);
+  const char *path = path_argument(L, 1, "wear.open", "path", PATH_READ);
   if (lua_istable(L, 2)) {
     lua_replace(L, 3);
     lua_pushnil(L);
     lua_insert(L, 2);
     lua_settop(L, 3);
   }
-  int id = (int)luaL_optinteger(L, 2, 0), given = lua_istable(L, 3) ? 3 : 0;
+  int id = lua_isnil(L, 2) ? 0 : store_id_argument(L, 2, "wear.open"),
+      given = lua_istable(L, 3) ? 3 : 0;
   arc_store *store = store_push(L, path, ARC_STORE_READ, "wear.open");
   box *opened = box_test(L, -1, &store_class);
   if (id == 0) id = only_case(L, store);

@@ -3,6 +3,7 @@
 #include "archard/measure.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/base/names.h"
 #include "lua/wear/wear_class.h"
 
 #include <stdio.h>
@@ -125,13 +126,9 @@ static void sample_function(const reading *r, const char *name, double *value) {
     lua_pushnumber(L, r->t[i]);
     if (error_pcall(L, 1, 1) != LUA_OK) error_callback(L, r->place.where, call);
     value[i] = lua_tonumber(L, -1);
-    if (lua_type(L, -1) != LUA_TNUMBER || !isfinite(value[i])) {
-      const char *got = lua_type(L, -1) == LUA_TSTRING
-                            ? lua_pushfstring(L, "\"%s\"", lua_tostring(L, -1))
-                            : luaL_tolstring(L, -1, NULL);
+    if (lua_type(L, -1) != LUA_TNUMBER || !isfinite(value[i]))
       error_raise(L, ARC_CALLBACK, r->place.where, "%s: expected a finite number, got %s", call,
-                  got);
-    }
+                  names_push_shown(L, -1));
     lua_pop(L, 1);
   }
 }
