@@ -5,7 +5,7 @@
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
-#include "lua/base/path.h"
+#include "lua/base/file_name.h"
 #include "lua/base/strict.h"
 
 #include <stdio.h>

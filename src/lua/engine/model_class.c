@@ -5,7 +5,7 @@
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
-#include "lua/base/path.h"
+#include "lua/base/file_name.h"
 #include "lua/base/scripts.h"
 
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
-#include "lua/base/path.h"
+#include "lua/base/file_name.h"
 #include "lua/files/export.h"
 #include "lua/wear/wear_class.h"
 

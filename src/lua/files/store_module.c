@@ -2,7 +2,7 @@
  * Leans on archard/store.h. */
 #include "lua/base/array.h"
 #include "lua/base/archard.h"
-#include "lua/base/path.h"
+#include "lua/base/file_name.h"
 #include "lua/files/store_module.h"
 #include "lua/base/error.h"
 

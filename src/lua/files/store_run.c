@@ -1,7 +1,7 @@
 /* Runs in a run file, as Lua sees them; and wear:save, wear.open, which keep one run in a file. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
-#include "lua/base/path.h"
+#include "lua/base/file_name.h"
 #include "lua/files/store_module.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"

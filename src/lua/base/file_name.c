@@ -1,5 +1,5 @@
 /* Names of files, checked before C sees them. */
-#include "lua/base/path.h"
+#include "lua/base/file_name.h"
 
 #include "lua/base/args.h"
 
