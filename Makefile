@@ -23,7 +23,7 @@ comma := ,
 BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),-checks)
 OBJ   = $(BUILD)/obj
 
-.PHONY: all demo check fuzz fuzz-programs study figures test-programs bench peer gallery man format lint install \
+.PHONY: all demo check fuzz fuzz-programs golden study figures test-programs bench peer gallery man format lint install \
         install-files uninstall clean setup dist dist-check deb deb-check slurm-check
 .DELETE_ON_ERROR:
 
@@ -193,6 +193,16 @@ fuzz:
 	@scripts/setup fuzz
 	@$(MAKE) --no-print-directory -j$(jobs) CC=clang SANITIZER=fuzzer-no-link,address,undefined fuzz-programs
 	@tests/fuzz/run $(SECONDS) $(TARGET)
+
+# Hashes of all that the 20 cases come to, which must be one: optimised or not, by one worker or four,
+# in one go or from files. (Bits may differ from machine to machine, by the BLAS that is there.)
+golden: $(program)
+	@$(MAKE) --no-print-directory -j$(jobs) BUILD=build-O0 CFLAGS=-O0 build-O0/archard
+	@set -e; for p in "$(program)" build-O0/archard; do for how in 1 4 "1 broken"; do \
+	  hash=$$($$p scripts/tools/golden.lua $$how 2>/dev/null); \
+	  printf '%-20s workers %-10s %s\n' "$$p" "$$how" "$$hash"; echo $$hash >> $(BUILD)/golden.new; done; done; \
+	  count=$$(sort -u $(BUILD)/golden.new | wc -l); rm $(BUILD)/golden.new; \
+	  [ $$count -eq 1 ] || { echo "the hashes differ"; exit 1; }
 
 # The pictures of examples/gallery/, one of each example.
 gallery: $(program)
