@@ -207,7 +207,7 @@ golden: $(program)
 # The pictures of examples/gallery/, one of each example.
 gallery: $(program)
 	@rm -rf $(BUILD)/gallery && mkdir -p $(BUILD)/gallery examples/gallery
-	cd $(BUILD)/gallery && $(abspath $(program)) $(CURDIR)/scripts/tools/gallery.lua $(CURDIR)/examples/gallery >/dev/null
+	cd $(BUILD)/gallery && '$(abspath $(program))' '$(CURDIR)/scripts/tools/gallery.lua' '$(CURDIR)/examples/gallery' >/dev/null
 
 # One BLAS thread from the start: an idle one would spin for its first 50 ms and be counted.
 bench: $(program)
@@ -253,13 +253,17 @@ private_libs = $(strip $(foreach p,$(private),$(if $($(p)_pc),,$($(p)_libs)))) -
 install: all
 	@$(MAKE) --no-print-directory install-files
 
-# What is there, without building it.
-to = $(DESTDIR)$(1)
+# What is there, without building it. Folders may have spaces and quotes in their names.
+quoted = '$(subst ','\'',$(1))'
+to     = $(call quoted,$(DESTDIR)$(1))
 man_pages  := $(wildcard man/*.[1-9])
 man_folder  = $(MANDIR)/man$(subst .,,$(suffix $(1)))
+documents   = README.md CHANGELOG.md LICENSE man/theory.md
+below       = $(subst $(PREFIX)/,$${prefix}/,$(1))
 install-files:
-	install -d $(foreach d,$(BINDIR) $(LIBDIR)/pkgconfig $(INCLUDEDIR)/archard $(LUADIR) $(BASHDIR) $(ZSHDIR) \
-	  $(DATADIR)/archard/examples/c $(DOCDIR) $(foreach m,$(man_pages),$(call man_folder,$(m))),$(call to,$(d)))
+	install -d $(call to,$(BINDIR)) $(call to,$(LIBDIR)/pkgconfig) $(call to,$(INCLUDEDIR)/archard) $(call to,$(LUADIR)) \
+	  $(call to,$(BASHDIR)) $(call to,$(ZSHDIR)) $(call to,$(DATADIR)/archard/examples/c) $(call to,$(DOCDIR)) \
+	  $(foreach m,$(man_pages),$(call to,$(call man_folder,$(m))))
 	install -m 755 $(program) $(call to,$(BINDIR)/archard)
 	install -m 644 $(static_lib) $(call to,$(LIBDIR)/libarchard.a)
 	install -m 755 $(shared_lib) $(call to,$(LIBDIR)/)
@@ -272,20 +276,21 @@ install-files:
 	install -m 644 scripts/completion/archard.zsh $(call to,$(ZSHDIR)/_archard)
 	install -m 644 examples/*.lua examples/*.csv examples/*.geo examples/*.msh $(call to,$(DATADIR)/archard/examples/)
 	install -m 644 examples/c/*.c $(call to,$(DATADIR)/archard/examples/c/)
-	install -m 644 README.md CHANGELOG.md LICENSE $(call to,$(DOCDIR)/)
-	printf '%s\n' 'prefix=$(PREFIX)' \
-	  'libdir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(LIBDIR))' \
-	  'includedir=$(patsubst $(PREFIX)/%,$${prefix}/%,$(INCLUDEDIR))' '' \
+	install -m 644 $(documents) $(call to,$(DOCDIR)/)
+	printf '%s\n' $(call quoted,prefix=$(PREFIX)) $(call quoted,libdir=$(call below,$(LIBDIR))) \
+	  $(call quoted,includedir=$(call below,$(INCLUDEDIR))) '' \
 	  'Name: archard' 'Description: sliding wear by finite elements' 'Version: $(version)' \
-	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -larchard -lm' \
+	  'Cflags: -I"$${includedir}"' 'Libs: -L"$${libdir}" -larchard -lm' \
 	  'Requires.private: $(requires)' 'Libs.private: $(private_libs)' \
 	  > $(call to,$(LIBDIR)/pkgconfig/archard.pc)
 
 uninstall:
 	rm -f $(call to,$(BINDIR)/archard) $(call to,$(LUADIR)/archard.so) $(call to,$(BASHDIR)/archard) \
 	  $(call to,$(ZSHDIR)/_archard) $(foreach m,$(man_pages),$(call to,$(call man_folder,$(m))/$(notdir $(m)))) \
-	  $(foreach f,libarchard.a libarchard.so $(soname) $(notdir $(shared_lib)) pkgconfig/archard.pc,$(call to,$(LIBDIR)/$(f)))
-	rm -rf $(foreach d,$(INCLUDEDIR)/archard $(DATADIR)/archard $(DOCDIR),$(call to,$(d)))
+	  $(foreach f,libarchard.a libarchard.so $(soname) $(notdir $(shared_lib)) pkgconfig/archard.pc,$(call to,$(LIBDIR)/$(f))) \
+	  $(foreach f,$(documents),$(call to,$(DOCDIR)/$(notdir $(f))))
+	rm -rf $(call to,$(INCLUDEDIR)/archard) $(call to,$(DATADIR)/archard)
+	@rmdir $(call to,$(DOCDIR)) 2>/dev/null || :
 
 # --- to hand on -------------------------------------------------------------------------------
 # A tarball of what git knows, as it stands here: the same files, the same bytes.
@@ -306,7 +311,7 @@ deb_file = $(BUILD)/archard_$(version)_$(shell dpkg --print-architecture).deb
 deb: all
 	@scripts/setup deb
 	rm -rf $(BUILD)/deb
-	@$(MAKE) --no-print-directory install-files DESTDIR=$(abspath $(BUILD)/deb/root) PREFIX=/usr \
+	@$(MAKE) --no-print-directory install-files DESTDIR=$(BUILD)/deb/root PREFIX=/usr \
 	  LIBDIR=/usr/lib/$$(dpkg-architecture -qDEB_HOST_MULTIARCH) ZSHDIR=/usr/share/zsh/vendor-completions
 	scripts/deb/package $(BUILD)/deb $(version) $(deb_file)
 

@@ -136,6 +136,10 @@ extern const arc_setting arc_contact_settings[];
 
 arc_contact_def arc_contact_default(void);
 
+/* Zones (full widths, by body) [mm] wide enough for a worn contact of twice the unworn width. */
+void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
+                       double zone[ARC_BODIES]);
+
 /* What a contact solution yields. */
 typedef struct arc_contact arc_contact;
 

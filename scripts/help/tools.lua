@@ -124,8 +124,8 @@ return {
   { "plot{title}", type = "string", text = "Title of the plot; in a curve, its name in the key." },
   { "plot{term}", values = require "archard.plot.draw".terms,
     text = "Where to draw. Where left out, the best the terminal can do: a picture where it answers "
-      .. "that it shows kitty's or sixel, else curves in Braille dots where it has colours and UTF-8, "
-      .. "else characters. dots and dumb ask for these two, window is the first of qt, wxt and x11 "
+      .. "that it shows kitty's or sixel, else curves in Braille dots where it has colours and UTF-8 "
+      .. "(not in xterm, whose usual fonts lack them), else characters. dots and dumb ask for these two, window is the first of qt, wxt and x11 "
       .. "that gnuplot has." },
   { "plot{file}", type = "string",
     text = "File to draw to; its ending (png, svg, pdf, eps, gif, txt, or gp for gnuplot's commands) "

@@ -7,13 +7,24 @@ local text_file = require "archard.lib.text_file"
 
 local examples = {}
 
--- Beside the installed program, and above the one that was just built.
-local function folder()
-  local bin = (process.program() or ""):match("^(.*)/[^/]*$") or "."
-  for _, place in ipairs{ "/../share/archard/examples", "/../examples", "/../../examples" } do
-    if process.files(bin .. place) then return bin .. place end
+-- Where they are, seen from the program and from the module for the stock interpreter: as installed,
+-- and as just built.
+local beside_program = { "/../share/archard/examples", "/../examples", "/../../examples" }
+local beside_module = { "/../../../share/archard/examples", "/../../../../share/archard/examples", "/../../examples" }
+
+local function find(path, places)
+  local here = (path or ""):match("^(.*)/[^/]*$") or "."
+  for _, place in ipairs(places) do
+    if process.files(here .. place) then return here .. place end
   end
-  check.fail("examples", "they are not there: looked in share/archard/examples beside " .. bin, "MISSING")
+  return nil, here
+end
+
+local function folder()
+  local found, bin = find(process.program(), beside_program)
+  local module = not found and package.searchpath("archard", package.cpath)
+  found = found or module and find(module, beside_module)
+  return found or check.fail("examples", "they are not there: looked in share/archard/examples beside " .. bin, "MISSING")
 end
 
 -- examples.names(): as the files are called, in the order of the course: "01_contact", ...

@@ -12,10 +12,11 @@ function shell.line(words)
   return table.concat(quoted, " ")
 end
 
--- Runs a command line: what it printed, errors with the rest and no end of line, and whether it
--- succeeded.
+-- Runs a command line: what it printed, without an end of line, and whether it succeeded; where it
+-- did not, its errors with the rest. The job that a line leaves behind holds nobody up.
 function shell.ask(line)
-  local pipe <close> = assert(io.popen("{ " .. line .. "; } 2>&1", "r"))
+  local split = 'exec 3>&1; words=$({ %s; } 2>&1 >&3 3>&-) || { status=$?; printf "%%s" "$words"; exit $status; }'
+  local pipe <close> = assert(io.popen(split:format(line), "r"))
   local text = pipe:read("a"):gsub("%s+$", "")
   return text, pipe:close() == true
 end

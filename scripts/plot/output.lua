@@ -57,6 +57,10 @@ local function to_pixels(figure, kind)
     dpi = math.max(50, 100 * cell_y / 18) }
 end
 
+-- The fonts that xterm usually has show empty frames for these dots; other terminals borrow from
+-- other fonts.
+local function shows_dots() return term.utf8() and not os.getenv "XTERM_VERSION" end
+
 -- What the terminal can do best: pixels where it answers so, else dots, where it has colours and
 -- UTF-8, else characters.
 local function best(figure, given, moving)
@@ -69,7 +73,7 @@ local function best(figure, given, moving)
   if pictures == "sixel" and select(2, gnuplot.about()):find(" sixelgd ", 1, true) then
     return to_pixels(figure, pictures)
   end
-  return to_text(figure, given, term.utf8())
+  return to_text(figure, given, shows_dots())
 end
 
 local function to_window(where, name)

@@ -15,31 +15,37 @@ function array.start(job)
   table.move(job.options, 1, #job.options, #words + 1, words)
   words[#words + 1] = job.script
   local said, fine = shell.ask(shell.line(words))
-  local name = fine and said:match("(%d+)[;%d%w]*$")
+  local name = fine and said:match("%f[^%z\n](%d+;?[%w_-]*)$")
   if not name then return nil, said end
-  return name
+  return name -- with its cluster where there are several: "4242;north"
 end
 
--- "2 running, 6 pending" from a line a share
+local function ask(name)
+  local number, cluster = name:match("^(%d+);?(.*)$")
+  local words = { "squeue", "--noheader", "--array", "--format=%T", "--jobs=" .. number }
+  if cluster ~= "" then words[#words + 1] = "--clusters=" .. cluster end
+  return shell.ask(shell.line(words))
+end
+
+-- "2 running, 6 pending" from a line a share; nil where none tells a state.
 local function count(lines)
   local states, order = {}, {}
-  for state in lines:gmatch("%S+") do
+  for state in lines:gmatch("%f[^%z\n](%u[%u_]+)%s*%f[%z\n]") do
     if not states[state] then order[#order + 1] = state end
     states[state] = (states[state] or 0) + 1
   end
   for i, state in ipairs(order) do order[i] = states[state] .. " " .. state:lower() end
-  return table.concat(order, ", ")
+  return order[1] and table.concat(order, ", ")
 end
 
 -- A job that ended long ago is unknown to Slurm.
 function array.state(job)
-  local said, fine = shell.ask(shell.line{ "squeue", "--noheader", "--array", "--format=%T",
-    "--jobs=" .. job.name })
+  local said, fine = ask(job.name)
   if not fine then
     if said:find("Invalid job id", 1, true) then return nil end
     return false, said
   end
-  return said ~= "" and count(said) or nil
+  return count(said)
 end
 
 return array

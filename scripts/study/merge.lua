@@ -1,5 +1,5 @@
 -- Joins the run files of a study's shares into one. Leans on archard.store, whose merge refuses
--- files of different studies and cases that are finished twice.
+-- files of different studies and cases that are finished twice with other results.
 
 local stores = require "archard.store"
 local check = require "archard.lib.check"

@@ -110,7 +110,7 @@ local function follow(job, total, mode)
         "IO")
     end
     shown.show(counted(job), ("job %s: %s"):format(job.name, state or "no answer"))
-    process.pause(pause)
+    process.pause(pause, ("job %s goes on without; submit again to follow it"):format(job.name))
     pause = math.min(1.3 * pause, 10)
   end
   shown.show(counted(job), "ended")
@@ -118,19 +118,13 @@ end
 
 -- --- joining -------------------------------------------------------------------------------------
 
--- Whether the whole holds all that a share has finished: it was killed between joining and removing.
-local function is_joined(store, path)
-  local status = {}
-  for _, case in ipairs(store:cases()) do status[case.id] = case.status end
-  local share <close> = definitions.open(where, path, "read")
-  local any = false
-  for _, case in ipairs(share:cases()) do
-    if case.status == "done" then
-      if status[case.id] ~= "done" then return false end
-      any = true
-    end
-  end
-  return any
+-- Takes over what a share has finished. Another submit of the same study may be at it too.
+local function take(store, job, path)
+  local fine, why = pcall(store.merge, store, path)
+  if fine or not text_file.exists(path) then return end
+  if type(why) ~= "table" then error(why, 0) end
+  check.fail(where, ("%s; remove the folder %s to go on without what its shares hold"):format(why.message,
+    job.folder), why.code)
 end
 
 -- Joins the shares of a job that has ended; each is in the whole before its own file goes.
@@ -138,7 +132,7 @@ local function join(store, job)
   for i = 1, job.shares do
     local path = job.file(i)
     if text_file.exists(path) then
-      if not is_joined(store, path) then store:merge(path) end
+      take(store, job, path)
       os.remove(path)
     end
   end
@@ -185,7 +179,7 @@ local function start(self, job, whole)
   write_note(job)
   job.name, why = engines[job.engine].start(job)
   if not job.name then
-    os.remove(job.note)
+    clear(job)
     check.fail(where, ("%s does not take the job: %s"):format(engines[job.engine].program, why), "IO")
   end
   write_note(job)

@@ -11,6 +11,7 @@
 #include "plot/figure.h"
 
 static const char point[] = "\342\227\217"; /* a filled circle */
+static const char dash[] = "\342\240\222";  /* two dots in the middle: a line in the key */
 
 enum { BLACK = 0, NO_COLOUR = -1 };
 
@@ -122,10 +123,16 @@ static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size
   return found;
 }
 
+/* Lines in colour are the samples of the key: the curves themselves are black here. */
+static const char *drawn(const cell *c) {
+  if (c->colour == NO_COLOUR) return NULL;
+  return *c->bytes == ARC_DOT_MARK ? point : strchr("+-", *c->bytes) ? dash : NULL;
+}
+
 static void put_cell(const cell *c, arc_text *out) {
   if (c->colour != NO_COLOUR) put_colour(out, c->colour);
-  if (c->colour != NO_COLOUR && *c->bytes == ARC_DOT_MARK)
-    arc_text_word(out, point);
+  if (drawn(c))
+    arc_text_word(out, drawn(c));
   else
     arc_text_add(out, c->bytes, (size_t)c->length);
   if (c->colour != NO_COLOUR) put_colour(out, NO_COLOUR);

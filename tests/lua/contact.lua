@@ -57,6 +57,14 @@ near(contact{ model = { radius = 5 } }.half_width, hertz{ radius = 5 }.half_widt
   "model as a table")
 ok(contact{ load = 3000 }.model.mesh.zone.plate > 1.2, "a heavy load gets a wider zone")
 fails(function() contact{ model = model{}, load = 5000 } end, "zone", "a given model that is too small")
+do -- the numbers of the message do
+  local narrow = { size = 0.02, zone = { cylinder = 0.2, plate = 0.3 } }
+  local why = fails(function() contact{ model = { mesh = narrow }, load = 1000, x = 0.1 } end, "this contact needs mesh.zone",
+    "the zones are named")
+  narrow.zone.cylinder, narrow.zone.plate = why.message:match("{cylinder = ([%d.]+), plate = ([%d.]+)} mm")
+  narrow.zone = { cylinder = tonumber(narrow.zone.cylinder), plate = tonumber(narrow.zone.plate) }
+  ok(math.abs(contact{ model = { mesh = narrow }, load = 1000, x = 0.1 }.p_max / 1871.3 - 1) < 1e-3, "and hold it")
+end
 is(fails(function() contact{ model = model{}, load = 5000 } end, "zone", "once more").code, "ZONE",
   "its code")
 

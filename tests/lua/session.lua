@@ -126,6 +126,10 @@ fails(function() session.open(path "s.archard", { driven = { k = function() retu
   { "session.open", "is a run that has not been saved" }, "what is not saved is not overwritten")
 is(w.update, 6, "it is still there")
 holds(session.save(), "saved in " .. path "s.archard", "saved again without a name")
+for _, case in ipairs{ false, 1, 2 } do
+  fails(function() wear.open(path "s.archard", case or nil) end, { "got session", "session.open opens it" },
+    "wear.open takes no part of a session")
+end
 fails(function() session.save(path "w.archard") end, { "session.save", "w.archard" }, "another file is not replaced")
 is(wear.open(path "w.archard").update, 2, "and is whole")
 fails(function() session.save(path "none/s.archard") end, "session.save", "a folder that is not there")

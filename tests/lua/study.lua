@@ -213,8 +213,8 @@ is(content(merged), content(one), "shares merge to the same bits")
 fails(function() study.merge(path "share1", path "share3", { file = path "gap" }) end,
   { "1 cases", "none of the files", "2" }, "a missing case is named")
 is(io.open(path "gap"), nil, "and no file is made")
-fails(function() study.merge(path "share1", path "share1", { file = path "gap" }) end,
-  "finished in both", "a double case is refused")
+merged = study.merge(path "share1", path "merged", path "share1", { file = path "twice" })
+is(content(merged), content(one), "a case that is in two of them is there once")
 fails(function() study.merge(path "share1", path "bad", { file = path "gap" }) end,
   "different studies", "as is another study")
 

@@ -274,8 +274,9 @@ static void test_merge(void **state) {
   (void)state;
   arc_error error = {0};
   arc_model *model = coarse_model(), *second_model;
-  arc_wear *wear = short_run(model, 66);
+  arc_wear *wear = short_run(model, 66), *other = short_run(model, 44);
   make_share("share 1", 1, 0.5, wear);
+  make_share("share 1 of others", 1, 0.5, other);
   make_share("share '2'", 2, 0.5, wear);
   make_share("stranger", 2, 0.25, wear);
   make_share("joined", 0, 0.5, wear);
@@ -283,8 +284,9 @@ static void test_merge(void **state) {
   must(arc_store_merge(store, in_folder("share 1"), &error), &error);
   assert_int_equal(arc_store_merge(store, in_folder("stranger"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "different studies"));
-  assert_int_equal(arc_store_merge(store, in_folder("share 1"), &error), ARC_ARGUMENT);
-  assert_non_null(strstr(error.message, "case 1 is finished in both"));
+  must(arc_store_merge(store, in_folder("share 1"), &error), &error); /* once more, the same */
+  assert_int_equal(arc_store_merge(store, in_folder("share 1 of others"), &error), ARC_ARGUMENT);
+  assert_non_null(strstr(error.message, "case 1 is finished in both, with other results"));
   must(arc_store_merge(store, in_folder("share '2'"), &error), &error);
   arc_case *cases;
   size_t count;
@@ -299,6 +301,7 @@ static void test_merge(void **state) {
   arc_wear *again = restored("joined", 2, &second_model);
   assert_same_runs(wear, again);
   arc_wear_destroy(&wear);
+  arc_wear_destroy(&other);
   arc_wear_destroy(&again);
   arc_model_release(&model);
   arc_model_release(&second_model);

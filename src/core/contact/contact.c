@@ -122,6 +122,29 @@ static void read_all(arc_contact *c) {
   read_result(c);
 }
 
+void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
+                       double zone[ARC_BODIES]) {
+  arc_zone_for(fabs(def->x), 2 * arc_model_half_width(model, def->load), model->mesh.size, zone);
+}
+
+/* What is said where the zones do not hold the contact, with those that would: as without a model,
+ * or half as wide again where these are not wider. */
+static arc_status tell_zones(const arc_contact *c, arc_error *error) {
+  const arc_model_def *model = arc_model_definition(c->shape->model);
+  if (!error || arc_model_is_given(c->shape->model)) return ARC_ZONE;
+  const arc_error why = *error;
+  double zone[ARC_BODIES];
+  arc_contact_zones(&(arc_contact_def){.load = c->def.load, .x = c->pose.x}, model, zone);
+  const int wider = zone[ARC_CYLINDER] > model->mesh.zone[ARC_CYLINDER] ||
+                    zone[ARC_PLATE] > model->mesh.zone[ARC_PLATE];
+  for (int b = 0; b < ARC_BODIES; b++)
+    zone[b] = fmin(fmax(zone[b], (wider ? 1 : 1.5) * model->mesh.zone[b]),
+                   arc_model_widest_zone(model, (arc_body)b));
+  return arc_fail(error, ARC_ZONE,
+                  "%s (this contact needs mesh.zone = {cylinder = %.3g, plate = %.3g} mm)",
+                  why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
+}
+
 arc_status arc_contact_finish(arc_contact **contact, arc_status status,
                               const arc_callbacks *callbacks, arc_error *error) {
   if (status == ARC_OK) {
@@ -135,6 +158,7 @@ arc_status arc_contact_finish(arc_contact **contact, arc_status status,
 #else
   (void)error;
 #endif
+  if (status == ARC_ZONE) status = tell_zones(*contact, error);
   if (status != ARC_OK) arc_contact_destroy(contact);
   return status;
 }

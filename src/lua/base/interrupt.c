@@ -22,14 +22,21 @@ static void push_place(lua_State *L) {
   luaL_where(L, 1);
 }
 
+/* Whose words say what stands where needs no place in a text. */
+static void raise_explained(lua_State *L) {
+  lua_pushstring(L, explained);
+  lua_error(L);
+}
+
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
   if (!requests) { /* a coroutine that was left armed and is resumed later */
     lua_sethook(L, NULL, 0, 0);
     return;
   }
+  if (explained[0]) raise_explained(L);
   push_place(L);
-  lua_pushstring(L, explained[0] ? explained : plain);
+  lua_pushstring(L, plain);
   lua_concat(L, 2);
   lua_error(L);
 }
@@ -53,7 +60,7 @@ int interrupt_pending(void *context) {
 
 void interrupt_raise(lua_State *L, const char *stand) {
   snprintf(explained, sizeof explained, "%s: %s", stand, plain);
-  luaL_error(L, "%s", explained);
+  raise_explained(L);
 }
 
 void interrupt_clear(void) {

@@ -129,15 +129,13 @@ static int contact_slip(lua_State *L) {
 
 /* --- construction ---------------------------------------------------------------------------- */
 
-/* Zones wide enough for a worn contact of twice the Hertz width. */
 static arc_status needed_zones(const void *asker, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
   const arc_contact_def *def = asker;
   arc_hertz hertz = {0};
-  arc_status status =
+  const arc_status status =
       arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, error);
-  const double half = status == ARC_OK ? arc_model_half_width(model, def->load) : 0;
-  if (status == ARC_OK) arc_zone_for(fabs(def->x), 2 * half, model->mesh.size, zone);
+  if (status == ARC_OK) arc_contact_zones(def, model, zone);
   return status;
 }
 

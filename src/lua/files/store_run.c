@@ -295,6 +295,19 @@ static int only_case(lua_State *L, arc_store *store) {
               arc_store_path(store), (int)count);
 }
 
+/* The runs of a session go by name, and are its own. */
+static void refuse_session(lua_State *L, arc_store *store) {
+  arc_error error = {0};
+  char *kind = NULL;
+  error_check(L, arc_store_info(store, "kind", &kind, &error), &error, "wear.open", -1);
+  const int session = kind && strcmp(kind, "session") == 0;
+  free(kind);
+  if (session)
+    error_raise(L, ARC_ARGUMENT, "wear.open",
+                "%s: expected a run file of kind wear or study, got session: session.open opens it",
+                arc_store_path(store));
+}
+
 /* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run; the case may be
  * left out where there is but one, the table where nothing in the definition was a function */
 int wear_open(lua_State *L) {
@@ -310,6 +323,7 @@ int wear_open(lua_State *L) {
       given = lua_istable(L, 3) ? 3 : 0;
   arc_store *store = store_push(L, path, ARC_STORE_READ, "wear.open");
   box *opened = box_test(L, -1, &store_class);
+  refuse_session(L, store);
   if (id == 0) id = only_case(L, store);
   store_push_wear(L, store, id, given, "wear.open");
   box_empty(opened, &store_class);

@@ -310,11 +310,13 @@ static int process_processors(lua_State *L) {
   return 1;
 }
 
-/* process.pause(seconds): does nothing for so long; an interrupt ends it */
+/* process.pause(seconds, stand): does nothing for so long; an interrupt ends it, and is told of as
+ * "<stand>: interrupted" */
 static int process_pause(lua_State *L) {
   const double seconds = luaL_checknumber(L, 1);
+  const char *stand = luaL_checkstring(L, 2);
   poll(NULL, 0, (int)(1000 * seconds));
-  if (interrupt_pending(NULL)) luaL_error(L, "interrupted");
+  if (interrupt_pending(NULL)) interrupt_raise(L, stand);
   return 0;
 }
 
