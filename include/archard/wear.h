@@ -396,7 +396,8 @@ arc_status arc_wear_surfaces(const arc_wear *wear, arc_surface **surfaces, arc_e
 /* The fretting loop of the steady cycle that an update begins with. */
 typedef struct arc_loop {
   size_t count;
-  double energy;            /* [N mm] dissipated in the cycle */
+  double energy;            /* [N mm] dissipated in it; over the whole plate, where a cycle is a
+                               pass, twice that of a cycle */
   double stick_width;       /* [mm] what never slips */
   int gross;                /* all of the contact slips at some time */
   const double *x;          /* [count] position of the plate's base [mm] */

@@ -4,6 +4,7 @@
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
 local draw = require "archard.plot.draw"
+local naming = require "archard.plot.naming"
 local shapes = require "archard.plot.shapes"
 
 local loop = {}
@@ -27,19 +28,38 @@ local function split(...)
   return given, options or {}
 end
 
+-- What several runs are called; loops that were taken out of theirs have no names of their own.
+local function names_of(where, things, titles)
+  local runs = #things > 1
+  for _, thing in ipairs(things) do runs = runs and not is_loop(thing) end
+  return titles or (runs and naming.names_of(where, things)) or {}
+end
+
+-- Micrometres, or mm where the plate goes far.
+local function unit_of(loops)
+  local most = 0
+  for _, one in ipairs(loops) do
+    for _, x in ipairs(one.x) do most = math.max(most, math.abs(x)) end
+  end
+  if most < 1 then return "µm", 1000 end
+  return "mm", 1
+end
+
 -- plot.loop(w1, w2 or w2:loop(), ..., { titles=, ... })
 function loop.loop(...)
   local where = "plot.loop"
   local things, options = split(...)
   options = draw.options(where, options, { titles = check.table })
   if #things == 0 then check.fail(where, "expected wear runs with friction or their loops, got none") end
-  local given = { xlabel = "position of the plate / µm", ylabel = "tangential force / N",
+  local loops = {}
+  for i, thing in ipairs(things) do loops[i] = loop_of(where, thing) end
+  local unit, scale = unit_of(loops)
+  local names = names_of(where, things, options.titles)
+  local given = { xlabel = "position of the plate / " .. unit, ylabel = "tangential force / N",
     title = #things > 1 and "fretting loops" or "fretting loop" }
-  for i, thing in ipairs(things) do
-    local one = loop_of(where, thing)
-    local name = options.titles and options.titles[i] and tostring(options.titles[i])
-    given[i] = { x = shapes.scaled(one.x, 1000), y = one.tangential,
-      title = ("%s%.4g N mm a cycle"):format(name and name .. ", " or "", one.energy) }
+  for i, one in ipairs(loops) do
+    given[i] = { x = shapes.scaled(one.x, scale), y = one.tangential,
+      title = ("%s%.4g N mm a loop"):format(names[i] and tostring(names[i]) .. ", " or "", one.energy) }
   end
   options.titles = nil
   draw.draw(where, draw.over(given, options))

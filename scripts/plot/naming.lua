@@ -104,6 +104,9 @@ local function under_loading(object, setting)
   return ("travel %s mm"):format(show_span(low, high))
 end
 
+-- One of them drives a run's plate, and steps need not have a tolerance: 0 is none.
+local none_at_zero = { stroke = true, tangential = true, tolerance = true }
+
 -- What it has been, or as it is set where no column tells.
 local function said(object, setting)
   local name = setting[1]
@@ -114,6 +117,7 @@ local function said(object, setting)
   local form = setting[3] and unnamed[type(value)]
   if form then return form:format(setting[3]) end
   local low, high = span_of(object, name)
+  if none_at_zero[name] and get(object, "stroke") and (high or value) == 0 then return nil end
   if low then return (setting[2]:gsub("%%g", "%%s")):format(show_span(low, high)) end
   if type(value) == "number" and setting[2]:find("%s", 1, true) then value = ("%g"):format(value) end
   if type(value) ~= "number" and type(value) ~= "string" then return nil end
@@ -202,8 +206,8 @@ end
 -- What an object alone on a picture is: its main settings.
 function naming.summary(object)
   local parts = {}
-  for _, name in ipairs { "stroke", "alpha", "load", "cycle" } do
-    parts[#parts + 1] = said(object, by_name[name])
+  for _, name in ipairs { "stroke", get(object, "stroke") and "tangential", "alpha", "load", "cycle" } do
+    parts[#parts + 1] = name and said(object, by_name[name]) or nil
   end
   return table.concat(parts, ", ")
 end

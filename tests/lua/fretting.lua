@@ -86,6 +86,8 @@ is(partial.cycle, 200, "so many cycles")
 is(partial.gross, 0, "a part sticks")
 near(partial.stick_width, 2 * hertz{}.half_width * math.sqrt(0.5), 0.1, "Cattaneo and Mindlin's")
 near(partial.largest_shear, 30, 1e-9, "under the force that is given")
+tap.holds(tostring(partial), { "force up to 30 N, sticks on 0.15", "N mm a cycle" }, "print(w)")
+tap.holds(tostring(gross), "slips grossly", "print(w) in gross slip")
 local block = run{ stroke = nil, cycles = 20,
   loading = { tangential = function(t) return 30 * math.sin(2 * math.pi * t) end, load = 100, increments = 24 } }
 block:run{ progress = false }
@@ -151,7 +153,10 @@ local function picture(draw)
   return text
 end
 local text = picture(function(file) plot.loop(gross, partial:loop(), { file = file, titles = { "one", "two" } }) end)
-tap.holds(text, { "tangential force / N", "fretting loops", "one, ", "two, ", "N mm a cycle" }, "plot.loop")
+tap.holds(text, { "tangential force / N", "fretting loops", "one, ", "two, ", "N mm a loop" }, "plot.loop")
+text = picture(function(file) plot.loop(gross, partial, { file = file }) end)
+tap.holds(text, { "s = 0.1 mm, ", "30 N tangential, " }, "runs are called by what they differ in")
+ok(not text:find "s = 0 mm" and not text:find "[^3]0 N tangential", "by what drives their plates alone")
 fails(function() plot.loop(plain) end, "without friction", "no loop to draw")
 fails(function() plot.loop() end, "expected wear runs with friction", "nothing to draw")
 fails(function() plot.loop(m) end, "expected wear runs with friction", "a model has no loop")

@@ -416,12 +416,24 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   luaL_addstring(text, line);
 }
 
+/* What the last cycle did, in a run with friction. */
+static void add_rubbing(luaL_Buffer *text, const arc_wear_record *record) {
+  char line[200], slips[40] = "slips grossly";
+  if (record->update == 0 || !(record->largest_shear > 0)) return;
+  if (record->gross == 0) snprintf(slips, sizeof slips, "sticks on %.4g mm", record->stick_width);
+  snprintf(line, sizeof line,
+           "\n  friction  force up to %.4g N, %s; energy %.4g N mm a cycle, %.4g N mm so far",
+           record->largest_shear, slips, record->cycle_energy, record->energy);
+  luaL_addstring(text, line);
+}
+
 int wear_tostring(lua_State *L) {
   const arc_wear *wear = self(L);
   luaL_Buffer text;
   luaL_buffinit(L, &text);
   add_settings(&text, wear);
   add_state(&text, wear);
+  add_rubbing(&text, arc_wear_last(wear));
   luaL_pushresult(&text);
   return 1;
 }
