@@ -43,6 +43,10 @@ static int add_setting(void *context, const char *path, const arc_setting *s, vo
                        const void *def) {
   value_list *list = context;
   const arc_series series = arc_setting_series(s, def);
+  if (s->kind == ARC_TEXT) {
+    if (*(const char *)member) add(list, ARC_VALUE_TEXT, path, "")->text = member;
+    return 0;
+  }
   if (s->kind == ARC_CHOICE)
     add(list, ARC_VALUE_TEXT, path, "")->text = s->choices[*(const int *)member];
   else
@@ -157,6 +161,12 @@ static int read_number(const arc_value *value, double *to) {
   return value->kind == ARC_VALUE_NUMBER;
 }
 
+static int read_text(const arc_value *value, char *to) {
+  const int fits = value->kind == ARC_VALUE_TEXT && strlen(value->text) < ARC_TEXT_SIZE;
+  if (fits) strcpy(to, value->text);
+  return fits;
+}
+
 /* A value on its way to the setting of its name. */
 typedef struct search {
   const arc_value *value;
@@ -170,6 +180,8 @@ static int take_setting(void *context, const char *path, const arc_setting *s, v
   if (strcmp(path, at->value->name) != 0) return 0;
   if (s->kind == ARC_CHOICE)
     at->read = read_choice(s, at->value, member);
+  else if (s->kind == ARC_TEXT)
+    at->read = read_text(at->value, member);
   else
     at->read =
         s->kind == ARC_NUMBER ? read_number(at->value, member) : read_whole(at->value, member);
