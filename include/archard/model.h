@@ -58,6 +58,14 @@ double arc_model_relative_radius(const arc_model_def *def);
 /* Whether Hertz' formulas hold: a solid cylinder or disc on a block without layers. */
 int arc_model_is_hertzian(const arc_model_def *def);
 
+/* Whether one of the bodies is hollow: the other turns in it. */
+int arc_model_is_hole(const arc_model_def *def);
+/* The way along the surfaces that a rotation by so many degrees is [mm]; 0 without a hole. */
+double arc_model_way(const arc_model_def *def, double degrees);
+/* Whether the lower body slides along its own unworn surface: a block, or what turns in or around a
+ * hole. */
+int arc_model_slides_along(const arc_model_def *def);
+
 /* Width [mm] of the lower body along its surface: a stroke as long as that wears it evenly. */
 double arc_model_width(const arc_model_def *def);
 

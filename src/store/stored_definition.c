@@ -10,7 +10,7 @@
 
 /* --- writing ---------------------------------------------------------------------------------- */
 
-enum { LONGEST_NAME = 96, VALUES_A_SETTING = 5, VALUES_A_BLOCK = 5, OTHERS = 3 };
+enum { LONGEST_NAME = 96, VALUES_A_SETTING = 5, VALUES_A_BLOCK = 7, OTHERS = 3 };
 
 /* Values under construction, with room for their names. */
 typedef struct value_list {
@@ -72,6 +72,8 @@ static void add_block(value_list *list, const arc_loading *block, int number) {
   add_array(list, prefix, "x", block->x, block->count);
   add_array(list, prefix, "load", block->load, block->count);
   if (block->tangential) add_array(list, prefix, "tangential", block->tangential, block->count);
+  if (block->rotation) add_array(list, prefix, "rotation", block->rotation, block->count);
+  if (block->load_angle) add_array(list, prefix, "load_angle", block->load_angle, block->count);
   add_number(list, prefix, "cycles", block->cycles);
   add_number(list, prefix, "periodic", block->periodic);
 }
@@ -277,6 +279,10 @@ static int read_block(reading *r, const arc_value *value, arc_loading *block, co
     block->load = take_array(r, value);
   } else if (strcmp(what, "tangential") == 0 && is_array) {
     block->tangential = take_array(r, value);
+  } else if (strcmp(what, "rotation") == 0 && is_array) {
+    block->rotation = take_array(r, value);
+  } else if (strcmp(what, "load_angle") == 0 && is_array) {
+    block->load_angle = take_array(r, value);
   } else if (strcmp(what, "cycles") == 0) {
     return read_number(value, &block->cycles);
   } else if (strcmp(what, "periodic") == 0 && read_number(value, &periodic)) {

@@ -53,7 +53,6 @@ local worst = 0
 local field = c:stress()
 for _, v in ipairs(field.plate.mises) do worst = math.max(worst, v) end
 ok(worst > 0.3 * c.p_max and worst < c.p_max, "stresses in a ring are of the contact's size")
-fails(function() contact{ model = m, load = 50, x = 0.1 }:stress() end, "x = 0", "stresses of a turned ring")
 
 -- Runs: in two parts, stored in between.
 local file = os.tmpname()
@@ -78,6 +77,31 @@ os.remove(file)
 run_of:save(file)
 is(wear.open(file).depth.pin, run_of.depth.pin, "so are names")
 os.remove(file)
+
+-- Rotations and loads from an angle.
+local function swinging(distance)
+  return wear{ model = m, load = 20, distance = distance, jump = 10, load_angle = 2, loading = {
+    rotation = function(t) return 2 * math.sin(2 * math.pi * t) end, load_angle = function(t) return 1 + t - t * t end } }
+end
+whole = swinging(400)
+near(whole.stroke, 4 * math.rad(10), 1e-3, "a rotation is a way along the hole")
+near(whole.loading[1].rotation[26], 2, 1e-12, "as it was given, in degrees")
+near(whole.loading[1].load_angle[51], 1.25, 1e-12, "and the load's direction")
+whole:run()
+near(whole.volume.upper, whole.k * whole.load_distance, 1e-12, "V = k integral normal force ds")
+part = swinging(400)
+part:step(5)
+part:save(file)
+later = wear.open(file)
+later:run()
+is(("%a %a"):format(later.depth_cylinder, later.p_center), ("%a %a"):format(whole.depth_cylinder, whole.p_center),
+  "goes on from a run file to the bit")
+os.remove(file)
+local list = { 0, 1, 2, 1, 0, -1, -2, -1, 0 }
+is(#wear{ model = m, load = 20, loading = { rotation = list, load_angle = list }, distance = 3 }.loading[1].rotation, 9, "lists")
+local again = swinging(400)
+is(wear{ model = m, load = 20, distance = 400, jump = 10, load_angle = 2, loading = again.loading }.loading[1].load_angle[7],
+  again.loading[1].load_angle[7], "a run's loading makes another")
 
 -- Refusals.
 local function refused(parts, what, f) fails(f, parts, what) end
@@ -111,5 +135,16 @@ refused({ "upper", "a body" }, "no body", function() model{ upper = 3 } end)
 refused({ "upper.kind", "body.cylinder" }, "a table that is none", function() model{ upper = { radius = 3 } } end)
 refused({ "hole's radius 10", "got 10" }, "a pin as wide as its hole", function() model{ upper = body.disc{ radius = 10 }, lower = body.ring{ inner = 10, outer = 20 } } end)
 refused({ "got a block" }, "a block in a hole", function() model{ upper = body.block{}, lower = body.ring{ inner = 10, outer = 20 } } end)
+refused({ "'load_angle'", "hole", "got 3" }, "a load from an angle on a plate", function() contact{ load_angle = 3 } end)
+refused({ "'load_angle'", "hole", "got 3" }, "in a run too", function() wear{ load_angle = 3 } end)
+refused({ "rotation'", "ring" }, "a rotation of a plate", function() wear{ loading = { rotation = list }, distance = 1 } end)
+refused({ "load_angle'", "ring" }, "a load's direction on a plate", function() wear{ loading = { x = list, load_angle = 4 }, distance = 1 } end)
+refused({ "load_angle", "(-90, 90) degrees", "got 120" }, "a load from above", function()
+  wear{ model = m, loading = { rotation = list, load_angle = 120 }, distance = 1 }
+end)
+refused({ "'load_angle'", "(-90, 90) degrees", "got 90" }, "just from the side", function() contact{ model = m, load_angle = 90 } end)
+refused({ "'loading.x'", "'loading.rotation'" }, "two ways", function() wear{ model = m, loading = { x = list, rotation = list }, distance = 1 } end)
+refused({ "moves", "degrees" }, "a rotation that stands still", function() wear{ model = m, loading = { rotation = { 1, 1, 1 } }, distance = 1 } end)
+refused({ "'friction'", "in a hole" }, "a run with friction in a hole", function() wear{ model = m, friction = 0.3, load = 10, stroke = 0.1 } end)
 refused({ "'friction'", "in a hole" }, "friction in a hole", function() contact{ model = m, friction = 0.1, load = 10 } end)
 

@@ -110,6 +110,10 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'friction': expected 0 in a hole, where shear carries load too, got %g",
                     def->friction);
+  if (def->load_angle != 0 && !arc_model_body(shape->model, ARC_UPPER)->chart.polar)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'load_angle': expected 0 but in a hole, got %g degrees",
+                    def->load_angle);
   arc_status status = arc_shape_clone(shape, &c->shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
   return status;
@@ -158,6 +162,7 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
   if (status != ARC_OK) return status;
   status = arc_contact_create(shape, def, result, error);
   arc_contact *c = *result;
+  if (status == ARC_OK) arc_pose_aim(&c->pose, arc_radians(def->load_angle));
   if (status == ARC_OK) status = arc_pose_update(&c->pose, c->shape, def->x, error);
   if (status == ARC_OK && c->rubs) status = arc_contact_press(c, error);
   if (status == ARC_OK && !c->rubs) status = arc_pose_solve(&c->pose, contact_line(c), error);

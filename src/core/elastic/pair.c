@@ -123,6 +123,18 @@ int arc_model_is_hertzian(const arc_model_def *def) {
          arc_body_layers(&lower) == 0;
 }
 
+int arc_model_is_hole(const arc_model_def *def) {
+  return arc_chart_of(def).polar;
+}
+
+double arc_model_way(const arc_model_def *def, double degrees) {
+  return arc_chart_of(def).radius * arc_radians(degrees);
+}
+
+int arc_model_slides_along(const arc_model_def *def) {
+  return arc_model_is_hole(def) || arc_model_solid(def, ARC_LOWER).kind == ARC_SOLID_BLOCK;
+}
+
 double arc_model_width(const arc_model_def *def) {
   const arc_body_def lower = arc_model_solid(def, ARC_LOWER);
   return 2 * arc_body_half_length(&lower);

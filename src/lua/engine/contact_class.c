@@ -142,7 +142,9 @@ static arc_status needed_zones(const void *asker, const arc_model_def *model,
   arc_status status =
       arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, error);
   const double half = status == ARC_OK ? arc_model_half_width(model, def->load) : 0;
-  if (status == ARC_OK) arc_zone_for(fabs(def->x), 2 * half, model->mesh.size, zone);
+  const double under = arc_model_way(model, def->load_angle);
+  if (status == ARC_OK) arc_zone_for(fabs(under - def->x), 2 * half, model->mesh.size, zone);
+  zone[ARC_UPPER] += 2 * fabs(under);
   return status;
 }
 
