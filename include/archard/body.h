@@ -50,7 +50,12 @@ typedef struct arc_layer {
 } arc_layer;
 enum { ARC_MOST_LAYERS = 4 };
 
-#define ARC_BODY_SETTINGS(NUMBER, CHOICE)                                                          \
+/* What a body's name is. */
+#define ARC_BODY_NAME "a word of letters, digits and _ that begins with a letter, up to 31 long"
+
+#define ARC_BODY_SETTINGS(NUMBER, CHOICE, TEXT)                                                    \
+  TEXT(name, ARC_BODY_NAME, ARC_OPTIONAL,                                                          \
+       "What it is called by results, pictures and files. Left out: by its kind or role.")         \
   CHOICE(kind, solid, ARC_SOLID_USUAL, 0,                                                          \
          "Its shape; the usual one is a cylinder above, and a block below.")                       \
   NUMBER(radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
@@ -66,7 +71,7 @@ enum { ARC_MOST_LAYERS = 4 };
   CHOICE(fixed, rim, ARC_RIM_OUTER, 0, "Which rim of a ring is held; the other one is in contact.")
 
 typedef struct arc_body_def {
-  ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
+  ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
   double y;            /* stands for the series: 0 */
   arc_series y_series; /* heights of a profile [mm] over x [mm], out of the body; linear between
                           points, level beyond them. Owned by whoever made the definition; a model

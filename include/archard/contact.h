@@ -114,7 +114,11 @@ extern const char *const arc_press_names[];
 /* One contact problem. */
 #define ARC_CONTACT_SETTINGS(NUMBER, WHOLE, CHOICE, OTHER)                                         \
   NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N.")                                          \
-  NUMBER(x, "mm", 0, ANY, 0, "Position of the plate.")                                             \
+  NUMBER(x, "mm", 0, ANY, 0,                                                                       \
+         "Position of the plate; in holes along their surface: radius times the angle.")           \
+  NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
+         "Direction of the load in a hole, along the surface from where the bodies first touch; "  \
+         "positive towards +x.")                                                                   \
   NUMBER(average, "mm", 0.08, FROM(0), 0,                                                          \
          "Length over which p_average is taken; it should hold four elements or more. 0: p_max.")  \
   NUMBER(friction, "", 0, FROM(0), 0, "Coefficient of Coulomb friction; 0: without.")              \
@@ -187,7 +191,8 @@ arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motio
                             arc_error *error);
 
 typedef struct arc_contact_result {
-  double p_center;    /* [MPa] at the cylinder's lowest node, x = 0 of the cylinder */
+  double p_center;    /* [MPa] at the cylinder's lowest node, x = 0 of the cylinder; in holes at the
+                         one the load points at */
   double p_max;       /* [MPa] largest nodal pressure; at scar edges it grows as the mesh shrinks */
   double p_average;   /* [MPa] largest pressure averaged over the length `average`: settles */
   double half_width;  /* [mm] half the contact width */

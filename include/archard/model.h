@@ -38,6 +38,15 @@ arc_model_def arc_model_default(void);
 /* One body in numbers. */
 arc_body_def arc_model_solid(const arc_model_def *def, arc_body body);
 
+/* What a body is called: by its name; without one by its kind where that tells it from the other,
+ * else "upper" or "lower"; the usual pair "cylinder" and "plate". */
+const char *arc_model_body_name(const arc_model_def *def, arc_body body);
+/* "upper" or "lower". */
+const char *arc_model_role_name(arc_body body);
+/* The body that a word means, its name, role or kind, "cylinder" for the upper one and "plate" for
+ * the lower: 1; 0: none, -1: it could be either. *body is written to in any case. */
+int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body);
+
 /* The wear coefficient that a body's pressures are taken with [mm2/N]: the largest of its layers
  * and its own; the others wear by their share of it. 0: none has one. */
 double arc_model_wear_k(const arc_model_def *def, arc_body body);
@@ -48,6 +57,14 @@ double arc_model_relative_radius(const arc_model_def *def);
 
 /* Whether Hertz' formulas hold: a solid cylinder or disc on a block without layers. */
 int arc_model_is_hertzian(const arc_model_def *def);
+
+/* Whether one of the bodies is hollow: the other turns in it. */
+int arc_model_is_hole(const arc_model_def *def);
+/* The way along the surfaces that a rotation by so many degrees is [mm]; 0 without a hole. */
+double arc_model_way(const arc_model_def *def, double degrees);
+/* Whether the lower body slides along its own unworn surface: a block, or what turns in or around a
+ * hole. */
+int arc_model_slides_along(const arc_model_def *def);
 
 /* Width [mm] of the lower body along its surface: a stroke as long as that wears it evenly. */
 double arc_model_width(const arc_model_def *def);

@@ -13,6 +13,7 @@
  *   CHOICE(name, type, usual, forms, text)             arc_TYPE, named by arc_TYPE_names
  *   QUANTITY(name, unit, usual, range, forms, text)    double, or what `forms` allow instead
  *   FUNCTION(name, type, pointer, forms, text)         a pointer to a function, or NULL
+ *   TEXT(name, type, forms, text)                      char [ARC_TEXT_SIZE], "" for none
  *   OTHER(name, type, class, forms, text)              no member made by the row: objects
  */
 #ifndef ARCHARD_SETTING_H
@@ -29,9 +30,13 @@ typedef enum arc_setting_kind {
   ARC_NUMBER,
   ARC_WHOLE,
   ARC_CHOICE,
+  ARC_TEXT,  /* a word */
   ARC_GROUP, /* a struct with settings of its own */
   ARC_OTHER  /* whoever made the list reads it */
 } arc_setting_kind;
+
+/* Room for a text with its end. */
+enum { ARC_TEXT_SIZE = 32 };
 
 /* What a setting may be besides its kind, and what else is to be known of it. */
 enum {
@@ -48,7 +53,7 @@ typedef struct arc_setting {
   const char *name;           /* as users write it; NULL ends a list */
   const char *unit;           /* "" for none */
   const char *text;           /* what it is, for help */
-  const char *type;           /* of ARC_OTHER: what it can be, in words; NULL else */
+  const char *type;           /* of ARC_OTHER and ARC_TEXT: what it can be, in words; NULL else */
   const char *class_name;     /* of ARC_OTHER and ARC_GROUP: the object it can be; NULL: none */
   const char *usual_text;     /* the default as written in the row */
   const char *const *choices; /* names, NULL ends them */
@@ -90,6 +95,7 @@ typedef struct arc_series {
   arc_state_fn name##_function; /* instead of the number, where not NULL */                        \
   arc_series name##_series;     /* instead of the number, where it has points */                   \
   int name##_auto;              /* non-zero: found by the program */
+#define ARC_MEMBER_TEXT(name, type, forms, text)              char name[ARC_TEXT_SIZE];
 #define ARC_MEMBER_FUNCTION(name, type, pointer, forms, text) pointer name;
 #define ARC_MEMBER_OTHER(name, type, class_name, forms, text)
 
@@ -136,6 +142,14 @@ typedef struct arc_series {
    .series = offsetof(ARC_SETTING_OF, name_##_series),                                             \
    .automatic = offsetof(ARC_SETTING_OF, name_##_auto),                                            \
    ARC_RANGE_##range},
+#define ARC_SETTING_TEXT(name_, type_, forms_, text_)                                              \
+  {.name = #name_,                                                                                 \
+   .unit = "",                                                                                     \
+   .text = text_,                                                                                  \
+   .type = type_,                                                                                  \
+   .kind = ARC_TEXT,                                                                               \
+   .forms = forms_,                                                                                \
+   .offset = offsetof(ARC_SETTING_OF, name_)},
 #define ARC_SETTING_FUNCTION(name_, type_, pointer, forms_, text_)                                 \
   {.name = #name_,                                                                                 \
    .unit = "",                                                                                     \
@@ -186,7 +200,7 @@ const char *arc_setting_usual(const arc_setting *setting);
 
 /* The member of a definition; for ARC_CHOICE it is an int. */
 void *arc_setting_member(const arc_setting *setting, const void *def);
-/* Its number: of a whole one or a choice the int. */
+/* Its number: of a whole one or a choice the int, of a text 0. */
 double arc_setting_number(const arc_setting *setting, const void *def);
 /* Whether the function, the word "auto" is set; the series (count 0: none). */
 int arc_setting_has_function(const arc_setting *setting, const void *def);

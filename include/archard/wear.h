@@ -89,6 +89,10 @@ typedef struct arc_loading {
   const double *load;       /* [count] [N], >= 0 */
   const double *tangential; /* [count] [N] drives the plate instead of x, which is 0 then; NULL: x
                                does */
+  const double *rotation;   /* [count] [degrees] turns the lower body instead of x, which is 0 then:
+                               in holes; NULL: x does */
+  const double *load_angle; /* [count] [degrees] direction of the load in holes; NULL: the
+                               definition's */
   double cycles; /* how often, > 0 (INFINITY: to the end of the distance, last block only) */
   int periodic; /* 0: a generic history (Eq. 4): run once, updated at every increment, one increment
                    a step */
@@ -118,6 +122,9 @@ typedef struct arc_loading {
         "Wear coefficient of the plate alone, k_p = (1 - alpha) k.")                               \
   NUMBER(load, "N", 100, ABOVE(0), 0,                                                              \
          "Normal load L_N; with loading, that of the reference configuration.")                    \
+  NUMBER(load_angle, "degrees", 0, BETWEEN(-90, 90), 0,                                            \
+         "Direction of the load in a hole, along the surface from where the bodies first touch; "  \
+         "positive towards +x. With loading, that of the reference configuration.")                \
   NUMBER(stroke, "mm", 0.11, ABOVE(0), 0,                                                          \
          "Stroke s_t, the plate's way from one end to the other. The reference cases are a, 2a, "  \
          "4a (0.11, 0.22, 0.44) and 2R (20): the last slides over the whole plate, one way only "  \
@@ -199,7 +206,10 @@ typedef struct arc_loading {
         "follow each other, each with its cycles. Without a distance the run ends with the last "  \
         "block; where that has no cycles, it goes on to the end of the distance. The pressures "   \
         "and widths that a run tells are those under load, which by default is the largest of "    \
-        "the loading. \n\ncsv.read(path) reads measured lists.")                                   \
+        "the loading. \n\nIn a hole rotation (degrees, as x) turns the lower body instead of x, "  \
+        "and "                                                                                     \
+        "load_angle (degrees; a number, or as load) is the load's direction. \n\ncsv.read(path) "  \
+        "reads measured lists.")                                                                   \
   FUNCTION(                                                                                        \
       local_factor, "a function(body, x, p, state) or { vector = function }", arc_local_fn, 0,     \
       "Factor on k at each node, for cross-shear and the like. body is \"cylinder\" or "           \
@@ -231,6 +241,9 @@ arc_wear_def arc_wear_default(void);
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]);
 /* The same from the materials, where one of them has a wear coefficient; else returns 0. */
 int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model);
+
+/* Position of the plate [mm] at point i of a loading. */
+double arc_loading_x(const arc_loading *loading, const arc_model_def *model, int i);
 
 /* Distance of a cycle of the plain stroke [mm]: r s of Eq. (21); under a tangential force the sum
  * of its changes over E* and the thickness. */

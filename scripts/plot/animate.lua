@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
 local curves = require "archard.plot.curves"
 local process = require "archard.process"
+local naming = require "archard.plot.naming"
 local term = require "archard.term"
 
 local own = {
@@ -16,14 +17,14 @@ local own = {
 -- --- one frame ----------------------------------------------------------------------------------
 
 local function profile_panel(w)
-  local panel = curves.profile_panel({ w }, {}, { "cylinder", "plate" })
+  local panel = curves.profile_panel("plot.animate", { w }, {}, { "upper", "lower" })
   panel.xlabel, panel.ylabel, panel.ydown = "x / mm", "wear depth / µm", true
   panel.title = "wear"
   return panel
 end
 
 local function pressure_panel(w)
-  local pressure = w:pressure("cylinder")
+  local pressure = w:pressure(naming.bodies(w)[1])
   return { { x = pressure.x, y = pressure.p }, xlabel = "x / mm", ylabel = "p / MPa",
     title = "contact pressure" }
 end

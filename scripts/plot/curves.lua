@@ -12,13 +12,13 @@ local shapes = require "archard.plot.shapes"
 
 local curves = {}
 
-local bodies = { "cylinder", "plate" }
+local roles = { "upper", "lower" }
 
 -- --- arguments ----------------------------------------------------------------------------------
 
 local get, title_of = naming.get, naming.title_of
 
-local body_kind = check.one_of(bodies)
+local body_kind = check.text
 
 -- Splits f(object, ..., word, ..., { options }): objects have the method or field `mark`, options
 -- are plot's and `own`.
@@ -75,15 +75,12 @@ local function scale_of(where, object)
   return hertz_of(model, load)
 end
 
-local function body_word(where, words, options)
-  local body = options.body
-  for _, word in ipairs(words) do
-    if word ~= "cylinder" and word ~= "plate" then
-      check.refuse(where, "body", '"cylinder" or "plate"', word)
-    end
-    body = word
-  end
-  return body
+-- The body that is named, as the first object calls it; all objects must know the word.
+local function body_word(where, objects, words, options)
+  local body = words[#words] or options.body
+  for _, word in ipairs(words) do naming.body(where, objects[1], word) end
+  for _, object in ipairs(body and objects or {}) do naming.body(where, object, body) end
+  return body and naming.body(where, objects[1], body), body
 end
 
 -- --- the pictures -------------------------------------------------------------------------------
@@ -93,11 +90,12 @@ function curves.pressure(...)
   local where = "plot.pressure"
   local objects, words, options = split(where, "pressure", { scaled = check.flag, body = body_kind,
     titles = check.table }, ...)
-  local body = body_word(where, words, options) or "cylinder"
+  local body, word = body_word(where, objects, words, options)
+  body, word = body or naming.bodies(objects[1])[1], word or "upper"
   local names, scale = naming.names_of(where, objects, options.titles)
   local given, reach = {}, 0
   for i, object in ipairs(objects) do
-    local pressure = object:pressure(body)
+    local pressure = object:pressure(naming.body(where, object, word))
     local a, p_h = 1, 1
     if options.scaled then
       local hertz = scale_of(where, object)
@@ -118,11 +116,13 @@ function curves.pressure(...)
   draw.draw(where, given)
 end
 
--- One panel of wear depths; depth grows downwards, as the groove does.
-local function profile_panel(objects, names, of_body, scale)
+-- One panel of wear depths of the bodies that the words mean; depth grows downwards, as the groove
+-- does.
+local function profile_panel(where, objects, names, of_body, scale)
   local panel, reach = {}, 0
   for i, object in ipairs(objects) do
-    for _, body in ipairs(of_body) do
+    for _, word in ipairs(of_body) do
+      local body = naming.body(where, object, word)
       local profile = object:profile(body)
       reach = reach_of(profile.x, profile.h, reach)
       panel[#panel + 1] = { x = profile.x, y = scaled(profile.h, 1000),
@@ -149,20 +149,20 @@ function curves.profile(...)
   local where = "plot.profile"
   local objects, words, options = split(where, "profile", { body = body_kind,
     titles = check.table, measured = measured.kind }, ...)
-  local body = body_word(where, words, options)
+  local body, word = body_word(where, objects, words, options)
   local names, scale = naming.names_of(where, objects, options.titles)
   local defaults = { xlabel = "x / mm", ylabel = "wear depth / µm", ydown = true }
   if body or #objects == 1 then
-    for name, value in pairs(profile_panel(objects, names, body and { body } or bodies,
+    for name, value in pairs(profile_panel(where, objects, names, body and { word } or roles,
       scale)) do
       defaults[name] = value
     end
     defaults.title = title_of(body and "wear of the " .. body or "wear", objects, options)
   else
     defaults.panels, defaults.layout = {}, { 1, 2 }
-    for i, each in ipairs(bodies) do
-      defaults.panels[i] = profile_panel(objects, names, { each }, scale)
-      defaults.panels[i].title = each
+    for i, each in ipairs(roles) do
+      defaults.panels[i] = profile_panel(where, objects, names, { each }, scale)
+      defaults.panels[i].title = naming.body(where, objects[1], each)
       defaults.panels[i].xrange = options.xrange or defaults.panels[i].xrange
       defaults.panels[i].yrange = options.yrange or defaults.panels[i].yrange
     end

@@ -3,10 +3,9 @@
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
+local naming = require "archard.plot.naming"
 
 local mesh = {}
-
-local bodies = { "cylinder", "plate" }
 
 -- --- elements -----------------------------------------------------------------------------------
 
@@ -58,7 +57,11 @@ end
 
 -- --- arguments ----------------------------------------------------------------------------------
 
-local function shown_bodies(options) return options.body and { options.body } or bodies end
+-- What the bodies to be shown are called; `all` of them, by role.
+local function shown_bodies(where, object, options)
+  local all = naming.bodies(object)
+  return options.body and { naming.body(where, object, options.body) } or all, all
+end
 
 -- What is handed over for a view: more than it, since equal scales can widen what is shown.
 local function around(box)
@@ -73,7 +76,7 @@ end
 -- A view about ten elements wide and as high as both wear boxes and a bit more.
 local function wear_box_view(where, model)
   local depth = 0
-  for _, name in ipairs(bodies) do
+  for _, name in ipairs(naming.bodies(model)) do
     local body = model.mesh[name]
     local nodes = body:box()
     local per_column = body.rows + 1
@@ -91,7 +94,7 @@ local function view_of(where, model, zoom)
   return type(zoom) == "table" and zoom or nil
 end
 
-local mesh_options = { body = check.one_of(bodies), zoom = check.one_of({ "wear box", "all" },
+local mesh_options = { body = check.text, zoom = check.one_of({ "wear box", "all" },
   check.box) }
 
 -- plot.mesh(model or wear, { zoom="wear box" or { x0, x1, y0, y1 }, body=, ... })
@@ -105,9 +108,10 @@ function mesh.mesh(model, options)
   local box = view_of(where, model, options.zoom)
   local defaults = { xlabel = "x / mm", ylabel = "y / mm", equal = true, title = "mesh" }
   local nodes, count = 0, 0
-  for series, name in ipairs(bodies) do
+  local shown, all = shown_bodies(where, model, options)
+  for series, name in ipairs(all) do
     local body = meshes[name]
-    if not options.body or options.body == name then
+    if shown[2] or shown[1] == name then
       local x, y = nodes_of(body)
       local elements = body:elements()
       local curve = edge_curve(x, y, elements, false, around(box))
@@ -130,7 +134,7 @@ mesh.components = { "mises", "principal", "shear", "sxx", "syy", "szz", "sxy" }
 local labels = { mises = "von Mises stress / MPa", principal = "largest principal stress / MPa",
   shear = "largest shear stress / MPa", sxx = "σx / MPa", syy = "σy / MPa", szz = "σz / MPa", sxy = "τxy / MPa" }
 
-local stress_options = { component = check.one_of(mesh.components), body = check.one_of(bodies),
+local stress_options = { component = check.one_of(mesh.components), body = check.text,
   zoom = check.one_of({ "all" }, check.box), deformed = check.number }
 
 -- Nodes of a body, displaced `factor` times as far as they were.
@@ -176,7 +180,7 @@ local function field_of(where, object)
   local ok, stress = pcall(function() return object.stress end)
   if ok and stress then return object:stress(), object end
   local both = type(object) == "table"
-  for _, name in ipairs(bodies) do
+  for _, name in ipairs(naming.bodies(object)) do
     both = both and type(object[name]) == "table" and object[name].elements ~= nil
   end
   if both then return object, object.contact end
@@ -191,7 +195,7 @@ function mesh.stress(object, options)
   options = draw.options(where, options, stress_options)
   local component, box = options.component or "mises", stress_view(contact, options.zoom)
   local field, defaults = { x = {}, y = {}, value = {} }, {}
-  for _, name in ipairs(shown_bodies(options)) do
+  for _, name in ipairs((shown_bodies(where, stress, options))) do
     local body = stress[name]
     local x, y = displaced(body, options.deformed or 0)
     add_polygons(field, x, y, body[component], body.elements, around(box))

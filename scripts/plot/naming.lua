@@ -14,6 +14,33 @@ function naming.get(object, name)
 end
 local get = naming.get
 
+-- --- bodies ------------------------------------------------------------------------------------
+
+local usual = { "cylinder", "plate" }
+
+-- What the bodies of an object, of its model or of a contact's stress are called: the upper one first.
+function naming.bodies(object)
+  local model = get(object, "model") or get(get(object, "contact"), "model") or object
+  local names = get(model, "bodies")
+  return names and { names.upper, names.lower } or usual
+end
+
+-- What the body that a word means is called: its name, role or kind.
+function naming.body(where, object, word)
+  local model = get(object, "model") or get(get(object, "contact"), "model") or object
+  local names = get(model, "bodies")
+  local name = names and names[word]
+  if not names then
+    name = (word == "upper" or word == usual[1]) and usual[1] or (word == "lower" or word == usual[2])
+      and usual[2]
+  end
+  local known = naming.bodies(object)
+  if not name then
+    check.refuse(where, "body", ('"%s" or "%s"'):format(known[1], known[2]), word)
+  end
+  return name
+end
+
 -- --- one setting of an object --------------------------------------------------------------------
 
 -- Field, how its numbers or words are said, its name where it is neither, and on an axis.

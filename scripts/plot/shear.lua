@@ -7,8 +7,6 @@ local naming = require "archard.plot.naming"
 
 local shear = {}
 
-local bodies = { "cylinder", "plate" }
-
 local function bounds_of(pressure, friction)
   local upper, lower, most = {}, {}, 0
   for i, p in ipairs(pressure.p) do
@@ -49,8 +47,8 @@ function shear.shear(contact, options)
   if type(contact) ~= "userdata" or not curves.get(contact, "stick") then
     check.fail(where, "expected a contact, got " .. check.shown(contact))
   end
-  options = draw.options(where, options, { body = check.one_of(bodies) })
-  local body = options.body or "cylinder"
+  options = draw.options(where, options, { body = check.text })
+  local body = naming.body(where, contact, options.body or "upper")
   local q = contact:shear(body)
   local upper, lower, most = bounds_of(contact:pressure(body), contact.friction)
   local given = stick_zones(contact, -1.05 * most, (can_shade(options) and 1.05 or -0.95) * most)

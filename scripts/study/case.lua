@@ -77,7 +77,7 @@ local methods = {}
 
 -- The stored surface of a body at the last look not after `distance` [mm]; nil: at the end.
 local function surface(self, where, body, distance)
-  body = body or "cylinder"
+  body = ({ upper = "cylinder", lower = "plate" })[body or "upper"] or body
   if distance ~= nil and not check.number.test(distance) then
     check.refuse(where, "distance", "a number in mm", distance)
   end

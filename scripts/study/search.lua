@@ -67,7 +67,7 @@ end
 
 -- Of the pressure, whose peaks at the contact's edges are physics: only the middle counts.
 local function roughness(run)
-  local pressure = run:pressure("cylinder")
+  local pressure = run:pressure("upper")
   local value = measure.sawtooth(pressure.x, pressure.p, 0.6 * run.half_width) / run.p_center
   return value == value and math.min(value, 1) or 1
 end
@@ -76,7 +76,7 @@ local function deepest(profile) return math.max(table.unpack(profile.h)) end
 
 local function asymmetry(run)
   local worst = 0
-  for _, body in ipairs{ "cylinder", "plate" } do
+  for _, body in ipairs{ "upper", "lower" } do
     local profile = run:profile(body)
     local depth, h = deepest(profile), profile.h
     for i = 1, depth > 0 and #h // 2 or 0 do
@@ -89,7 +89,7 @@ end
 -- Largest difference of two runs' profiles, as a share of the depth.
 local function difference(a, b)
   local worst = 0
-  for _, body in ipairs{ "cylinder", "plate" } do
+  for _, body in ipairs{ "upper", "lower" } do
     local one, two = a:profile(body), b:profile(body)
     local depth = deepest(two)
     for i = 1, depth > 0 and #one.h or 0 do

@@ -25,8 +25,9 @@ end
 -- --- a run of wear -----------------------------------------------------------------------------
 
 local function look(run, list)
-  for _, body in ipairs { "cylinder", "plate" } do
-    local profile, pressure = run:profile(body), run:pressure(body)
+  for i, body in ipairs { "cylinder", "plate" } do
+    local role = i == 1 and "upper" or "lower"
+    local profile, pressure = run:profile(role), run:pressure(role)
     list[#list + 1] = { body = body, update = run.update, distance = run.distance,
       x = profile.x, h = profile.h, y = profile.y, p = pressure.p }
   end

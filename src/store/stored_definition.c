@@ -10,7 +10,7 @@
 
 /* --- writing ---------------------------------------------------------------------------------- */
 
-enum { LONGEST_NAME = 96, VALUES_A_SETTING = 5, VALUES_A_BLOCK = 5, OTHERS = 3 };
+enum { LONGEST_NAME = 96, VALUES_A_SETTING = 5, VALUES_A_BLOCK = 7, OTHERS = 3 };
 
 /* Values under construction, with room for their names. */
 typedef struct value_list {
@@ -43,6 +43,10 @@ static int add_setting(void *context, const char *path, const arc_setting *s, vo
                        const void *def) {
   value_list *list = context;
   const arc_series series = arc_setting_series(s, def);
+  if (s->kind == ARC_TEXT) {
+    if (*(const char *)member) add(list, ARC_VALUE_TEXT, path, "")->text = member;
+    return 0;
+  }
   if (s->kind == ARC_CHOICE)
     add(list, ARC_VALUE_TEXT, path, "")->text = s->choices[*(const int *)member];
   else
@@ -68,6 +72,8 @@ static void add_block(value_list *list, const arc_loading *block, int number) {
   add_array(list, prefix, "x", block->x, block->count);
   add_array(list, prefix, "load", block->load, block->count);
   if (block->tangential) add_array(list, prefix, "tangential", block->tangential, block->count);
+  if (block->rotation) add_array(list, prefix, "rotation", block->rotation, block->count);
+  if (block->load_angle) add_array(list, prefix, "load_angle", block->load_angle, block->count);
   add_number(list, prefix, "cycles", block->cycles);
   add_number(list, prefix, "periodic", block->periodic);
 }
@@ -157,6 +163,12 @@ static int read_number(const arc_value *value, double *to) {
   return value->kind == ARC_VALUE_NUMBER;
 }
 
+static int read_text(const arc_value *value, char *to) {
+  const int fits = value->kind == ARC_VALUE_TEXT && strlen(value->text) < ARC_TEXT_SIZE;
+  if (fits) strcpy(to, value->text);
+  return fits;
+}
+
 /* A value on its way to the setting of its name. */
 typedef struct search {
   const arc_value *value;
@@ -170,6 +182,8 @@ static int take_setting(void *context, const char *path, const arc_setting *s, v
   if (strcmp(path, at->value->name) != 0) return 0;
   if (s->kind == ARC_CHOICE)
     at->read = read_choice(s, at->value, member);
+  else if (s->kind == ARC_TEXT)
+    at->read = read_text(at->value, member);
   else
     at->read =
         s->kind == ARC_NUMBER ? read_number(at->value, member) : read_whole(at->value, member);
@@ -265,6 +279,10 @@ static int read_block(reading *r, const arc_value *value, arc_loading *block, co
     block->load = take_array(r, value);
   } else if (strcmp(what, "tangential") == 0 && is_array) {
     block->tangential = take_array(r, value);
+  } else if (strcmp(what, "rotation") == 0 && is_array) {
+    block->rotation = take_array(r, value);
+  } else if (strcmp(what, "load_angle") == 0 && is_array) {
+    block->load_angle = take_array(r, value);
   } else if (strcmp(what, "cycles") == 0) {
     return read_number(value, &block->cycles);
   } else if (strcmp(what, "periodic") == 0 && read_number(value, &periodic)) {

@@ -20,13 +20,39 @@ is(layered.lower.layers[1].thickness, 0.05, "their thickness")
 local listed = model{ upper = body.profile{ x = { -1, 0, 1 }, y = { 0, 0.01, 0 } , width = 10 }, mesh = coarse }
 near(listed.upper.y[2], 0.01, 1e-15, "a profile's heights")
 
+-- What they are called: by name, role or kind.
+local called = model{ upper = body.disc{ radius = 9.5, k = 1e-8, name = "pin" },
+  lower = body.ring{ inner = 10, outer = 15, name = "bush" }, mesh = coarse }
+local run_of = wear{ model = called, load = 20, stroke = 0.5, distance = 40, jump = 10 }
+run_of:run{ depth = { pin = 1e-7 } }
+near(run_of.depth.pin, 1e-7, 1e-8, "a goal and a result by name")
+for _, word in ipairs{ "upper", "disc", "cylinder" } do is(run_of.depth[word], run_of.depth.pin, "by " .. word) end
+for _, word in ipairs{ "lower", "ring", "plate" } do is(run_of.volume[word], run_of.volume.bush, "by " .. word) end
+local keys = {}
+for key in pairs(run_of.depth) do keys[#keys + 1] = key end
+table.sort(keys)
+is(table.concat(keys, " "), "bush pin", "a loop over results meets names alone")
+is(run_of:profile("bush").x[1], run_of:profile("lower").x[1], "a method takes all of them")
+is(called.mesh.pin.body, "pin", "meshes know their name")
+is(called.bodies.ring, "bush", "model.bodies tells it")
+is(called.upper.name, "pin", "and the body as it was given")
+ok(tostring(run_of):find("pin (disc) on bush (ring)", 1, true) and tostring(run_of):find("bush 0.0000e+00 mm3", 1, true),
+  "print(run) uses names")
+ok(tostring(contact{ model = called, load = 20 }:stress()):find("\n  bush ", 1, true), "print(stress) too")
+local dug = contact{ model = called, load = 20, worn = { bush = function(x) return x * x * 1e-4 end } }
+ok(dug.p_center > contact{ model = called, load = 20 }.p_center, "worn by name")
+local turned = model{ upper = body.block{}, lower = body.cylinder{ radius = 10 }, mesh = { size = 0.2, height = 0.2 } }
+is(turned.bodies.lower, "lower", "a cylinder below is not called by its kind")
+fails(function() contact{ model = turned }:pressure("cylinder") end, { "'body'", "block" }, "as that could be either")
+fails(function() return run_of.depth.bash end, "did you mean 'bush'", "an unknown name")
+fails(function() run_of:profile("hip") end, { '"pin" or "bush"', "hip" }, "no body of that name")
+
 -- Stresses, forces.
 local c = contact{ model = m, load = 50 }
 local worst = 0
 local field = c:stress()
 for _, v in ipairs(field.plate.mises) do worst = math.max(worst, v) end
 ok(worst > 0.3 * c.p_max and worst < c.p_max, "stresses in a ring are of the contact's size")
-fails(function() contact{ model = m, load = 50, x = 0.1 }:stress() end, "x = 0", "stresses of a turned ring")
 
 -- Runs: in two parts, stored in between.
 local file = os.tmpname()
@@ -48,11 +74,52 @@ waves:run()
 waves:save(file)
 is(wear.open(file).model.upper.y[7], waves.model.upper.y[7], "a profile is kept in the run file")
 os.remove(file)
+run_of:save(file)
+is(wear.open(file).depth.pin, run_of.depth.pin, "so are names")
+os.remove(file)
+
+-- Rotations and loads from an angle.
+local function swinging(distance)
+  return wear{ model = m, load = 20, distance = distance, jump = 10, load_angle = 2, loading = {
+    rotation = function(t) return 2 * math.sin(2 * math.pi * t) end, load_angle = function(t) return 1 + t - t * t end } }
+end
+whole = swinging(400)
+near(whole.stroke, 4 * math.rad(10), 1e-3, "a rotation is a way along the hole")
+near(whole.loading[1].rotation[26], 2, 1e-12, "as it was given, in degrees")
+near(whole.loading[1].load_angle[51], 1.25, 1e-12, "and the load's direction")
+whole:run()
+near(whole.volume.upper, whole.k * whole.load_distance, 1e-12, "V = k integral normal force ds")
+part = swinging(400)
+part:step(5)
+part:save(file)
+later = wear.open(file)
+later:run()
+is(("%a %a"):format(later.depth_cylinder, later.p_center), ("%a %a"):format(whole.depth_cylinder, whole.p_center),
+  "goes on from a run file to the bit")
+os.remove(file)
+local list = { 0, 1, 2, 1, 0, -1, -2, -1, 0 }
+is(#wear{ model = m, load = 20, loading = { rotation = list, load_angle = list }, distance = 3 }.loading[1].rotation, 9, "lists")
+local again = swinging(400)
+is(wear{ model = m, load = 20, distance = 400, jump = 10, load_angle = 2, loading = again.loading }.loading[1].load_angle[7],
+  again.loading[1].load_angle[7], "a run's loading makes another")
 
 -- Refusals.
 local function refused(parts, what, f) fails(f, parts, what) end
 refused({ "body.cylinder", "'width'", "radius" }, "a field of another body", function() body.cylinder{ width = 3 } end)
 refused({ "'radius'", "> 0 mm", "-1" }, "a negative radius", function() body.cylinder{ radius = -1 } end)
+refused({ "'name'", "letters", '"3s"' }, "a name that is no word", function() body.disc{ radius = 9, name = "3s" } end)
+refused({ "'name'", "letters", "got 3" }, "a name that is no text", function() body.disc{ radius = 9, name = 3 } end)
+refused({ "'name'", "letters" }, "a name that is too long", function() body.disc{ radius = 9, name = ("x"):rep(32) } end)
+for _, word in ipairs{ "upper", "plate", "total", "ring", "size" } do
+  refused({ "'name'", "of its own", word }, "a name that is taken", function() body.disc{ radius = 9, name = word } end)
+end
+refused({ "'lower.name'", '"a"' }, "two of one name", function()
+  model{ upper = body.disc{ radius = 9, name = "a" }, lower = body.ring{ inner = 10, outer = 20, name = "a" } }
+end)
+refused({ "'worn.", "twice" }, "one body by two names", function()
+  local h = function() return 0 end
+  contact{ model = called, worn = { bush = h, lower = h } }
+end)
 refused({ "inner", "outer", "12 and 10" }, "a ring inside out", function() body.ring{ inner = 12, outer = 10 } end)
 refused({ "'flat'" }, "a punch without a flat", function() body.punch{ radius = 1 } end)
 refused({ "'height'", "radius / 0.9" }, "a punch too low", function() body.punch{ flat = 1, radius = 2, height = 1 } end)
@@ -68,5 +135,16 @@ refused({ "upper", "a body" }, "no body", function() model{ upper = 3 } end)
 refused({ "upper.kind", "body.cylinder" }, "a table that is none", function() model{ upper = { radius = 3 } } end)
 refused({ "hole's radius 10", "got 10" }, "a pin as wide as its hole", function() model{ upper = body.disc{ radius = 10 }, lower = body.ring{ inner = 10, outer = 20 } } end)
 refused({ "got a block" }, "a block in a hole", function() model{ upper = body.block{}, lower = body.ring{ inner = 10, outer = 20 } } end)
+refused({ "'load_angle'", "hole", "got 3" }, "a load from an angle on a plate", function() contact{ load_angle = 3 } end)
+refused({ "'load_angle'", "hole", "got 3" }, "in a run too", function() wear{ load_angle = 3 } end)
+refused({ "rotation'", "ring" }, "a rotation of a plate", function() wear{ loading = { rotation = list }, distance = 1 } end)
+refused({ "load_angle'", "ring" }, "a load's direction on a plate", function() wear{ loading = { x = list, load_angle = 4 }, distance = 1 } end)
+refused({ "load_angle", "(-90, 90) degrees", "got 120" }, "a load from above", function()
+  wear{ model = m, loading = { rotation = list, load_angle = 120 }, distance = 1 }
+end)
+refused({ "'load_angle'", "(-90, 90) degrees", "got 90" }, "just from the side", function() contact{ model = m, load_angle = 90 } end)
+refused({ "'loading.x'", "'loading.rotation'" }, "two ways", function() wear{ model = m, loading = { x = list, rotation = list }, distance = 1 } end)
+refused({ "moves", "degrees" }, "a rotation that stands still", function() wear{ model = m, loading = { rotation = { 1, 1, 1 } }, distance = 1 } end)
+refused({ "'friction'", "in a hole" }, "a run with friction in a hole", function() wear{ model = m, friction = 0.3, load = 10, stroke = 0.1 } end)
 refused({ "'friction'", "in a hole" }, "friction in a hole", function() contact{ model = m, friction = 0.1, load = 10 } end)
 

@@ -271,7 +271,8 @@ static void test_leaps(void **state) {
   (void)state;
   static const arc_callbacks callbacks = {.warn = hear};
   static const double x[] = {-0.055, 0.055, -0.055}, load[] = {100, 100, 100};
-  const arc_loading ends = {3, x, load, NULL, INFINITY, 1}, once = {3, x, load, NULL, 1, 0};
+  const arc_loading ends = {.count = 3, .x = x, .load = load, .cycles = INFINITY, .periodic = 1};
+  const arc_loading once = {.count = 3, .x = x, .load = load, .cycles = 1};
   arc_wear_def def = quick(0.44, 0.5);
   for (int k = 0; k < 5; k++) {
     if (k == 1) def.increments = 0; /* follows the contact */

@@ -25,6 +25,7 @@ int arc_setting_has_function(const arc_setting *s, const void *def) {
 
 double arc_setting_number(const arc_setting *s, const void *def) {
   const void *member = arc_setting_member(s, def);
+  if (s->kind == ARC_TEXT) return 0;
   return s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member;
 }
 
@@ -119,6 +120,8 @@ void arc_settings_default(const arc_setting *list, void *def) {
       arc_settings_default(s->group, member);
     else if (s->kind == ARC_NUMBER)
       *(double *)member = s->usual;
+    else if (s->kind == ARC_TEXT)
+      memset(member, 0, ARC_TEXT_SIZE);
     else if (s->kind != ARC_OTHER)
       *(int *)member = (int)s->usual;
   }
@@ -189,7 +192,8 @@ static arc_status check_group(const arc_setting *s, const char *prefix, const vo
 static arc_status check_value(const arc_setting *s, const char *prefix, const void *def,
                               arc_error *error) {
   const arc_series series = arc_setting_series(s, def);
-  if (s->kind == ARC_OTHER || arc_setting_has_function(s, def) || arc_setting_is_auto(s, def))
+  if (s->kind == ARC_OTHER || s->kind == ARC_TEXT || arc_setting_has_function(s, def) ||
+      arc_setting_is_auto(s, def))
     return ARC_OK;
   if (s->kind == ARC_GROUP) return check_group(s, prefix, def, error);
   if (series.count > 0) return check_series(s, prefix, series, error);

@@ -110,6 +110,10 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'friction': expected 0 in a hole, where shear carries load too, got %g",
                     def->friction);
+  if (def->load_angle != 0 && !arc_model_body(shape->model, ARC_UPPER)->chart.polar)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'load_angle': expected 0 but in a hole, got %g degrees",
+                    def->load_angle);
   arc_status status = arc_shape_clone(shape, &c->shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
   return status;
@@ -124,7 +128,10 @@ static void read_all(arc_contact *c) {
 
 void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
                        double zone[ARC_BODIES]) {
-  arc_zone_for(fabs(def->x), 2 * arc_model_half_width(model, def->load), model->mesh.size, zone);
+  const double under = arc_model_way(model, def->load_angle);
+  arc_zone_for(fabs(under - def->x), 2 * arc_model_half_width(model, def->load), model->mesh.size,
+               zone);
+  zone[ARC_UPPER] += 2 * fabs(under);
 }
 
 /* What is said where the zones do not hold the contact, with those that would: as without a model,
@@ -134,7 +141,9 @@ static arc_status tell_zones(const arc_contact *c, arc_error *error) {
   if (!error || arc_model_is_given(c->shape->model)) return ARC_ZONE;
   const arc_error why = *error;
   double zone[ARC_BODIES];
-  arc_contact_zones(&(arc_contact_def){.load = c->def.load, .x = c->pose.x}, model, zone);
+  arc_contact_def here = c->def;
+  here.x = c->pose.x;
+  arc_contact_zones(&here, model, zone);
   const int wider = zone[ARC_CYLINDER] > model->mesh.zone[ARC_CYLINDER] ||
                     zone[ARC_PLATE] > model->mesh.zone[ARC_PLATE];
   for (int b = 0; b < ARC_BODIES; b++)
@@ -182,6 +191,7 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
   if (status != ARC_OK) return status;
   status = arc_contact_create(shape, def, result, error);
   arc_contact *c = *result;
+  if (status == ARC_OK) arc_pose_aim(&c->pose, arc_radians(def->load_angle));
   if (status == ARC_OK) status = arc_pose_update(&c->pose, c->shape, def->x, error);
   if (status == ARC_OK && c->rubs) status = arc_contact_press(c, error);
   if (status == ARC_OK && !c->rubs) status = arc_pose_solve(&c->pose, contact_line(c), error);

@@ -81,6 +81,26 @@ static void derive_invariants(double nu, arc_field *field) {
   }
 }
 
+/* Stresses turn twice as vectors do. */
+static void turn_stresses(const placing *to, arc_field *field) {
+  const double c = to->cos, s = to->sin;
+  for (int k = 0; k < field->nodes && s != 0; k++) {
+    const double x = field->sxx[k], y = field->syy[k], t = field->sxy[k];
+    field->sxx[k] = c * c * x - 2 * c * s * t + s * s * y;
+    field->syy[k] = s * s * x + 2 * c * s * t + c * c * y;
+    field->sxy[k] = c * s * (x - y) + (c * c - s * s) * t;
+  }
+}
+
+/* To where the body is. */
+static void place(const arc_contact *c, arc_body body, double *xy, double *u, arc_field *field) {
+  const placing to =
+      arc_chart_placing(&c->shape->side[body].body->chart, body, c->pose.x, c->pose.angle);
+  arc_placing_points(&to, field->nodes, xy);
+  arc_placing_vectors(&to, field->nodes, u);
+  turn_stresses(&to, field);
+}
+
 /* Nodal displacements u and box nodes, then stresses; work holds u and xy. */
 static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *field, double *work,
                              double *box, arc_error *error) {
@@ -96,8 +116,9 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   arc_shape_nodes(c->shape, body, xy);
   if (recover(c, body, xy, u, field) != ARC_OK) return out_of_memory(error);
   derive_invariants(side->body->d.nu, field);
+  place(c, body, xy, u, field);
   for (size_t k = 0; k < n; k++) {
-    field->x[k] = xy[2 * k] + (body == ARC_PLATE ? c->pose.x : 0);
+    field->x[k] = xy[2 * k];
     field->y[k] = xy[2 * k + 1];
     field->ux[k] = u[2 * k];
     field->uy[k] = u[2 * k + 1];
@@ -111,11 +132,6 @@ arc_status arc_contact_field(const arc_contact *c, arc_body body, arc_field **fi
   const size_t n = (size_t)b->mesh->nodes,
                box_size = 2 * (size_t)b->box_count + 2 * (size_t)b->mesh->surface;
   *field = NULL;
-  if (body == ARC_LOWER && b->chart.polar && c->pose.x != 0)
-    return arc_fail(
-        error, ARC_ARGUMENT,
-        "field 'x': stresses of a body around or in a hole are told at x = 0, got %g mm",
-        c->pose.x);
   double *work = calloc(4 * n, sizeof *work), *box = malloc(box_size * sizeof *box);
   arc_status status = field_create(field, b->mesh->nodes);
   if (!work || !box || status != ARC_OK)

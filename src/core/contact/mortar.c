@@ -99,14 +99,17 @@ static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
   for (int q = 0; q < p->width; q++) row[q] /= p->wc[i];
 }
 
-/* Forces f_k (-m_k, 1) along s and z, by the load's direction: that of z at s = 0. */
-static void find_down(pose *p, const shape_side *cylinder) {
+/* Forces f_k (-m_k, 1) along s and z, by the load's direction: that of z where it points. */
+void arc_pose_find_down(pose *p, const arc_shape *shape) {
+  const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;
+  const double under = c->radius * p->angle;
   for (int k = 0; k < p->count; k++) {
     double along[2], across[2];
-    arc_chart_axes(c, cylinder->settled[2 * (p->lo + k)], along, across);
+    arc_chart_axes(c, cylinder->settled[2 * (p->lo + k)] - under, along, across);
     p->down[k] = c->polar ? across[1] - p->slope[p->lo + k] * along[1] : 1;
   }
+  p->aimed = 1;
 }
 
 arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *error) {
@@ -127,7 +130,7 @@ arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *
   for (int l = 0; l < p->np; l++) p->wp[l] = arc_shape_width(&shape->side[ARC_PLATE], l);
   for (int k = 0; k < p->count; k++) fill_row(p, k, cyl, plate);
   arc_pose_to_cylinder(p, shape_compliance(&shape->side[ARC_PLATE])->slope, p->slope);
-  find_down(p, &shape->side[ARC_CYLINDER]);
+  p->aimed = 0;
   return ARC_OK;
 }
 
@@ -207,6 +210,19 @@ void arc_pose_stiffen(pose *p, const arc_shape *shape) {
   p->factored = 0;
 }
 
+/* Surfaces were measured where the pin rests at s = 0 and has not turned: it rests where the load
+ * points, and turns about its own centre. */
+static void rest(pose *p, const arc_shape *shape) {
+  const shape_side *cylinder = &shape->side[ARC_CYLINDER];
+  const chart *c = &cylinder->body->chart;
+  const double moved = c->side < 0 ? p->x : 0;
+  if (!c->polar || (p->angle == 0 && moved == 0)) return;
+  for (int k = 0; k < p->count; k++) {
+    const double s = cylinder->settled[2 * (p->lo + k)];
+    p->gap[k] += arc_chart_rest(c, s - moved, 0) - arc_chart_rest(c, s, p->angle);
+  }
+}
+
 void arc_pose_measure(pose *p, const arc_shape *shape) {
   const double *cyl = shape->side[ARC_CYLINDER].level, *plate = shape->side[ARC_PLATE].level;
   for (int k = 0; k < p->count; k++) {
@@ -216,4 +232,5 @@ void arc_pose_measure(pose *p, const arc_shape *shape) {
     for (int q = 0; q < width; q++) below += row[q] * at[q];
     p->gap[k] = cyl[p->lo + k] - below;
   }
+  rest(p, shape);
 }

@@ -49,6 +49,12 @@ size_t arc_pose_bytes(const pose *p) {
          3 * nc * sizeof(int);
 }
 
+void arc_pose_aim(pose *p, double angle) {
+  if (p->angle == angle) return;
+  p->angle = angle;
+  p->aimed = p->factored = 0;
+}
+
 arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error *error) {
   assert(shape->version > 0);
   if (p->version != shape->version || p->x != x) {
@@ -58,6 +64,7 @@ arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error 
     arc_pose_stiffen(p, shape);
     p->version = shape->version;
   }
+  if (!p->aimed) arc_pose_find_down(p, shape);
   arc_pose_measure(p, shape);
   p->shape = shape;
   return ARC_OK;
@@ -138,8 +145,19 @@ void arc_pose_transfer(const pose *p, const double *from, double *to) {
   for (int l = 0; l < p->np; l++) to[l] /= p->wp[l];
 }
 
+/* The cylinder's node under the load. */
+static int lowest(const pose *p) {
+  int best = p->nc / 2;
+  if (p->angle == 0) return best;
+  const shape_side *side = &p->shape->side[ARC_CYLINDER];
+  const double at = side->body->chart.radius * p->angle;
+  for (int i = 0; i < p->nc; i++)
+    if (fabs(side->settled[2 * i] - at) < fabs(side->settled[2 * best] - at)) best = i;
+  return best;
+}
+
 void arc_pose_peaks(const pose *p, double *center, double *largest) {
-  const int middle = p->nc / 2 - p->lo;
+  const int middle = lowest(p) - p->lo;
   *center = *largest = 0;
   for (int k = 0; k < p->count; k++) {
     const double pressure = p->f[k] / p->wc[p->lo + k];

@@ -13,6 +13,8 @@
 
 typedef struct pose {
   double x;               /* [mm] plate position */
+  double angle;           /* [rad] of the load, along s; 0 but in holes */
+  int aimed;              /* whether `down` belongs to it */
   const arc_shape *shape; /* of the last arc_pose_update, for the solution that follows */
   long version;           /* of the compliance it was placed on, see arc_shape; 0: none */
   int nc, np;             /* surface nodes of cylinder and plate */
@@ -51,10 +53,15 @@ size_t arc_pose_bytes(const pose *p);
  * arc_pose_place: the pose is then out of date. */
 arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error *error);
 
+/* Has the load come from an angle [rad] from the next update on. */
+void arc_pose_aim(pose *p, double angle);
+
 /* What it consists of. B and tributary widths for the plate at x [mm], from where the nodes stood
  * along x at the last condensation: coupling and compliance always belong together. ARC_ZONE where
  * fewer than three candidates remain, ARC_MEMORY. */
 arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *error);
+/* What forces carry of the load at the pose's angle. */
+void arc_pose_find_down(pose *p, const arc_shape *shape);
 /* Contact matrix from the shape's present compliance. */
 void arc_pose_stiffen(pose *p, const arc_shape *shape);
 /* Initial gaps along y from the shape's present levels. */
@@ -84,7 +91,8 @@ void arc_pose_pressures(const pose *p, double *pc, double *pp);
 /* A density on the cylinder, from [nc], becomes the one on the plate under it, to [np]: their
  * integrals along x are the same, and where the first is not negative neither is the second. */
 void arc_pose_transfer(const pose *p, const double *from, double *to);
-/* Pressure [MPa] at the cylinder's lowest node, and the largest at any of its nodes. */
+/* Pressure [MPa] at the cylinder's lowest node, that under the load, and the largest at any of its
+ * nodes. */
 void arc_pose_peaks(const pose *p, double *center, double *largest);
 /* The largest pressure averaged over a length [mm] of the cylinder's surface along x, of pressures
  * constant around each node. */

@@ -15,7 +15,7 @@ static double across(const arc_contact *c, arc_body body, int i) {
   if (on->polar) {
     double along[2], up[2];
     const double *f = c->force[body];
-    arc_chart_axes(on, c->x[body][i], along, up);
+    arc_chart_axes(on, c->x[body][i] - on->radius * c->pose.angle, along, up);
     return (body == ARC_CYLINDER ? 1 : -1) * (up[1] * f[c->count[body] + i] + along[1] * f[i]);
   }
   const double y = c->force[body][c->count[body] + i];
@@ -36,6 +36,17 @@ static arc_status check_forces(const arc_contact *c, arc_body body, arc_error *e
   return arc_fail(error, ARC_NUMERIC,
                   "contact: the forces on the %s are %.17g N/mm, the load is %.17g N/mm",
                   arc_body_name(body), sum, load);
+}
+
+/* Through the coupling normal forces stay what they are, their directions do not to the last bit.
+ */
+static arc_status check_pressing(const arc_contact *c, arc_error *error) {
+  double sum[ARC_BODIES] = {0};
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < c->count[b]; i++) sum[b] += c->f[b][i];
+  if (fabs(sum[0] - sum[1]) <= rounding * sum[0]) return ARC_OK;
+  return arc_fail(error, ARC_NUMERIC, "contact: %.17g N/mm press on one body, %.17g on the other",
+                  sum[0], sum[1]);
 }
 
 /* gap - approach + A f at a candidate [mm]. */
@@ -80,7 +91,9 @@ static arc_status check_friction(const arc_contact *c, arc_error *error) {
 arc_status arc_contact_validate(const arc_contact *c, arc_error *error) {
   assert(c->pose.count > 0 && c->pose.lo >= 0 && c->pose.lo + c->pose.count <= c->pose.nc);
   arc_status status = check_forces(c, ARC_CYLINDER, error);
-  if (status == ARC_OK) status = check_forces(c, ARC_PLATE, error);
+  const int polar = c->shape->side[ARC_PLATE].body->chart.polar;
+  if (status == ARC_OK)
+    status = polar ? check_pressing(c, error) : check_forces(c, ARC_PLATE, error);
   if (status == ARC_OK) status = check_complementarity(&c->pose, error);
   return status == ARC_OK && c->rubs ? check_friction(c, error) : status;
 }

@@ -7,7 +7,9 @@
 chart arc_chart_of(const arc_model_def *def) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_body_def solid = arc_model_solid(def, (arc_body)b);
-    if (arc_body_is_hollow(&solid)) return (chart){1, solid.inner, b == ARC_LOWER ? 1 : -1};
+    const arc_body_def other = arc_model_solid(def, (arc_body)(1 - b));
+    if (arc_body_is_hollow(&solid))
+      return (chart){1, solid.inner, b == ARC_LOWER ? 1 : -1, arc_body_radius(&other)};
   }
   return (chart){0};
 }
@@ -43,4 +45,46 @@ void arc_chart_axes(const chart *c, double s, double along[2], double across[2])
   along[0] = across[1] = cos(angle);
   along[1] = c->side * sin(angle);
   across[0] = -along[1];
+}
+
+double arc_chart_rest(const chart *c, double s, double angle) {
+  const double off = c->radius - c->pin, at = s / c->radius - angle;
+  return off * cos(at) + sqrt(c->pin * c->pin - off * off * sin(at) * sin(at));
+}
+
+/* The pin turns about its own centre, the hole about its. */
+placing arc_chart_placing(const chart *c, arc_body body, double x, double angle) {
+  placing p = {.cos = 1};
+  const int is_pin = (body == ARC_UPPER) == (c->side > 0);
+  const double turn = c->polar && body == ARC_LOWER ? c->side * x / c->radius : 0;
+  if (!c->polar) {
+    p.shift[0] = body == ARC_LOWER ? x : 0;
+    return p;
+  }
+  p.cos = cos(turn);
+  p.sin = sin(turn);
+  p.centre[1] = c->side * (is_pin ? c->pin : c->radius);
+  if (!is_pin) return p;
+  const double off = c->radius - c->pin;
+  p.shift[0] = off * sin(angle);
+  p.shift[1] = c->side * off * (1 - cos(angle));
+  return p;
+}
+
+void arc_placing_vectors(const placing *p, int n, double *v) {
+  for (int i = 0; i < n && p->sin != 0; i++) {
+    const double x = v[2 * i], y = v[2 * i + 1];
+    v[2 * i] = p->cos * x - p->sin * y;
+    v[2 * i + 1] = p->sin * x + p->cos * y;
+  }
+}
+
+void arc_placing_points(const placing *p, int n, double *xy) {
+  for (int i = 0; i < n && p->sin != 0; i++)
+    for (int d = 0; d < 2; d++) xy[2 * i + d] -= p->centre[d];
+  arc_placing_vectors(p, n, xy);
+  for (int i = 0; i < n && p->sin != 0; i++)
+    for (int d = 0; d < 2; d++) xy[2 * i + d] += p->centre[d];
+  for (int i = 0; i < n; i++)
+    for (int d = 0; d < 2; d++) xy[2 * i + d] += p->shift[d];
 }

@@ -14,6 +14,7 @@ typedef struct chart {
   int polar;
   double radius; /* [mm] R */
   double side;   /* 1: the lower body is hollow, -1: the upper one is */
+  double pin;    /* [mm] radius of what is in the hole, which rests on it at an angle: the load's */
 } chart;
 
 /* The chart of a pair. */
@@ -25,5 +26,23 @@ void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy);
 
 /* Directions of s and z at s: along[2], across[2]. */
 void arc_chart_axes(const chart *c, double s, double along[2], double across[2]);
+
+static inline double arc_radians(double degrees) {
+  return degrees * (3.14159265358979323846 / 180);
+}
+
+/* How far the surface of an unworn pin that rests at `angle` [rad, along s] is from the hole's
+ * centre at s [mm]. */
+double arc_chart_rest(const chart *c, double s, double angle);
+
+/* Where a body is that has moved by x along s, under a load at an angle: turned by an angle (cos
+ * and sin) about a centre, then shifted. */
+typedef struct placing {
+  double cos, sin, centre[2], shift[2];
+} placing;
+placing arc_chart_placing(const chart *c, arc_body body, double x, double angle);
+/* n points; n vectors. */
+void arc_placing_points(const placing *p, int n, double *xy);
+void arc_placing_vectors(const placing *p, int n, double *v);
 
 #endif

@@ -2,6 +2,7 @@
 #include "core/elastic/body.h"
 
 #include <math.h>
+#include <string.h>
 
 arc_body_def arc_model_solid(const arc_model_def *def, arc_body body) {
   return arc_body_resolve(&def->body[body], body, def->radius);
@@ -20,6 +21,62 @@ double arc_contact_mismatch(const arc_material material[ARC_BODIES]) {
     kappa[b] = (1 - 2 * material[b].nu) * (1 + material[b].nu) / material[b].E;
   return arc_contact_modulus(material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
 }
+
+/* --- what bodies are called ------------------------------------------------------------------- */
+
+static const char *kind_of(const arc_model_def *def, arc_body body) {
+  return arc_solid_names[arc_model_solid(def, body).kind];
+}
+
+/* A cylinder below is none of the upper body, which that word stood for first. */
+static int goes_by_kind(const arc_model_def *def, arc_body body) {
+  const char *kind = kind_of(def, body);
+  if (strcmp(kind, kind_of(def, (arc_body)(1 - body))) == 0) return 0;
+  return body == ARC_UPPER || strcmp(kind, arc_body_name(ARC_UPPER)) != 0;
+}
+
+static int is_usual_pair(const arc_model_def *def) {
+  return arc_model_solid(def, ARC_UPPER).kind == ARC_SOLID_CYLINDER &&
+         arc_model_solid(def, ARC_LOWER).kind == ARC_SOLID_BLOCK;
+}
+
+const char *arc_model_role_name(arc_body body) {
+  return body == ARC_UPPER ? "upper" : "lower";
+}
+
+const char *arc_model_body_name(const arc_model_def *def, arc_body body) {
+  if (def->body[body].name[0]) return def->body[body].name;
+  if (is_usual_pair(def)) return arc_body_name(body);
+  return goes_by_kind(def, body) ? kind_of(def, body) : arc_model_role_name(body);
+}
+
+int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body) {
+  int kinds = 0;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    *body = (arc_body)b;
+    if (strcmp(word, arc_model_role_name(*body)) == 0) return 1;
+    if (def->body[b].name[0] && strcmp(word, def->body[b].name) == 0) return 1;
+  }
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (strcmp(word, kind_of(def, (arc_body)b)) == 0) kinds++, *body = (arc_body)b;
+  if (kinds == 1) return goes_by_kind(def, *body) ? 1 : -1;
+  if (kinds > 1) return -1;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    *body = (arc_body)b;
+    if (strcmp(word, arc_body_name(*body)) == 0) return 1;
+  }
+  return 0;
+}
+
+static arc_status check_names(const arc_model_def *def, arc_error *error) {
+  const char *name = def->body[ARC_LOWER].name;
+  if (!name[0] || strcmp(name, def->body[ARC_UPPER].name) != 0) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'lower.name': expected another one than the upper body's, got \"%s\" too",
+                  name);
+}
+
+/* --- what makes a pair ------------------------------------------------------------------------ */
 
 static arc_status check_fit(const arc_body_def *pin, const arc_body_def *hole, arc_error *error) {
   if (!arc_body_is_round(pin) || arc_body_is_hollow(pin))
@@ -42,6 +99,7 @@ arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error) {
                      lower = arc_model_solid(def, ARC_LOWER);
   arc_status status = arc_body_check(&upper, "upper.", error);
   if (status == ARC_OK) status = arc_body_check(&lower, "lower.", error);
+  if (status == ARC_OK) status = check_names(def, error);
   if (status != ARC_OK) return status;
   if (arc_body_is_hollow(&lower)) return check_fit(&upper, &lower, error);
   if (arc_body_is_hollow(&upper)) return check_fit(&lower, &upper, error);
@@ -63,6 +121,18 @@ int arc_model_is_hertzian(const arc_model_def *def) {
   const int arc = upper.kind == ARC_SOLID_CYLINDER || upper.kind == ARC_SOLID_DISC;
   return arc && lower.kind == ARC_SOLID_BLOCK && arc_body_layers(&upper) == 0 &&
          arc_body_layers(&lower) == 0;
+}
+
+int arc_model_is_hole(const arc_model_def *def) {
+  return arc_chart_of(def).polar;
+}
+
+double arc_model_way(const arc_model_def *def, double degrees) {
+  return arc_chart_of(def).radius * arc_radians(degrees);
+}
+
+int arc_model_slides_along(const arc_model_def *def) {
+  return arc_model_is_hole(def) || arc_model_solid(def, ARC_LOWER).kind == ARC_SOLID_BLOCK;
 }
 
 double arc_model_width(const arc_model_def *def) {

@@ -1,5 +1,6 @@
 /* Shapes of bodies in numbers. */
 #include "archard/body.h"
+#include "core/mesh/build.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,10 +11,6 @@ const char *const arc_solid_names[] = {ARC_SOLID_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_rim_names[] = {ARC_RIM_LIST(ARC_CHOICE_NAME) NULL};
 _Static_assert(0 ARC_SOLID_LIST(ARC_CHOICE_ONE) == 7,
                "a new body: decide it in mesh/solid.c and mesh/map.c");
-
-const char *arc_body_name(arc_body body) {
-  return body == ARC_CYLINDER ? "cylinder" : "plate";
-}
 
 #define ARC_SETTING_OF arc_layer
 static const arc_setting layer_settings[] = {
@@ -41,15 +38,15 @@ static const arc_setting layer_settings[] = {
 
 #define ARC_SETTING_OF arc_body_def
 const arc_setting arc_body_settings[] = {
-    ARC_BODY_SETTINGS(ARC_SETTING_NUMBER,
-                      ARC_SETTING_CHOICE){.name = "y",
-                                          .unit = "mm",
-                                          .kind = ARC_NUMBER,
-                                          .forms = ARC_SERIES | ARC_OPTIONAL,
-                                          .offset = offsetof(arc_body_def, y),
-                                          .series = offsetof(arc_body_def, y_series),
-                                          ARC_RANGE_ANY,
-                                          .text = "Heights of a profile over x, out of the body."},
+    ARC_BODY_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_CHOICE,
+                      ARC_SETTING_TEXT){.name = "y",
+                                        .unit = "mm",
+                                        .kind = ARC_NUMBER,
+                                        .forms = ARC_SERIES | ARC_OPTIONAL,
+                                        .offset = offsetof(arc_body_def, y),
+                                        .series = offsetof(arc_body_def, y_series),
+                                        ARC_RANGE_ANY,
+                                        .text = "Heights of a profile over x, out of the body."},
     LAYER(1),
     LAYER(2),
     LAYER(3),
@@ -208,7 +205,8 @@ static arc_status check_layers(const arc_body_def *b, const char *path, arc_erro
 }
 
 arc_status arc_body_check(const arc_body_def *b, const char *path, arc_error *error) {
-  arc_status status = ARC_OK;
+  arc_status status = arc_body_check_name(b, path, error);
+  if (status != ARC_OK) return status;
   if (b->kind == ARC_SOLID_RING) status = check_ring(b, path, error);
   if (b->kind == ARC_SOLID_PUNCH) status = check_punch(b, path, error);
   if (b->kind == ARC_SOLID_PROFILE) status = check_profile(b, path, error);

@@ -11,11 +11,12 @@ enum { most_poses = 2048 };
 static arc_status block_create(wear_block *b, int count) {
   const size_t n = (size_t)count;
   *b = (wear_block){.count = count, .repeat = 1};
-  b->x = calloc(4 * n, sizeof(double));
+  b->x = calloc(5 * n, sizeof(double));
   b->place = malloc(n * sizeof(int));
   if (!b->x || !b->place) return ARC_MEMORY;
   b->line = b->x + n;
   b->pose_x = b->line + n;
+  b->angle = b->pose_x + n;
   return ARC_OK;
 }
 
@@ -77,7 +78,7 @@ static arc_status by_force(const arc_wear_def *def, const arc_model_def *model, 
   const int half = arc_wear_def_increments(def, model) / 2;
   const arc_status status = block_create(b, 2 * half + 1);
   if (status != ARC_OK) return status;
-  b->tangential = b->pose_x + b->count;
+  b->tangential = b->angle + b->count;
   for (int i = 0; i < b->count; i++) {
     const int at = i <= half ? i : 2 * half - i;
     b->tangential[i] = def->tangential / model->thickness * (2 * at - half) / half;
@@ -115,6 +116,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   if (status != ARC_OK) return status;
   for (int i = 0; i < b->count; i++) {
     b->x[i] = along(def->stroke, i <= half ? i : 2 * half - i, half);
+    b->angle[i] = arc_radians(def->load_angle);
     b->line[i] = def->load / model->thickness;
   }
   b->periodic = 1;
@@ -129,9 +131,22 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   return ARC_OK;
 }
 
+double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i) {
+  return from->rotation ? arc_model_way(model, from->rotation[i]) : from->x[i];
+}
+
+/* Direction of the load [degrees]. */
+static double angle_of(const arc_wear_def *def, const arc_loading *from, int i) {
+  return from->load_angle ? from->load_angle[i] : def->load_angle;
+}
+
+/* The contact goes with the load; the plate slides under it. */
 double arc_loading_length(const arc_model_def *model, const arc_loading *from, int i) {
   const double load = fmax(from->load[i - 1], from->load[i]);
-  return load > 0 ? fabs(from->x[i] - from->x[i - 1]) / arc_wear_reach(model, load) : 0;
+  double way = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
+  if (from->load_angle)
+    way += fabs(arc_model_way(model, from->load_angle[i] - from->load_angle[i - 1]));
+  return load > 0 ? way / arc_wear_reach(model, load) : 0;
 }
 
 /* Increments between points i - 1 and i of a loading: as many as follow the contact there, unless
@@ -150,16 +165,19 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model,
   if (status != ARC_OK) return status;
   int at = 0;
   if (from->tangential) {
-    b->tangential = b->pose_x + b->count;
+    b->tangential = b->angle + b->count;
     b->tangential[0] = from->tangential[0] / model->thickness;
   }
-  b->x[0] = from->x[0];
+  b->x[0] = arc_loading_x(from, model, 0);
+  b->angle[0] = arc_radians(angle_of(def, from, 0));
   b->line[0] = from->load[0] / model->thickness;
   for (int i = 1; i < from->count; i++) {
     const int n = parts(def, model, from, i);
     for (int j = 1; j <= n; j++) { /* the last is the point itself, to the bit */
       const double left = (double)(n - j) / n, right = (double)j / n;
-      b->x[++at] = left * from->x[i - 1] + right * from->x[i];
+      b->x[++at] = left * arc_loading_x(from, model, i - 1) + right * arc_loading_x(from, model, i);
+      b->angle[at] =
+          arc_radians(left * angle_of(def, from, i - 1) + right * angle_of(def, from, i));
       b->line[at] = (left * from->load[i - 1] + right * from->load[i]) / model->thickness;
       if (b->tangential)
         b->tangential[at] =

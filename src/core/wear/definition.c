@@ -38,7 +38,10 @@ arc_wear_def arc_wear_default(void) {
   return def;
 }
 
+/* What turns in a hole would change its fit by wearing all round, and what is not flat does not
+ * wear alike. */
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
+  if (arc_model_is_hole(model) || !arc_model_slides_along(model)) return 0;
   return def->blocks == 0 && def->slide == ARC_SLIDE_X &&
          fabs(def->stroke - arc_model_width(model)) <= 1e-9 * model->radius;
 }
@@ -76,7 +79,8 @@ static int alpha_stays_one(const arc_wear_def *def) {
 arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model) {
   if (def->procedure != ARC_AUTO) return def->procedure;
   if (arc_wear_over_plate(def, model)) return ARC_NSP;
-  return alpha_stays_one(def) && !arc_wear_rubs(def) ? ARC_NSP : ARC_SP;
+  if (arc_wear_rubs(def) || !arc_model_slides_along(model)) return ARC_SP;
+  return alpha_stays_one(def) ? ARC_NSP : ARC_SP;
 }
 
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
@@ -95,6 +99,30 @@ int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model) {
 }
 
 /* --- checks --- */
+
+/* Degrees, of which only holes know. */
+static arc_status check_degrees(const arc_loading *l, const double *value, const char *name,
+                                double most, const arc_model_def *model, int number,
+                                arc_error *error) {
+  for (int i = 0; value && i < l->count; i++)
+    if (!(fabs(value[i]) < most))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field 'loading[%d].%s[%d]': expected a number in (%g, %g) degrees, got %g",
+                      number, name, i + 1, -most, most, value[i]);
+  if (!value || arc_model_is_hole(model)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'loading[%d].%s': expected a pair with a ring, in or around which a body "
+                  "turns",
+                  number, name);
+}
+
+static arc_status check_turning(const arc_loading *l, const arc_model_def *model, int number,
+                                arc_error *error) {
+  arc_status status = check_degrees(l, l->rotation, "rotation", 36000, model, number, error);
+  if (status == ARC_OK)
+    status = check_degrees(l, l->load_angle, "load_angle", 90, model, number, error);
+  return status;
+}
 
 static arc_status check_points(const arc_loading *l, int number, arc_error *error) {
   for (int i = 0; i < l->count; i++) {
@@ -152,18 +180,19 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
                   l->tangential ? "N" : "mm", l->load[0], l->load[last]);
 }
 
-static arc_status check_block(const arc_wear_def *d, int number, arc_error *error) {
+static arc_status check_block(const arc_wear_def *d, const arc_model_def *model, int number,
+                              arc_error *error) {
   const arc_loading *l = &d->loading[number - 1];
   const int last = number == d->blocks;
   double sliding = 0;
   if (l->count < 2)
     return arc_fail(error, ARC_ARGUMENT, "field 'loading[%d]': expected at least 2 points, got %d",
                     number, l->count);
-  const arc_status status = check_points(l, number, error);
+  arc_status status = check_points(l, number, error);
+  if (status == ARC_OK) status = check_turning(l, model, number, error);
   if (status != ARC_OK) return status;
-  for (int i = 1; i < l->count; i++)
-    sliding +=
-        fabs(l->tangential ? l->tangential[i] - l->tangential[i - 1] : l->x[i] - l->x[i - 1]);
+  const double *drive = l->tangential ? l->tangential : l->rotation ? l->rotation : l->x;
+  for (int i = 1; i < l->count; i++) sliding += fabs(drive[i] - drive[i - 1]);
   if (l->tangential && !arc_wear_rubs(d))
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'loading[%d].tangential': a force drives the plate by friction only; "
@@ -176,8 +205,9 @@ static arc_status check_block(const arc_wear_def *d, int number, arc_error *erro
                     number, l->tangential[0]);
   if (!(sliding > 0))
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'loading[%d].x': expected a plate that moves, got %g mm all the time",
-                    number, l->x[0]);
+                    "field 'loading[%d].%s': expected a plate that moves, got %g %s all the time",
+                    number, l->rotation ? "rotation" : "x", drive[0],
+                    l->rotation ? "degrees" : "mm");
   if (!(l->cycles > 0) || (!last && !isfinite(l->cycles)))
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'loading[%d].cycles': expected a number > 0%s, got %g", number,
@@ -191,9 +221,10 @@ static arc_status check_block(const arc_wear_def *d, int number, arc_error *erro
   return ARC_OK;
 }
 
-static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
+static arc_status check_loading(const arc_wear_def *d, const arc_model_def *model,
+                                arc_error *error) {
   for (int b = 0; b < d->blocks; b++) {
-    arc_status status = check_block(d, b + 1, error);
+    arc_status status = check_block(d, model, b + 1, error);
     if (status == ARC_OK && arc_wear_rubs(d))
       status = check_rubbing(d, &d->loading[b], b + 1, error);
     if (status != ARC_OK) return status;
@@ -282,25 +313,38 @@ static arc_status check_friction(const arc_wear_def *d, const arc_model_def *mod
   return ARC_OK;
 }
 
+static arc_status check_hole(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
+  const int hole = arc_model_is_hole(model);
+  if (d->load_angle != 0 && !hole)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'load_angle': expected 0 but in a hole, got %g degrees", d->load_angle);
+  if (hole && arc_wear_rubs(d))
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'friction': expected 0 in a hole, where shear carries load too");
+  return ARC_OK;
+}
+
 arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   arc_status status = arc_settings_check(arc_wear_settings, "", d, error);
   if (status == ARC_OK) status = check_procedure(d, model, error);
   if (status == ARC_OK) status = check_scheme(d, error);
   if (status == ARC_OK) status = check_friction(d, model, error);
-  return status == ARC_OK ? check_loading(d, error) : status;
+  if (status == ARC_OK) status = check_hole(d, model, error);
+  return status == ARC_OK ? check_loading(d, model, error) : status;
 }
 
 /* --- copies --- */
 
-/* x, load and, where there is one, the tangential force of a block as one piece of memory. */
+/* x, load and what else there is of a block as one piece of memory. */
 static arc_status copy_points(const arc_loading *from, arc_loading *to) {
-  const size_t n = (size_t)from->count, bytes = n * sizeof(double);
-  double *points = malloc((from->tangential ? 3 : 2) * bytes);
+  enum { lists = 5 };
+  const double **list[lists] = {&to->x, &to->load, &to->tangential, &to->rotation, &to->load_angle};
+  const size_t n = (size_t)from->count;
+  double *points = malloc(lists * n * sizeof *points);
+  *to = *from;
   if (!points) return ARC_MEMORY;
-  memcpy(points, from->x, bytes);
-  to->x = points;
-  to->load = memcpy(points + n, from->load, bytes);
-  if (from->tangential) to->tangential = memcpy(points + 2 * n, from->tangential, bytes);
+  for (int i = 0; i < lists; i++)
+    if (*list[i]) *list[i] = memcpy(points + (size_t)i * n, *list[i], n * sizeof *points);
   return ARC_OK;
 }
 
@@ -339,7 +383,6 @@ static arc_status copy_loading(const arc_wear_def *def, arc_wear_def *copy) {
   if (!blocks) return ARC_MEMORY;
   copy->loading = blocks;
   for (int b = 0; b < def->blocks; b++) {
-    blocks[b] = def->loading[b];
     if (copy_points(&def->loading[b], &blocks[b]) != ARC_OK) return ARC_MEMORY;
     copy->blocks++;
   }
@@ -365,11 +408,12 @@ void arc_wear_def_free(arc_wear_def *def) {
 /* --- zones --- */
 
 /* Travelled distance of the whole run [mm]; blocks of loading may be all that tells. */
-static double whole_distance(const arc_wear_def *def) {
+static double whole_distance(const arc_wear_def *def, const arc_model_def *model) {
   double sum = def->distance;
   for (int b = 0; b < def->blocks && def->distance == 0; b++) {
     const arc_loading *l = &def->loading[b];
-    for (int i = 1; i < l->count; i++) sum += l->cycles * fabs(l->x[i] - l->x[i - 1]);
+    for (int i = 1; i < l->count; i++)
+      sum += l->cycles * fabs(arc_loading_x(l, model, i) - arc_loading_x(l, model, i - 1));
   }
   return sum;
 }
@@ -386,7 +430,7 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
   const double line = load / model->thickness, half = arc_model_half_width(model, load);
   const double relative = arc_model_relative_radius(model);
   const double radius = isfinite(relative) ? relative : arc_model_solid(model, ARC_UPPER).radius;
-  const double scar = cbrt(1.5 * radius * largest_k(def) * line * whole_distance(def));
+  const double scar = cbrt(1.5 * radius * largest_k(def) * line * whole_distance(def, model));
   const double widest = fmax(half, half / 2 + scar);
   /* on coarse meshes the room beside it is counted in elements: one under the edge, two that stay
    * open */
@@ -396,11 +440,17 @@ static double widest_contact(const arc_wear_def *def, const arc_model_def *model
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {
   const int slides = def->slide == ARC_SLIDE_X && arc_wear_choose_procedure(def, model) == ARC_SP;
   const int strokes = slides && def->blocks == 0 && !(def->tangential > 0);
-  double reach = strokes ? def->stroke / 2 : 0, load = def->load;
+  const double aside = fabs(arc_model_way(model, def->load_angle));
+  double load = def->load, turn = aside, reach = aside + (strokes ? def->stroke / 2 : 0);
   for (int b = 0; b < def->blocks; b++)
     for (int i = 0; i < def->loading[b].count; i++) {
-      if (slides) reach = fmax(reach, fabs(def->loading[b].x[i]));
-      load = fmax(load, def->loading[b].load[i]);
+      const arc_loading *l = &def->loading[b];
+      const double x = slides ? arc_loading_x(l, model, i) : 0;
+      const double under = arc_model_way(model, l->load_angle ? l->load_angle[i] : def->load_angle);
+      turn = fmax(turn, fabs(under));
+      reach = fmax(reach, fabs(under - x));
+      load = fmax(load, l->load[i]);
     }
   arc_zone_for(reach, widest_contact(def, model, load), model->mesh.size, zone);
+  zone[ARC_UPPER] += 2 * turn;
 }

@@ -208,7 +208,7 @@ static double off_centre(const wear_jacobian *j, const wear_block *block, int at
 static int same_group(const wear_jacobian *j, const wear_block *block, const wear_window *window,
                       int a, int b) {
   return window->first <= b && b <= window->last && block->line[a] == block->line[b] &&
-         bin_of(j, block, a) == bin_of(j, block, b);
+         block->angle[a] == block->angle[b] && bin_of(j, block, a) == bin_of(j, block, b);
 }
 
 /* The point nearest to the centre of its group; of two, the one further out. */

@@ -12,6 +12,7 @@ typedef struct wear_block {
   double *x;          /* [count] plate position [mm] */
   double *line;       /* [count] load per thickness [N/mm], 0: lifted off */
   double *pose_x;     /* [count] plate position of the contact [mm]: x, or 0 for NSP */
+  double *angle;      /* [count] of the load [rad]; 0 but in holes */
   double *tangential; /* [count] force per thickness that drives the plate [N/mm]; NULL: x does */
   int press;          /* with friction: the point at which surfaces are pressed together */
   int *place;         /* [count] which pose a point belongs to */

@@ -57,6 +57,7 @@ static void apply_law(const arc_wear *w, const pose *p, double mu, wear_point *p
 arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_error *error) {
   const wear_block *block = w->path.block;
   pose *p = &w->path.pose[block->place[at]];
+  arc_pose_aim(p, block->angle[at]);
   const arc_status status = arc_pose_update(p, window->shape, block->pose_x[at], error);
   if (status == ARC_OK && window->trial) deepen(p, window->trial);
   return status;
@@ -96,9 +97,9 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at, we
 
 /* NSP or a way out of the plane, under a steady load: the next point is the last one again. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
-  const double *line = w->path.block->line;
+  const double *line = w->path.block->line, *angle = w->path.block->angle;
   const int stays = w->procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;
-  return stays && at > window->first && line[at] == line[at - 1];
+  return stays && at > window->first && line[at] == line[at - 1] && angle[at] == angle[at - 1];
 }
 
 /* The solved point `at` of a window, from the one before it. */

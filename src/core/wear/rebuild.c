@@ -24,9 +24,13 @@ static int has_grown_into_zone(const arc_wear *w) {
   const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
   const arc_wear_record *last = arc_wear_last(w);
   double most[ARC_BODIES] = {last->half_width, last->half_width};
-  for (int b = 0; b < w->blocks && w->procedure == ARC_SP; b++)
-    for (int i = 0; i < w->block[b].count; i++)
-      most[ARC_PLATE] = fmax(most[ARC_PLATE], last->half_width + fabs(w->block[b].pose_x[i]));
+  const double radius = arc_model_body(w->model, ARC_UPPER)->chart.radius;
+  for (int b = 0; b < w->blocks; b++)
+    for (int i = 0; i < w->block[b].count; i++) {
+      const double under = radius * w->block[b].angle[i], x = w->block[b].pose_x[i];
+      most[ARC_CYLINDER] = fmax(most[ARC_CYLINDER], last->half_width + fabs(under));
+      most[ARC_PLATE] = fmax(most[ARC_PLATE], last->half_width + fabs(under - x));
+    }
   return 2 * most[ARC_CYLINDER] > share * mesh->zone[ARC_CYLINDER] ||
          2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
 }

@@ -24,6 +24,7 @@ static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
 /* The reference pose on a shape, solved under the nominal load. */
 static arc_status solve_reference(arc_wear *w, const arc_shape *shape, arc_error *error) {
   const double line = w->def.load / arc_model_definition(w->model)->thickness;
+  arc_pose_aim(&w->reference, arc_radians(w->def.load_angle));
   const arc_status status = arc_pose_update(&w->reference, shape, 0, error);
   return status == ARC_OK ? arc_pose_solve(&w->reference, line, error) : status;
 }
@@ -70,7 +71,8 @@ double arc_wear_roughness(const arc_wear *w, arc_body body) {
   const arc_profile profile = arc_shape_profile(w->shape, body);
   const double deepest = arc_shape_depth(w->shape, body);
   const double reach = 0.8 * arc_wear_last(w)->half_width; /* the middle of the contact */
+  const double at = arc_model_way(arc_model_definition(w->model), w->def.load_angle);
   const double saw =
-      arc_measure_sawtooth(profile.x, profile.h, (size_t)profile.count, -reach, reach);
+      arc_measure_sawtooth(profile.x, profile.h, (size_t)profile.count, at - reach, at + reach);
   return deepest > 0 ? saw / deepest : 0;
 }

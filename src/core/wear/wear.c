@@ -38,13 +38,23 @@ static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   return status;
 }
 
-/* Points of a block where the plate stands farthest to either side. */
-static void find_ends(const wear_block *block, int end[2]) {
-  end[0] = end[1] = 0;
-  for (int i = 1; i < block->count; i++) {
-    if (block->x[i] < block->x[end[0]]) end[0] = i;
-    if (block->x[i] > block->x[end[1]]) end[1] = i;
+/* Points of a block where the plate stands farthest to either side, where the load does, and where
+ * it does on the plate. */
+enum { ENDS = 6 };
+static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
+  int turns = 0;
+  memset(end, 0, ENDS * sizeof *end);
+  for (int i = 0; i < block->count; i++) {
+    const double under = radius * block->angle[i];
+    const double at[] = {block->x[i], under, under - block->x[i]};
+    turns = turns || under != 0;
+    for (int k = 0; k < ENDS; k++) {
+      const double best = radius * block->angle[end[k]];
+      const double then[] = {block->x[end[k]], best, best - block->x[end[k]]};
+      if (k % 2 ? at[k / 2] > then[k / 2] : at[k / 2] < then[k / 2]) end[k] = i;
+    }
   }
+  return turns ? ENDS : 2;
 }
 
 /* What went wrong at an end of a path; for want of room, with the zones that would do. */
@@ -63,11 +73,12 @@ static arc_status check_reach(arc_wear *w, arc_error *error) {
   const arc_wear_record unworn = {0};
   arc_error why = {0};
   for (int b = 0; b < w->blocks && w->procedure == ARC_SP; b++) {
-    int end[2];
-    find_ends(&w->block[b], end);
+    int end[ENDS];
+    const double radius = arc_model_body(w->model, ARC_UPPER)->chart.radius;
+    const int ends = find_ends(&w->block[b], radius, end);
     const arc_status status = arc_path_enter(&w->path, &w->block[b], w->model, error);
     if (status != ARC_OK) return status;
-    for (int e = 0; e < 2; e++) {
+    for (int e = 0; e < ends; e++) {
       const wear_window point = {
           .shape = w->shape, .first = end[e], .last = end[e], .state = &unworn};
       if (arc_wear_probe(w, &point, &why) != ARC_OK) return refuse_reach(w, &why, error);
@@ -260,5 +271,6 @@ size_t arc_wear_bytes(const arc_wear *w) {
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {
   arc_contact_def def = arc_contact_default();
   def.load = w->def.load;
+  def.load_angle = w->def.load_angle;
   return arc_contact_solve(w->shape, &def, NULL, contact, error);
 }

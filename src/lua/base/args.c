@@ -135,6 +135,14 @@ static void read_number(lua_State *L, args_place place, const arc_setting *s, vo
   if (!other_form(L, s, definition)) set_number(s, definition, args_number(L, place, s));
 }
 
+static void read_text(lua_State *L, args_place place, const arc_setting *s, char *to) {
+  size_t length;
+  const char *text = lua_type(L, -1) == LUA_TSTRING ? lua_tolstring(L, -1, &length) : NULL;
+  if (!text || length == 0 || length >= ARC_TEXT_SIZE || strlen(text) != length)
+    refuse(L, place, s);
+  memcpy(to, text, length + 1);
+}
+
 /* A group from a table of its fields, or from an object of its class. */
 static void read_group(lua_State *L, args_place place, const arc_setting *s, void *definition) {
   void *member = arc_setting_member(s, definition);
@@ -154,6 +162,9 @@ static void read_value(lua_State *L, args_place place, const arc_setting *s, voi
     break;
   case ARC_CHOICE:
     *(int *)arc_setting_member(s, definition) = args_choice(L, -1, place, s->name, s->choices, -1);
+    break;
+  case ARC_TEXT:
+    read_text(L, place, s, arc_setting_member(s, definition));
     break;
   case ARC_GROUP:
     read_group(L, place, s, definition);

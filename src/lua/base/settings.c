@@ -33,6 +33,8 @@ void settings_push(lua_State *L, const arc_setting *s, const void *definition) {
     lua_pushinteger(L, *(const int *)member);
   else if (s->kind == ARC_CHOICE)
     lua_pushstring(L, s->choices[*(const int *)member]);
+  else if (s->kind == ARC_TEXT && *(const char *)member)
+    lua_pushstring(L, member);
   else if (s->kind == ARC_GROUP)
     push_group(L, s->group, member);
   else

@@ -56,8 +56,15 @@ void strict_refuse(lua_State *L, const char *where, const char *name, int known)
 
 /* --- tables ---------------------------------------------------------------------------------- */
 
-/* __index(table, name); upvalue: the table's name. */
+/* __index(table, name); upvalues: the table's name, other words for its fields or nil. */
 static int table_index(lua_State *L) {
+  if (lua_istable(L, lua_upvalueindex(2))) {
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) {
+      lua_rawget(L, 1);
+      return 1;
+    }
+  }
   if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
     strict_refuse(L, lua_tostring(L, lua_upvalueindex(1)), lua_tostring(L, 2), 1);
   return 0;
@@ -73,15 +80,20 @@ static int table_tostring(lua_State *L) {
   return 1;
 }
 
-static void set_index(lua_State *L, const char *where) {
+/* Of the table on top; the words stand at an absolute index, 0: none. */
+static void set_index(lua_State *L, const char *where, int words) {
   lua_pushstring(L, where);
-  lua_pushcclosure(L, table_index, 1);
+  if (words)
+    lua_pushvalue(L, words);
+  else
+    lua_pushnil(L);
+  lua_pushcclosure(L, table_index, 2);
   lua_setfield(L, -2, "__index");
 }
 
 /* The metatable says that nothing of the table is hidden by its text: it is shown as others are. */
-static void fill_metatable(lua_State *L, const char *where) {
-  set_index(L, where);
+static void fill_metatable(lua_State *L, const char *where, int words) {
+  set_index(L, where, words);
   lua_pushcfunction(L, table_tostring);
   lua_setfield(L, -2, "__tostring");
   lua_pushboolean(L, 1);
@@ -93,10 +105,16 @@ void strict_table(lua_State *L, const char *where) {
   if (luaL_newmetatable(L, lua_pushfstring(L, "archard.table %s", where))) {
     lua_pushnil(L);
     lua_setfield(L, -2, "__name");
-    fill_metatable(L, where);
+    fill_metatable(L, where, 0);
   }
   lua_setmetatable(L, -3);
   lua_pop(L, 1);
+}
+
+void strict_metatable(lua_State *L, const char *where, int words) {
+  words = lua_absindex(L, words);
+  lua_newtable(L);
+  fill_metatable(L, where, words);
 }
 
 void strict_module(lua_State *L, const char *where) {
@@ -104,7 +122,7 @@ void strict_module(lua_State *L, const char *where) {
   lua_pushliteral(L, "__index");
   if (lua_rawget(L, -2) == LUA_TNIL) {
     lua_pop(L, 1);
-    set_index(L, where);
+    set_index(L, where, 0);
   } else {
     lua_pop(L, 1);
   }

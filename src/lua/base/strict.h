@@ -25,6 +25,10 @@ void strict_refuse(lua_State *L, const char *where, const char *name, int known)
  * shows it. `where` must be text of the program's own. */
 void strict_table(lua_State *L, const char *where);
 
+/* Pushes a metatable for such tables whose fields answer to other words too: from each, in the
+ * table at `words`, to the name of the field. */
+void strict_metatable(lua_State *L, const char *where, int words);
+
 /* The same of a table with a metatable of its own, which gains an __index where it has none. */
 void strict_module(lua_State *L, const char *where);
 

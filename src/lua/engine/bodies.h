@@ -10,6 +10,9 @@
  * in. */
 void body_read(lua_State *L, int index, args_place place, arc_model_def *def);
 
+/* Reads kinds and names alone, as far as they are ones: for who comes before the model. */
+void body_read_names(lua_State *L, int index, arc_model_def *def);
+
 /* Pushes a body of a model as body_read takes it, or nil where it is the usual one. */
 void body_push(lua_State *L, const arc_model_def *def, arc_body body);
 

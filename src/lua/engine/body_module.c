@@ -22,10 +22,8 @@ static const char *const own[][4] = {
 };
 
 static const arc_setting common[] = {
-    ARGS_OTHER("kind"),
-    ARGS_OTHER("material"),
-    ARGS_OTHER("layers"),
-    {.name = NULL},
+    ARGS_OTHER("kind"),   ARGS_OTHER("name"), ARGS_OTHER("material"),
+    ARGS_OTHER("layers"), {.name = NULL},
 };
 
 static const arc_setting layer_fields[] = {
@@ -55,7 +53,7 @@ static void refuse_name(lua_State *L, args_place place, arc_solid kind, const ch
     luaL_addstring(&known, own[kind][i]);
     luaL_addstring(&known, ", ");
   }
-  luaL_addstring(&known, "E, nu, k, material, layers");
+  luaL_addstring(&known, "name, E, nu, k, material, layers");
   luaL_pushresult(&known);
   error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' of a %s (known: %s)",
               place.prefix, name, arc_solid_names[kind], lua_tostring(L, -1));
@@ -232,16 +230,33 @@ static void read_at(lua_State *L, int index, args_place place, double radius, ar
 }
 
 void body_read(lua_State *L, int index, args_place place, arc_model_def *def) {
-  static const char *const roles[ARC_BODIES] = {"upper", "lower"};
   for (int b = 0; b < ARC_BODIES; b++) {
+    const char *role = arc_model_role_name((arc_body)b);
     const int top = lua_gettop(L);
-    if (lua_getfield(L, index, roles[b]) != LUA_TNIL) {
+    if (lua_getfield(L, index, role) != LUA_TNIL) {
       if (!lua_istable(L, -1))
-        args_refuse(L, place, roles[b], "a body, as body.cylinder{ radius=10 } makes one");
-      const args_place inside = {place.where, lua_pushfstring(L, "%s%s.", place.prefix, roles[b])};
+        args_refuse(L, place, role, "a body, as body.cylinder{ radius=10 } makes one");
+      const args_place inside = {place.where, lua_pushfstring(L, "%s%s.", place.prefix, role)};
       read_at(L, top + 1, inside, def->radius, &def->body[b], &def->material[b]);
     }
     lua_settop(L, top);
+  }
+}
+
+static void read_name(lua_State *L, arc_body_def *def) {
+  if (lua_getfield(L, -1, "kind") == LUA_TSTRING)
+    for (int kind = 0; arc_solid_names[kind]; kind++)
+      if (strcmp(arc_solid_names[kind], lua_tostring(L, -1)) == 0) def->kind = (arc_solid)kind;
+  if (lua_getfield(L, -2, "name") == LUA_TSTRING)
+    snprintf(def->name, sizeof def->name, "%s", lua_tostring(L, -1));
+  lua_pop(L, 2);
+}
+
+void body_read_names(lua_State *L, int index, arc_model_def *def) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    if (lua_getfield(L, index, arc_model_role_name((arc_body)b)) == LUA_TTABLE)
+      read_name(L, &def->body[b]);
+    lua_pop(L, 1);
   }
 }
 
@@ -270,6 +285,10 @@ static void set_layers(lua_State *L, const arc_body_def *def) {
 static void set_shape(lua_State *L, const arc_body_def *def) {
   for (const arc_setting *s = arc_body_settings; s->name; s++) {
     const int given = s->kind == ARC_CHOICE || arc_setting_number(s, def) != 0;
+    if (s->kind == ARC_TEXT && def->name[0]) {
+      lua_pushstring(L, def->name);
+      lua_setfield(L, -2, s->name);
+    }
     if (!is_own(def->kind, s->name) || !given || s->kind == ARC_GROUP) continue;
     settings_push(L, s, def);
     lua_setfield(L, -2, s->name);

@@ -30,11 +30,29 @@ extern const box_class mesh_class;    /* thing: a view of mesh_class.c */
 extern const box_class contact_class; /* thing: arc_contact; user value: the model's box */
 extern const box_class wear_class;    /* thing: arc_wear; user value: the model's box */
 
-/* {"cylinder", "plate", NULL} in the order of arc_body. */
+/* --- bodies by name (by_body.c); without a definition (NULL) they are the usual pair --- */
+
+/* {"cylinder", "plate", NULL} in the order of arc_body: fields of definitions and files. */
 extern const char *const body_names[];
 
+/* What a body is called, as arc_model_body_name; the body a word means, as arc_model_find_body. */
+const char *body_name(const arc_model_def *def, arc_body body);
+int body_find(const arc_model_def *def, const char *word, arc_body *body);
+
 /* The body named at `index`; `otherwise` (-1: none) where nothing stands there. */
-arc_body body_argument(lua_State *L, int index, const char *where, int otherwise);
+arc_body body_argument(lua_State *L, int index, const char *where, const arc_model_def *def,
+                       int otherwise);
+
+/* Sets the value on top as the field of a body in the table below it. */
+void set_by_body(lua_State *L, const arc_model_def *def, arc_body body);
+/* Such a table, on top, answers to all other words for the bodies as well. */
+void by_body_named(lua_State *L, const arc_model_def *def, const char *where);
+/* Pushes a table with a number, or with what each is called, by body. */
+void push_by_body(lua_State *L, const arc_model_def *def, double upper, double lower,
+                  const char *where);
+void push_body_names(lua_State *L, const arc_model_def *def);
+/* Pushes the table at `index` with the fields of bodies called as in body_names. */
+void push_usual_names(lua_State *L, int index, args_place place, const arc_model_def *def);
 
 /* Pushes a material object. */
 void material_push(lua_State *L, arc_material material);
@@ -105,8 +123,5 @@ const arc_contact *stress_contact(lua_State *L, int index, const char *where);
 /* Pushes what holds the stresses of one body until it is collected. */
 const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
                                    const char *where);
-
-/* Pushes { cylinder=, plate= }. */
-void push_by_body(lua_State *L, double cylinder, double plate);
 
 #endif

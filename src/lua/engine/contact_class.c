@@ -95,17 +95,22 @@ void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body bo
   strict_table(L, "pressure");
 }
 
+static const arc_model_def *model_of(const arc_contact *contact) {
+  return arc_model_definition(arc_contact_model(contact));
+}
+
 /* contact:pressure(body) -> { x=, p= }; both bodies in the frame of the cylinder */
 static int contact_pressure(lua_State *L) {
   const arc_contact *contact = self(L);
-  contact_push_pressure(L, contact, body_argument(L, 2, "contact:pressure", ARC_CYLINDER));
+  const arc_body body = body_argument(L, 2, "contact:pressure", model_of(contact), ARC_UPPER);
+  contact_push_pressure(L, contact, body);
   return 1;
 }
 
 /* contact:shear(body) -> { x=, q= } */
 static int contact_shear(lua_State *L) {
   const arc_contact *contact = self(L);
-  const arc_body body = body_argument(L, 2, "contact:shear", ARC_CYLINDER);
+  const arc_body body = body_argument(L, 2, "contact:shear", model_of(contact), ARC_UPPER);
   const arc_shear shear = arc_contact_shear(contact, body);
   lua_createtable(L, 0, 2);
   array_set(L, "x", shear.x, (size_t)shear.count);

@@ -30,6 +30,10 @@ static const arc_mesh *self(lua_State *L) {
   return &view_self(L)->mesh;
 }
 
+static const char *called(const mesh_view *view) {
+  return body_name(arc_model_definition(view->model), view->mesh.body);
+}
+
 NUMBER_FIELD(mesh, radius, self(L)->radius)
 
 static int push_count(lua_State *L, int count) {
@@ -63,7 +67,7 @@ static int mesh_element(lua_State *L) {
 }
 
 static int mesh_body(lua_State *L) {
-  lua_pushstring(L, body_names[self(L)->body]);
+  lua_pushstring(L, called(view_self(L)));
   return 1;
 }
 
@@ -224,10 +228,10 @@ static int mesh_tostring(lua_State *L) {
            "  size     %.6g x %.6g mm at the contact, up to %.6g mm elsewhere\n"
            "  quality  angles %.3g to %.4g degrees, aspect to %.3g, Jacobian ratio from %.3g\n"
            "  wear box angles %.3g to %.4g degrees, aspect to %.3g, Jacobian ratio from %.3g",
-           view->xy ? "worn " : "", body_names[mesh->body], mesh->nodes, mesh->quads,
-           mesh->triangles, mesh->surface, mesh->def.size, mesh->def.height, mesh->def.far,
-           quality.smallest_angle, quality.largest_angle, quality.aspect, quality.jacobian_ratio,
-           inner.smallest_angle, inner.largest_angle, inner.aspect, inner.jacobian_ratio);
+           view->xy ? "worn " : "", called(view), mesh->nodes, mesh->quads, mesh->triangles,
+           mesh->surface, mesh->def.size, mesh->def.height, mesh->def.far, quality.smallest_angle,
+           quality.largest_angle, quality.aspect, quality.jacobian_ratio, inner.smallest_angle,
+           inner.largest_angle, inner.aspect, inner.jacobian_ratio);
   lua_pushstring(L, text);
   return 1;
 }
@@ -295,9 +299,11 @@ void mesh_push(lua_State *L, int index, arc_body body) {
 }
 
 void mesh_push_worn(lua_State *L, const arc_shape *shape) {
+  const arc_model_def *def = arc_model_definition(arc_shape_model(shape));
   lua_createtable(L, 0, ARC_BODIES);
   for (int body = 0; body < ARC_BODIES; body++) {
     push_view(L, arc_shape_model(shape), (arc_body)body, shape);
-    lua_setfield(L, -2, body_names[body]);
+    set_by_body(L, def, (arc_body)body);
   }
+  by_body_named(L, def, "wear.mesh");
 }

@@ -12,19 +12,6 @@
 
 static const char cache_key = 0, last_key = 0; /* their addresses name the registry's entries */
 
-const char *const body_names[] = {"cylinder", "plate", NULL};
-
-arc_body body_argument(lua_State *L, int index, const char *where, int otherwise) {
-  args_place place = {where, ""};
-  return (arc_body)args_choice(L, index, place, "body", body_names, otherwise);
-}
-
-void push_by_body(lua_State *L, double cylinder, double plate) {
-  lua_createtable(L, 0, 3);
-  array_set_number(L, "cylinder", cylinder);
-  array_set_number(L, "plate", plate);
-}
-
 /* --- the definition -------------------------------------------------------------------------- */
 
 /* A definition of which all is "auto" that can be. */
@@ -99,7 +86,11 @@ int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *me
 static int add_to_key(void *context, const char *path, const arc_setting *s, void *member,
                       const void *def) {
   char text[40];
-  (void)path, (void)member;
+  (void)path;
+  if (s->kind == ARC_TEXT) {
+    luaL_addlstring(context, member, ARC_TEXT_SIZE);
+    return 0;
+  }
   snprintf(text, sizeof text, "%a ", arc_setting_number(s, def));
   luaL_addstring(context, text);
   const arc_series series = arc_setting_series(s, def);
@@ -341,11 +332,18 @@ static int model_lower(lua_State *L) {
 
 /* The meshes by body, and their definition beside them. */
 static int model_mesh(lua_State *L) {
-  settings_push(L, arc_setting_find(arc_model_settings, "mesh"), arc_model_definition(self(L)));
+  const arc_model_def *def = arc_model_definition(self(L));
+  settings_push(L, arc_setting_find(arc_model_settings, "mesh"), def);
   for (int body = 0; body < ARC_BODIES; body++) {
     mesh_push(L, 1, (arc_body)body);
-    lua_setfield(L, -2, body_names[body]);
+    set_by_body(L, def, (arc_body)body);
   }
+  by_body_named(L, def, "model.mesh");
+  return 1;
+}
+
+static int model_bodies(lua_State *L) {
+  push_body_names(L, arc_model_definition(self(L)));
   return 1;
 }
 
@@ -355,7 +353,7 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   char line[160];
   snprintf(line, sizeof line,
            "\n  %-8s  E %.6g MPa, nu %.6g, %s, zone %.6g mm; %d nodes, %d elements",
-           body_names[body], def->material[body].E, def->material[body].nu,
+           body_name(def, body), def->material[body].E, def->material[body].nu,
            arc_element_names[mesh->def.element], def->mesh.zone[body], mesh->nodes, mesh->elements);
   luaL_addstring(text, line);
 }
@@ -378,9 +376,9 @@ static int model_tostring(lua_State *L) {
 }
 
 static const luaL_Reg fields[] = {
-    {"seconds", model_seconds}, {"bytes", model_bytes}, {"cylinder", model_cylinder},
-    {"plate", model_plate},     {"mesh", model_mesh},   {"upper", model_upper},
-    {"lower", model_lower},     {NULL, NULL},
+    {"seconds", model_seconds}, {"bytes", model_bytes},   {"cylinder", model_cylinder},
+    {"plate", model_plate},     {"mesh", model_mesh},     {"upper", model_upper},
+    {"lower", model_lower},     {"bodies", model_bodies}, {NULL, NULL},
 };
 
 static const void *definition(lua_State *L) {

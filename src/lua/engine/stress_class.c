@@ -81,23 +81,6 @@ static void push_largest(lua_State *L, const char *label, const char *stress) {
   lua_pushstring(L, line);
 }
 
-static int stress_tostring(lua_State *L) {
-  luaL_checktype(L, 1, LUA_TTABLE);
-  lua_pushliteral(L, "stress: lists by node, of each body");
-  for (int body = 0; body < ARC_BODIES; body++) {
-    if (lua_getfield(L, 1, body_names[body]) != LUA_TTABLE) {
-      lua_pop(L, 1);
-      continue;
-    }
-    push_largest(L, body_names[body], "mises");
-    lua_insert(L, -2);
-    push_largest(L, "", "shear");
-    lua_replace(L, -2);
-    lua_concat(L, 3);
-  }
-  return 1;
-}
-
 /* Pushes the table from stress objects to their contacts, for files made of them. */
 static void push_origins(lua_State *L) {
   if (!luaL_getsubtable(L, LUA_REGISTRYINDEX, "archard.stress origins")) {
@@ -119,9 +102,42 @@ const arc_contact *stress_contact(lua_State *L, int index, const char *where) {
   return contact;
 }
 
-/* stress.contact: beside the bodies, so that a loop over the object meets these alone */
+/* The definition of the bodies that a stress object is of; NULL: the usual ones. */
+static const arc_model_def *pair_of(lua_State *L, int index) {
+  const arc_contact *contact = stress_contact(L, index, "stress");
+  return contact ? arc_model_definition(arc_contact_model(contact)) : NULL;
+}
+
+static int stress_tostring(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const arc_model_def *def = pair_of(L, 1);
+  lua_pushliteral(L, "stress: lists by node, of each body");
+  for (int body = 0; body < ARC_BODIES; body++) {
+    const char *name = body_name(def, (arc_body)body);
+    if (lua_getfield(L, 1, name) != LUA_TTABLE) {
+      lua_pop(L, 1);
+      continue;
+    }
+    push_largest(L, name, "mises");
+    lua_insert(L, -2);
+    push_largest(L, "", "shear");
+    lua_replace(L, -2);
+    lua_concat(L, 3);
+  }
+  return 1;
+}
+
+/* stress.contact: beside the bodies, so that a loop over the object meets these alone; and the
+ * other words for them */
 static int stress_index(lua_State *L) {
   lua_settop(L, 2);
+  const arc_model_def *def = pair_of(L, 1);
+  arc_body body;
+  if (lua_type(L, 2) == LUA_TSTRING && body_find(def, lua_tostring(L, 2), &body) == 1) {
+    lua_pushstring(L, body_name(def, body));
+    lua_rawget(L, 1);
+    return 1;
+  }
   lua_pushliteral(L, "contact");
   if (!lua_rawequal(L, 2, 3)) {
     if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
@@ -141,7 +157,7 @@ int stress_new(lua_State *L) {
   lua_createtable(L, 0, 2);
   for (int body = 0; body < ARC_BODIES; body++) {
     push_field(L, contact, (arc_body)body);
-    lua_setfield(L, -2, body_names[body]);
+    set_by_body(L, arc_model_definition(arc_contact_model(contact)), (arc_body)body);
   }
   push_origins(L);
   lua_pushvalue(L, -2);

@@ -1,6 +1,7 @@
 /* The field `worn` of contacts and wear runs: a wear object, or by body a function x -> depth or a
  * profile { x=, h= }; turned into a shape of the engine. */
 #include "lua/base/array.h"
+#include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
@@ -70,6 +71,26 @@ static arc_depths push_profile(lua_State *L, int index, args_place place) {
   return profile;
 }
 
+/* The names of the bodies that the field `model` of the table at `index` gives. */
+static arc_model_def names_of_model(lua_State *L, int index) {
+  arc_model_def def = {0};
+  args_get(L, index, "model");
+  const box *object = box_test(L, -1, &model_class);
+  if (object && object->thing)
+    def = *arc_model_definition(object->thing);
+  else if (lua_istable(L, -1))
+    body_read_names(L, lua_gettop(L), &def);
+  lua_pop(L, 1);
+  return def;
+}
+
+/* Puts the table by body on top into the words of files. */
+static void use_usual_names(lua_State *L, int index, const char *where) {
+  const arc_model_def def = names_of_model(L, index);
+  push_usual_names(L, -1, (args_place){where, "worn."}, &def);
+  lua_remove(L, -2);
+}
+
 void worn_check(lua_State *L, int index, const char *where) {
   args_place place = {where, ""};
   args_get(L, index, "worn");
@@ -80,6 +101,7 @@ void worn_check(lua_State *L, int index, const char *where) {
   }
   if (!lua_istable(L, -1))
     args_refuse(L, place, "worn", "a wear object or a table { cylinder=, plate= }");
+  use_usual_names(L, index, where);
   int worn = lua_gettop(L);
   args_check_names(L, worn, (args_place){where, "worn."}, by_body);
   for (int body = 0; body < ARC_BODIES; body++) {

@@ -8,7 +8,7 @@
 const char *export_ending(const char *path);
 
 /* Pushes "file-cylinder.ending" for "file.ending"; `usual` is the ending where there is none. */
-const char *export_push_path(lua_State *L, const char *path, arc_body body, const char *usual);
+const char *export_push_path(lua_State *L, const char *path, const char *body, const char *usual);
 
 /* export.csv (export_csv.c). */
 int export_csv(lua_State *L);

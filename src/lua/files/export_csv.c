@@ -60,8 +60,8 @@ static const double *push_padded(lua_State *L, const double *values, size_t coun
 
 /* The pressures of both bodies side by side; the shorter columns end early. */
 static void write_pressures(lua_State *L, const char *path, const arc_contact *contact) {
-  static const char *const names[] = {"x_cylinder", "p_cylinder", "x_plate", "p_plate"};
   static const char *const units[] = {"mm", "MPa", "mm", "MPa"};
+  const arc_model_def *pair = arc_model_definition(arc_contact_model(contact));
   csv_table table = push_columns(L, 4);
   for (int body = 0; body < ARC_BODIES; body++) {
     size_t count = (size_t)arc_contact_pressure(contact, (arc_body)body).count;
@@ -71,8 +71,9 @@ static void write_pressures(lua_State *L, const char *path, const arc_contact *c
     arc_pressure pressure = arc_contact_pressure(contact, (arc_body)body);
     table.data[2 * body] = push_padded(L, pressure.x, (size_t)pressure.count, table.rows);
     table.data[2 * body + 1] = push_padded(L, pressure.p, (size_t)pressure.count, table.rows);
+    table.names[2 * body] = lua_pushfstring(L, "x_%s", body_name(pair, (arc_body)body));
+    table.names[2 * body + 1] = lua_pushfstring(L, "p_%s", body_name(pair, (arc_body)body));
   }
-  memcpy(table.names, names, sizeof names);
   memcpy(table.units, units, sizeof units);
   write_columns(L, path, table);
 }
@@ -85,8 +86,9 @@ static int write_stress(lua_State *L, const char *path, const arc_contact *conta
   static const char *const names[] = {ARC_FIELD_COLUMNS(NAME)};
   static const char *const units[] = {ARC_FIELD_COLUMNS(UNIT)};
   const size_t count = sizeof names / sizeof *names;
+  const arc_model_def *pair = arc_model_definition(arc_contact_model(contact));
   for (int body = 0; body < ARC_BODIES; body++) {
-    const char *file = export_push_path(L, path, (arc_body)body, ".csv");
+    const char *file = export_push_path(L, path, body_name(pair, (arc_body)body), ".csv");
     const arc_field *f = field_push_holder(L, contact, (arc_body)body, where);
     const double *const columns[] = {ARC_FIELD_COLUMNS(COLUMN)};
     arc_error error = {0};

@@ -15,11 +15,11 @@ const char *export_ending(const char *path) {
   return strrchr(name ? name : path, '.');
 }
 
-const char *export_push_path(lua_State *L, const char *path, arc_body body, const char *usual) {
+const char *export_push_path(lua_State *L, const char *path, const char *body, const char *usual) {
   const char *ending = export_ending(path);
   size_t stem = ending ? (size_t)(ending - path) : strlen(path);
   lua_pushlstring(L, path, stem);
-  lua_pushfstring(L, "%s-%s%s", lua_tostring(L, -1), body_names[body], ending ? ending : usual);
+  lua_pushfstring(L, "%s-%s%s", lua_tostring(L, -1), body, ending ? ending : usual);
   lua_remove(L, -2);
   return lua_tostring(L, -1);
 }
@@ -96,6 +96,10 @@ static vtk_source read_source(lua_State *L) {
   return from;
 }
 
+static const char *name_in(const arc_model *model, arc_body body) {
+  return body_name(arc_model_definition(model), body);
+}
+
 /* vtk(wear | contact | stress | model | mesh, path) -> the files written: one of a mesh, else one a
  * body */
 static int export_vtk(lua_State *L) {
@@ -110,7 +114,7 @@ static int export_vtk(lua_State *L) {
   }
   const vtk_source from = read_source(L);
   for (int body = 0; body < ARC_BODIES; body++)
-    write_vtk(L, export_push_path(L, path, (arc_body)body, ".vtk"),
+    write_vtk(L, export_push_path(L, path, name_in(from.model, (arc_body)body), ".vtk"),
               arc_model_mesh(from.model, (arc_body)body), from);
   return ARC_BODIES;
 }

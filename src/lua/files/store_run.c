@@ -47,7 +47,7 @@ static arc_surface read_surface(lua_State *L, int anchors) {
     surface.count = count;
   }
   lua_getfield(L, -1, "body");
-  surface.body = body_argument(L, lua_gettop(L), "store:save", -1);
+  surface.body = body_argument(L, lua_gettop(L), "store:save", NULL, -1);
   lua_pop(L, 1);
   return surface;
 }

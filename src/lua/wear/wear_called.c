@@ -22,7 +22,7 @@ static const arc_wear_record *record_of(lua_State *L) {
 }
 
 static void push_volume(lua_State *L, const arc_wear_record *record) {
-  push_by_body(L, record->volume_cylinder, record->volume_plate);
+  push_by_body(L, NULL, record->volume_cylinder, record->volume_plate, "state.volume");
   array_set_number(L, "total", record->volume_cylinder + record->volume_plate);
 }
 
@@ -35,7 +35,7 @@ static int state_index(lua_State *L) {
     args_unknown(L, (args_place){"state", ""}, known, luaL_tolstring(L, 2, NULL));
   const int column = (int)lua_tointeger(L, -1);
   if (column == DEPTH)
-    push_by_body(L, record->depth_cylinder, record->depth_plate);
+    push_by_body(L, NULL, record->depth_cylinder, record->depth_plate, "state.depth");
   else if (column == VOLUME)
     push_volume(L, record);
   else

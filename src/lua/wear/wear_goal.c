@@ -106,7 +106,23 @@ static void check_group(lua_State *L, const char *group) {
   lua_pop(L, 1);
 }
 
+/* The group of the table at index 2 in the words of files, in a copy of it that takes its place. */
+static void use_usual_names(lua_State *L, const arc_wear *wear, const char *group) {
+  const arc_model_def *def = arc_model_definition(arc_wear_model(wear));
+  const args_place place = {where, strcmp(group, "volume") == 0 ? "volume." : "depth."};
+  if (args_get(L, 2, group) == LUA_TTABLE) {
+    push_usual_names(L, -1, place, def);
+    push_usual_names(L, 2, place, NULL);
+    lua_insert(L, -2);
+    lua_setfield(L, -2, group);
+    lua_replace(L, 2);
+  }
+  lua_pop(L, 1);
+}
+
 static void read_targets(lua_State *L, const arc_wear *wear, wear_goals *goals) {
+  use_usual_names(L, wear, "depth");
+  use_usual_names(L, wear, "volume");
   check_group(L, "depth");
   check_group(L, "volume");
   for (const measure *m = measures; m->group; m++) {

@@ -25,6 +25,8 @@ static const arc_setting definition[] = {
     ARGS_OTHER("x"),
     ARGS_OTHER("load"),
     ARGS_OTHER("tangential"),
+    ARGS_OTHER("rotation"),
+    ARGS_OTHER("load_angle"),
     ARGS_OTHER("periodic"),
     {.name = NULL},
 };
@@ -78,11 +80,9 @@ static size_t array_length(const reading *r, const char *name) {
  * asked for. */
 static void find_times(reading *r, int increments) {
   lua_State *L = r->L;
-  const size_t x = array_length(r, "x"), load = array_length(r, "load"),
-               tangential = array_length(r, "tangential"),
-               values = x            ? x
-                        : tangential ? tangential
-                                     : load;
+  static const char *const lists[] = {"x", "tangential", "rotation", "load", "load_angle", NULL};
+  size_t values = 0;
+  for (int i = 0; lists[i] && values == 0; i++) values = array_length(r, lists[i]);
   const int timed = lua_getfield(L, r->table, "t") != LUA_TNIL;
   if (timed)
     r->from = push_times(r, &r->given);
@@ -176,6 +176,21 @@ static int read_periodic(const reading *r) {
   return periodic;
 }
 
+/* What drives the lower body: one of three fields. */
+static const char *drive_of(const reading *r) {
+  static const char *const drives[] = {"x", "tangential", "rotation", NULL};
+  const char *found = NULL;
+  for (int i = 0; drives[i]; i++) {
+    if (!args_given(r->L, r->table, drives[i])) continue;
+    if (found)
+      error_raise(r->L, ARC_ARGUMENT, r->place.where,
+                  "fields '%s%s' and '%s%s': expected one of them, got both", r->place.prefix,
+                  found, r->place.prefix, drives[i]);
+    found = drives[i];
+  }
+  return found ? found : drives[0];
+}
+
 /* The block on top of the stack. */
 static arc_loading read_block(lua_State *L, int holder, args_place place, double load) {
   const int top = lua_gettop(L);
@@ -186,14 +201,14 @@ static arc_loading read_block(lua_State *L, int holder, args_place place, double
   args_read(L, top, place, definition, &def);
   find_times(&r, def.increments);
   arc_loading block = {.count = (int)r.count, .periodic = read_periodic(&r)};
-  const int by_force = args_given(L, top, "tangential");
-  if (by_force && args_given(L, top, "x"))
-    error_raise(L, ARC_ARGUMENT, place.where,
-                "fields '%sx' and '%stangential': expected one of them, got both", place.prefix,
-                place.prefix);
-  block.x = by_force ? still(&r, holder) : sample(&r, holder, "x", NAN);
-  if (by_force) block.tangential = sample(&r, holder, "tangential", NAN);
+  const char *drive = drive_of(&r);
+  const int by_x = strcmp(drive, "x") == 0, turns = strcmp(drive, "rotation") == 0;
+  const double *driven = sample(&r, holder, drive, NAN);
+  block.x = by_x ? driven : still(&r, holder);
+  if (turns) block.rotation = driven;
+  if (!turns && !by_x) block.tangential = driven;
   block.load = sample(&r, holder, "load", load);
+  if (args_given(L, top, "load_angle")) block.load_angle = sample(&r, holder, "load_angle", 0);
   block.cycles = def.cycles > 0 ? def.cycles : block.periodic ? (double)INFINITY : 1;
   lua_settop(L, top);
   return block;
@@ -246,10 +261,12 @@ void loading_push(lua_State *L, const arc_wear_def *def) {
   for (int b = 0; b < def->blocks; b++) {
     const arc_loading *block = &def->loading[b];
     lua_createtable(L, 0, 4);
-    if (block->tangential)
-      array_set(L, "tangential", block->tangential, (size_t)block->count);
-    else
-      array_set(L, "x", block->x, (size_t)block->count);
+    const double *driven = block->tangential ? block->tangential
+                           : block->rotation ? block->rotation
+                                             : block->x;
+    const char *drive = block->tangential ? "tangential" : block->rotation ? "rotation" : "x";
+    array_set(L, drive, driven, (size_t)block->count);
+    if (block->load_angle) array_set(L, "load_angle", block->load_angle, (size_t)block->count);
     array_set(L, "load", block->load, (size_t)block->count);
     if (isfinite(block->cycles)) {
       array_set_number(L, "cycles", block->cycles);

@@ -6,10 +6,15 @@
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
+/* The body at index 2, the upper one where nothing stands there. */
+static arc_body wear_body(lua_State *L, const arc_wear *wear, const char *where) {
+  return body_argument(L, 2, where, arc_model_definition(arc_wear_model(wear)), ARC_UPPER);
+}
+
 /* wear:profile(body) -> { x=, h=, y=, worn_x=, way= } */
 int wear_profile(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:profile");
-  arc_body body = body_argument(L, 2, "wear:profile", ARC_CYLINDER);
+  arc_body body = wear_body(L, wear, "wear:profile");
   arc_profile profile = arc_shape_profile(arc_wear_shape(wear), body);
   lua_createtable(L, 0, 5);
   array_set(L, "x", profile.x, (size_t)profile.count);
@@ -52,7 +57,7 @@ int wear_p_average(lua_State *L) {
 /* wear:pressure(body) -> { x=, p= } of that contact */
 int wear_pressure(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:pressure");
-  arc_body body = body_argument(L, 2, "wear:pressure", ARC_CYLINDER);
+  arc_body body = wear_body(L, wear, "wear:pressure");
   contact_push_pressure(L, push_contact(L, wear, "wear:pressure"), body);
   return 1;
 }
@@ -83,7 +88,7 @@ int wear_local_partition(lua_State *L) {
 /* wear:roughness(body) -> sawtooth part of the profile, as a share of the depth */
 int wear_roughness(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:roughness");
-  arc_body body = body_argument(L, 2, "wear:roughness", ARC_CYLINDER);
+  arc_body body = wear_body(L, wear, "wear:roughness");
   lua_pushnumber(L, arc_wear_roughness(wear, body));
   return 1;
 }

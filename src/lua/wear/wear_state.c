@@ -20,6 +20,10 @@ static const arc_wear_def *def(lua_State *L) {
   return arc_wear_definition(self(L));
 }
 
+static const arc_model_def *pair_of(lua_State *L) {
+  return arc_model_definition(arc_wear_model(self(L)));
+}
+
 /* --- the state ------------------------------------------------------------------------------- */
 
 /* Every column of the last record; some of the fields below stand in the place of one. */
@@ -38,20 +42,20 @@ static int wear_solutions(lua_State *L) {
 }
 
 static int wear_depth(lua_State *L) {
-  push_by_body(L, last(L)->depth_cylinder, last(L)->depth_plate);
+  push_by_body(L, pair_of(L), last(L)->depth_cylinder, last(L)->depth_plate, "wear.depth");
   return 1;
 }
 
 static int wear_vector_depth(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(self(L));
-  push_by_body(L, arc_shape_vector_depth(shape, ARC_CYLINDER),
-               arc_shape_vector_depth(shape, ARC_PLATE));
+  push_by_body(L, pair_of(L), arc_shape_vector_depth(shape, ARC_CYLINDER),
+               arc_shape_vector_depth(shape, ARC_PLATE), "wear.vector_depth");
   return 1;
 }
 
 static int wear_volume(lua_State *L) {
   const arc_wear_record *record = last(L);
-  push_by_body(L, record->volume_cylinder, record->volume_plate);
+  push_by_body(L, pair_of(L), record->volume_cylinder, record->volume_plate, "wear.volume");
   array_set_number(L, "total", record->volume_cylinder + record->volume_plate);
   return 1;
 }
@@ -364,18 +368,32 @@ static void show_material(const char *name, arc_material material, char *text, s
   snprintf(text, size, "%s E %.6g MPa nu %.6g", name, material.E, material.nu);
 }
 
-/* What rubs: radius, materials, mesh. */
+/* "radius 10 mm" of the usual pair, "pin (disc) on bush (ring)" of one's own. */
+static const char *show_pair(const arc_model_def *model, char *text, size_t size) {
+  char part[ARC_BODIES][80];
+  snprintf(text, size, "radius %.6g mm", model->radius);
+  if (model->body[0].kind == ARC_SOLID_USUAL && model->body[1].kind == ARC_SOLID_USUAL) return text;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const char *name = model->body[b].name;
+    const char *kind = arc_solid_names[arc_model_solid(model, (arc_body)b).kind];
+    snprintf(part[b], sizeof part[b], name[0] ? "%.31s (%s)" : "%.31s%s", name, kind);
+  }
+  snprintf(text, size, "%s on %s", part[0], part[1]);
+  return text;
+}
+
+/* What rubs: shapes, materials, mesh. */
 static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   const arc_material *of = model->material;
   const int alike = of[0].E == of[1].E && of[0].nu == of[1].nu;
-  char line[300], first[80], second[80];
-  show_material(alike ? "both" : body_names[0], of[0], first, sizeof first);
-  show_material(body_names[1], of[1], second, sizeof second);
+  char line[600], pair[200], first[100], second[100];
+  show_material(alike ? "both" : body_name(model, ARC_UPPER), of[0], first, sizeof first);
+  show_material(body_name(model, ARC_LOWER), of[1], second, sizeof second);
   snprintf(line, sizeof line,
-           "  bodies    radius %.6g mm, thickness %.6g mm, elements %.6g x %.6g mm\n"
+           "  bodies    %s, thickness %.6g mm, elements %.6g x %.6g mm\n"
            "  materials %s%s%s\n",
-           model->radius, model->thickness, model->mesh.size, model->mesh.height, first,
-           alike ? "" : ", ", alike ? "" : second);
+           show_pair(model, pair, sizeof pair), model->thickness, model->mesh.size,
+           model->mesh.height, first, alike ? "" : ", ", alike ? "" : second);
   luaL_addstring(text, line);
 }
 
@@ -400,19 +418,21 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
 
 static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_record *record = arc_wear_last(wear);
+  const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
+  const char *upper = body_name(model, ARC_UPPER), *lower = body_name(model, ARC_LOWER);
   char line[600], partition[40] = "none yet";
   if (isfinite(record->depth_partition))
     snprintf(partition, sizeof partition, "%.4f", record->depth_partition);
   snprintf(line, sizeof line,
            "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f update%s\n"
            "  pressure  centre %.2f MPa, largest %.2f MPa, half width %.6g mm\n"
-           "  depth     cylinder %.4e mm, plate %.4e mm; alpha-tilde %s\n"
-           "  volume    cylinder %.4e mm3, plate %.4e mm3, total %.4e mm3",
+           "  depth     %s %.4e mm, %s %.4e mm; alpha-tilde %s\n"
+           "  volume    %s %.4e mm3, %s %.4e mm3, total %.4e mm3",
            record->cycle, arc_wear_cycles(wear), record->distance,
            arc_wear_definition(wear)->distance, record->update, record->update == 1 ? "" : "s",
-           record->p_center, record->p_max, record->half_width, record->depth_cylinder,
-           record->depth_plate, partition, record->volume_cylinder, record->volume_plate,
-           record->volume_cylinder + record->volume_plate);
+           record->p_center, record->p_max, record->half_width, upper, record->depth_cylinder,
+           lower, record->depth_plate, partition, upper, record->volume_cylinder, lower,
+           record->volume_plate, record->volume_cylinder + record->volume_plate);
   luaL_addstring(text, line);
 }
 

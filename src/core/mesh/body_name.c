@@ -1,0 +1,38 @@
+/* What bodies may be called. */
+#include "archard/mesh.h"
+#include "core/mesh/build.h"
+
+#include <ctype.h>
+#include <string.h>
+
+const char *arc_body_name(arc_body body) {
+  return body == ARC_CYLINDER ? "cylinder" : "plate";
+}
+
+/* What names would hide: roles, kinds, sums, and what stands beside meshes. */
+static int is_taken(const char *name) {
+  static const char *const words[] = {"upper", "lower", "plate", "total", "both", "all", NULL};
+  for (int i = 0; words[i]; i++)
+    if (strcmp(name, words[i]) == 0) return 1;
+  for (int i = 0; arc_solid_names[i]; i++)
+    if (strcmp(name, arc_solid_names[i]) == 0) return 1;
+  return arc_setting_find(arc_mesh_settings, name) != NULL;
+}
+
+static int is_word(const char *name) {
+  int word = isalpha((unsigned char)name[0]) != 0;
+  for (; *name; name++) word = word && (isalnum((unsigned char)*name) || *name == '_');
+  return word;
+}
+
+arc_status arc_body_check_name(const arc_body_def *b, const char *path, arc_error *error) {
+  if (!b->name[0]) return ARC_OK;
+  if (!is_word(b->name))
+    return arc_fail(error, ARC_ARGUMENT, "field '%sname': expected " ARC_BODY_NAME ", got \"%s\"",
+                    path, b->name);
+  if (!is_taken(b->name)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field '%sname': expected a name of its own, got \"%s\", which stands for "
+                  "something else",
+                  path, b->name);
+}

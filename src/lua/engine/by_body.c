@@ -1,0 +1,132 @@
+/* Results by body: tables whose fields are called as the bodies are and answer to roles, kinds and
+ * older names too; the body that a word means. */
+#include "lua/base/error.h"
+#include "lua/base/names.h"
+#include "lua/base/strict.h"
+#include "lua/engine/classes.h"
+
+#include <string.h>
+
+const char *const body_names[] = {"cylinder", "plate", NULL};
+
+static const arc_model_def usual;
+
+const char *body_name(const arc_model_def *def, arc_body body) {
+  return arc_model_body_name(def ? def : &usual, body);
+}
+
+/* --- words ------------------------------------------------------------------------------------ */
+
+int body_find(const arc_model_def *def, const char *word, arc_body *body) {
+  return arc_model_find_body(def ? def : &usual, word, body);
+}
+
+/* "upper" and "lower" after what they are called, unless that is it. */
+static const char *push_expected(lua_State *L, const arc_model_def *def) {
+  const char *upper = body_name(def, ARC_UPPER), *lower = body_name(def, ARC_LOWER);
+  lua_pushfstring(L, "\"%s\" or \"%s\"", upper, lower);
+  if (def && (strcmp(upper, body_names[0]) != 0 || strcmp(lower, body_names[1]) != 0))
+    lua_pushfstring(L, "%s (the upper and the lower body)", lua_tostring(L, -1));
+  return lua_tostring(L, -1);
+}
+
+arc_body body_argument(lua_State *L, int index, const char *where, const arc_model_def *def,
+                       int otherwise) {
+  arc_body body = ARC_UPPER;
+  if (lua_isnoneornil(L, index) && otherwise >= 0) return (arc_body)otherwise;
+  if (lua_type(L, index) == LUA_TSTRING && body_find(def, lua_tostring(L, index), &body) == 1)
+    return body;
+  const char *expected = push_expected(L, def);
+  if (lua_isnone(L, index))
+    lua_pushnil(L);
+  else
+    lua_pushvalue(L, index);
+  args_refuse(L, (args_place){where, ""}, "body", expected);
+}
+
+/* --- tables ----------------------------------------------------------------------------------- */
+
+/* Adds a word to the table on top where it means one body. */
+static void add_word(lua_State *L, const arc_model_def *def, const char *word) {
+  arc_body body;
+  if (body_find(def, word, &body) != 1) return;
+  lua_pushstring(L, body_name(def, body));
+  lua_setfield(L, -2, word);
+}
+
+/* Pushes all words for the bodies, with what their fields are called. */
+static void push_words(lua_State *L, const arc_model_def *def) {
+  lua_newtable(L);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    add_word(L, def, arc_model_role_name((arc_body)b));
+    add_word(L, def, body_names[b]);
+    add_word(L, def, body_name(def, (arc_body)b));
+  }
+  for (int k = 0; arc_solid_names[k]; k++) add_word(L, def, arc_solid_names[k]);
+}
+
+void by_body_named(lua_State *L, const arc_model_def *def, const char *where) {
+  const arc_model_def *pair = def ? def : &usual;
+  luaL_checkstack(L, 8, where);
+  const char *key = lua_pushfstring(L, "archard.by_body %s %s %s %d %d", where,
+                                    body_name(def, ARC_UPPER), body_name(def, ARC_LOWER),
+                                    pair->body[ARC_UPPER].kind, pair->body[ARC_LOWER].kind);
+  if (luaL_getmetatable(L, key) == LUA_TNIL) {
+    lua_pop(L, 1);
+    push_words(L, def);
+    strict_metatable(L, where, -1);
+    lua_remove(L, -2);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, LUA_REGISTRYINDEX, key);
+  }
+  lua_setmetatable(L, -3);
+  lua_pop(L, 1);
+}
+
+void set_by_body(lua_State *L, const arc_model_def *def, arc_body body) {
+  lua_setfield(L, -2, body_name(def, body));
+}
+
+void push_by_body(lua_State *L, const arc_model_def *def, double upper, double lower,
+                  const char *where) {
+  lua_createtable(L, 0, 3);
+  lua_pushnumber(L, upper);
+  set_by_body(L, def, ARC_UPPER);
+  lua_pushnumber(L, lower);
+  set_by_body(L, def, ARC_LOWER);
+  by_body_named(L, def, where);
+}
+
+void push_body_names(lua_State *L, const arc_model_def *def) {
+  lua_createtable(L, 0, 2);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    lua_pushstring(L, body_name(def, (arc_body)b));
+    set_by_body(L, def, (arc_body)b);
+  }
+  by_body_named(L, def, "model.bodies");
+}
+
+void push_usual_names(lua_State *L, int index, args_place place, const arc_model_def *def) {
+  index = lua_absindex(L, index);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    arc_body body;
+    const char *name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
+    const int found = name ? body_find(def, name, &body) : 0;
+    if (found < 0)
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "field '%s%s': it could be either body; use upper or lower", place.prefix, name);
+    if (found) {
+      lua_getfield(L, -3, body_names[body]);
+      if (!lua_isnil(L, -1))
+        error_raise(L, ARC_ARGUMENT, place.where, "field '%s%s': that body is named twice",
+                    place.prefix, name);
+      lua_pop(L, 1);
+      lua_pushstring(L, body_names[body]);
+    } else {
+      lua_pushvalue(L, -2);
+    }
+    lua_pushvalue(L, -2);
+    lua_settable(L, -5);
+  }
+}

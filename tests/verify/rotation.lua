@@ -1,0 +1,105 @@
+-- Rotation as motion and loads from an angle, in pairs with a hole: what must not change with either, the
+-- cosine law of a bush that alone wears, volumes.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, below = figures.within, figures.below
+
+local R, gap, P, k = 10, 0.05, 1000, 1e-6
+local mesh = { size = 0.25, height = 0.1, rows = 4, far = 1, zone = { cylinder = 26, plate = 26 } }
+local function pin() return body.disc{ radius = R - gap, name = "pin" } end
+local function bush() return body.ring{ inner = R, outer = 20, name = "bush" } end
+local journal = model{ upper = bush(), lower = pin(), mesh = mesh } -- the pin turns under a load fixed in the bush
+local hip = model{ upper = pin(), lower = bush(), mesh = mesh } -- the bush turns under a load fixed in the pin
+
+-- --- unworn: round bodies are the same from everywhere -------------------------------------------
+
+for name, m in pairs{ journal = journal, hip = hip } do
+  local straight = contact{ model = m, load = P }
+  for _, at in ipairs{ { 20, 0 }, { -20, 0 }, { 0, 20 }, { 20, 20 }, { -15, 20 } } do
+    local angle, turned = at[1], R * math.rad(at[2])
+    local c = contact{ model = m, load = P, load_angle = angle, x = turned }
+    local of = ("%s, load from %g degrees, turned by %g: "):format(name, angle, at[2])
+    within(c.p_center, straight.p_center, 3e-4, of .. "the same pressure [MPa]")
+    within(c.normal_force, straight.normal_force, 1e-4, of .. "the same normal force [N]")
+    below(math.abs(math.deg((c.edges.left + c.edges.right) / 2 / R) - angle), 0.05, of .. "the contact lies under the load [degrees]")
+  end
+end
+local right = contact{ model = hip, load = P, load_angle = 17 }:pressure("pin").p
+local left = contact{ model = hip, load = P, load_angle = -17 }:pressure("pin").p
+local lopsided = 0
+for i = 1, #right do lopsided = math.max(lopsided, math.abs(right[i] - left[#left + 1 - i]) / P) end
+below(lopsided, 1e-10, "loads from either side: mirror images")
+
+-- Stresses are told where the body is: turned with the bush, the field of a straight load.
+local straight, turned = contact{ model = hip, load = P }:stress(), contact{ model = hip, load = P, load_angle = 20,
+  x = R * math.rad(20) }:stress()
+local function largest(field)
+  local at = 1
+  for i, v in ipairs(field.mises) do if v > field.mises[at] then at = i end end
+  return field.mises[at], field.x[at], field.y[at]
+end
+local s0, x0, y0 = largest(straight.bush)
+local s1, x1, y1 = largest(turned.bush)
+local c, s = math.cos(math.rad(20)), math.sin(math.rad(20))
+within(s1, s0, 1e-3, "a bush that has turned with its load: the same largest stress [MPa]")
+below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0 + c * (y0 - R)))), 1e-9, "at the place that turned along [mm]")
+
+-- --- the cosine law -------------------------------------------------------------------------------
+
+-- h = delta cos t - c, p = p0 cos t with cos e = c / delta and V = 2 R c (tan e - e): from the volume to the rest.
+local function angle_of(volume)
+  local low, high = 0, math.pi / 2 - 1e-9
+  for _ = 1, 80 do
+    local e = (low + high) / 2
+    if 2 * R * gap * (math.tan(e) - e) < volume then low = e else high = e end
+  end
+  return low
+end
+-- The largest deviation of pressures from the law over nine tenths of its contact.
+local function deviation(w, e, at)
+  local p0, worst = P / (R * (e + math.sin(e) * math.cos(e))), 0
+  local pressure = w:pressure("bush")
+  for i, x in ipairs(pressure.x) do
+    local t = x / R - at
+    if math.abs(t) < 0.9 * e then worst = math.max(worst, math.abs(pressure.p[i] / (p0 * math.cos(t)) - 1)) end
+  end
+  return worst
+end
+local function swing(t) return 15 * math.sin(2 * math.pi * t) end
+local function run(m, angle, share, to_bush)
+  local w = wear{ model = m, k_cylinder = k * to_bush, k_plate = k * (1 - to_bush), load = P, jump = "auto", load_angle = angle,
+    loading = { rotation = swing }, distance = share * R * gap / (k * P) }
+  w:run()
+  return w
+end
+local last
+for _, goal in ipairs{ { 0.5, 0.09 }, { 1, 0.036 }, { 2, 0.014 } } do
+  local share, off = table.unpack(goal)
+  local of = ("a turning pin wears its bush to k P s = %g R c: "):format(share)
+  last = run(journal, 0, share, 1)
+  below(deviation(last, angle_of(last.volume.bush), 0), off + 0.005, of .. "pressures off the cosine law")
+  within(last.volume.bush, k * last.load_distance, 1e-12, of .. "V = k integral normal force ds [mm3]")
+  local h, uneven = last:profile("bush").h, 0
+  for i = 1, #h do uneven = math.max(uneven, math.abs(h[i] - h[#h + 1 - i])) end
+  below(uneven / last.depth.bush, 1e-9, of .. "symmetric")
+end
+local aside = run(journal, 12, 1, 1)
+below(deviation(aside, angle_of(aside.volume.bush), math.rad(12)), 0.045, "the same under a load from 12 degrees")
+local other = run(journal, -12, 1, 1)
+within(other.depth.bush, aside.depth.bush, 1e-9, "and from -12 degrees [mm]")
+
+-- --- both wear, and the bush turns ----------------------------------------------------------------
+
+local both = run(journal, 0, 0.5, 0.5)
+within(both.volume.bush, k / 2 * both.load_distance, 1e-12, "both wear: V of the bush [mm3]")
+within(both.volume.pin, k / 2 * both.load_distance, 1e-12, "and of the pin [mm3]")
+figures.ok(both.depth.pin < both.depth.bush, "the pin, whose wear the swing spreads, is worn less deep")
+
+-- A load that follows the swinging bush wears it as one that stands still in it.
+local led = wear{ model = hip, k_cylinder = 0, k_plate = k, load = P, geometry = "frozen", distance = 50,
+  loading = { rotation = swing, load_angle = swing }, jump = 0.5 }
+local fixed = wear{ model = journal, k_cylinder = k, k_plate = 0, load = P, geometry = "frozen", distance = 50,
+  loading = { rotation = swing }, jump = 0.5 }
+led:run()
+fixed:run()
+within(led.volume.bush, fixed.volume.bush, 2e-3, "a load that follows the bush: volume [mm3]")
+within(led.depth.bush, fixed.depth.bush, 1e-2, "depth [mm]")
