@@ -17,16 +17,17 @@ local function label_of(self, values)
   return table.concat(words, ", ")
 end
 
-local function deep(given)
+local function deep(where, given, prefix)
   if type(given) ~= "table" or getmetatable(given) then return given end
+  check.depth(where, prefix)
   local copy = {}
-  for name, value in pairs(given) do copy[name] = deep(value) end
+  for name, value in pairs(given) do copy[name] = deep(where, value, prefix .. tostring(name) .. ".") end
   return copy
 end
 
 -- The fields of wear{} for a set of values.
 function runs:given(values)
-  local given = deep(self.base)
+  local given = deep(self.where, self.base, "base.")
   for name, value in pairs(unknown.settings(self.unknowns, values)) do
     local at, last = settings.place(given, name)
     at[last] = value
@@ -173,7 +174,7 @@ end
 
 -- options: file, workers, progress
 function runs.new(where, base, unknowns, what, options)
-  local self = setmetatable({ where = where, base = deep(base), unknowns = unknowns, what = what,
+  local self = setmetatable({ where = where, base = deep(where, base, "base."), unknowns = unknowns, what = what,
     file = options.file, progress = options.progress, known = {}, cases = {}, last = 0, count = 0,
     workers = options.workers or require "archard.process".processors() }, runs)
   open_model(where, self.base, unknowns)

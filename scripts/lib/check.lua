@@ -73,6 +73,18 @@ end
 -- Whatever the caller has checked, or another one will.
 function check.any(expected) return kind(expected, function() return true end) end
 
+local deepest = 20 -- tables in tables
+
+-- Refuses a table that holds itself, or goes on as if it did, where one descends into it: `name` is that of
+-- the table reached, with its points.
+function check.depth(where, name)
+  local _, points = name:gsub("%.", "")
+  if points > deepest then
+    check.fail(where, ("field '%s': expected tables within tables %d deep at most, got %d (one that holds itself?)")
+      :format(name:match "^[^.]*%.[^.]*%.[^.]*" .. "...", deepest, points))
+  end
+end
+
 -- Fields of all names, which whoever reads them checks.
 check.anything = setmetatable({}, { __index = function() return check.any "a field" end })
 

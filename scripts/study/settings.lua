@@ -41,6 +41,7 @@ local function as_table(where, name, value)
 end
 
 local function flatten(where, into, prefix, given)
+  check.depth(where, prefix)
   for key, value in pairs(given) do
     local name = prefix .. tostring(key)
     local kind = type(value)
@@ -86,12 +87,21 @@ function settings.nest(flat)
   return nested
 end
 
+local most_cases = 1000000
+
+-- Refuses more cases than a study can have.
+function settings.check_count(where, name, count, how)
+  if count <= most_cases then return end
+  check.fail(where, ("field '%s': expected at most %d cases, got %.0f (%s)"):format(name, most_cases, count, how))
+end
+
 -- --- grids -------------------------------------------------------------------------------------
 
 -- Flat names and their lists of values, in the order of names.
 local function axes_of(where, vary)
   local axes = {}
   local function visit(prefix, given)
+    check.depth(where, "vary." .. prefix)
     for key, list in pairs(given) do
       local name = prefix .. tostring(key)
       if type(list) ~= "table" then
@@ -111,10 +121,20 @@ local function axes_of(where, vary)
   return axes
 end
 
+-- Before there are as many tables.
+local function refuse_many(where, axes)
+  local count, words = 1, {}
+  for i, axis in ipairs(axes) do
+    count, words[i] = count * #axis.values, ("%d of %s"):format(#axis.values, axis.name)
+  end
+  settings.check_count(where, "vary", count, table.concat(words, " times "))
+end
+
 -- All combinations; the last name changes fastest.
 function settings.grid(where, vary)
-  local cases = { {} }
-  for _, axis in ipairs(axes_of(where, vary)) do
+  local cases, axes = { {} }, axes_of(where, vary)
+  refuse_many(where, axes)
+  for _, axis in ipairs(axes) do
     local longer = {}
     for _, case in ipairs(cases) do
       for _, value in ipairs(axis.values) do

@@ -5,6 +5,7 @@
 local check = require "archard.lib.check"
 local distributions = require "archard.uncertainty.distributions"
 local random = require "archard.random"
+local settings = require "archard.study.settings"
 
 local design = {}
 
@@ -16,6 +17,7 @@ design.kinds = { "sobol", "latin", "random" }
 local function fields_of(where, given)
   local list = {}
   local function visit(prefix, inside)
+    check.depth(where, "sample." .. prefix)
     for key, value in pairs(inside) do
       local name = prefix .. tostring(key)
       if distributions.is(value) then
@@ -92,7 +94,14 @@ local function cholesky(where, matrix)
   return lower
 end
 
+local function check_count(where, sample)
+  local each = sample.indices and #sample.fields + 2 or 1
+  settings.check_count(where, "n", sample.n * each, ("%d samples%s"):format(sample.n,
+    sample.indices and (", with indices %d cases each"):format(each) or ""))
+end
+
 local function check_design(where, sample, given)
+  check_count(where, sample)
   local room = sample.indices and random.most_dimensions // 2 or random.most_dimensions
   if #sample.fields > room then
     check.fail(where, ("field 'sample': %d fields are more than %d, the most%s"):format(

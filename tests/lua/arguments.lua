@@ -105,6 +105,23 @@ for _, case in ipairs{ 0, -1, 1.5, 2 ^ 31, 2 ^ 62, 0 / 0, "1" } do
     ("case %s"):format(case))
 end
 
+-- tables that hold themselves, studies of more cases than there can be
+local endless, many = {}, {}
+endless.k = endless
+for i = 1, 1000 do many[i] = i end
+local fit_of = { unknown = { k = 1e-8 }, data = { { of = "volume", distance = 1, value = 1e-6, relative = 0.1 } } }
+for name, call in pairs{ ["a base"] = function() study{ base = endless } end, vary = function() study{ vary = endless } end,
+  cases = function() study{ cases = { endless } } end, samples = function() study{ sample = endless } end,
+  ["study.paper"] = function() study.paper(endless) end, ["study.converge"] = function() study.converge{ base = endless } end,
+  ["the model of a fit"] = function() fit{ model = endless, unknown = fit_of.unknown, data = fit_of.data } end } do
+  fails(call, { "20 deep at most, got 21 (one that holds itself?)" }, name .. " that holds itself is refused")
+end
+fails(function() study{ vary = { load = many, alpha = many, stroke = many } } end,
+  "field 'vary': expected at most 1000000 cases, got 1000000000 (1000 of alpha times 1000 of load times 1000 of stroke)",
+  "a thousand million cases are refused before they are made")
+fails(function() study{ n = 1000000, indices = true, sample = { k = uniform{ 1, 2 }, load = uniform{ 1, 2 } } } end,
+  "expected at most 1000000 cases, got 4000000 (1000000 samples, with indices 4 cases each)", "samples likewise")
+
 -- an element keeps its shape when only its width is given
 local fine = model{ mesh = { size = 0.04 } }
 near(fine.mesh.height, 0.05, 1e-15, "the height follows the size")
