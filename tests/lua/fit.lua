@@ -204,7 +204,9 @@ local width = fit{ base = base, unknown = { k = 1e-8 }, data = { { of = "width",
   value = { 0.23, 0.24 }, error = 0.01 } } }
 plot.fit(width, { file = file .. ".gp" })
 local script = io.open(file .. ".gp")
-holds(script:read "a", "'width / mm'", "a picture of what is no column of the history")
+local commands = script:read "a"
+holds(commands, "'width / mm'", "a picture of what is no column of the history")
+holds(commands, "filledcurves closed", "its band is an area of its own, not one down to zero")
 script:close()
 os.remove(file .. ".gp")
 fails(function() plot.fit({}) end, "expected what fit{}", "plot.fit of something else")

@@ -248,8 +248,11 @@ static arc_status integrate_half(arc_wear *w, const wear_window *window, wear_wa
   wear_window half = *window;
   half.last = window->last / 2;
   const arc_status status = integrate(w, &half, watch, rate, images, error);
-  if (status == ARC_OK) arc_wear_add_mirror(w, window, images, rate);
-  return status;
+  if (status != ARC_OK) return status;
+  arc_wear_add_mirror(w, window, images, rate);
+  for (int at = half.last + 1; at <= window->last; at++)
+    watch->solutions += w->path.block->line[at] > 0; /* images are solutions too */
+  return ARC_OK;
 }
 
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
