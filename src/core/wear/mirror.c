@@ -1,6 +1,6 @@
-/* Where surfaces and the plate's way are mirror images about x = 0 to the bit, the second half of the
- * way wears the mirror image of the first: half of the contact solutions tell all. Symmetric runs
- * start so, and stay so: what a mirrored rate takes off is symmetric to the bit. */
+/* Where surfaces and the plate's way are mirror images about x = 0 to the bit, the second half of
+ * the way wears the mirror image of the first: half of the contact solutions tell all. Symmetric
+ * runs start so, and stay so: what a mirrored rate takes off is symmetric to the bit. */
 #include "core/wear/rate.h"
 
 static int is_mirrored_way(const wear_block *b) {
@@ -37,8 +37,8 @@ int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
   const wear_block *block = w->path.block;
   return window->first == 0 && window->last == block->count - 1 && !window->trial &&
          w->def.rule == ARC_TRAPEZOID && w->def.slip == ARC_SLIP_RIGID &&
-         !(window->jacobian && arc_wear_has_places(w, window)) && !arc_model_is_given(w->model) && is_mirrored_way(block) &&
-         is_mirrored_shape(window->shape);
+         !(window->jacobian && arc_wear_has_places(w, window)) && !arc_model_is_given(w->model) &&
+         is_mirrored_way(block) && is_mirrored_shape(window->shape);
 }
 
 static void fold(double *a, double *b) {

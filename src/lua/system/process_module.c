@@ -137,8 +137,7 @@ static char **make_environment(void) {
   int short_of = !list;
   for (size_t i = 0; i < count && !short_of; i++)
     if (!is_replaced(environ[i])) short_of = !(list[kept++] = strdup(environ[i]));
-  for (int i = 0; i < ADDED && !short_of; i++)
-    short_of = !(list[kept++] = strdup(of_workers[i]));
+  for (int i = 0; i < ADDED && !short_of; i++) short_of = !(list[kept++] = strdup(of_workers[i]));
   if (!short_of) return list;
   free_list(list);
   return NULL;
