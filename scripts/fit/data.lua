@@ -1,10 +1,12 @@
 -- What a fit is held against: profiles of a body at a distance, whose position on the surface is
--- fitted along, and numbers of the history against the distance. Reads and checks what users give,
--- and tells what a run says in its place. Leans on the list of columns.
+-- fitted along, friction loops (fit/loop.lua), and numbers of the history against the distance. Reads
+-- and checks what users give, and tells what a run says in its place. Leans on the list of columns.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
 local keys = require "archard.lib.keys"
+local loops = require "archard.fit.loop"
+local merged = require "archard.lib.merged"
 
 local data = {}
 
@@ -38,6 +40,7 @@ local profile = check.kind("a profile of depths, with lists x and h [mm] (of hei
 end)
 
 local fields = {
+  loop = loops.kind, compliance = check.number, cycle = sizes,
   profile = profile, x = list, h = list, body = body, shift = check.number, tilt = check.number,
   level = check.number, of = check.one_of(keys(quantities)), distance = sizes, value = one_or_more,
   error = sizes, relative = check.positive, title = check.text,
@@ -81,8 +84,17 @@ local function errors_of(where, prefix, given, own, value)
   return absolute and same_count(where, prefix, "error", as_list(absolute, #value), #value)
 end
 
--- Positions that are fitted: what is not given as a number.
-local position = { "shift", "tilt", "level" }
+-- What belongs to one kind of data only.
+local of_profiles = { "profile", "x", "h", "body", "shift", "tilt", "level" }
+local of_loops = { "loop", "compliance" }
+
+local function refuse_others(where, prefix, given, names, what)
+  for _, name in ipairs(names) do
+    if given[name] ~= nil then
+      check.fail(where, ("field '%s.%s': it is for %s"):format(prefix, name, what))
+    end
+  end
+end
 
 local function sorted(x, y, err)
   local order = {}
@@ -96,17 +108,29 @@ local function sorted(x, y, err)
   return of(x), of(y), err and of(err)
 end
 
+local function need_distance(where, prefix, given, what)
+  if check.positive.test(given.distance) then return end
+  check.refuse(where, prefix .. ".distance", ("the distance of the %s, a number > 0 mm"):format(what),
+    given.distance)
+end
+
+-- What of the position of an item is looked for, and about how far it can be off.
+local function free_of(x, h)
+  local deepest, width = 0, x[#x] - x[1]
+  for _, value in ipairs(h) do deepest = math.max(deepest, math.abs(value)) end
+  return { { kind = "shift", span = width / 10, unit = "mm" }, { kind = "tilt", span = deepest / width, unit = "mm/mm" },
+    { kind = "level", span = deepest, unit = "mm" } }
+end
+
 local function read_profile(where, prefix, given)
   local from = given.profile or given
   if not (from.x and from.h) then
     check.fail(where, ("field '%s': expected profile=, or x= and h= [mm], or of=, distance= and "
-      .. "value=, got none of these"):format(prefix))
+      .. "value=, or loop=, got none of these"):format(prefix))
   end
+  refuse_others(where, prefix, given, of_loops, "loops, and this is a profile")
   if given.body == nil then check.refuse(where, prefix .. ".body", body.expected, nil) end
-  if not check.positive.test(given.distance) then
-    check.refuse(where, prefix .. ".distance", "the distance of the profile, a number > 0 mm",
-      given.distance)
-  end
+  need_distance(where, prefix, given, "profile")
   local x, h = as_list(from.x), as_list(from.h)
   same_count(where, prefix, "h", h, #x)
   local own = given.profile and from.error
@@ -114,22 +138,27 @@ local function read_profile(where, prefix, given)
   local err = errors_of(where, prefix, given, own, h)
   x, h, err = sorted(x, h, err)
   local item = { kind = "profile", body = given.body, distance = given.distance, x = x, value = h,
-    error = err, unit = "mm", fixed = {},
+    error = err, unit = "mm", free = free_of(x, h),
+    fixed = { shift = given.shift, tilt = given.tilt, level = given.level },
     title = given.title or ("profile of the %s at %g mm"):format(given.body, given.distance) }
-  for _, name in ipairs(position) do item.fixed[name] = given[name] end
   return item
+end
+
+local function read_loop(where, prefix, given, by_force)
+  refuse_others(where, prefix, given, { "profile", "x", "h", "body", "tilt", "of", "value" },
+    "other data, and this is a loop { x=, tangential= }")
+  need_distance(where, prefix, given, "loop")
+  local values = by_force and given.loop.x or given.loop.tangential
+  return loops.item(given, errors_of(where, prefix, given, nil, values), by_force)
 end
 
 local function read_series(where, prefix, given)
   for _, name in ipairs{ "distance", "value" } do
     if given[name] == nil then check.refuse(where, prefix .. "." .. name, fields[name].expected, nil) end
   end
-  for _, name in ipairs{ "profile", "x", "h", "body", "shift", "tilt", "level" } do
-    if given[name] ~= nil then
-      check.fail(where, ("field '%s.%s': it is for profiles, and this one has of=\"%s\""):format(prefix,
-        name, given.of))
-    end
-  end
+  local this = (", and this one has of=\"%s\""):format(given.of)
+  refuse_others(where, prefix, given, of_profiles, "profiles" .. this)
+  refuse_others(where, prefix, given, of_loops, "loops" .. this)
   local x, value = as_list(given.distance), as_list(given.value)
   same_count(where, prefix, "value", value, #x)
   local err = errors_of(where, prefix, given, nil, value)
@@ -138,10 +167,26 @@ local function read_series(where, prefix, given)
     unit = quantities[given.of][3], title = given.title or given.of }
 end
 
--- One measurement; `prefix` is its name in messages.
-function data.item(where, prefix, given)
+-- With its distance, where it is given by the cycle; way: the sliding of a cycle [mm].
+local function with_distance(where, prefix, given, way)
+  if given.cycle == nil then return given end
+  if given.distance ~= nil then
+    check.fail(where, ("fields '%s.cycle' and '%s.distance': expected one of them, got both"):format(prefix,
+      prefix))
+  end
+  local cycles = type(given.cycle) == "number" and { given.cycle } or given.cycle
+  local distance = {}
+  for i = 1, #cycles do distance[i] = cycles[i] * way() end
+  return merged(given, { distance = type(given.cycle) == "number" and distance[1] or distance })
+end
+
+-- One measurement; `prefix` is its name in messages. motion: { way = function() -> the sliding of a cycle
+-- [mm], by_force = whether a force drives the runs }.
+function data.item(where, prefix, given, motion)
   if type(given) ~= "table" then check.refuse(where, prefix, "a table", given) end
   check.fields(where, given, fields, prefix .. ".")
+  given = with_distance(where, prefix, given, motion.way)
+  if given.loop then return read_loop(where, prefix, given, motion.by_force) end
   return (given.of and read_series or read_profile)(where, prefix, given)
 end
 
@@ -163,10 +208,10 @@ local function check_errors(where, items)
 end
 
 -- -> list of items, and whether their errors are told.
-function data.read(where, given)
+function data.read(where, given, motion)
   if #given == 0 then check.fail(where, "field 'data': expected a list of measurements, got none") end
   local items = {}
-  for i, one in ipairs(given) do items[i] = data.item(where, ("data[%d]"):format(i), one) end
+  for i, one in ipairs(given) do items[i] = data.item(where, ("data[%d]"):format(i), one, motion) end
   local told = check_errors(where, items)
   for _, item in ipairs(told and {} or items) do
     item.error = as_list(1e-3, #item.x) -- any: what counts is that they are equal
@@ -178,16 +223,19 @@ end
 
 -- The list for observe.lua; every value of an item learns at which look it is found.
 function data.wanted(items)
-  local distances, wanted, bodies, at = {}, {}, {}, {}
+  local distances, wanted, bodies, turns, at = {}, {}, {}, {}, {}
   for _, item in ipairs(items) do
     if item.kind == "profile" then
       distances[item.distance], bodies[item.body] = true, true
+    elseif item.kind == "loop" then
+      distances[item.distance], turns[item.distance] = true, true
     else
       for _, distance in ipairs(item.x) do distances[distance] = true end
       for _, name in ipairs(quantities[item.of][1]) do wanted[name] = true end
     end
   end
-  local what = { distances = keys(distances), columns = keys(wanted), bodies = keys(bodies) }
+  local what = { distances = keys(distances), columns = keys(wanted), bodies = keys(bodies),
+    loops = keys(turns) }
   for i, distance in ipairs(what.distances) do at[distance] = i end
   for _, item in ipairs(items) do
     item.look = {}
@@ -229,24 +277,20 @@ local function series_values(item, looks)
   return values
 end
 
--- place: { shift=, tilt=, level= } of a profile
+-- place: { shift=, tilt=, level= } of a profile or a loop
 function data.values(item, looks, place)
+  if item.kind == "loop" then return loops.values(item, looks[item.look[1]].loop, place) end
   return (item.kind == "profile" and profile_values or series_values)(item, looks, place)
 end
 
--- The parameters of a profile's position: like those of fit/unknown.lua, of the item.
+-- The parameters of positions that no number is given for: like those of fit/unknown.lua, of the item.
 function data.positions(items)
   local list = {}
   for number, item in ipairs(items) do
-    if item.kind == "profile" then
-      local deepest, width = 0, item.x[#item.x] - item.x[1]
-      for _, h in ipairs(item.value) do deepest = math.max(deepest, math.abs(h)) end
-      local spans = { shift = width / 10, tilt = deepest / width, level = deepest }
-      for _, name in ipairs(position) do
-        if not item.fixed[name] then
-          list[#list + 1] = { item = number, kind = name, start = 0, span = spans[name] > 0 and spans[name] or 1e-3,
-            name = ("%s of the %s"):format(name, item.title), unit = name == "tilt" and "mm/mm" or "mm" }
-        end
+    for _, one in ipairs(item.free or {}) do
+      if not item.fixed[one.kind] then
+        list[#list + 1] = { item = number, kind = one.kind, start = 0, span = one.span > 0 and one.span or 1e-3,
+          name = ("%s of the %s"):format(one.kind, item.title), unit = one.unit }
       end
     end
   end
@@ -294,9 +338,11 @@ function data.check_sizes(where, items, looks)
   local still = { shift = 0, tilt = 0, level = 0 }
   for number, item in ipairs(items) do
     if item.kind == "profile" then check_place(where, number, item, looks[item.look[1]][item.body]) end
+    if item.kind == "loop" then loops.check_place(where, number, item, looks[item.look[1]].loop) end
     local most, expected = largest(item.value), largest(data.values(item, looks, still))
     if most > 0 and expected > 0 and (most > 150 * expected or most < expected / 150) then
-      refuse_size(where, number, item.kind == "profile" and "h" or "value", item, most, expected)
+      local name = { profile = "h", loop = item.by_force and "loop.x" or "loop.tangential" }
+      refuse_size(where, number, name[item.kind] or "value", item, most, expected)
     end
   end
 end

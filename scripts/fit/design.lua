@@ -67,7 +67,7 @@ local function read(given)
     check_one(number, one)
     local distances = type(one.distance) == "number" and { one.distance } or one.distance
     for i = 1, #distances do
-      local item = data.item(where, ("measure[%d]"):format(number), stand_in(one, distances[i]))
+      local item = data.item(where, ("measure[%d]"):format(number), stand_in(one, distances[i]), {})
       item.measure, item.at, item.relative = number, distances[i], one.relative
       item.title = one.title or (one.profile and "profile of the " .. one.profile or one.of)
       items[#items + 1] = item

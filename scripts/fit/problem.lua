@@ -1,4 +1,4 @@
--- A fit as a problem of least squares: parameters (the unknowns, then the positions of profiles),
+-- A fit as a problem of least squares: parameters (the unknowns, then the positions of profiles and loops),
 -- weighted residuals, and their derivatives by differences of runs, with steps chosen by how noisy
 -- runs are. Leans on fit/data.lua, fit/unknown.lua, fit/runs.lua.
 

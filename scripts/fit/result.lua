@@ -86,14 +86,14 @@ local function described(self, problem, found, scale, deviation)
       low[i], high[i], err[i] = value - room, value + room, (self.told and 1 or scale) * item.error[i]
       residual[i] = (item.value[i] - value) / err[i]
     end
-    list[number] = { title = item.title, unit = item.unit, body = item.body, of = item.of,
-      distance = item.distance or item.x, x = item.kind == "profile" and item.x or nil, value = item.value,
+    list[number] = { title = item.title, unit = item.unit, body = item.body, of = item.of, kind = item.kind,
+      distance = item.distance or item.x, x = item.kind ~= "series" and item.x or nil, value = item.value,
       error = err, model = model, low = low, high = high, residual = residual }
     for i, one in ipairs(problem.positions) do
       if one.item == number then
         local at = #problem.unknowns + i
         list[number].place = list[number].place or {}
-        list[number].place[one.kind] = { value = found.values[at], error = deviation[at] }
+        list[number].place[one.kind] = { value = found.values[at], error = deviation[at], unit = one.unit }
       end
     end
   end
@@ -237,6 +237,7 @@ local function data_line(item)
     local place = item.place and item.place[name]
     if place then
       local factor, unit = 1e3, name == "tilt" and "um/mm" or "um"
+      if place.unit == "N" then factor, unit = 1, "N" end
       line = ("%s\n    %s %.3g +- %.2g %s"):format(line, name, factor * place.value, factor * place.error,
         unit)
     end

@@ -34,6 +34,29 @@ local function base_of(name, given, what)
   return base
 end
 
+local function start_of(unknowns)
+  local values = {}
+  for i, one in ipairs(unknowns) do values[i] = one.start end
+  return values
+end
+
+local function is_by_force(base)
+  local loading = base.loading
+  if base.tangential ~= nil or type(loading) ~= "table" then return base.tangential ~= nil end
+  return loading.tangential ~= nil or type(loading[1]) == "table" and loading[1].tangential ~= nil
+end
+
+-- How the runs move, as far as data ask: `way` is the sliding of a cycle [mm].
+local function motion_of(name, given, unknowns)
+  local base = merged(given.base, { model = given.model })
+  local function way()
+    local first = runs.new(name, base, unknowns, nil, {}):given(start_of(unknowns))
+    local run <close> = wear(first)
+    return run.total_distance / run.cycles
+  end
+  return { way = way, by_force = is_by_force(base) }
+end
+
 -- The parts that a fit and a design have in common.
 local function prepare(name, given, items)
   local unknowns = unknown.read(name, given.unknown)
@@ -45,15 +68,9 @@ end
 local function refuse_few(problem)
   local count, wanted = #problem.measured, #problem.parameters
   if count > wanted then return end
-  check.fail(where, ("too few data: %d value%s for %d unknowns (%d to be found, %d positions of profiles); "
+  check.fail(where, ("too few data: %d value%s for %d unknowns (%d to be found, %d positions of profiles and loops); "
     .. "measure more, leave unknowns out, or fix shift, tilt and level"):format(count, count == 1 and "" or "s",
     wanted, #problem.unknowns, #problem.positions))
-end
-
-local function start_of(problem)
-  local values = {}
-  for i, one in ipairs(problem.unknowns) do values[i] = one.start end
-  return values
 end
 
 local function need(name, given, list)
@@ -66,10 +83,11 @@ end
 local function run(given)
   check.definition(where, given, fields)
   need(where, given, { "unknown", "data" })
-  local items, told = data.read(where, given.data)
+  local unknowns = unknown.read(where, given.unknown)
+  local items, told = data.read(where, given.data, motion_of(where, given, unknowns))
   local problem = prepare(where, given, items)
   refuse_few(problem)
-  data.check_sizes(where, items, problem.runs:one(start_of(problem)))
+  data.check_sizes(where, items, problem.runs:one(start_of(unknowns)))
   local found = solve.fit(problem, unknown.smooth(problem.unknowns))
   return result.new(problem, found, told, given.confidence or 0.95)
 end

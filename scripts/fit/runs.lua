@@ -120,6 +120,8 @@ local function from_store(store, id)
     for _, body in ipairs{ "cylinder", "plate" } do
       if look[body] then look[body] = { x = numbers(look[body].x), h = numbers(look[body].h) } end
     end
+    local loop = look.loop
+    if loop then look.loop = { x = numbers(loop.x), tangential = numbers(loop.tangential) } end
   end
   return looks
 end

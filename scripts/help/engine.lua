@@ -290,7 +290,7 @@ return {
   { "wear.distance", kind = "field", unit = "mm", text = "Travelled distance so far." },
   { "wear.cycle", kind = "field", unit = "cycles", text = "Loading cycles so far." },
   { "wear.update", kind = "field", text = "Geometry updates so far." },
-  { "wear.solutions", kind = "field", text = "Contacts solved so far." },
+  { "wear.solutions", kind = "field", text = "Contacts solved so far; half of a symmetric stroke is the mirror image of the other half and counts too." },
   { "wear.done", kind = "field", text = "Whether the whole distance has been travelled." },
   { "wear.p_center", kind = "field", unit = "MPa",
     text = "Pressure at the centre, plate at x = 0, nominal load." },

@@ -13,8 +13,8 @@ return {
     text = "What is looked for, by name: number fields of wear{}, or of a model as [\"model.radius\"], "
       .. "[\"model.plate.E\"]. A number is the start alone." },
   { "fit{data}", type = "list of tables",
-    text = "What was measured, each a profile { profile= or x=, h=, body=, distance= } or numbers of the history "
-      .. "{ of=, distance=, value= }." },
+    text = "What was measured, each a profile { profile= or x=, h=, body=, distance= }, numbers of the history "
+      .. "{ of=, distance=, value= }, or a friction loop { loop={ x=, tangential= }, cycle= or distance= }." },
   { "fit{base}", type = "table", takes = "wear",
     text = "Fields of wear{} of all runs; its distance grows to the last measurement." },
   { "fit{model}", type = "model object or table", takes = "model", text = "The bodies, as in wear{}." },
@@ -42,18 +42,28 @@ return {
   { "fit{data.h}", type = "list of numbers", unit = "mm", text = "The wear depths there." },
   { "fit{data.body}", values = { "cylinder", "plate" }, text = "Whose profile it is." },
   { "fit{data.distance}", type = "number or list of numbers", unit = "mm",
-    text = "Travelled distance of a profile, or of each value." },
+    text = "Travelled distance of a profile, of a loop, or of each value." },
+  { "fit{data.cycle}", type = "number or list of numbers", unit = "cycles",
+    text = "Instead: after how many cycles, of the motion that the search starts with." },
+  { "fit{data.loop}", type = "table of lists", unit = "mm and N",
+    text = "Motion x and tangential force of one cycle in the order of time, as w:loop() has them; runs with "
+      .. "friction only, of which the loop tells the coefficient. Each half of it, to and fro, is held against "
+      .. "the same half of the run's: the forces at the places measured, or, where a force drives the runs "
+      .. "(tangential=), the places at the forces. error is in N, or then in mm." },
+  { "fit{data.compliance}", type = "number", unit = "mm/N", default = 0,
+    text = "Of the rig, for a loop: what the motion measured has too much for each N of force." },
   { "fit{data.of}", type = "string",
     text = 'A column of the history, as "volume_plate", "depth_cylinder"; or "volume", of both, or "width".' },
   { "fit{data.value}", type = "number or list of numbers", text = "Its values, in the unit of the column." },
   { "fit{data.error}", type = "number or list of numbers", text = "Standard error, in the unit of the values." },
   { "fit{data.relative}", type = "number", text = "Instead: the standard error as a share of each value." },
   { "fit{data.shift}", type = "number", unit = "mm",
-    text = "How far the profile lies to the right of the surface; without a number it is fitted along." },
+    text = "How far the profile lies to the right of the surface, or x of a loop; without a number it is fitted "
+      .. "along." },
   { "fit{data.tilt}", type = "number", unit = "mm/mm",
     text = "How much steeper it lies (h grows with x); without a number fitted along." },
-  { "fit{data.level}", type = "number", unit = "mm",
-    text = "How much deeper it lies; without a number fitted along." },
+  { "fit{data.level}", type = "number", unit = "mm; N",
+    text = "How much deeper it lies, or by how much the force of a loop is off; without a number fitted along." },
   { "fit{data.title}", type = "string", text = "Its name when shown." },
 
   { "fitted", kind = "object", use = "f = fit{...}",
@@ -78,7 +88,8 @@ return {
   { "fitted.told", kind = "field", text = "Whether the data came with their errors." },
   { "fitted.data", kind = "field",
     text = "For each set of data the lists value, error, model, low, high (band of the model), residual (over the "
-      .. "error), x or distance, and place: shift, tilt and level with their errors." },
+      .. "error), x (of loops the force, where one drives) or distance, kind (profile, loop, series), and "
+      .. "place: shift, tilt and level with value, error, unit." },
   { "fitted.curve", kind = "field",
     text = "Unknowns with knots as { distance=, value= }, which wear{} takes as k or alpha." },
   { "fitted.band", kind = "field", text = "The same with the ends of their ranges, low and high." },

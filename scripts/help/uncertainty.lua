@@ -99,8 +99,11 @@ return {
     use = 'w:sensitivity{ of="depth_cylinder", to={"k", "alpha", "E"} }',
     text = "How results answer to numbers of the definition, over the whole history: derivatives and "
       .. "elasticities (percent by percent), each with its own error. The run is repeated 16 times for "
-      .. "each number, changed by 3 % down to 4e-7, steps that chose themselves as they were; every result "
-      .. "keeps the difference that wider and narrower steps confirm best." },
+      .. "each number, changed by 3 % down to 4e-7; every result keeps the difference that wider and "
+      .. "narrower changes confirm best. Steps that chose themselves (jump = \"auto\", tolerance) are taken "
+      .. "as they were by all runs, then in 4 and in 8 parts: results are those of 8 parts, and errors have "
+      .. "in them what the parts changed. With a given jump the error is that of the difference alone: "
+      .. "results are of the run with these very steps." },
   { "wear.sensitivity{of}", type = "name or list of names", values = columns,
     default = '{ "depth_cylinder", "depth_plate", "p_center" }', text = "Columns of the history." },
   { "wear.sensitivity{to}", type = "name or list of names", default = '{ "k", "alpha", "load" }',

@@ -22,6 +22,10 @@ end
 
 -- What is on the vertical axis, and the factor to its unit.
 local function label_of(item)
+  if item.kind == "loop" then
+    if item.unit == "N" then return "tangential force / N", 1 end
+    return "motion / µm", 1e3
+  end
   if item.x then return "wear depth / µm", 1e3 end
   local label, factor = curves.quantity_of(item.of)
   if label then return label, factor end
@@ -44,16 +48,37 @@ local function ends_of(item, sign)
   return list
 end
 
-local function main_panel(item)
+-- What is on the horizontal axis, and its name.
+local function across(item)
+  if item.kind ~= "loop" then return item.x or item.distance, item.x and "x / mm" or naming.axis_of("distance") end
+  if item.unit == "N" then return scaled(item.x, 1e3), "motion / µm" end
+  return item.x, "tangential force / N"
+end
+
+-- A loop goes round: its band would be drawn over itself, and is no wider than the line.
+local function loop_panel(item)
   local label, factor = label_of(item)
-  local x = item.x or item.distance
+  local x, name = across(item)
+  local function round(list) return { list[#list], table.unpack(list) } end
+  return {
+    { x = round(x), y = scaled(round(item.model), factor), series = 1, title = "model", style = "lines" },
+    { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
+      colour = "black", title = "data" },
+    title = item.title, ylabel = label, xlabel = name, xrange = range_of(x),
+  }
+end
+
+local function main_panel(item)
+  if item.kind == "loop" then return loop_panel(item) end
+  local label, factor = label_of(item)
+  local x, name = across(item)
   return {
     band_of(x, item.low, item.high, factor),
     { x = x, y = scaled(item.model, factor), series = 1, title = "model",
       style = #x == 1 and "points" or "lines" },
     { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
       colour = "black", title = "data" },
-    title = item.title, ylabel = label, xlabel = item.x and "x / mm" or naming.axis_of("distance"),
+    title = item.title, ylabel = label, xlabel = name,
     ydown = item.x and true or nil, xrange = range_of(x),
     yrange = range_of(scaled(item.low, factor), scaled(item.high, factor),
       scaled(ends_of(item, -1), factor), scaled(ends_of(item, 1), factor)),
@@ -61,13 +86,13 @@ local function main_panel(item)
 end
 
 local function residual_panel(item)
-  local x = item.x or item.distance
+  local x, name = across(item)
   local range, most = range_of(x), 3
   for _, value in ipairs(item.residual) do most = math.max(most, 1.1 * math.abs(value)) end
   return { { x = range, y = { 0, 0 }, colour = "grey" },
     { x = x, y = item.residual, style = "points", colour = "black" },
     xrange = range, yrange = { -most, most },
-    ylabel = "residual / error", xlabel = item.x and "x / mm" or naming.axis_of("distance") }
+    ylabel = "residual / error", xlabel = name }
 end
 
 local function curve_panel(name, curve)

@@ -53,6 +53,7 @@ local function expand(where, given, sample)
   local cases = given.cases or sample and design.cases(sample) or settings.grid(where, given.vary or {})
   local flat = {}
   for i, case in ipairs(cases) do flat[i] = settings.join(where, given.base or {}, case) end
+  if sample then require "archard.uncertainty.one_mesh"(sample, flat) end
   return flat
 end
 

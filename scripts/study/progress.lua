@@ -27,7 +27,8 @@ function progress:at(i, share)
 end
 
 function progress:finish(i, case, failure)
-  self.slots[i] = nil
+  local slot = self.slots[i]
+  if slot and slot.case == case then self.slots[i] = nil end
   self.done = self.done + 1
   if failure then self.failed = self.failed + 1 end
   if self.mode == "lines" then

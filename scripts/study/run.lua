@@ -19,59 +19,75 @@ end
 local run = {}
 run.__index = run
 
--- Gives worker i its next case, if there is one.
+-- Gives worker i its next case; where there is none, what it has computed is to be stored.
 function run:feed(i)
-  local case = table.remove(self.queue, 1)
+  local case = self.queue[self.next]
   self.busy[i] = case
-  if not case then return end
-  self.running = self.running + 1
-  self.pool:send(i, "case " .. case.id)
-  self.display:start(i, case)
+  if case then
+    self.next = self.next + 1
+    self.pool:send(i, "case " .. case.id)
+    self.display:start(i, case)
+  elseif next(self.computed[i]) then
+    self.pool:send(i, "store")
+  end
 end
 
 function run:over(i, case, failure)
-  self.running = self.running - 1
-  self.busy[i] = nil
+  self.left = self.left - 1
+  self.computed[i][case.id] = nil
   if failure then
     self.failed[#self.failed + 1] = { id = case.id, label = case.label, message = failure }
   end
   self.display:finish(i, case, failure)
 end
 
--- A worker that died took one case with it: no other.
-function run:bury(i, event)
-  local case = self.busy[i]
-  if not case then return end
-  local words = event.words:gsub("%s+", " "):gsub("^ ", ""):gsub(" $", "")
-  local message = ("its process ended by %s%s"):format(event.ended,
-    words ~= "" and ": " .. words or "")
+function run:fail(i, case, message)
   self.store:mark(case.id, "failed", message)
   self:over(i, case, message)
 end
 
-function run:hear(i, line)
-  local word, rest = line:match("^(%a+) ?(.*)$")
+-- A worker that died took the case at hand with it; what it had computed and not stored yet is to be
+-- done again. One that died of storing would do so again.
+function run:bury(i, event)
+  local case, computed = self.busy[i], self.computed[i]
+  local words = event.words:gsub("%s+", " "):gsub("^ ", ""):gsub(" $", "")
+  local message = ("its process ended by %s%s"):format(event.ended,
+    words ~= "" and ": " .. words or "")
+  self.busy[i], self.computed[i] = nil, {}
+  if case then self:fail(i, case, message) end
+  for _, lost in pairs(computed) do
+    if case then self.queue[#self.queue + 1] = lost else self:fail(i, lost, message) end
+  end
+end
+
+function run:computed_case(i)
   local case = self.busy[i]
-  if word == "broken" then
-    check.fail("study:run", rest, "IO")
-  elseif not case then
-    return
-  elseif word == "at" then
-    self.display:at(i, tonumber(rest:match("(%S+)$")))
+  self.busy[i], self.computed[i][case.id] = nil, case
+  self:feed(i)
+end
+
+function run:hear(i, line)
+  local word, id, rest = line:match("^(%a+) (%d+) ?(.*)$")
+  if line:match("^broken ") then check.fail("study:run", line:match("^broken (.*)$"), "IO") end
+  if not word then return end
+  local case = self.computed[i][math.tointeger(tonumber(id))]
+  if word == "at" then
+    self.display:at(i, tonumber(rest))
+  elseif word == "computed" then
+    self:computed_case(i)
   elseif word == "warned" then
-    self.warned[#self.warned + 1] = { id = case.id, label = case.label,
-      message = rest:match("^%d+ (.*)$") }
+    self.warned[#self.warned + 1] = { id = case.id, label = case.label, message = rest }
   elseif word == "done" then
     self:over(i, case)
   elseif word == "failed" then
-    self:over(i, case, rest:match("^%d+ (.*)$"))
+    self:over(i, case, rest)
   end
 end
 
 function run:attend(event)
-  local i = event.worker
-  if event.line then self:hear(i, event.line) else self:bury(i, event) end
-  if not self.busy[i] then self:feed(i) end
+  if event.line then return self:hear(event.worker, event.line) end
+  self:bury(event.worker, event)
+  self:feed(event.worker)
 end
 
 -- store: open for writing. options: workers, chosen (function(id) -> whether it is to be done; nil:
@@ -86,10 +102,13 @@ return function(store, options)
   local workers = math.min(options.workers, count)
   local pool <close> = process.pool(workers, { "-e", itself("study.worker", store.path) })
   local display <close> = progress.new(workers, count + finished, finished, options.progress)
-  local self = setmetatable({ store = store, pool = pool, queue = queue, busy = {}, running = 0,
-    failed = failed, warned = warned, display = display }, run)
-  for i = 1, workers do self:feed(i) end
-  while self.running > 0 do
+  local self = setmetatable({ store = store, pool = pool, queue = queue, next = 1, busy = {}, computed = {},
+    left = count, failed = failed, warned = warned, display = display }, run)
+  for i = 1, workers do
+    self.computed[i] = {}
+    self:feed(i)
+  end
+  while self.left > 0 do
     for _, event in ipairs(pool:wait(0.5)) do self:attend(event) end
     display:draw()
   end

@@ -1,6 +1,7 @@
 -- A worker of a study: reads "case ID" lines, computes, stores the results in the run file itself,
--- and says how it goes. What it says: "at ID SHARE", "done ID", "failed ID TEXT" (the case),
--- "warned ID TEXT" (before the end of a case), "broken TEXT" (the file: nobody can go on). Leans on
+-- and says how it goes. What it says: "at ID SHARE", "computed ID" (the next one may come), then, once
+-- it is stored, "done ID" or "failed ID TEXT" (the case), "warned ID TEXT" (before the end of a case),
+-- "broken TEXT" (the file: nobody can go on). A line "store" asks for what is not stored yet. Leans on
 -- archard.store; what it warns of goes by archard.warnings.
 
 local stores = require "archard.store"
@@ -10,6 +11,7 @@ local term = require "archard.term"
 local warnings = require "archard.warnings"
 
 local pause = 0.2 -- seconds between two words on progress
+local longest_wait = 0.5 -- seconds that a computed case is kept in memory
 
 -- Where in this file it went wrong says nothing to the user.
 local function one_line(value)
@@ -70,7 +72,7 @@ function tasks.wear(store, id, on_progress)
   return function()
     store:save(id, run, list)
     store:set_values(id, "results", last_record(run))
-  end
+  end, run
 end
 
 -- Finds the settings that a case needs, and keeps them as its results.
@@ -91,64 +93,114 @@ end
 
 -- --- one case after the other ------------------------------------------------------------------
 
-local function speaker(id)
-  local last = -math.huge
+-- Says how far it is, of cases that take their time; only those are ever seen running in the file.
+local function speaker(store, id)
+  local last, marked = term.clock(), false
   return function(share)
     local now = term.clock()
     if now - last < pause then return end
     last = now
+    if not marked then store:mark(id, "running") end
+    marked = true
     say("at", id, ("%.3f"):format(share))
   end
 end
 
 -- What the engine warned of in this case is part of what the user must know of it. A search goes
 -- past every limit on purpose.
-local function tell_warning(store, id)
+local function warning_of(store)
   local text = warnings.take()
-  if not text or store:info("task") == "converge" then return end
-  local results = store:values(id, "results")
-  results.warning = text
-  store:set_values(id, "results", results)
-  say("warned", id, one_line(text))
+  return store:info("task") ~= "converge" and text or nil
 end
 
--- Stores what `keep` does and the mark in one transaction.
-local function finish(store, id, seconds, keep)
+-- { id=, seconds=, warning=, failure=, keep= (writes the results), run= (what they are kept in) }
+local function compute_case(store, id)
+  local start = term.clock()
+  warnings.take()
+  local task = tasks[store:info("task") or "wear"]
+  local fine, keep, run = pcall(task, store, id, speaker(store, id))
+  return { id = id, seconds = term.clock() - start, warning = warning_of(store), run = run,
+    keep = fine and keep or nil, failure = not fine and one_line(keep) or nil }
+end
+
+-- --- storing -------------------------------------------------------------------------------------
+
+local function write_case(store, case)
+  if case.keep then case.keep() end
+  if case.warning then
+    local results = store:values(case.id, "results")
+    results.warning = case.warning
+    store:set_values(case.id, "results", results)
+  end
+  store:mark(case.id, case.failure and "failed" or "done", case.failure, not case.failure and case.seconds
+    or nil)
+end
+
+local function tell(case)
+  if case.run then case.run:close() end
+  if case.warning then say("warned", case.id, one_line(case.warning)) end
+  if case.failure then say("failed", case.id, case.failure) else say("done", case.id) end
+end
+
+-- All of the cases in one transaction, or none; returns the seconds that the commit took.
+local function write_cases(store, cases)
+  local seconds
   store:begin()
   local fine, why = pcall(function()
-    keep()
-    tell_warning(store, id)
-    store:mark(id, "done", nil, seconds)
+    for _, case in ipairs(cases) do write_case(store, case) end
+    local start = term.clock()
     store:commit()
+    seconds = term.clock() - start
   end)
   if not fine then
     store:rollback()
     error(why, 0)
   end
+  for _, case in ipairs(cases) do tell(case) end
+  return seconds
 end
 
-local function do_case(store, id)
-  local start = term.clock()
-  warnings.take()
-  store:mark(id, "running")
-  local task = tasks[store:info("task") or "wear"]
-  local fine, keep = pcall(task, store, id, speaker(id))
-  if not fine then
-    tell_warning(store, id)
-    store:mark(id, "failed", one_line(keep))
-    return say("failed", id, one_line(keep))
+-- A commit waits for the disk, whatever there is in it: short cases are stored together, so that no
+-- more than a tenth of the time goes into waiting.
+local keeper = {}
+keeper.__index = keeper
+
+function keeper:is_due() return term.clock() - self.since >= math.min(longest_wait, 10 * self.commit) end
+
+-- Where there is no room for all of them, those are stored that there is room for.
+function keeper:store()
+  local cases = self.cases
+  self.cases = {}
+  if #cases == 0 then return end
+  local fine, seconds = pcall(write_cases, self.file, cases)
+  if fine then
+    self.commit = seconds
+  else
+    for _, case in ipairs(cases) do write_cases(self.file, { case }) end
   end
-  finish(store, id, term.clock() - start, keep)
-  say("done", id)
+  self.since = term.clock()
+end
+
+function keeper:add(case)
+  self.cases[#self.cases + 1] = case
+  if self:is_due() then self:store() end
+end
+
+local function attend(held, line)
+  if line == "store" then return held:store() end
+  local id = math.tointeger(tonumber(line:match("^case (%d+)$")))
+  if not id then error("worker: cannot make sense of " .. line) end
+  local case = compute_case(held.file, id)
+  say("computed", id)
+  held:add(case)
 end
 
 return function(path)
-  local store = stores.open(path, "write")
+  local held = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),
+    commit = 0 }, keeper)
   warnings.keep()
   for line in io.lines() do
-    local id = math.tointeger(tonumber(line:match("^case (%d+)$")))
-    if not id then error("worker: cannot make sense of " .. line) end
-    local fine, why = pcall(do_case, store, id)
+    local fine, why = pcall(attend, held, line)
     if not fine then say("broken", one_line(why)) end
   end
 end

@@ -154,6 +154,31 @@ local function samples(count, geometry)
   line("bands and quantiles from them", string.format("%.2f", asked), "s")
 end
 
+-- What answers to what, from one run and its repetitions with small changes.
+local function sensitivities()
+  for _, jump in ipairs{ 100, "auto" } do
+    local w = wear{ jump = jump }
+    w:run{ progress = false }
+    local found
+    local seconds = timed(function() found = w:sensitivity() end)
+    line(("sensitivities to k, alpha, load, jump %s, %d runs"):format(jump, found.runs), string.format("%.2f", seconds), "s")
+  end
+end
+
+-- A fit to one pair of profiles, and the one that its runs make up.
+local function fitting()
+  local truth, data = wear{ k = 1.3e-8, alpha = 0.4, stroke = 0.22, jump = 50 }, {}
+  truth:run{ progress = false }
+  for i, body in ipairs{ "cylinder", "plate" } do
+    data[i] = { profile = truth:profile(body), body = body, distance = 1320, error = 5e-5 }
+  end
+  local found
+  local seconds = timed(function()
+    found = fit{ base = { stroke = 0.22, jump = 50 }, unknown = { k = 1e-8, alpha = 0.5 }, data = data }
+  end)
+  line(("a fit of k and alpha to a pair of profiles, %d runs"):format(found.runs), string.format("%.2f", seconds), "s", "5")
+end
+
 -- McColl's fretting case at its published length, in gross slip.
 local function fretting()
   local w = wear{ model = { radius = 6, mesh = { size = 0.01, height = 0.01 } }, friction = 0.9, load = 18.5,
@@ -171,6 +196,8 @@ fretting()
 studies()
 io.write("\nsamples of the reference case, results stored\n")
 for _, geometry in ipairs{ "moving", "frozen" } do samples(mode == "quick" and 64 or 10000, geometry) end
+sensitivities()
+fitting()
 io.write("\n10000 cycles of 100 increments, an update at every increment, geometry frozen\n")
 package.path = arg[0]:match("^.*/") .. "?.lua"
 require "million"(line)

@@ -50,14 +50,25 @@ function repeated.definition(run)
   return repeated.with_steps(run, definition)
 end
 
+-- The cycles of the step of a history that leads on from a distance [mm].
+local function step_from(history, distance)
+  local i = 2
+  while history.distance[i + 1] and history.distance[i] <= distance * (1 + 1e-9) do i = i + 1 end
+  return history.cycle[i] - history.cycle[i - 1]
+end
+
 -- Steps that chose themselves are taken again as they were, and implicitly, for they may be long:
 -- chosen anew for every changed number, they would cover small changes with noise.
 function repeated.with_steps(run, definition)
   if not (definition.tolerance or definition.jump == "auto") then return definition end
-  local jumps = run.history.jump
-  definition.tolerance, definition.scheme, definition.steps_chosen = nil, "implicit", true
-  definition.jump = function(state) return jumps[math.min(state.update + 2, #jumps)] end
-  return definition
+  definition.tolerance, definition.scheme, definition.steps_chosen = nil, "implicit", run.history
+  return repeated.in_parts(definition, 1)
+end
+
+-- The same with each of these steps in so many parts.
+function repeated.in_parts(definition, parts)
+  local history = definition.steps_chosen
+  return merged(definition, { jump = function(state) return step_from(history, state.distance) / parts end })
 end
 
 -- --- the numbers that can be changed -------------------------------------------------------------

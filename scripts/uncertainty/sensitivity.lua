@@ -63,11 +63,12 @@ end
 
 local first_step, smallest_step = 0.03, 0.0004 -- as shares of the number
 
--- Central differences; the first step shrinks where a range ends.
-local function differences_for(self, value, set, distances)
+-- Central differences of runs; `changed` may change the definition further.
+local function differences_for(self, value, set, changed)
   local function results(at)
     self.runs = self.runs + 1
-    return repeated.run(set(at), distances, self.of)
+    local definition = set(at)
+    return repeated.run(changed and changed(definition) or definition, self.distance, self.of)
   end
   return function(h)
     local above, below = results(value + h), results(value - h)
@@ -77,14 +78,41 @@ local function differences_for(self, value, set, distances)
   end
 end
 
-local function derivatives(self, name, value, set, distances)
+-- Derivatives at a fixed change h with every step of the run in `parts`.
+local function with_parts(self, value, set, h, parts)
+  return differences_for(self, value, set, function(definition)
+    return repeated.in_parts(definition, parts)
+  end)(h)
+end
+
+-- Steps that chose themselves have an error, and so has what the derivative of the run makes of it:
+-- steps in many parts correct it. What is left is estimated from above: twice what the last halving
+-- changed, and a quarter of the correction.
+local coarse_parts, fine_parts = 4, 8
+
+local function step_error(whole, coarse, fine)
+  return 2 * math.abs(fine - coarse) + math.abs(fine - whole) / 4
+end
+
+local function refine(self, value, set, h, found)
+  local whole, coarse = with_parts(self, value, set, h, 1), with_parts(self, value, set, h, coarse_parts)
+  for i, fine in ipairs(with_parts(self, value, set, h, fine_parts)) do
+    found[i].value = found[i].value + fine - whole[i]
+    found[i].error = found[i].error + step_error(whole[i], coarse[i], fine)
+  end
+  return found
+end
+
+-- The first change shrinks where a range ends.
+local function derivatives(self, name, value, set, definition)
   if value == 0 then
     check.fail(where, ("field 'to': %s is 0, where no percent can be changed"):format(name))
   end
-  local differences, step, why = differences_for(self, value, set, distances), first_step, nil
+  local differences, step, why = differences_for(self, value, set), first_step, nil
   while step >= smallest_step do
-    local fine, found = pcall(derive, differences, step * math.abs(value))
-    if fine then return found end
+    local h = step * math.abs(value)
+    local fine, found = pcall(derive, differences, h)
+    if fine then return definition.steps_chosen and refine(self, value, set, h / 25, found) or found end
     why, step = found, step / 4
     if type(why) ~= "table" or why.code == "STOPPED" then error(why, 0) end
   end
@@ -92,17 +120,34 @@ local function derivatives(self, name, value, set, distances)
     400 * step, why.message), why.code)
 end
 
+-- there: the results themselves and their errors, in the order of `found`.
 local function into_columns(self, name, value, found, there)
   local n = #self.distance
   for c, column in ipairs(self.of) do
     local result = { derivative = {}, error = {}, elasticity = {}, elasticity_error = {} }
     for i = 1, n do
       local one, y = found[(c - 1) * n + i], there[(c - 1) * n + i]
-      result.derivative[i], result.error[i] = one.value, one.error
-      result.elasticity[i], result.elasticity_error[i] = one.value * value / y, math.abs(one.error * value / y)
+      local elasticity = one.value * value / y.value
+      result.derivative[i], result.error[i], result.elasticity[i] = one.value, one.error, elasticity
+      result.elasticity_error[i] = math.abs(one.error * value / y.value) + math.abs(elasticity * y.error / y.value)
     end
     self[column][name] = result
   end
+end
+
+-- The results as they are, of chosen steps with the error of these: what elasticities are shares of.
+local function results_of(self, run, definition)
+  local there = values_of(run, self.of)
+  if not definition.steps_chosen then
+    for i, value in ipairs(there) do there[i] = { value = value, error = 0 } end
+    return there
+  end
+  self.runs = self.runs + 2
+  local coarse = repeated.run(repeated.in_parts(definition, coarse_parts), self.distance, self.of)
+  for i, fine in ipairs(repeated.run(repeated.in_parts(definition, fine_parts), self.distance, self.of)) do
+    there[i] = { value = fine, error = step_error(there[i], coarse[i], fine) }
+  end
+  return there
 end
 
 -- --- showing -------------------------------------------------------------------------------------
@@ -129,11 +174,11 @@ return function(run, given)
   local changers = {}
   for i, name in ipairs(self.to) do changers[i] = { repeated.changer(run, name, definition) } end
   check_repeats(run, definition, self.distance)
-  local there = values_of(run, self.of)
+  local there = results_of(self, run, definition)
   for _, column in ipairs(self.of) do self[column] = {} end
   for i, name in ipairs(self.to) do
     local value, set = changers[i][1], changers[i][2]
-    into_columns(self, name, value, derivatives(self, name, value, set, self.distance), there)
+    into_columns(self, name, value, derivatives(self, name, value, set, definition), there)
   end
   return setmetatable(self, class)
 end

@@ -169,6 +169,16 @@ int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t pos
   return pen_of(w, curve, position).series;
 }
 
+/* A curve that comes back is the outline of an area, a band; else the area goes down to zero. */
+static int comes_back(const arc_plot_curve *curve) {
+  int there = 0, back = 0;
+  for (size_t i = 1; i < curve->count; i++) {
+    there = there || curve->x[i] > curve->x[i - 1];
+    back = back || curve->x[i] < curve->x[i - 1];
+  }
+  return there && back;
+}
+
 static void style_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve) {
   static const char *const with[ARC_PLOT_STYLE_COUNT] = {[ARC_PLOT_LINES] = "lines",
                                                          [ARC_PLOT_POINTS] = "points",
@@ -182,7 +192,8 @@ static void style_words(arc_writer *w, const arc_plot_panel *panel, const arc_pl
   else
     arc_text_format(w->out, " with %s", with[curve->style]);
   if (curve->style != ARC_PLOT_FILLED || curve->error) return;
-  arc_text_word(w->out, panel && panel->y.log ? " x1" : " y1=0");
+  const char *to = panel && panel->y.log ? " x1" : " y1=0";
+  arc_text_word(w->out, comes_back(curve) ? " closed" : to);
   if (!w->canvas->text) arc_text_word(w->out, " fillstyle transparent solid 0.35 noborder");
 }
 

@@ -54,6 +54,56 @@ near(g.value.k, k, 1e-6, "a line through the origin")
 near(g.error.k, math.sqrt(rest / 3 / sxx), 1e-4, "and its standard error, from the residuals")
 near(g.times, 3.1824, 1e-4, "with Student's factor")
 
+-- --- friction loops ------------------------------------------------------------------------------
+-- The loop of a run with friction 0.63, moved, lifted, and with what a rig of 1e-5 mm/N gives in.
+local rubbing = { load = 92.5, k = 1e-8, jump = 50, model = { radius = 6, mesh = { size = 0.02 } } }
+local function moving(given)
+  for name, value in pairs(rubbing) do given[name] = value end
+  return given
+end
+local function loop_of(given, every)
+  given.friction, given.cycles = 0.63, 100
+  local run <close> = wear(moving(given))
+  run:run{ progress = false }
+  local there, x, force = run:loop(), {}, {}
+  for i = 1, #there.x - 1, every do
+    local n = #x + 1
+    force[n] = there.tangential[i] + 1.5
+    x[n] = there.x[i] + 4e-4 + 1e-5 * force[n]
+  end
+  return { x = x, tangential = force }
+end
+local friction = { friction = { start = 0.4, low = 0, high = 1.2 } }
+local slid = fit{ base = moving{ stroke = 0.02 }, unknown = friction, data = {
+  { loop = loop_of({ stroke = 0.02 }, 2), cycle = 100, compliance = 1e-5, error = 0.5 } } }
+near(slid.value.friction, 0.63, 1e-5, "friction from a loop in gross slip")
+near(slid.data[1].place.shift.value, 4e-4, 1e-3, "its shift")
+near(slid.data[1].place.level.value, 1.5, 1e-3, "and its level")
+is(slid.data[1].distance, 4.0, "cycles are distances by the stroke")
+holds(tostring(slid), { "loop at 4 mm: 50 values", "level 1.5 +- ", " N" }, "they print")
+plot.fit(slid, { file = file .. ".txt" })
+os.remove(file .. ".txt")
+-- In partial slip, driven by a force: places at the forces.
+local partial = loop_of({ tangential = 40 }, 1)
+for i, force in ipairs(partial.tangential) do partial.x[i] = partial.x[i] - 1e-5 * force end
+local stuck = fit{ base = moving{ tangential = 40 }, unknown = { friction = { start = 0.8, low = 0.5, high = 1.2 } },
+  data = { { loop = partial, cycle = 100, error = 2e-6 } } }
+near(stuck.value.friction, 0.63, 1e-3, "friction from a loop in partial slip")
+local function refused_loop(change, what, why)
+  local one = { loop = loop_of({ stroke = 0.02 }, 4), distance = 4, error = 0.5 }
+  for name, value in pairs(change) do one[name] = value end
+  fails(function() fit{ base = moving{ stroke = 0.02 }, unknown = friction, data = { one } } end, what, why)
+end
+refused_loop({ cycle = 3 }, { "'data[1].cycle'", "'data[1].distance'", "got both" }, "cycle and distance")
+refused_loop({ loop = { x = { 1, 2 } } }, { "data[1].loop", "tangential [N]" }, "half a loop")
+refused_loop({ body = "plate" }, { "'data[1].body'", "loop" }, "a loop has no body")
+local thousands = loop_of({ stroke = 0.02 }, 4)
+for i, x in ipairs(thousands.x) do thousands.x[i] = 1e3 * x end
+refused_loop({ loop = thousands }, { "data[1].loop.x", "in mm" }, "a loop in um")
+fails(function()
+  fit{ base = base, unknown = { k = 1e-8 }, data = { { of = "volume", distance = 55, value = 1e-4, compliance = 1 } } }
+end, { "'data[1].compliance'", "loops" }, "a series has no compliance")
+
 -- --- curves --------------------------------------------------------------------------------------
 local knots, values = { 0, 50, 220 }, { 0.7, 0.45, 0.35 }
 local spline = require "archard.fit.spline"
@@ -154,7 +204,9 @@ local width = fit{ base = base, unknown = { k = 1e-8 }, data = { { of = "width",
   value = { 0.23, 0.24 }, error = 0.01 } } }
 plot.fit(width, { file = file .. ".gp" })
 local script = io.open(file .. ".gp")
-holds(script:read "a", "'width / mm'", "a picture of what is no column of the history")
+local commands = script:read "a"
+holds(commands, "'width / mm'", "a picture of what is no column of the history")
+holds(commands, "filledcurves closed", "its band is an area of its own, not one down to zero")
 script:close()
 os.remove(file .. ".gp")
 fails(function() plot.fit({}) end, "expected what fit{}", "plot.fit of something else")

@@ -268,6 +268,29 @@ for _, given in ipairs{ { scheme = "implicit", tolerance = 1e-3 }, { jump = "aut
   local n = #e.k.elasticity
   near(e.load.elasticity[n] + e.E.elasticity[n] - e.k.elasticity[n], 0, 1e-3, "steps that choose themselves")
 end
+-- Steps that choose themselves: errors are told with those of the steps, and hold the derivatives of
+-- ever smaller steps, which differ from those of jump = 5 by half of what 10 to 5 changes.
+local function sensitivity_of(given)
+  given.distance, given.model, given.geometry = 220, w.model, "frozen"
+  local run <close> = wear(given)
+  run:run{ progress = false }
+  local e = run:sensitivity{ of = { "depth_plate", "p_center" }, to = "k" }
+  local last = {}
+  for _, name in ipairs(e.of) do
+    local one = e[name].k
+    last[name] = { value = one.elasticity[#one.elasticity], error = one.elasticity_error[#one.elasticity] }
+  end
+  return last
+end
+local wide, narrow = sensitivity_of{ jump = 10 }, sensitivity_of{ jump = 5 }
+for what, given in pairs{ implicit = { scheme = "implicit", tolerance = 1e-3 }, auto = { jump = "auto" } } do
+  for name, one in pairs(sensitivity_of(given)) do
+    local truth, doubt = 2 * narrow[name].value - wide[name].value, math.abs(narrow[name].value - wide[name].value)
+    tap.note(("%s, %s by k: %.5f +- %.5f, smaller steps %.5f"):format(what, name, one.value, one.error, truth))
+    ok(math.abs(one.value - truth) < one.error + doubt, what .. ": the error of " .. name .. " is honest")
+    near(one.value, truth, name == "p_center" and 3e-3 or 3e-4, "and small")
+  end
+end
 fails(function() w:sensitivity{ to = "kk" } end, { "'to'", "kk" }, "an unknown number")
 fails(function() w:sensitivity{ to = "scheme" } end, { "'to'", "scheme" }, "a word")
 fails(function() w:sensitivity{ of = "depth" } end, { "'of'", "depth" }, "an unknown result")

@@ -94,6 +94,15 @@ static arc_status solve(pose *p, double line) {
   return status;
 }
 
+void arc_pose_follow(pose *p, const pose *neighbour) {
+  if (p->active > 0) return;
+  for (int s = 0; s < neighbour->active; s++) {
+    const int candidate = neighbour->lo + neighbour->set[s] - p->lo;
+    if (0 <= candidate && candidate < p->count) p->set[p->active++] = candidate;
+  }
+  p->factored = 0;
+}
+
 arc_status arc_pose_check_zone(pose *p, arc_error *error) {
   if (p->set[0] == 0) return edge_reached(p, 1, error);
   if (p->set[p->active - 1] == p->count - 1) return edge_reached(p, 0, error);

@@ -71,6 +71,11 @@ void arc_pose_measure(pose *p, const arc_shape *shape);
  * candidates) and ARC_NUMERIC the warm start is dropped, nothing else changes. */
 arc_status arc_pose_solve(pose *p, double line, arc_error *error);
 
+/* A pose that has not been solved yet begins where a neighbour's contact is: else all candidates
+ * are thought to touch, and their factorisations cost more than many solutions. Results are the
+ * same. */
+void arc_pose_follow(pose *p, const pose *neighbour);
+
 /* Whether the solution keeps off the edges of the candidates; else ARC_ZONE, and the warm start is
  * dropped. */
 arc_status arc_pose_check_zone(pose *p, arc_error *error);

@@ -8,11 +8,12 @@
 arc_status arc_path_create(wear_path *path, const arc_model *model, int rubs) {
   const int nc = arc_model_mesh(model, ARC_CYLINDER)->surface;
   const int n = nc + arc_model_mesh(model, ARC_PLATE)->surface;
-  double *at = calloc((size_t)(8 * n), sizeof *at);
+  double *at = calloc((size_t)(16 * n), sizeof *at);
   *path = (wear_path){.nodes = n, .rubs = rubs};
   if (!at) return ARC_MEMORY;
-  for (int k = 0; k < 2; k++) {
-    double **part[] = {path->point[k].p, path->point[k].q, path->point[k].u, path->point[k].f};
+  for (int k = 0; k < 4; k++) {
+    wear_point *point = k < 2 ? &path->point[k] : &path->image[k - 2];
+    double **part[] = {point->p, point->q, point->u, point->f};
     for (int m = 0; m < 4; m++, at += n) {
       part[m][ARC_CYLINDER] = at;
       part[m][ARC_PLATE] = at + nc;

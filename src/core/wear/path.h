@@ -52,6 +52,7 @@ typedef struct wear_path {
   pose *pose; /* [poses] */
   int nodes;  /* surface nodes of both bodies */
   wear_point point[2];
+  wear_point image[2]; /* mirror images of those, where factors of places tell them apart */
 
   /* with friction */
   int rubs;

@@ -89,6 +89,8 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at, we
   if (block->line[at] == 0) return ARC_OK; /* lifted off */
   pose *p = &w->path.pose[block->place[at]];
   arc_status status = arc_wear_prepare(w, window, at, error);
+  if (status == ARC_OK && at > window->first)
+    arc_pose_follow(p, &w->path.pose[block->place[at - 1]]);
   if (status == ARC_OK) status = arc_pose_solve(p, block->line[at], error);
   if (status != ARC_OK) return status;
   watch->solutions++;
@@ -113,10 +115,10 @@ static arc_status reach_point(arc_wear *w, const wear_window *window, int at, we
   return ARC_OK;
 }
 
-/* Wear of the increment that ends at `at`. */
-static void add_increment(const arc_wear *w, int at, wear_rate *rate) {
+/* Wear of the increment that ends at `at`, by the points there and before it. */
+static void add_increment(const arc_wear *w, const wear_point point[2], int at, wear_rate *rate) {
   const wear_block *block = w->path.block;
-  const wear_point *now = &w->path.point[at % 2], *before = &w->path.point[(at + 1) % 2];
+  const wear_point *now = &point[at % 2], *before = &point[(at + 1) % 2];
   if (w->def.slip == ARC_SLIP_TOTAL) {
     arc_wear_add_work(w, at, rate);
     return;
@@ -205,32 +207,68 @@ arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *err
   return solve_point(w, window, window->first, &nobody, &w->path.point[0], error);
 }
 
-arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
-                             wear_rate *rate, arc_error *error) {
-  assert(0 <= window->first && window->last < w->path.block->count);
-  if (arc_wear_rubs(&w->def)) {
-    const arc_status status = arc_wear_fret(w, window, watch, rate, error);
-    if (status != ARC_OK) return status;
-    if (wears_evenly(w)) spread_work(w, rate);
-    incline(w, window, rate);
-    return ARC_OK;
-  }
+/* The mirror image of point `at`, with its own factors of places, wears as the image goes. */
+static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear_rate *images,
+                            arc_error *error) {
+  const wear_block *block = w->path.block;
+  wear_point law = w->path.point[at % 2];
+  for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* elastic slip is not asked for here */
+  if (block->line[at] > 0) apply_law(w, &w->path.pose[block->place[at]], window->mu, &law);
+  const arc_status status = arc_wear_reflect(w, window, at, &law, error);
+  if (status == ARC_OK && at > window->first) add_increment(w, w->path.image, at, images);
+  return status;
+}
+
+/* Sums up a window, point by point; into `images` the mirror images, where they are wanted. */
+static arc_status integrate(arc_wear *w, const wear_window *window, wear_watch *watch,
+                            wear_rate *rate, wear_rate *images, arc_error *error) {
   arc_wear_rate_clear(rate, w->nc + w->np);
+  if (images) arc_wear_rate_clear(images, w->nc + w->np);
   if (window->jacobian) arc_wear_jacobian_clear(window->jacobian);
   for (int at = window->first; at <= window->last; at++) {
-    const arc_status status = reach_point(w, window, at, watch, error);
+    arc_status status = reach_point(w, window, at, watch, error);
+    if (status == ARC_OK && images) status = add_image(w, window, at, images, error);
     if (status != ARC_OK) return status;
     note_peak(w, &w->path.point[at % 2], rate);
     add_to_jacobian(w, window, at);
     if (at > window->first) {
-      add_increment(w, at, rate);
+      add_increment(w, w->path.point, at, rate);
       add_pressing(w, window, at, rate);
     } else if (wears_evenly(w) && w->def.slip == ARC_SLIP_RIGID) {
       add_even(w, &w->path.point[at % 2], rate);
     }
   }
   if (window->jacobian) arc_wear_jacobian_finish(window->jacobian);
-  if (wears_evenly(w) && w->def.slip == ARC_SLIP_TOTAL) spread_work(w, rate);
+  return ARC_OK;
+}
+
+static arc_status integrate_half(arc_wear *w, const wear_window *window, wear_watch *watch,
+                                 wear_rate *rate, arc_error *error) {
+  wear_rate room = {.node = {w->work.slip, w->work.slip + w->nc}};
+  wear_rate *images = arc_wear_has_places(w, window) ? &room : NULL;
+  wear_window half = *window;
+  half.last = window->last / 2;
+  const arc_status status = integrate(w, &half, watch, rate, images, error);
+  if (status != ARC_OK) return status;
+  arc_wear_add_mirror(w, window, images, rate);
+  for (int at = half.last + 1; at <= window->last; at++)
+    watch->solutions += w->path.block->line[at] > 0; /* images are solutions too */
+  return ARC_OK;
+}
+
+arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
+                             wear_rate *rate, arc_error *error) {
+  arc_status status;
+  assert(0 <= window->first && window->last < w->path.block->count);
+  if (arc_wear_rubs(&w->def))
+    status = arc_wear_fret(w, window, watch, rate, error);
+  else if (arc_wear_is_mirrored(w, window))
+    status = integrate_half(w, window, watch, rate, error);
+  else
+    status = integrate(w, window, watch, rate, NULL, error);
+  if (status != ARC_OK) return status;
+  const int by_work = arc_wear_rubs(&w->def) || w->def.slip == ARC_SLIP_TOTAL;
+  if (wears_evenly(w) && by_work) spread_work(w, rate);
   incline(w, window, rate);
   return ARC_OK;
 }

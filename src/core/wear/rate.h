@@ -54,6 +54,19 @@ arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, 
 void arc_wear_share(const arc_wear *w, const pose *p, const wear_point *point, const double *work,
                     double *on, wear_rate *rate);
 
+/* --- mirror.c --- */
+/* Whether the contact in the second half of a window is the mirror image of that in its first. */
+int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window);
+/* Whether the wear is not, for factors of places. */
+int arc_wear_has_places(const arc_wear *w, const wear_window *window);
+/* The image of point `at`, just solved; `law` has what wears there without factors of places. */
+arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, const wear_point *law,
+                            arc_error *error);
+/* The wear of a first half, and its Jacobian, become those of the whole window; `images`: the wear
+ * of the other half, NULL where it is the mirror image. */
+void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,
+                         wear_rate *rate);
+
 /* --- fretting.c --- */
 /* The coefficient of friction of a state. */
 arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,

@@ -29,7 +29,7 @@ typedef struct wear_depths {
 typedef struct wear_work {
   wear_rate rate;
   wear_depths depth;
-  double *slip; /* [4 * (nc + np)] of an increment */
+  double *slip; /* [4 * (nc + np)] of an increment; or what mirror images wear */
 } wear_work;
 
 /* The wear of a cycle of a block on the present surfaces: found with them, as the next update

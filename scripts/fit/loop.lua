@@ -1,0 +1,113 @@
+-- Friction loops as data of a fit: the tangential force over the motion in one cycle, point by point
+-- in the order of time. Each half of a loop, to and fro, is held against the same half of the run's:
+-- forces at the measured places, or, where a force drives the run, places at the measured forces.
+
+local check = require "archard.lib.check"
+
+local loop = {}
+
+local function finite(list)
+  if not check.list.test(list) then return false end
+  for i = 1, #list do
+    if not check.number.test(list[i]) then return false end
+  end
+  return true
+end
+
+loop.kind = check.kind("a loop, with lists x [mm] and tangential [N] of one length, 8 points or more", function(v)
+  return type(v) == "table" and finite(v.x) and finite(v.tangential) and #v.x == #v.tangential and #v.x >= 8
+end)
+
+-- Where the first list is least and greatest: there the motion turns.
+local function ends_of(along)
+  local low, high = 1, 1
+  for i, value in ipairs(along) do
+    if value < along[low] then low = i end
+    if value > along[high] then high = i end
+  end
+  return low, high
+end
+
+-- Whether each point belongs to the way up, from the least to the greatest.
+local function way_up(along)
+  local low, high = ends_of(along)
+  local up, n = {}, #along
+  for i = 1, n do up[i] = (i - low) % n <= (high - low) % n end
+  return up
+end
+
+local function copied(list) return table.move(list, 1, #list, 1, {}) end
+
+-- from: { loop=, distance=, compliance=, shift=, level= }, checked; error: list or nil; by_force: the run
+-- is driven by a force.
+function loop.item(from, errors, by_force)
+  local x, force = copied(from.loop.x), copied(from.loop.tangential)
+  for i, f in ipairs(force) do x[i] = x[i] - (from.compliance or 0) * f end
+  local along, value = x, force
+  if by_force then along, value = force, x end
+  local low, high = ends_of(along)
+  local width, most = math.abs(x[high] - x[low]), 0
+  for _, f in ipairs(force) do most = math.max(most, math.abs(f)) end
+  return { kind = "loop", distance = from.distance, x = along, value = value, error = errors, by_force = by_force,
+    up = way_up(along), unit = by_force and "mm" or "N", fixed = { shift = from.shift, level = from.level },
+    free = { { kind = "shift", span = width / 10, unit = "mm" }, { kind = "level", span = most, unit = "N" } },
+    title = from.title or ("loop at %g mm"):format(from.distance) }
+end
+
+-- --- what a run says in its place ----------------------------------------------------------------
+
+-- The half of a loop from one index to another, round the end of the list, with growing `along`.
+local function half(along, value, from, to)
+  local points, n = {}, #along
+  for step = 0, (to - from) % n do
+    local i = (from - 1 + step) % n + 1
+    points[#points + 1] = { along[i], value[i] }
+  end
+  table.sort(points, function(a, b) return a[1] < b[1] end)
+  return points
+end
+
+-- Linear between points, beyond them that of the end.
+local function at(points, x)
+  local low, high = 1, #points
+  if x <= points[low][1] then return points[low][2] end
+  if x >= points[high][1] then return points[high][2] end
+  while high - low > 1 do
+    local middle = (low + high) // 2
+    if points[middle][1] <= x then low = middle else high = middle end
+  end
+  local a, b = points[low], points[high]
+  return b[1] > a[1] and a[2] + (b[2] - a[2]) * (x - a[1]) / (b[1] - a[1]) or a[2]
+end
+
+-- there: { x=, tangential= } of the run; it ends where it began, which counts once.
+function loop.values(item, there, place)
+  local along, value = copied(there.x), copied(there.tangential)
+  if item.by_force then along, value = value, along end
+  along[#along], value[#value] = nil, nil
+  local low, high = ends_of(along)
+  local up, down = half(along, value, low, high), half(along, value, high, low)
+  local sideways = item.by_force and place.level or place.shift
+  local upwards = item.by_force and place.shift or place.level
+  local list = {}
+  for i, x in ipairs(item.x) do list[i] = at(item.up[i] and up or down, x - sideways) + upwards end
+  return list
+end
+
+-- --- units that cannot be --------------------------------------------------------------------------
+
+-- Motions of run and data differ by less than a factor of 20.
+function loop.check_place(where, number, item, there)
+  local along = item.by_force and there.tangential or there.x
+  local a, b = ends_of(item.x)
+  local c, d = ends_of(along)
+  local ratio = (item.x[b] - item.x[a]) / (along[d] - along[c])
+  if ratio > 20 or ratio < 0.05 then
+    check.fail(where, ("field 'data[%d].loop.%s': spans %.3g, where the run's spans %.3g %s: expected numbers in "
+      .. "%s, or another motion of the run"):format(number, item.by_force and "tangential" or "x",
+      item.x[b] - item.x[a], along[d] - along[c], item.by_force and "N" or "mm",
+      item.by_force and "N" or "mm"))
+  end
+end
+
+return loop

@@ -1,0 +1,92 @@
+/* Where surfaces and the plate's way are mirror images about x = 0 to the bit, the second half of
+ * the way wears the mirror image of the first: half of the contact solutions tell all. Symmetric
+ * runs start so, and stay so: what a mirrored rate takes off is symmetric to the bit. */
+#include "core/wear/rate.h"
+
+static int is_mirrored_way(const wear_block *b) {
+  const int last = b->count - 1;
+  if (last % 2 || b->poses == 1) return 0;
+  for (int i = 0; 2 * i <= last; i++)
+    if (b->pose_x[i] != -b->pose_x[last - i] || b->x[i] != -b->x[last - i] ||
+        b->line[i] != b->line[last - i] || b->angle[i] != -b->angle[last - i])
+      return 0;
+  return 1;
+}
+
+static int is_mirrored_list(int n, const double *xy) {
+  for (int i = 0; 2 * i < n; i++)
+    if (xy[2 * i] != -xy[2 * (n - 1 - i)] || xy[2 * i + 1] != xy[2 * (n - 1 - i) + 1]) return 0;
+  return 1;
+}
+
+static int is_mirrored_shape(const arc_shape *shape) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const shape_side *side = &shape->side[b];
+    if (!is_mirrored_list(side->n, side->xy) || !is_mirrored_list(side->n, side->settled)) return 0;
+  }
+  return 1;
+}
+
+int arc_wear_has_places(const arc_wear *w, const wear_window *window) {
+  return w->def.local_factor && window->state;
+}
+
+/* Meshes from outside may differ inside; the simple rule looks one way; elastic slip, trial depths
+ * and what factors of places make of a Jacobian need not be symmetric. */
+int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
+  const wear_block *block = w->path.block;
+  return window->first == 0 && window->last == block->count - 1 && !window->trial &&
+         w->def.rule == ARC_TRAPEZOID && w->def.slip == ARC_SLIP_RIGID &&
+         !(window->jacobian && arc_wear_has_places(w, window)) && !arc_model_is_given(w->model) &&
+         is_mirrored_way(block) && is_mirrored_shape(window->shape);
+}
+
+static void fold(double *a, double *b) {
+  const double sum = *a + *b;
+  *a = *b = sum;
+}
+
+static void fold_list(int n, double *list) {
+  for (int i = 0; 2 * i < n - 1; i++) fold(&list[i], &list[n - 1 - i]);
+  if (n % 2) list[n / 2] *= 2;
+}
+
+/* Index of the mirror image of unknown i: both bodies, the cylinder first. */
+static int image(const arc_wear *w, int i) {
+  return i < w->nc ? w->nc - 1 - i : w->nc + (w->np - 1 - (i - w->nc));
+}
+
+static void fold_jacobian(const arc_wear *w, double *value) {
+  const int n = w->nc + w->np;
+  for (int c = 0; c < n; c++)
+    for (int r = 0; r < n; r++) {
+      const size_t at = (size_t)r + (size_t)c * (size_t)n;
+      const size_t other = (size_t)image(w, r) + (size_t)image(w, c) * (size_t)n;
+      if (at < other) fold(&value[at], &value[other]);
+      if (at == other) value[at] *= 2;
+    }
+}
+
+void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,
+                         wear_rate *rate) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const int n = w->shape->side[b].n;
+    for (int i = 0; i < n && images; i++) rate->node[b][i] += images->node[b][i];
+    if (!images) fold_list(n, rate->node[b]);
+  }
+  rate->pressed *= 2;
+  if (window->jacobian) fold_jacobian(w, window->jacobian->value);
+}
+
+arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, const wear_point *law,
+                            arc_error *error) {
+  wear_point *image = &w->path.image[at % 2];
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const int n = w->shape->side[b].n;
+    for (int i = 0; i < n; i++) {
+      image->p[b][i] = law->p[b][n - 1 - i];
+      image->q[b][i] = law->q[b][n - 1 - i];
+    }
+  }
+  return arc_wear_local(w, window->state, image, error);
+}
