@@ -112,5 +112,5 @@ local err = fails(function() contact{ worn = { plate = function(at) return at.y 
 is(err.code, "CALLBACK", "its code")
 holds(err.cause, { "attempt to index", "stack traceback" }, "its cause, with a traceback")
 fails(function() contact{ worn = { plate = function() return "deep" end } } end,
-  "expected a depth >= 0 in mm, got deep", "the function returns text")
+  'expected a depth >= 0 in mm, got "deep"', "the function returns text")
 fails(function() contact{ worn = { plate = function() return -1 end } } end, "got -1", "and less than 0")

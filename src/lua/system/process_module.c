@@ -313,12 +313,13 @@ static int process_processors(lua_State *L) {
 }
 
 /* process.pause(seconds, stand): does nothing for so long; an interrupt ends it, and is told of as
- * "<stand>: interrupted" */
+ * "<stand>: interrupted", or without what stands */
 static int process_pause(lua_State *L) {
   const double seconds = luaL_checknumber(L, 1);
-  const char *stand = luaL_checkstring(L, 2);
+  const char *stand = luaL_optstring(L, 2, NULL);
   poll(NULL, 0, (int)(1000 * seconds));
-  if (interrupt_pending(NULL)) interrupt_raise(L, stand);
+  if (interrupt_pending(NULL) && stand) interrupt_raise(L, stand);
+  if (interrupt_pending(NULL)) luaL_error(L, "interrupted");
   return 0;
 }
 
