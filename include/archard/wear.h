@@ -165,7 +165,7 @@ typedef struct arc_loading {
            "of each point: increments of the cycle are solved with stick and slip, on both "       \
            "strokes, from surfaces pressed anew, until the cycle is steady; that one counts. "     \
            "k p ds and the energy are those of that slip. An update takes the "                    \
-           "coefficient of its start. For updates of whole cycles.")                               \
+           "coefficient in its middle. For updates of whole cycles.")                              \
   NUMBER(tangential, "N", 0, ABOVE(0), ARC_OPTIONAL,                                               \
          "Amplitude of a tangential force that moves the plate to and fro, instead of stroke; "    \
          "needs friction, and less than friction times load. Of distance it counts as "            \

@@ -272,8 +272,8 @@ return {
       .. "present state, and 2 / eigenvalue. Explicit updates with a larger jump get rough." },
   { "wear.loop", kind = "method", use = "w:loop()",
     text = "{ x=, tangential=, energy=, stick_width=, gross= }: the fretting loop of a steady cycle on the present surfaces: position "
-      .. "of the plate's base in mm, the force in N that drives it, and the energy in N mm that a cycle "
-      .. "dissipates; the width that never slips in mm, and whether all of it slips at some time. Of runs with friction. plot.loop(w) draws it." },
+      .. "of the plate's base in mm, the force in N that drives it, and the energy in N mm that "
+      .. "it dissipates (over the whole plate, where a cycle is a pass, there and back); the width that never slips in mm, and whether all of it slips at some time. Of runs with friction. plot.loop(w) draws it." },
   { "wear.energy", kind = "field", unit = "N mm", text = "Energy dissipated by friction so far." },
   { "wear.cycle_energy", kind = "field", unit = "N mm",
     text = "Energy that a steady cycle dissipates on the present surfaces; 0 before the first update." },

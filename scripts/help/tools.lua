@@ -227,9 +227,9 @@ return {
   { "plot.slip{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.loop", kind = "function", takes = "plot", use = "plot.loop(w, before, ...)",
     text = "Fretting loops: the force in N that drives the plate over its position in um, in the steady cycle of "
-      .. "runs with friction or of what their w:loop() gave before. The key tells the energy of each. Takes the "
-      .. "options of plot{} too." },
-  { "plot.loop{titles}", type = "list of strings", text = "Names of the loops in the key." },
+      .. "runs with friction or of what their w:loop() gave before. The key tells the energy of each, and in "
+      .. "what several runs differ; far ways are in mm. Takes the options of plot{} too." },
+  { "plot.loop{titles}", type = "list of strings", text = "Names of the loops in the key; left out, those of their runs." },
   { "plot.profile", kind = "function", takes = "plot", values = { "cylinder", "plate" },
     use = 'plot.profile(w1, ..., "plate")',
     text = "Wear depth in um against x; both bodies where none is named. Takes the options of plot{} "

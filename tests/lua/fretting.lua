@@ -58,6 +58,12 @@ local table_of_mu = run{ stroke = 0.1, law = "energy", friction = { distance = {
 table_of_mu:run{ progress = false }
 near(table_of_mu.volume.total, 1e-7 * table_of_mu.energy, 1e-9, "V = k E where friction changes")
 near(table_of_mu.largest_shear, 90, 0.05, "to its last value")
+local short = run{ stroke = 0.1, law = "energy", jump = 10, friction = table_of_mu.friction }:run{ progress = false }
+for label, fields in pairs{ ["jump 100"] = { jump = 100 }, ["jump auto"] = { jump = "auto" },
+  implicit = { scheme = "implicit", jump = 100 } } do
+  fields.stroke, fields.law, fields.friction = 0.1, "energy", table_of_mu.friction
+  near(run(fields):run{ progress = false }.volume.total, short.volume.total, 1e-3, label .. ": friction in an update's middle")
+end
 local by_function = run{ stroke = 0.1, friction = function(state) return state.cycle < 200 and 0.6 or 0.2 end }
 by_function:run{ progress = false }
 near(by_function.largest_shear, 20, 0.05, "friction as a function of the state")
@@ -86,7 +92,7 @@ is(partial.cycle, 200, "so many cycles")
 is(partial.gross, 0, "a part sticks")
 near(partial.stick_width, 2 * hertz{}.half_width * math.sqrt(0.5), 0.1, "Cattaneo and Mindlin's")
 near(partial.largest_shear, 30, 1e-9, "under the force that is given")
-tap.holds(tostring(partial), { "force up to 30 N, sticks on 0.15", "N mm a cycle" }, "print(w)")
+tap.holds(tostring(partial), { "force up to 30 N, sticks on 0.14 mm", "N mm a cycle" }, "print(w)")
 tap.holds(tostring(gross), "slips grossly", "print(w) in gross slip")
 local block = run{ stroke = nil, cycles = 20,
   loading = { tangential = function(t) return 30 * math.sin(2 * math.pi * t) end, load = 100, increments = 24 } }
@@ -116,6 +122,7 @@ fails(function() plain:loop() end, { "field 'friction'", "without friction" }, "
 local name = os.tmpname()
 os.remove(name)
 for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" },
+  table = { stroke = 0.1, jump = "auto", friction = { distance = { 0, 80 }, value = { 0.3, 0.9 } } },
   implicit = { stroke = 0.1, scheme = "implicit", tolerance = 1e-3, jump = nil }, force = { stroke = false },
   block = { stroke = nil, cycles = 400, loading = { tangential = { -20, 30, -20 }, load = { 80, 100, 80 } } } } do
   local w = run(fields)

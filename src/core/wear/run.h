@@ -40,6 +40,7 @@ typedef struct wear_start {
   int solutions;                  /* it took, and no record counts yet */
   struct wear_jacobian *jacobian; /* NULL: none was ever wanted */
   int linear;                     /* the Jacobian belongs to it */
+  double mu;                      /* coefficient of friction it was found with */
 } wear_start;
 
 /* What the limit of stability was found for. */

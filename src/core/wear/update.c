@@ -152,6 +152,7 @@ static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window wi
   const int before = watch->solutions;
   s->block = NULL;
   s->linear = plan->staged;
+  s->mu = window.mu;
   arc_status status = s->linear ? want_jacobian(w, error) : ARC_OK;
   window.jacobian = s->linear ? s->jacobian : NULL;
   if (status == ARC_OK) status = arc_wear_evaluate(w, &window, watch, &s->rate, error);
@@ -208,7 +209,7 @@ static arc_status find_start(whole *u, arc_error *error) {
   }
   const wear_start *kept = &w->start;
   arc_status status = ARC_OK;
-  if (kept->block == u->plan->block && (kept->linear || !u->work))
+  if (kept->block == u->plan->block && kept->mu == u->window.mu && (kept->linear || !u->work))
     u->watch->solutions += kept->solutions;
   else
     status = solve_start(w, u->plan, u->window, u->watch, error);
@@ -230,11 +231,20 @@ static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
   return status;
 }
 
+/* The coefficient of friction in the middle of the update, once its length is known. */
+static arc_status find_friction(whole *u, arc_error *error) {
+  const arc_wear_record middle = arc_wear_on_the_way(u->w, u->plan, 0.5, NULL, NULL);
+  const double start = u->window.mu;
+  const arc_status status = arc_wear_friction(u->w, &middle, &u->window.mu, error);
+  return status == ARC_OK && u->window.mu != start ? find_start(u, error) : status;
+}
+
 static arc_status depths_of_update(whole *u, wear_depths *depth, arc_error *error) {
   arc_wear *w = u->w;
   double eigenvalue = 0;
   arc_status status = find_start(u, error);
   if (status == ARC_OK) status = find_dose(u, &eigenvalue, error);
+  if (status == ARC_OK) status = find_friction(u, error);
   if (status != ARC_OK) return status;
   if (u->work)
     return arc_wear_stages(w, &u->window, &u->dose, eigenvalue, u->watch, u->rate, depth, error);
