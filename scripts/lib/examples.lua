@@ -1,6 +1,7 @@
 -- examples(): the course of programs that came with this one, to read and to run.
 
 local check = require "archard.lib.check"
+local itself = require "archard.lib.itself"
 local pager = require "archard.lib.pager"
 local process = require "archard.process"
 local text_file = require "archard.lib.text_file"
@@ -22,7 +23,7 @@ end
 
 local function folder()
   local found, bin = find(process.program(), beside_program)
-  local module = not found and package.searchpath("archard", package.cpath)
+  local module = not found and itself.module()
   found = found or module and find(module, beside_module)
   return found or check.fail("examples", "they are not there: looked in share/archard/examples beside " .. bin, "MISSING")
 end

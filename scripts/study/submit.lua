@@ -158,7 +158,7 @@ end
 -- What every share runs: its number comes from Slurm, or as an argument.
 local function script_of(job, whole)
   local program = process.program() or check.fail(where, "nobody knows where this program is", "IO")
-  local chunk = itself("study.share", whole, job.blank, job.file("{}"), job.shares, job.workers)
+  local chunk = itself.chunk("study.share", whole, job.blank, job.file("{}"), job.shares, job.workers)
   return ("#!/bin/sh\n# One share of %s; written by s:submit{}.\nARCHARD_SHARE=${SLURM_ARRAY_TASK_ID:-$1}\n"
     .. "export ARCHARD_SHARE\nexec %s\n"):format(whole, shell.line{ program, "-e", chunk })
 end
