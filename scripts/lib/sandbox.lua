@@ -54,7 +54,8 @@ end
 
 -- Metatables of our classes and of strings are not for strangers.
 local function hide_metatables()
-  debug.getmetatable "".__metatable = false
+  local strings = debug.getmetatable ""
+  strings.__metatable, strings.__index.dump = false, nil
   local get = getmetatable
   globals.getmetatable = function(value)
     if type(value) == "userdata" then return false end
