@@ -47,7 +47,7 @@ void signals_install(int stay) {
 
 /* --- in a sandbox ----------------------------------------------------------------------------- */
 
-enum { GRACE = 150000, STATUS_ERROR = 1, STATUS_INTERRUPTED = 130 }; /* [us] */
+enum { GRACE = 100000, STATUS_ERROR = 1, STATUS_INTERRUPTED = 130 }; /* [us] */
 
 static void set_alarm(double seconds) {
   const double whole = floor(seconds);
