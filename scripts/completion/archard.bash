@@ -3,7 +3,7 @@ _archard() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} i
   COMPREPLY=()
   case $before in
-  -e) return ;;
+  -e | --memory | --seconds | --instructions) return ;;
   -l)
     mapfile -t COMPREPLY < <(compgen -f -X '!*.lua' -- "$word" | sed 's/\.lua$//')
     return
@@ -11,7 +11,7 @@ _archard() {
   esac
   for ((i = 1; i < COMP_CWORD; i++)); do # what follows the script are its own arguments
     case ${COMP_WORDS[i]} in
-    -e | -l) i=$((i + 1)) ;;
+    -e | -l | --memory | --seconds | --instructions) i=$((i + 1)) ;;
     -?*) ;;
     *)
       mapfile -t COMPREPLY < <(compgen -f -- "$word")

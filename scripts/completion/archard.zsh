@@ -7,6 +7,7 @@ for line in ${(f)"$($words[1] --help 2>/dev/null)"}; do
   case -$match[1] in
   -e) flags+=('*-e[run a Lua text]:Lua text: ') ;;
   -l) flags+=('*-l[require a module]:module:_files -g "*.lua(\:r)"') ;;
+  --memory|--seconds|--instructions) flags+=("-${match[1]}[${match[5]}]:number: ") ;;
   -|--) ;;
   *)
     flags+=("-${match[1]}[${match[5]}]")

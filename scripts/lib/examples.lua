@@ -23,7 +23,8 @@ end
 
 local function folder()
   local found, bin = find(process.program(), beside_program)
-  found = found or find(itself.module(), beside_module)
+  local module = not found and itself.module()
+  found = found or module and find(module, beside_module)
   return found or check.fail("examples", "they are not there: looked in share/archard/examples beside " .. bin, "MISSING")
 end
 

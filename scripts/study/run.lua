@@ -3,6 +3,7 @@
 
 local process = require "archard.process"
 local check = require "archard.lib.check"
+local files = require "archard.files"
 local itself = require "archard.lib.itself"
 local progress = require "archard.study.progress"
 
@@ -100,7 +101,7 @@ return function(store, options)
   local count, failed, warned = #queue, {}, {}
   if count == 0 then return failed, warned, 0 end
   local workers = math.min(options.workers, count)
-  local pool <close> = process.pool(workers, { "-e", itself.chunk("study.worker", store.path) })
+  local pool <close> = process.pool(workers, { "-e", itself.chunk("study.worker", store.path, files.confined() or "") })
   local display <close> = progress.new(workers, count + finished, finished, options.progress)
   local self = setmetatable({ store = store, pool = pool, queue = queue, next = 1, busy = {}, computed = {},
     left = count, failed = failed, warned = warned, display = display }, run)

@@ -6,6 +6,7 @@
 
 local stores = require "archard.store"
 local columns = require "archard.settings".columns
+local files = require "archard.files"
 local settings = require "archard.study.settings"
 local term = require "archard.term"
 local warnings = require "archard.warnings"
@@ -195,7 +196,9 @@ local function attend(held, line)
   held:add(case)
 end
 
-return function(path)
+-- folder: that of the script in a sandbox, whose files are ours too; "" without one.
+return function(path, folder)
+  if folder ~= "" then files.confine(folder) end
   local held = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),
     commit = 0 }, keeper)
   warnings.keep()

@@ -53,7 +53,8 @@ static size_t without_foot(const char *text) {
 }
 
 run_status run_refused(lua_State *L) {
-  run_status status = interrupt_pending(NULL) ? RUN_INTERRUPTED : RUN_FAILED;
+  const int stopped = interrupt_pending(NULL) && !interrupt_exceeded();
+  run_status status = stopped ? RUN_INTERRUPTED : RUN_FAILED;
   interrupt_clear();
   lua_pushcfunction(L, to_text);
   lua_insert(L, -2);

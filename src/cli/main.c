@@ -4,6 +4,7 @@
 #include "archard/base.h"
 #include "cli/repl.h"
 #include "cli/chunk.h"
+#include "cli/sandbox.h"
 #include "cli/signals.h"
 #include "lua/base/archard.h"
 #include "lua/base/interrupt.h"
@@ -29,6 +30,7 @@ typedef struct command {
   } * steps;
   int step_count;
   int interactive, lax, version, help, wrong;
+  sandbox sandbox;
   int script; /* index of the script in argv; argc when there is none */
   int argc;
   char **argv;
@@ -40,6 +42,12 @@ static void print_usage(FILE *stream) {
         "  -l MODULE       require MODULE and put it into the global of that name\n"
         "  -i              go to the prompt after the script\n"
         "  --lax           names that nobody has given are nil, not errors\n"
+        "  --sandbox       for a script of a stranger: no other programs, no files but those below "
+        "its\n"
+        "                  folder and the working folder, and limits:\n"
+        "  --memory MIB    of Lua and the engine, 1024 where it is left out\n"
+        "  --seconds S     on the clock, 3600\n"
+        "  --instructions N  of Lua, 1e11\n"
         "  -v, --version   print the version\n"
         "  -h, --help      print this help\n"
         "  -               run standard input as a script\n"
@@ -54,10 +62,15 @@ static void read_options(command *self) {
       {"version", no_argument, NULL, 'v'},
       {"help", no_argument, NULL, 'h'},
       {"lax", no_argument, NULL, 'x'},
+      {"sandbox", no_argument, NULL, 's'},
+      {"memory", required_argument, NULL, 'L'},
+      {"seconds", required_argument, NULL, 'L'},
+      {"instructions", required_argument, NULL, 'L'},
       {NULL, 0, NULL, 0},
   };
-  int letter;
-  while ((letter = getopt_long(self->argc, self->argv, "+e:l:ivh", names, NULL)) != -1) {
+  int letter, which = 0, limits = 0;
+  self->sandbox = sandbox_usual();
+  while ((letter = getopt_long(self->argc, self->argv, "+e:l:ivh", names, &which)) != -1) {
     switch (letter) {
     case 'e':
     case 'l':
@@ -70,6 +83,13 @@ static void read_options(command *self) {
     case 'x':
       self->lax = 1;
       break;
+    case 's':
+      self->sandbox.wanted = 1;
+      break;
+    case 'L':
+      limits = 1;
+      if (!sandbox_set(&self->sandbox, names[which].name, optarg)) self->wrong = 1;
+      break;
     case 'v':
       self->version = 1;
       break;
@@ -81,6 +101,8 @@ static void read_options(command *self) {
     }
   }
   self->script = optind;
+  const int idle = optind >= self->argc && self->step_count == 0;
+  if (self->sandbox.wanted ? idle || self->interactive : limits) self->wrong = 1;
 }
 
 /* arg[0] is the script, what stands before it has negative indices, as in the stock interpreter. */
@@ -119,7 +141,8 @@ static run_status run_steps(lua_State *L, const command *self) {
 static run_status run_script(lua_State *L, const command *self) {
   const char *name = self->argv[self->script];
   if (strcmp(name, "-") == 0) name = NULL;
-  if (luaL_loadfile(L, name) != LUA_OK) return run_refused(L);
+  const char *mode = self->sandbox.wanted ? "t" : NULL;
+  if (luaL_loadfilex(L, name, mode) != LUA_OK) return run_refused(L);
   int count = self->argc - self->script - 1;
   luaL_checkstack(L, count, "too many arguments to the script");
   for (int i = 0; i < count; i++) lua_pushstring(L, self->argv[self->script + 1 + i]);
@@ -163,6 +186,12 @@ static void print_warning(void *ignored, const char *message, int to_be_continue
   continued = to_be_continued;
 }
 
+/* The path of the script; NULL where it is none, or standard input. */
+static const char *script_path(const command *self) {
+  const char *name = self->script < self->argc ? self->argv[self->script] : NULL;
+  return name && strcmp(name, "-") != 0 ? name : NULL;
+}
+
 /* Everything that may raise an error of Lua's happens in here. */
 static int session(lua_State *L) {
   const command *self = lua_touserdata(L, 1);
@@ -178,17 +207,19 @@ static int session(lua_State *L) {
   strict_libraries(L);
   if (self->lax) strict_lax(L);
   lua_settop(L, 0);
+  if (self->sandbox.wanted) sandbox_enter(L, &self->sandbox, script_path(self));
   lua_pushinteger(L, run_command(L, self));
   return 1;
 }
 
 static int exit_status(run_status status) {
+  if (interrupt_exceeded()) return EXIT_ERROR;
   if (status == RUN_INTERRUPTED || interrupt_pending(NULL)) return EXIT_INTERRUPTED;
   return status == RUN_OK ? EXIT_DONE : EXIT_ERROR;
 }
 
 static int run_state(command *self) {
-  lua_State *L = luaL_newstate();
+  lua_State *L = self->sandbox.wanted ? sandbox_new_state(&self->sandbox) : luaL_newstate();
   if (L == NULL) {
     fputs("archard: not enough memory to start\n", stderr);
     return EXIT_ERROR;

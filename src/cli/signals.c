@@ -5,8 +5,10 @@
 #include "lua/base/interrupt.h"
 
 #include <errno.h>
+#include <math.h>
 #include <signal.h>
 #include <string.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 static void say_how_to_end(void) {
@@ -29,12 +31,58 @@ static void on_interrupt_once(int signal_number) {
   interrupt_request();
 }
 
-void signals_install(int stay) {
+/* No SA_RESTART: a read that waits must return, for the hook to be seen. */
+static void install(int signal_number, void (*handler)(int), int flags) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
   sigemptyset(&action.sa_mask);
-  action.sa_handler = stay ? on_interrupt_stay : on_interrupt_once;
-  /* No SA_RESTART: a read that waits must return, for the hook to be seen. */
-  action.sa_flags = stay ? 0 : (int)SA_RESETHAND;
-  sigaction(SIGINT, &action, NULL);
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigaction(signal_number, &action, NULL);
+}
+
+void signals_install(int stay) {
+  install(SIGINT, stay ? on_interrupt_stay : on_interrupt_once, stay ? 0 : (int)SA_RESETHAND);
+}
+
+/* --- in a sandbox ----------------------------------------------------------------------------- */
+
+enum { GRACE = 100000, STATUS_ERROR = 1, STATUS_INTERRUPTED = 130 }; /* [us] */
+
+static void set_alarm(double seconds) {
+  const double whole = floor(seconds);
+  const struct itimerval when = {
+      .it_value = {(time_t)whole, (suseconds_t)(1e6 * (seconds - whole))}};
+  setitimer(ITIMER_REAL, &when, NULL);
+}
+
+static void on_grace_over(int signal_number) {
+  static const char text[] = "archard: ended: it did not stop within grace\n";
+  (void)signal_number;
+  const ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
+  (void)written;
+  _exit(interrupt_exceeded() ? STATUS_ERROR : STATUS_INTERRUPTED);
+}
+
+static void begin_grace(void) {
+  install(SIGALRM, on_grace_over, 0);
+  set_alarm(GRACE / 1e6);
+}
+
+static void on_time_over(int signal_number) {
+  (void)signal_number;
+  interrupt_exceed("more seconds than the sandbox allows");
+  begin_grace();
+}
+
+static void on_interrupt_sandboxed(int signal_number) {
+  (void)signal_number;
+  interrupt_request();
+  begin_grace();
+}
+
+void signals_limit(double seconds) {
+  install(SIGINT, on_interrupt_sandboxed, (int)SA_RESETHAND);
+  install(SIGALRM, on_time_over, 0);
+  if (seconds > 0) set_alarm(seconds);
 }

@@ -6,4 +6,8 @@
  * further ones only say how to end it; otherwise the second one ends it at once. */
 void signals_install(int stay);
 
+/* In a sandbox: the clock asks for a stop after so many seconds (0: never), and what neither that
+ * nor Ctrl-C stops within grace is ended: there is no session whose work could be lost. */
+void signals_limit(double seconds);
+
 #endif

@@ -10,9 +10,16 @@
 static volatile sig_atomic_t requests;
 static lua_State *volatile running;
 
+/* Limits: the instructions that are left, and what was reached. */
+static double instructions_left;
+static const char *volatile exceeded;
+enum { PERIOD = 10000 }; /* instructions between two looks */
+
 /* What the error says; set outside of the handler. */
 static const char plain[] = "interrupted";
 static char explained[120];
+
+static void rest(lua_State *L);
 
 /* Pushes "file:line: " of the Lua function that runs, or of the one that called a C function. */
 static void push_place(lua_State *L) {
@@ -30,13 +37,13 @@ static void raise_explained(lua_State *L) {
 
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
-  if (!requests) { /* a coroutine that was left armed and is resumed later */
-    lua_sethook(L, NULL, 0, 0);
+  if (!interrupt_pending(NULL)) { /* a coroutine that was left armed and is resumed later */
+    rest(L);
     return;
   }
-  if (explained[0]) raise_explained(L);
+  if (explained[0] && !exceeded) raise_explained(L);
   push_place(L);
-  lua_pushstring(L, plain);
+  lua_pushstring(L, exceeded ? exceeded : plain);
   lua_concat(L, 2);
   lua_error(L);
 }
@@ -44,6 +51,34 @@ static void stop_hook(lua_State *L, lua_Debug *event) {
 /* lua_sethook is made to be called from signal handlers. */
 static void arm(lua_State *L) {
   lua_sethook(L, stop_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
+}
+
+/* Counts while nothing is asked for. */
+static void count_hook(lua_State *L, lua_Debug *event) {
+  instructions_left -= PERIOD;
+  if (instructions_left <= 0) interrupt_exceed("more instructions than the sandbox allows");
+  if (exceeded) stop_hook(L, event);
+}
+
+static void rest(lua_State *L) {
+  if (instructions_left > 0 || exceeded)
+    lua_sethook(L, count_hook, LUA_MASKCOUNT, PERIOD);
+  else
+    lua_sethook(L, NULL, 0, 0);
+}
+
+void interrupt_limit(lua_State *L, double instructions) {
+  instructions_left = instructions;
+  rest(L);
+}
+
+void interrupt_exceed(const char *text) {
+  exceeded = text;
+  interrupt_request();
+}
+
+int interrupt_exceeded(void) {
+  return exceeded != NULL;
 }
 
 int interrupt_request(void) {
@@ -55,7 +90,7 @@ int interrupt_request(void) {
 
 int interrupt_pending(void *context) {
   (void)context;
-  return requests != 0;
+  return requests != 0 || exceeded;
 }
 
 void interrupt_raise(lua_State *L, const char *stand) {
@@ -71,7 +106,7 @@ void interrupt_clear(void) {
 /* Whoever takes over the processor must carry the hook if a request came before. */
 static void switch_to(lua_State *L) {
   running = L;
-  if (requests) arm(L);
+  if (interrupt_pending(NULL)) arm(L);
 }
 
 void interrupt_attach(lua_State *L) {
@@ -80,7 +115,7 @@ void interrupt_attach(lua_State *L) {
 
 void interrupt_detach(lua_State *L) {
   running = NULL;
-  lua_sethook(L, NULL, 0, 0);
+  rest(L);
 }
 
 /* Resumes `co` with the `count` values on top of L. Returns the number of results moved to L, or

@@ -28,6 +28,16 @@ int interrupt_pending(void *context);
  * request this text too. */
 void interrupt_raise(lua_State *L, const char *stand);
 
+/* From here on Lua runs so many instructions at most (0: any number); costs it speed. What is
+ * beyond is stopped as by a request that nothing clears. */
+void interrupt_limit(lua_State *L, double instructions);
+
+/* Says that a limit was reached; may be called from a signal handler. `text` must stay. */
+void interrupt_exceed(const char *text);
+
+/* Whether a limit was reached. */
+int interrupt_exceeded(void);
+
 /* Forgets the request. Called when nothing of the user's runs. */
 void interrupt_clear(void);
 

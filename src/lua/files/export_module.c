@@ -193,10 +193,32 @@ static int files_number(lua_State *L) {
   return 1;
 }
 
+/* allowed(path, "read" | "write") -> whether a file of that name may be used so */
+static int files_allowed(lua_State *L) {
+  static const char *const uses[] = {"read", "write", NULL};
+  const char *path = luaL_checkstring(L, 1);
+  lua_pushboolean(L, file_name_is_allowed(L, path, (path_use)luaL_checkoption(L, 2, NULL, uses)));
+  return 1;
+}
+
+/* confine(folder): see file_name.h */
+static int files_confine(lua_State *L) {
+  file_name_confine(L, luaL_checkstring(L, 1));
+  return 0;
+}
+
+/* confined() -> the folder, or nil */
+static int files_confined(lua_State *L) {
+  lua_pushstring(L, file_name_confined(L));
+  return 1;
+}
+
 int luaopen_archard_files(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"csv", export_csv},    {"vtk", export_vtk},      {"inp", export_inp}, {"msh", export_msh},
-      {"write", files_write}, {"number", files_number}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"csv", export_csv},          {"vtk", export_vtk},
+                                       {"inp", export_inp},          {"msh", export_msh},
+                                       {"write", files_write},       {"number", files_number},
+                                       {"allowed", files_allowed},   {"confine", files_confine},
+                                       {"confined", files_confined}, {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

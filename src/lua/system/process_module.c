@@ -5,6 +5,7 @@
 #include "lua/base/archard.h"
 #include "lua/base/box.h"
 #include "lua/base/error.h"
+#include "lua/base/file_name.h"
 #include "lua/base/interrupt.h"
 #include "system/child.h"
 
@@ -325,7 +326,7 @@ static int process_pause(lua_State *L) {
 
 /* process.make_folder(path) -> true, or nil and the reason; one that is there already is fine */
 static int process_make_folder(lua_State *L) {
-  const char *path = luaL_checkstring(L, 1);
+  const char *path = path_argument(L, 1, "folder", "path", PATH_WRITE);
   struct stat there;
   if (mkdir(path, 0777) == 0 ||
       (errno == EEXIST && stat(path, &there) == 0 && S_ISDIR(there.st_mode))) {

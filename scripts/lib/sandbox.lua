@@ -1,0 +1,81 @@
+-- archard --sandbox: takes out of the user's globals what reaches out of the script, and out of those of our
+-- scripts what a user's argument could. Leans on archard.files, which knows what files there are.
+
+local files = require "archard.files"
+
+local load, loadfile = load, loadfile
+local globals, open = _G, io.open
+
+local elsewhere = "not below the folder of the script or the working folder (sandbox)"
+
+-- --- for our scripts -----------------------------------------------------------------------------
+
+function io.open(path, mode)
+  local use = (mode or "r"):find "^r" and not (mode or ""):find("+", 1, true) and "read" or "write"
+  if not files.allowed(path, use) then return nil, ("%s: %s"):format(path, elsewhere) end
+  return open(path, mode)
+end
+
+function io.popen() error("the sandbox starts no other programs", 0) end
+function os.execute() return nil, "the sandbox starts no other programs" end
+
+-- Temporary files are in the working folder.
+local count = 0
+function os.tmpname()
+  count = count + 1
+  return (".archard-%d-%d"):format(os.time(), count)
+end
+
+-- --- for the user --------------------------------------------------------------------------------
+
+-- What fails is raised where it was called.
+local function read_chunk(path, ...)
+  if type(path) ~= "string" then error("expected the name of a file, got " .. type(path), 3) end
+  if not files.allowed(path, "read") then return nil, ("%s: %s"):format(path, elsewhere) end
+  return loadfile(path, "t", ...)
+end
+
+-- require of archard, and of Lua files in the folder of the script.
+local function requirer(folder)
+  local loaded = { archard = require "archard" }
+  for _, name in ipairs{ "string", "table", "math", "utf8", "coroutine", "os" } do loaded[name] = globals[name] end
+  return function(name)
+    if type(name) ~= "string" or not name:find "^[%w_][%w_.]*$" then error("expected the name of a module", 2) end
+    if loaded[name] == nil then
+      local path = ("%s/%s.lua"):format(folder, (name:gsub("%.", "/")))
+      local chunk, why = read_chunk(path)
+      if not chunk then error(why, 2) end
+      local result = chunk(name, path)
+      loaded[name] = result == nil and true or result
+    end
+    return loaded[name]
+  end
+end
+
+-- Metatables of our classes and of strings are not for strangers.
+local function hide_metatables()
+  local strings = debug.getmetatable ""
+  strings.__metatable, strings.__index.dump = false, nil
+  local get = getmetatable
+  globals.getmetatable = function(value)
+    if type(value) == "userdata" then return false end
+    return get(value)
+  end
+end
+
+return function(folder)
+  local os = os
+  globals.os = { time = os.time, clock = os.clock, date = os.date, difftime = os.difftime }
+  for _, name in ipairs{ "io", "debug", "package", "examples" } do globals[name] = nil end
+  require "archard".examples = nil
+  globals.string.dump = nil
+  globals.load = function(chunk, name, _, ...) return load(chunk, name, "t", ...) end
+  globals.loadfile = function(path, _, ...) return read_chunk(path, ...) end
+  globals.dofile = function(path)
+    local chunk, why = read_chunk(path)
+    if not chunk then error(why, 2) end
+    return chunk()
+  end
+  globals.require = requirer(folder)
+  hide_metatables()
+end

@@ -1,0 +1,78 @@
+-- Functions of the user's that fail: told at the first call, with what they were called for and what
+-- they said, and the run stays at its last whole step, from which it goes on.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local is, ok, holds, fails = tap.is, tap.ok, tap.holds, tap.fails
+
+local m = model{ mesh = { size = 0.1, height = 0.1 } }
+require "archard.warnings".keep() -- the mesh is coarse
+
+-- A function that fails once the run has made five updates, and counts how often it was asked after that.
+local asked
+local function failing(value, words)
+  asked = 0
+  return function(...)
+    local state = select(select("#", ...), ...)
+    if state.update < 5 then return value end
+    asked = asked + 1
+    if words then return words end
+    error "boom"
+  end
+end
+
+-- `good` is what takes the function's place then; the run stands after five updates, or as many as given.
+local function try(name, fields, parts, good, stands)
+  fields.model, fields.distance = m, 440
+  local w = wear(fields)
+  stands = stands or 5
+  local err = fails(function() w:run() end, parts, name .. ": it is told where and why")
+  is(asked, 1, name .. ": asked once more, no further")
+  ok(not tostring(err):find("scripts/", 1, true), name .. ": nothing of our own text")
+  is(w.update, stands, name .. ": the run stands at its last whole step")
+  local before, pressure = w.distance, w.p_center
+  is(#w.history.distance, stands + 1, name .. ": and so does its history")
+  fails(function() w:step() end, parts, name .. ": again")
+  ok(w.distance == before and w.p_center == pressure, name .. ": and nothing has changed")
+  w:set(good)
+  w:step()
+  is(w.update, stands + 1, name .. ": it goes on")
+end
+
+try("k", { k = failing(1e-8) }, { "k(state at distance 110 mm, cycle 500) failed", "boom" }, { k = 1e-8 })
+try("alpha", { alpha = failing(0.5) }, { "alpha(state at distance 110 mm, cycle 500) failed", "boom" }, { alpha = 0.5 })
+try("jump", { jump = failing(100) }, { "jump(state at distance 110 mm, cycle 500) failed", "boom" }, { jump = 100 })
+try("a text of k", { k = failing(1e-8, "x") }, { "k(state at distance 110 mm, cycle 500) failed: expected a number, got string" },
+  { k = 1e-8 })
+try("a NaN of k", { k = failing(1e-8, 0 / 0) }, { "field 'k': expected a number >= 0 mm2/N, got nan" }, { k = 1e-8 })
+try("friction", { friction = failing(0.2) }, { "friction(state at distance 110 mm", "boom" }, { friction = 0.2 },
+  4) -- its state is that of an update's end
+
+-- --- those of one call ---------------------------------------------------------------------------
+for _, name in ipairs{ "progress", "stop_when" } do
+  asked = 0
+  local w = wear{ model = m, distance = 440 }
+  fails(function()
+    w:run{ [name] = function(run)
+      if run.update < 5 then return end
+      asked = asked + 1
+      error "boom"
+    end }
+  end, { name .. " failed", "boom" }, name .. ": it is told")
+  is(asked .. " " .. w.update, "1 5", name .. ": at once, at a whole step")
+  w:run{ progress = false }
+  is(w.distance, 440.0, name .. ": the run goes on to its end")
+end
+
+asked = 0
+local w = wear{ model = m, distance = 440, local_factor = function(_, _, _, state)
+  if state.update < 5 then return 1 end
+  asked = asked + 1
+  error "boom"
+end }
+holds(select(2, pcall(w.run, w)), { "local_factor(\"cylinder\", x = ", "boom" }, "local_factor: it is told for which point")
+is(asked .. " " .. w.update, "1 5", "local_factor: at once, at a whole step")
+
+fails(function() wear{ model = m, loading = { x = function(t) error("boom " .. t) end, load = 100, cycles = 10 } } end,
+  { "loading.x(0) failed", "boom 0" }, "a loading is asked when it is given")
+fails(function() contact{ model = m, worn = { plate = function(x) if x > 0 then error "boom" end return 0 end } } end,
+  { "worn.plate(", "failed", "boom" }, "a worn shape likewise")
