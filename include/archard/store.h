@@ -170,8 +170,8 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_surface **surfaces, 
 /* --- shards ----------------------------------------------------------------------------------- */
 
 /* Copies into `store` the finished cases of the file `from`. Both must hold the same cases with the
- * same settings. A case that is finished in both stays as it is in `store`; ARC_ARGUMENT: it has other
- * results there, or another study. */
+ * same settings. A case that is finished in both stays as it is in `store`; ARC_ARGUMENT: it has
+ * other results there, or another study. */
 arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error);
 
 #pragma GCC visibility pop
