@@ -64,6 +64,28 @@ local line = hertz{ load = 100 }
 local ring = contact{ load = 100 * 2 * pi * 400, model = { geometry = "axisymmetric", axis = 400 } }
 within(ring.p_center, line.p_max, 0.003, "ring of radius 400: centre pressure of the straight line [MPa]")
 
+-- The same shapes through a file of Gmsh's, about the axis and beside it.
+local function through_gmsh(m, fields)
+  local path = os.tmpname() .. ".msh"
+  export.msh(m, path)
+  fields.geometry, fields.mesh = "axisymmetric", path
+  local given = model(fields)
+  os.remove(path)
+  return given
+end
+local given = through_gmsh(revolved, {})
+within(contact{ model = given, load = 50 }.p_center, c.p_center, 1e-9, "ball by way of Gmsh: centre pressure [MPa]")
+local narrow = model{ geometry = "axisymmetric", axis = 40, mesh = { size = 0.03, height = 0.03, zone = { cylinder = 1.5, plate = 1.5 } } }
+within(contact{ model = through_gmsh(narrow, { axis = 40 }), load = 25000 }.p_center, contact{ model = narrow, load = 25000 }.p_center,
+  1e-9, "ring by way of Gmsh: centre pressure [MPa]")
+local function worn(m)
+  return wear{ model = m, load = 50, slide = "z", alpha = 1, track = 20, k = 1e-8, cycles = 20, jump = "auto", geometry = "frozen" }:run()
+end
+local ours, theirs = worn(revolved), worn(given)
+within(theirs.p_center, ours.p_center, 1e-3, "pin on disc by way of Gmsh: centre pressure, worn [MPa]")
+within(theirs.depth_cylinder, ours.depth_cylinder, 1e-4, "pin on disc by way of Gmsh: depth [mm]")
+within(theirs.volume_cylinder, 1e-8 * theirs.load_distance, 1e-12, "pin on disc by way of Gmsh: V = k integral normal force ds [mm3]")
+
 -- --- a pin on a disc ----------------------------------------------------------------------------
 
 -- At large wear the pin is a ball less a cap of the worn volume, V = pi h^2 (3 R - h) / 3.
