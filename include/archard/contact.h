@@ -213,10 +213,10 @@ arc_contact_result arc_contact_get(const arc_contact *contact);
  * x is in the frame of the cylinder for both bodies (plate nodes: own x + plate position). */
 typedef struct arc_pressure {
   int count;
-  const double *x; /* [mm] */
-  const double *p; /* [MPa] */
-  const double
-      *f; /* [N/mm] nodal force per thickness across the surface, p times tributary width */
+  const double *x;  /* [mm] */
+  const double *p;  /* [MPa] */
+  const double *f;  /* [N/mm] nodal force per thickness across the surface, p times tributary width;
+                       of  revolution [N], that of its ring */
   const double *fx; /* [N/mm] nodal force along x on the body: pressures act along normals */
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);
@@ -253,7 +253,7 @@ arc_status arc_contact_validate(const arc_contact *contact, arc_error *error);
 #define ARC_FIELD_STRESSES(X)                                                                      \
   X(sxx, "MPa", "stress along the surface")                                                        \
   X(syy, "MPa", "stress across the surface")                                                       \
-  X(szz, "MPa", "stress out of the plane: plane strain, nu (sxx + syy)")                           \
+  X(szz, "MPa", "stress out of the plane, of revolution around the axis")                          \
   X(sxy, "MPa", "shear stress")                                                                    \
   X(mises, "MPa", "von Mises stress")                                                              \
   X(principal, "MPa", "largest principal stress, tension positive")                                \

@@ -24,6 +24,16 @@ extern "C" {
 typedef enum arc_element { ARC_ELEMENT_LIST(ARC_CHOICE_ENUM) } arc_element;
 extern const char *const arc_element_names[];
 
+/* What the section in x and y stands for. Of bodies of revolution about the vertical axis at x =
+ * -axis; forces are those on all of the circumference. Where the axis is x = 0, both halves of the
+ * section are the same ring, and each counts for half of it. */
+#define ARC_SPACE_LIST(X)                                                                          \
+  X(PLANE_STRAIN, "plane strain")                                                                  \
+  X(PLANE_STRESS, "plane stress")                                                                  \
+  X(AXISYMMETRIC, "axisymmetric")
+typedef enum arc_space { ARC_SPACE_LIST(ARC_CHOICE_ENUM) } arc_space;
+extern const char *const arc_space_names[];
+
 /* What to mesh. The plate is 2 radius wide and radius high. "auto" is 0 in the struct, and becomes
  * a number in arc_model_fit: a mesh is built of numbers alone. */
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
@@ -68,6 +78,7 @@ typedef struct arc_mesh {
   arc_body_def solid; /* in numbers; its profile belongs to the model */
   double radius;      /* [mm] of the cylinder; of other bodies the dimension that limits the mesh */
   arc_mesh_def def;   /* as asked for; in a model, element is what the body has, never auto */
+  arc_space space;    /* of the model; plane strain of a mesh alone */
   int nodes;          /* number of nodes */
   double *xy;         /* [2 * nodes] x, y of each node [mm] */
   int elements;       /* number of elements = quads + triangles */
@@ -118,6 +129,9 @@ enum { ARC_MESH_MATERIALS = 16 };
  * (groups, nodes or elements that make no two bodies: which, and where), ARC_MEMORY. On failure
  * both meshes are NULL. */
 arc_status arc_mesh_read_msh(const char *path, arc_mesh *mesh[ARC_BODIES], arc_error *error);
+
+/* What its elements of 3 or 4 corners are called, "CPE4", "CPS4I", "CAX3". */
+const char *arc_mesh_element(const arc_mesh *mesh, int corners);
 
 /* Frees and nulls; NULL is fine. */
 void arc_mesh_destroy(arc_mesh **mesh);

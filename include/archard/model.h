@@ -1,6 +1,6 @@
 /* archard/model.h - the two elastic bodies, condensed to their wear boxes once and then shared.
  *
- * For each body: K assembled from plane-strain elements, everything outside the wear box eliminated
+ * For each body: K assembled from elements, everything outside the wear box eliminated
  * with CHOLMOD, so that any worn shape needs only a small dense update (S = S_far + K_box, F =
  * normal block of S^-1).
  */
@@ -14,17 +14,21 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Contact modulus of the couple, 1 / (1/E*_c + 1/E*_p) [MPa]. */
-double arc_contact_modulus(const arc_material material[ARC_BODIES]);
-
-#define ARC_MODEL_SETTINGS(NUMBER)                                                                 \
+#define ARC_MODEL_SETTINGS(NUMBER, CHOICE)                                                         \
   NUMBER(radius, "mm", 10, ABOVE(0), 0,                                                            \
          "Radius R of the cylinder; it sets the size of the plate too.")                           \
   NUMBER(thickness, "mm", 1, ABOVE(0), 0,                                                          \
-         "Thickness of both bodies; forces are those on the whole of it.")
+         "Thickness of both bodies; forces are those on the whole of it.")                         \
+  CHOICE(geometry, space, ARC_PLANE_STRAIN, 0,                                                     \
+         "What the section in the plane stands for: long bodies, thin plates, or bodies of "       \
+         "revolution about a vertical axis: a cylinder is a ball then, a block a disc, and loads " \
+         "and volumes are those of the whole circumference.")                                      \
+  NUMBER(axis, "mm", 0, FROM(0), 0,                                                                \
+         "Of an axisymmetric model: how far left of x = 0 its axis is, as far as the mean radius " \
+         "of a thrust ring. 0: the bodies touch on the axis.")
 
 typedef struct arc_model_def {
-  ARC_MODEL_SETTINGS(ARC_MEMBER_NUMBER)
+  ARC_MODEL_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
   arc_material material[ARC_BODIES]; /* by arc_body; settings "cylinder" and "plate" */
   arc_body_def body[ARC_BODIES];     /* their shapes; settings "upper" and "lower" */
   arc_mesh_def mesh;
@@ -47,6 +51,14 @@ const char *arc_model_role_name(arc_body body);
  * the lower: 1; 0: none, -1: it could be either. *body is written to in any case. */
 int arc_model_find_body(const arc_model_def *def, const char *word, arc_body *body);
 
+/* Contact modulus of the couple [MPa], 1 / (1/E*_c + 1/E*_p); in plane stress E takes the place of
+ * E*. */
+double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]);
+
+/* The load [N] per length of a line contact that presses about as much [N/mm]: over the thickness;
+ * over the circumference; of a round contact over its mean chord. */
+double arc_model_line(const arc_model_def *def, double load);
+
 /* The wear coefficient that a body's pressures are taken with [mm2/N]: the largest of its layers
  * and its own; the others wear by their share of it. 0: none has one. */
 double arc_model_wear_k(const arc_model_def *def, arc_body body);
@@ -55,7 +67,7 @@ double arc_model_wear_k(const arc_model_def *def, arc_body body);
  * INFINITY where they fit, are flat, or are no arcs. */
 double arc_model_relative_radius(const arc_model_def *def);
 
-/* Whether Hertz' formulas hold: a solid cylinder or disc on a block without layers. */
+/* Whether Hertz' formulas hold: a solid cylinder or disc, or a ball, on a block without layers. */
 int arc_model_is_hertzian(const arc_model_def *def);
 
 /* Whether one of the bodies is hollow: the other turns in it. */
@@ -70,24 +82,28 @@ int arc_model_slides_along(const arc_model_def *def);
 double arc_model_width(const arc_model_def *def);
 
 /* Half width [mm] of the unworn contact under a load [N], as far as a formula tells: Hertz', of
- * punches with rounded edges, or Persson's of a pin in a hole. */
+ * punches with rounded edges, or Persson's of a pin in a hole. Of bodies of revolution the radius
+ * of a round contact, half the width of a ring. */
 double arc_model_half_width(const arc_model_def *def, double load);
 
-/* Closed-form Hertz line contact of a cylinder on a half-space. */
+/* Closed-form Hertz contact of a cylinder on a half-space, or of a ball. */
 typedef struct arc_hertz {
-  double half_width; /* [mm] a = sqrt(4 L R / (pi t E*)) */
-  double p_max;      /* [MPa] p_H = 2 L / (pi a t) */
-  double E_star;     /* [MPa] 1 / (1/E*_c + 1/E*_p), the contact modulus */
+  double half_width; /* [mm] a = sqrt(4 L R / (pi t E*)); of a ball cbrt(3 L R / (4 E*)) */
+  double p_max;      /* [MPa] p_H = 2 L / (pi a t); of a ball 3 L / (2 pi a^2) */
+  double E_star;     /* [MPa] the contact modulus, see arc_contact_modulus */
+  double approach;   /* [mm] of a ball a^2 / R; NaN of a cylinder, for which it has no end */
 } arc_hertz;
 
-#define ARC_HERTZ_SETTINGS(NUMBER)                                                                 \
+#define ARC_HERTZ_SETTINGS(NUMBER, CHOICE)                                                         \
   NUMBER(radius, "mm", 10, ABOVE(0), 0, "Radius of the cylinder.")                                 \
   NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N over the whole thickness.")                 \
   NUMBER(thickness, "mm", 1, ABOVE(0), 0,                                                          \
-         "Thickness of both bodies; the load per thickness counts.")
+         "Thickness of both bodies; the load per thickness counts, but of a ball.")                \
+  CHOICE(geometry, space, ARC_PLANE_STRAIN, 0,                                                     \
+         "A long cylinder, a thin one, or a ball: \"axisymmetric\".")
 
 typedef struct arc_hertz_def {
-  ARC_HERTZ_SETTINGS(ARC_MEMBER_NUMBER)
+  ARC_HERTZ_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
   arc_material material[ARC_BODIES]; /* by arc_body; settings "cylinder" and "plate" */
 } arc_hertz_def;
 
@@ -95,10 +111,17 @@ extern const arc_setting arc_hertz_settings[];
 
 arc_hertz_def arc_hertz_default(void);
 
-/* load [N] > 0, radius and thickness [mm] > 0, else ARC_ARGUMENT. */
+/* Values out of their ranges are ARC_ARGUMENT, named. */
+arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *error);
+
+/* That of plane strain: load [N] > 0, radius and thickness [mm] > 0, else ARC_ARGUMENT. */
 arc_status arc_hertz_solve(double radius, double thickness, double load,
                            const arc_material material[ARC_BODIES], arc_hertz *hertz,
                            arc_error *error);
+
+/* What they give for the relative radius of a model's pair; of rings, as of a straight line as
+ * long. */
+arc_hertz arc_model_hertz(const arc_model_def *def, double load);
 
 /* Opaque, reference counted, unchanged after arc_model_build; not for two threads at once (stress
  * fields share the factor's workspace). */

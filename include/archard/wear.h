@@ -173,7 +173,18 @@ typedef struct arc_loading {
   CHOICE(                                                                                          \
       slide, slide, ARC_SLIDE_X, 0,                                                                \
       "The way of the plate: along x, or out of the plane along z. Then the contact stays at x "   \
-      "= 0, stroke is the way along z, and alpha-tilde is alpha.")                                 \
+      "= 0, stroke is the way along z, and alpha-tilde is alpha. Bodies of revolution need "       \
+      "\"z\": "                                                                                    \
+      "the same way for all points, as of a pin on a disc, unless they spin.")                     \
+  NUMBER(spin, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                    \
+         "Of bodies that spin about their axis of revolution: the radius at which stroke and "     \
+         "distance are told; elsewhere slip goes with the radius. 1: distances are angles in "     \
+         "radians.")                                                                               \
+  NUMBER(                                                                                          \
+      track, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                      \
+      "Of a pin on a disc: mean radius of its track. A cycle is a revolution then, in place of "   \
+      "stroke. The disc stays flat; its depth is told as the mean over the track, as wide as "     \
+      "the contact is by then.")                                                                   \
   CHOICE(rule, rule, ARC_TRAPEZOID, 0, "Integration over the increments: Eq. (4) or Eq. (5).")     \
   CHOICE(geometry, geometry, ARC_MOVING, ARC_FIXED,                                                \
          "Whether the worn nodes change the stiffness of the surface layer, or the gap alone.")    \
@@ -260,6 +271,9 @@ double arc_wear_reach(const arc_model_def *model, double load);
 /* Increments of a full cycle of the plain stroke: as set, or as chosen. */
 int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model);
 
+/* The stroke [mm]: as set, or half a revolution of a track. */
+double arc_wear_def_stroke(const arc_wear_def *def);
+
 /* Strokes of a cycle, r of Eq. (21): 2, or 1 where the stroke is the whole plate's width. */
 double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model);
 
@@ -289,7 +303,7 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
   X(depth_plate, "mm", "largest wear depth of the plate")                                          \
   X(volume_cylinder, "mm3", "wear volume of the cylinder")                                         \
   X(volume_plate, "mm3", "wear volume of the plate")                                               \
-  X(load_distance, "N mm", "load, in holes normal force, over sliding distance")                   \
+  X(load_distance, "N mm", "load, in holes normal force, over local sliding")                      \
   X(depth_partition, "", "depth partition factor alpha-tilde; NaN before any wear")                \
   X(error, "", "estimated error of an adaptive step, over its tolerance")                          \
   X(solutions, "", "contact solutions so far")                                                     \

@@ -12,20 +12,23 @@ return {
 
   -- --- hertz ----------------------------------------------------------------------------------
   { "hertz", kind = "constructor", use = "hertz{ radius=10, load=100 }",
-    text = "Hertz' closed form for the line contact of a cylinder on a half-space: what an unworn "
-      .. "contact is measured by." },
+    text = "Hertz' closed form for the line contact of a cylinder on a half-space, or with geometry = "
+      .. '"axisymmetric" for that of a ball: what an unworn contact is measured by.' },
   { "hertz.half_width", kind = "field", unit = "mm",
-    text = "Half width of the contact, a = sqrt(4 R L_N / (pi t E*))." },
+    text = "Half width of the contact, a = sqrt(4 R L_N / (pi t E*)); of a ball cbrt(3 R L_N / (4 E*))." },
   { "hertz.p_max", kind = "field", unit = "MPa",
-    text = "Pressure at the centre, p_H = 2 L_N / (pi a t)." },
+    text = "Pressure at the centre, p_H = 2 L_N / (pi a t); of a ball 3 L_N / (2 pi a^2)." },
   { "hertz.E_star", kind = "field", unit = "MPa",
-    text = "Contact modulus 1 / (1/E*_c + 1/E*_p) of the pair." },
+    text = "Contact modulus 1 / (1/E*_c + 1/E*_p) of the pair; in plane stress of E itself." },
+  { "hertz.approach", kind = "field", unit = "mm",
+    text = "How far a ball and its plate come together, a^2 / R; NaN of a cylinder, where it has no end." },
 
   -- --- model ----------------------------------------------------------------------------------
   { "model", kind = "constructor", use = "model{ radius=10, mesh={ fineness=2 } }",
     text = "The two elastic bodies, meshed and condensed once: a half cylinder, its flat top built "
       .. "in, on a plate 2 radius wide and radius high. A model never changes, so that any number of "
-      .. "contact and wear objects share one. Plane strain. mesh = \"pair.msh\" takes both bodies from "
+      .. "contact and wear objects share one. Plane strain, plane stress or bodies of revolution: help "
+      .. "\"axisymmetric\". mesh = \"pair.msh\" takes both bodies from "
       .. "a Gmsh file: help \"gmsh\"." },
   { "model.upper", kind = "field", text = "The upper body as it was given; nil: a cylinder." },
   { "model.lower", kind = "field", text = "The lower body as it was given; nil: a block." },
@@ -71,7 +74,7 @@ return {
   { "mesh.quads", kind = "field", text = "Number of quadrilaterals." },
   { "mesh.triangles", kind = "field", text = "Number of triangles." },
   { "mesh.elements_count", kind = "field", text = "Number of elements: quads and triangles." },
-  { "mesh.element", kind = "field", text = '"CPE4" or "CPE4I": what "auto" came to for this body.' },
+  { "mesh.element", kind = "field", text = '"CPE4" or "CPE4I": what "auto" came to for this body; in plane stress "CPS4", of revolution "CAX4".' },
   { "mesh.rows", kind = "field", text = "Element rows of the wear box." },
   { "mesh.body", kind = "field", text = '"cylinder" or "plate".' },
   { "mesh.radius", kind = "field", unit = "mm", text = "Radius of the cylinder." },

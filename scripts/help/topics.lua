@@ -4,7 +4,8 @@
 return {
   { "units", [[
 Lengths are in mm, forces in N, pressures and moduli in MPa (N/mm2), wear coefficients in mm2/N, volumes in mm3, angles in
-degrees. Loads count for the thickness, which is 1 mm unless model{ thickness= } says otherwise: plane strain.
+degrees. Loads count for the thickness, which is 1 mm unless model{ thickness= } says otherwise; those on bodies of revolution
+are whole forces.
 
 Travelled distance d is the way of the plate in mm, both strokes counted: d = cycles * strokes * stroke, with two strokes a
 cycle, or one at a stroke of 2 radius. Depths are in mm everywhere; tables and plots show um where they say so.
@@ -13,6 +14,28 @@ k = 1e-8 mm2/N is 1e-8 mm3 of wear for each N and mm of sliding, both bodies tog
 times the number: 1e-8 mm2/N = 1e-5 mm3/(N m).
 
 Run files carry units in the names of columns (half_width_mm), and have a view of them all (units).]] },
+
+  { "axisymmetric", [[
+model{ geometry = "axisymmetric" } turns the section about a vertical axis: the cylinder is a ball, the block a disc, a punch a
+pin with a flat end; loads are whole forces, volumes mm3 of the whole ring, and half_width is the radius of the contact. With
+axis = 40 the axis lies 40 mm left of x = 0, as far as the mean radius of a thrust ring. "plane stress" is for thin plates.
+
+The contact stays where it is, so wear{} needs slide = "z", and one of these:
+
+  alpha = 1        a pin on a disc: all its points go as far, the disc is flat
+  track = 20       the same, a cycle being a revolution at 20 mm; the disc may
+                   wear too, and stays flat: its depth is the mean over the
+                   track, as wide as the contact is by then
+  spin = 1         both turn on the axis: slip is r / spin times the stroke;
+                   with spin = 1 distances are angles
+  model.axis > 0   a ring: all its points go as far; with spin those outside
+                   go farther
+
+  w = wear{ model = { geometry = "axisymmetric" }, load = 50, slide = "z",
+    alpha = 1, track = 20, cycles = 1000, jump = "auto" }
+
+Refused: strokes along x, friction in the section, holes, plates of another thickness; profiles that differ at x and -x. A mesh
+from Gmsh has both halves of the section, mirror images about the axis. Pressures on the axis have no bound under a spin.]] },
   { "running in", [[
 Fresh surfaces often wear faster and then settle. Give k as a function of the state, or as a table over the distance:
 

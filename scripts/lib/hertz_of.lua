@@ -1,7 +1,12 @@
--- (model or table of its fields, load) -> Hertz' contact of its unworn bodies.
+-- (model or table of its fields, load) -> Hertz' contact of its unworn bodies; rings of revolution as
+-- a line as long as their circumference.
 local archard = require "archard"
 
 return function(model, load)
-  return archard.hertz{ radius = model.radius, thickness = model.thickness, load = load,
+  local geometry, thickness = model.geometry, model.thickness
+  if geometry == "axisymmetric" and (model.axis or 0) > 0 then
+    geometry, thickness = "plane strain", 2 * math.pi * model.axis
+  end
+  return archard.hertz{ radius = model.radius, thickness = thickness, geometry = geometry, load = load,
     cylinder = model.cylinder, plate = model.plate }
 end

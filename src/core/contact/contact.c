@@ -99,6 +99,22 @@ static void read_result(arc_contact *c) {
                            .iterations = c->rubs ? c->iterations : c->pose.iterations};
 }
 
+/* What does not keep to the axis. */
+static arc_status check_revolved(const arc_model *model, const arc_contact_def *def,
+                                 arc_error *error) {
+  if (arc_model_definition(model)->geometry != ARC_AXISYMMETRIC) return ARC_OK;
+  if (def->x != 0)
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'x': expected 0 mm for bodies of revolution, which share an axis, got %g", def->x);
+  if (def->friction > 0)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'friction': expected 0 for bodies of revolution: shear along x is not "
+                    "axisymmetric, got %g",
+                    def->friction);
+  return ARC_OK;
+}
+
 arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def,
                               arc_contact **result, arc_error *error) {
   arc_contact *c = calloc(1, sizeof *c);
@@ -114,7 +130,8 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'load_angle': expected 0 but in a hole, got %g degrees",
                     def->load_angle);
-  arc_status status = arc_shape_clone(shape, &c->shape, error);
+  arc_status status = check_revolved(shape->model, def, error);
+  if (status == ARC_OK) status = arc_shape_clone(shape, &c->shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
   return status;
 }
@@ -175,7 +192,8 @@ arc_status arc_contact_finish(arc_contact **contact, arc_status status,
 void arc_friction_warn(const arc_model *model, double mu, const char *who,
                        const arc_callbacks *callbacks) {
   static const double unique = 0.4;
-  const double beta = fabs(arc_contact_mismatch(arc_model_definition(model)->material));
+  const arc_model_def *def = arc_model_definition(model);
+  const double beta = fabs(arc_contact_mismatch(def->geometry, def->material));
   if (mu * beta > unique)
     arc_warn(callbacks,
              "%s: friction %.3g times Dundurs' beta %.3g is above %g: the solution is one that "

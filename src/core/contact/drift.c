@@ -20,6 +20,13 @@ static double thinned(const shape_side *side, int i) {
   return (now - then) / (bottom - then);
 }
 
+/* Rings answer by their circumference, as far as elements see it. */
+static double weight_of(const shape_side *side, int i) {
+  const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
+  if (!side->body->chart.revolved.on) return 1;
+  return arc_shape_width(side, i) / ((side->settled[2 * b] - side->settled[2 * a]) / 2);
+}
+
 static void add_column(shape_side *side, int at, double share) {
   for (int a = -reach; a <= reach; a++) {
     if (at + a < 0 || at + a >= side->n) continue;
@@ -36,7 +43,7 @@ void arc_shape_drift(shape_side *side) {
     const double share = thinned(side, i);
     if (share == 0) continue;
     side->drifted = 1;
-    add_column(side, i, share);
+    add_column(side, i, share / weight_of(side, i));
   }
 }
 

@@ -104,11 +104,12 @@ static double smoothness(const ending *e, double edge) {
 }
 
 contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right) {
+  const arc_model_def *def = arc_model_definition(shape->model);
   const ending e = {.p = p,
                     .xy = shape->side[ARC_CYLINDER].xy,
                     .last = right ? p->set[p->active - 1] : p->set[0],
                     .out = right ? 1 : -1,
-                    .E_star = arc_contact_modulus(arc_model_definition(shape->model)->material)};
+                    .E_star = arc_contact_modulus(def->geometry, def->material)};
   contact_edge edge = {.out = e.out, .width = place(&e, 1) - place(&e, 0)};
   double x = edge_between(&e);
   if (has_nodes(&e)) {

@@ -70,9 +70,20 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   return status;
 }
 
-static void derive_invariants(double nu, arc_field *field) {
+/* Stress out of the section at node n, from those in it and the strain around the axis; on the axis
+ * the radial one is as large. */
+static double stress_out(const elastic_body *body, const arc_field *field, int n) {
+  const revolution *revolved = &body->chart.revolved;
+  const double r = revolved->axis + field->x[n], in = field->sxx[n] + field->syy[n];
+  if (body->space == ARC_PLANE_STRESS) return 0;
+  if (body->space == ARC_PLANE_STRAIN) return body->d.nu * in;
+  return r == 0 ? field->sxx[n] : body->material.E * field->ux[n] / r + body->d.nu * in;
+}
+
+static void derive_invariants(const elastic_body *body, arc_field *field) {
   for (int n = 0; n < field->nodes; n++) {
-    const double x = field->sxx[n], y = field->syy[n], t = field->sxy[n], z = nu * (x + y);
+    const double x = field->sxx[n], y = field->syy[n], t = field->sxy[n];
+    const double z = stress_out(body, field, n);
     field->szz[n] = z;
     field->shear[n] = hypot((x - y) / 2, t);
     field->principal[n] = fmax((x + y) / 2 + field->shear[n], z);
@@ -115,7 +126,6 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   if (status != ARC_OK) return status;
   arc_shape_nodes(c->shape, body, xy);
   if (recover(c, body, xy, u, field) != ARC_OK) return out_of_memory(error);
-  derive_invariants(side->body->d.nu, field);
   place(c, body, xy, u, field);
   for (size_t k = 0; k < n; k++) {
     field->x[k] = xy[2 * k];
@@ -123,6 +133,7 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
     field->ux[k] = u[2 * k];
     field->uy[k] = u[2 * k + 1];
   }
+  derive_invariants(side->body, field);
   return ARC_OK;
 }
 

@@ -1,11 +1,11 @@
-/* Closed-form Hertz line contact. */
+/* Closed-form Hertz contact. */
 #include "archard/model.h"
 
 #include <math.h>
 
 #define ARC_SETTING_OF arc_hertz_def
 const arc_setting arc_hertz_settings[] = {
-    ARC_HERTZ_SETTINGS(ARC_SETTING_NUMBER)
+    ARC_HERTZ_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_CHOICE)
         ARC_MATERIAL_SETTING(arc_hertz_def, ARC_CYLINDER, "cylinder", "Material of the cylinder."),
     ARC_MATERIAL_SETTING(arc_hertz_def, ARC_PLATE, "plate", "Material of the plate."),
     {.name = NULL},
@@ -18,15 +18,37 @@ arc_hertz_def arc_hertz_default(void) {
   return def;
 }
 
+static void solve_line(const arc_hertz_def *d, arc_hertz *hertz) {
+  const double pi = acos(-1), line = d->load / d->thickness;
+  hertz->half_width = sqrt(4 * line * d->radius / (pi * hertz->E_star));
+  hertz->p_max = 2 * line / (pi * hertz->half_width);
+  hertz->approach = NAN;
+}
+
+static void solve_point(const arc_hertz_def *d, arc_hertz *hertz) {
+  const double pi = acos(-1), a = cbrt(3 * d->load * d->radius / (4 * hertz->E_star));
+  hertz->half_width = a;
+  hertz->p_max = 3 * d->load / (2 * pi * a * a);
+  hertz->approach = a * a / d->radius;
+}
+
+arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *error) {
+  const arc_status status = arc_settings_check(arc_hertz_settings, "", def, error);
+  if (status != ARC_OK) return status;
+  hertz->E_star = arc_contact_modulus(def->geometry, def->material);
+  if (def->geometry == ARC_AXISYMMETRIC)
+    solve_point(def, hertz);
+  else
+    solve_line(def, hertz);
+  return ARC_OK;
+}
+
 arc_status arc_hertz_solve(double radius, double thickness, double load,
                            const arc_material material[ARC_BODIES], arc_hertz *hertz,
                            arc_error *error) {
-  const arc_hertz_def def = {radius, load, thickness, {material[0], material[1]}};
-  const arc_status status = arc_settings_check(arc_hertz_settings, "", &def, error);
-  if (status != ARC_OK) return status;
-  const double pi = acos(-1), line = load / thickness;
-  hertz->E_star = arc_contact_modulus(material);
-  hertz->half_width = sqrt(4 * line * radius / (pi * hertz->E_star));
-  hertz->p_max = 2 * line / (pi * hertz->half_width);
-  return ARC_OK;
+  const arc_hertz_def def = {.radius = radius,
+                             .load = load,
+                             .thickness = thickness,
+                             .material = {material[0], material[1]}};
+  return arc_hertz_of(&def, hertz, error);
 }

@@ -1,6 +1,8 @@
 /* Mortar coupling: a dual basis psi on the cylinder's segments, biorthogonal to its hat functions,
  * integrated exactly against the plate's hat functions over the overlaps. Row i of B is (1 / w_i)
  * integral psi_i phi_l dx.
+ * Surfaces of revolution are integrated over their area as seen from above, dA = 2 pi r dx, in
+ * place of x: widths are areas, and forces those on whole rings.
  *
  * Pressures act along the normal that both surfaces share where they touch, taken from the plate,
  * with slope m. A surface element ds = dx / cos feels p ds along the normal, which is p dx along y
@@ -17,6 +19,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Where a node is, by area. */
+static double at(const pose *p, const double *xy, int i) {
+  return arc_revolution_area(p->revolved, xy[2 * i]);
+}
+
 /* Cylinder nodes whose two segments lie wholly over the plate's candidate zone. */
 static void find_candidates(pose *p, const double *cyl, double plate_left, double plate_right) {
   int lo = 1, hi = p->nc - 2;
@@ -31,7 +38,7 @@ static int plate_segment(const pose *p, const double *plate, double x) {
   int low = 0, high = p->np - 2;
   while (low < high) {
     const int middle = (low + high + 1) / 2;
-    if (plate[2 * middle] + p->x <= x)
+    if (at(p, plate, middle) + p->x <= x)
       low = middle;
     else
       high = middle - 1;
@@ -39,12 +46,11 @@ static int plate_segment(const pose *p, const double *plate, double x) {
   return low;
 }
 
-/* Adds integral psi phi over the part [u, v] of plate segment l; psi runs linearly from at_a to
- * at_b over [a, b]. */
-static void add_overlap(const double *plate, double shift, int l, double a, double b, double at_a,
-                        double at_b, double u, double v, double *entry) {
+/* Adds integral psi phi over the part [u, v] of the plate segment [left, right]; psi runs linearly
+ * from at_a to at_b over [a, b]. */
+static void add_overlap(double left, double right, double a, double b, double at_a, double at_b,
+                        double u, double v, double *entry) {
   static const double gauss = 0.57735026918962576451;
-  const double left = plate[2 * l] + shift, right = plate[2 * l + 2] + shift;
   for (int g = -1; g <= 1; g += 2) {
     const double x = (u + v) / 2 + g * gauss * (v - u) / 2;
     const double psi = at_a + (at_b - at_a) * (x - a) / (b - a);
@@ -57,9 +63,10 @@ static void add_overlap(const double *plate, double shift, int l, double a, doub
 /* One of the two segments around a candidate: [a, b] with psi from at_a to at_b. */
 static void add_segment(const pose *p, const double *plate, double a, double b, double at_a,
                         double at_b, int first, double *row) {
-  for (int l = plate_segment(p, plate, a); l < p->np - 1 && plate[2 * l] + p->x < b; l++) {
-    const double u = fmax(a, plate[2 * l] + p->x), v = fmin(b, plate[2 * l + 2] + p->x);
-    if (v > u) add_overlap(plate, p->x, l, a, b, at_a, at_b, u, v, &row[l - first]);
+  for (int l = plate_segment(p, plate, a); l < p->np - 1 && at(p, plate, l) + p->x < b; l++) {
+    const double left = at(p, plate, l) + p->x, right = at(p, plate, l + 1) + p->x;
+    const double u = fmax(a, left), v = fmin(b, right);
+    if (v > u) add_overlap(left, right, a, b, at_a, at_b, u, v, &row[l - first]);
   }
 }
 
@@ -67,8 +74,8 @@ static void add_segment(const pose *p, const double *plate, double a, double b, 
 static int row_width(const pose *p, const double *cyl, const double *plate) {
   int width = 2;
   for (int i = p->lo; i < p->lo + p->count; i++) {
-    const int a = plate_segment(p, plate, cyl[2 * (i - 1)]);
-    const int b = plate_segment(p, plate, cyl[2 * (i + 1)]) + 1;
+    const int a = plate_segment(p, plate, at(p, cyl, i - 1));
+    const int b = plate_segment(p, plate, at(p, cyl, i + 1)) + 1;
     if (b - a + 1 > width) width = b - a + 1;
   }
   return width;
@@ -87,7 +94,7 @@ static arc_status make_room(pose *p, int width) {
 
 static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
   const int i = p->lo + k;
-  const double a = cyl[2 * (i - 1)], b = cyl[2 * i], c = cyl[2 * (i + 1)];
+  const double a = at(p, cyl, i - 1), b = at(p, cyl, i), c = at(p, cyl, i + 1);
   double *row = &p->b[k * p->width];
   /* rows at the plate's end stay inside it */
   int first = plate_segment(p, plate, a);
@@ -115,6 +122,7 @@ void arc_pose_find_down(pose *p, const arc_shape *shape) {
 arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *error) {
   const double *cyl = shape->side[ARC_CYLINDER].settled, *plate = shape->side[ARC_PLATE].settled;
   p->x = x;
+  p->revolved = &shape->side[ARC_CYLINDER].body->chart.revolved;
   const int lo = p->lo, count = p->count;
   find_candidates(p, cyl, plate[0] + x, plate[2 * p->np - 2] + x);
   if (p->lo != lo || p->count != count) p->active = p->factored = 0;

@@ -175,12 +175,13 @@ void arc_pose_peaks(const pose *p, double *center, double *largest) {
   }
 }
 
-/* Force on the candidates' cells between from and to [mm]. */
+/* Integral of the pressure along x over the candidates' cells between from and to [N/mm]. */
 static double force_between(const pose *p, const double *cyl, double from, double to) {
   double sum = 0;
   for (int k = 0; k < p->count; k++) {
     const int i = p->lo + k;
-    const double left = (cyl[2 * i - 2] + cyl[2 * i]) / 2, right = left + p->wc[i];
+    const double left = (cyl[2 * i - 2] + cyl[2 * i]) / 2,
+                 right = left + (cyl[2 * i + 2] - cyl[2 * i - 2]) / 2;
     const double width = fmin(right, to) - fmax(left, from);
     if (width > 0) sum += p->f[k] * width / p->wc[i];
   }

@@ -12,34 +12,35 @@
 #include "core/contact/shape.h"
 
 typedef struct pose {
-  double x;               /* [mm] plate position */
-  double angle;           /* [rad] of the load, along s; 0 but in holes */
-  int aimed;              /* whether `down` belongs to it */
-  const arc_shape *shape; /* of the last arc_pose_update, for the solution that follows */
-  long version;           /* of the compliance it was placed on, see arc_shape; 0: none */
-  int nc, np;             /* surface nodes of cylinder and plate */
-  int lo, count;          /* candidates: cylinder nodes lo .. lo + count - 1 */
-  int width;              /* row length of B */
-  int *first;             /* [nc] first plate node of each row of B, by candidate */
-  double *b;              /* [nc * width] rows of B */
-  double *wc, *wp;        /* [nc], [np] tributary widths along x [mm] */
-  double *slope;          /* [nc] dy/dx of the surface at each candidate, else 0: forces along x are
-                             -slope f */
-  double *down;           /* [nc] share of a candidate's force that carries load: 1 but on polar
-                             charts; the approach opens and closes gaps by it */
-  double *a;              /* [count x count] A [mm2/N] */
-  double *gap;            /* [nc] initial gap of the candidates [mm] */
-  double *f;              /* [nc] solution: nodal forces [N/mm], by candidate */
-  double *open;           /* [nc] solution: gap left [mm], by candidate */
-  double approach;        /* [mm] */
-  int iterations;         /* of the last solution; all of them count */
-  int active;             /* size of the active set */
-  int *set;               /* [nc] the active candidates in increasing order */
-  int *joined;            /* [nc] work: the next set */
-  double *factor;         /* [active x active] Cholesky factor of A on the set */
-  double *ones;           /* [nc] (A_set)^-1 down */
-  int factored;           /* factor and ones belong to set and A */
-  double *work;           /* [5 * (nc + np)] */
+  double x;                   /* [mm] plate position */
+  double angle;               /* [rad] of the load, along s; 0 but in holes */
+  int aimed;                  /* whether `down` belongs to it */
+  const arc_shape *shape;     /* of the last arc_pose_update, for the solution that follows */
+  const revolution *revolved; /* of the bodies it was placed on */
+  long version;               /* of the compliance it was placed on, see arc_shape; 0: none */
+  int nc, np;                 /* surface nodes of cylinder and plate */
+  int lo, count;              /* candidates: cylinder nodes lo .. lo + count - 1 */
+  int width;                  /* row length of B */
+  int *first;                 /* [nc] first plate node of each row of B, by candidate */
+  double *b;                  /* [nc * width] rows of B */
+  double *wc, *wp;            /* [nc], [np] tributary widths along x [mm] */
+  double *slope;   /* [nc] dy/dx of the surface at each candidate, else 0: forces along x are
+                      -slope f */
+  double *down;    /* [nc] share of a candidate's force that carries load: 1 but on polar
+                      charts; the approach opens and closes gaps by it */
+  double *a;       /* [count x count] A [mm2/N] */
+  double *gap;     /* [nc] initial gap of the candidates [mm] */
+  double *f;       /* [nc] solution: nodal forces [N/mm], by candidate */
+  double *open;    /* [nc] solution: gap left [mm], by candidate */
+  double approach; /* [mm] */
+  int iterations;  /* of the last solution; all of them count */
+  int active;      /* size of the active set */
+  int *set;        /* [nc] the active candidates in increasing order */
+  int *joined;     /* [nc] work: the next set */
+  double *factor;  /* [active x active] Cholesky factor of A on the set */
+  double *ones;    /* [nc] (A_set)^-1 down */
+  int factored;    /* factor and ones belong to set and A */
+  double *work;    /* [5 * (nc + np)] */
 } pose;
 
 /* Room for a pose on a model; ARC_MEMORY leaves it empty. */

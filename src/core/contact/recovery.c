@@ -62,7 +62,7 @@ static void list_elements_around(recovery *r) {
 
 static element element_with(const recovery *r, int e, double u[8]) {
   const int *corner = &r->mesh->element[4 * e];
-  const element el = arc_element_at(r->xy, corner, r->mesh->def.element);
+  const element el = arc_body_element(r->body, r->xy, corner);
   for (int c = 0; c < el.corners; c++) memcpy(&u[2 * c], &r->u[2 * corner[c]], 2 * sizeof *u);
   return el;
 }
@@ -126,14 +126,33 @@ static int last_of(const boundary *o, int k) {
   return k > 0 ? k - 1 : o->count - 1;
 }
 
-/* Pressure p on a half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E right there and
- * nowhere else, so that the stress along it is -p. What is left of the stress comes from afar
- * and is smooth, even where the pressure ends. */
-static void split_edges(const recovery *r, boundary *o) {
+/* Stress along an edge, but for what its own pressure does there: modulus times the strain along
+ * it, `around` times that around the axis, and `load` times the pressure. */
+typedef struct edge_law {
+  double modulus, around, load;
+} edge_law;
+
+static edge_law law_of_surface(const recovery *r) {
   const arc_body_def *solid = &r->mesh->solid; /* what the surface is made of */
   const arc_material top =
       arc_body_layers(solid) > 0 ? solid->layer[0].material : r->body->material;
   const double nu = top.nu, modulus = arc_material_E_star(top);
+  if (r->body->space == ARC_PLANE_STRESS) return (edge_law){top.E, 0, 1 - nu};
+  const double around = r->body->space == ARC_AXISYMMETRIC ? nu * modulus : 0;
+  return (edge_law){modulus, around, (1 - 2 * nu) / (1 - nu)};
+}
+
+/* Mean strain around the axis between two nodes. */
+static double strain_around(const recovery *r, int a, int b) {
+  const double radius = r->body->chart.revolved.axis + (r->xy[2 * a] + r->xy[2 * b]) / 2;
+  return radius != 0 ? (r->u[2 * a] + r->u[2 * b]) / 2 / radius : 0;
+}
+
+/* Pressure p on a half-plane strains its surface by -(1 - 2 nu)(1 + nu) p / E right there and
+ * nowhere else, so that the stress along it is -p. What is left of the stress comes from afar
+ * and is smooth, even where the pressure ends. */
+static void split_edges(const recovery *r, boundary *o) {
+  const edge_law law = law_of_surface(r);
   const int *node = r->mesh->outline_node;
   for (int k = 0; k < o->count; k++) {
     const double *a = &r->xy[2 * node[k]], *b = &r->xy[2 * node[next_of(o, k)]];
@@ -141,8 +160,8 @@ static void split_edges(const recovery *r, boundary *o) {
     const double dx = b[0] - a[0], dy = b[1] - a[1];
     const double strain = ((ub[0] - ua[0]) * dx + (ub[1] - ua[1]) * dy) / (dx * dx + dy * dy);
     o->length[k] = hypot(dx, dy);
-    o->rest[k] =
-        modulus * strain + (1 - 2 * nu) / (1 - nu) * (o->load[k] + o->load[next_of(o, k)]) / 2;
+    o->rest[k] = law.modulus * strain + law.load * (o->load[k] + o->load[next_of(o, k)]) / 2;
+    if (law.around != 0) o->rest[k] += law.around * strain_around(r, node[k], node[next_of(o, k)]);
     o->bend[k] = o->load[next_of(o, k)] - 2 * o->load[k] + o->load[last_of(o, k)];
   }
 }

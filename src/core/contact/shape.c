@@ -165,7 +165,9 @@ static int turned_too_far(const shape_side *side, const double *xy, int i, doubl
 static int refresh_is_due(const arc_shape *shape, const shape_side *side, const double *xy) {
   static const double turn = 0.002; /* of `refresh`, over the mismatch: a share of the pressure */
   if (shape->geometry == ARC_FROZEN) return 0;
-  const double beta = fabs(arc_contact_mismatch(arc_model_definition(shape->model)->material));
+  /* slopes change pressures by it times their change; between like bodies forces undo each other */
+  const arc_model_def *def = arc_model_definition(shape->model);
+  const double beta = fabs(arc_contact_mismatch(def->geometry, def->material));
   const int inclines = side->body->mesh->body == ARC_PLATE && beta > 0;
   for (int i = 0; i < side->n; i++) {
     if (gone_too_far(side, xy, i, shape->refresh)) return 1;

@@ -53,7 +53,7 @@ static inline void shape_chord(const double *xy, int n, int i, double chord[2]) 
 void arc_shape_move(const shape_side *side, arc_geometry geometry, const double *depth, double *xy);
 
 /* Tributary width of surface node i [mm], where the nodes stood along x at the last condensation.
- */
+ * Of revolution: the area of its ring as seen from above [mm2], and so for the spans below. */
 double arc_shape_width(const shape_side *side, int i);
 
 /* The wear box must keep its elements with the surface at xy: every column a share of its height,
@@ -70,7 +70,8 @@ void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);
 double arc_shape_span(const arc_shape *shape, arc_body body, int i);
 
 /* Depths that would take areas depth[i] * span to first order become those that take just these
- * areas off the polygon of the surface: on a curved one the next surface is shorter or longer. */
+ * areas off the polygon of the surface: on a curved one the next surface is shorter or longer.
+ * Surfaces of revolution stay as they are: there it is of second order in an update's depth. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
 
 /* --- drift.c --- */

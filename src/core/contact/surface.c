@@ -4,9 +4,15 @@
 #include <math.h>
 #include <string.h>
 
-double arc_shape_width(const shape_side *side, int i) {
+/* Tributary width of node i of a surface [2 n]; of revolution its area. */
+static double width_at(const shape_side *side, const double *xy, int i) {
+  const revolution *r = &side->body->chart.revolved;
   const int a = i > 0 ? i - 1 : 0, b = i + 1 < side->n ? i + 1 : i;
-  return (side->settled[2 * b] - side->settled[2 * a]) / 2;
+  return (arc_revolution_area(r, xy[2 * b]) - arc_revolution_area(r, xy[2 * a])) / 2;
+}
+
+double arc_shape_width(const shape_side *side, int i) {
+  return width_at(side, side->settled, i);
 }
 
 /* Inward normal at a node (frozen geometry: straight up or down). */
@@ -27,7 +33,9 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i) {
   if (shape->geometry == ARC_FROZEN) return arc_shape_width(side, i);
   double chord[2];
   shape_chord(side->xy, side->n, i, chord);
-  return hypot(chord[0], chord[1]) / 2;
+  const double length = hypot(chord[0], chord[1]);
+  if (!side->body->chart.revolved.on) return length / 2;
+  return width_at(side, side->xy, i) * (length / chord[0]);
 }
 
 /* -inward n_i x n_i+1: the area that the ways of two neighbours share, twice, per depth of both. */
@@ -44,7 +52,7 @@ static double turn_after(const shape_side *side, arc_geometry geometry, int i) {
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth) {
   enum { sweeps = 4 }; /* each gains a factor of depth over radius of curvature */
   const shape_side *side = &shape->side[body];
-  if (shape->geometry == ARC_FROZEN) return;
+  if (shape->geometry == ARC_FROZEN || side->body->chart.revolved.on) return;
   const int n = side->n;
   double *span = side->room, *area = span + n, *turn = area + n, *before = turn + n;
   for (int i = 0; i < n; i++) {

@@ -67,9 +67,15 @@ static arc_status add_block(elastic_body *b, const int *nodes, int count, const 
   return status;
 }
 
+element arc_body_element(const elastic_body *b, const double *xy, const int corner[4]) {
+  element e = arc_element_at(xy, corner, b->mesh->def.element);
+  e.revolved = b->chart.revolved;
+  return e;
+}
+
 static arc_status add_element(elastic_body *b, int e, elasticity d, sparse_entries *stiffness) {
   const int *corner = &b->mesh->element[4 * e];
-  const element el = arc_element_at(b->mesh->xy, corner, b->mesh->def.element);
+  const element el = arc_body_element(b, b->mesh->xy, corner);
   double k[64];
   arc_element_stiffness(&el, d, k);
   return add_block(b, corner, el.corners, k, stiffness);
@@ -109,7 +115,7 @@ static arc_status add_cell(elastic_body *b, int e, int triangles, sparse_entries
   arc_status status = ARC_OK;
   for (int t = 0; t < triangles && status == ARC_OK; t++) {
     const int *corner = &b->mesh->element[4 * (e + 2 * t)];
-    const element el = arc_element_at(b->mesh->xy, corner, b->mesh->def.element);
+    const element el = arc_body_element(b, b->mesh->xy, corner);
     double gradient[6];
     area += arc_triangle_swelling(&el, gradient);
     for (int c = 0; c < 3; c++) {
@@ -173,22 +179,31 @@ static arc_status allocate(elastic_body *b) {
   return arc_compliance_create(&b->unworn, m->surface);
 }
 
-/* The difference that a centre column thinner by a hundredth makes. */
-static void difference_at_centre(elastic_body *b, const compliance *thinner, double share) {
-  const int n = b->mesh->surface, reach = ARC_THINNING_REACH, centre = n / 2;
+/* The column that stands for all: the centre, unless that is on an axis of revolution. */
+static int usual_column(const elastic_body *b) {
+  const revolution *r = &b->chart.revolved;
+  return r->on && r->axis == 0 ? 3 * b->mesh->surface / 4 : b->mesh->surface / 2;
+}
+
+/* The difference that a usual column thinner by a hundredth makes. */
+static void take_difference(elastic_body *b, const compliance *thinner, double share) {
+  const int n = b->mesh->surface, reach = ARC_THINNING_REACH, centre = usual_column(b);
+  const double weight = arc_revolution_weight(&b->chart.revolved, arc_body_top(b, centre)[0]);
   for (int p = -reach; p <= reach; p++)
     for (int q = -reach; q <= reach; q++) {
       const int i = centre + p, j = centre + q;
       const int inside = i >= 0 && j >= 0 && i < n && j < n;
       b->thinning[(p + reach) * ARC_THINNING_SPAN + q + reach] =
-          inside ? (thinner->yy[dense_at(i, j, n)] - b->unworn.yy[dense_at(i, j, n)]) / share : 0;
+          inside
+              ? (thinner->yy[dense_at(i, j, n)] - b->unworn.yy[dense_at(i, j, n)]) / share * weight
+              : 0;
     }
 }
 
 static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
   if (b->mesh->rows == 0) return ARC_OK; /* no box that could get thinner */
   static const double share = 0.01;
-  const int rows = b->mesh->rows, first = b->mesh->surface / 2 * (rows + 1);
+  const int rows = b->mesh->rows, first = usual_column(b) * (rows + 1);
   const double *bottom = &box[2 * (first + rows)], top = box[2 * first + 1];
   for (int row = 0; row < rows; row++)
     box[2 * (first + row) + 1] += share * (bottom[1] - top) * (rows - row) / rows;
@@ -196,7 +211,7 @@ static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) 
   arc_status status = arc_compliance_create(&thinner, b->mesh->surface);
   if (status != ARC_OK) return out_of_memory(b, error);
   status = arc_body_condense(b, box, &thinner, error);
-  if (status == ARC_OK) difference_at_centre(b, &thinner, share);
+  if (status == ARC_OK) take_difference(b, &thinner, share);
   arc_compliance_free(&thinner);
   return status;
 }
@@ -217,7 +232,7 @@ static double take_materials(elastic_body *b, const arc_body_def *solid) {
   const int layers = arc_body_layers(solid);
   double nu = b->material.nu;
   for (int l = 0; l < layers; l++) {
-    b->layer[l] = arc_elasticity_of(solid->layer[l].material);
+    b->layer[l] = arc_elasticity_in(b->space, solid->layer[l].material);
     nu = fmax(nu, solid->layer[l].material.nu);
   }
   b->layer[layers] = b->d;
@@ -255,9 +270,11 @@ arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **
   elastic_body *b = calloc(1, sizeof *b);
   if (!b) return arc_fail(error, ARC_MEMORY, "out of memory for the %s", arc_body_name(which));
   b->material = def->material[which];
-  b->d = arc_elasticity_of(b->material);
+  b->space = def->geometry;
+  b->d = arc_elasticity_in(b->space, b->material);
   b->chart = arc_chart_of(def);
   arc_status status = take_mesh(b, def, which, given, error);
+  if (status == ARC_OK) b->mesh->space = b->space;
   if (status == ARC_OK) status = make(b, seen, error);
   if (status != ARC_OK) arc_body_destroy(&b);
   *result = b;

@@ -30,6 +30,7 @@ typedef struct elastic_body {
   arc_material material;
   elasticity d;                          /* of its own material, under all layers */
   elasticity layer[ARC_MOST_LAYERS + 1]; /* by the layer of an element */
+  arc_space space;
   chart chart;
   double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */
   int *node_box;  /* [nodes] index in the wear box (as box_node), or -1 */
@@ -50,7 +51,8 @@ typedef struct elastic_body {
 /* How the compliance answers where the wear box gets thinner at one column: to be added to the
  * normal compliance between the nodes `a` and `b` columns away from it, per share of its thickness
  * lost. Reaches ARC_THINNING_REACH columns: what is left of the box is as stiff as before to a
- * contact, and only the elements' own error changes. Found at the unworn centre. */
+ * contact, and only the elements' own error changes. Found at the unworn centre; of revolution for
+ * a circumference of 1 mm, halfway between the axis and the edge. */
 enum { ARC_THINNING_REACH = 8, ARC_THINNING_SPAN = 2 * ARC_THINNING_REACH + 1 };
 static inline double arc_body_thinning(const elastic_body *body, int a, int b) {
   return body->thinning[(a + ARC_THINNING_REACH) * ARC_THINNING_SPAN + b + ARC_THINNING_REACH];
@@ -107,6 +109,9 @@ arc_status arc_body_condense(const elastic_body *body, const double *box_at, com
  * for the later ones of a cell. */
 int arc_body_cell(const elastic_body *body, int e);
 
+/* The element with the corners corner[4] (-1 fourth: triangle) of the body, among nodes xy. */
+element arc_body_element(const elastic_body *body, const double *xy, const int corner[4]);
+
 /* Displacements u [2 * nodes] of the whole body, in space, under surface forces f [2 * surface,
  * N/mm], along s at all nodes first, then along z, by back-substitution. */
 arc_status arc_body_displacements(const elastic_body *body, const double *box_at, const double *f,
@@ -125,11 +130,14 @@ void arc_model_warn(const arc_model *model, double half_width, const arc_callbac
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
-/* Dundurs' second constant of a pair in plane strain: how unlike its bodies are to shear. */
-double arc_contact_mismatch(const arc_material material[ARC_BODIES]);
+/* Dundurs' second constant of a pair: how unlike its bodies are to shear. */
+double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BODIES]);
 
 /* Whether two bodies, each in order, make a pair; ARC_ARGUMENT. */
 arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error);
+
+/* Whether thickness and axis suit its geometry; ARC_ARGUMENT. Part of the above. */
+arc_status arc_model_check_space(const arc_model_def *def, arc_error *error);
 
 /* The widest zone of a body of the model [mm]: arcs curl away from the contact. */
 double arc_model_widest_zone(const arc_model_def *def, arc_body body);

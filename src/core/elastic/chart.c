@@ -9,9 +9,12 @@ chart arc_chart_of(const arc_model_def *def) {
     const arc_body_def solid = arc_model_solid(def, (arc_body)b);
     const arc_body_def other = arc_model_solid(def, (arc_body)(1 - b));
     if (arc_body_is_hollow(&solid))
-      return (chart){1, solid.inner, b == ARC_LOWER ? 1 : -1, arc_body_radius(&other)};
+      return (chart){.polar = 1,
+                     .radius = solid.inner,
+                     .side = b == ARC_LOWER ? 1 : -1,
+                     .pin = arc_body_radius(&other)};
   }
-  return (chart){0};
+  return (chart){.revolved = {def->geometry == ARC_AXISYMMETRIC, def->axis}};
 }
 
 /* z as (2 side R y - x^2 - y^2) / (R + r), side times: R - r cancels near the surface. */

@@ -10,11 +10,36 @@
 
 #include "archard/model.h"
 
+#include <math.h>
+
+/* Bodies of revolution about x = -axis; r = axis + x. */
+typedef struct revolution {
+  int on;
+  double axis; /* [mm]; 0: the sections on both sides of x = 0 are the same ring */
+} revolution;
+
+/* What stands behind a point of the section [mm]: the circumference, or half of it where the
+ * section has it twice; in the plane, 1. */
+static inline double arc_revolution_weight(const revolution *r, double x) {
+  static const double pi = 3.14159265358979323846;
+  if (!r->on) return 1;
+  return (r->axis > 0 ? 2 : 1) * pi * fabs(r->axis + x);
+}
+
+/* The area from the axis to x [mm2], in which surfaces of revolution are what others are in x: u_y
+ * is linear in it. In the plane, x. */
+static inline double arc_revolution_area(const revolution *r, double x) {
+  static const double pi = 3.14159265358979323846;
+  if (!r->on) return x;
+  return r->axis > 0 ? pi * (r->axis + x) * (r->axis + x) : pi / 2 * x * fabs(x);
+}
+
 typedef struct chart {
   int polar;
   double radius; /* [mm] R */
   double side;   /* 1: the lower body is hollow, -1: the upper one is */
   double pin;    /* [mm] radius of what is in the hole, which rests on it at an angle: the load's */
+  revolution revolved;
 } chart;
 
 /* The chart of a pair. */

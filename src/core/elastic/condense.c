@@ -100,7 +100,7 @@ static arc_status add_box_element(const elastic_body *b, int e, const double *bo
                                   const double *box_at, condensation *c) {
   int corner[4], inner[8], rim[8];
   for (int a = 0; a < 4; a++) corner[a] = b->node_box[b->mesh->element[4 * e + a]];
-  const element el = arc_element_at(box_xy, corner, b->mesh->def.element);
+  const element el = arc_body_element(b, box_xy, corner);
   double k[64];
   arc_element_stiffness(&el, box_elasticity(b, box_at, corner), k);
   for (int r = 0; r < 8; r++) {

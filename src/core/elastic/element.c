@@ -13,6 +13,12 @@ elasticity arc_elasticity_of(arc_material m) {
   return (elasticity){scale * (1 - m.nu), scale * m.nu, scale * (1 - 2 * m.nu) / 2, m.nu};
 }
 
+elasticity arc_elasticity_in(arc_space space, arc_material m) {
+  if (space != ARC_PLANE_STRESS) return arc_elasticity_of(m);
+  const double scale = m.E / (1 - m.nu * m.nu);
+  return (elasticity){scale, scale * m.nu, m.E / (2 * (1 + m.nu)), m.nu};
+}
+
 arc_element arc_element_for(arc_element kind, double nu) {
   if (kind != ARC_ELEMENT_AUTO) return kind;
   return nu > 0.4 ? ARC_CPE4I : ARC_CPE4;
@@ -52,15 +58,20 @@ static void to_space(const double j[2][2], double det, double dxi, double deta, 
   g[1] = (-j[1][0] * dxi + j[0][0] * deta) / det;
 }
 
-/* Gradients of the corner functions and the Jacobian's determinant at a point of a quadrilateral.
- */
-static double quad_gradients(const element *e, double xi, double eta, double g[][2]) {
+double arc_quad_gradients(const element *e, double xi, double eta, double g[][2]) {
   double j[2][2];
   const double det = jacobian(e, xi, eta, j);
   for (int c = 0; c < 4; c++)
     to_space(j, det, corner_xi[c] * (1 + corner_eta[c] * eta) / 4,
              corner_eta[c] * (1 + corner_xi[c] * xi) / 4, g[c]);
   return det;
+}
+
+void arc_quad_to_space(const element *e, double xi, double eta, int n, double slope[][2],
+                       double g[][2]) {
+  double j[2][2];
+  const double det = jacobian(e, xi, eta, j);
+  for (int c = 0; c < n; c++) to_space(j, det, slope[c][0], slope[c][1], g[c]);
 }
 
 /* Gradients of the bubbles 1 - xi^2 and 1 - eta^2, pulled through the centre's Jacobian. */
@@ -73,7 +84,7 @@ static void bubble_gradients(const element *e, double xi, double eta, double det
     for (int d = 0; d < 2; d++) g[b][d] *= det0 / det;
 }
 
-static double triangle_gradients(const element *e, double g[][2]) {
+double arc_triangle_gradients(const element *e, double g[][2]) {
   const double(*p)[2] = e->xy;
   const double det =
       (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
@@ -87,7 +98,8 @@ static double triangle_gradients(const element *e, double g[][2]) {
 
 double arc_triangle_swelling(const element *e, double gradient[6]) {
   double g[3][2];
-  const double area = triangle_gradients(e, g) / 2;
+  if (e->revolved.on) return arc_revolved_swelling(e, gradient);
+  const double area = arc_triangle_gradients(e, g) / 2;
   for (int c = 0; c < 6; c++) gradient[c] = area * g[c / 2][c % 2];
   return area;
 }
@@ -113,7 +125,7 @@ static void quad_stiffness(const element *e, elasticity d, int modes, double *k)
   for (int p = 0; p < 4; p++) {
     const double xi = at * corner_xi[p], eta = at * corner_eta[p];
     double g[6][2];
-    const double det = quad_gradients(e, xi, eta, g);
+    const double det = arc_quad_gradients(e, xi, eta, g);
     if (modes > 4) bubble_gradients(e, xi, eta, det, &g[4]);
     add_product(modes, g, d, det, k);
   }
@@ -129,9 +141,11 @@ static void condense_bubbles(double *full, double *k) {
 }
 
 void arc_element_stiffness(const element *e, elasticity d, double *k) {
-  if (e->corners == 3) {
+  if (e->revolved.on) {
+    arc_revolved_stiffness(e, d, k);
+  } else if (e->corners == 3) {
     double g[3][2];
-    const double det = triangle_gradients(e, g);
+    const double det = arc_triangle_gradients(e, g);
     memset(k, 0, 36 * sizeof *k);
     add_product(3, g, d, det / 2, k);
   } else if (e->kind == ARC_CPE4I) {
@@ -146,10 +160,14 @@ void arc_element_stiffness(const element *e, elasticity d, double *k) {
 /* At the centre the bubbles have no gradient: one formula for both quadrilaterals. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]) {
   double g[4][2], exx = 0, eyy = 0, gxy = 0;
+  if (e->revolved.on) {
+    arc_revolved_stress(e, d, u, stress);
+    return;
+  }
   if (e->corners == 3)
-    triangle_gradients(e, g);
+    arc_triangle_gradients(e, g);
   else
-    quad_gradients(e, 0, 0, g);
+    arc_quad_gradients(e, 0, 0, g);
   for (int c = 0; c < e->corners; c++) {
     exx += g[c][0] * u[2 * c];
     eyy += g[c][1] * u[2 * c + 1];

@@ -1,16 +1,21 @@
-/* Plane-strain elements: CPE3, CPE4 and CPE4I. Engineering strains; Voigt order xx, yy, xy. */
+/* Elements of the plane, CPE3, CPE4, CPE4I and their like in plane stress, and of revolution, CAX3
+ * and CAX4, whose quadrilaterals share one dilatation where CPE4I is asked for. Engineering
+ * strains; Voigt order xx, yy, xy. */
 #ifndef ELASTIC_ELEMENT_H
 #define ELASTIC_ELEMENT_H
 
-#include "archard/model.h"
+#include "core/elastic/chart.h"
 
-/* D of plane strain [MPa]: sigma = D epsilon. */
+/* D [MPa]: sigma = D epsilon; c11 and c12 of all normal strains, in plane stress of those in the
+ * plane. */
 typedef struct elasticity {
   double c11, c12, c33;
   double nu;
 } elasticity;
 
+/* Of plane strain and of revolution; in a space. */
 elasticity arc_elasticity_of(arc_material material);
+elasticity arc_elasticity_in(arc_space space, arc_material material);
 
 /* What "auto" means for a Poisson's ratio: CPE4, as in the paper, where its locking costs at most
  * 0.14 % of the pressure at 20 um (nu up to 0.4), else CPE4I. Other kinds are as they are. */
@@ -25,20 +30,33 @@ typedef struct element {
   int corners;
   arc_element kind; /* formulation of a quadrilateral */
   double xy[4][2];
+  revolution revolved;
 } element;
 
 /* The element with the corners corner[4] (-1 fourth: triangle) of a mesh with nodes xy. */
 element arc_element_at(const double *xy, const int corner[4], arc_element kind);
 
-/* Stiffness per mm of thickness [N/mm2], k [64], row-major 2 corners x 2 corners in the order x0 y0
- * x1 y1 ... */
+/* Stiffness per mm of thickness [N/mm2], of revolution that of the whole ring [N/mm], k [64],
+ * row-major 2 corners x 2 corners in the order x0 y0 x1 y1 ... */
 void arc_element_stiffness(const element *e, elasticity d, double *k);
 
 /* Change of a triangle's area by the displacements of its corners: gradient [6], in mm2 per mm.
- * Returns the area. */
+ * Returns the area. Of revolution: of its ring's volume [mm3]. */
 double arc_triangle_swelling(const element *e, double gradient[6]);
 
 /* Stress at the centre of the element from corner displacements u [2 corners]: xx, yy, xy [MPa]. */
 void arc_element_stress(const element *e, elasticity d, const double *u, double stress[3]);
+
+/* Those of revolution (element_revolved.c), as the ones above. */
+void arc_revolved_stiffness(const element *e, elasticity d, double *k);
+double arc_revolved_swelling(const element *e, double gradient[6]);
+void arc_revolved_stress(const element *e, elasticity d, const double *u, double stress[3]);
+
+/* Gradients of the corner functions: of a triangle, and at a point of a quadrilateral; both return
+ * the Jacobian's determinant. Those of functions of xi and eta from their slopes there. */
+double arc_triangle_gradients(const element *e, double g[][2]);
+double arc_quad_gradients(const element *e, double xi, double eta, double g[][2]);
+void arc_quad_to_space(const element *e, double xi, double eta, int n, double slope[][2],
+                       double g[][2]);
 
 #endif

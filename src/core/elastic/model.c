@@ -32,7 +32,7 @@ const arc_setting arc_material_settings[] = {
 
 #define ARC_SETTING_OF arc_model_def
 const arc_setting arc_model_settings[] = {
-    ARC_MODEL_SETTINGS(ARC_SETTING_NUMBER)
+    ARC_MODEL_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_CHOICE)
         ARC_MATERIAL_SETTING(arc_model_def, ARC_CYLINDER, "cylinder", "Material of the cylinder."),
     ARC_MATERIAL_SETTING(arc_model_def, ARC_PLATE, "plate", "Material of the plate."),
     ARC_BODY_SETTING(ARC_UPPER, "upper",
@@ -60,9 +60,13 @@ double arc_material_E_star(arc_material m) {
   return m.E / (1 - m.nu * m.nu);
 }
 
-double arc_contact_modulus(const arc_material material[ARC_BODIES]) {
-  return 1 / (1 / arc_material_E_star(material[ARC_CYLINDER]) +
-              1 / arc_material_E_star(material[ARC_PLATE]));
+static double modulus_in(arc_space space, arc_material m) {
+  return space == ARC_PLANE_STRESS ? m.E : arc_material_E_star(m);
+}
+
+double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]) {
+  return 1 / (1 / modulus_in(space, material[ARC_CYLINDER]) +
+              1 / modulus_in(space, material[ARC_PLATE]));
 }
 
 arc_status arc_material_check(arc_material m, arc_error *error) {
@@ -218,6 +222,26 @@ static arc_status check_given(const arc_mesh *mesh, arc_error *error) {
       arc_body_name(mesh->body), mesh->materials, mesh->material_name[0], mesh->material_name[1]);
 }
 
+/* All of a body of revolution lies on one side of its axis, or about it. */
+static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
+  double least = INFINITY, most = -INFINITY;
+  for (int n = 0; n < mesh->nodes; n++) {
+    least = fmin(least, mesh->xy[2 * n]);
+    most = fmax(most, mesh->xy[2 * n]);
+  }
+  if (def->geometry != ARC_AXISYMMETRIC) return ARC_OK;
+  if (def->axis > 0 && least < -def->axis)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'axis': expected at least the %g mm that the mesh of the %s reaches "
+                    "towards the axis, got %g mm",
+                    -least, arc_body_name(mesh->body), def->axis);
+  if (def->axis > 0 || fabs(least + most) <= 1e-6 * (most - least)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "mesh of the %s: expected both halves of the section about the axis x = 0, got x "
+                  "from %g to %g mm",
+                  arc_body_name(mesh->body), least, most);
+}
+
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                  const arc_callbacks *callbacks, arc_model **result,
                                  arc_error *error) {
@@ -226,6 +250,9 @@ arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_B
   for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++) status = check_given(given[b], error);
   const arc_model_def fit = fitted(def, given);
   if (status == ARC_OK) status = arc_settings_check(arc_model_settings, "", &fit, error);
+  if (status == ARC_OK) status = arc_model_check_space(&fit, error);
+  for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++)
+    status = check_side(&fit, given[b], error);
   if (status == ARC_OK) status = build_watched(&fit, given, callbacks, result, error);
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
   return status;
@@ -270,7 +297,9 @@ double arc_model_seconds(const arc_model *model) {
 
 /* Bilinear elements are too stiff by 0.4 % of the pressure at nu = 0.45 and 20 um, by 3 % at 0.49.
  */
-static void warn_locking(const elastic_body *body, const arc_callbacks *callbacks) {
+static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks *callbacks) {
+  const elastic_body *body = m->body[which];
+  if (m->def.geometry == ARC_PLANE_STRESS) return; /* thin plates give way sideways */
   if (body->mesh->def.element != ARC_CPE4 || body->material.nu <= 0.45) return;
   arc_warn(callbacks,
            "CPE4 elements lock at nu = %g of the %s: pressures may be far too high; use "
@@ -280,7 +309,7 @@ static void warn_locking(const elastic_body *body, const arc_callbacks *callback
 
 void arc_model_warn(const arc_model *model, double half_width, const arc_callbacks *callbacks) {
   enum { fewest = 4 }; /* elements in a contact */
-  for (int b = 0; b < ARC_BODIES; b++) warn_locking(model->body[b], callbacks);
+  for (int b = 0; b < ARC_BODIES; b++) warn_locking(model, (arc_body)b, callbacks);
   const double size = model->def.mesh.size;
   if (2 * half_width < fewest * size)
     arc_warn(callbacks,

@@ -15,11 +15,13 @@ double arc_model_wear_k(const arc_model_def *def, arc_body body) {
   return k;
 }
 
-double arc_contact_mismatch(const arc_material material[ARC_BODIES]) {
+double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BODIES]) {
   double kappa[ARC_BODIES];
-  for (int b = 0; b < ARC_BODIES; b++)
-    kappa[b] = (1 - 2 * material[b].nu) * (1 + material[b].nu) / material[b].E;
-  return arc_contact_modulus(material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_material m = material[b];
+    kappa[b] = space == ARC_PLANE_STRESS ? (1 - m.nu) / m.E : (1 - 2 * m.nu) * (1 + m.nu) / m.E;
+  }
+  return arc_contact_modulus(space, material) * (kappa[ARC_CYLINDER] - kappa[ARC_PLATE]) / 2;
 }
 
 /* --- what bodies are called ------------------------------------------------------------------- */
@@ -94,12 +96,66 @@ static arc_status check_fit(const arc_body_def *pin, const arc_body_def *hole, a
       hole->inner, radius);
 }
 
+/* --- bodies of revolution --------------------------------------------------------------------- */
+
+/* How far a body reaches to the side [mm]. */
+static double reach_of(const arc_body_def *b) {
+  return arc_body_is_round(b) ? fabs(arc_body_radius(b)) : b->width / 2;
+}
+
+/* A profile about the axis is the same on both sides. */
+static arc_status check_profile_turns(const arc_body_def *b, const char *path, arc_error *error) {
+  const arc_series *y = &b->y_series;
+  for (int i = 0; i < y->count; i++) {
+    const double x = y->distance[i], there = arc_body_inset(b, 0, -x);
+    if (fabs(there + y->value[i]) > 1e-9 * b->height)
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field '%sy': expected heights that are the same at x and -x, about the axis "
+                      "of revolution, got %g and %g mm at x = %g mm",
+                      path, y->value[i], -there, x);
+  }
+  return ARC_OK;
+}
+
+static arc_status check_turns(const arc_model_def *def, const arc_body_def *b, const char *path,
+                              arc_error *error) {
+  if (arc_body_is_hollow(b))
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'geometry': expected \"plane strain\" or \"plane stress\" for a hole "
+                    "(%skind = \"ring\" held by its outer rim), whose axis is across the section",
+                    path);
+  if (def->axis > 0 && reach_of(b) >= def->axis)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'axis': expected 0 or more than the %g mm that the %s reaches towards "
+                    "the axis, got %g mm",
+                    reach_of(b), path[0] == 'u' ? "upper body" : "lower body", def->axis);
+  if (b->kind == ARC_SOLID_PROFILE && def->axis == 0) return check_profile_turns(b, path, error);
+  return ARC_OK;
+}
+
+arc_status arc_model_check_space(const arc_model_def *def, arc_error *error) {
+  if (def->geometry != ARC_AXISYMMETRIC && def->axis == 0) return ARC_OK;
+  if (def->geometry != ARC_AXISYMMETRIC)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'axis': expected geometry = \"axisymmetric\" beside it, got \"%s\"",
+                    arc_space_names[def->geometry]);
+  if (def->thickness == 1) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'thickness': bodies of revolution have none, got %g mm", def->thickness);
+}
+
 arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
   arc_status status = arc_body_check(&upper, "upper.", error);
   if (status == ARC_OK) status = arc_body_check(&lower, "lower.", error);
   if (status == ARC_OK) status = check_names(def, error);
+  if (status != ARC_OK) return status;
+  status = arc_model_check_space(def, error);
+  if (status == ARC_OK && def->geometry == ARC_AXISYMMETRIC) {
+    status = check_turns(def, &upper, "upper.", error);
+    return status == ARC_OK ? check_turns(def, &lower, "lower.", error) : status;
+  }
   if (status != ARC_OK) return status;
   if (arc_body_is_hollow(&lower)) return check_fit(&upper, &lower, error);
   if (arc_body_is_hollow(&upper)) return check_fit(&lower, &upper, error);
@@ -119,6 +175,7 @@ int arc_model_is_hertzian(const arc_model_def *def) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
   const int arc = upper.kind == ARC_SOLID_CYLINDER || upper.kind == ARC_SOLID_DISC;
+  if (def->geometry == ARC_AXISYMMETRIC && def->axis > 0) return 0; /* a line that is bent */
   return arc && lower.kind == ARC_SOLID_BLOCK && arc_body_layers(&upper) == 0 &&
          arc_body_layers(&lower) == 0;
 }
@@ -171,10 +228,42 @@ static double conformal_half_width(double hole, double clearance, double line, d
   return hole * 2 * atan(high);
 }
 
+/* Whether the contact is a spot on the axis of revolution. */
+static int is_round(const arc_model_def *def) {
+  return def->geometry == ARC_AXISYMMETRIC && def->axis == 0;
+}
+
+/* Length of a contact that is a line, straight or around [mm]. */
+static double line_length(const arc_model_def *def) {
+  return def->geometry == ARC_AXISYMMETRIC ? 2 * acos(-1) * def->axis : def->thickness;
+}
+
+/* Width of the flat that touches, where there is one [mm]. */
+static double flat_of(const arc_body_def solid[ARC_BODIES]) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (solid[b].kind == ARC_SOLID_PUNCH) return solid[b].flat;
+  return fmin(solid[0].width, solid[1].width);
+}
+
+arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
+  const arc_hertz_def pair = {.radius = arc_model_relative_radius(def),
+                              .thickness = is_round(def) ? 1 : line_length(def),
+                              .load = load,
+                              .geometry = def->geometry == ARC_AXISYMMETRIC && !is_round(def)
+                                              ? ARC_PLANE_STRAIN
+                                              : def->geometry,
+                              .material = {def->material[0], def->material[1]}};
+  arc_hertz hertz = {0};
+  arc_hertz_of(&pair, &hertz, NULL);
+  return hertz;
+}
+
 double arc_model_half_width(const arc_model_def *def, double load) {
   const arc_body_def solid[ARC_BODIES] = {arc_model_solid(def, ARC_UPPER),
                                           arc_model_solid(def, ARC_LOWER)};
-  const double line = load / def->thickness, E_star = arc_contact_modulus(def->material);
+  const double E_star = arc_contact_modulus(def->geometry, def->material);
+  const double line =
+      is_round(def) ? 4 * load / (acos(-1) * flat_of(solid)) : load / line_length(def);
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_body_def *other = &solid[1 - b];
     if (arc_body_is_hollow(&solid[b]))
@@ -184,7 +273,10 @@ double arc_model_half_width(const arc_model_def *def, double load) {
   }
   const double radius = arc_model_relative_radius(def);
   if (isinf(radius)) return fmin(solid[0].width, solid[1].width) / 4;
-  arc_hertz hertz = {0};
-  arc_hertz_solve(radius, def->thickness, load, def->material, &hertz, NULL);
-  return hertz.half_width;
+  return arc_model_hertz(def, load).half_width;
+}
+
+double arc_model_line(const arc_model_def *def, double load) {
+  if (!is_round(def)) return load / line_length(def);
+  return 2 * load / (acos(-1) * arc_model_half_width(def, load));
 }

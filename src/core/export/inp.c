@@ -36,9 +36,9 @@ static void write_nodes(FILE *out, int count, const double *xy, double shift, do
 }
 
 static const char *element_type(const arc_mesh *m, int corners, int solid) {
-  if (corners == 3) return solid ? "C3D6" : "CPE3";
-  if (m->def.element == ARC_CPE4I) return solid ? "C3D8I" : "CPE4I";
-  return solid ? "C3D8" : "CPE4";
+  if (!solid) return arc_mesh_element(m, corners);
+  if (corners == 3) return "C3D6";
+  return m->def.element == ARC_CPE4I ? "C3D8I" : "C3D8";
 }
 
 static void write_elements(FILE *out, const arc_mesh *m, numbering at, const char *name) {
@@ -164,7 +164,7 @@ static void write_base(const deck *d) {
 /* A penalty that lets the bodies overlap by a small part of the gap at the contact's edge, however
  * fine the elements. */
 static double penalty(const deck *d) {
-  return 20 * arc_contact_modulus(d->def->material) / d->def->mesh.size;
+  return 20 * arc_contact_modulus(d->def->geometry, d->def->material) / d->def->mesh.size;
 }
 
 static void write_contact(const deck *d) {
@@ -205,10 +205,19 @@ static void write_deck(const deck *d) {
   write_steps(d);
 }
 
+static arc_status check_space(const arc_model_def *def, arc_error *error) {
+  if (def->geometry == ARC_PLANE_STRAIN) return ARC_OK;
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field 'geometry': expected \"plane strain\" for a deck of both bodies, which are "
+      "slabs held along z, got \"%s\"; the mesh of one body can be written",
+      arc_space_names[def->geometry]);
+}
+
 arc_status arc_export_inp(const char *path, const arc_contact *contact, arc_error *error) {
   deck d = {.contact = contact, .model = arc_contact_model(contact)};
   d.def = arc_model_definition(d.model);
-  arc_status status = ARC_OK;
+  arc_status status = check_space(d.def, error);
   for (int body = 0; status == ARC_OK && body < ARC_BODIES; body++) {
     status = check_box(mesh_of(&d, body), error);
     d.nodes += mesh_of(&d, body)->nodes;

@@ -10,6 +10,17 @@
 enum { most_elements = 1000000 };
 
 const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
+const char *const arc_space_names[] = {ARC_SPACE_LIST(ARC_CHOICE_NAME) NULL};
+_Static_assert(0 ARC_SPACE_LIST(ARC_CHOICE_ONE) == 3,
+               "a new space: decide it here, in elastic/{element,chart,pair}.c, contact/{field,"
+               "recovery}.c and wear/definition.c");
+
+const char *arc_mesh_element(const arc_mesh *mesh, int corners) {
+  static const char *const names[][3] = {
+      {"CPE3", "CPE4", "CPE4I"}, {"CPS3", "CPS4", "CPS4I"}, {"CAX3", "CAX4", "CAX4I"}};
+  if (corners == 3) return names[mesh->space][0];
+  return names[mesh->space][mesh->def.element == ARC_CPE4I ? 2 : 1];
+}
 _Static_assert(0 ARC_ELEMENT_LIST(ARC_CHOICE_ONE) == 3,
                "a new element: decide it in elastic/element.c, body.c, model.c and export/inp.c");
 

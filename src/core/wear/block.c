@@ -52,7 +52,7 @@ static void find_poses(wear_block *b) {
 static double way_of_force(const wear_block *b, const arc_model_def *model) {
   double once = 0;
   for (int i = 1; i < b->count; i++) once += fabs(b->tangential[i] - b->tangential[i - 1]);
-  return once / arc_contact_modulus(model->material);
+  return once / arc_contact_modulus(model->geometry, model->material);
 }
 
 static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *model) {
@@ -115,7 +115,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   const arc_status status = block_create(b, back ? 2 * half + 1 : half + 1);
   if (status != ARC_OK) return status;
   for (int i = 0; i < b->count; i++) {
-    b->x[i] = along(def->stroke, i <= half ? i : 2 * half - i, half);
+    b->x[i] = along(arc_wear_def_stroke(def), i <= half ? i : 2 * half - i, half);
     b->angle[i] = arc_radians(def->load_angle);
     b->line[i] = def->load / model->thickness;
   }
@@ -126,8 +126,8 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   b->load = def->load;
   finish(b, def, model);
   /* r s to the bit, whatever the increments add up to */
-  b->sliding = (over ? 1 : 2) * def->stroke;
-  b->travel = def->stroke;
+  b->sliding = (over ? 1 : 2) * arc_wear_def_stroke(def);
+  b->travel = arc_wear_def_stroke(def);
   return ARC_OK;
 }
 

@@ -46,6 +46,10 @@ int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
          fabs(def->stroke - arc_model_width(model)) <= 1e-9 * model->radius;
 }
 
+double arc_wear_def_stroke(const arc_wear_def *def) {
+  return def->track > 0 ? acos(-1) * def->track : def->stroke;
+}
+
 double arc_wear_reach(const arc_model_def *model, double load) {
   static const double share = 0.125; /* centre pressures within 1 % for short strokes, too */
   return share * arc_model_half_width(model, load);
@@ -68,19 +72,20 @@ int arc_wear_rubs(const arc_wear_def *def) {
 }
 
 double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model) {
-  if (!(def->tangential > 0)) return arc_wear_def_strokes(def, model) * def->stroke;
-  return 4 * def->tangential / model->thickness / arc_contact_modulus(model->material);
+  if (!(def->tangential > 0)) return arc_wear_def_strokes(def, model) * arc_wear_def_stroke(def);
+  return 4 * def->tangential / model->thickness /
+         arc_contact_modulus(model->geometry, model->material);
 }
 
-static int alpha_stays_one(const arc_wear_def *def) {
+int arc_wear_alpha_stays_one(const arc_wear_def *def) {
   return def->alpha == 1 && !def->alpha_function && def->alpha_series.count == 0;
 }
 
 arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model) {
   if (def->procedure != ARC_AUTO) return def->procedure;
-  if (arc_wear_over_plate(def, model)) return ARC_NSP;
+  if (arc_wear_over_plate(def, model) || def->track > 0) return ARC_NSP;
   if (arc_wear_rubs(def) || !arc_model_slides_along(model)) return ARC_SP;
-  return alpha_stays_one(def) ? ARC_NSP : ARC_SP;
+  return arc_wear_alpha_stays_one(def) ? ARC_NSP : ARC_SP;
 }
 
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
@@ -254,7 +259,7 @@ static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
 static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *model,
                                   arc_error *error) {
   const double width = arc_model_width(model);
-  if (d->blocks == 0 && d->stroke > width * (1 + 1e-9))
+  if (d->blocks == 0 && d->slide == ARC_SLIDE_X && d->stroke > width * (1 + 1e-9))
     return arc_fail(
         error, ARC_ARGUMENT,
         "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm", width,
@@ -271,7 +276,8 @@ static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *mo
         "field 'stroke': a sliding plate (SP) takes at most 1.5 radius = %g mm, got %g mm; 2 "
         "radius = %g mm is the half-reciprocating stroke over the whole plate (NSP)",
         widest, d->stroke, width);
-  if (d->procedure == ARC_NSP && !alpha_stays_one(d) && !arc_wear_over_plate(d, model))
+  const int flat = arc_wear_alpha_stays_one(d) || d->track > 0 || arc_wear_over_plate(d, model);
+  if (d->procedure == ARC_NSP && !flat)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'procedure': NSP needs a plate that stays flat, alpha = 1 or stroke = 2 "
                     "radius = %g mm; "
@@ -327,6 +333,7 @@ static arc_status check_hole(const arc_wear_def *d, const arc_model_def *model, 
 arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   arc_status status = arc_settings_check(arc_wear_settings, "", d, error);
   if (status == ARC_OK) status = check_procedure(d, model, error);
+  if (status == ARC_OK) status = arc_wear_check_revolved(d, model, error);
   if (status == ARC_OK) status = check_scheme(d, error);
   if (status == ARC_OK) status = check_friction(d, model, error);
   if (status == ARC_OK) status = check_hole(d, model, error);
@@ -425,12 +432,13 @@ static double largest_k(const arc_wear_def *def) {
 }
 
 /* Half width of the widest contact: Hertz' at first, and a flat scar of the whole volume on the
- * cylinder at the most (on a flat plate, b^3 = 3 R k L d / 2 per thickness). */
+ * cylinder at the most. */
 static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
-  const double line = load / model->thickness, half = arc_model_half_width(model, load);
+  const double half = arc_model_half_width(model, load);
   const double relative = arc_model_relative_radius(model);
   const double radius = isfinite(relative) ? relative : arc_model_solid(model, ARC_UPPER).radius;
-  const double scar = cbrt(1.5 * radius * largest_k(def) * line * whole_distance(def, model));
+  const double volume = largest_k(def) * load * whole_distance(def, model);
+  const double scar = arc_wear_scar(def, model, radius, volume);
   const double widest = fmax(half, half / 2 + scar);
   /* on coarse meshes the room beside it is counted in elements: one under the edge, two that stay
    * open */

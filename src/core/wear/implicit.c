@@ -123,6 +123,19 @@ static arc_status run(newton *s, wear_depths *depth) {
   return ARC_OK;
 }
 
+/* Normal force over the sliding [N/mm mm]: what the depths say where they tell it, as the rest of
+ * the step is not solved for once more; else that of the last evaluation. */
+static double pressed_of(const newton *s, const wear_depths *depth) {
+  const arc_wear_def *d = &s->w->def;
+  const int b = s->dose.k[ARC_CYLINDER] > 0 ? ARC_CYLINDER : ARC_PLATE;
+  if (d->law != ARC_LAW_ARCHARD || d->local_factor || !(s->dose.k[b] > 0))
+    return s->dose.cycles * s->pressed;
+  double sum = 0;
+  for (int i = 0; i < s->window.shape->side[b].n; i++)
+    sum += depth->node[b][i] * arc_shape_span(s->window.shape, (arc_body)b, i);
+  return sum / s->dose.k[b];
+}
+
 static arc_status tell(const newton *s, arc_status status, arc_error *error) {
   if (status != ARC_NOT_CONVERGED) {
     if (status != ARC_OK && error) *error = s->error;
@@ -147,7 +160,7 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
     status = run(&s, depth);
   depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * s.even : 0;
   depth->peak = s.peak;
-  depth->pressed = dose->cycles * s.pressed;
+  depth->pressed = status == ARC_OK ? pressed_of(&s, depth) : 0;
   arc_newton_free(&s);
   return tell(&s, status, error);
 }

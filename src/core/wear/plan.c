@@ -14,6 +14,9 @@ static const double whole = 1e-9;
  * L / (pi t E*), whatever R: what elasticity gives way by, in other pairs too. */
 static double natural_depth(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
+  if (d->geometry != ARC_PLANE_STRAIN)
+    return 2 * arc_model_line(d, w->def.load) /
+           (acos(-1) * arc_contact_modulus(d->geometry, d->material));
   const double radius = arc_model_relative_radius(d);
   arc_hertz hertz = {0};
   arc_hertz_solve(isfinite(radius) ? radius : d->radius, d->thickness, w->def.load, d->material,

@@ -42,15 +42,19 @@ static void deepen(pose *p, const wear_trial *trial) {
   }
 }
 
-/* The law is evaluated where pressure is an unknown, and what wears there wears the plate under it
- * too: both bodies see the same pressure at a pair of points. */
-static void apply_law(const arc_wear *w, const pose *p, double mu, wear_point *point) {
+/* Law and slip are those where pressure is an unknown, and what wears there wears the plate under
+ * it too: both bodies see the same pressure at a pair of points. */
+static void apply_law(const arc_wear *w, const wear_window *window, const pose *p,
+                      wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
-  if (w->def.law == ARC_LAW_ARCHARD) {
+  if (w->def.law == ARC_LAW_ARCHARD && w->def.spin == 0) {
     memcpy(qc, point->p[ARC_CYLINDER], (size_t)w->path.nodes * sizeof *qc);
     return;
   }
-  for (int i = 0; i < p->nc; i++) qc[i] = arc_wear_law_rubbed(w, point->p[ARC_CYLINDER][i], mu);
+  const shape_side *side = &window->shape->side[ARC_CYLINDER];
+  for (int i = 0; i < p->nc; i++)
+    qc[i] = arc_wear_law_rubbed(w, point->p[ARC_CYLINDER][i], window->mu) *
+            arc_wear_spin_share(w, side, i);
   arc_pose_transfer(p, qc, qp);
 }
 
@@ -66,7 +70,7 @@ arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_
 arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, wear_point *point,
                          arc_error *error) {
   arc_pose_pressures(p, point->p[ARC_CYLINDER], point->p[ARC_PLATE]);
-  apply_law(w, p, window->mu, point);
+  apply_law(w, window, p, point);
   for (int b = 0; b < ARC_BODIES && w->def.slip == ARC_SLIP_TOTAL; b++)
     arc_pose_tangential(p, window->shape, (arc_body)b, point->u[b]);
   return window->state ? arc_wear_local(w, window->state, point, error) : ARC_OK;
@@ -134,15 +138,21 @@ static void add_increment(const arc_wear *w, const wear_point point[2], int at, 
 
 /* A slope slides by cos times the plate's way, and is longer than its shadow on x, on which
  * pressure times width is force: so much depth along the normal takes the area k force |dx|. Out of
- * the plane every slope slides all the way. */
+ * the plane every slope slides all the way; of revolution areas are those seen from above. */
+static double share_of_slope(const arc_wear *w, const wear_window *window, arc_body b, int i) {
+  const shape_side *side = &window->shape->side[b];
+  const int out = w->def.slide == ARC_SLIDE_Z && !side->body->chart.revolved.on;
+  if (window->shape->geometry == ARC_FROZEN || out) return 1;
+  return arc_shape_width(side, i) / arc_shape_span(window->shape, b, i);
+}
+
 static void incline(const arc_wear *w, const wear_window *window, wear_rate *rate) {
   const int n = w->nc + w->np;
-  if (window->shape->geometry == ARC_FROZEN || w->def.slide == ARC_SLIDE_Z) return;
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < window->shape->side[b].n; i++) {
-      const double share = arc_shape_width(&window->shape->side[b], i) /
-                           arc_shape_span(window->shape, (arc_body)b, i);
+      const double share = share_of_slope(w, window, (arc_body)b, i);
       const int row = b == ARC_CYLINDER ? i : w->nc + i;
+      if (share == 1) continue;
       rate->node[b][i] *= share;
       for (int c = 0; c < n && window->jacobian; c++)
         window->jacobian->value[(size_t)row + (size_t)c * (size_t)n] *= share;
@@ -180,21 +190,23 @@ static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at
   arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
-/* Normal force on the cylinder at a point [N/mm]. */
-static double pressing(const wear_window *window, const wear_point *point) {
+/* Normal force on the cylinder at a point [N/mm]; of a spin by the local slip over that which is
+ * told. */
+static double pressing(const arc_wear *w, const wear_window *window, const wear_point *point) {
   const shape_side *side = &window->shape->side[ARC_CYLINDER];
   double sum = 0;
-  for (int i = 0; i < side->n; i++) sum += point->p[ARC_CYLINDER][i] * arc_shape_width(side, i);
+  for (int i = 0; i < side->n; i++)
+    sum += point->p[ARC_CYLINDER][i] * arc_shape_width(side, i) * arc_wear_spin_share(w, side, i);
   return sum;
 }
 
-/* In hollow surfaces it is more than the load. */
+/* In hollow surfaces and under a spin it is not the load. */
 static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
   const wear_block *b = w->path.block;
-  if (!window->shape->side[ARC_CYLINDER].body->chart.polar) return;
-  const double now = pressing(window, &w->path.point[at % 2]);
+  if (!window->shape->side[ARC_CYLINDER].body->chart.polar && w->def.spin == 0) return;
+  const double now = pressing(w, window, &w->path.point[at % 2]);
   const int mean = w->def.rule == ARC_TRAPEZOID;
-  const double before = mean ? pressing(window, &w->path.point[(at + 1) % 2]) : now;
+  const double before = mean ? pressing(w, window, &w->path.point[(at + 1) % 2]) : now;
   rate->pressed += b->repeat * (now + before) / 2 * fabs(b->x[at] - b->x[at - 1]);
 }
 
@@ -213,7 +225,7 @@ static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear
   const wear_block *block = w->path.block;
   wear_point law = w->path.point[at % 2];
   for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* elastic slip is not asked for here */
-  if (block->line[at] > 0) apply_law(w, &w->path.pose[block->place[at]], window->mu, &law);
+  if (block->line[at] > 0) apply_law(w, window, &w->path.pose[block->place[at]], &law);
   const arc_status status = arc_wear_reflect(w, window, at, &law, error);
   if (status == ARC_OK && at > window->first) add_increment(w, w->path.image, at, images);
   return status;

@@ -33,12 +33,10 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
                                   arc_error *error) {
   const arc_model_def *def = arc_model_definition(w->model);
   if (stays_hertzian(w, shape)) {
-    arc_hertz hertz = {0};
-    const arc_status status = arc_hertz_solve(arc_model_relative_radius(def), def->thickness,
-                                              w->def.load, def->material, &hertz, error);
+    const arc_hertz hertz = arc_model_hertz(def, w->def.load);
     record->p_center = record->p_max = hertz.p_max;
     record->half_width = hertz.half_width;
-    return status;
+    return ARC_OK;
   }
   const arc_status status = solve_reference(w, shape, error);
   if (status != ARC_OK) return status;
@@ -62,7 +60,7 @@ arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record
   record->elements = arc_model_mesh(w->model, ARC_CYLINDER)->elements +
                      arc_model_mesh(w->model, ARC_PLATE)->elements;
   record->depth_cylinder = arc_shape_depth(shape, ARC_CYLINDER);
-  record->depth_plate = arc_shape_depth(shape, ARC_PLATE);
+  record->depth_plate = arc_wear_plate_depth(w, shape, record);
   record->depth_partition = arc_depth_partition(record->depth_cylinder, record->depth_plate);
   return ARC_OK;
 }

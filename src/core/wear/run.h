@@ -7,7 +7,7 @@
 /* Wear of one cycle per unit of wear coefficient: sum of p ds over the strokes [MPa mm]. */
 typedef struct wear_rate {
   double *node[ARC_BODIES]; /* [surface of the body]; one block, cylinder first */
-  double even;              /* the plate's, where it wears evenly (Eq. 27) */
+  double even;              /* the plate's, where it wears evenly (Eq. 27): a track 1 mm wide */
   double peak;              /* largest nodal pressure on the way [MPa] */
   double energy;            /* dissipated per thickness [N] */
   double shear, stick;      /* largest tangential force [N/mm], width that never slips [mm] */
@@ -18,7 +18,7 @@ typedef struct wear_rate {
 /* What an update takes off. */
 typedef struct wear_depths {
   double *node[ARC_BODIES]; /* [surface of the body] [mm]; one block, cylinder first */
-  double even;              /* off the whole plate [mm] */
+  double even;              /* off the whole plate, or a track 1 mm wide [mm] */
   double error;             /* estimated by an implicit update, over the tolerance; else 0 */
   double peak;              /* largest nodal pressure of the cycle they come from [MPa] */
   double energy;            /* dissipated meanwhile, per thickness [N] */
@@ -77,9 +77,9 @@ struct arc_wear {
   wear_start start;
 };
 
-/* The plate stays flat, and wears everywhere alike. */
+/* The plate stays flat, and wears everywhere alike, or along a track. */
 static inline int wears_evenly(const arc_wear *w) {
-  return w->over_plate && w->procedure == ARC_NSP;
+  return (w->over_plate || w->def.track > 0) && w->procedure == ARC_NSP;
 }
 
 /* Every increment of a cycle has an update of its own. */
@@ -95,6 +95,21 @@ int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model);
 arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
 void arc_wear_def_free(arc_wear_def *def);
 
+/* Whether only the cylinder wears, all the way. */
+int arc_wear_alpha_stays_one(const arc_wear_def *def);
+
+/* --- revolved.c --- */
+/* Whether a definition keeps to the axis of a model of revolution, and asks for one only there;
+ * ARC_ARGUMENT. */
+arc_status arc_wear_check_revolved(const arc_wear_def *def, const arc_model_def *model,
+                                   arc_error *error);
+/* Half width of a flat scar of a volume [mm3] on a cylinder of that radius, or on a ball. */
+double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
+                     double volume);
+/* Slip at surface node i over that at the radius where it is told: 1 unless the bodies spin. */
+double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i);
+
+/* --- definition.c --- */
 /* Whether a run is one with friction. */
 int arc_wear_rubs(const arc_wear_def *def);
 
@@ -134,6 +149,12 @@ int arc_wear_closed_form(const arc_wear *w);
 /* Reads the reference configuration of a shape into the record (which holds the rest). */
 arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                             arc_error *error);
+
+/* --- ahead.c --- */
+/* Largest depth of the plate [mm]; of a track, its mean depth as wide as the contact is. The record
+ * has volume and half width. */
+double arc_wear_plate_depth(const arc_wear *w, const arc_shape *shape,
+                            const arc_wear_record *record);
 
 /* --- record.c --- */
 /* Loads and travel of a record: a cycle of a block, or increment `first` of a generic one. */

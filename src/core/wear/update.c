@@ -12,8 +12,10 @@ static int any_depth(const double *depth, int n) {
   return 0;
 }
 
-static int is_hollow(const arc_wear *w) {
-  return arc_model_body(w->model, ARC_CYLINDER)->chart.polar;
+/* Whether the load alone does not tell the work: forces along the load balance it, those along
+ * normals are more in a hole; and a spin goes farther at larger radii. */
+static int counts_forces(const arc_wear *w) {
+  return arc_model_body(w->model, ARC_CYLINDER)->chart.polar || w->def.spin > 0;
 }
 
 /* Wears the outcome's shape, and adds volumes and error. */
@@ -24,7 +26,7 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
   arc_wear_add_volumes(w, out->shape, depth, &out->record);
   out->record.error = depth->error;
   out->record.energy += depth->energy * arc_model_definition(w->model)->thickness;
-  if (is_hollow(w)) /* forces along the load balance it, those along normals are more */
+  if (counts_forces(w))
     out->record.load_distance += depth->pressed * arc_model_definition(w->model)->thickness;
   out->record.p_peak = fmax(out->record.p_peak, depth->peak);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -33,7 +35,8 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
     const arc_status status = arc_shape_wear(out->shape, (arc_body)b, depth->node[b], error);
     if (status != ARC_OK) return status;
   }
-  if (depth->even != 0) arc_shape_wear_evenly(out->shape, ARC_PLATE, depth->even);
+  if (depth->even != 0 && w->def.track == 0)
+    arc_shape_wear_evenly(out->shape, ARC_PLATE, depth->even);
   return ARC_OK;
 }
 
@@ -292,7 +295,7 @@ arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear
   out->record.update += split ? plan->block->count - 1 : 1;
   const int generic = !plan->block->periodic;
   const int first = generic ? plan->first : 0, last = plan->block->count - 1;
-  if (is_hollow(w)) return status;
+  if (counts_forces(w)) return status;
   out->record.load_distance +=
       plan->times * load_distance(w, plan->block, first, generic ? first + 1 : last);
   return status;

@@ -47,7 +47,7 @@ static int volume_is_known(const arc_wear *w) {
   const arc_wear_def *d = arc_wear_definition(w);
   const int varies =
       d->k_function || d->alpha_function || d->k_series.count > 0 || d->alpha_series.count > 0;
-  return d->blocks == 0 &&
+  return d->blocks == 0 && d->spin == 0 &&
          !(d->friction > 0 || d->friction_function || d->friction_series.count > 0) &&
          d->slip == ARC_SLIP_RIGID && d->law == ARC_LAW_ARCHARD && !d->local_factor &&
          !(varies && d->update == ARC_UPDATE_INCREMENT);

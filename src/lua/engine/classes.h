@@ -124,4 +124,7 @@ const arc_contact *stress_contact(lua_State *L, int index, const char *where);
 const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc_body body,
                                    const char *where);
 
+/* "thickness 1 mm", or what else the section stands for. */
+const char *model_show_space(const arc_model_def *def, char *text, size_t size);
+
 #endif

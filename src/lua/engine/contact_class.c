@@ -137,9 +137,12 @@ static int contact_slip(lua_State *L) {
 static arc_status needed_zones(const void *asker, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
   const arc_contact_def *def = asker;
+  const arc_hertz_def pair = {.radius = model->radius,
+                              .thickness = model->thickness,
+                              .load = def->load,
+                              .material = {model->material[0], model->material[1]}};
   arc_hertz hertz = {0};
-  const arc_status status =
-      arc_hertz_solve(model->radius, model->thickness, def->load, model->material, &hertz, error);
+  const arc_status status = arc_hertz_of(&pair, &hertz, error); /* refuses what is out of range */
   if (status == ARC_OK) arc_contact_zones(def, model, zone);
   return status;
 }

@@ -18,6 +18,7 @@ static const hertz_value *self(lua_State *L) {
 NUMBER_FIELD(hertz, half_width, self(L)->result.half_width)
 NUMBER_FIELD(hertz, p_max, self(L)->result.p_max)
 NUMBER_FIELD(hertz, E_star, self(L)->result.E_star)
+NUMBER_FIELD(hertz, approach, self(L)->result.approach)
 
 static int hertz_cylinder(lua_State *L) {
   material_push(L, self(L)->def.material[ARC_CYLINDER]);
@@ -31,19 +32,27 @@ static int hertz_plate(lua_State *L) {
 
 static int hertz_tostring(lua_State *L) {
   const hertz_value *value = self(L);
-  char text[200];
+  const int is_ball = value->def.geometry == ARC_AXISYMMETRIC;
+  char text[200], thick[60] = "";
+  if (!is_ball) snprintf(thick, sizeof thick, ", thickness %.6g mm", value->def.thickness);
   snprintf(text, sizeof text,
-           "hertz: radius %.6g mm, load %.6g N, thickness %.6g mm\n"
+           "hertz:%s radius %.6g mm, load %.6g N%s%s\n"
            "  half width %.6g mm, largest pressure %.6g MPa, E_star %.6g MPa",
-           value->def.radius, value->def.load, value->def.thickness, value->result.half_width,
-           value->result.p_max, value->result.E_star);
+           is_ball ? " ball," : "", value->def.radius, value->def.load, thick,
+           value->def.geometry == ARC_PLANE_STRESS ? ", plane stress" : "",
+           value->result.half_width, value->result.p_max, value->result.E_star);
   lua_pushstring(L, text);
   return 1;
 }
 
 static const luaL_Reg fields[] = {
-    {"half_width", hertz_half_width}, {"p_max", hertz_p_max}, {"E_star", hertz_E_star},
-    {"cylinder", hertz_cylinder},     {"plate", hertz_plate}, {NULL, NULL},
+    {"half_width", hertz_half_width},
+    {"p_max", hertz_p_max},
+    {"E_star", hertz_E_star},
+    {"approach", hertz_approach},
+    {"cylinder", hertz_cylinder},
+    {"plate", hertz_plate},
+    {NULL, NULL},
 };
 
 static const void *definition(lua_State *L) {
@@ -66,8 +75,7 @@ static int hertz_new(lua_State *L) {
   args_read(L, 1, (args_place){"hertz", ""}, arc_hertz_settings, &def);
   hertz_value *value = box_push(L, &hertz_class)->thing;
   value->def = def;
-  arc_status status =
-      arc_hertz_solve(def.radius, def.thickness, def.load, def.material, &value->result, &error);
+  arc_status status = arc_hertz_of(&def, &value->result, &error);
   error_check(L, status, &error, "hertz", -1);
   return 1;
 }

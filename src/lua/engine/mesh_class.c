@@ -62,7 +62,7 @@ static int mesh_rows(lua_State *L) {
 }
 
 static int mesh_element(lua_State *L) {
-  lua_pushstring(L, arc_element_names[self(L)->def.element]);
+  lua_pushstring(L, arc_mesh_element(self(L), 4));
   return 1;
 }
 

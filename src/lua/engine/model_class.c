@@ -347,6 +347,14 @@ static int model_bodies(lua_State *L) {
   return 1;
 }
 
+const char *model_show_space(const arc_model_def *def, char *text, size_t size) {
+  snprintf(text, size, "thickness %.6g mm%s", def->thickness,
+           def->geometry == ARC_PLANE_STRESS ? ", plane stress" : "");
+  if (def->geometry == ARC_AXISYMMETRIC) snprintf(text, size, "axisymmetric");
+  if (def->axis > 0) snprintf(text, size, "axisymmetric about x = %.6g mm", -def->axis);
+  return text;
+}
+
 static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   const arc_model_def *def = arc_model_definition(model);
   const arc_mesh *mesh = arc_model_mesh(model, body);
@@ -354,20 +362,19 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   snprintf(line, sizeof line,
            "\n  %-8s  E %.6g MPa, nu %.6g, %s, zone %.6g mm; %d nodes, %d elements",
            body_name(def, body), def->material[body].E, def->material[body].nu,
-           arc_element_names[mesh->def.element], def->mesh.zone[body], mesh->nodes, mesh->elements);
+           arc_mesh_element(mesh, 4), def->mesh.zone[body], mesh->nodes, mesh->elements);
   luaL_addstring(text, line);
 }
 
 static int model_tostring(lua_State *L) {
   const arc_model *model = self(L);
   const arc_model_def *def = arc_model_definition(model);
-  char line[160];
+  char line[200], space[100];
   luaL_Buffer text;
   luaL_buffinit(L, &text);
-  snprintf(line, sizeof line,
-           "model: radius %.6g mm, thickness %.6g mm, elements %.6g x %.6g mm, %.3g MB",
-           def->radius, def->thickness, def->mesh.size, def->mesh.height,
-           (double)arc_model_bytes(model) / 1e6);
+  snprintf(line, sizeof line, "model: radius %.6g mm, %s, elements %.6g x %.6g mm, %.3g MB",
+           def->radius, model_show_space(def, space, sizeof space), def->mesh.size,
+           def->mesh.height, (double)arc_model_bytes(model) / 1e6);
   luaL_addstring(&text, line);
   add_body(&text, model, ARC_CYLINDER);
   add_body(&text, model, ARC_PLATE);

@@ -386,14 +386,14 @@ static const char *show_pair(const arc_model_def *model, char *text, size_t size
 static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   const arc_material *of = model->material;
   const int alike = of[0].E == of[1].E && of[0].nu == of[1].nu;
-  char line[600], pair[200], first[100], second[100];
+  char line[700], pair[200], space[100], first[100], second[100];
   show_material(alike ? "both" : body_name(model, ARC_UPPER), of[0], first, sizeof first);
   show_material(body_name(model, ARC_LOWER), of[1], second, sizeof second);
   snprintf(line, sizeof line,
-           "  bodies    %s, thickness %.6g mm, elements %.6g x %.6g mm\n"
+           "  bodies    %s, %s, elements %.6g x %.6g mm\n"
            "  materials %s%s%s\n",
-           show_pair(model, pair, sizeof pair), model->thickness, model->mesh.size,
-           model->mesh.height, first, alike ? "" : ", ", alike ? "" : second);
+           show_pair(model, pair, sizeof pair), model_show_space(model, space, sizeof space),
+           model->mesh.size, model->mesh.height, first, alike ? "" : ", ", alike ? "" : second);
   luaL_addstring(text, line);
 }
 
@@ -426,13 +426,15 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   snprintf(line, sizeof line,
            "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f update%s\n"
            "  pressure  centre %.2f MPa, largest %.2f MPa, half width %.6g mm\n"
-           "  depth     %s %.4e mm, %s %.4e mm; alpha-tilde %s\n"
+           "  depth     %s %.4e mm, %s %.4e mm%s; alpha-tilde %s\n"
            "  volume    %s %.4e mm3, %s %.4e mm3, total %.4e mm3",
            record->cycle, arc_wear_cycles(wear), record->distance,
            arc_wear_definition(wear)->distance, record->update, record->update == 1 ? "" : "s",
            record->p_center, record->p_max, record->half_width, upper, record->depth_cylinder,
-           lower, record->depth_plate, partition, upper, record->volume_cylinder, lower,
-           record->volume_plate, record->volume_cylinder + record->volume_plate);
+           lower, record->depth_plate,
+           arc_wear_definition(wear)->track > 0 ? " (mean over its track)" : "", partition, upper,
+           record->volume_cylinder, lower, record->volume_plate,
+           record->volume_cylinder + record->volume_plate);
   luaL_addstring(text, line);
 }
 

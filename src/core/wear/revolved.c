@@ -1,0 +1,80 @@
+/* Bodies of revolution in wear runs: what does not keep to the axis, scars, slip of a spin. */
+#include "core/wear/run.h"
+
+#include <math.h>
+
+static arc_status refuse_revolved(const char *field, const char *why, arc_error *error) {
+  return arc_fail(error, ARC_ARGUMENT, "field '%s': %s", field, why);
+}
+
+static arc_status check_plane(const arc_wear_def *d, arc_error *error) {
+  if (d->spin > 0)
+    return refuse_revolved("spin", "expected an axisymmetric model, which has an axis", error);
+  if (d->track > 0)
+    return refuse_revolved(
+        "track", "expected an axisymmetric model: a pin whose disc turns beneath it", error);
+  return ARC_OK;
+}
+
+arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *model,
+                                   arc_error *error) {
+  if (model->geometry != ARC_AXISYMMETRIC) return check_plane(d, error);
+  if (arc_wear_rubs(d))
+    return refuse_revolved(
+        "friction", "expected 0 for bodies of revolution: shear along a way is not axisymmetric",
+        error);
+  if (d->slide != ARC_SLIDE_Z)
+    return refuse_revolved("slide",
+                           "expected \"z\" for bodies of revolution, the way around or on: a "
+                           "contact that moves along x is not axisymmetric",
+                           error);
+  if (d->spin > 0 && d->track > 0)
+    return refuse_revolved("track", "expected none beside spin: a pin passes, or turns on its axis",
+                           error);
+  if (d->track > 0 && model->axis > 0)
+    return refuse_revolved("track", "expected model.axis = 0, a pin that touches on its own axis",
+                           error);
+  if (d->track > 0 && d->blocks > 0)
+    return refuse_revolved("track", "expected stroke and load: a cycle is a revolution", error);
+  if (d->track > 0 && d->procedure == ARC_SP)
+    return refuse_revolved("procedure", "expected \"NSP\" with track: the disc stays flat", error);
+  if (model->axis > 0 || d->spin > 0 || d->track > 0 || arc_wear_alpha_stays_one(d)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'alpha': expected 1, as a disc that passes under a pin wears along its "
+                  "track and not in a spot, got %g; or give track, the radius of that, or spin",
+                  d->alpha);
+}
+
+/* b^3 = 3 R V / 2 per length, or on a ball b^4 = 4 R V / pi; that of a spin is V b / spin or less.
+ */
+double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
+                     double volume) {
+  const double pi = acos(-1);
+  const int turns = model->geometry == ARC_AXISYMMETRIC;
+  if (turns && model->axis > 0) return cbrt(1.5 * radius * volume / (2 * pi * model->axis));
+  if (turns && def->spin > 0) return cbrt(4 * radius * volume / (pi * def->spin));
+  return turns ? pow(4 * radius * volume / pi, 0.25)
+               : cbrt(1.5 * radius * volume / model->thickness);
+}
+
+/* The mean radius [mm] of what node i stands for, between it and a neighbour, times the area. */
+static double moment_beside(const revolution *r, double x, double other) {
+  const double a = fabs(r->axis + x), b = fabs(r->axis + other), whole = b * b - a * a;
+  if (whole == 0) return 0;
+  return 2 * (b * b * (b * b * b - a * a * a) / 3 - (pow(b, 5) - pow(a, 5)) / 5) / whole;
+}
+
+/* A node on the axis stands for what is around it. */
+double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i) {
+  const revolution *r = &side->body->chart.revolved;
+  const double *at = side->settled, x = at[2 * i];
+  double moment = 0, area = 0;
+  if (w->def.spin == 0) return 1;
+  for (int to = -1; to <= 1; to += 2) {
+    if (i + to < 0 || i + to >= side->n) continue;
+    const double other = at[2 * (i + to)], a = r->axis + x, b = r->axis + other;
+    moment += fabs(moment_beside(r, x, other));
+    area += fabs(b * b - a * a) / 2;
+  }
+  return moment / area / w->def.spin;
+}

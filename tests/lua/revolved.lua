@@ -1,0 +1,77 @@
+-- Bodies of revolution and thin plates: what is refused and why, what is printed, kept and written.
+local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
+local is, ok, fails = tap.is, tap.ok, tap.fails
+
+local mesh = { size = 0.05, height = 0.05, zone = { cylinder = 1, plate = 1 } }
+local function ball(changes)
+  local all = { geometry = "axisymmetric", mesh = mesh }
+  for name, value in pairs(changes or {}) do all[name] = value end
+  return all
+end
+local function pin(changes)
+  local all = { model = ball(), load = 50, slide = "z", alpha = 1, k = 1e-8, track = 20, cycles = 2 }
+  for name, value in pairs(changes or {}) do all[name] = value ~= "none" and value or nil end
+  return wear(all)
+end
+
+-- --- models -------------------------------------------------------------------------------------
+
+fails(function() model{ geometry = "moving" } end, [[expected "plane strain", "plane stress" or "axisymmetric"]], "a geometry that is none")
+fails(function() model{ axis = 3 } end, [[field 'axis': expected geometry = "axisymmetric" beside it, got "plane strain"]], "an axis of plane bodies")
+fails(function() model(ball{ thickness = 2 }) end, "field 'thickness': bodies of revolution have none, got 2 mm", "thickness of a ring")
+fails(function() model(ball{ axis = 4 }) end, "field 'axis': expected 0 or more than the 10 mm that the upper body reaches", "an axis inside the body")
+fails(function() model(ball{ upper = body.disc{ radius = 9.9 }, lower = body.ring{ inner = 10, outer = 20 } }) end,
+  "for a hole (lower.kind = \"ring\" held by its outer rim)", "a hole")
+fails(function() model(ball{ upper = body.profile{ y = function(x) return 1e-3 * x end, width = 4, height = 2 } }) end,
+  "field 'upper.y': expected heights that are the same at x and -x", "a lopsided profile")
+ok(pcall(model, ball{ upper = body.profile{ y = function(x) return -x * x / 20 end, width = 4, height = 2 }, mesh = { size = 0.05, zone = { cylinder = 1, plate = 1 } } }),
+  "a profile that is the same on both sides")
+
+local m = model(ball())
+is(m.geometry, "axisymmetric", "a model knows its geometry")
+is(m.axis, 0, "and its axis")
+is(m.mesh.plate.element, "CAX4", "its elements")
+ok(tostring(m):find("model: radius 10 mm, axisymmetric, elements", 1, true), "it says so: " .. tostring(m))
+ok(tostring(model(ball{ axis = 40 })):find("axisymmetric about x = -40 mm", 1, true), "and where the axis is")
+local thin = model{ geometry = "plane stress", mesh = mesh }
+is(thin.mesh.plate.element, "CPS4", "elements of a thin plate")
+ok(tostring(thin):find("thickness 1 mm, plane stress", 1, true), "which says so")
+is(model{ geometry = "plane strain", mesh = mesh }.mesh.plate.element, "CPE4", "plane strain is the usual")
+ok(tostring(hertz{ geometry = "axisymmetric", load = 50 }):find("hertz: ball, radius 10 mm, load 50 N\n", 1, true), "a ball in closed form")
+
+-- --- contacts -----------------------------------------------------------------------------------
+
+fails(function() contact{ model = m, x = 0.1 } end, "field 'x': expected 0 mm for bodies of revolution", "a plate aside")
+fails(function() contact{ model = m, friction = 0.1 } end, "field 'friction': expected 0 for bodies of revolution", "shear along x")
+local doubled = contact{ model = { geometry = "plane stress", thickness = 2, mesh = mesh }, load = 200 }
+is(doubled.p_max, contact{ model = thin, load = 100 }.p_max, "load over thickness counts for a thin plate")
+
+-- --- runs ---------------------------------------------------------------------------------------
+
+fails(function() pin{ slide = "x" } end, [[field 'slide': expected "z" for bodies of revolution]], "a stroke along x")
+fails(function() pin{ alpha = 0.5, track = "none", distance = 10, cycles = "none" } end,
+  "field 'alpha': expected 1, as a disc that passes under a pin wears along its track", "a disc worn in a spot")
+fails(function() pin{ friction = 0.1 } end, "field 'friction': expected 0", "friction of a run")
+fails(function() pin{ spin = 1 } end, "field 'track': expected none beside spin", "track and spin")
+fails(function() pin{ procedure = "SP" } end, [[field 'procedure': expected "NSP" with track]], "a disc that would not stay flat")
+fails(function() pin{ model = ball{ axis = 40 } } end, "field 'track': expected model.axis = 0", "a ring on a track")
+fails(function() wear{ track = 3 } end, "field 'track': expected an axisymmetric model", "a track of plane bodies")
+fails(function() wear{ spin = 3 } end, "field 'spin': expected an axisymmetric model", "a spin of plane bodies")
+fails(function() pin{ slip = "total" } end, "field 'slip'", "elastic slip around")
+
+local w = pin{ alpha = 0.5 }:run()
+tap.near(w.distance, 2 * 2 * math.pi * 20, 1e-9, "a cycle is a revolution")
+tap.near(w.stroke, math.pi * 20, 1e-9, "of two halves")
+ok(tostring(w):find("(mean over its track)", 1, true), "the disc's depth is a mean, and says so")
+ok(tostring(w):find("slide z, track 20 mm", 1, true), "and where the track is")
+local name = os.tmpname()
+w:save(name .. ".wear")
+local back = wear.open(name .. ".wear")
+is(back.model.geometry, "axisymmetric", "kept: the geometry")
+is(back.track, 20, "kept: the track")
+is(("%a %a"):format(back.depth_plate, back.volume_plate), ("%a %a"):format(w.depth_plate, w.volume_plate), "kept: depth and volume")
+fails(function() export.inp(w, name .. ".inp") end, [[field 'geometry': expected "plane strain" for a deck]], "a deck of revolution")
+m.mesh.plate:write(name .. ".inp")
+local deck = io.open(name .. ".inp"):read("a")
+ok(deck:find("TYPE=CAX4", 1, true) and deck:find("TYPE=CAX3", 1, true), "the deck of one mesh")
+for _, ending in ipairs{ "", ".wear", ".inp" } do os.remove(name .. ending) end

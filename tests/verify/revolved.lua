@@ -1,0 +1,162 @@
+-- Bodies of revolution and thin plates against Hertz' theory, and what wears them: pins on discs,
+-- balls that spin, rings.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, below, ok = figures.within, figures.below, figures.ok
+local pi = math.pi
+
+-- --- Hertz --------------------------------------------------------------------------------------
+
+-- R = 10, P = 50: a = .150554, p0 = 1053.25 on half-spaces; a hemisphere on a disc 10 high, by
+-- another program's elements: p0 = 1051.34.
+local ball = hertz{ geometry = "axisymmetric", radius = 10, load = 50 }
+within(ball.half_width, 0.150554, 1e-5, "ball: radius of the contact in closed form [mm]")
+within(ball.p_max, 1053.25, 1e-5, "ball: pressure in closed form [MPa]")
+within(ball.approach, 2.2666e-3, 1e-4, "ball: approach in closed form [mm]")
+local revolved = model{ geometry = "axisymmetric", mesh = { size = 0.01, height = 0.01, zone = { cylinder = 0.8, plate = 0.8 } } }
+local c = contact{ model = revolved, load = 50 }
+within(c.p_center, ball.p_max, 0.003, "ball: centre pressure [MPa]")
+within(c.p_center, 1051.34, 0.003, "ball: centre pressure, finite bodies [MPa]")
+within(c.approach, ball.approach, 0.01, "ball: approach [mm]")
+below(math.abs(c.half_width - ball.half_width), 0.01, "ball: radius of the contact, off by less than an element [mm]")
+within(c.normal_force, 50, 1e-12, "ball: pressure over the area is the load [N]")
+local p, off = c:pressure("cylinder"), 0
+for i, x in ipairs(p.x) do
+  if math.abs(x) < 0.9 * ball.half_width then
+    off = math.max(off, math.abs(p.p[i] / (ball.p_max * math.sqrt(1 - (x / ball.half_width) ^ 2)) - 1))
+  end
+end
+below(off, 0.006, "ball: pressures over nine tenths of the contact, largest share off")
+below(figures.asymmetry(p.p), 1e-9, "ball: both halves of the section alike")
+
+-- The largest shear, .31002 p0 at .4809 a on the axis. Outside the contact the surface is stretched
+-- along r and pressed around by as much, (1 - 2 nu) p0 a^2 / (3 r^2).
+local field = c:stress().plate
+local deepest, shear, around, along = nil, 0, 0, 0
+for i, x in ipairs(field.x) do
+  local y, out = field.y[i], 0.4 * ball.p_max * ball.half_width ^ 2 / (3 * x * x)
+  if x == 0 and y > -0.3 and math.abs(field.syy[i] - field.szz[i]) / 2 > shear then
+    deepest, shear = -y, math.abs(field.syy[i] - field.szz[i]) / 2
+  elseif y == 0 and math.abs(x) > 1.1 * ball.half_width and math.abs(x) < 0.3 then
+    around = math.max(around, math.abs(field.szz[i] / out + 1))
+    along = math.max(along, math.abs(field.sxx[i] / out - 1))
+  end
+end
+within(shear, 0.31002 * ball.p_max, 0.01, "ball: largest shear [MPa]")
+within(deepest, 0.4809 * ball.half_width, 0.1, "ball: its depth [mm]")
+below(along, 0.05, "ball: radial stress of the surface outside, largest share off")
+below(around, 0.05, "ball: hoop stress there, largest share off")
+
+local soft = { E = 3000, nu = 0.49 }
+local rubber = contact{ load = 5, model = { geometry = "axisymmetric", cylinder = soft, plate = soft, mesh = { fineness = 2 } } }
+within(rubber.p_center, hertz{ geometry = "axisymmetric", load = 5, cylinder = soft, plate = soft }.p_max, 0.005,
+  "ball of nu = 0.49: centre pressure [MPa]")
+
+-- Thin plates: E in place of E / (1 - nu^2).
+local thin = hertz{ geometry = "plane stress", load = 50 }
+within(thin.E_star, 100e3, 1e-12, "plane stress: modulus of like bodies is E / 2 [MPa]")
+local plate = contact{ model = { geometry = "plane stress" }, load = 50 }
+within(plate.p_center, thin.p_max, 0.003, "plane stress: centre pressure [MPa]")
+local sheet = plate:stress().plate
+for i = 1, #sheet.szz do if sheet.szz[i] ~= 0 then ok(false, "plane stress: none out of the plane") break end end
+
+-- A large ring is a straight line: P over its circumference.
+local line = hertz{ load = 100 }
+local ring = contact{ load = 100 * 2 * pi * 400, model = { geometry = "axisymmetric", axis = 400 } }
+within(ring.p_center, line.p_max, 0.003, "ring of radius 400: centre pressure of the straight line [MPa]")
+
+-- The same shapes through a file of Gmsh's, about the axis and beside it.
+local function through_gmsh(m, fields)
+  local path = os.tmpname() .. ".msh"
+  export.msh(m, path)
+  fields.geometry, fields.mesh = "axisymmetric", path
+  local given = model(fields)
+  os.remove(path)
+  return given
+end
+local given = through_gmsh(revolved, {})
+within(contact{ model = given, load = 50 }.p_center, c.p_center, 1e-9, "ball by way of Gmsh: centre pressure [MPa]")
+local narrow = model{ geometry = "axisymmetric", axis = 40, mesh = { size = 0.03, height = 0.03, zone = { cylinder = 1.5, plate = 1.5 } } }
+within(contact{ model = through_gmsh(narrow, { axis = 40 }), load = 25000 }.p_center, contact{ model = narrow, load = 25000 }.p_center,
+  1e-9, "ring by way of Gmsh: centre pressure [MPa]")
+local function worn(m)
+  return wear{ model = m, load = 50, slide = "z", alpha = 1, track = 20, k = 1e-8, cycles = 20, jump = "auto", geometry = "frozen" }:run()
+end
+local ours, theirs = worn(revolved), worn(given)
+within(theirs.p_center, ours.p_center, 1e-3, "pin on disc by way of Gmsh: centre pressure, worn [MPa]")
+within(theirs.depth_cylinder, ours.depth_cylinder, 1e-4, "pin on disc by way of Gmsh: depth [mm]")
+within(theirs.volume_cylinder, 1e-8 * theirs.load_distance, 1e-12, "pin on disc by way of Gmsh: V = k integral normal force ds [mm3]")
+
+-- --- a pin on a disc ----------------------------------------------------------------------------
+
+-- At large wear the pin is a ball less a cap of the worn volume, V = pi h^2 (3 R - h) / 3.
+local function cap_of(volume, R)
+  local low, high = 0, R
+  for _ = 1, 80 do
+    local h = (low + high) / 2
+    if pi * h * h * (3 * R - h) / 3 < volume then low = h else high = h end
+  end
+  return low
+end
+local k, turns, track = 1e-7, 100, 20
+local pin = { model = { geometry = "axisymmetric", mesh = { size = 0.03, height = 0.03, rows = 4, zone = { cylinder = 2.2, plate = 2.2 } } },
+  load = 50, slide = "z", k = k, track = track, cycles = turns, scheme = "implicit", tolerance = 1e-3 }
+local function with(changes)
+  local all = {}
+  for name, value in pairs(pin) do all[name] = value end
+  for name, value in pairs(changes) do all[name] = value end
+  return wear(all)
+end
+local w = with{ alpha = 1 }:run()
+within(w.distance, turns * 2 * pi * track, 1e-12, "pin on disc: a cycle is a revolution [mm]")
+within(w.volume_cylinder, k * w.load_distance, 1e-12, "pin on disc: V = k integral normal force ds [mm3]")
+within(w.load_distance, 50 * w.distance, 1e-12, "pin on disc: the normal force is the load")
+within(w.depth_cylinder, cap_of(w.volume_cylinder, 10), 0.01, "pin on disc: depth by the cap law [mm]")
+ok(w.depth_plate == 0 and w.volume_plate == 0, "pin on disc, alpha = 1: the disc does not wear")
+local both = with{ alpha = 0.25 }:run()
+within(both.volume_plate, 0.75 * k * both.load_distance, 1e-12, "pin on disc that wears: its volume [mm3]")
+within(both.volume_cylinder, 0.25 * k * both.load_distance, 1e-12, "pin on disc that wears: the pin's [mm3]")
+within(both.depth_plate, both.volume_plate / (2 * pi * track * 2 * both.half_width), 1e-12, "pin on disc: mean depth over the track [mm]")
+local flat = 0
+for _, h in ipairs(both:profile("plate").h) do flat = math.max(flat, math.abs(h)) end
+ok(flat == 0, "pin on disc: the disc stays flat")
+
+-- Kept in between, it goes on to the same bits.
+local file = os.tmpname() .. ".wear"
+local half = with{ alpha = 0.25 }:run{ distance = both.distance / 2 }
+half:save(file)
+local again = wear.open(file):run{ distance = both.distance }
+half:run{ distance = both.distance }
+os.remove(file)
+local function hexes(run) return ("%a %a %a %a %a"):format(run.p_center, run.half_width, run.depth_cylinder, run.volume_plate, run.depth_plate) end
+ok(hexes(half) == hexes(again), "pin on disc: stored and opened again, the same bits")
+
+-- --- spin ---------------------------------------------------------------------------------------
+
+-- Torsion at large wear: p = P / (2 pi c r), c^3 = 3 k P R phi / (2 pi). On the axis p has no bound.
+local angle = 3e4
+local spin = { model = { geometry = "axisymmetric", mesh = { size = 0.04, height = 0.04, rows = 4, zone = { cylinder = 2.8, plate = 2.8 } } },
+  load = 50, slide = "z", alpha = 0.3, k = k, spin = 1, distance = 100, jump = "auto" }
+local begun = wear(spin):run()
+within(begun.volume_cylinder, 0.3 * k * begun.load_distance, 1e-12, "spin: V = k integral p r dA dphi of the ball [mm3]")
+within(begun.volume_plate, 0.7 * k * begun.load_distance, 1e-12, "spin: of the plate [mm3]")
+spin.distance, spin.scheme, spin.tolerance, spin.jump = angle, "implicit", 3e-3, nil
+local spun = wear(spin):run()
+local c3 = (3 * k * 50 * 10 * angle / (2 * pi)) ^ (1 / 3)
+within(spun.volume_cylinder, 0.3 * k * spun.load_distance, 1e-12, "spin, implicit: of the ball [mm3]")
+within(spun.volume_plate, 0.7 * k * spun.load_distance, 1e-6, "spin, implicit: of the plate, as far as iterations go [mm3]")
+within(spun.half_width, c3, 0.05, "spin: radius of the contact [mm]")
+local ps, worst = spun:pressure("cylinder"), 0
+for i, x in ipairs(ps.x) do
+  if x > 0.3 * c3 and x < 0.8 * c3 then worst = math.max(worst, math.abs(ps.p[i] * 2 * pi * c3 * x / 50 - 1)) end
+end
+below(worst, 0.05, "spin: pressures by P / (2 pi c r), largest share off")
+
+-- A thrust ring that spins wears more outside, and one whose points all go as far like a line.
+local thrust = { model = { geometry = "axisymmetric", axis = 40, mesh = { fineness = 1 } }, load = 100 * 2 * pi * 40, slide = "z",
+  alpha = 0.5, k = 1e-7, stroke = 1, distance = 400, jump = "auto" }
+local even = wear(thrust):run()
+thrust.spin = 40
+local turning = wear(thrust):run()
+within(even.volume_plate, 0.5e-7 * thrust.load * 400, 1e-12, "thrust ring: V = k L d [mm3]")
+within(turning.volume_plate, 0.5e-7 * turning.load_distance, 1e-12, "thrust ring that spins: V = k integral p r dA dphi [mm3]")
+within(turning.volume_plate, even.volume_plate, 0.01, "thrust ring: the spin is told at its mean radius")
