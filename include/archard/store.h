@@ -113,8 +113,9 @@ arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error 
 /* All cases by id; *cases [*count] is to be freed with free(). */
 arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, arc_error *error);
 
-/* `message` and `seconds` as in arc_case; message NULL: none. Of a case that is not there:
- * ARC_ARGUMENT. */
+/* `message` and `seconds` as in arc_case; message NULL: none. A case that is done neither runs nor
+ * fails any more, as another program may have done it meanwhile: its mark stays. Of a case that is
+ * not there: ARC_ARGUMENT. */
 arc_status arc_store_mark(arc_store *store, int id, arc_case_status status, const char *message,
                           double seconds, arc_error *error);
 

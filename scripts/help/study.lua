@@ -96,6 +96,9 @@ return {
     text = "Cases that run at the same time; as many as there are processors if left out." },
   { "study.run{file}", type = "string", default = '"study.archard"',
     text = "The run file, an SQLite database. What it holds already is not computed again." },
+  { "study.run{keep}", type = "number > 0 s", default = 60,
+    text = "Time after which a case that is still computed is kept in the file as far as it is; after a "
+      .. "killed program it goes on from there, to the same bits." },
   { "study.run{shard}", type = 'string "i/n"',
     text = "Computes only the share i of n: cases i, i + n, and so on. One file a share; "
       .. "study.merge joins them." },

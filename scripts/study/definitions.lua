@@ -12,9 +12,19 @@ function definitions.open(where, path, mode)
   return check.as(where, require "archard.store".open, path, mode)
 end
 
--- As many cases as the study has, all waiting.
-function definitions.write(self, store)
+-- Does it in one transaction: no other program comes between.
+local function together(store, work, ...)
   store:begin()
+  local fine, why = pcall(work, ...)
+  if not fine then
+    store:rollback()
+    error(why, 0)
+  end
+  store:commit()
+end
+
+-- As many cases as the study has, all waiting.
+local function write(self, store)
   store:set_info("kind", "study")
   store:set_info("name", self.name)
   store:set_info("looks", tostring(self.looks))
@@ -25,8 +35,9 @@ function definitions.write(self, store)
     store:add(id, self.labels[id])
     store:set_values(id, "settings", flat)
   end
-  store:commit()
 end
+
+function definitions.write(self, store) together(store, write, self, store) end
 
 local function other_study(where, store, what)
   check.fail(where, ("%s holds another study (%s); name another file, or remove it")

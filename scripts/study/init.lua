@@ -138,6 +138,7 @@ local shard_kind = check.kind('"i/n" with i from 1 to n', function(v)
 end)
 local run_fields = {
   workers = check.whole(1, 256), file = check.file, shard = shard_kind, progress = check.progress,
+  keep = check.positive,
 }
 
 -- The share i of n: cases i, i + n, i + 2n, ...
@@ -156,7 +157,7 @@ local function try_first(self, where)
   check.fail(where, ("case 1: %s"):format(run.message), run.code)
 end
 
--- run{ workers=, file=, shard="i/n", progress= } -> the study itself. Cases that are done stay as
+-- run{ workers=, file=, shard="i/n", progress=, keep= } -> the study itself. Cases that are done stay as
 -- they are; `failed` of the study lists those that failed, `warned` those that this run warned of.
 function methods:run(options)
   options = options or {}
@@ -168,7 +169,7 @@ function methods:run(options)
   local store = definitions.for_run("study:run", self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
-  self.failed, self.warned = require "archard.study.run"(store, { workers = workers,
+  self.failed, self.warned = require "archard.study.run"(store, { workers = workers, keep = options.keep,
     chosen = read_shard(options.shard), progress = options.progress })
   store:close()
   report(self.failed, self.warned)

@@ -91,7 +91,9 @@ function run:attend(event)
   self:feed(event.worker)
 end
 
--- store: open for writing. options: workers, chosen (function(id) -> whether it is to be done; nil:
+local usual_keep = 60 -- seconds
+
+-- store: open for writing. options: workers, keep (seconds after which long cases are kept), chosen (function(id) -> whether it is to be done; nil:
 -- all), progress. Returns the failed cases, as a list
 -- of { id=, label=, message= }, a list of the same of those that were warned of, and how many there
 -- were to compute.
@@ -101,7 +103,8 @@ return function(store, options)
   local count, failed, warned = #queue, {}, {}
   if count == 0 then return failed, warned, 0 end
   local workers = math.min(options.workers, count)
-  local pool <close> = process.pool(workers, { "-e", itself.chunk("study.worker", store.path, files.confined() or "") })
+  local pool <close> = process.pool(workers, { "-e", itself.chunk("study.worker", store.path, files.confined() or "",
+    options.keep or usual_keep) })
   local display <close> = progress.new(workers, count + finished, finished, options.progress)
   local self = setmetatable({ store = store, pool = pool, queue = queue, next = 1, busy = {}, computed = {},
     left = count, failed = failed, warned = warned, display = display }, run)

@@ -10,6 +10,7 @@ local files = require "archard.files"
 local settings = require "archard.study.settings"
 local term = require "archard.term"
 local warnings = require "archard.warnings"
+local wear_task = require "archard.study.wear_task"
 
 local pause = 0.2 -- seconds between two words on progress
 local longest_wait = 0.5 -- seconds that a computed case is kept in memory
@@ -25,35 +26,7 @@ local function say(...)
   io.flush()
 end
 
--- --- a run of wear -----------------------------------------------------------------------------
-
-local function look(run, list)
-  for i, body in ipairs { "cylinder", "plate" } do
-    local role = i == 1 and "upper" or "lower"
-    local profile, pressure = run:profile(role), run:pressure(role)
-    list[#list + 1] = { body = body, update = run.update, distance = run.distance,
-      x = profile.x, h = profile.h, y = profile.y, p = pressure.p }
-  end
-end
-
--- Runs to the end; looks at the surfaces `count` times on the way, the unworn ones among them, at
--- the first update not before each share of the distance. The last look is the store's.
-local function compute(given, count, on_progress)
-  local run = wear(given)
-  local list, next_look, total = {}, 0, run.total_distance
-  local function look_on()
-    if total > 0 and next_look < count and run.distance >= next_look / count * total and not run.done then
-      look(run, list)
-      next_look = math.floor(run.distance / total * count) + 1
-    end
-  end
-  look_on()
-  run:run{ progress = function()
-    look_on()
-    on_progress(run.distance / total)
-  end }
-  return run, list
-end
+-- --- tasks ---------------------------------------------------------------------------------------
 
 local tasks = {}
 
@@ -67,9 +40,9 @@ local function last_record(run)
   return values
 end
 
-function tasks.wear(store, id, on_progress)
+function tasks.wear(store, id, on_progress, every)
   local looks = tonumber(store:info("looks")) or 0
-  local run, list = compute(settings.nest(store:values(id, "settings")), looks, on_progress)
+  local run, list = wear_task(store, id, settings.nest(store:values(id, "settings")), looks, every, on_progress)
   return function()
     store:save(id, run, list)
     store:set_values(id, "results", last_record(run))
@@ -115,11 +88,11 @@ local function warning_of(store)
 end
 
 -- { id=, seconds=, warning=, failure=, keep= (writes the results), run= (what they are kept in) }
-local function compute_case(store, id)
+local function compute_case(store, id, every)
   local start = term.clock()
   warnings.take()
   local task = tasks[store:info("task") or "wear"]
-  local fine, keep, run = pcall(task, store, id, speaker(store, id))
+  local fine, keep, run = pcall(task, store, id, speaker(store, id), every)
   return { id = id, seconds = term.clock() - start, warning = warning_of(store), run = run,
     keep = fine and keep or nil, failure = not fine and one_line(keep) or nil }
 end
@@ -191,16 +164,17 @@ local function attend(held, line)
   if line == "store" then return held:store() end
   local id = math.tointeger(tonumber(line:match("^case (%d+)$")))
   if not id then error("worker: cannot make sense of " .. line) end
-  local case = compute_case(held.file, id)
+  local case = compute_case(held.file, id, held.every)
   say("computed", id)
   held:add(case)
 end
 
--- folder: that of the script in a sandbox, whose files are ours too; "" without one.
-return function(path, folder)
+-- folder: that of the script in a sandbox, whose files are ours too; "" without one. every: seconds after
+-- which a case that takes long is kept as far as it is.
+return function(path, folder, every)
   if folder ~= "" then files.confine(folder) end
   local held = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),
-    commit = 0 }, keeper)
+    commit = 0, every = tonumber(every) }, keeper)
   warnings.keep()
   for line in io.lines() do
     local fine, why = pcall(attend, held, line)

@@ -94,13 +94,22 @@ arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, ar
 
 /* --- status ----------------------------------------------------------------------------------- */
 
+/* A case whose mark stays as it is is there. */
+static arc_status find_done(arc_store *store, int id, arc_error *error) {
+  int found = 0;
+  const arc_status status = find(store, id, &found, error);
+  if (status != ARC_OK || found) return status;
+  return arc_fail(error, ARC_ARGUMENT, "%s: there is no case %d", store->path, id);
+}
+
 static arc_status write_mark(arc_store *store, int id, arc_case_status mark, const char *message,
                              double seconds, arc_error *error) {
   query *q;
   arc_status status = arc_store_query(
       store,
       "UPDATE cases SET status = ?2, message = ?3, seconds = ?4, finished = CASE WHEN ?2 IN "
-      "('done', 'failed') THEN " ARC_STORE_NOW " END WHERE id = ?1",
+      "('done', 'failed') THEN " ARC_STORE_NOW " END WHERE id = ?1 AND (status <> 'done' OR ?2 IN "
+      "('done', 'waiting'))",
       id, &q, error);
   if (status != ARC_OK) return status;
   arc_query_set_text(q, 2, arc_case_status_names[mark]);
@@ -108,8 +117,7 @@ static arc_status write_mark(arc_store *store, int id, arc_case_status mark, con
   if (isfinite(seconds)) arc_query_set_number(q, 4, seconds);
   status = arc_query_run(q, error);
   arc_query_close(&q);
-  if (status == ARC_OK && arc_database_changes(store->db) == 0)
-    return arc_fail(error, ARC_ARGUMENT, "%s: there is no case %d", store->path, id);
+  if (status == ARC_OK && arc_database_changes(store->db) == 0) return find_done(store, id, error);
   return status;
 }
 
