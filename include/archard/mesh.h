@@ -79,6 +79,7 @@ typedef struct arc_mesh {
   double radius;      /* [mm] of the cylinder; of other bodies the dimension that limits the mesh */
   arc_mesh_def def;   /* as asked for; in a model, element is what the body has, never auto */
   arc_space space;    /* of the model; plane strain of a mesh alone */
+  double axis;        /* [mm] of revolution, at x = -axis */
   int nodes;          /* number of nodes */
   double *xy;         /* [2 * nodes] x, y of each node [mm] */
   int elements;       /* number of elements = quads + triangles */

@@ -306,7 +306,8 @@ return {
       .. "Abaqus and CalculiX share. CalculiX runs it as it is, ccx path without its ending. The "
       .. "bodies are slabs one element thick, held along z: C3D8, C3D8I where the model has CPE4I, "
       .. "C3D6 for triangles. Where nu nears 1/2 the triangles, all away from the contact, are "
-      .. "stiffer there than in the model." },
+      .. "stiffer there than in the model. For plane strain; of other models one mesh can be written, in CPS4 or CAX4, "
+      .. "the latter with radii for x and one half of the section." },
   { "export.msh", kind = "function", use = "export.msh(m, path)",
     text = "A model or a mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
       .. "path } reads: upper is the cylinder, lower the plate. Coordinates read back to the bit." },

@@ -71,7 +71,34 @@ is(back.model.geometry, "axisymmetric", "kept: the geometry")
 is(back.track, 20, "kept: the track")
 is(("%a %a"):format(back.depth_plate, back.volume_plate), ("%a %a"):format(w.depth_plate, w.volume_plate), "kept: depth and volume")
 fails(function() export.inp(w, name .. ".inp") end, [[field 'geometry': expected "plane strain" for a deck]], "a deck of revolution")
-m.mesh.plate:write(name .. ".inp")
-local deck = io.open(name .. ".inp"):read("a")
+local function deck_of(mesh)
+  mesh:write(name .. ".inp")
+  local file = io.open(name .. ".inp")
+  local text = file:read("a")
+  file:close()
+  return text
+end
+-- Elements of a deck, and the least radius of their nodes.
+local function rings_of(text)
+  local x, count, least = {}, 0, math.huge
+  for number, at in text:match("%*NODE[^\n]*\n([^*]*)"):gmatch("(%d+), ([^,]+),[^\n]*\n") do x[number] = tonumber(at) end
+  for rows in text:gmatch("%*ELEMENT[^\n]*\n([^*]*)") do
+    for row in rows:gmatch("%d+(,[^\n]*)") do
+      count = count + 1
+      for node in row:gmatch("%d+") do least = math.min(least, x[node]) end
+    end
+  end
+  return count, least
+end
+local deck = deck_of(m.mesh.plate)
 ok(deck:find("TYPE=CAX4", 1, true) and deck:find("TYPE=CAX3", 1, true), "the deck of one mesh")
+local count, least = rings_of(deck)
+is(2 * count, m.mesh.plate.elements_count, "half of the section is written")
+is(least, 0.0, "from the axis on")
+local first, last = deck:match("wear%-box, GENERATE\n(%d+), (%d+), 1")
+is(tonumber(last), 2 * (tonumber(first) - 1), "and of the wear box")
+local offset = model(ball{ axis = 40 }).mesh.cylinder
+count, least = rings_of(deck_of(offset))
+is(count, offset.elements_count, "all of a ring is")
+tap.near(least, 30, 1e-9, "by its radii")
 for _, ending in ipairs{ "", ".wear", ".inp" } do os.remove(name .. ending) end

@@ -274,7 +274,7 @@ arc_status arc_body_create(const arc_model_def *def, arc_body which, arc_mesh **
   b->d = arc_elasticity_in(b->space, b->material);
   b->chart = arc_chart_of(def);
   arc_status status = take_mesh(b, def, which, given, error);
-  if (status == ARC_OK) b->mesh->space = b->space;
+  if (status == ARC_OK) b->mesh->space = b->space, b->mesh->axis = def->axis;
   if (status == ARC_OK) status = make(b, seen, error);
   if (status != ARC_OK) arc_body_destroy(&b);
   *result = b;

@@ -41,12 +41,30 @@ static const char *element_type(const arc_mesh *m, int corners, int solid) {
   return m->def.element == ARC_CPE4I ? "C3D8I" : "C3D8";
 }
 
+/* Decks of revolution have radii for x, and no side left of the axis. */
+static int is_written(const arc_mesh *m, int node) {
+  return m->space != ARC_AXISYMMETRIC || m->axis + m->xy[2 * node] >= 0;
+}
+
+static int element_is_written(const arc_mesh *m, const int *corner) {
+  for (int k = 0; k < 4 && corner[k] >= 0; k++)
+    if (!is_written(m, corner[k])) return 0;
+  return 1;
+}
+
+/* The first column of the wear box that is. */
+static int first_column(const arc_mesh *m) {
+  int column = 0;
+  while (!is_written(m, m->surface_node[column])) column++;
+  return column;
+}
+
 static void write_elements(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   for (int corners = 4; corners >= 3; corners--) {
     fprintf(out, "*ELEMENT, TYPE=%s, ELSET=%s\n", element_type(m, corners, at.layer), name);
     for (int e = 0; e < m->elements; e++) {
       const int *c = &m->element[4 * e];
-      if (arc_mesh_corners(m, e) != corners) continue;
+      if (arc_mesh_corners(m, e) != corners || !element_is_written(m, c)) continue;
       fprintf(out, "%d", e + at.element);
       for (int k = 0; k < corners; k++) fprintf(out, ", %d", c[k] + at.node);
       for (int k = 0; k < corners && at.layer; k++) fprintf(out, ", %d", c[k] + at.node + at.layer);
@@ -55,19 +73,26 @@ static void write_elements(FILE *out, const arc_mesh *m, numbering at, const cha
   }
 }
 
-static void write_set(FILE *out, const char *body, const char *name, const int *list, int count,
+static void write_set(FILE *out, const arc_mesh *m, const char *name, const int *list, int count,
                       numbering at) {
-  fprintf(out, "*NSET, NSET=%s-%s\n", body, name);
-  for (int layer = 0; layer <= at.layer; layer += at.layer ? at.layer : 1)
-    for (int k = 0; k < count; k++)
-      fprintf(out, "%d%s", list[k] + at.node + layer, k % 12 == 11 || k + 1 == count ? "\n" : ", ");
+  fprintf(out, "*NSET, NSET=%s-%s\n", arc_body_name(m->body), name);
+  for (int layer = 0; layer <= at.layer; layer += at.layer ? at.layer : 1) {
+    int written = 0;
+    for (int k = 0; k < count; k++) {
+      if (!is_written(m, list[k])) continue;
+      if (written > 0) fputs(written % 12 == 0 ? "\n" : ", ", out);
+      fprintf(out, "%d", list[k] + at.node + layer);
+      written++;
+    }
+    fputc('\n', out);
+  }
 }
 
 /* The face of each top element of the wear box that lies on the surface: the one between surface
  * nodes. A solid's first two faces are those of the slab. */
 static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char *name) {
   fprintf(out, "*SURFACE, NAME=%s-contact, TYPE=ELEMENT\n", name);
-  for (int column = 0; column + 1 < m->surface; column++) {
+  for (int column = first_column(m); column + 1 < m->surface; column++) {
     const int e = column * m->rows, a = m->surface_node[column], b = m->surface_node[column + 1];
     const int *c = &m->element[4 * e];
     for (int k = 0; k < 4; k++) {
@@ -82,10 +107,10 @@ static void write_surface(FILE *out, const arc_mesh *m, numbering at, const char
 static void write_body(FILE *out, const arc_mesh *m, numbering at) {
   const char *name = arc_body_name(m->body);
   write_elements(out, m, at, name);
-  write_set(out, name, "surface", m->surface_node, m->surface, at);
-  write_set(out, name, "fixed", m->fixed_node, m->fixed, at);
-  fprintf(out, "*ELSET, ELSET=%s-wear-box, GENERATE\n%d, %d, 1\n", name, at.element,
-          at.element + m->box_elements - 1);
+  write_set(out, m, "surface", m->surface_node, m->surface, at);
+  write_set(out, m, "fixed", m->fixed_node, m->fixed, at);
+  fprintf(out, "*ELSET, ELSET=%s-wear-box, GENERATE\n%d, %d, 1\n", name,
+          at.element + first_column(m) * m->rows, at.element + m->box_elements - 1);
   write_surface(out, m, at, name);
 }
 
@@ -104,7 +129,7 @@ arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error
   if (status != ARC_OK) return status;
   const char *name = arc_body_name(mesh->body);
   fprintf(file.stream, "*HEADING\narchard: %s, units mm\n*NODE, NSET=%s\n", name, name);
-  write_nodes(file.stream, mesh->nodes, mesh->xy, 0, 0, 1);
+  write_nodes(file.stream, mesh->nodes, mesh->xy, mesh->axis, 0, 1);
   write_body(file.stream, mesh, (numbering){1, 1, 0});
   return arc_output_close(&file, error);
 }
