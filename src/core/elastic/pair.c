@@ -1,5 +1,6 @@
 /* Pairs of bodies: what two shapes are to each other, and how wide they touch. */
 #include "core/elastic/body.h"
+#include "core/mesh/build.h"
 
 #include <math.h>
 #include <string.h>
@@ -182,9 +183,12 @@ double arc_model_half_width(const arc_model_def *def, double load) {
                                   E_star);
     if (solid[b].kind == ARC_SOLID_PUNCH) return punch_half_width(&solid[b], line, E_star);
   }
-  const double radius = arc_model_relative_radius(def);
-  if (isinf(radius)) return fmin(solid[0].width, solid[1].width) / 4;
+  const double widest = fmin(solid[0].width, solid[1].width) / 4;
+  double radius = arc_model_relative_radius(def);
+  if (isinf(radius))
+    for (int b = 0; b < ARC_BODIES; b++) radius = fmin(radius, arc_body_form_radius(&solid[b]));
+  if (isinf(radius)) return widest;
   arc_hertz hertz = {0};
   arc_hertz_solve(radius, def->thickness, load, def->material, &hertz, NULL);
-  return hertz.half_width;
+  return isinf(arc_model_relative_radius(def)) ? fmin(hertz.half_width, widest) : hertz.half_width;
 }
