@@ -1,5 +1,6 @@
 /* Pairs of bodies: what two shapes are to each other, and how wide they touch. */
 #include "core/elastic/body.h"
+#include "core/mesh/build.h"
 
 #include <math.h>
 #include <string.h>
@@ -245,8 +246,8 @@ static double flat_of(const arc_body_def solid[ARC_BODIES]) {
   return fmin(solid[0].width, solid[1].width);
 }
 
-arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
-  const arc_hertz_def pair = {.radius = arc_model_relative_radius(def),
+static arc_hertz hertz_on(const arc_model_def *def, double radius, double load) {
+  const arc_hertz_def pair = {.radius = radius,
                               .thickness = is_round(def) ? 1 : line_length(def),
                               .load = load,
                               .geometry = def->geometry == ARC_AXISYMMETRIC && !is_round(def)
@@ -256,6 +257,10 @@ arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
   arc_hertz hertz = {0};
   arc_hertz_of(&pair, &hertz, NULL);
   return hertz;
+}
+
+arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
+  return hertz_on(def, arc_model_relative_radius(def), load);
 }
 
 double arc_model_half_width(const arc_model_def *def, double load) {
@@ -271,9 +276,11 @@ double arc_model_half_width(const arc_model_def *def, double load) {
                                   E_star);
     if (solid[b].kind == ARC_SOLID_PUNCH) return punch_half_width(&solid[b], line, E_star);
   }
-  const double radius = arc_model_relative_radius(def);
-  if (isinf(radius)) return fmin(solid[0].width, solid[1].width) / 4;
-  return arc_model_hertz(def, load).half_width;
+  const double widest = fmin(solid[0].width, solid[1].width) / 4;
+  if (!isinf(arc_model_relative_radius(def))) return arc_model_hertz(def, load).half_width;
+  double radius = HUGE_VAL;
+  for (int b = 0; b < ARC_BODIES; b++) radius = fmin(radius, arc_body_form_radius(&solid[b]));
+  return isinf(radius) ? widest : fmin(hertz_on(def, radius, load).half_width, widest);
 }
 
 double arc_model_line(const arc_model_def *def, double load) {
