@@ -70,9 +70,23 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   return status;
 }
 
-static void derive_invariants(double nu, arc_field *field) {
+/* Poisson's ratio at the nodes, into szz: on an interface that of the layer above. Elements run
+ * from the surface on. */
+static void fill_ratios(const elastic_body *body, arc_field *field) {
+  const arc_mesh *m = body->mesh;
+  for (int e = m->elements - 1; e >= 0; e--)
+    for (int k = 0; k < arc_mesh_corners(m, e); k++) {
+      double *nu = &field->szz[m->element[4 * e + k]];
+      const double own = arc_body_elasticity(body, e).nu;
+      if (*nu == 0 || m->layer[e] < arc_body_layers(&m->solid)) *nu = own;
+    }
+}
+
+static void derive_invariants(const elastic_body *body, arc_field *field) {
+  fill_ratios(body, field);
   for (int n = 0; n < field->nodes; n++) {
-    const double x = field->sxx[n], y = field->syy[n], t = field->sxy[n], z = nu * (x + y);
+    const double x = field->sxx[n], y = field->syy[n], t = field->sxy[n];
+    const double z = field->szz[n] * (x + y);
     field->szz[n] = z;
     field->shear[n] = hypot((x - y) / 2, t);
     field->principal[n] = fmax((x + y) / 2 + field->shear[n], z);
@@ -115,7 +129,7 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   if (status != ARC_OK) return status;
   arc_shape_nodes(c->shape, body, xy);
   if (recover(c, body, xy, u, field) != ARC_OK) return out_of_memory(error);
-  derive_invariants(side->body->d.nu, field);
+  derive_invariants(side->body, field);
   place(c, body, xy, u, field);
   for (size_t k = 0; k < n; k++) {
     field->x[k] = xy[2 * k];
