@@ -50,7 +50,12 @@ const char *arc_status_text(arc_status status);
 /* The name of a status without its prefix, e.g. "MEMORY". Never NULL. */
 const char *arc_status_name(arc_status status);
 
-/* Fills `error` (may be NULL) with a printf-style message and returns `status`. */
+/* Copies text to shown [size] as people may see it, cut where there is no room: what a terminal
+ * would obey, and what is no UTF-8, as \xNN; ends of lines and tabs stay. */
+void arc_show_text(const char *text, char *shown, size_t size);
+
+/* Fills `error` (may be NULL) with a printf-style message, as arc_show_text shows it, and returns
+ * `status`. */
 arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
