@@ -3,7 +3,6 @@
 #include "store/store.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,16 +49,14 @@ static arc_status check_header(const char *path, const unsigned char *header, si
 /* Looks at the first bytes before SQLite does, which may write to a file it takes for its own. */
 static arc_status check_file(const char *path, arc_error *error) {
   unsigned char header[100];
-  struct stat facts = {0};
-  const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC); /* a pipe would keep us waiting */
-  if (file < 0) return arc_fail(error, ARC_IO, "%s: %s", path, strerror(errno));
-  const int regular = fstat(file, &facts) == 0 && S_ISREG(facts.st_mode);
-  const ssize_t size = regular ? read(file, header, sizeof header) : 0;
-  const int why = errno;
-  close(file);
-  if (!regular) return arc_fail(error, ARC_IO, "%s: not a file but a folder or device", path);
-  if (size < 0) return arc_fail(error, ARC_IO, "%s: %s", path, strerror(why));
-  return check_header(path, header, (size_t)size, error);
+  FILE *file;
+  const arc_status status = arc_file_open(path, &file, error);
+  if (status != ARC_OK) return status;
+  size_t size = fread(header, 1, sizeof header, file);
+  int failed = ferror(file) ? errno : 0;
+  fclose(file);
+  if (failed) return arc_fail(error, ARC_IO, "%s: %s", path, strerror(failed));
+  return check_header(path, header, size, error);
 }
 
 /* --- opening and making ----------------------------------------------------------------------- */
