@@ -7,6 +7,7 @@
 #define ARCHARD_BASE_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -50,7 +51,19 @@ const char *arc_status_text(arc_status status);
 /* The name of a status without its prefix, e.g. "MEMORY". Never NULL. */
 const char *arc_status_name(arc_status status);
 
-/* Fills `error` (may be NULL) with a printf-style message and returns `status`. */
+/* Opens a file to be read from its beginning. ARC_IO: there is none, or what has the name is a
+ * folder, pipe or device. */
+arc_status arc_file_open(const char *path, FILE **stream, arc_error *error);
+/* The whole of one, with a zero behind it; *text [*length] is to be freed with free(). ARC_IO,
+ * ARC_MEMORY, ARC_FORMAT (above 1 GiB). */
+arc_status arc_file_read(const char *path, char **text, size_t *length, arc_error *error);
+
+/* Copies text to shown [size] as people may see it, cut where there is no room: what a terminal
+ * would obey, and what is no UTF-8, as \xNN; ends of lines and tabs stay. */
+void arc_show_text(const char *text, char *shown, size_t size);
+
+/* Fills `error` (may be NULL) with a printf-style message, as arc_show_text shows it, and returns
+ * `status`. */
 arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -99,7 +99,8 @@ typedef struct arc_surface_state {
 arc_surface_state arc_shape_state(const arc_shape *shape, arc_body body);
 
 /* The shape with these states: the same bits as the one they came from. ARC_ARGUMENT (counts are
- * not the model's), ARC_GEOMETRY, ARC_MEMORY, ARC_NUMERIC. */
+ * not the model's; depths, places, order that no worn surface has), ARC_GEOMETRY, ARC_MEMORY,
+ * ARC_NUMERIC. */
 arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double refresh,
                              const arc_surface_state state[ARC_BODIES], arc_shape **shape,
                              arc_error *error);

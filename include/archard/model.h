@@ -131,6 +131,9 @@ typedef struct arc_model arc_model;
  * arc_model_fit_alone. Errors: those of arc_mesh_build,
  * ARC_ARGUMENT, ARC_NUMERIC (not positive definite), ARC_MEMORY. On failure *model is NULL. */
 arc_status arc_model_build(const arc_model_def *def, arc_model **model, arc_error *error);
+/* Whether arc_model_build takes a definition, but for the memory: ARC_ARGUMENT with field,
+ * expectation and value, ARC_GEOMETRY. */
+arc_status arc_model_check(const arc_model_def *def, arc_error *error);
 
 /* The same, and asks and tells on its way: it may be stopped (ARC_STOPPED), and shows how far it
  * is.

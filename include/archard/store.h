@@ -8,6 +8,12 @@
  * loses what it was computing, never what it stored. Several processes may have one file open; they
  * take turns.
  *
+ * A file may be a stranger's: whatever is read is checked, by the lists of settings and columns
+ * that write it, before anything is made of it. A case that is finished or holds a run has a
+ * checksum. Views and triggers of a file are not run, and a file that takes more work to read than
+ * its size explains is given up. All this is ARC_FORMAT, "PATH: the file is damaged: " and what is.
+ * Labels and messages come as arc_show_text shows them.
+ *
  * The tables are described in archard-file(5). All doubles come back to the same bits (a NaN as a
  * NaN).
  */
@@ -148,8 +154,9 @@ typedef struct arc_stored_run {
   void *memory;                            /* the arrays `def` points to */
 } arc_stored_run;
 
-/* Reads it. ARC_ARGUMENT: nothing of this case is stored. ARC_FORMAT: a field or value this program
- * does not know. On failure there is nothing to free. */
+/* Reads and checks it, functions aside. ARC_ARGUMENT: nothing of this case is stored. ARC_FORMAT: a
+ * field or value that this program does not know or the engine does not take. On failure there is
+ * nothing to free. */
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error);
 void arc_stored_run_free(arc_stored_run *run);
 

@@ -346,6 +346,11 @@ arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_
 arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error);
 void arc_wear_destroy(arc_wear **wear);
 
+/* Whether rows can be a run's history: updates, cycles and distances never fall, numbers are finite
+ * and >= 0, and what is NaN once known is an error (of a column newer than a stored run, the first
+ * rows have none). ARC_ARGUMENT names row and column. */
+arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, arc_error *error);
+
 /* A run as it stood after the last of `count` >= 1 records on `shape` (copied): goes on to the same
  * bits as one that was never stored. Errors as in arc_wear_create. */
 arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc_shape *shape,

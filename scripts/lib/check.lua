@@ -21,6 +21,7 @@ function check.hint(name, known)
   return (" (known: %s)"):format(table.concat(sorted, ", "))
 end
 
+check.plain = names.plain -- a text of a file, for people: no codes that a terminal obeys
 check.shown = names.shown -- a value in a message: "dumb", 3, a wear object, a table
 
 -- --- kinds of values: { test, what is expected } -------------------------------------------------

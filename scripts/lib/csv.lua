@@ -2,6 +2,7 @@
 -- measured elsewhere, in the units that stand behind their names. Leans on check for its errors.
 
 local check = require "archard.lib.check"
+local files = require "archard.files"
 local units = require "archard.lib.csv_units"
 local strict = require "archard.strict"
 
@@ -11,6 +12,12 @@ local csv = {}
 local function refuse(path, number, text, ...)
   check.fail(where, ("%s%s: %s"):format(path, number and ":" .. number or "", text:format(...)),
     "FORMAT")
+end
+
+-- Without blanks around it; in time linear in its length, however many there are.
+local function trimmed(text)
+  local first = text:find("%S")
+  return first and text:match(".*%S", first) or ""
 end
 
 -- The cells of a line; quoted ones may hold the separator, and a quote written twice.
@@ -29,7 +36,7 @@ local function split(line, separator)
       cell = line:sub(first + 1, last - 1):gsub('""', '"')
     end
     local stop = line:find(separator, (last or at - 1) + 1, true)
-    cells[#cells + 1] = cell or line:sub(at, (stop or 0) - 1):match("^%s*(.-)%s*$")
+    cells[#cells + 1] = cell or trimmed(line:sub(at, (stop or 0) - 1))
     at = stop and stop + 1
   until not at
   return cells
@@ -69,13 +76,8 @@ end
 
 -- Lines that count, with their numbers.
 local function lines_of(path)
-  local file, problem = io.open(path, "r")
-  if not file then check.fail(where, problem, "IO") end
-  local text, failed = file:read("a")
-  file:close()
-  if not text then check.fail(where, ("%s: %s"):format(path, failed), "IO") end
   local lines, number = {}, 0
-  for line in (text:gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch("(.-)\r?\n") do
+  for line in (files.read(where, path):gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch("(.-)\r?\n") do
     number = number + 1
     if line:find("%S") and not line:find("^%s*#") then lines[#lines + 1] = { number, line } end
   end
@@ -106,6 +108,9 @@ local function read_columns(path)
     if #cells ~= #columns then refuse(path, number, "expected %d cells, got %d", #columns, #cells) end
     for i, cell in ipairs(cells) do
       local value, values = number_in(cell, separator), columns[i].values
+      if value == math.huge or value == -math.huge then
+        refuse(path, number, "column %q: expected a number that doubles hold, got %q", columns[i].header, cell)
+      end
       if not value and type(values[1]) == "number" then
         refuse(path, number, "column %q: expected a number, got %q", columns[i].header, cell)
       end
@@ -118,14 +123,20 @@ local function read_columns(path)
   return columns
 end
 
--- The column of that number or name, with or without its unit.
-local function find(path, columns, wanted)
-  if type(wanted) == "number" and columns[wanted] then return columns[wanted].values end
-  local headers = {}
+-- Columns by number and by name, with and without their units; of two of one name the first.
+local function index_of(columns)
+  local index = {}
   for i, column in ipairs(columns) do
-    if column.header == wanted or column.name == wanted then return column.values end
-    headers[i] = column.header
+    index[i] = column
+    index[column.header], index[column.name] = index[column.header] or column, index[column.name] or column
   end
+  return index
+end
+
+-- There is no such column.
+local function refuse_column(path, columns, wanted)
+  local headers = {}
+  for i, column in ipairs(columns) do headers[i] = column.header end
   for _, column in ipairs(columns) do
     if column.bare == wanted then
       refuse(path, nil, "column %q: expected one of the units %s; by its whole name it is read as it is",
@@ -157,8 +168,10 @@ function csv.read(path, choice)
   end
   local columns = read_columns(path)
   if not choice then return all_of(path, columns) end
-  local result = {}
-  for name, wanted in pairs(choice) do result[name] = find(path, columns, wanted) end
+  local result, index = {}, index_of(columns)
+  for name, wanted in pairs(choice) do
+    result[name] = (index[wanted] or refuse_column(path, columns, wanted)).values
+  end
   return strict.table(result, where)
 end
 

@@ -15,6 +15,9 @@ for name in next, globals do there[name] = true end
 -- Some globals of the program may have come after this file was read.
 local function is_ours(name) return there[name] or (require "archard")[name] ~= nil end
 
+-- Whether a global of that name is not the session's to make.
+own.is_taken = is_ours
+
 -- "wear", "study", ...: the class of an object of ours, or else the type; "program" where it is a part of that.
 function own.class(value)
   local metatable = debug.getmetatable(value)

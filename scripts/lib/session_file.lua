@@ -6,6 +6,7 @@
 -- key.2, ... as in runs[1].first) and what it takes to make it again.
 
 local check = require "archard.lib.check"
+local files = require "archard.files"
 local own = require "archard.lib.own"
 local settings = require "archard.study.settings"
 local spelling = require "archard.lib.spelling"
@@ -262,7 +263,8 @@ end
 local function described(file, id)
   local given = file:values(id, "settings")
   local path = read_path(given)
-  return { id = id, given = given, path = path, name = own.spoken(path), class = given.kind }
+  local name = type(path[1]) == "string" and check.plain(own.spoken(path)) or "?"
+  return { id = id, given = given, path = path, name = name, class = given.kind }
 end
 
 -- A run's model comes after the run.
@@ -276,20 +278,52 @@ local function in_order(file)
   return table.move(later, 1, #later, #first + 1, first)
 end
 
+-- Whether what a value is made of is of its type.
+local sound = {
+  string = function(given) return type(given.is) == "string" end,
+  boolean = function(given) return type(given.is) == "boolean" end,
+  number = function(given) return tonumber(given.is) ~= nil end,
+  list = function(given) return type(given.is) == "table" end,
+  study = function(given) return given.file ~= nil or check.count.test(given.count) end,
+}
+
+local function is_sound(given)
+  for name, key in pairs(given) do
+    if name:find "^key%." and type(key) ~= "string" and not math.tointeger(key) then return false end
+  end
+  return (given.file == nil or type(given.file) == "string")
+    and (not sound[given.kind] or sound[given.kind](given))
+end
+
+-- The file may be a stranger's: what it makes has a name that is free for it, in a table that it has
+-- made before, and is of a class that there is.
+local function check_place(file, each, values, tables)
+  local given, path = each.given, each.path
+  local inside = table.move(path, 1, #path - 1, 1, {})
+  local known = readers[given.kind] or values[math.tointeger(given.same)]
+  local owner = given.of == nil or values[math.tointeger(given.of)] ~= nil
+  if known and owner and is_sound(given) and each.name ~= "?" and not own.is_taken(path[1])
+    and (#inside == 0 or tables[own.spoken(inside)]) then return end
+  check.fail("session.open", ("%s: the file is damaged: case %d is no value %q of a session"):format(file.path,
+    each.id, each.name), "FORMAT")
+end
+
 -- Makes all values of a file; nothing of the session has changed yet.
 local function read(file, functions)
-  local values, cases, missing = {}, {}, {}
+  local values, cases, missing, tables = {}, {}, {}, {}
   for _, each in ipairs(in_order(file)) do
     local given = each.given
+    check_place(file, each, values, tables)
     if given.same then
       each.value = values[math.tointeger(given.same)]
-    elseif given.kind == "study" and given.file and not text_file.exists(given.file) then
-      missing[#missing + 1] = ("%s: %s is not there"):format(each.name, given.file)
+    elseif given.kind == "study" and given.file and not files.is_there(given.file) then
+      missing[#missing + 1] = ("%s: %s is not there"):format(each.name, check.plain(given.file))
     else
       each.value = as("session.open", each.name, readers[given.kind], given, file, each.id,
         functions_of(functions, each.name), values)
     end
     values[each.id] = each.value
+    tables[own.spoken(each.path)] = given.kind == "table"
     if each.value ~= nil then cases[#cases + 1] = each end
   end
   return cases, missing

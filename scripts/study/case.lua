@@ -30,7 +30,8 @@ end
 
 -- What the engine warned of in this case, or nil.
 function computed.warning(self)
-  return self.study.file and self.study:store():values(self.id, "results").warning
+  local text = self.study.file and self.study:store():values(self.id, "results").warning
+  return text and check.plain(text)
 end
 
 -- The last row of the history, or nil.

@@ -108,7 +108,8 @@ function study.open(path)
   end
   local flat = {}
   for i, case in ipairs(store:cases()) do flat[i] = store:values(case.id, "settings") end
-  local self = new("study.open", { name = store:info("name"), cases = { {} },
+  local name = store:info("name")
+  local self = new("study.open", { name = name and check.plain(name), cases = { {} },
     looks = math.tointeger(tonumber(store:info("looks"))), task = store:info("task") })
   local text = store:info("sample")
   self.sample = text and design.parse(text)

@@ -232,7 +232,7 @@ local function warned_of(store, asked)
   local list = {}
   for _, case in ipairs(asked) do
     local text = store:values(case.id, "results").warning
-    if text then list[#list + 1] = { id = case.id, label = case.label, message = text } end
+    if text then list[#list + 1] = { id = case.id, label = case.label, message = check.plain(text) } end
   end
   return list
 end

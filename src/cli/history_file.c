@@ -1,6 +1,12 @@
 /* The history file: read whole, cut into entries, cleaned of copies, rewritten under another name
- * and renamed when there was something to clean. A lock on its folder keeps two sessions apart. */
+ * and renamed when there was something to clean. A lock on its folder keeps two sessions apart.
+ *
+ * An entry is a line "#TIME" and its text; a line of the text that looks like the former has a
+ * backslash before it. What a crash leaves (half a line, a line of time alone, zeros) loses no
+ * other entry. */
 #include "cli/history_file.h"
+
+#include "archard/base.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -76,14 +82,48 @@ static void unlock_folder(int descriptor) {
   if (descriptor >= 0) close(descriptor);
 }
 
+/* --- lines ----------------------------------------------------------------------------------- */
+
+static int is_header(const char *line) {
+  size_t digits = line[0] == '#' ? strspn(line + 1, "0123456789") : 0;
+  return digits > 0 && (line[1 + digits] == '\n' || line[1 + digits] == '\0');
+}
+
+/* Whether it is a header behind backslashes, maybe none. */
+static int looks_like_header(const char *line) {
+  return is_header(line + strspn(line, "\\"));
+}
+
+static char *next_line(char *line) {
+  char *end = strchr(line, '\n');
+  return end ? end + 1 : NULL;
+}
+
 /* --- writing --------------------------------------------------------------------------------- */
 
 static FILE *open_private(const char *path, int flags) {
-  int descriptor = open(path, O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0600);
+  int descriptor = open(path, O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | flags, 0600);
   if (descriptor < 0) return NULL;
   FILE *file = fdopen(descriptor, "a");
   if (file == NULL) close(descriptor);
   return file;
+}
+
+static void put_entry(FILE *file, const char *header, const char *text) {
+  fprintf(file, "%s\n", header);
+  for (const char *line = text, *end; line; line = *end ? end + 1 : NULL) {
+    end = line + strcspn(line, "\n");
+    fprintf(file, "%s%.*s\n", looks_like_header(line) ? "\\" : "", (int)(end - line), line);
+  }
+}
+
+/* Ends a last line that was written by half. */
+static void mend_end(FILE *file) {
+  struct stat facts;
+  char last;
+  if (fstat(fileno(file), &facts) == 0 && facts.st_size > 0 &&
+      pread(fileno(file), &last, 1, facts.st_size - 1) == 1 && last != '\n')
+    fputc('\n', file);
 }
 
 /* A history that cannot be written is no reason to disturb the session: errors are let pass. */
@@ -91,7 +131,10 @@ void history_file_append(const char *path, const char *text) {
   int lock = lock_folder(path);
   FILE *file = open_private(path, O_APPEND);
   if (file) {
-    fprintf(file, "#%lld\n%s\n", (long long)time(NULL), text);
+    char header[32];
+    snprintf(header, sizeof header, "#%lld", (long long)time(NULL));
+    mend_end(file);
+    put_entry(file, header, text);
     fclose(file);
   }
   unlock_folder(lock);
@@ -105,8 +148,7 @@ static void rewrite(const char *path, const history *self, int first) {
   FILE *file = open_private(fresh, O_TRUNC);
   if (file) {
     for (int i = first; i < self->count; i++)
-      if (!self->entries[i].copy)
-        fprintf(file, "%s\n%s\n", self->entries[i].header, self->entries[i].text);
+      if (!self->entries[i].copy) put_entry(file, self->entries[i].header, self->entries[i].text);
     int broken = ferror(file);
     if (fclose(file) == 0 && !broken) rename(fresh, path);
   }
@@ -115,34 +157,34 @@ static void rewrite(const char *path, const history *self, int first) {
 
 /* --- reading --------------------------------------------------------------------------------- */
 
+/* All but the zeros, which would end it for us. */
 static char *read_text(const char *path) {
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return NULL;
-  char *text = NULL;
-  struct stat facts;
-  if (fstat(fileno(file), &facts) == 0 && facts.st_size > 0) {
-    size_t size = (size_t)facts.st_size;
-    text = malloc(size + 1);
-    if (text) text[fread(text, 1, size, file)] = '\0';
-  }
-  fclose(file);
+  char *text;
+  size_t size, kept = 0;
+  if (arc_file_read(path, &text, &size, NULL) != ARC_OK) return NULL;
+  for (size_t i = 0; i < size; i++)
+    if (text[i]) text[kept++] = text[i];
+  text[kept] = '\0';
   return text;
-}
-
-static int is_header(const char *line) {
-  size_t digits = line[0] == '#' ? strspn(line + 1, "0123456789") : 0;
-  return digits > 0 && (line[1 + digits] == '\n' || line[1 + digits] == '\0');
-}
-
-static char *next_line(char *line) {
-  char *end = strchr(line, '\n');
-  return end ? end + 1 : NULL;
 }
 
 static int count_headers(char *text) {
   int count = 0;
   for (char *line = text; line && *line; line = next_line(line)) count += is_header(line);
   return count;
+}
+
+/* Takes the backslashes away that put_entry adds. */
+static void restore_lines(char *text) {
+  char *to = text;
+  for (char *line = text, *after; line; line = after) {
+    after = next_line(line);
+    if (*line == '\\' && looks_like_header(line)) line++;
+    const size_t length = after ? (size_t)(after - line) : strlen(line);
+    memmove(to, line, length);
+    to += length;
+  }
+  *to = '\0';
 }
 
 /* Ends the text before `line`, whose newline it was. */
@@ -157,8 +199,8 @@ static void cut_entries(history *self) {
     after = next_line(line);
     if (!is_header(line)) continue;
     if (open) cut_before(line);
-    open = after && *after;
-    if (!open) break;
+    open = after && *after && !is_header(after);
+    if (!open) continue;
     cut_before(after);
     self->entries[self->count] = (entry){line, after, self->count, 0};
     self->count++;
@@ -206,6 +248,7 @@ void history_file_read(const char *path, int limit, history_entry_fn found, void
     cut_entries(&self);
     int kept = mark_copies(&self);
     int first = first_kept(&self, limit);
+    for (int i = 0; i < self.count; i++) restore_lines(self.entries[i].text);
     if (first > 0 || (kept >= 0 && kept < self.count)) rewrite(path, &self, first);
     for (int i = first; found && i < self.count; i++)
       if (!self.entries[i].copy) found(context, self.entries[i].text);

@@ -2,7 +2,6 @@
 #include "store/store.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,44 +45,41 @@ static int status_named(const char *text) {
 
 /* Reads one row: id, label, status, message, seconds. */
 static arc_status read_case(arc_store *store, query *q, arc_case *one, arc_error *error) {
+  const arc_status found = arc_store_id(store, q, &one->id, error);
+  if (found != ARC_OK) return found;
   int status = status_named(arc_query_text(q, 2));
-  one->id = (int)arc_query_whole(q, 0);
   if (status < 0)
-    return arc_fail(error, ARC_FORMAT, "%s: case %d has the unknown status '%s'", store->path,
-                    one->id, arc_query_text(q, 2));
+    return arc_store_damaged(store, error, one->id, "has the unknown status '%s'",
+                             arc_query_text(q, 2));
   one->status = (arc_case_status)status;
-  snprintf(one->label, sizeof one->label, "%s", arc_query_text(q, 1));
-  snprintf(one->message, sizeof one->message, "%s", arc_query_text(q, 3));
+  arc_show_text(arc_query_text(q, 1), one->label, sizeof one->label);
+  arc_show_text(arc_query_text(q, 3), one->message, sizeof one->message);
   one->seconds = arc_query_number(q, 4);
   return ARC_OK;
 }
 
-static arc_status count_cases(arc_store *store, size_t *count, arc_error *error) {
-  query *q;
-  int row;
-  arc_status status = arc_query_open(store->db, "SELECT count(*) FROM cases", &q, error);
-  if (status == ARC_OK) status = arc_query_step(q, &row, error);
-  if (status == ARC_OK) *count = (size_t)arc_query_whole(q, 0);
-  arc_query_close(&q);
+/* Reads the row behind `count` cases, for which there may have to be made room. */
+static arc_status add_case(arc_store *store, query *q, arc_case **cases, size_t *count,
+                           arc_error *error) {
+  arc_case *grown = arc_store_grown(*cases, *count, sizeof *grown);
+  if (!grown) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+  *cases = grown;
+  const arc_status status = read_case(store, q, &(*cases)[*count], error);
+  if (status == ARC_OK && *count > 0 && (*cases)[*count].id <= (*cases)[*count - 1].id)
+    return arc_store_damaged(store, error, (*cases)[*count].id, "is there twice");
+  ++*count;
   return status;
 }
 
 arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, arc_error *error) {
   query *q = NULL;
-  size_t room = 0;
   int row = 0;
   *cases = NULL;
   *count = 0;
-  arc_status status = count_cases(store, &room, error);
-  if (status != ARC_OK) return status;
-  *cases = calloc(room + 1, sizeof **cases);
-  if (!*cases) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
-  status = arc_query_open(
+  arc_status status = arc_query_open(
       store->db, "SELECT id, label, status, message, seconds FROM cases ORDER BY id", &q, error);
-  /* a writer may have added cases since they were counted */
-  while (status == ARC_OK && *count < room && (status = arc_query_step(q, &row, error)) == ARC_OK &&
-         row)
-    status = read_case(store, q, &(*cases)[(*count)++], error);
+  while (status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row)
+    status = add_case(store, q, cases, count, error);
   arc_query_close(&q);
   if (status == ARC_OK) return ARC_OK;
   free(*cases);
@@ -131,9 +127,15 @@ arc_status arc_store_mark(arc_store *store, int id, arc_case_status mark, const 
 }
 
 arc_status arc_store_release(arc_store *store, arc_error *error) {
-  return arc_database_run(
-      store->db, "UPDATE cases SET status = 'waiting', message = NULL WHERE status = 'running'",
-      error);
+  int own = 0;
+  arc_status status = arc_store_enter(store, &own, error);
+  if (status == ARC_OK)
+    status = arc_store_open_seals(store, "SELECT id FROM cases WHERE status = 'running'", error);
+  if (status == ARC_OK)
+    status = arc_database_run(
+        store->db, "UPDATE cases SET status = 'waiting', message = NULL WHERE status = 'running'",
+        error);
+  return arc_store_leave(store, own, status, error);
 }
 
 /* --- named values ----------------------------------------------------------------------------- */
@@ -213,7 +215,11 @@ static arc_status read_value(arc_store *store, query *q, arc_value *value, doubl
     arc_query_array(q, 1, *buffer, value->count);
     value->array = *buffer;
     break;
-  default:
+  case COLUMN_BYTES:
+    return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: '%s' is no list of numbers",
+                    store->path, value->name);
+  case COLUMN_NONE:
+  case COLUMN_NUMBER:
     value->number = arc_query_number(q, 1);
   }
   return ARC_OK;
@@ -225,7 +231,8 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
   double *buffer = NULL;
   arc_value value;
   int row = 0, ended = 0;
-  arc_status status = arc_store_verify(store, id, error);
+  arc_status status = use == ARC_DEFINITION ? arc_store_verify_run(store, id, error)
+                                            : arc_store_verify(store, id, error);
   if (status == ARC_OK) status = arc_store_query(store, look_up[use], id, &q, error);
   while (!ended && status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row) {
     status = read_value(store, q, &value, &buffer, error);

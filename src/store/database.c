@@ -5,16 +5,21 @@
 #include <sqlite3.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 struct database {
   sqlite3 *handle;
   char *path;
+  long long bytes; /* of the file when the present query was opened, and of the one attached */
+  long long beside;
+  long long work; /* instructions that it may still take, in units of WATCH */
 };
 
 struct query {
   database *db;
   sqlite3_stmt *statement;
   int failed; /* SQLite's code of the first parameter that could not be set */
+  long long rows;
 };
 
 /* Processes that share a file wait for each other this long [ms]; a transaction takes some ten. */
@@ -26,6 +31,10 @@ static arc_status status_of(int code) {
     return ARC_MEMORY;
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
+  case SQLITE_ERROR: /* no such table or column: our statements are right */
+  case SQLITE_AUTH:
+  case SQLITE_TOOBIG:
+  case SQLITE_INTERRUPT: /* by the limit on work: nobody else interrupts */
     return ARC_FORMAT;
   default:
     return ARC_IO;
@@ -34,7 +43,7 @@ static arc_status status_of(int code) {
 
 static arc_status fail(const database *db, int code, arc_error *error) {
   const char *why = db->handle ? sqlite3_errmsg(db->handle) : sqlite3_errstr(code);
-  const char *remedy = "";
+  const char *remedy = "", *what = "";
   switch (code & 0xff) {
   case SQLITE_FULL:
     why = "the disk is full";
@@ -46,6 +55,16 @@ static arc_status fail(const database *db, int code, arc_error *error) {
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
     why = "the file is damaged";
+    break;
+  case SQLITE_ERROR:
+  case SQLITE_AUTH:
+    what = "the file is damaged: ";
+    break;
+  case SQLITE_TOOBIG:
+    why = "the file is damaged: a value is larger than any of a run";
+    break;
+  case SQLITE_INTERRUPT:
+    why = "the file is damaged: its size does not explain the work to read it";
     break;
   case SQLITE_BUSY:
     why = "another program keeps the file locked";
@@ -59,7 +78,40 @@ static arc_status fail(const database *db, int code, arc_error *error) {
   default:
     break;
   }
-  return arc_fail(error, status_of(code), "%s: %s%s", db->path, why, remedy);
+  return arc_fail(error, status_of(code), "%s: %s%s%s", db->path, what, why, remedy);
+}
+
+/* --- limits ----------------------------------------------------------------------------------- */
+
+/* A file may be a stranger's. Its pages may lead round for ever, and its tables be something else:
+ * what a query may take goes by the size of the file. Ours take some 50 instructions for a row of
+ * 30 bytes, a few times over where shares are joined. */
+enum { WATCH = 10000, LARGEST_VALUE = 64 << 20 };
+static const long long work_at_least = 10000000, work_a_byte = 100, rows_at_least = 100000;
+
+static int has_worked_enough(void *context) {
+  database *db = context;
+  return db->work-- <= 0;
+}
+
+static void begin_work(database *db) {
+  db->work = (work_at_least + work_a_byte * db->bytes) / WATCH;
+}
+
+static void measure(database *db) {
+  struct stat file;
+  db->bytes = db->beside + (stat(db->path, &file) == 0 ? (long long)file.st_size : 0);
+  begin_work(db);
+}
+
+/* Nothing that stands in the file is run: views, triggers, functions with effects. */
+static void distrust(database *db) {
+  sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DEFENSIVE, 1, NULL);
+  sqlite3_db_config(db->handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, NULL);
+  sqlite3_db_config(db->handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, NULL);
+  sqlite3_db_config(db->handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, NULL);
+  sqlite3_limit(db->handle, SQLITE_LIMIT_LENGTH, LARGEST_VALUE);
+  sqlite3_progress_handler(db->handle, WATCH, has_worked_enough, db);
 }
 
 /* --- databases -------------------------------------------------------------------------------- */
@@ -70,8 +122,11 @@ static arc_status configure(database *db, arc_error *error) {
   /* a misspelt column in double quotes is an error, not a text */
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DDL, 0, NULL);
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DML, 0, NULL);
+  distrust(db);
   /* a rollback journal rather than a log: one file when idle, and network file systems manage */
-  return arc_database_run(db, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON", error);
+  return arc_database_run(
+      db, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA cell_size_check = ON",
+      error);
 }
 
 arc_status arc_database_open(const char *path, int writable, int create, database **result,
@@ -120,6 +175,7 @@ arc_status arc_database_copy(database *db, arc_error *error) {
     sqlite3 *original = db->handle;
     db->handle = made->handle;
     made->handle = original;
+    sqlite3_progress_handler(db->handle, WATCH, has_worked_enough, db);
   }
   arc_database_close(&made);
   return status;
@@ -128,6 +184,7 @@ arc_status arc_database_copy(database *db, arc_error *error) {
 /* The path goes in as a parameter: it may hold any character. A temporary copy has none. */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error) {
   const char *path = sqlite3_db_filename(other->handle, "main");
+  db->beside = other->bytes;
   query *q;
   arc_status status = arc_query_open(db, "ATTACH ?1 AS other", &q, error);
   if (status != ARC_OK) return status;
@@ -142,6 +199,7 @@ arc_status arc_database_attach(database *db, const database *other, arc_error *e
 }
 
 arc_status arc_database_run(database *db, const char *sql, arc_error *error) {
+  measure(db);
   int code = sqlite3_exec(db->handle, sql, NULL, NULL, NULL);
   return code == SQLITE_OK ? ARC_OK : fail(db, code, error);
 }
@@ -161,6 +219,7 @@ arc_status arc_query_open(database *db, const char *sql, query **result, arc_err
   query *q = calloc(1, sizeof *q);
   if (!q) return arc_fail(error, ARC_MEMORY, "%s: out of memory", db->path);
   q->db = db;
+  measure(db);
   int code = sqlite3_prepare_v2(db->handle, sql, -1, &q->statement, NULL);
   if (code == SQLITE_OK) {
     *result = q;
@@ -204,13 +263,19 @@ arc_status arc_query_step(query *q, int *row, arc_error *error) {
   if (q->failed != SQLITE_OK) return fail(q->db, q->failed, error);
   int code = sqlite3_step(q->statement);
   *row = code == SQLITE_ROW;
+  if (*row && ++q->rows > rows_at_least + q->db->bytes) code = SQLITE_INTERRUPT;
   return code == SQLITE_ROW || code == SQLITE_DONE ? ARC_OK : fail(q->db, code, error);
+}
+
+void arc_query_reset(query *q) {
+  sqlite3_reset(q->statement);
+  begin_work(q->db);
 }
 
 arc_status arc_query_run(query *q, arc_error *error) {
   int row;
   arc_status status = arc_query_step(q, &row, error);
-  sqlite3_reset(q->statement);
+  arc_query_reset(q);
   return status;
 }
 
@@ -227,7 +292,8 @@ column_kind arc_query_kind(query *q, int column) {
   case SQLITE_TEXT:
     return COLUMN_TEXT;
   case SQLITE_BLOB:
-    return COLUMN_ARRAY;
+    return sqlite3_column_bytes(q->statement, column) % (int)sizeof(double) == 0 ? COLUMN_ARRAY
+                                                                                 : COLUMN_BYTES;
   default:
     return COLUMN_NONE;
   }
@@ -248,6 +314,7 @@ const char *arc_query_text(query *q, int column) {
 }
 
 size_t arc_query_array_count(query *q, int column) {
+  if (arc_query_kind(q, column) != COLUMN_ARRAY) return 0;
   return (size_t)sqlite3_column_bytes(q->statement, column) / sizeof(double);
 }
 

@@ -37,6 +37,9 @@ void arc_query_set_array(query *q, int index, const double *values, size_t count
 /* *row: whether there is another row. */
 arc_status arc_query_step(query *q, int *row, arc_error *error);
 
+/* Makes a query ready for new parameters. */
+void arc_query_reset(query *q);
+
 /* Runs a query that has no rows and makes it ready for new parameters. */
 arc_status arc_query_run(query *q, arc_error *error);
 
@@ -45,7 +48,8 @@ typedef enum column_kind {
   COLUMN_WHOLE,
   COLUMN_NUMBER,
   COLUMN_TEXT,
-  COLUMN_ARRAY
+  COLUMN_ARRAY,
+  COLUMN_BYTES /* that are no numbers */
 } column_kind;
 
 int arc_query_columns(const query *q);

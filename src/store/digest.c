@@ -93,45 +93,117 @@ static arc_status first_case(arc_store *store, const char *sql, int after, int *
   *id = 0;
   arc_status status = arc_store_query(store, sql, after, &q, error);
   if (status == ARC_OK) status = arc_query_step(q, &row, error);
-  if (status == ARC_OK && row) *id = (int)arc_query_whole(q, 0);
+  if (status == ARC_OK && row) status = arc_store_id(store, q, id, error);
   arc_query_close(&q);
   return status;
+}
+
+/* --- which cases have one ----------------------------------------------------------------------
+ */
+
+/* Of cases in SQL: whether one needs a checksum. */
+#define NEEDS_ONE                                                                                  \
+  "(status = 'done' OR EXISTS (SELECT 1 FROM definition WHERE case_id = id) OR EXISTS (SELECT 1 "  \
+  "FROM history WHERE case_id = id) OR EXISTS (SELECT 1 FROM surfaces WHERE case_id = id) OR "     \
+  "EXISTS (SELECT 1 FROM state WHERE case_id = id))"
+
+static int is_open(const arc_store *store, int id) {
+  size_t i = 0;
+  while (i < store->opened && store->open[i] != id) i++;
+  return i < store->opened;
+}
+
+static arc_status note_open(arc_store *store, int id, arc_error *error) {
+  if (store->opened > 0 && store->open[store->opened - 1] == id) return ARC_OK;
+  int *grown = arc_store_grown(store->open, store->opened, sizeof *grown);
+  if (!grown) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+  store->open = grown;
+  store->open[store->opened++] = id;
+  return ARC_OK;
 }
 
 arc_status arc_store_open_seal(arc_store *store, int id, arc_error *error) {
   store->verified = 0;
+  const arc_status status = note_open(store, id, error);
+  if (status != ARC_OK) return status;
   return arc_store_run(store, "UPDATE cases SET checksum = NULL WHERE id = ?1", id, error);
 }
 
-arc_status arc_store_seal_finished(arc_store *store, arc_error *error) {
+arc_status arc_store_open_seals(arc_store *store, const char *ids, arc_error *error) {
+  char sql[400];
+  query *q;
+  int row = 0, id = 0;
+  store->verified = 0;
+  arc_status status = arc_query_open(store->db, ids, &q, error);
+  while (status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row)
+    if ((status = arc_store_id(store, q, &id, error)) == ARC_OK)
+      status = note_open(store, id, error);
+  arc_query_close(&q);
+  if (status != ARC_OK) return status;
+  snprintf(sql, sizeof sql, "UPDATE main.cases SET checksum = NULL WHERE id IN (%s)", ids);
+  return arc_database_run(store->db, sql, error);
+}
+
+arc_status arc_store_seal_changed(arc_store *store, arc_error *error) {
   static const char unsealed[] =
-      "SELECT id FROM cases WHERE status = 'done' AND checksum IS NULL AND "
-      "id > ?1 ORDER BY id LIMIT 1";
-  int id = 0;
-  arc_status status;
-  while ((status = first_case(store, unsealed, id, &id, error)) == ARC_OK && id > 0)
-    if ((status = seal(store, id, error)) != ARC_OK) return status;
+      "SELECT id FROM cases WHERE id = ?1 AND checksum IS NULL AND " NEEDS_ONE;
+  query *q;
+  arc_status status = arc_query_open(store->db, unsealed, &q, error);
+  for (size_t i = 0; i < store->opened && status == ARC_OK; i++) {
+    int row;
+    arc_query_set_whole(q, 1, store->open[i]);
+    status = arc_query_step(q, &row, error);
+    arc_query_reset(q);
+    if (status == ARC_OK && row) status = seal(store, store->open[i], error);
+  }
+  arc_query_close(&q);
+  return status;
+}
+
+/* --- comparing -------------------------------------------------------------------------------- */
+
+/* Of a case: its checksum, and whether it must have one; where a run is to be read of it, what
+ * belongs to no case must have one, too. */
+static const char of_case[] = "SELECT checksum, status = 'done' FROM cases WHERE id = ?1";
+static const char of_run[] =
+    "SELECT checksum, " NEEDS_ONE " FROM cases WHERE id = ?1 UNION ALL SELECT NULL, 1 FROM "
+    "(SELECT case_id FROM definition UNION ALL SELECT case_id FROM history UNION ALL SELECT "
+    "case_id FROM surfaces UNION ALL SELECT case_id FROM state) WHERE case_id = ?1";
+
+/* The checksum as it stands in the file, "" for none. */
+static arc_status expected_digest(arc_store *store, const char *sql, int id, char text[17],
+                                  int *needed, arc_error *error) {
+  query *q;
+  int row = 0;
+  arc_status status = arc_store_query(store, sql, id, &q, error);
+  if (status == ARC_OK) status = arc_query_step(q, &row, error);
+  snprintf(text, 17, "%s", status == ARC_OK && row ? arc_query_text(q, 0) : "");
+  *needed = status == ARC_OK && row && arc_query_whole(q, 1) != 0;
+  arc_query_close(&q);
+  return status;
+}
+
+static arc_status verify(arc_store *store, const char *sql, int id, arc_error *error) {
+  if (store->verified == id || is_open(store, id)) return ARC_OK;
+  char found[17], expected[17];
+  int needed;
+  arc_status status = expected_digest(store, sql, id, expected, &needed, error);
+  if (status == ARC_OK && needed && !expected[0])
+    return arc_store_damaged(store, error, id, "has no checksum");
+  if (status != ARC_OK || !expected[0]) return status;
+  status = digest_of(store, id, found, error);
+  if (status == ARC_OK && strcmp(found, expected) != 0)
+    return arc_store_damaged(store, error, id, "does not match its checksum");
+  if (status == ARC_OK) store->verified = id;
   return status;
 }
 
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error) {
-  if (store->verified == id) return ARC_OK;
-  query *q;
-  int row = 0;
-  char found[17], expected[17] = "";
-  arc_status status = arc_store_query(
-      store, "SELECT checksum FROM cases WHERE id = ?1 AND checksum IS NOT NULL", id, &q, error);
-  if (status == ARC_OK) status = arc_query_step(q, &row, error);
-  if (status == ARC_OK && row) snprintf(expected, sizeof expected, "%s", arc_query_text(q, 0));
-  arc_query_close(&q);
-  if (status != ARC_OK || !row) return status;
-  status = digest_of(store, id, found, error);
-  if (status == ARC_OK && strcmp(found, expected) != 0)
-    return arc_fail(error, ARC_FORMAT,
-                    "%s: the file is damaged: what case %d holds does not match its checksum",
-                    store->path, id);
-  if (status == ARC_OK) store->verified = id;
-  return status;
+  return verify(store, of_case, id, error);
+}
+
+arc_status arc_store_verify_run(arc_store *store, int id, arc_error *error) {
+  return verify(store, of_run, id, error);
 }
 
 static const char sealed[] =
@@ -139,19 +211,24 @@ static const char sealed[] =
 
 arc_status arc_store_unseal_sound(arc_store *store, arc_error *error) {
   int id = 0;
-  arc_status status;
-  while ((status = first_case(store, sealed, id, &id, error)) == ARC_OK && id > 0) {
+  arc_status status = arc_store_script(
+      store, "UPDATE cases SET checksum = 'missing' WHERE checksum IS NULL AND " NEEDS_ONE, error);
+  while (status == ARC_OK && (status = first_case(store, sealed, id, &id, error)) == ARC_OK &&
+         id > 0) {
     status = arc_store_verify(store, id, error);
     if (status == ARC_OK) status = arc_store_open_seal(store, id, error);
-    if (status != ARC_OK && status != ARC_FORMAT) return status;
+    if (status == ARC_FORMAT) status = ARC_OK;
   }
   return status;
 }
 
 arc_status arc_store_verify_all(arc_store *store, arc_error *error) {
+  static const char to_verify[] =
+      "SELECT id FROM cases WHERE (checksum IS NOT NULL OR " NEEDS_ONE ") AND id > ?1 "
+      "ORDER BY id LIMIT 1";
   int id = 0;
   arc_status status;
-  while ((status = first_case(store, sealed, id, &id, error)) == ARC_OK && id > 0)
-    if ((status = arc_store_verify(store, id, error)) != ARC_OK) return status;
+  while ((status = first_case(store, to_verify, id, &id, error)) == ARC_OK && id > 0)
+    if ((status = arc_store_verify_run(store, id, error)) != ARC_OK) return status;
   return status;
 }

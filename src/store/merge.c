@@ -75,7 +75,11 @@ static arc_status copy_finished(arc_store *store, arc_error *error) {
       "UPDATE main.cases SET (status, message, seconds, finished, checksum) ="
       "  (SELECT status, message, seconds, finished, NULL FROM other.cases o WHERE o.id = cases.id)"
       "  WHERE status <> 'done' AND id IN (SELECT id FROM other.cases WHERE status <> 'waiting')"};
-  arc_status status = ARC_OK;
+  arc_status status = arc_store_open_seals(
+      store,
+      "SELECT c.id FROM main.cases c JOIN other.cases o ON o.id = c.id WHERE c.status <> 'done' "
+      "AND o.status <> 'waiting'",
+      error);
   for (size_t i = 0; i < sizeof steps / sizeof *steps && status == ARC_OK; i++)
     status = arc_store_script(store, steps[i], error);
   return status;

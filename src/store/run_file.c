@@ -49,8 +49,9 @@ static arc_status check_header(const char *path, const unsigned char *header, si
 /* Looks at the first bytes before SQLite does, which may write to a file it takes for its own. */
 static arc_status check_file(const char *path, arc_error *error) {
   unsigned char header[100];
-  FILE *file = fopen(path, "rb");
-  if (!file) return arc_fail(error, ARC_IO, "%s: %s", path, strerror(errno));
+  FILE *file;
+  const arc_status status = arc_file_open(path, &file, error);
+  if (status != ARC_OK) return status;
   size_t size = fread(header, 1, sizeof header, file);
   int failed = ferror(file) ? errno : 0;
   fclose(file);
@@ -72,6 +73,7 @@ void arc_store_close(arc_store **store) {
   if (!store || !*store) return;
   arc_database_close(&(*store)->db);
   arc_place_drop(&(*store)->place);
+  free((*store)->open);
   free((*store)->path);
   free(*store);
   *store = NULL;

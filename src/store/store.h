@@ -17,7 +17,26 @@ struct arc_store {
   char *path;       /* the file's name for the user */
   arc_place *place; /* where a new file is written until it is published; NULL: none */
   int verified;     /* the case whose checksum was compared last; 0: none */
+  int *open; /* [opened] cases changed in this transaction: their checksums are ours to write */
+  size_t opened;
 };
+
+/* ARC_FORMAT: "PATH: the file is damaged: " and what is wrong with a case. */
+arc_status arc_store_damaged(const arc_store *store, arc_error *error, int id, const char *format,
+                             ...) __attribute__((format(printf, 4, 5)));
+/* The same of what the engine refuses in a case; other statuses than its refusals stay. */
+arc_status arc_store_refused(const arc_store *store, arc_error *error, int id,
+                             const arc_error *why);
+
+/* --- rows.c -------------------------------------------------------------------------------------
+ */
+
+/* The block [count], which only this grows, with room for one more thing of `size` bytes; NULL: out
+ * of memory, the block is as it was. */
+void *arc_store_grown(void *block, size_t count, size_t size);
+
+/* The id of a case in the first column of a row. ARC_FORMAT: none that a case can have. */
+arc_status arc_store_id(arc_store *store, query *q, int *id, arc_error *error);
 
 /* --- transaction.c ------------------------------------------------------------------------------
  */
@@ -60,14 +79,20 @@ arc_status arc_schema_update(arc_store *store, arc_error *error);
 /* --- digest.c: checksums of finished cases -----------------------------------------------------
  */
 
-/* Whatever changes a case takes its checksum away first; the commit writes those of finished cases
- * anew. */
+/* Whatever changes a case takes its checksum away first; the commit writes those of cases that are
+ * finished or hold a run anew: of these cases alone. What else has none is a stranger's, and is
+ * never given one. */
 arc_status arc_store_open_seal(arc_store *store, int id, arc_error *error);
-arc_status arc_store_seal_finished(arc_store *store, arc_error *error);
-/* Takes away the checksums that match, before the tables change; those of damaged cases stay. */
+/* The same of all cases that the query `ids` gives. */
+arc_status arc_store_open_seals(arc_store *store, const char *ids, arc_error *error);
+arc_status arc_store_seal_changed(arc_store *store, arc_error *error);
+/* Takes away the checksums that match, before the tables change; those of damaged cases stay, and
+ * where one is missing there is one that matches nothing. */
 arc_status arc_store_unseal_sound(arc_store *store, arc_error *error);
-/* ARC_FORMAT where the contents of a finished case do not match its checksum; of all of them. */
+/* ARC_FORMAT where the contents of a case do not match its checksum, or where it is finished and
+ * has none; the second for whoever reads a run, which has one in any case; of all cases. */
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
+arc_status arc_store_verify_run(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_all(arc_store *store, arc_error *error);
 
 /* --- stored_definition.c: the engine's definitions as named values ------------------------------

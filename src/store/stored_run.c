@@ -1,8 +1,10 @@
-/* Runs in a run file: history, surfaces, and the state to go on from. Leans on definition.c for
- * what the run was asked to do. */
+/* Runs in a run file: history, surfaces, and the state to go on from. Leans on stored_definition.c
+ * for what the run was asked to do. What is read is checked before anything is made of it: the file
+ * may be a stranger's. */
 #include "store/store.h"
 
-#include <stdio.h>
+#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -103,43 +105,54 @@ arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
 
 /* --- history ---------------------------------------------------------------------------------- */
 
-static arc_status count_rows(arc_store *store, const char *sql, int id, size_t *rows,
-                             arc_error *error) {
-  query *q;
-  int row;
-  arc_status status = arc_store_query(store, sql, id, &q, error);
-  if (status == ARC_OK) status = arc_query_step(q, &row, error);
-  if (status == ARC_OK) *rows = (size_t)arc_query_whole(q, 0);
-  arc_query_close(&q);
-  return status;
+/* Numbers of a row from a column on; where there is none NaN, and where there is something else 0
+ * is returned. */
+static int read_numbers(query *q, int column, double *to, int count) {
+  for (int i = 0; i < count; i++) {
+    const column_kind kind = arc_query_kind(q, column + i);
+    if (kind != COLUMN_NONE && kind != COLUMN_WHOLE && kind != COLUMN_NUMBER) return 0;
+    to[i] = arc_query_number(q, column + i);
+  }
+  return 1;
 }
 
-static void read_record(query *q, arc_wear_record *record) {
-  int column = 1;
-#define READ(name, unit, text) record->name = arc_query_number(q, column++);
+static arc_status read_record(arc_store *store, int id, query *q, arc_wear_record **history,
+                              size_t *count, arc_error *error) {
+  double number[COLUMNS];
+  arc_wear_record *grown = arc_store_grown(*history, *count, sizeof *grown);
+  if (!grown) return out_of_memory(store, error);
+  *history = grown;
+  if (arc_query_whole(q, 0) != (long long)*count || !read_numbers(q, 1, number, COLUMNS))
+    return arc_store_damaged(store, error, id, "has no sound row %zu in its history", *count);
+  int column = 0;
+#define READ(name, unit, text) grown[*count].name = number[column++];
   ARC_WEAR_COLUMNS(READ)
 #undef READ
+  ++*count;
+  return ARC_OK;
+}
+
+static arc_status check_history(arc_store *store, int id, const arc_wear_record *history,
+                                size_t count, arc_error *error) {
+  arc_error why = {0};
+  if (arc_wear_check_history(history, count, &why) == ARC_OK) return ARC_OK;
+  return arc_store_refused(store, error, id, &why);
 }
 
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
                              arc_error *error) {
   query *q = NULL;
-  size_t rows = 0;
   int row = 0;
   *history = NULL;
   *count = 0;
-  arc_status status = arc_store_verify(store, id, error);
+  arc_status status = arc_store_verify_run(store, id, error);
   if (status == ARC_OK)
-    status = count_rows(store, "SELECT count(*) FROM history WHERE case_id = ?1", id, &rows, error);
-  if (status != ARC_OK) return status;
-  *history = malloc((rows + 1) * sizeof **history);
-  if (!*history) return out_of_memory(store, error);
-  status = arc_store_query(
-      store, "SELECT step@columns FROM history WHERE case_id = ?1 ORDER BY step", id, &q, error);
-  while (status == ARC_OK && *count < rows && (status = arc_query_step(q, &row, error)) == ARC_OK &&
-         row)
-    read_record(q, &(*history)[(*count)++]);
+    status = arc_store_query(
+        store, "SELECT step@columns FROM history WHERE case_id = ?1 ORDER BY step", id, &q, error);
+  while (status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row)
+    status = read_record(store, id, q, history, count, error);
   arc_query_close(&q);
+  if (status == ARC_OK) status = check_history(store, id, *history, *count, error);
   if (status == ARC_OK) return ARC_OK;
   free(*history);
   *history = NULL;
@@ -149,87 +162,127 @@ arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history
 
 /* --- surfaces --------------------------------------------------------------------------------- */
 
-/* Room for `rows` nodes in at most as many surfaces: the surfaces, then the four columns. */
-static arc_surface *allocate_surfaces(size_t rows, double *column[4]) {
-  arc_surface *block = malloc((rows + 1) * (sizeof *block + 4 * sizeof(double)));
-  if (!block) return NULL;
-  column[0] = (double *)(void *)(block + rows + 1);
-  for (int c = 1; c < 4; c++) column[c] = column[c - 1] + rows;
-  return block;
+enum { NODE = 4 }; /* numbers of a node: x, h, y, p */
+
+/* Surfaces as they are read: their arrays are found once all nodes are there. */
+typedef struct surface_list {
+  arc_surface *surface;
+  double (*node)[NODE];
+  size_t surfaces, nodes;
+} surface_list;
+
+static int body_named(const char *name, arc_body *body) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (strcmp(name, arc_body_name((arc_body)b)) == 0) {
+      *body = (arc_body)b;
+      return 1;
+    }
+  return 0;
 }
 
-static arc_body body_named(const char *name) {
-  return strcmp(name, arc_body_name(ARC_PLATE)) == 0 ? ARC_PLATE : ARC_CYLINDER;
+/* Whether a node may stand behind `before` (NULL: it is the first): along x they come in order. */
+static int is_sound_node(const double node[NODE], const double *before) {
+  for (int i = 0; i < NODE; i++)
+    if (!isfinite(node[i])) return 0;
+  return node[3] >= 0 && (!before || node[0] > before[0]);
 }
 
-/* Node `at` of all: goes to the last surface, or begins the next. */
-static void read_node(query *q, size_t at, double *column[4], arc_surface *surfaces,
-                      size_t *count) {
-  double update = arc_query_number(q, 0);
-  arc_body body = body_named(arc_query_text(q, 2));
-  arc_surface *last = *count > 0 ? &surfaces[*count - 1] : NULL;
-  if (!last || last->update != update || last->body != body) {
-    last = &surfaces[(*count)++];
-    *last = (arc_surface){.body = body,
-                          .update = update,
-                          .distance = arc_query_number(q, 1),
-                          .x = column[0] + at,
-                          .h = column[1] + at,
-                          .y = column[2] + at,
-                          .p = column[3] + at};
+static arc_surface *begin_surface(surface_list *list) {
+  arc_surface *grown = arc_store_grown(list->surface, list->surfaces, sizeof *grown);
+  if (!grown) return NULL;
+  list->surface = grown;
+  return &grown[list->surfaces++];
+}
+
+/* A row: updates, distance, body, node, and the numbers of the node, which goes to the last surface
+ * or begins the next. */
+static arc_status read_node(arc_store *store, int id, query *q, surface_list *list,
+                            arc_error *error) {
+  double at[2], number[NODE];
+  arc_body body;
+  if (!read_numbers(q, 0, at, 2) || !read_numbers(q, 4, number, NODE) || !isfinite(at[0]) ||
+      !isfinite(at[1]) || !body_named(arc_query_text(q, 2), &body))
+    return arc_store_damaged(store, error, id, "has a surface of '%s' that is none",
+                             arc_query_text(q, 2));
+  arc_surface *last = list->surfaces > 0 ? &list->surface[list->surfaces - 1] : NULL;
+  if (!last || last->update != at[0] || last->body != body) {
+    last = begin_surface(list);
+    if (!last) return out_of_memory(store, error);
+    *last = (arc_surface){.body = body, .update = at[0], .distance = at[1]};
   }
-  for (int c = 0; c < 4; c++) column[c][at] = arc_query_number(q, 3 + c);
+  double(*grown)[NODE] = arc_store_grown(list->node, list->nodes, sizeof *grown);
+  if (!grown) return out_of_memory(store, error);
+  list->node = grown;
+  if (arc_query_whole(q, 3) != (long long)last->count ||
+      !is_sound_node(number, last->count > 0 ? grown[list->nodes - 1] : NULL))
+    return arc_store_damaged(store, error, id, "has no sound node %zu on its %s after update %g",
+                             last->count, arc_body_name(body), at[0]);
+  memcpy(grown[list->nodes++], number, sizeof number);
   last->count++;
+  return ARC_OK;
+}
+
+/* One block: the surfaces, then the four columns of all their nodes. */
+static arc_surface *pack(const surface_list *list) {
+  const size_t bytes = list->surfaces * sizeof *list->surface;
+  arc_surface *block = malloc(bytes + NODE * list->nodes * sizeof(double) + 1);
+  if (!block) return NULL;
+  double *column[NODE];
+  for (size_t c = 0; c < NODE; c++) {
+    column[c] = (double *)(void *)((char *)block + bytes) + c * list->nodes;
+    for (size_t i = 0; i < list->nodes; i++) column[c][i] = list->node[i][c];
+  }
+  size_t first = 0;
+  for (size_t s = 0; s < list->surfaces; s++) {
+    block[s] = list->surface[s];
+    block[s].x = column[0] + first;
+    block[s].h = column[1] + first;
+    block[s].y = column[2] + first;
+    block[s].p = column[3] + first;
+    first += block[s].count;
+  }
+  return block;
 }
 
 arc_status arc_store_surfaces(arc_store *store, int id, arc_surface **surfaces, size_t *count,
                               arc_error *error) {
   query *q = NULL;
-  size_t rows = 0, at = 0;
-  double *column[4];
+  surface_list list = {0};
   int row = 0;
   *count = 0;
   *surfaces = NULL;
-  arc_status status = arc_store_verify(store, id, error);
+  arc_status status = arc_store_verify_run(store, id, error);
   if (status == ARC_OK)
-    status =
-        count_rows(store, "SELECT count(*) FROM surfaces WHERE case_id = ?1", id, &rows, error);
-  if (status != ARC_OK) return status;
-  *surfaces = allocate_surfaces(rows, column);
-  if (!*surfaces) return out_of_memory(store, error);
-  status =
-      arc_store_query(store,
-                      "SELECT updates, distance_mm, body, x_mm, h_mm, y_mm, p_MPa FROM surfaces "
-                      "WHERE case_id = ?1 ORDER BY updates, body, node",
-                      id, &q, error);
-  while (status == ARC_OK && at < rows && (status = arc_query_step(q, &row, error)) == ARC_OK &&
-         row)
-    read_node(q, at++, column, *surfaces, count);
+    status = arc_store_query(store,
+                             "SELECT updates, distance_mm, body, node, x_mm, h_mm, y_mm, p_MPa "
+                             "FROM surfaces WHERE case_id = ?1 ORDER BY updates, body, node",
+                             id, &q, error);
+  while (status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row)
+    status = read_node(store, id, q, &list, error);
   arc_query_close(&q);
-  if (status == ARC_OK) return ARC_OK;
-  free(*surfaces);
-  *surfaces = NULL;
-  *count = 0;
+  if (status == ARC_OK && !(*surfaces = pack(&list))) status = out_of_memory(store, error);
+  if (status == ARC_OK) *count = list.surfaces;
+  free(list.surface);
+  free(list.node);
   return status;
 }
 
 /* --- going on --------------------------------------------------------------------------------- */
 
 /* One body's state from a row: body, condensed, even, h, xy, settled; one block with its arrays. */
-static arc_status read_state(arc_store *store, query *q, arc_surface_state *state, double **block,
-                             arc_error *error) {
-  size_t n = arc_query_array_count(q, 3);
-  if (arc_query_array_count(q, 4) != 2 * n || arc_query_array_count(q, 5) != 2 * n)
-    return arc_fail(error, ARC_FORMAT, "%s: the stored state of the %s is not complete",
-                    store->path, arc_query_text(q, 0));
-  free(*block);
+static arc_status read_state(arc_store *store, int id, query *q, arc_surface_state *state,
+                             double **block, arc_error *error) {
+  const size_t n = arc_query_array_count(q, 3);
+  if (n > INT_MAX || arc_query_array_count(q, 4) != 2 * n || arc_query_array_count(q, 5) != 2 * n)
+    return arc_store_damaged(store, error, id, "has no whole state of the %s",
+                             arc_query_text(q, 0));
   *block = malloc((5 * n + 1) * sizeof **block);
   if (!*block) return out_of_memory(store, error);
   arc_query_array(q, 3, *block, n);
   arc_query_array(q, 4, *block + n, 2 * n);
   arc_query_array(q, 5, *block + 3 * n, 2 * n);
   *state = (arc_surface_state){.count = (int)n,
-                               .condensed = (int)arc_query_whole(q, 1),
+                               .condensed = arc_query_whole(q, 1) != 0,
                                .even = arc_query_number(q, 2),
                                .h = *block,
                                .xy = *block + n,
@@ -237,22 +290,31 @@ static arc_status read_state(arc_store *store, query *q, arc_surface_state *stat
   return ARC_OK;
 }
 
+/* A row of the state goes to its body, which has but one. */
+static arc_status place_state(arc_store *store, int id, query *q,
+                              arc_surface_state state[ARC_BODIES], double *block[ARC_BODIES],
+                              arc_error *error) {
+  arc_body body;
+  if (!body_named(arc_query_text(q, 0), &body) || block[body])
+    return arc_store_damaged(store, error, id, "has the state of a body '%s' too many",
+                             arc_query_text(q, 0));
+  return read_state(store, id, q, &state[body], &block[body], error);
+}
+
 static arc_status read_states(arc_store *store, int id, arc_surface_state state[ARC_BODIES],
                               double *block[ARC_BODIES], arc_error *error) {
   query *q;
-  int row = 0, found = 0;
+  int row = 0;
   arc_status status = arc_store_query(
       store, "SELECT body, condensed, even, h, xy, settled FROM state WHERE case_id = ?1", id, &q,
       error);
-  while (status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row) {
-    arc_body body = body_named(arc_query_text(q, 0));
-    status = read_state(store, q, &state[body], &block[body], error);
-    found++;
-  }
+  while (status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row)
+    status = place_state(store, id, q, state, block, error);
   arc_query_close(&q);
-  if (status == ARC_OK && found != ARC_BODIES)
-    status = arc_fail(error, ARC_FORMAT, "%s: expected the state of %d bodies, found %d",
-                      store->path, ARC_BODIES, found);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    if (!block[b])
+      status =
+          arc_store_damaged(store, error, id, "has no state of the %s", arc_body_name((arc_body)b));
   return status;
 }
 
@@ -260,9 +322,11 @@ static arc_status restore_shape(arc_store *store, int id, arc_model *model, cons
                                 arc_shape **shape, arc_error *error) {
   arc_surface_state state[ARC_BODIES] = {0};
   double *block[ARC_BODIES] = {NULL, NULL};
+  arc_error why = {0};
   arc_status status = read_states(store, id, state, block, error);
-  if (status == ARC_OK)
-    status = arc_shape_restore(model, def->geometry, def->refresh, state, shape, error);
+  if (status == ARC_OK &&
+      arc_shape_restore(model, def->geometry, def->refresh, state, shape, &why) != ARC_OK)
+    status = arc_store_refused(store, error, id, &why);
   for (int b = 0; b < ARC_BODIES; b++) free(block[b]);
   return status;
 }
@@ -271,12 +335,13 @@ arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const a
                              arc_wear **wear, arc_error *error) {
   arc_shape *shape = NULL;
   arc_wear_record *history = NULL;
+  arc_error why = {0};
   size_t count = 0;
   *wear = NULL;
-  arc_status status = arc_store_verify(store, id, error);
+  arc_status status = arc_store_history(store, id, &history, &count, error);
   if (status == ARC_OK) status = restore_shape(store, id, model, def, &shape, error);
-  if (status == ARC_OK) status = arc_store_history(store, id, &history, &count, error);
-  if (status == ARC_OK) status = arc_wear_restore(model, def, shape, history, count, wear, error);
+  if (status == ARC_OK && arc_wear_restore(model, def, shape, history, count, wear, &why) != ARC_OK)
+    status = arc_store_refused(store, error, id, &why);
   arc_shape_destroy(&shape);
   free(history);
   return status;

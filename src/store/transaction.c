@@ -14,14 +14,16 @@ arc_status arc_store_begin(arc_store *store, arc_error *error) {
 
 arc_status arc_store_commit(arc_store *store, arc_error *error) {
   store->verified = 0;
-  arc_status status = arc_store_seal_finished(store, error);
+  arc_status status = arc_store_seal_changed(store, error);
   if (status == ARC_OK) status = arc_database_run(store->db, "COMMIT", error);
   if (status != ARC_OK) arc_store_rollback(store);
+  store->opened = 0;
   return status;
 }
 
 /* SQLite has rolled back by itself after some failures. */
 void arc_store_rollback(arc_store *store) {
+  store->opened = 0;
   if (arc_database_in_transaction(store->db)) arc_database_run(store->db, "ROLLBACK", NULL);
 }
 

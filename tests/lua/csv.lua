@@ -95,6 +95,34 @@ refused("a,b\n1,2\n3,\n", { "column \"b\": expected a number, got \"\"" }, "an e
 refused("a,b\n1,2\n3,0x10\n", "expected a number, got \"0x10\"", "a hexadecimal")
 fails(function() csv.read(file "a,b\n1,2\n", { t = "c" }) end, "no column \"c\"; there are a, b", "an unknown column")
 fails(function() csv.read(file "a,b\n1,2\n", { t = 3 }) end, "no column 3", "an unknown number")
+refused("a,b\n1,1e999\n", { ":2: column \"b\": expected a number that doubles hold, got \"1e999\"" }, "a number too large")
+refused("a,b\n1,2\n1,-1e400\n", { ":3: column \"b\"", "got \"-1e400\"" }, "or too small")
+
+-- Seconds to read a file of so many columns, chosen by name.
+local function seconds_for(columns)
+  local names, numbers, choice = {}, {}, {}
+  for i = 1, columns do
+    names[i], numbers[i] = "c" .. i, tostring(i)
+    choice["n" .. i] = "c" .. i
+  end
+  file(table.concat(names, ",") .. "\n" .. table.concat(numbers, ",") .. "\n")
+  local start = os.clock()
+  local got = csv.read(path, choice)
+  local seconds = os.clock() - start
+  is(got["n" .. columns][1], columns, columns .. " columns")
+  return seconds
+end
+local few = seconds_for(5000)
+tap.ok(seconds_for(50000) < 40 * few, "ten times the columns take some ten times as long, not a hundred times")
+local start = os.clock()
+is(csv.read(file("a,b\n1,x" .. (" "):rep(100000) .. "y" .. (" "):rep(100000) .. "\n")).b[1]:sub(-1), "y", "many blanks")
+tap.ok(os.clock() - start < 2, "are passed over at once")
+
+os.remove(path)
+os.execute("mkfifo " .. path)
+fails(function() csv.read(path) end, { "csv.read: ", "not a file" }, "a pipe")
+fails(function() model{ mesh = path } end, { "not a file" }, "or one as a mesh")
+fails(function() csv.read "/dev/zero" end, { "csv.read: ", "not a file" }, "a device")
 os.remove(path)
 fails(function() csv.read(path) end, { "csv.read: ", "No such file" }, "no file")
 fails(function() csv.read("/") end, { "csv.read: ", "directory" }, "a folder")

@@ -151,6 +151,47 @@ is(file_module.suggested(), path "s.archard", "it proposes the session's file")
 holds(printed(leave.answer, "yes"), "saved in " .. path "s.archard", "yes saves")
 is(w.saved, true, "indeed")
 
+-- --- sessions of strangers -------------------------------------------------------------------------
+
+-- A session file of one value, made of these settings.
+local function stranger(settings)
+  local file <close> = require "archard.store".replace(path "stranger", "session")
+  file:begin()
+  file:add(1, "x")
+  file:set_values(1, "settings", settings)
+  file:mark(1, "done")
+  file:commit()
+  file:publish()
+  return path "stranger"
+end
+
+is(session.open(stranger{ kind = "number", is = 5, ["key.1"] = "five" }), "opened " .. path "stranger" .. ": 1 other value",
+  "a sound one")
+is(five, 5, "is opened")
+local kept = print
+for what, settings in pairs{
+  ["a name of the program's"] = { kind = "number", is = 5, ["key.1"] = "print" },
+  ["no name"] = { kind = "number", is = 5 },
+  ["a name that is none"] = { kind = "number", is = 5, ["key.1"] = { 1, 2 } },
+  ["a key that is none"] = { kind = "number", is = 5, ["key.1"] = "t", ["key.2"] = 0.5 },
+  ["a table that is not there"] = { kind = "number", is = 5, ["key.1"] = "t", ["key.2"] = "x" },
+  ["an unknown kind"] = { kind = "dragon", ["key.1"] = "t" },
+  ["no kind"] = { ["key.1"] = "t" },
+  ["the model of a run that is not there"] = { kind = "model", of = 7, ["key.1"] = "t" },
+  ["the same as what is not there"] = { kind = "same", same = 7, ["key.1"] = "t" },
+  ["a list that is none"] = { kind = "list", is = 3, ["key.1"] = "t" },
+  ["a study of far too many cases"] = { kind = "study", count = 1e9, ["key.1"] = "t" },
+} do
+  fails(function() session.open(stranger(settings)) end, { "session.open: ", "the file is damaged: case 1" }, what)
+end
+is(print, kept, "and the program's own is not replaced")
+is(rawget(_G, "t"), nil, "nothing was made")
+os.execute("mkfifo " .. path "pipe")
+holds(session.open(stranger{ kind = "study", file = path "pipe", ["key.1"] = "s\27[2J" }),
+  { "left out: ", "s\\x1b[2J: " .. path "pipe" .. " is not there" }, "a pipe is no file, codes are shown")
+fails(function() study.open(path "pipe") end, { "not a file" }, "nor a study")
+fails(function() wear.open(path "pipe") end, { "not a file" }, "nor a run")
+
 -- --- who, time, examples ---------------------------------------------------------------------------
 
 forget()

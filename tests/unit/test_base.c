@@ -44,6 +44,32 @@ static void test_fail(void **state) {
   assert_int_equal(arc_fail(NULL, ARC_IO, "nobody listens"), ARC_IO);
 }
 
+static void assert_shown(const char *text, const char *expected) {
+  char shown[60];
+  arc_show_text(text, shown, sizeof shown);
+  assert_string_equal(shown, expected);
+}
+
+static void test_show_text(void **state) {
+  (void)state;
+  assert_shown("plain, 5 \xc2\xb5m, \xe2\x86\x92, \xf0\x9f\x99\x82\ttab\nline",
+               "plain, 5 \xc2\xb5m, \xe2\x86\x92, \xf0\x9f\x99\x82\ttab\nline");
+  assert_shown("\x1b[2J\r\x7f", "\\x1b[2J\\x0d\\x7f");
+  assert_shown("\xc2\x9b"
+               "2J",
+               "\\xc2\\x9b2J");
+  assert_shown("\x9b\xff\xc3", "\\x9b\\xff\\xc3");
+  assert_shown("\xe2\x86", "\\xe2\\x86");
+  char few[6];
+  arc_show_text("ab\x1b", few, sizeof few);
+  assert_string_equal(few, "ab");
+  arc_show_text("\x1b", few, sizeof few);
+  assert_string_equal(few, "\\x1b");
+  arc_error error = {0};
+  arc_fail(&error, ARC_IO, "%s: gone", "a\x1b");
+  assert_string_equal(error.message, "a\\x1b: gone");
+}
+
 static void test_long_message(void **state) {
   (void)state;
   struct {
@@ -109,11 +135,11 @@ static void test_partition(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_texts),        cmocka_unit_test(test_unknown_status),
-      cmocka_unit_test(test_signs),        cmocka_unit_test(test_fail),
-      cmocka_unit_test(test_long_message), cmocka_unit_test(test_one_thread),
-      cmocka_unit_test(test_interpolate),  cmocka_unit_test(test_sawtooth),
-      cmocka_unit_test(test_partition),
+      cmocka_unit_test(test_texts),      cmocka_unit_test(test_unknown_status),
+      cmocka_unit_test(test_signs),      cmocka_unit_test(test_fail),
+      cmocka_unit_test(test_show_text),  cmocka_unit_test(test_long_message),
+      cmocka_unit_test(test_one_thread), cmocka_unit_test(test_interpolate),
+      cmocka_unit_test(test_sawtooth),   cmocka_unit_test(test_partition),
   };
   return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

@@ -142,7 +142,7 @@ static void test_whole_or_not_at_all(void **state) {
   copy_old(1, "wear", "odd");
   run_sql("odd", "ALTER TABLE surfaces RENAME COLUMN p TO pressure");
   char *before = structure_of(in_folder("odd"));
-  assert_int_equal(arc_store_open(in_folder("odd"), ARC_STORE_WRITE, &store, &error), ARC_IO);
+  assert_int_equal(arc_store_open(in_folder("odd"), ARC_STORE_WRITE, &store, &error), ARC_FORMAT);
   assert_null(store);
   char *after = structure_of(in_folder("odd"));
   assert_string_equal(before, after);

@@ -32,14 +32,45 @@ static void unsign(char *text) {
   for (char *at = text; (at = strstr(at, "-nan")) != NULL;) memmove(at, at + 1, strlen(at));
 }
 
+/* Bytes of the character at `at` that may be shown; 0: its first byte may not. */
+static size_t showable(const unsigned char *at) {
+  static const unsigned char lead[] = {0xc0, 0xe0, 0xf0, 0xf8};
+  if (at[0] < 0x80) return (at[0] >= 0x20 && at[0] != 0x7f) || at[0] == '\n' || at[0] == '\t';
+  for (size_t more = 1; more < 4; more++) {
+    size_t i = 1;
+    if (at[0] < lead[more - 1] || at[0] >= lead[more]) continue;
+    while (i <= more && (at[i] & 0xc0) == 0x80) i++;
+    const int control = at[0] == 0xc2 && at[1] < 0xa0;
+    return i > more && !control ? i : 0;
+  }
+  return 0;
+}
+
+void arc_show_text(const char *text, char *shown, size_t size) {
+  const unsigned char *at = (const unsigned char *)text;
+  size_t length = 0;
+  while (*at) {
+    char hex[8];
+    const size_t count = showable(at), room = count ? count : 4;
+    snprintf(hex, sizeof hex, "\\x%02x", *at);
+    if (length + room >= size) break;
+    memcpy(shown + length, count ? (const char *)at : hex, room);
+    length += room;
+    at += count ? count : 1;
+  }
+  shown[length] = '\0';
+}
+
 arc_status arc_fail(arc_error *error, arc_status status, const char *format, ...) {
   if (error) {
     error->status = status;
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(error->message, sizeof error->message, format, arguments);
+    char message[sizeof error->message];
+    vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    unsign(error->message);
+    unsign(message);
+    arc_show_text(message, error->message, sizeof error->message);
   }
   return status;
 }

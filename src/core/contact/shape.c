@@ -33,9 +33,7 @@ static arc_status allocate_side(shape_side *side, const elastic_body *body) {
   return ARC_OK;
 }
 
-/* What follows from where nodes are. They move along x with their normals while the coupling stays
- * where they settled: levels are those there. */
-static void read_nodes(shape_side *side) {
+void arc_shape_read_nodes(shape_side *side) {
   for (int i = 0; i < side->n; i++) {
     const double *now = &side->xy[2 * i], *top = arc_body_top(side->body, i);
     double chord[2];
@@ -54,7 +52,7 @@ static void fill_unworn(shape_side *side) {
     memcpy(&side->xy[2 * i], node, 2 * sizeof(double));
   }
   memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
-  read_nodes(side);
+  arc_shape_read_nodes(side);
 }
 
 static arc_status check_geometry(const arc_model *model, arc_geometry geometry, arc_error *error) {
@@ -194,8 +192,8 @@ static void incline(const double *xy, compliance *c) {
   if (!flat) arc_compliance_incline(c);
 }
 
-static arc_status condense(const shape_side *side, const double *xy, compliance *result,
-                           arc_error *error) {
+arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
+                              arc_error *error) {
   double *box = malloc(2 * (size_t)side->body->box_count * sizeof *box);
   arc_status status = box ? arc_compliance_create(result, side->n) : ARC_MEMORY;
   if (status != ARC_OK) {
@@ -213,14 +211,14 @@ static arc_status condense(const shape_side *side, const double *xy, compliance 
 static void commit(shape_side *side, const double *depth, const double *xy) {
   for (int i = 0; i < side->n; i++) side->h[i] += depth[i];
   memcpy(side->xy, xy, 2 * (size_t)side->n * sizeof *xy);
-  read_nodes(side);
+  arc_shape_read_nodes(side);
 }
 
 static void settle(arc_shape *shape, shape_side *side, compliance renewed) {
   arc_compliance_free(&side->own);
   side->own = renewed;
   memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
-  read_nodes(side);
+  arc_shape_read_nodes(side);
   shape->version = arc_model_next_version(shape->model);
 }
 
@@ -233,7 +231,7 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
       shape->geometry == ARC_MOVING ? arc_shape_check_box(shape, side, xy, error) : ARC_OK;
   compliance renewed = {0};
   const int due = status == ARC_OK && refresh_is_due(shape, side, xy);
-  if (due) status = condense(side, xy, &renewed, error);
+  if (due) status = arc_shape_condense(side, xy, &renewed, error);
   if (status == ARC_OK) {
     commit(side, depth, xy);
     if (due) settle(shape, side, renewed);
@@ -249,7 +247,7 @@ static arc_status compliance_for(const arc_shape *shape, const shape_side *side,
   *renewed = (compliance){0};
   if (geometry == ARC_FROZEN || is_unworn(side)) return ARC_OK;
   const arc_status status = arc_shape_check_box(shape, side, side->xy, error);
-  return status == ARC_OK ? condense(side, side->xy, renewed, error) : status;
+  return status == ARC_OK ? arc_shape_condense(side, side->xy, renewed, error) : status;
 }
 
 arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
@@ -300,43 +298,7 @@ void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth) {
   shape_side *side = &shape->side[body];
   side->even += depth;
   for (int i = 0; i < side->n; i++) side->h[i] += depth;
-  read_nodes(side);
-}
-
-arc_surface_state arc_shape_state(const arc_shape *shape, arc_body body) {
-  const shape_side *side = &shape->side[body];
-  return (arc_surface_state){side->n, side->own.n > 0, side->even,
-                             side->h, side->xy,        side->settled};
-}
-
-static arc_status restore_side(arc_shape *shape, arc_body body, const arc_surface_state *state,
-                               arc_error *error) {
-  shape_side *side = &shape->side[body];
-  if (state->count != side->n)
-    return arc_fail(error, ARC_ARGUMENT, "%s: expected a state of %d surface nodes, got %d",
-                    arc_body_name(body), side->n, state->count);
-  const size_t n = (size_t)side->n * sizeof(double);
-  memcpy(side->h, state->h, n);
-  memcpy(side->xy, state->xy, 2 * n);
-  memcpy(side->settled, state->settled, 2 * n);
-  shape->version = arc_model_next_version(shape->model);
-  side->even = state->even;
-  read_nodes(side);
-  if (shape->geometry == ARC_MOVING) arc_shape_drift(side);
-  if (!state->condensed) return ARC_OK;
-  const arc_status status = arc_shape_check_box(shape, side, side->settled, error);
-  if (status != ARC_OK) return status;
-  return condense(side, side->settled, &side->own, error);
-}
-
-arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double refresh,
-                             const arc_surface_state state[ARC_BODIES], arc_shape **result,
-                             arc_error *error) {
-  arc_status status = arc_shape_create(model, geometry, refresh, result, error);
-  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status = restore_side(*result, (arc_body)b, &state[b], error);
-  if (status != ARC_OK) arc_shape_destroy(result);
-  return status;
+  arc_shape_read_nodes(side);
 }
 
 arc_profile arc_shape_profile(const arc_shape *shape, arc_body body) {

@@ -56,6 +56,14 @@ void arc_shape_move(const shape_side *side, arc_geometry geometry, const double 
  * Of revolution: the area of its ring as seen from above [mm2], and so for the spans below. */
 double arc_shape_width(const shape_side *side, int i);
 
+/* Fills in what follows from where nodes are. They move along x with their normals while the
+ * coupling stays where they settled: levels are those there. */
+void arc_shape_read_nodes(shape_side *side);
+
+/* Makes the compliance of the wear box with its surface at xy [2 n]. */
+arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
+                              arc_error *error);
+
 /* The wear box must keep its elements with the surface at xy: every column a share of its height,
  * the nodes their order; ARC_GEOMETRY (wear_box.c). */
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,

@@ -183,19 +183,29 @@ static arc_status build_watched(const arc_model_def *def, arc_mesh *given[ARC_BO
   return status;
 }
 
+/* Checks a definition and fills in what is "auto". */
+static arc_status settle(arc_model_def *def, arc_error *error) {
+  arc_status status = arc_settings_check(arc_model_settings, "", def, error);
+  if (status == ARC_OK) status = arc_model_check_pair(def, error);
+  if (status != ARC_OK) return status;
+  arc_model_fit_alone(def);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
+    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
+    status = arc_mesh_check(&def->mesh, (arc_body)b, &solid, error);
+  }
+  return status;
+}
+
+arc_status arc_model_check(const arc_model_def *def, arc_error *error) {
+  arc_model_def settled = *def;
+  return settle(&settled, error);
+}
+
 arc_status arc_model_build_watched(const arc_model_def *wanted, const arc_callbacks *callbacks,
                                    arc_model **result, arc_error *error) {
   *result = NULL;
   arc_model_def def = *wanted;
-  arc_status status = arc_settings_check(arc_model_settings, "", &def, error);
-  if (status != ARC_OK) return status;
-  status = arc_model_check_pair(&def, error);
-  if (status != ARC_OK) return status;
-  arc_model_fit_alone(&def);
-  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
-    const arc_body_def solid = arc_model_solid(&def, (arc_body)b);
-    status = arc_mesh_check(&def.mesh, (arc_body)b, &solid, error);
-  }
+  arc_status status = settle(&def, error);
   if (status == ARC_OK) status = refuse_memory(&def, error);
   return status == ARC_OK ? build_watched(&def, NULL, callbacks, result, error) : status;
 }

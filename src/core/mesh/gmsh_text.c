@@ -9,39 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A million elements take a tenth of it. */
-static const size_t largest_file = (size_t)1 << 30;
-
-/* Reads on until the end; the room doubles. */
-static arc_status read_all(msh_text *t, FILE *stream, arc_error *error) {
-  size_t room = 1 << 16, length = 0;
-  char *data = malloc(room);
-  while (data) {
-    length += fread(data + length, 1, room - 1 - length, stream);
-    if (length + 1 < room) break;
-    if (length > largest_file) {
-      free(data);
-      return arc_fail(error, ARC_FORMAT, "%s: expected at most 1 GiB, got more", t->path);
-    }
-    char *more = realloc(data, room *= 2);
-    if (!more) free(data);
-    data = more;
-  }
-  if (!data) return arc_fail(error, ARC_MEMORY, "out of memory for reading %s", t->path);
-  t->data = t->next = t->at = data;
-  t->end = data + length;
-  *t->end = 0;
-  if (!ferror(stream)) return ARC_OK;
-  return arc_fail(error, ARC_IO, "cannot read %s: %s", t->path, strerror(errno));
-}
-
 arc_status arc_msh_open(msh_text *t, const char *path, arc_error *error) {
+  size_t length;
   *t = (msh_text){.path = path};
-  FILE *stream = fopen(path, "rb");
-  if (!stream) return arc_fail(error, ARC_IO, "cannot read %s: %s", path, strerror(errno));
-  const arc_status status = read_all(t, stream, error);
-  fclose(stream);
-  if (status != ARC_OK) arc_msh_close(t);
+  const arc_status status = arc_file_read(path, &t->data, &length, error);
+  t->next = t->at = t->data;
+  t->end = status == ARC_OK ? t->data + length : NULL;
   return status;
 }
 

@@ -330,8 +330,20 @@ static arc_status check_hole(const arc_wear_def *d, const arc_model_def *model, 
   return ARC_OK;
 }
 
+/* Where a changed run began anew. */
+static arc_status check_start(const arc_wear_def *d, arc_error *error) {
+  if (d->start_distance >= 0 && isfinite(d->start_distance) && d->start_cycle >= 0 &&
+      isfinite(d->start_cycle))
+    return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "fields 'start_distance' and 'start_cycle': expected numbers >= 0, got %g mm and "
+                  "%g cycles",
+                  d->start_distance, d->start_cycle);
+}
+
 arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   arc_status status = arc_settings_check(arc_wear_settings, "", d, error);
+  if (status == ARC_OK) status = check_start(d, error);
   if (status == ARC_OK) status = check_procedure(d, model, error);
   if (status == ARC_OK) status = arc_wear_check_revolved(d, model, error);
   if (status == ARC_OK) status = check_scheme(d, error);

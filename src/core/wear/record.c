@@ -26,6 +26,56 @@ const char *arc_wear_column_name(int column) {
   return names[column];
 }
 
+/* Past this squares and sums of what is recorded would overflow; no run comes near. */
+static const double largest = 1e100;
+
+static int grows(int column) {
+  return column == ARC_WEAR_COLUMN_update || column == ARC_WEAR_COLUMN_cycle ||
+         column == ARC_WEAR_COLUMN_distance;
+}
+
+/* What the first runs that were stored had already; alpha-tilde is none before any wear. */
+static int was_always_known(int column) {
+  switch (column) {
+  case ARC_WEAR_COLUMN_jump:
+  case ARC_WEAR_COLUMN_k:
+  case ARC_WEAR_COLUMN_alpha:
+  case ARC_WEAR_COLUMN_p_center:
+  case ARC_WEAR_COLUMN_p_max:
+  case ARC_WEAR_COLUMN_half_width:
+  case ARC_WEAR_COLUMN_depth_cylinder:
+  case ARC_WEAR_COLUMN_depth_plate:
+  case ARC_WEAR_COLUMN_volume_cylinder:
+  case ARC_WEAR_COLUMN_volume_plate:
+  case ARC_WEAR_COLUMN_solutions:
+    return 1;
+  default:
+    return grows(column);
+  }
+}
+
+static arc_status check_column(const arc_wear_record *history, size_t count, int column,
+                               arc_error *error) {
+  double before = was_always_known(column) ? 0 : (double)NAN;
+  for (size_t row = 0; row < count; row++) {
+    const double value = arc_wear_record_get(&history[row], column);
+    const int missing = isnan(value) && isnan(before);
+    if (!missing && !(value >= (grows(column) ? before : 0) && value <= largest))
+      return arc_fail(
+          error, ARC_ARGUMENT, "history: row %zu: expected for %s a number >= 0%s, got %g", row,
+          arc_wear_column_name(column), grows(column) ? " that never falls" : "", value);
+    before = value;
+  }
+  return ARC_OK;
+}
+
+arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, arc_error *error) {
+  arc_status status = ARC_OK;
+  for (int column = 0; column < ARC_WEAR_COLUMN_COUNT && status == ARC_OK; column++)
+    status = check_column(history, count, column, error);
+  return status;
+}
+
 /* A plain stroke has one load, to the bit. */
 static double smallest_load(const arc_wear *w, const wear_block *block) {
   double line = block->line[0];

@@ -144,10 +144,12 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
                             const arc_wear_record *history, size_t count, arc_wear **result,
                             arc_error *error) {
   *result = NULL;
-  const arc_status status = arc_wear_check(def, arc_model_definition(model), error);
+  arc_status status = arc_wear_check(def, arc_model_definition(model), error);
   if (status != ARC_OK) return status;
   if (count < 1 || !history)
     return arc_fail(error, ARC_ARGUMENT, "history: expected at least one record, got %zu", count);
+  status = arc_wear_check_history(history, count, error);
+  if (status != ARC_OK) return status;
   return take_up(model, def, shape, history, count, result, error);
 }
 

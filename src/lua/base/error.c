@@ -56,8 +56,18 @@ int error_user_level(lua_State *L) {
   return 1;
 }
 
+void error_push_plain(lua_State *L, const char *text) {
+  const size_t room = 4 * strlen(text) + 1;
+  char *shown = lua_newuserdatauv(L, room, 0);
+  arc_show_text(text, shown, room);
+  lua_pushstring(L, shown);
+  lua_remove(L, -2);
+}
+
 /* Pops the message and pushes the error object. */
 static void push_object(lua_State *L, arc_status code, const char *where) {
+  error_push_plain(L, lua_tostring(L, -1));
+  lua_remove(L, -2);
   lua_createtable(L, 0, 6);
   lua_insert(L, -2);
   lua_setfield(L, -2, "message");

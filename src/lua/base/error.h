@@ -12,6 +12,9 @@
 
 #include <lua.h>
 
+/* Pushes a text as arc_show_text shows it; all messages of error objects are. */
+void error_push_plain(lua_State *L, const char *text);
+
 /* Raises an error object; the format is that of lua_pushfstring. */
 void error_raise(lua_State *L, arc_status code, const char *where, const char *format, ...)
     __attribute__((noreturn));

@@ -105,6 +105,12 @@ static int names_shown(lua_State *L) {
   return 1;
 }
 
+/* plain(text) -> the text with what a terminal would obey as \xNN */
+static int names_plain(lua_State *L) {
+  error_push_plain(L, luaL_checkstring(L, 1));
+  return 1;
+}
+
 /* --- errors ---------------------------------------------------------------------------------- */
 
 /* raise(where, status, message): an error object as every class raises it. */
@@ -119,8 +125,11 @@ static int names_raise(lua_State *L) {
 }
 
 int luaopen_archard_names(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"nearest", names_nearest}, {"shown", names_shown}, {"raise", names_raise}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"nearest", names_nearest},
+                                       {"shown", names_shown},
+                                       {"plain", names_plain},
+                                       {"raise", names_raise},
+                                       {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

@@ -8,6 +8,7 @@
 #include "lua/files/export.h"
 #include "lua/wear/wear_class.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 const char *export_ending(const char *path) {
@@ -187,6 +188,38 @@ static int files_write(lua_State *L) {
   return 0;
 }
 
+static int push_text(lua_State *L) {
+  lua_pushlstring(L, lua_touserdata(L, 1), (size_t)lua_tointeger(L, 2));
+  return 1;
+}
+
+/* read(where, path) -> the whole text of a file; of anything else an error of `where` */
+static int files_read(lua_State *L) {
+  const char *where = luaL_checkstring(L, 1);
+  const char *path = path_argument(L, 2, where, "file", PATH_READ);
+  arc_error error = {0};
+  char *text;
+  size_t length;
+  error_check(L, arc_file_read(path, &text, &length, &error), &error, where, -1);
+  lua_pushcfunction(L, push_text);
+  lua_pushlightuserdata(L, text);
+  lua_pushinteger(L, (lua_Integer)length);
+  const int failed = lua_pcall(L, 2, 1, 0);
+  free(text);
+  return failed ? lua_error(L) : 1;
+}
+
+/* is_there(path) -> whether there is a file to read; a pipe or a device is none */
+static int files_is_there(lua_State *L) {
+  FILE *stream;
+  const char *path = luaL_checkstring(L, 1);
+  const int found =
+      file_name_is_allowed(L, path, PATH_READ) && arc_file_open(path, &stream, NULL) == ARC_OK;
+  if (found) fclose(stream);
+  lua_pushboolean(L, found);
+  return 1;
+}
+
 /* number(value) -> its shortest text */
 static int files_number(lua_State *L) {
   lua_pushstring(L, arc_number_to_text(luaL_checknumber(L, 1)).text);
@@ -214,11 +247,11 @@ static int files_confined(lua_State *L) {
 }
 
 int luaopen_archard_files(lua_State *L) {
-  static const luaL_Reg functions[] = {{"csv", export_csv},          {"vtk", export_vtk},
-                                       {"inp", export_inp},          {"msh", export_msh},
-                                       {"write", files_write},       {"number", files_number},
-                                       {"allowed", files_allowed},   {"confine", files_confine},
-                                       {"confined", files_confined}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {
+      {"csv", export_csv},          {"vtk", export_vtk},          {"inp", export_inp},
+      {"msh", export_msh},          {"write", files_write},       {"read", files_read},
+      {"is_there", files_is_there}, {"number", files_number},     {"allowed", files_allowed},
+      {"confine", files_confine},   {"confined", files_confined}, {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

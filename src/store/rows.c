@@ -1,0 +1,24 @@
+/* Rows as they come: how many there are is not asked before, for the answer may not hold. */
+#include "store/store.h"
+
+#include <limits.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+void *arc_store_grown(void *block, size_t count, size_t size) {
+  enum { LEAST = 16 };
+  const int has_room = count < LEAST ? count > 0 : (count & (count - 1)) != 0;
+  if (has_room) return block;
+  const size_t room = count < LEAST ? LEAST : 2 * count;
+  return room <= SIZE_MAX / size ? realloc(block, room * size) : NULL;
+}
+
+arc_status arc_store_id(arc_store *store, query *q, int *id, arc_error *error) {
+  const long long whole = arc_query_whole(q, 0);
+  if (whole < 1 || whole > INT_MAX)
+    return arc_fail(error, ARC_FORMAT,
+                    "%s: the file is damaged: expected numbers of cases from 1, got %lld",
+                    store->path, whole);
+  *id = (int)whole;
+  return ARC_OK;
+}
