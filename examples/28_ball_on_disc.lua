@@ -1,6 +1,6 @@
 -- A steel ball on a turning disc: the ball wears flat, the disc along its track. Loads are whole forces,
 -- volumes those of ball and track; the disc's depth is the mean over the track.
---   archard examples/30_ball_on_disc.lua
+--   archard examples/28_ball_on_disc.lua
 
 local radius, load, track = 10, 50, 20 -- mm, N, mm
 local exact = hertz{ geometry = "axisymmetric", radius = radius, load = load }

@@ -1,7 +1,7 @@
 -- A copper ring of circular section turns on a flat steel ring: 30 mm of radius, 100 mm from the axis,
 -- pressed hard enough to be told from its elasticity. Once the copper wears, once both; slip grows with
 -- the distance from the axis.
---   archard examples/31_ring_on_ring.lua
+--   archard examples/29_ring_on_ring.lua
 
 local load, seconds = 150796320, 3 -- N, s; one turn a second, so that copper loses 6.283e-5 mm a second and MPa
 local k, turn = 1e-7, 2 * math.pi * 100 -- mm2/N, mm at the mean radius
