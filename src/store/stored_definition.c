@@ -361,9 +361,9 @@ static arc_status check(const reading *r) {
 }
 
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error) {
+  *run = (arc_stored_run){.model = arc_model_default(), .def = arc_wear_default()};
   reading r = {store, id, run, calloc(1, sizeof *r.stock), error, ARC_OK};
-  *run =
-      (arc_stored_run){.model = arc_model_default(), .def = arc_wear_default(), .memory = r.stock};
+  run->memory = r.stock;
   if (!r.stock) return no_memory(&r);
   arc_status status = arc_store_values(store, id, ARC_DEFINITION, collect, &r, error);
   if (status == ARC_OK) status = r.status;
