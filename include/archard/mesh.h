@@ -37,10 +37,12 @@ extern const char *const arc_space_names[];
 /* What to mesh. The plate is 2 radius wide and radius high. "auto" is 0 in the struct, and becomes
  * a number in arc_model_fit: a mesh is built of numbers alone. */
 #define ARC_MESH_SETTINGS(NUMBER, WHOLE, CHOICE)                                                   \
-  NUMBER(size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                   \
-         "Width of the elements at the contact. \"auto\": the unworn contact's half width over "   \
-         "5.4 and fineness, as in the paper, whose case gets 0.020 mm; under the load of the "     \
-         "contact or wear run that builds the model, of model{} alone under 100 N.")               \
+  NUMBER(                                                                                          \
+      size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                      \
+      "Width of the elements at the contact. \"auto\": the unworn contact's half width over "      \
+      "5.4 and fineness, as in the paper, whose case gets 0.020 mm; under the load of the "        \
+      "contact or wear run that builds the model, of model{} alone under 100 N; at the most an "   \
+      "eighth of the waves of a rough profile.")                                                   \
   NUMBER(fineness, "", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Divides the size that \"auto\" finds: 2 halves it. Left out: 1. A size that is given "   \
          "has none.")                                                                              \

@@ -37,11 +37,22 @@ static double largest_size(const arc_model_def *def) {
   return fmin(measure / 10 / stretch, measure / 4 / stretch / def->mesh.rows);
 }
 
+/* Eight elements a wave of a rough profile. */
+static double wave_size(const arc_model_def *def) {
+  enum { a_wave = 8 };
+  double size = INFINITY;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
+    size = fmin(size, arc_body_wave(&solid) / a_wave);
+  }
+  return size;
+}
+
 static void fit_size(arc_model_def *def, double load) {
   arc_mesh_def *mesh = &def->mesh;
   if (mesh->fineness == 0) mesh->fineness = 1;
-  mesh->size =
-      fmin(arc_model_size_for(arc_model_half_width(def, load)) / mesh->fineness, largest_size(def));
+  const double contact = arc_model_size_for(arc_model_half_width(def, load));
+  mesh->size = fmin(fmin(contact, wave_size(def)) / mesh->fineness, largest_size(def));
 }
 
 void arc_model_fit(arc_model_def *def, double load) {

@@ -1,5 +1,6 @@
 /* Pairs of bodies: what two shapes are to each other, and how wide they touch. */
 #include "core/elastic/body.h"
+#include "core/mesh/build.h"
 
 #include <math.h>
 #include <string.h>
@@ -271,9 +272,14 @@ double arc_model_half_width(const arc_model_def *def, double load) {
                                   E_star);
     if (solid[b].kind == ARC_SOLID_PUNCH) return punch_half_width(&solid[b], line, E_star);
   }
-  const double radius = arc_model_relative_radius(def);
-  if (isinf(radius)) return fmin(solid[0].width, solid[1].width) / 4;
-  return arc_model_hertz(def, load).half_width;
+  if (!isinf(arc_model_relative_radius(def))) return arc_model_hertz(def, load).half_width;
+  const double widest = fmin(solid[0].width, solid[1].width) / 4;
+  double form = INFINITY;
+  for (int b = 0; b < ARC_BODIES; b++) form = fmin(form, arc_body_form_radius(&solid[b]));
+  if (isinf(form)) return widest;
+  arc_hertz hertz = {0};
+  arc_hertz_solve(form, def->thickness, load, def->material, &hertz, NULL);
+  return fmin(hertz.half_width, widest);
 }
 
 double arc_model_line(const arc_model_def *def, double load) {

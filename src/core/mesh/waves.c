@@ -1,0 +1,81 @@
+/* What a profile consists of: its form, a parabola, and the waves on it. */
+#include "core/mesh/build.h"
+
+#include <math.h>
+
+/* y = c[0] + c[1] t + c[2] (3 t^2 - 1) / 2, t from -1 to 1 over the points: nearly orthogonal, so
+ * that three sweeps of single projections are the least squares. */
+typedef struct form {
+  double middle, half, c[3];
+} form;
+
+static double term(const form *f, int k, double x) {
+  const double t = (x - f->middle) / f->half;
+  return k == 0 ? 1 : k == 1 ? t : (3 * t * t - 1) / 2;
+}
+
+static double form_at(const form *f, double x) {
+  double sum = 0;
+  for (int k = 0; k < 3; k++) sum += f->c[k] * term(f, k, x);
+  return sum;
+}
+
+/* Share of a point in integrals over x. */
+static double weight(const arc_series *y, int i) {
+  const double from = y->distance[i > 0 ? i - 1 : 0],
+               to = y->distance[i + 1 < y->count ? i + 1 : i];
+  return (to - from) / 2;
+}
+
+static form form_of(const arc_series *y) {
+  enum { sweeps = 20 };
+  const double from = y->distance[0], to = y->distance[y->count - 1];
+  form f = {.middle = (from + to) / 2, .half = (to - from) / 2};
+  for (int sweep = 0; sweep < sweeps; sweep++)
+    for (int k = 0; k < 3; k++) {
+      double sum = 0, square = 0;
+      for (int i = 0; i < y->count; i++) {
+        const double x = y->distance[i], w = weight(y, i), at = term(&f, k, x);
+        sum += w * at * (y->value[i] - form_at(&f, x));
+        square += w * at * at;
+      }
+      f.c[k] += sum / square;
+    }
+  return f;
+}
+
+double arc_body_form_radius(const arc_body_def *b) {
+  if (b->kind != ARC_SOLID_PROFILE || b->y_series.count < 3) return INFINITY;
+  const form f = form_of(&b->y_series);
+  return f.c[2] < 0 ? -f.half * f.half / (3 * f.c[2]) : INFINITY;
+}
+
+/* Turns between peaks and valleys that are higher than a tenth of the whole. */
+double arc_body_wave(const arc_body_def *b) {
+  static const double least = 0.1;
+  enum { fewest = 4 };
+  const arc_series *y = &b->y_series;
+  if (b->kind != ARC_SOLID_PROFILE || y->count < 3) return INFINITY;
+  const form f = form_of(y);
+  double low = INFINITY, high = -INFINITY, last = 0;
+  for (int i = 0; i < y->count; i++) {
+    const double r = y->value[i] - form_at(&f, y->distance[i]);
+    low = fmin(low, r);
+    high = fmax(high, r);
+  }
+  int turns = 0, way = 0;
+  double from = 0, to = 0, at = 0; /* the first and the last turn; the outermost point since */
+  for (int i = 0; i < y->count; i++) {
+    const double x = y->distance[i], r = y->value[i] - form_at(&f, x), step = r - last;
+    const int further = i == 0 || way * step > 0, turned = fabs(step) >= least * (high - low);
+    if (!further && !turned) continue;
+    if (!further && way != 0) {
+      if (turns++ == 0) from = at;
+      to = at;
+    }
+    if (!further) way = step > 0 ? 1 : -1;
+    last = r;
+    at = x;
+  }
+  return turns < fewest ? INFINITY : 2 * (to - from) / (turns - 1);
+}

@@ -1,0 +1,44 @@
+-- Rough profiles: the mesh they get by themselves, Westergaard's waves in partial contact, the decay of waves in
+-- full contact.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within = figures.within
+
+local length, height = 0.1, 1e-4
+local star = math.pi * 109890.1 * height / length -- the mean pressure that flattens the waves
+
+-- Eight elements a wave by themselves; six times as many for 1 %. Where pressures are as Westergaard's,
+-- (p / cos)^2 is a line over sin^2 of pi x / l, and comes down to zero where the contact ends.
+local function wavy(radius, fineness, zone)
+  return model{ upper = body.profile{ width = 4, height = 2,
+      y = function(x) return height * math.cos(2 * math.pi * x / length) - x * x / (2 * radius) end },
+    lower = body.block{ width = 4, height = 2 }, mesh = { fineness = fineness, far = 0.2, zone = { cylinder = zone, plate = zone } } }
+end
+within(wavy(220, 1, 1).mesh.size, length / 8, 1e-3, "waves: eight elements each by themselves [mm]")
+local fine = contact{ load = 45, average = 0, model = wavy(220, 6, 0.9) }
+local size = fine.model.mesh.size
+local at, force = fine:pressure("profile"), 0
+for i, x in ipairs(at.x) do force = force + math.max(0, math.min(1, (length / 2 - math.abs(x)) / size + 0.5)) * at.p[i] * size end
+local mean = force / length
+local middle = #at.x // 2 + 1
+local last = middle
+while at.p[last + 2] > 0 do last = last + 1 end
+local function line(i)
+  local phase = math.pi * at.x[i] / length
+  return math.sin(phase) ^ 2, (at.p[i] / math.cos(phase)) ^ 2
+end
+local s0, q0 = line(middle)
+local s1, q1 = line(last)
+within(2 / math.pi * math.asin(math.sqrt(s0 + q0 * (s1 - s0) / (q0 - q1))), 2 / math.pi * math.asin(math.sqrt(mean / star)), 0.01,
+  "waves: share in contact")
+within(fine.p_center, 2 * math.sqrt(mean * star), 0.01, "waves: pressure at a crest, 48 elements each [MPa]")
+
+-- In full contact waves wear as exp(-d / d_c), d_c = l / (pi k E*), the form of the profile taken off.
+local decay = length / (math.pi * 1e-8 * 109890.1)
+local flattened = wear{ model = wavy(22, 2, 1.2), load = 400, k_cylinder = 1e-8, k_plate = 0, stroke = 0.01, jump = "auto",
+  geometry = "frozen", distance = decay / 2 }
+flattened:run()
+local h = flattened:profile("profile").h
+middle = #h // 2 + 1
+local function dip(nodes) return h[middle] - (h[middle + nodes] + h[middle - nodes]) / 2 end
+local lost = (dip(8) - dip(16) / 4) / 2 -- sixteen elements a wave; the form alone dips after a whole one
+within(-math.log(1 - lost / height), 0.5, 0.01, "waves: exponent of their decay")
