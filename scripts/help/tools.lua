@@ -251,6 +251,7 @@ return {
       .. "Takes the options of plot{} too." },
   { "plot.mesh{zoom}", type = "table { x0, x1, y0, y1 }", values = { "wear box", "all" },
     text = "What part to show." },
+  { "plot.mesh{unrolled}", type = "boolean", text = "In a hole: along its surface and across it." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "One body alone." },
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
     text = "A stress inside both bodies in colours, with contour lines and outlines; of a contact, a "
@@ -259,6 +260,7 @@ return {
     default = '"mises"', text = "Which stress; shear is the largest in the plane, principal the largest tension." },
   { "plot.stress{zoom}", type = "table { x0, x1, y0, y1 }", values = { "all" },
     text = "What part to show; three half widths of the contact where left out." },
+  { "plot.stress{unrolled}", type = "boolean", text = "In a hole: along its surface and across it." },
   { "plot.stress{body}", values = { "cylinder", "plate" }, text = "One body alone." },
   { "plot.stress{deformed}", type = "number", default = 0,
     text = "Draws the nodes displaced, so many times as far as they are." },

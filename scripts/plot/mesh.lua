@@ -7,6 +7,49 @@ local naming = require "archard.plot.naming"
 
 local mesh = {}
 
+-- --- unrolled along the hole -----------------------------------------------------------------------
+
+-- Radius of the hole in an object's pair, and where it lies: 1 above the first point of contact, -1
+-- below; nil without a hole.
+local function hole_of(object)
+  local model = naming.get(object, "model") or naming.get(naming.get(object, "contact"), "model") or object
+  for role, side in pairs{ lower = 1, upper = -1 } do
+    local body = naming.get(model, role)
+    if body and body.kind == "ring" and body.fixed ~= "inner" then return body.inner, side end
+  end
+end
+
+-- Nodes by their places along the hole and across it.
+local function unrolled(where, object, x, y)
+  local radius, side = hole_of(object)
+  if not radius then check.fail(where, "field 'unrolled': expected a pair with a hole") end
+  local s, z = {}, {}
+  for i = 1, #x do
+    local to = radius - side * y[i]
+    s[i], z[i] = radius * math.atan(x[i], to), side * (radius - math.sqrt(x[i] * x[i] + to * to))
+  end
+  return s, z, radius
+end
+
+local function axes_of(options)
+  if options.unrolled then return "along the hole / mm", "across / mm" end
+  return "x / mm", "y / mm"
+end
+
+-- The corners without what is cut where round bodies are unrolled.
+local function uncut(elements, s, radius)
+  local kept, n = {}, 0
+  for e = 1, #elements, 4 do
+    local a, b, c = s[elements[e]], s[elements[e + 1]], s[elements[e + 2]]
+    local d = s[elements[e + 3]] or c
+    if math.max(a, b, c, d) - math.min(a, b, c, d) < radius then
+      for k = 0, 3 do kept[n + k + 1] = elements[e + k] end
+      n = n + 4
+    end
+  end
+  return kept
+end
+
 -- --- elements -----------------------------------------------------------------------------------
 
 -- x and y of all nodes.
@@ -94,7 +137,7 @@ local function view_of(where, model, zoom)
   return type(zoom) == "table" and zoom or nil
 end
 
-local mesh_options = { body = check.text, zoom = check.one_of({ "wear box", "all" },
+local mesh_options = { body = check.text, unrolled = check.flag, zoom = check.one_of({ "wear box", "all" },
   check.box) }
 
 -- plot.mesh(model or wear, { zoom="wear box" or { x0, x1, y0, y1 }, body=, ... })
@@ -106,7 +149,8 @@ function mesh.mesh(model, options)
   end
   options = draw.options(where, options, mesh_options)
   local box = view_of(where, model, options.zoom)
-  local defaults = { xlabel = "x / mm", ylabel = "y / mm", equal = true, title = "mesh" }
+  local defaults = { equal = true, title = "mesh" }
+  defaults.xlabel, defaults.ylabel = axes_of(options)
   local nodes, count = 0, 0
   local shown, all = shown_bodies(where, model, options)
   for series, name in ipairs(all) do
@@ -114,6 +158,11 @@ function mesh.mesh(model, options)
     if shown[2] or shown[1] == name then
       local x, y = nodes_of(body)
       local elements = body:elements()
+      if options.unrolled then
+        local radius
+        x, y, radius = unrolled(where, model, x, y)
+        elements = uncut(elements, x, radius)
+      end
       local curve = edge_curve(x, y, elements, false, around(box))
       nodes, count = nodes + #x, count + #elements // 4
       if curve then
@@ -134,7 +183,7 @@ mesh.components = { "mises", "principal", "shear", "sxx", "syy", "szz", "sxy" }
 local labels = { mises = "von Mises stress / MPa", principal = "largest principal stress / MPa",
   shear = "largest shear stress / MPa", sxx = "σx / MPa", syy = "σy / MPa", szz = "σz / MPa", sxy = "τxy / MPa" }
 
-local stress_options = { component = check.one_of(mesh.components), body = check.text,
+local stress_options = { component = check.one_of(mesh.components), body = check.text, unrolled = check.flag,
   zoom = check.one_of({ "all" }, check.box), deformed = check.number }
 
 -- Nodes of a body, displaced `factor` times as far as they were.
@@ -198,8 +247,13 @@ function mesh.stress(object, options)
   for _, name in ipairs((shown_bodies(where, stress, options))) do
     local body = stress[name]
     local x, y = displaced(body, options.deformed or 0)
-    add_polygons(field, x, y, body[component], body.elements, around(box))
-    local outline = edge_curve(x, y, body.elements, true, around(box))
+    local elements, radius = body.elements, nil
+    if options.unrolled then
+      x, y, radius = unrolled(where, stress, x, y)
+      elements = uncut(elements, x, radius)
+    end
+    add_polygons(field, x, y, body[component], elements, around(box))
+    local outline = edge_curve(x, y, elements, true, around(box))
     if outline then
       outline.colour, outline.width = "black", 0.6
       defaults[#defaults + 1] = outline
@@ -207,7 +261,8 @@ function mesh.stress(object, options)
   end
   if not field.x[1] then check.fail(where, "no element lies in the part to be shown") end
   table.insert(defaults, 1, field)
-  defaults.xlabel, defaults.ylabel, defaults.vlabel = "x / mm", "y / mm", labels[component]
+  defaults.xlabel, defaults.ylabel = axes_of(options)
+  defaults.vlabel = labels[component]
   defaults.equal, defaults.levels = true, 9
   defaults.title = labels[component]
   if box then defaults.xrange, defaults.yrange = { box[1], box[2] }, { box[3], box[4] } end

@@ -103,6 +103,27 @@ local again = swinging(400)
 is(wear{ model = m, load = 20, distance = 400, jump = 10, load_angle = 2, loading = again.loading }.loading[1].load_angle[7],
   again.loading[1].load_angle[7], "a run's loading makes another")
 
+-- Decks: layers with materials of their own, bodies where they are.
+local lined = contact{ load = 50, x = 1, model = { upper = body.disc{ radius = 9.5, name = "pin" }, mesh = coarse,
+  lower = body.ring{ inner = 10, outer = 15, name = "bush", layers = { { thickness = 0.3, E = 1e5 } } } } }
+export.inp(lined, file .. ".inp")
+local deck = assert(io.open(file .. ".inp")):read("a")
+for i, line in ipairs{ "pin on bush", "ELSET=plate-layer-1, MATERIAL=plate-layer-1", "ELSET=plate-base, MATERIAL=plate-base",
+  "MATERIAL, NAME=plate-layer-1\n*ELASTIC\n100000, 0.3" } do
+  ok(deck:find(line, 1, true), "a deck tells bodies and layers, " .. i)
+end
+os.remove(file .. ".inp")
+
+fails(function() export.inp(contact{ model = m, load = 50, load_angle = 3 }, file .. ".inp") end, { "'load_angle'", "deck" },
+  "a deck of a load from an angle")
+
+-- Pictures unrolled along the hole.
+local unrolled = file .. ".txt"
+plot.mesh(called, { unrolled = true, file = unrolled })
+plot.stress(lined, { unrolled = true, body = "bush", file = unrolled })
+os.remove(unrolled)
+fails(function() plot.mesh(listed, { unrolled = true }) end, { "'unrolled'", "hole" }, "unrolled without a hole")
+
 -- Refusals.
 local function refused(parts, what, f) fails(f, parts, what) end
 refused({ "body.cylinder", "'width'", "radius" }, "a field of another body", function() body.cylinder{ width = 3 } end)

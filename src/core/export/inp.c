@@ -4,6 +4,7 @@
  * The whole problem is a slab one element thick, held along z on both faces: plane strain in the
  * formulation of the model. CalculiX makes such slabs of its own plane elements, and has none of
  * these with incompatible modes. */
+#include "core/elastic/body.h"
 #include "core/export/file.h"
 
 #include <stdlib.h>
@@ -156,24 +157,53 @@ static int base_node(const deck *d) {
 
 static void write_heading(const deck *d) {
   const arc_contact_def *def = arc_contact_definition(d->contact);
-  fprintf(d->out, "*HEADING\narchard: half cylinder on a plate, units mm, N, MPa\n");
+  fprintf(d->out, "*HEADING\narchard: %s on %s, units mm, N, MPa\n",
+          arc_model_body_name(d->def, ARC_UPPER), arc_model_body_name(d->def, ARC_LOWER));
   fprintf(d->out, "** load %s N, plate at x = %s mm; a slab held along z: plane strain\n",
           number(def->load).text, number(def->x).text);
+}
+
+static void write_material(FILE *out, const char *name, arc_material material) {
+  fprintf(out, "*MATERIAL, NAME=%s\n*ELASTIC\n%s, %s\n", name, number(material.E).text,
+          number(material.nu).text);
+  fprintf(out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n", name, name);
+}
+
+/* Layers have sets of their own, and what is below them too. */
+static void write_layers(const deck *d, const arc_mesh *m, numbering at) {
+  const arc_body_def *solid = &d->def->body[m->body];
+  const int layers = arc_body_layers(solid);
+  for (int l = 0; l <= layers; l++) {
+    char name[40];
+    snprintf(name, sizeof name, l < layers ? "%s-layer-%d" : "%s-base", arc_body_name(m->body),
+             l + 1);
+    fprintf(d->out, "*ELSET, ELSET=%s\n", name);
+    for (int e = 0; e < m->elements; e++)
+      if (m->layer[e] == l) fprintf(d->out, "%d\n", e + at.element);
+    write_material(d->out, name, l < layers ? solid->layer[l].material : d->def->material[m->body]);
+  }
+}
+
+/* The nodes as worn, where the body has moved to. */
+static void place_nodes(const deck *d, const arc_mesh *m) {
+  const placing to = arc_chart_placing(&arc_model_body(d->model, m->body)->chart, m->body,
+                                       arc_contact_definition(d->contact)->x, 0);
+  arc_shape_nodes(arc_contact_shape(d->contact), m->body, d->xy);
+  arc_placing_points(&to, m->nodes, d->xy);
 }
 
 static void write_solid(const deck *d, int body, numbering at) {
   const arc_mesh *m = mesh_of(d, body);
   const char *name = arc_body_name(m->body);
-  const arc_material material = d->def->material[body];
-  const double shift = body == ARC_PLATE ? arc_contact_definition(d->contact)->x : 0;
-  arc_shape_nodes(arc_contact_shape(d->contact), m->body, d->xy);
+  place_nodes(d, m);
   fprintf(d->out, "*NODE, NSET=%s\n", name);
-  write_nodes(d->out, m->nodes, d->xy, shift, 0, at.node);
-  write_nodes(d->out, m->nodes, d->xy, shift, d->def->thickness, at.node + at.layer);
+  write_nodes(d->out, m->nodes, d->xy, 0, 0, at.node);
+  write_nodes(d->out, m->nodes, d->xy, 0, d->def->thickness, at.node + at.layer);
   write_body(d->out, m, at);
-  fprintf(d->out, "*MATERIAL, NAME=%s\n*ELASTIC\n%s, %s\n", name, number(material.E).text,
-          number(material.nu).text);
-  fprintf(d->out, "*SOLID SECTION, ELSET=%s, MATERIAL=%s\n", name, name);
+  if (arc_body_layers(&d->def->body[body]) > 0)
+    write_layers(d, m, at);
+  else
+    write_material(d->out, name, d->def->material[body]);
 }
 
 /* The plate's base goes up and down as one. */
@@ -242,7 +272,13 @@ static arc_status check_space(const arc_model_def *def, arc_error *error) {
 arc_status arc_export_inp(const char *path, const arc_contact *contact, arc_error *error) {
   deck d = {.contact = contact, .model = arc_contact_model(contact)};
   d.def = arc_model_definition(d.model);
+  const double angle = arc_contact_definition(contact)->load_angle;
   arc_status status = check_space(d.def, error);
+  if (status == ARC_OK && angle != 0)
+    status = arc_fail(error, ARC_ARGUMENT,
+                      "field 'load_angle': expected 0 for an input deck, whose base moves along y, "
+                      "got %g degrees",
+                      angle);
   for (int body = 0; status == ARC_OK && body < ARC_BODIES; body++) {
     status = check_box(mesh_of(&d, body), error);
     d.nodes += mesh_of(&d, body)->nodes;
