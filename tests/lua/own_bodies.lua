@@ -103,6 +103,17 @@ local again = swinging(400)
 is(wear{ model = m, load = 20, distance = 400, jump = 10, load_angle = 2, loading = again.loading }.loading[1].load_angle[7],
   again.loading[1].load_angle[7], "a run's loading makes another")
 
+local coat = contact{ load = 50, model = { lower = body.block{ layers = { { thickness = 0.3, E = 1e5, nu = 0.2 } } },
+  mesh = { size = 0.1, height = 0.1, far = 2, zone = { cylinder = 4, plate = 5 } } } }
+local f = coat:stress().plate
+local top, deep = 1, 1
+for i, y in ipairs(f.y) do
+  if f.mises[i] > f.mises[top] and y > -0.2 then top = i end
+  if y < f.y[deep] then deep = i end
+end
+near(f.szz[top], 0.2 * (f.sxx[top] + f.syy[top]), 1e-12, "stress out of the plane by the layer's own nu")
+near(f.szz[deep], 0.3 * (f.sxx[deep] + f.syy[deep]), 1e-12, "and by that of what is below")
+
 -- Decks: layers with materials of their own, bodies where they are.
 local lined = contact{ load = 50, x = 1, model = { upper = body.disc{ radius = 9.5, name = "pin" }, mesh = coarse,
   lower = body.ring{ inner = 10, outer = 15, name = "bush", layers = { { thickness = 0.3, E = 1e5 } } } } }

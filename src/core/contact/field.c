@@ -70,17 +70,30 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   return status;
 }
 
+/* Poisson's ratio at the nodes, into szz: on an interface that of the layer above. Elements run
+ * from the surface on. */
+static void fill_ratios(const elastic_body *body, arc_field *field) {
+  const arc_mesh *m = body->mesh;
+  for (int e = m->elements - 1; e >= 0; e--)
+    for (int k = 0; k < arc_mesh_corners(m, e); k++) {
+      double *nu = &field->szz[m->element[4 * e + k]];
+      const double own = arc_body_elasticity(body, e).nu;
+      if (*nu == 0 || m->layer[e] < arc_body_layers(&m->solid)) *nu = own;
+    }
+}
+
 /* Stress out of the section at node n, from those in it and the strain around the axis; on the axis
- * the radial one is as large. */
+ * the radial one is as large. In plane strain szz holds the ratio there. */
 static double stress_out(const elastic_body *body, const arc_field *field, int n) {
   const revolution *revolved = &body->chart.revolved;
   const double r = revolved->axis + field->x[n], in = field->sxx[n] + field->syy[n];
   if (body->space == ARC_PLANE_STRESS) return 0;
-  if (body->space == ARC_PLANE_STRAIN) return body->d.nu * in;
+  if (body->space == ARC_PLANE_STRAIN) return field->szz[n] * in;
   return r == 0 ? field->sxx[n] : body->material.E * field->ux[n] / r + body->d.nu * in;
 }
 
 static void derive_invariants(const elastic_body *body, arc_field *field) {
+  fill_ratios(body, field);
   for (int n = 0; n < field->nodes; n++) {
     const double x = field->sxx[n], y = field->syy[n], t = field->sxy[n];
     const double z = stress_out(body, field, n);
