@@ -114,8 +114,8 @@ return {
     text = "Wear depth of the plate against x. A function is taken at the nodes; points by splines "
       .. "without kinks inside a scar, with the area under them." },
   { "contact.half_width", kind = "field", unit = "mm",
-    text = "Half the width of the contact: good to 0.05 of an element where surfaces meet smoothly, "
-      .. "as unworn, to 0.2 in the mean and 0.6 at worst at the edges of scars." },
+    text = "Half the width of the contact: good to 0.03 of an element unworn, to 0.07 where worn "
+      .. "surfaces meet smoothly, to 0.2 in the mean and 0.6 at worst at the edges of scars." },
   { "contact.p_max", kind = "field", unit = "MPa",
     text = "Largest nodal pressure. At the edge of a scar it grows as the mesh shrinks." },
   { "contact.p_average", kind = "field", unit = "MPa",
@@ -164,8 +164,8 @@ return {
       .. "displacements), mises, principal (the largest), shear, sxx, syy, szz, sxy (MPa), elements (four corners "
       .. "each). Of second order in the element size: at the surface from its tractions and the strain "
       .. "along it, inside from the elements' centres. Next to a smooth edge of the contact the "
-      .. "pressure is the square-root law's at the point (4 % of the largest at worst), at kinks of "
-      .. "scars the node's." },
+      .. "pressure is the square-root law's at the point (stresses to 2 % of the largest pressure at "
+      .. "20 um, to 9 % with friction 0.6), at kinks of scars the node's." },
   { "stress.cylinder", kind = "field", text = "Lists of the cylinder." },
   { "stress.plate", kind = "field", text = "Lists of the plate." },
   { "stress.contact", kind = "field", class = "contact", text = "The contact it was made of." },
@@ -317,8 +317,8 @@ return {
       .. "volume is k of that body times it (Eq. 15); a law, local factors and elastic slip show in what "
       .. "volumes differ by. NaN in runs of files older than format 4." },
   { "wear.half_width", kind = "field", unit = "mm",
-    text = "Half the width of the contact, plate at x = 0, nominal load: good to 0.05 of an element "
-      .. "where surfaces meet smoothly, as unworn; to 0.2 in the mean and 0.6 at worst at the edges of "
+    text = "Half the width of the contact, plate at x = 0, nominal load: good to 0.03 of an element "
+      .. "unworn, to 0.07 where worn surfaces meet smoothly, to 0.2 in the mean and 0.6 at worst at the edges of "
       .. "scars (the paper's cases, against 5 um)." },
   { "wear.depth", kind = "field", unit = "mm", text = "Largest wear depth of each body." },
   { "wear.depth.cylinder", kind = "field", unit = "mm",

@@ -253,6 +253,29 @@ do
   within(largest, 2 * mu * p0, 0.25, "largest principal stress, at the trailing edge, where it has a cusp [MPa]")
 end
 
+-- Beside the edges the stress along the surface has cusps of 2 mu p0: nodes within an element and a half of them, whose
+-- place between the nodes the load changes. (The largest at a node is lower than a tip between two.)
+for _, row in ipairs{ { 0.02, 0.09 }, { 0.01, 0.065 } } do
+  local size, worst = row[1], 0
+  for normal = 80, 120, 10 do
+    local h = hertz{ load = normal }
+    local c = contact{ model = models[size], load = normal, friction = mu }:move{ x = 0.05, increments = 5 }
+    for body, field in pairs(c:stress()) do
+      for _, node in ipairs(c.model.mesh[body]:surface()) do
+        local x = field.x[node] / h.half_width
+        if math.abs(math.abs(field.x[node]) - h.half_width) < 1.5 * size then
+          local root = math.sqrt(math.abs(x * x - 1))
+          local pressed, outside = x * x < 1 and -root or 0, x * x > 1 and root or 0
+          local pulled = 2 * mu * (x - (x > 0 and outside or -outside))
+          local wanted = h.p_max * (pressed + (body == "plate" and pulled or -pulled))
+          worst = math.max(worst, math.abs(field.sxx[node] - wanted) / h.p_max)
+        end
+      end
+    end
+  end
+  below(worst, row[2], ("sliding, %g um: stress along both surfaces beside the edges, largest error / p0"):format(1000 * size))
+end
+
 -- --- what the outer boundaries set --------------------------------------------------------------
 
 do

@@ -1,14 +1,16 @@
 /* Where a contact ends, and the pressure next to its end. Leans on pose.c's solution.
  *
- * Between the last node in contact and the next one lies the edge. Where surfaces meet smoothly
- * there, as Hertz' do, pressure falls as c sqrt(d) towards it and the gap opens beyond it as
- * 4 c d^(3/2) / (3 E*), with c nearly linear in d. The gaps a few nodes outside then place the edge
- * to a twentieth of an element, which the last node's force, the sum of what its element gets,
- * cannot. At the kinks of scars neither law holds: the two c part, and what the last node and the
- * next one say is left. */
+ * Where surfaces meet smoothly, as Hertz' do, pressure falls as c sqrt(d) towards the edge and the
+ * gap opens beyond it as 4 c d^(3/2) / (3 E*). In a half-plane both are one analytic function, so
+ * that with c linear in d three numbers make all of it: the edge, c there, and its slope. They are
+ * found from nodal forces and gaps a few nodes away, where elements have them right: next to the
+ * edge they depend on where between the nodes it lies. At the kinks of scars the law does not hold,
+ * and what the last node and the next one say is left. */
+#include "core/base/dense.h"
 #include "core/contact/pose.h"
 
 #include <math.h>
+#include <string.h>
 
 /* One end of the contact: nodes by steps from the last one in contact, positive outwards. */
 typedef struct ending {
@@ -32,6 +34,11 @@ static double gap(const ending *e, int step) {
   return e->p->open[e->last + e->out * step];
 }
 
+/* Pressure and gap by the law: c0 sqrt(d) + c1 d sqrt(d). */
+typedef struct edge_law {
+  double x, c[2];
+} edge_law;
+
 /* Between the last node in contact (pressure q at distance 0) and the next one (gap g at distance
  * h) both laws hold with one c. Solves for the distance. */
 static double edge_between(const ending *e) {
@@ -39,7 +46,7 @@ static double edge_between(const ending *e) {
   double low = 0, high = h;
   for (int i = 0; i < 60; i++) {
     const double d = (low + high) / 2;
-    if (4 * q * pow(h - d, 1.5) > 3 * e->E_star * g * sqrt(d))
+    if (4 * q * (h - d) * sqrt(h - d) > 3 * e->E_star * g * sqrt(d))
       low = d;
     else
       high = d;
@@ -47,60 +54,122 @@ static double edge_between(const ending *e) {
   return place(e, 0) + (low + high) / 2;
 }
 
-/* Where gap^(2/3) of three nodes outside comes down to zero, by the parabola through the places as
- * they depend on it. */
-static double edge_from_gaps(const ending *e) {
-  enum { first = 2, points = 3 };
-  double at[points], opening[points];
-  for (int i = 0; i < points; i++) {
-    at[i] = place(e, first + i);
-    opening[i] = cbrt(gap(e, first + i) * gap(e, first + i));
+/* --- the law ---------------------------------------------------------------------------------- */
+
+/* What a quantity at a node would be, and how that changes with the edge. */
+typedef struct equation {
+  double of_c[2], of_x, value;
+} equation;
+
+/* Nodal forces are means of the pressure under hat functions, which second differences of its
+ * double integral are. Of d^(3/2), d^(5/2) and d^(7/2). */
+static void find_differences(const ending *e, double edge, int step, double difference[3]) {
+  double at[3], power[3][3];
+  for (int i = 0; i < 3; i++) {
+    at[i] = place(e, step - 1 + i);
+    const double d = fmax(0, edge - at[i]);
+    power[i][0] = d * sqrt(d);
+    power[i][1] = power[i][0] * d;
+    power[i][2] = power[i][1] * d;
   }
-  for (int span = 1; span < points; span++)
-    for (int i = 0; i + span < points; i++)
-      at[i] =
-          (opening[i + span] * at[i] - opening[i] * at[i + 1]) / (opening[i + span] - opening[i]);
-  return at[0];
+  const double left = at[1] - at[0], right = at[2] - at[1], scale = 2 / (left + right);
+  for (int k = 0; k < 3; k++)
+    difference[k] =
+        scale * ((power[2][k] - power[1][k]) / right - (power[1][k] - power[0][k]) / left);
 }
 
-/* The line through (x, y) at two places, at a third. */
-static double line_at(double at, double xa, double ya, double xb, double yb) {
-  return ya + (yb - ya) * (at - xa) / (xb - xa);
+static equation equation_inside(const ending *e, const edge_law *law, int step) {
+  double of[3];
+  find_differences(e, law->x, step, of);
+  return (equation){.of_c = {of[1] / 3.75, of[2] / 8.75},
+                    .of_x = law->c[0] * of[0] / 1.5 + law->c[1] * of[1] / 2.5,
+                    .value = pressure(e, step)};
 }
 
-/* c at the edge as the pressures inside have it, over c as the gaps outside do. */
-static double ratio_at(const ending *e, double edge) {
-  double inside[2], outside[2];
-  for (int i = 0; i < 2; i++) {
-    inside[i] = pressure(e, -2 + i) / sqrt(edge - place(e, -2 + i));
-    outside[i] = 3 * e->E_star * gap(e, 2 + i) / (4 * pow(place(e, 2 + i) - edge, 1.5));
+/* E* g over the distance, which is a pressure too. */
+static equation equation_outside(const ending *e, const edge_law *law, int step) {
+  const double s = place(e, step) - law->x, root = sqrt(s), g = e->E_star * gap(e, step) / s;
+  equation q = {.of_c = {4 * root / 3, -4 * s * root / 5}, .value = g};
+  q.of_x = -2 * law->c[0] / (3 * root) + 6 * law->c[1] * root / 5 - g / s;
+  return q;
+}
+
+/* Nodes that are asked: from `first` to `last_inside`, in contact, and `from` .. `to` outside. */
+typedef struct stencil {
+  int first, from, to;
+} stencil;
+
+enum { last_inside = -2, unknowns = 3 };
+
+/* Adds an equation to the normal ones of changes of c and x; its defect. */
+static double add_equation(const edge_law *law, const equation *q, double a[unknowns * unknowns],
+                           double b[unknowns]) {
+  const double row[unknowns] = {q->of_c[0], q->of_c[1], q->of_x};
+  const double off = q->value - law->c[0] * row[0] - law->c[1] * row[1];
+  for (int i = 0; i < unknowns; i++) {
+    for (int j = 0; j < unknowns; j++) a[dense_at(i, j, unknowns)] += row[i] * row[j];
+    b[i] += row[i] * off;
   }
-  return line_at(edge, place(e, -2), inside[0], place(e, -1), inside[1]) /
-         line_at(edge, place(e, 2), outside[0], place(e, 3), outside[1]);
+  return off;
 }
 
-/* Whether there are nodes enough on both sides for the laws to be compared: on this half of the
- * contact. */
-static int has_nodes(const ending *e) {
-  enum { inside = 3, outside = 4, active = 7 };
-  if (e->p->active < active) return 0;
-  const int inner = e->last - e->out * inside, outer = e->last + e->out * outside;
+/* The normal equations at a law; the root mean square of the defects. */
+static double add_equations(const ending *e, const stencil *at, const edge_law *law,
+                            double a[unknowns * unknowns], double b[unknowns]) {
+  double sum = 0;
+  int count = 0;
+  for (int step = at->first; step <= at->to; step++) {
+    if (step > last_inside && step < at->from) continue;
+    const equation q = step < 0 ? equation_inside(e, law, step) : equation_outside(e, law, step);
+    const double off = add_equation(law, &q, a, b);
+    sum += off * off;
+    count++;
+  }
+  return sqrt(sum / count);
+}
+
+/* Least squares by Gauss and Newton, from the edge between the nodes. What is left over the
+ * pressure an element inside; INFINITY where the law leads away from there. */
+static double fit_law(const ending *e, const stencil *at, double start, edge_law *law) {
+  enum { most_iterations = 12 };
+  const double h = place(e, 1) - place(e, 0);
+  *law = (edge_law){.x = start, .c = {pressure(e, -2) / sqrt(start - place(e, -2)), 0}};
+  for (int it = 0; it < most_iterations; it++) {
+    double a[unknowns * unknowns] = {0}, b[unknowns] = {0};
+    const double off = add_equations(e, at, law, a, b);
+    if (arc_dense_cholesky(unknowns, a, unknowns)) return INFINITY;
+    arc_dense_cholesky_solve(unknowns, 1, a, unknowns, b, unknowns);
+    for (int i = 0; i < 2; i++) law->c[i] += b[i];
+    law->x += b[2];
+    if (!(law->x > place(e, 0) - h / 2 && law->x < place(e, 2) - h / 2)) return INFINITY;
+    if (fabs(b[2]) < 1e-7 * h) return law->c[0] > 0 ? off / (law->c[0] * sqrt(h)) : INFINITY;
+  }
+  return INFINITY;
+}
+
+/* Whether the nodes are there: on this half of the contact, and on open ground. */
+static int has_nodes(const ending *e, const stencil *at) {
+  if (e->p->active < 1 - 2 * at->first) return 0;
+  const int inner = e->last + e->out * (at->first - 1), outer = e->last + e->out * at->to;
   if (inner < 0 || inner >= e->p->count || outer < 0 || outer >= e->p->count) return 0;
-  for (int step = -inside; step < 0; step++)
+  for (int step = at->first; step < 0; step++)
     if (!(pressure(e, step) > 0)) return 0;
-  for (int step = 1; step < outside; step++)
+  for (int step = 1; step < at->to; step++)
     if (!(gap(e, step + 1) > gap(e, step) && gap(e, step) > 0)) return 0;
   return 1;
 }
 
-/* 1 where the two c agree as well as in unworn contacts, 0 where they are a third apart: measured
- * over worn contacts against finer meshes, the gaps place the edge better as long as they agree. */
-static double smoothness(const ending *e, double edge) {
-  static const double alike = 0.15, apart = 0.3;
-  const double h = place(e, 1) - place(e, 0);
-  if (!(edge > place(e, 0) - h / 2 && edge < place(e, 2) - h / 2)) return 0;
-  const double off = fabs(ratio_at(e, edge) - 1);
-  return fmax(0, fmin(1, (apart - off) / (apart - alike)));
+/* By nodes so far from the edge that its place between two of them does not matter, if the law
+ * holds as far as that; else by nearer ones. 1 where it holds as well as in unworn contacts, 0
+ * where it does not: measured over worn contacts against finer meshes, it places the edge better
+ * where it holds. */
+static double find_law(const ending *e, double start, edge_law *law) {
+  static const stencil stencils[] = {{-4, 3, 5}, {-3, 2, 3}};
+  static const double holds = 0.018, fails = 0.024;
+  double off = INFINITY;
+  for (int s = 0; s < 2 && off > holds; s++)
+    if (has_nodes(e, &stencils[s])) off = fit_law(e, &stencils[s], start, law);
+  return fmax(0, fmin(1, (fails - off) / (fails - holds)));
 }
 
 contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right) {
@@ -111,11 +180,13 @@ contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right) {
                     .out = right ? 1 : -1,
                     .E_star = arc_contact_modulus(def->geometry, def->material)};
   contact_edge edge = {.out = e.out, .width = place(&e, 1) - place(&e, 0)};
-  double x = edge_between(&e);
-  if (has_nodes(&e)) {
-    const double far = edge_from_gaps(&e);
-    edge.smooth = smoothness(&e, far);
-    if (edge.smooth > 0) x += edge.smooth * (far - x);
+  const double between = edge_between(&e);
+  edge_law law = {0};
+  edge.smooth = find_law(&e, between, &law);
+  double x = between;
+  if (edge.smooth > 0) {
+    x += edge.smooth * (law.x - between);
+    memcpy(edge.c, law.c, sizeof edge.c);
   }
   edge.x = e.out * x;
   return edge;
@@ -125,21 +196,35 @@ void arc_pose_edges(const pose *p, const arc_shape *shape, double edges[2]) {
   for (int side = 0; side < 2; side++) edges[side] = arc_pose_edge(p, shape, side).x;
 }
 
-/* The first node of x [n] at least `reach` inside the edge, or -1; the next inwards follows it by
- * -out. */
-static int first_inside(const contact_edge *edge, int n, const double *x, double reach) {
-  int i = edge->out > 0 ? n - 1 : 0;
-  while (i >= 0 && i < n && edge->out * (edge->x - x[i]) < reach) i -= edge->out;
-  return i >= 0 && i < n ? i : -1;
+void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p) {
+  static const double reach = 2; /* elements */
+  for (int i = 0; i < n && edge->smooth > 0; i++) {
+    const double d = edge->out * (edge->x - x[i]), root = sqrt(fmax(0, d));
+    if (d > reach * edge->width) continue;
+    p[i] += edge->smooth * (share * root * (edge->c[0] + edge->c[1] * d) - p[i]);
+  }
 }
 
-void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double *p) {
-  const int a = first_inside(edge, n, x, edge->width), b = a - edge->out;
-  if (edge->smooth == 0 || a < 0 || b < 0 || b >= n || !(p[a] > 0 && p[b] > 0)) return;
-  const double ca = p[a] / sqrt(fabs(edge->x - x[a])), cb = p[b] / sqrt(fabs(edge->x - x[b]));
-  for (int i = a + edge->out; i >= 0 && i < n; i += edge->out) {
-    const double d = edge->out * (edge->x - x[i]);
-    const double exact = d > 0 ? line_at(x[i], x[a], ca, x[b], cb) * sqrt(d) : 0;
-    p[i] += edge->smooth * (exact - p[i]);
+/* In a half-plane's surface, per share: 2 (c0 sqrt(s) - c1 s sqrt(s)) at s outside, and its
+ * integral.
+ */
+static double cusp_at(const contact_edge *edge, double x, double *integral) {
+  const double s = fmax(0, edge->out * (x - edge->x)), root = sqrt(s);
+  *integral = root * s * (edge->c[0] / 0.75 - edge->c[1] * s / 1.25);
+  return 2 * edge->out * root * (edge->c[0] - edge->c[1] * s);
+}
+
+void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
+                       double *cusp) {
+  static const double reach = 4; /* elements: farther away means miss nothing */
+  for (int i = 1; i + 1 < n && edge->smooth > 0; i++) {
+    const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
+    double sum[3];
+    if (fabs(x[i] - edge->x) > reach * edge->width) continue;
+    cusp_at(edge, x[i - 1], &sum[0]);
+    cusp_at(edge, x[i + 1], &sum[2]);
+    const double point = cusp_at(edge, x[i], &sum[1]);
+    const double before = (sum[1] - sum[0]) / left, after = (sum[2] - sum[1]) / right;
+    cusp[i] += edge->smooth * share * (point - (before * right + after * left) / (left + right));
   }
 }

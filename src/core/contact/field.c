@@ -38,26 +38,38 @@ void arc_field_destroy(arc_field **field) {
   *field = NULL;
 }
 
-/* Tractions at the surface nodes, the normal ones next to smooth edges as they are at the points.
- */
+/* Shear over pressure at the last node in contact, along +x on the cylinder. */
+static double shear_at(const arc_contact *c, int right) {
+  const int last = c->pose.set[right ? c->pose.active - 1 : 0];
+  return c->state.t[c->pose.lo + last] / c->pose.f[last];
+}
+
+/* Tractions at the surface nodes, next to smooth edges as they are at the points. */
 static void read_tractions(const arc_contact *c, arc_body body, const surface_traction *on) {
-  const double sign = body == ARC_CYLINDER ? 1 : -1;
-  double *normal = on->normal;
-  for (int i = 0; i < c->count[body] && c->rubs; i++) on->tangential[i] = sign * c->q[body][i];
-  memcpy(normal, c->p[body], (size_t)c->count[body] * sizeof *normal);
+  const double sign = body == ARC_CYLINDER ? 1 : -1, *x = c->x[body];
+  const int n = c->count[body];
+  for (int i = 0; i < n && c->rubs; i++) on->tangential[i] = sign * c->q[body][i];
+  memcpy(on->normal, c->p[body], (size_t)n * sizeof *on->normal);
   for (int right = 0; right < 2; right++) {
     const contact_edge edge = arc_pose_edge(&c->pose, c->shape, right);
-    arc_edge_sharpen(&edge, c->count[body], c->x[body], normal);
+    arc_edge_sharpen(&edge, n, x, 1, on->normal);
+    if (!c->rubs) continue;
+    const double shear = sign * shear_at(c, right);
+    arc_edge_sharpen(&edge, n, x, shear, on->tangential);
+    arc_edge_add_cusp(&edge, n, x, shear, on->cusp);
   }
 }
 
 static arc_status recover(const arc_contact *c, arc_body body, const double *xy, const double *u,
                           arc_field *field) {
   const size_t nodes = (size_t)field->nodes;
-  double *stress = malloc((3 * nodes + 2 * (size_t)c->count[body]) * sizeof *stress);
+  double *stress = calloc(3 * nodes + 3 * (size_t)c->count[body], sizeof *stress);
   if (!stress) return ARC_MEMORY;
   surface_traction traction = {.normal = stress + 3 * nodes, .load = c->p[body]};
-  if (c->rubs) traction.tangential = traction.normal + c->count[body];
+  if (c->rubs) {
+    traction.tangential = traction.normal + c->count[body];
+    traction.cusp = traction.tangential + c->count[body];
+  }
   read_tractions(c, body, &traction);
   const arc_status status =
       arc_recover_stresses(c->shape->side[body].body, xy, u, &traction, stress);

@@ -115,14 +115,19 @@ typedef struct contact_edge {
   double width;  /* [mm] of the element it lies in */
   double smooth; /* 1: the surfaces meet smoothly there, as Hertz' do; 0: at a kink */
   int out;       /* 1: the right end, -1: the left one */
+  double c[2];   /* pressure c0 sqrt(d) + c1 d sqrt(d) at d inside [MPa, mm] */
 } contact_edge;
 contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right);
 /* Contact edges [mm], left and right. */
 void arc_pose_edges(const pose *p, const arc_shape *shape, double edges[2]);
-/* Nodal pressures p [n] [MPa] at x [n] (the cylinder's frame) become those at the points: within an
- * element of a smooth edge and beyond it the square-root law replaces them, with what the nodes
- * farther inside tell. Forces are no longer kept. */
-void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double *p);
+/* Nodal pressures, or a shear that is `share` of them, p [n] [MPa] at x [n] (the cylinder's frame)
+ * become those at the points: within two elements of a smooth edge and beyond it the law replaces
+ * them. Forces are no longer kept. */
+void arc_edge_sharpen(const contact_edge *edge, int n, const double *x, double share, double *p);
+/* A shear that is `share` of the pressure and ends with it leaves a cusp in the stress along the
+ * surface. Adds what means between a node and those beside it miss of that [MPa], to cusp [n]. */
+void arc_edge_add_cusp(const contact_edge *edge, int n, const double *x, double share,
+                       double *cusp);
 
 /* The complementarity problem (lcp.c): finds p's set, factor, ones, f, approach for a load
  * per thickness [N/mm], from the set as a warm start. */

@@ -115,7 +115,8 @@ typedef struct boundary {
   double *bend;   /* [count] second difference of the pressure */
   double *length; /* [count] of the edges [mm] */
   double *rest;   /* [count] stress along the edge, but for what its own pressure does there */
-  double *work;   /* [4 * nodes] */
+  double *cusp;   /* [count] by how much that is more at the node than in its edges */
+  double *work;   /* [5 * nodes] */
 } boundary;
 
 static int next_of(const boundary *o, int k) {
@@ -201,7 +202,8 @@ static void sample_boundary_node(recovery *r, const boundary *o, int k) {
   }
   if (cosine < straight) return;
   const double length = hypot(t[0], t[1]), tx = t[0] / length, ty = t[1] / length;
-  const double along = (o->rest[before] * lb + o->rest[k] * la) / (la + lb) - o->p[k];
+  const double rest = (o->rest[before] * lb + o->rest[k] * la) / (la + lb) + o->cusp[k];
+  const double along = rest - o->p[k];
   const int s = r->mesh->elements + at;
   r->place[2 * s] = x[0];
   r->place[2 * s + 1] = x[1];
@@ -215,22 +217,25 @@ static void sample_boundary_node(recovery *r, const boundary *o, int k) {
  * plate's against it. */
 static void read_tractions(const arc_mesh *m, const surface_traction *traction, boundary *o) {
   double *normal = o->work, *shear = normal + m->nodes, *load = shear + m->nodes;
+  double *cusp = load + m->nodes;
   const double sign = m->body == ARC_CYLINDER ? 1 : -1;
   for (int i = 0; i < m->surface; i++) {
     normal[m->surface_node[i]] = traction->normal[i];
     load[m->surface_node[i]] = traction->load[i];
     if (traction->tangential) shear[m->surface_node[i]] = sign * traction->tangential[i];
+    if (traction->cusp) cusp[m->surface_node[i]] = traction->cusp[i];
   }
   for (int k = 0; k < o->count; k++) {
     o->p[k] = normal[m->outline_node[k]];
     o->q[k] = shear[m->outline_node[k]];
     o->load[k] = load[m->outline_node[k]];
+    o->cusp[k] = cusp[m->outline_node[k]];
   }
 }
 
 static void sample_boundary(recovery *r, boundary *o, const surface_traction *traction) {
   const arc_mesh *m = r->mesh;
-  double *fixed = o->work + 3 * (size_t)m->nodes;
+  double *fixed = o->work + 4 * (size_t)m->nodes;
   for (int k = 0; k < m->fixed; k++) fixed[m->fixed_node[k]] = 1;
   read_tractions(m, traction, o);
   split_edges(r, o);
@@ -241,10 +246,11 @@ static void sample_boundary(recovery *r, boundary *o, const surface_traction *tr
 
 static arc_status make_boundary(recovery *r, const surface_traction *traction) {
   const size_t n = (size_t)r->mesh->outline, nodes = (size_t)r->mesh->nodes;
-  double *block = calloc(6 * n + 4 * nodes, sizeof *block);
+  double *block = calloc(7 * n + 5 * nodes, sizeof *block);
   if (!block) return ARC_MEMORY;
-  boundary o = {(int)n,        block,         block + n,     block + 2 * n,
-                block + 3 * n, block + 4 * n, block + 5 * n, block + 6 * n};
+  boundary o = {.count = (int)n};
+  double **member[] = {&o.p, &o.q, &o.load, &o.bend, &o.length, &o.rest, &o.cusp, &o.work};
+  for (size_t k = 0; k < sizeof member / sizeof *member; k++) *member[k] = block + k * n;
   sample_boundary(r, &o, traction);
   free(block);
   return ARC_OK;
@@ -326,21 +332,34 @@ static void fit_node(recovery *r, int node, double stress[3]) {
   solve_fit(1, a, b, stress);
 }
 
+static void fit_inside(recovery *r, double *stress) {
+  for (int n = 0; n < r->mesh->nodes; n++)
+    if (!r->known[r->mesh->elements + n]) fit_node(r, n, &stress[3 * n]);
+}
+
+static void take_boundary(const recovery *r, double *stress) {
+  for (int n = 0; n < r->mesh->nodes; n++) {
+    const int own = r->mesh->elements + n;
+    if (r->known[own]) memcpy(&stress[3 * n], &r->value[3 * own], 3 * sizeof *stress);
+  }
+}
+
+/* Patches take the boundary as elements have it, with the pressures they have answered to; its own
+ * nodes tell what is at the points. */
 arc_status arc_recover_stresses(const elastic_body *body, const double *xy, const double *u,
                                 const surface_traction *traction, double *stress) {
   recovery r;
+  surface_traction answered = *traction;
+  answered.normal = traction->load;
+  answered.cusp = NULL;
   arc_status status = recovery_create(body, xy, u, &r);
   if (status != ARC_OK) return status;
   list_elements_around(&r);
   sample_elements(&r);
-  status = make_boundary(&r, traction);
-  for (int n = 0; n < body->mesh->nodes && status == ARC_OK; n++) {
-    const int own = body->mesh->elements + n;
-    if (r.known[own])
-      memcpy(&stress[3 * n], &r.value[3 * own], 3 * sizeof *stress);
-    else
-      fit_node(&r, n, &stress[3 * n]);
-  }
+  status = make_boundary(&r, &answered);
+  if (status == ARC_OK) fit_inside(&r, stress);
+  if (status == ARC_OK) status = make_boundary(&r, traction);
+  if (status == ARC_OK) take_boundary(&r, stress);
   recovery_free(&r);
   return status;
 }

@@ -11,6 +11,8 @@ typedef struct surface_traction {
   double *load;       /* [surface] nodal forces over tributary widths: the pressure that the nodes
                          have answered to */
   double *tangential; /* [surface] along the surface, towards larger x; NULL: none */
+  double *cusp;       /* [surface] by how much the stress along the surface is more at a node than
+                         between the two beside it, where it is not smooth; NULL: nowhere */
 } surface_traction;
 
 /* Stresses [3 * nodes] (xx, yy, xy, [MPa]) with nodes at xy and displacements u [2 * nodes] under
