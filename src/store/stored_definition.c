@@ -361,10 +361,11 @@ static arc_status check(const reading *r) {
 }
 
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error) {
-  *run = (arc_stored_run){.model = arc_model_default(), .def = arc_wear_default()};
-  reading r = {store, id, run, calloc(1, sizeof *r.stock), error, ARC_OK};
-  run->memory = r.stock;
-  if (!r.stock) return no_memory(&r);
+  stock *values = calloc(1, sizeof *values);
+  *run =
+      (arc_stored_run){.model = arc_model_default(), .def = arc_wear_default(), .memory = values};
+  reading r = {store, id, run, values, error, ARC_OK};
+  if (!values) return no_memory(&r);
   arc_status status = arc_store_values(store, id, ARC_DEFINITION, collect, &r, error);
   if (status == ARC_OK) status = r.status;
   if (status == ARC_OK && r.stock->count == 0)
