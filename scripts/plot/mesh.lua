@@ -22,7 +22,7 @@ end
 -- Nodes by their places along the hole and across it.
 local function unrolled(where, object, x, y)
   local radius, side = hole_of(object)
-  if not radius then check.fail(where, "field 'unrolled': expected a pair with a hole") end
+  if not radius then check.fail(where, "field 'unrolled': expected a pair with a hole, got one without") end
   local s, z = {}, {}
   for i = 1, #x do
     local to = radius - side * y[i]
