@@ -1,5 +1,5 @@
 /* Comma-separated columns. */
-#include "core/export/file.h"
+#include "core/export/output.h"
 
 static void write_name(FILE *out, const char *name, const char *unit) {
   if (unit && unit[0])

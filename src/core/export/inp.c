@@ -5,7 +5,7 @@
  * formulation of the model. CalculiX makes such slabs of its own plane elements, and has none of
  * these with incompatible modes. */
 #include "core/elastic/body.h"
-#include "core/export/file.h"
+#include "core/export/output.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Gmsh files (4.1, text) of both bodies, with the physical groups that arc_mesh_read_msh reads. */
-#include "core/export/file.h"
+#include "core/export/output.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Legacy VTK text: an unstructured grid, with displacements and stresses at its nodes. */
-#include "core/export/file.h"
+#include "core/export/output.h"
 
 enum { vtk_triangle = 5, vtk_quad = 9 };
 

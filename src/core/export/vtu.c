@@ -1,6 +1,6 @@
 /* VTK unstructured grids in XML. The numbers stand behind the description as they are in memory,
  * those of each array with the count of their bytes before them. */
-#include "core/export/file.h"
+#include "core/export/output.h"
 
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Complete files or none. */
-#include "core/export/file.h"
+#include "core/export/output.h"
 
 #include <errno.h>
 #include <math.h>

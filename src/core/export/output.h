@@ -1,6 +1,6 @@
 /* A file that appears under its name only when it is complete. */
-#ifndef EXPORT_FILE_H
-#define EXPORT_FILE_H
+#ifndef EXPORT_OUTPUT_H
+#define EXPORT_OUTPUT_H
 
 #include "archard/export.h"
 #include "archard/place.h"
