@@ -75,15 +75,19 @@ static void put_results(FILE *to) {
   }
 }
 
-/* Settings that are called like a result, or like a word of SQL's. */
-static const char *const renamed[][2] = {
-    {"distance", "total_distance"}, {"update", "update_at"}, {"order", "scheme_order"}};
+/* Settings that are called like a result, like a word of SQL's, or in a model like one of a run. */
+static const char *const renamed[][3] = {{"", "distance", "total_distance"},
+                                         {"", "update", "update_at"},
+                                         {"", "order", "scheme_order"},
+                                         {"model.", "geometry", "model_geometry"}};
 
 /* The column of a setting: "mesh_size" of mesh.size. */
-static column column_of(const char *path, const arc_setting *s, char name[static 96]) {
+static column column_of(const char *prefix, const char *path, const arc_setting *s,
+                        char name[static 96]) {
   size_t i = 0;
   for (size_t r = 0; r < COUNT(renamed); r++)
-    if (strcmp(path, renamed[r][0]) == 0) path = renamed[r][1];
+    if (strcmp(prefix, renamed[r][0]) == 0 && strcmp(path, renamed[r][1]) == 0)
+      path = renamed[r][2];
   for (; i < 95 && path[i]; i++) name[i] = path[i] == '.' ? '_' : path[i];
   name[i] = '\0';
   const int counted = !s->unit || strcmp(s->unit, "cycles") == 0;
@@ -109,7 +113,7 @@ typedef struct walk {
 /* From the definition, or before there is one from the settings. */
 static void put_setting(walk *at, const char *path, const arc_setting *s) {
   char name[96];
-  const column c = column_of(path, s, name);
+  const column c = column_of(at->prefix, path, s, name);
   const char *prefix = at->prefix;
   fprintf(at->to,
           ", coalesce((SELECT value FROM definition WHERE case_id = c.id AND name = '%s%s' AND NOT "
@@ -154,7 +158,7 @@ static void put_unit(FILE *to, const column *c, int first) {
 
 static void put_setting_unit(walk *at, const char *path, const arc_setting *s) {
   char name[96];
-  const column c = column_of(path, s, name);
+  const column c = column_of(at->prefix, path, s, name);
   put_unit(at->to, &c, 0);
 }
 
