@@ -1,4 +1,5 @@
 -- csv.read: separators, quotes, names, numbers, and what it refuses.
+-- Run once: its work is in Lua alone, which small steps of the collector only slow.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, near, fails = tap.is, tap.near, tap.fails
