@@ -62,15 +62,15 @@ local function compare(where, self, store)
   end
 end
 
+local function write_or_compare(where, self, store)
+  if #store:cases() == 0 and not store:info("kind") then write(self, store) else compare(where, self, store) end
+end
+
 -- The run file of a study, open for writing: a new one with its definitions, or one that holds them.
 function definitions.for_run(where, self, path)
   local store = definitions.open(where, path, "create")
   store:check()
-  if #store:cases() == 0 and not store:info("kind") then
-    definitions.write(self, store)
-  else
-    compare(where, self, store)
-  end
+  together(store, write_or_compare, where, self, store)
   return store
 end
 
