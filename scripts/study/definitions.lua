@@ -4,23 +4,13 @@
 local check = require "archard.lib.check"
 local design = require "archard.uncertainty.design"
 local settings = require "archard.study.settings"
+local transaction = require "archard.study.transaction"
 
 local definitions = {}
 
 -- Opens a run file; what fails is told of as the call that the user made.
 function definitions.open(where, path, mode)
   return check.as(where, require "archard.store".open, path, mode)
-end
-
--- Does it in one transaction: no other program comes between.
-local function together(store, work, ...)
-  store:begin()
-  local fine, why = pcall(work, ...)
-  if not fine then
-    store:rollback()
-    error(why, 0)
-  end
-  store:commit()
 end
 
 -- As many cases as the study has, all waiting.
@@ -37,7 +27,7 @@ local function write(self, store)
   end
 end
 
-function definitions.write(self, store) together(store, write, self, store) end
+function definitions.write(self, store) transaction(store, write, self, store) end
 
 local function other_study(where, store, what)
   check.fail(where, ("%s holds another study (%s); name another file, or remove it")
@@ -70,7 +60,7 @@ end
 function definitions.for_run(where, self, path)
   local store = definitions.open(where, path, "create")
   store:check()
-  together(store, write_or_compare, where, self, store)
+  transaction(store, write_or_compare, where, self, store)
   return store
 end
 

@@ -2,6 +2,7 @@
 -- then, from which it goes on after its process was killed. Leans on wear and archard.store.
 
 local term = require "archard.term"
+local transaction = require "archard.study.transaction"
 
 -- Which updates to look at: `count` on the way, the unworn surfaces among them, at the first update not
 -- before each share of the distance. The last look is the store's.
@@ -41,16 +42,6 @@ local function kept(store, id)
   if fine and run.update > 0 and not run.done then return run, store:surfaces(id) end
 end
 
-local function keep(store, id, run, list)
-  store:begin()
-  local fine, why = pcall(store.save, store, id, run, list)
-  if not fine then
-    store:rollback()
-    error(why, 0)
-  end
-  store:commit()
-end
-
 -- (store, id, given = fields of wear{}, looks = how many, every = seconds after which it is kept,
 -- on_progress) -> the run at its end, what was looked at
 return function(store, id, given, looks, every, on_progress)
@@ -64,7 +55,7 @@ return function(store, id, given, looks, every, on_progress)
     if not run.done and is_due(run.distance) then look(run, list) end
     on_progress(run.distance / total)
     if term.clock() - last < every or run.done then return end
-    keep(store, id, run, list)
+    transaction(store, store.save, store, id, run, list)
     last = term.clock()
   end }
   return run, list

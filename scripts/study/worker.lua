@@ -9,6 +9,7 @@ local columns = require "archard.settings".columns
 local files = require "archard.files"
 local settings = require "archard.study.settings"
 local term = require "archard.term"
+local transaction = require "archard.study.transaction"
 local warnings = require "archard.warnings"
 local wear_task = require "archard.study.wear_task"
 
@@ -118,18 +119,12 @@ end
 
 -- All of the cases in one transaction, or none; returns the seconds that the commit took.
 local function write_cases(store, cases)
-  local seconds
-  store:begin()
-  local fine, why = pcall(function()
+  local written
+  transaction(store, function()
     for _, case in ipairs(cases) do write_case(store, case) end
-    local start = term.clock()
-    store:commit()
-    seconds = term.clock() - start
+    written = term.clock()
   end)
-  if not fine then
-    store:rollback()
-    error(why, 0)
-  end
+  local seconds = term.clock() - written
   for _, case in ipairs(cases) do tell(case) end
   return seconds
 end
