@@ -1,6 +1,7 @@
 -- Bodies of one's own against closed forms and independent numbers: punches, pins in bushes, layers,
 -- waves; and what wears them.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local bush_law = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/bush.lua")
 local within, below = figures.within, figures.below
 
 local function hexes(c) return ("%a %a %a"):format(c.p_max, c.half_width, c.approach) end
@@ -101,14 +102,7 @@ within(rough.p_center, 2 * mean / math.sqrt(mean / star), 0.01, "waves: pressure
 local R, gap, P, k = 10, 0.05, 1000, 1e-6
 local bush = model{ upper = body.disc{ radius = R - gap }, lower = body.ring{ inner = R, outer = 20 },
   mesh = { size = 0.25, height = 0.1, rows = 4, far = 1, zone = { cylinder = 26, plate = 26 } } }
-local function angle_of(volume)
-  local low, high = 0, math.pi / 2 - 1e-9
-  for _ = 1, 80 do
-    local e = (low + high) / 2
-    if 2 * R * gap * (math.tan(e) - e) < volume then low = e else high = e end
-  end
-  return low
-end
+local function angle_of(volume) return bush_law.angle_of(R, gap, volume) end
 for _, goal in ipairs{ { 0.5, 0.09 }, { 1, 0.036 }, { 2, 0.014 } } do
   local share, off = table.unpack(goal)
   local w = wear{ model = bush, k_cylinder = 0, k_plate = k, load = P, stroke = 0.01, jump = "auto",

@@ -1,6 +1,7 @@
 -- Rotation as motion and loads from an angle, in pairs with a hole: what must not change with either, the
 -- cosine law of a bush that alone wears, volumes.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local bush_law = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/bush.lua")
 local within, below = figures.within, figures.below
 
 local R, gap, P, k = 10, 0.05, 1000, 1e-6
@@ -46,14 +47,7 @@ below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0
 -- --- the cosine law -------------------------------------------------------------------------------
 
 -- h = delta cos t - c, p = p0 cos t with cos e = c / delta and V = 2 R c (tan e - e): from the volume to the rest.
-local function angle_of(volume)
-  local low, high = 0, math.pi / 2 - 1e-9
-  for _ = 1, 80 do
-    local e = (low + high) / 2
-    if 2 * R * gap * (math.tan(e) - e) < volume then low = e else high = e end
-  end
-  return low
-end
+local function angle_of(volume) return bush_law.angle_of(R, gap, volume) end
 -- The largest deviation of pressures from the law over nine tenths of its contact.
 local function deviation(w, e, at)
   local p0, worst = P / (R * (e + math.sin(e) * math.cos(e))), 0
