@@ -100,7 +100,9 @@ return {
     text = "How results answer to numbers of the definition, over the whole history: derivatives and "
       .. "elasticities (percent by percent), each with its own error. The run is repeated 16 times for "
       .. "each number, changed by 3 % down to 4e-7; every result keeps the difference that wider and "
-      .. "narrower changes confirm best. Steps that chose themselves (jump = \"auto\", tolerance) are taken "
+      .. "narrower changes confirm best. Half widths and pressures jump a little as the contact's edge goes "
+      .. "from node to node: where a result does, its slope by least squares through 17 runs over a wide "
+      .. "range is told instead. Steps that chose themselves (jump = \"auto\", tolerance) are taken "
       .. "as they were by all runs, then in 4 and in 8 parts: results are those of 8 parts, and errors have "
       .. "in them what the parts changed. With a given jump the error is that of the difference alone: "
       .. "results are of the run with these very steps." },
@@ -108,9 +110,13 @@ return {
     default = '{ "depth_cylinder", "depth_plate", "p_center" }', text = "Columns of the history." },
   { "wear.sensitivity{to}", type = "name or list of names", default = '{ "k", "alpha", "load" }',
     text = "Numbers of wear{} or model{}; \"E\" and \"nu\" stand for both bodies, \"cylinder.E\" for one." },
+  { "wear.sensitivity{over}", type = "a share of the number from 0 to 0.5", default = "0.24",
+    text = "Half the wide range, less where a number cannot go so far. 0: local derivatives, even of "
+      .. "results that jump." },
   { "sensitivity", kind = "object", use = "s = w:sensitivity{...}",
-    text = "s.depth_cylinder.k has derivative, error (in the units of both), elasticity and "
-      .. "elasticity_error, each a list over s.distance. print shows the last ones." },
+    text = "s.depth_cylinder.k has derivative, error (in the units of both), elasticity, "
+      .. "elasticity_error, and over (half the range of a slope as a share of the number, 0: a local "
+      .. "derivative), each a list over s.distance. print shows the last ones." },
   { "sensitivity.distance", kind = "field", unit = "mm", text = "Where the run's steps ended." },
   { "sensitivity.of", kind = "field", text = "The results, by name." },
   { "sensitivity.to", kind = "field", text = "The numbers, by name." },

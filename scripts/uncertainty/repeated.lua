@@ -33,7 +33,10 @@ local function loading_of(blocks)
 end
 
 -- The definition that wear{} takes: words and loading as a run file has them, all else (numbers,
--- tables, functions, the model) as the run tells. 0 stands for what was not given.
+-- tables, functions, the model) as the run tells. 0 stands for what was not given, where it is not a
+-- choice of its own.
+local zeros = { alpha = true, friction = true, refresh = true }
+
 function repeated.definition(run)
   local there = stored(run)
   local definition = { model = run.model, loading = loading_of(there.loading) }
@@ -41,7 +44,7 @@ function repeated.definition(run)
     local name = setting.name
     if setting.choice then
       definition[name] = there[name]
-    elseif setting.plain and run[name] ~= 0 then
+    elseif setting.plain and (run[name] ~= 0 or zeros[name]) then
       definition[name] = run[name]
     end
   end
@@ -92,6 +95,9 @@ end
 local function refuse(run, name)
   local names = {}
   for _, setting in ipairs(known.wear) do
+    if setting.name == name and setting.plain and run[name] == 0 then
+      check.fail(where, ("field 'to': %s is 0, where no percent can be changed"):format(name))
+    end
     if type(run[setting.name]) == "number" and setting.name ~= "update" then names[#names + 1] = setting.name end
   end
   for _, body in ipairs(bodies) do
@@ -101,8 +107,15 @@ local function refuse(run, name)
     check.hint(name, names)))
 end
 
+-- They say how long the run is, and what it shows on its way does not answer to them.
+local ends = { distance = true, cycles = true }
+
 -- changer(run, name, definition) -> the number's value, and set(value) -> a changed definition
 function repeated.changer(run, name, definition)
+  if ends[name] then
+    check.fail(where, ("field 'to': %s is where the run ends; how results go on with the distance is what "
+      .. "w.history and plot.history show"):format(name))
+  end
   local function changed(field, value)
     return merged(definition, { [field] = value })
   end
@@ -141,9 +154,7 @@ local function taken(definition)
   return copy
 end
 
--- run(definition, distances, names) -> a list: of each column in turn its values at the distances,
--- where the changed run ends a step too.
-function repeated.run(definition, distances, names)
+local function run_to(definition, distances, names)
   local run <close> = wear(taken(definition))
   for _, d in ipairs(distances) do
     if d * (1 - 1e-9) > run.distance then run:run{ distance = d, progress = false } end
@@ -153,6 +164,16 @@ function repeated.run(definition, distances, names)
   for _, name in ipairs(names) do
     for _, row in ipairs(rows) do list[#list + 1] = history[name][row] end
   end
+  return list
+end
+
+-- run(definition, distances, names) -> a list: of each column in turn its values at the distances,
+-- where the changed run ends a step too. What the engine warns of, the run itself has told.
+function repeated.run(definition, distances, names)
+  warn "@off"
+  local fine, list = pcall(run_to, definition, distances, names)
+  warn "@on"
+  if not fine then error(list, 0) end
   return list
 end
 

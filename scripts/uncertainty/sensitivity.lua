@@ -1,19 +1,24 @@
 -- w:sensitivity{ of=, to= }: how results answer to numbers of the definition over the whole history,
 -- as derivatives and as elasticities (percent by percent), each with its own error. Leans on
--- uncertainty/repeated.lua for runs with a number changed, on uncertainty.plateau.lua.
+-- uncertainty/repeated.lua for runs with a number changed, on uncertainty/plateau.lua for derivatives
+-- of smooth results and uncertainty/slope.lua for those of results that jump from node to node.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local derive = require "archard.uncertainty.plateau"
 local outcomes = require "archard.uncertainty.outcomes"
 local repeated = require "archard.uncertainty.repeated"
+local slope = require "archard.uncertainty.slope"
 local strict = require "archard.strict"
 
 local where = "wear:sensitivity"
 
 local class = strict.class{ __name = "sensitivity", __fields = { "of", "to", "distance", "runs" } }
 
-local fields = { of = check.any "names", to = check.any "names" }
+local shares = check.kind("a share of the number from 0 to 0.5", function(v)
+  return check.number.test(v) and v >= 0 and v <= 0.5
+end)
+local fields = { of = check.any "names", to = check.any "names", over = shares }
 
 local function names_of(name, given, usual)
   given = given == nil and usual or given
@@ -63,12 +68,16 @@ end
 
 local first_step, smallest_step = 0.03, 0.0004 -- as shares of the number
 
+local function results_at(self, definition)
+  self.runs = self.runs + 1
+  return repeated.run(definition, self.distance, self.of)
+end
+
 -- Central differences of runs; `changed` may change the definition further.
 local function differences_for(self, value, set, changed)
   local function results(at)
-    self.runs = self.runs + 1
     local definition = set(at)
-    return repeated.run(changed and changed(definition) or definition, self.distance, self.of)
+    return results_at(self, changed and changed(definition) or definition)
   end
   return function(h)
     local above, below = results(value + h), results(value - h)
@@ -103,6 +112,55 @@ local function refine(self, value, set, h, found)
   return found
 end
 
+local function raise_stop(why)
+  if type(why) ~= "table" or why.code == "STOPPED" then error(why, 0) end
+end
+
+-- --- results that jump ---------------------------------------------------------------------------
+
+-- Runs on either side of a number, as far as it can be changed, at most by `over` of it.
+local widest, side, rippled = 0.24, 8, 0.03
+
+-- The results of all runs, the outermost first: they fail where a range ends.
+local function wide_runs(self, value, set, share)
+  local points, lists = {}, {}
+  for j = side, 0, -1 do
+    for _, t in ipairs(j > 0 and { j / side, -j / side } or { 0 }) do
+      points[#points + 1] = t
+      lists[#lists + 1] = results_at(self, set(value * (1 + share * t)))
+    end
+  end
+  return points, lists
+end
+
+local function in_order(points, lists, m)
+  local t, y = {}, {}
+  for p, at in ipairs(points) do
+    local i = math.tointeger(at * side) + side + 1
+    t[i], y[i] = at, lists[p][m]
+  end
+  return t, y
+end
+
+-- A local derivative of what jumps from node to node gives way to the slope over a wide range.
+local function replace_rippled(self, value, set, definition, found)
+  local share, fine, points, lists = 2 * self.widest, false, nil, nil
+  while not fine and share > 2 * first_step do
+    share = share / 2
+    fine, points, lists = pcall(wide_runs, self, value, set, share)
+    if not fine then raise_stop(points) end
+  end
+  for m = 1, fine and #found or 0 do
+    local one = slope(in_order(points, lists, m))
+    if one.ripple > rippled then
+      local unit = share * value
+      found[m] = { value = one.value / unit, over = share,
+        error = (one.error + room_of(definition) * math.abs(one.value)) / math.abs(unit) }
+    end
+  end
+  return found
+end
+
 -- The first change shrinks where a range ends.
 local function derivatives(self, name, value, set, definition)
   if value == 0 then
@@ -112,24 +170,34 @@ local function derivatives(self, name, value, set, definition)
   while step >= smallest_step do
     local h = step * math.abs(value)
     local fine, found = pcall(derive, differences, h)
-    if fine then return definition.steps_chosen and refine(self, value, set, h / 25, found) or found end
+    if fine then
+      found = definition.steps_chosen and refine(self, value, set, h / 25, found) or found
+      return replace_rippled(self, value, set, definition, found)
+    end
     why, step = found, step / 4
-    if type(why) ~= "table" or why.code == "STOPPED" then error(why, 0) end
+    raise_stop(why)
   end
   check.fail(where, ("field 'to': %s cannot be changed by %g %% both ways: %s"):format(name,
     400 * step, why.message), why.code)
+end
+
+-- Percent by percent; a result of 0 that stays 0 answers to nothing.
+local function elastic(derivative, value, result)
+  return derivative == 0 and 0 or derivative * value / result
 end
 
 -- there: the results themselves and their errors, in the order of `found`.
 local function into_columns(self, name, value, found, there)
   local n = #self.distance
   for c, column in ipairs(self.of) do
-    local result = { derivative = {}, error = {}, elasticity = {}, elasticity_error = {} }
+    local result = { derivative = {}, error = {}, elasticity = {}, elasticity_error = {}, over = {} }
     for i = 1, n do
       local one, y = found[(c - 1) * n + i], there[(c - 1) * n + i]
-      local elasticity = one.value * value / y.value
+      local elasticity = elastic(one.value, value, y.value)
       result.derivative[i], result.error[i], result.elasticity[i] = one.value, one.error, elasticity
-      result.elasticity_error[i] = math.abs(one.error * value / y.value) + math.abs(elasticity * y.error / y.value)
+      result.over[i] = one.over or 0
+      result.elasticity_error[i] = math.abs(elastic(one.error, value, y.value))
+        + math.abs(elastic(elasticity, y.error, y.value))
     end
     self[column][name] = result
   end
@@ -153,12 +221,13 @@ end
 -- --- showing -------------------------------------------------------------------------------------
 
 function class.__tostring(self)
-  local g, rows = #self.distance, { { "of", "to", "derivative", "+-", "percent by percent", "+-" } }
+  local g, rows = #self.distance, { { "of", "to", "derivative", "+-", "percent by percent", "+-", "over" } }
   for _, column in ipairs(self.of) do
     for _, name in ipairs(self.to) do
       local one = self[column][name]
       rows[#rows + 1] = { column, name, ("%.5g"):format(one.derivative[g]), ("%.1g"):format(one.error[g]),
-        ("%.5f"):format(one.elasticity[g]), ("%.1g"):format(one.elasticity_error[g]) }
+        ("%.5f"):format(one.elasticity[g]), ("%.1g"):format(one.elasticity_error[g]),
+        one.over[g] > 0 and ("+-%.3g %%"):format(100 * one.over[g]) or "" }
     end
   end
   local lines = { ("sensitivities at %g mm, from %d runs"):format(self.distance[g], self.runs) }
@@ -168,7 +237,7 @@ end
 
 return function(run, given)
   given = check.definition(where, given or {}, fields)
-  local self = { runs = 1, distance = distances_of(run), to = names_of("to", given.to, { "k", "alpha", "load" }),
+  local self = { runs = 1, widest = given.over or widest, distance = distances_of(run), to = names_of("to", given.to, { "k", "alpha", "load" }),
     of = outcomes.names(where, names_of("of", given.of, { "depth_cylinder", "depth_plate", "p_center" })) }
   local definition = repeated.definition(run)
   local changers = {}
@@ -180,5 +249,6 @@ return function(run, given)
     local value, set = changers[i][1], changers[i][2]
     into_columns(self, name, value, derivatives(self, name, value, set, definition), there)
   end
+  self.widest = nil
   return setmetatable(self, class)
 end

@@ -240,7 +240,7 @@ near(t.volume_plate.alpha.elasticity[2], -1, 1e-10, "the plate loses what the cy
 -- every distance, whatever the mesh.
 local w = wear{ distance = 330 }
 w:run{ progress = false }
-local g = w:sensitivity{ of = { "depth_cylinder", "depth_plate", "p_center" }, to = { "k", "load", "E" } }
+local g = w:sensitivity{ of = { "depth_cylinder", "depth_plate", "p_center" }, to = { "k", "load", "E" }, over = 0 }
 local worst = 0
 for _, name in ipairs(g.of) do
   for i = 1, #g.distance do
@@ -291,6 +291,23 @@ for what, given in pairs{ implicit = { scheme = "implicit", tolerance = 1e-3 }, 
     near(one.value, truth, name == "p_center" and 3e-3 or 3e-4, "and small")
   end
 end
+-- The contact's edge goes from node to node: what is told is the slope over many, which finer elements have too.
+local worn = wear{ jump = 100, distance = 660 }
+worn:run{ progress = false }
+local jumping = worn:sensitivity{ of = { "half_width", "p_center", "volume_plate" }, to = { "k", "alpha" } }
+for name, truth in pairs{ half_width = 0.285, p_center = -0.336 } do -- by k, with elements of 5 um
+  local one, n = jumping[name].k, #jumping.distance
+  tap.note(("%s by k: %.3f +- %.3f over %g"):format(name, one.elasticity[n], one.elasticity_error[n], one.over[n]))
+  ok(math.abs(one.elasticity[n] - truth) < one.elasticity_error[n] + 0.01, name .. ": the slope over many nodes")
+  ok(one.over[n] == 0.24, "told with its range")
+end
+ok(jumping.volume_plate.k.over[1] == 0, "what does not jump has its derivative")
+fails(function() w:sensitivity{ over = 0.6 } end, { "'over'", "0.6" }, "too wide a range")
+fails(function() w:sensitivity{ to = "distance" } end, { "'to'", "distance", "w.history" }, "where the run ends")
+local plate_only = wear{ distance = 44, alpha = 0 }
+plate_only:run{ progress = false }
+fails(function() plate_only:sensitivity{ to = "alpha" } end, { "'to'", "alpha is 0" }, "alpha of 0")
+near(plate_only:sensitivity{ of = "volume_plate", to = "k" }.volume_plate.k.elasticity[2], 1, 1e-10, "its other numbers")
 fails(function() w:sensitivity{ to = "kk" } end, { "'to'", "kk" }, "an unknown number")
 fails(function() w:sensitivity{ to = "scheme" } end, { "'to'", "scheme" }, "a word")
 fails(function() w:sensitivity{ of = "depth" } end, { "'of'", "depth" }, "an unknown result")
