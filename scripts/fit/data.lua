@@ -277,6 +277,14 @@ local function series_values(item, looks)
   return values
 end
 
+-- Whether it can move in steps, as the contact's edge goes from node to node.
+function data.jumps(item)
+  for _, name in ipairs(item.of and quantities[item.of][1] or {}) do
+    if name:match("width") or name:match("^p_") then return true end
+  end
+  return false
+end
+
 -- place: { shift=, tilt=, level= } of a profile or a loop
 function data.values(item, looks, place)
   if item.kind == "loop" then return loops.values(item, looks[item.look[1]].loop, place) end

@@ -247,6 +247,7 @@ local function sensitivities(problem)
   local looks = problem:runs_at(values)
   size_errors(problem, looks)
   problem:measure_noise(values)
+  problem:measure_ripple(values, true)
   local columns, rows, last = problem:jacobian(values, true), {}, 0
   for number, item in ipairs(problem.items) do
     rows[number] = { last + 1, last + #item.x }

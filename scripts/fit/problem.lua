@@ -1,9 +1,10 @@
 -- A fit as a problem of least squares: parameters (the unknowns, then the positions of profiles and loops),
 -- weighted residuals, and their derivatives by differences of runs, with steps chosen by how noisy
--- runs are. Leans on fit/data.lua, fit/unknown.lua, fit/runs.lua.
+-- runs are. Leans on fit/data.lua, fit/unknown.lua, fit/runs.lua, uncertainty/slope.lua.
 
 local check = require "archard.lib.check"
 local data = require "archard.fit.data"
+local slope = require "archard.uncertainty.slope"
 local unknown = require "archard.fit.unknown"
 
 local problem = {}
@@ -87,6 +88,42 @@ local function position_column(self, looks, values, i)
   return column_between(self:predict(looks, up), self:predict(looks, down), 2 * step)
 end
 
+-- What jumps from node to node answers to a parameter over a wide range only: values around one, evenly
+-- spaced, all on the inner side where it is close to a bound.
+local widest, closest = 0.24, 0.05
+
+local function wide_range(one, value)
+  local reach = widest * math.min(one.span, math.max(math.abs(value), one.span / 4))
+  local down = math.min(reach, one.low and 0.9 * (value - one.low) or reach)
+  local up = math.min(reach, one.high and 0.9 * (one.high - value) or reach)
+  if down < closest * reach / widest then down = 0 end
+  if up < closest * reach / widest then up = 0 end
+  return -down, up
+end
+
+local function spread(low, high, intervals)
+  local list = {}
+  for j = 0, intervals do list[j + 1] = low + (high - low) * j / intervals end
+  return list
+end
+
+local few, many = 4, 8 -- intervals of a wide range: on the way, and for errors
+
+-- The rows of what jumps, in column i: slopes over the range.
+local function fill_rippled(self, column, values, i, central)
+  local low, high = wide_range(self.unknowns[i], values[i])
+  local points, wanted, rows = spread(low, high, central and many or few), {}, {}
+  for p, by in ipairs(points) do wanted[p] = changed(table.move(values, 1, #self.unknowns, 1, {}), i, by) end
+  for p, looks in ipairs(self.runs:many(wanted)) do rows[p] = self:predict(looks, values) end
+  local unit = high - low
+  for p, by in ipairs(points) do points[p] = by / unit end
+  for m in pairs(self.rippled) do
+    local y = {}
+    for p in ipairs(points) do y[p] = rows[p][m] end
+    column[m] = slope(points, y).value / unit
+  end
+end
+
 -- The columns of the derivative of predict by each parameter.
 function problem:jacobian(values, central)
   local m, wanted, stencils = #self.unknowns, {}, {}
@@ -101,6 +138,7 @@ function problem:jacobian(values, central)
   for i = 1, m do
     columns[i] = column_between(self:predict(looks[2 * i - 1], values),
       self:predict(looks[2 * i], values), stencils[i][1] - stencils[i][2])
+    if next(self.rippled) then fill_rippled(self, columns[i], values, i, central) end
   end
   for i = m + 1, #self.parameters do
     columns[i] = position_column(self, looks[2 * m + 1], values, i)
@@ -149,6 +187,54 @@ function problem:measure_noise(values)
   self.step.central = math.max(self.step.central, 1e-3)
 end
 
+-- --- what jumps from node to node -----------------------------------------------------------------
+
+local jumps_above, counts = 0.03, 0.2 -- of the slope, between neighbours; of the error
+
+-- What runs over a wide range of all unknowns at once say in place of the data, and where they lie.
+local function wide_rows(self, values)
+  local points, wanted, rows = spread(-0.5, 0.5, 2 * many), {}, {}
+  for p, t in ipairs(points) do
+    wanted[p] = table.move(values, 1, #self.unknowns, 1, {})
+    for i, one in ipairs(self.unknowns) do
+      local low, high = wide_range(one, values[i])
+      wanted[p][i] = values[i] + low + (high - low) * (t + 0.5)
+    end
+  end
+  for p, looks in ipairs(self.runs:many(wanted)) do rows[p] = self:predict(looks, values) end
+  return points, rows
+end
+
+local function has_jumping(items)
+  for _, item in ipairs(items) do
+    if data.jumps(item) then return true end
+  end
+  return false
+end
+
+-- Marks the values that jump. They are told no better than they scatter, if their errors are told.
+function problem:measure_ripple(values, told)
+  if not has_jumping(self.items) then return end
+  local points, rows = wide_rows(self, values)
+  local m = 0
+  for _, item in ipairs(self.items) do
+    for i = 1, #item.x do
+      m = m + 1
+      local y = {}
+      for p in ipairs(points) do y[p] = rows[p][m] end
+      local one = slope(points, y)
+      if data.jumps(item) and one.ripple > jumps_above then
+        self.rippled[m] = true
+        if told and one.scatter > counts then
+          item.rippled = math.max(item.rippled or 0, one.scatter * item.error[i])
+          item.error[i] = item.error[i] * math.sqrt(1 + one.scatter ^ 2)
+        end
+      end
+    end
+  end
+  self:weigh()
+end
+
 -- --- making --------------------------------------------------------------------------------------
 
 -- A parameter to which no value answers cannot be found.
@@ -166,14 +252,20 @@ end
 -- unknowns, items: as fit/unknown.lua and fit/data.lua have them; runs: fit/runs.lua.
 function problem.new(where, unknowns, items, runs)
   local self = setmetatable({ where = where, unknowns = unknowns, items = items, runs = runs,
-    positions = data.positions(items), parameters = {}, measured = {}, rough = {}, smooth = 0,
+    positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {},
     step = { forward = 1e-4, central = 1e-3 } }, problem)
   for _, one in ipairs(unknowns) do self.parameters[#self.parameters + 1] = one end
   for _, one in ipairs(self.positions) do self.parameters[#self.parameters + 1] = one end
-  for _, item in ipairs(items) do
+  self:weigh()
+  return self
+end
+
+-- The data over their errors.
+function problem:weigh()
+  self.measured = {}
+  for _, item in ipairs(self.items) do
     for i, value in ipairs(item.value) do self.measured[#self.measured + 1] = value / item.error[i] end
   end
-  return self
 end
 
 -- Roughness counts with this weight from now on.

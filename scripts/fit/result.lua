@@ -185,6 +185,16 @@ local function note_vague(notes, problem, found, deviation)
   end
 end
 
+-- Of what jumps from node to node a mesh tells no more than its scatter.
+local function note_rippled(notes, problem)
+  for _, item in ipairs(problem.items) do
+    if item.rippled then
+      notes[#notes + 1] = ("%s: the model's values move from node to node and scatter by up to %.2g %s, which "
+        .. "is in the errors; finer elements (mesh.size) scatter less"):format(item.title, item.rippled, item.unit)
+    end
+  end
+end
+
 local function note_residuals(notes, self)
   if not self.told or self.freedom < 1 then return end
   local off = (self.reduced - 1) / math.sqrt(2 / self.freedom)
@@ -203,6 +213,7 @@ local function notes_of(self, problem, found, deviation)
   note_unseen(notes, problem, found)
   note_correlated(notes, self, problem, found)
   note_vague(notes, problem, found, deviation)
+  note_rippled(notes, problem)
   note_residuals(notes, self)
   return notes
 end

@@ -88,7 +88,7 @@ local function run(given)
   local problem = prepare(where, given, items)
   refuse_few(problem)
   data.check_sizes(where, items, problem.runs:one(start_of(unknowns)))
-  local found = solve.fit(problem, unknown.smooth(problem.unknowns))
+  local found = solve.fit(problem, unknown.smooth(problem.unknowns), told)
   return result.new(problem, found, told, given.confidence or 0.95)
 end
 

@@ -77,14 +77,32 @@ local function values_of(parameters, u)
   return values, slopes
 end
 
+-- What a run that fails on the way stands for: worse than the start, so that the step is shortened.
+local function beyond_all(list)
+  local far = {}
+  for i = 1, #list do far[i] = 1e3 * (1 + norm(list)) end
+  return far
+end
+
 -- Searches from where each parameter's `start` is; returns the values and the iterations. With
 -- derivatives to one side, which cost half as many runs, unless told otherwise.
 local function search(problem, central)
-  local parameters, first = problem.parameters, {}
+  local parameters, first, far = problem.parameters, {}, nil
   for i = 1, #parameters do first[i] = 1 end
+  local function residuals(at)
+    local values = values_of(parameters, at)
+    if not far then
+      local list = problem:residuals(values)
+      far = beyond_all(list)
+      return list
+    end
+    local fine, list = pcall(problem.residuals, problem, values)
+    if not fine and list.code == "STOPPED" then error(list, 0) end
+    return fine and list or far
+  end
   local u, iterations = least_squares.solve{ x = first, iterations = most, tolerance = small,
     count = #problem.measured + #problem.rough,
-    residuals = function(at) return problem:residuals((values_of(parameters, at))) end,
+    residuals = residuals,
     jacobian = function(at)
       local values, slopes = values_of(parameters, at)
       return flat_of(problem:with_roughness(problem:jacobian(values, central)), slopes)
@@ -136,6 +154,10 @@ end
 -- and with those the noise of runs is allowed for.
 local enough, tolerable = 0.1, 0.3
 
+-- Values that jump from node to node leave no place where the next step is small; their scatter is in
+-- the errors.
+local function tolerable_of(problem) return next(problem.rippled) and 1 or tolerable end
+
 local function from(problem, values)
   for i, one in ipairs(problem.parameters) do
     local inside = not unknown.at_bound(one, values[i])
@@ -162,7 +184,7 @@ local function settle(problem)
   local before = found.iterations
   found = finish(problem, search(problem, true))
   found.iterations = found.iterations + before
-  if beyond(found, tolerable) and #found.unseen == 0 then refuse_unsettled(problem, found) end
+  if beyond(found, tolerable_of(problem)) and #found.unseen == 0 then refuse_unsettled(problem, found) end
   return found
 end
 
@@ -221,11 +243,12 @@ end
 
 -- --- all of it -----------------------------------------------------------------------------------
 
--- weight: of roughness, or "auto".
-function solve.fit(problem, weight)
+-- weight: of roughness, or "auto"; told: whether the data have their own errors
+function solve.fit(problem, weight, told)
   local start = {}
   for i, one in ipairs(problem.parameters) do start[i] = one.start end
   problem:measure_noise(start)
+  problem:measure_ripple(start, told)
   problem:refuse_idle(problem:jacobian(start))
   problem:smooth_by(weight == "auto" and 1e-2 or weight)
   local found = settle(problem)
