@@ -30,10 +30,10 @@ local positives = check.list_of(check.positive, "a list of numbers > 0")
 local list = check.list_of(check.number, "a list of finite numbers")
 local sizes = check.kind("a number > 0, or a list of them", function(v)
   return check.positive.test(v) or positives.test(v)
-end)
+end, check.positive)
 local one_or_more = check.kind("a finite number, or a list of them", function(v)
   return check.number.test(v) or list.test(v)
-end)
+end, check.number)
 local body = check.one_of{ "cylinder", "plate" }
 local profile = check.kind("a profile of depths, with lists x and h [mm] (of heights: p:depth())", function(v)
   return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
@@ -318,12 +318,18 @@ local function guess(ratio) -- what the numbers seem to be in, for lengths
   return ratio < 1e4 and "um" or "nm"
 end
 
+-- A series is off as well where its distances are not in mm.
+local function far_of(item)
+  if item.kind ~= "series" then return "" end
+  return (", distances in mm (they go to %g)"):format(item.x[#item.x])
+end
+
 local function refuse_size(where, number, name, item, most, expected)
   local ratio = most / expected
   local seems = item.unit == "mm" and (" (are they in %s?)"):format(guess(ratio)) or ""
   check.fail(where, ("field 'data[%d].%s': the largest is %.3g, where the run from the start says %.3g "
-    .. "%s: expected numbers in %s%s, or a start that is nearer"):format(number, name, most, expected,
-    item.unit, item.unit, seems))
+    .. "%s: expected numbers in %s%s%s, or a start that is nearer"):format(number, name, most, expected,
+    item.unit, item.unit, seems, far_of(item)))
 end
 
 -- A profile must lie on the surface, and be about as deep as a wear scar can be.

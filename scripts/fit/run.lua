@@ -21,12 +21,22 @@ local common = { model = model_kind, base = check.table, unknown = check.table, 
   workers = check.whole(1, 256), progress = check.progress, confidence = check.share }
 local fields = merged(common, { data = check.table })
 
+-- What is looked for has its number in `unknown` only.
+local function refuse_double(name, base, unknowns)
+  for field in pairs(unknowns) do
+    if base[field] ~= nil then
+      check.fail(name, ("field 'base.%s': %s is an unknown; its start stands in unknown.%s"):format(field, field, field))
+    end
+  end
+end
+
 -- The fields of wear{} of all runs: long enough for the last measurement.
 local function base_of(name, given, what)
   local base = merged(check.definition(name, given.base or {}, check.anything, nil, "base"), { model = given.model })
   local flat = {}
   for field in pairs(base) do flat[tostring(field)] = 0 end
   check_names(name, { flat })
+  refuse_double(name, base, given.unknown)
   local last = what.distances[#what.distances]
   if base.cycles == nil and base.loading == nil and (base.distance or 1320) < last then
     base.distance = last
@@ -65,12 +75,13 @@ local function prepare(name, given, items)
   return problems.new(name, unknowns, items, all)
 end
 
-local function refuse_few(problem)
+-- Errors that are told need no residuals.
+local function refuse_few(problem, told)
   local count, wanted = #problem.measured, #problem.parameters
-  if count > wanted then return end
-  check.fail(where, ("too few data: %d value%s for %d unknowns (%d to be found, %d positions of profiles and loops); "
+  if count > wanted or told and count == wanted then return end
+  check.fail(where, ("too few data: %d value%s for %d unknown%s (%d to be found, %d positions of profiles and loops); "
     .. "measure more, leave unknowns out, or fix shift, tilt and level"):format(count, count == 1 and "" or "s",
-    wanted, #problem.unknowns, #problem.positions))
+    wanted, wanted == 1 and "" or "s", #problem.unknowns, #problem.positions))
 end
 
 local function need(name, given, list)
@@ -86,7 +97,7 @@ local function run(given)
   local unknowns = unknown.read(where, given.unknown)
   local items, told = data.read(where, given.data, motion_of(where, given, unknowns))
   local problem = prepare(where, given, items)
-  refuse_few(problem)
+  refuse_few(problem, told)
   data.check_sizes(where, items, problem.runs:one(start_of(unknowns)))
   local found = solve.fit(problem, unknown.smooth(problem.unknowns), told)
   return result.new(problem, found, told, given.confidence or 0.95)

@@ -4,26 +4,12 @@
 
 local check = require "archard.lib.check"
 local check_names = require "archard.study.names"
-local settings = require "archard.settings"
+local numbers = require "archard.study.number"
 local spline = require "archard.fit.spline"
 
 local unknown = {}
 
 -- --- what is given -------------------------------------------------------------------------------
-
--- The setting that a name stands for, "model.plate.E" among them, or nil.
-local function setting_of(name)
-  local list, path = settings.wear, name
-  local body, rest = name:match("^model%.(%a+)%.([%a_]+)$")
-  if body == "cylinder" or body == "plate" then
-    list, path = settings.material, rest
-  elseif name:match("^model%.") then
-    list, path = settings.model, name:match("^model%.(.*)$")
-  end
-  for _, setting in ipairs(list) do
-    if setting.path == path then return setting end
-  end
-end
 
 local not_below_0 = check.kind("a number >= 0", function(v) return check.number.test(v) and v >= 0 end)
 local distances = check.list_of(not_below_0, "growing distances", true)
@@ -46,6 +32,21 @@ local function span_of(one)
   return one.start ~= 0 and math.abs(one.start) or 1
 end
 
+-- Bounds in order, and within what the setting can be.
+local function check_bounds(where, field, setting, given)
+  for _, name in ipairs{ "low", "high" } do
+    local value = given[name]
+    if value and ((setting.low and value < setting.low) or (setting.high and value > setting.high)) then
+      check.refuse(where, field .. "." .. name, ("a number from %g to %g"):format(setting.low or -math.huge,
+        setting.high or math.huge), value)
+    end
+  end
+  if given.low and given.high and given.low >= given.high then
+    check.fail(where, ("fields '%s.low' and '%s.high': expected low < high, got %g and %g"):format(field, field,
+      given.low, given.high))
+  end
+end
+
 local function parameter(where, field, path, setting, given, start, distance)
   local one = { path = path, unit = setting.unit or "", start = start, distance = distance,
     name = distance and ("%s at %g mm"):format(path, distance) or path,
@@ -58,17 +59,9 @@ local function parameter(where, field, path, setting, given, start, distance)
   return one
 end
 
-local function check_number(where, field, name)
-  local setting = setting_of(name)
-  if not setting or not setting.type:match("^a number") then
-    check.fail(where, ("field '%s': expected the name of a number of wear{} or model{}, "
-      .. "got one that is %s"):format(field, setting and setting.type or "no number"))
-  end
-  return setting
-end
-
 local function check_one(where, field, setting, given)
   check.definition(where, given, fields)
+  check_bounds(where, field, setting, given)
   if given.start == nil then check.refuse(where, field .. ".start", fields.start.expected, nil) end
   if given.knots and not setting.series then
     check.fail(where, ("field '%s.knots': only k, alpha and what else can be a table over the "
@@ -82,7 +75,8 @@ end
 
 local function add(self, where, name, given)
   local field = "unknown." .. name
-  local setting = check_number(where, field, name)
+  local setting = numbers.setting(name)
+  numbers.check(where, field, setting)
   if type(given) == "number" then given = { start = given } end
   if type(given) ~= "table" then check.refuse(where, field, "a table { start= }", given) end
   check_one(where, field, setting, given)

@@ -26,7 +26,10 @@ check.shown = names.shown -- a value in a message: "dumb", 3, a wear object, a t
 
 -- --- kinds of values: { test, what is expected } -------------------------------------------------
 
-function check.kind(expected, test) return { expected = expected, test = test } end
+-- item: the kind of what stands in a list, to tell which one is wrong; growing: so must they be.
+function check.kind(expected, test, item, growing)
+  return { expected = expected, test = test, item = item, growing = growing }
+end
 local kind = check.kind
 
 local function finite(value)
@@ -68,7 +71,7 @@ function check.list_of(item, expected, growing)
       if not item.test(one) or (growing and i > 1 and one <= v[i - 1]) then return false end
     end
     return true
-  end)
+  end, item, growing)
 end
 
 -- Whatever the caller has checked, or another one will.
@@ -127,6 +130,23 @@ function check.refuse(where, name, expected, value)
   check.fail(where, ("field '%s': expected %s, got %s"):format(name, expected, check.shown(value)))
 end
 
+-- The item of a list that is not what its kind asks for, where there is one.
+local function refuse_item(where, name, wanted, list)
+  for i = 1, type(list) == "table" and wanted.item and #list or 0 do
+    local at, one = ("%s[%d]"):format(name, i), list[i]
+    if not wanted.item.test(one) then check.refuse(where, at, wanted.item.expected, one) end
+    if wanted.growing and i > 1 and one <= list[i - 1] then
+      check.refuse(where, at, ("more than %g, the one before"):format(list[i - 1]), one)
+    end
+  end
+end
+
+-- Raises the error for a value that is not of a kind.
+function check.refuse_kind(where, name, wanted, value)
+  refuse_item(where, name, wanted, value)
+  check.refuse(where, name, wanted.expected, value)
+end
+
 -- Every named field of `given` must be in `fields` (name = kind). List items are the caller's.
 function check.fields(where, given, fields, prefix)
   prefix = prefix or ""
@@ -140,7 +160,7 @@ function check.fields(where, given, fields, prefix)
       if not wanted then
         check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, keys(fields))))
       elseif not wanted.test(value) then
-        check.refuse(where, prefix .. name, wanted.expected, value)
+        check.refuse_kind(where, prefix .. name, wanted, value)
       end
     end
   end

@@ -3,7 +3,7 @@
 local trial = dofile("tests/verify/lib/fit_trials.lua")
 local count = tonumber(arg[1]) or 100
 
-for _, kind in ipairs{ "pair", "curve" } do
+for _, kind in ipairs{ "pair", "curve", "width" } do
   local hits, longest, total = {}, 0, 0
   for seed = 1, count do
     local inside, seconds = trial(seed, kind)

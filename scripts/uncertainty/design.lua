@@ -4,6 +4,7 @@
 
 local check = require "archard.lib.check"
 local distributions = require "archard.uncertainty.distributions"
+local number = require "archard.study.number"
 local random = require "archard.random"
 local settings = require "archard.study.settings"
 
@@ -21,6 +22,8 @@ local function fields_of(where, given)
     for key, value in pairs(inside) do
       local name = prefix .. tostring(key)
       if distributions.is(value) then
+        local setting = number.setting(name)
+        if setting then number.check(where, "sample." .. name, setting) end
         list[#list + 1] = { name = name, distribution = value }
       elseif type(value) == "table" and getmetatable(value) == nil and next(value) ~= nil
         and #value == 0 then
@@ -67,6 +70,10 @@ local function correlation_of(where, fields, given)
     local a, b = position(where, fields, item[1]), position(where, fields, item[2])
     if a == b then
       check.refuse(where, ("sample.correlated[%d]"):format(i), "two different fields", item[1])
+    end
+    if matrix[a][b] ~= 0 then
+      check.fail(where, ("field 'sample.correlated[%d]': %s and %s have their correlation already, %g"):format(i,
+        item[1], item[2], matrix[a][b]))
     end
     matrix[a][b], matrix[b][a] = item[3], item[3]
   end

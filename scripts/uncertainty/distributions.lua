@@ -95,11 +95,17 @@ function distributions.normal(given)
   return bell("normal", given, given.mean, spread_of("normal", given), same, same)
 end
 
+local widest = 10 -- deviation over mean: more is a variation in the deviation's place
+
 -- mean and deviation are those of the number itself, not of its logarithm.
 function distributions.lognormal(given)
   given = read("lognormal", { "mean", "deviation" }, bell_fields, given)
   local deviation = spread_of("lognormal", given)
   if given.mean <= 0 then check.refuse("lognormal", "mean", "a number > 0", given.mean) end
+  if deviation > widest * given.mean then
+    check.fail("lognormal", ("field 'deviation': expected at most %g times the mean %g, got %g; a share of the "
+      .. "mean is given as variation="):format(widest, given.mean, deviation))
+  end
   local width = math.sqrt(math.log(1 + (deviation / given.mean) ^ 2))
   local middle = math.log(given.mean) - width * width / 2
   return bell("lognormal", given, middle, width,

@@ -158,7 +158,17 @@ local function refused(given, parts, what)
   given.base = given.base or base
   fails(function() fit(given) end, parts, what)
 end
-refused({ unknown = unknown, data = { one } }, { "fit.lua:", "too few data: 2 values for 2 unknowns" }, "too few data")
+local bare = { of = "volume_plate", distance = { 100, 220 }, value = { 5e-5, 1.1e-4 } }
+refused({ unknown = unknown, data = { bare } }, { "fit.lua:", "too few data: 2 values for 2 unknowns" }, "too few data")
+refused({ unknown = { k = { start = 1e-8, low = 2e-8, high = 1e-9 } }, data = { one } },
+  { "'unknown.k.low'", "low < high", "2e-08 and 1e-09" }, "bounds in the wrong order")
+refused({ unknown = { alpha = { start = 0.5, high = 1.5 } }, data = { one } },
+  { "'unknown.alpha.high'", "from 0 to 1, got 1.5" }, "a bound beyond what can be")
+refused({ base = { k = 3e-9 }, unknown = { k = 1e-8 }, data = { one } }, { "'base.k'", "unknown.k" }, "k twice")
+refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = { -5, 600 }, value = { 1, 2 } } } },
+  { "'data[1].distance[1]'", "a number > 0, got -5" }, "a distance below 0")
+refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = { 1, 600 }, value = { 1, 0 / 0 } } } },
+  { "'data[1].value[2]'", "nan" }, "a value that is none")
 refused({ unknown = { kk = 1 }, data = { one } }, "unknown field 'kk' (did you mean 'k'?)", "a misspelt unknown")
 refused({ unknown = { radius = 1 }, data = { one } }, "it is a field of model{}", "one of the model")
 refused({ unknown = { scheme = 1 }, data = { one } }, { "unknown.scheme", "number" }, "one that is no number")

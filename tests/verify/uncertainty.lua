@@ -184,7 +184,7 @@ ok(v.quantiles[1].low[2] <= v.quantiles[1].value[2] and v.quantiles[1].value[2] 
   "a quantile lies in its range")
 fails(function() s:uncertainty{ of = "depth" } end, { "'of'", "depth" }, "an unknown result")
 fails(function() s:uncertainty{ at = { 500 } } end, { "'at'", "220" }, "beyond the end")
-fails(function() s:uncertainty{ quantiles = { 2 } } end, { "'quantiles'", "(0, 1)" }, "no quantile")
+fails(function() s:uncertainty{ quantiles = { 2 } } end, { "'quantiles[1]'", "(0, 1)", "got 2" }, "no quantile")
 
 -- Only k uncertain: the volume passes a limit when k does.
 local one = with{ n = 256, sample = { k = scatter.k } }
@@ -302,6 +302,12 @@ for name, truth in pairs{ half_width = 0.285, p_center = -0.336 } do -- by k, wi
   ok(one.over[n] == 0.24, "told with its range")
 end
 ok(jumping.volume_plate.k.over[1] == 0, "what does not jump has its derivative")
+local pair = { k = uniform{ 1e-8, 2e-8 }, alpha = uniform{ 0.3, 0.7 } }
+pair.correlated = { { "k", "alpha", 0.9 }, { "alpha", "k", -0.9 } }
+fails(function() study{ sample = pair } end, { "'sample.correlated[2]'", "already, 0.9" }, "a correlation given twice")
+fails(function() study{ sample = { increments = uniform{ 10, 100 } } } end, { "'sample.increments'", "an even number" },
+  "what is no number of a range")
+fails(function() lognormal{ 1e-8, 0.4 } end, { "'deviation'", "variation=" }, "a variation in the deviation's place")
 fails(function() w:sensitivity{ over = 0.6 } end, { "'over'", "0.6" }, "too wide a range")
 fails(function() w:sensitivity{ to = "distance" } end, { "'to'", "distance", "w.history" }, "where the run ends")
 local plate_only = wear{ distance = 44, alpha = 0 }

@@ -1,7 +1,7 @@
 -- Trials of fit with a known truth: a run, measured with noise, and whether the true values are in
 -- the ranges that the fit gives. Returns trial(seed, kind) -> { name = inside }, seconds; kind "pair"
--- (k and alpha from one pair of profiles and the volumes), or "curve" (alpha at three knots from four
--- pairs).
+-- (k and alpha from one pair of profiles and the volumes), "curve" (alpha at three knots from four
+-- pairs), or "width" (k from the contact's widths, which go from node to node).
 
 local spline = require "archard.fit.spline"
 
@@ -69,11 +69,24 @@ function kinds.curve()
   return data, { k = 1e-8, alpha = { start = 0.5, knots = knots } }, truth
 end
 
+function kinds.width()
+  local given, distance, value = base(), {}, {}
+  given.k, given.distance, given.model = 1.3e-8, 660, nil
+  local run <close> = wear(given)
+  for i = 1, 6 do
+    distance[i] = 110 * i
+    run:run{ distance = distance[i] }
+    value[i] = 2 * run.history.half_width[#run.history.half_width] * (1 + 0.01 * normal())
+  end
+  return { { of = "width", distance = distance, value = value, relative = 0.01 } }, { k = 1e-8 }, { k = 1.3e-8 }, true
+end
+
 return function(seed, kind)
   seed_well(seed)
-  local data, unknown, truth = kinds[kind]()
-  local start = os.clock()
-  local f = fit{ base = base(), unknown = unknown, data = data }
+  local data, unknown, truth, usual_mesh = kinds[kind]()
+  local start, given = os.clock(), base()
+  if usual_mesh then given.model = nil end
+  local f = fit{ base = given, unknown = unknown, data = data }
   local seconds, inside = os.clock() - start, {}
   for i, name in ipairs(f.names) do
     inside[name] = math.abs(f.values[i] - truth[name]) <= f.times * f.errors[i]
