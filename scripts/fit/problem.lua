@@ -49,6 +49,13 @@ function problem:residuals(values)
   return list
 end
 
+-- The same after a jacobian there: of what jumps by the lines through it.
+function problem:smoothed_residuals(values)
+  local list = self:residuals(values)
+  for m, middle in pairs(self.rippled) do list[m] = middle - self.measured[m] end
+  return list
+end
+
 -- How many times their errors the residuals are: 1 where the errors are right.
 function problem:error_scale(values)
   local residuals, sum = self:residuals(values), 0
@@ -109,7 +116,8 @@ end
 
 local few, many = 4, 8 -- intervals of a wide range: on the way, and for errors
 
--- The rows of what jumps, in column i: slopes over the range.
+-- The rows of what jumps, in column i: slopes over the range. What the lines through it say in the middle
+-- is added up over the unknowns.
 local function fill_rippled(self, column, values, i, central)
   local low, high = wide_range(self.unknowns[i], values[i])
   local points, wanted, rows = spread(low, high, central and many or few), {}, {}
@@ -120,7 +128,9 @@ local function fill_rippled(self, column, values, i, central)
   for m in pairs(self.rippled) do
     local y = {}
     for p in ipairs(points) do y[p] = rows[p][m] end
-    column[m] = slope(points, y).value / unit
+    local one = slope(points, y)
+    column[m] = one.value / unit
+    self.rippled[m] = self.rippled[m] + one.middle / #self.unknowns
   end
 end
 
@@ -135,6 +145,7 @@ function problem:jacobian(values, central)
   end
   wanted[2 * m + 1] = own
   local looks, columns = self.runs:many(wanted), {}
+  for row in pairs(self.rippled) do self.rippled[row] = 0 end
   for i = 1, m do
     columns[i] = column_between(self:predict(looks[2 * i - 1], values),
       self:predict(looks[2 * i], values), stencils[i][1] - stencils[i][2])
@@ -224,7 +235,7 @@ function problem:measure_ripple(values, told)
       for p in ipairs(points) do y[p] = rows[p][m] end
       local one = slope(points, y)
       if data.jumps(item) and one.ripple > jumps_above then
-        self.rippled[m] = true
+        self.rippled[m] = 0
         if told and one.scatter > counts then
           item.rippled = math.max(item.rippled or 0, one.scatter * item.error[i])
           item.error[i] = item.error[i] * math.sqrt(1 + one.scatter ^ 2)
@@ -252,7 +263,7 @@ end
 -- unknowns, items: as fit/unknown.lua and fit/data.lua have them; runs: fit/runs.lua.
 function problem.new(where, unknowns, items, runs)
   local self = setmetatable({ where = where, unknowns = unknowns, items = items, runs = runs,
-    positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {},
+    positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {}, -- by row
     step = { forward = 1e-4, central = 1e-3 } }, problem)
   for _, one in ipairs(unknowns) do self.parameters[#self.parameters + 1] = one end
   for _, one in ipairs(self.positions) do self.parameters[#self.parameters + 1] = one end

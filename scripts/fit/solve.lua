@@ -110,9 +110,9 @@ local function search(problem, central)
   return values_of(parameters, u), iterations
 end
 
--- How far the next step would go, over the standard errors, among parameters off their bounds.
+-- How far the next step would go, over the standard errors, among parameters off their bounds; and the step.
 local function unfinished(problem, values, columns, covariance)
-  local residuals, gradient, worst, name = problem:residuals(values), {}, 0, nil
+  local residuals, gradient, worst, name, steps = problem:smoothed_residuals(values), {}, 0, nil, {}
   for j, column in ipairs(columns) do
     gradient[j] = 0
     for i, value in ipairs(column) do gradient[j] = gradient[j] + value * residuals[i] end
@@ -120,10 +120,11 @@ local function unfinished(problem, values, columns, covariance)
   for a, row in ipairs(covariance) do
     local step = 0
     for b, value in ipairs(row) do step = step + value * gradient[b] end
+    steps[a] = -step
     local off = row[a] > 0 and math.abs(step) / math.sqrt(row[a]) or 0
     if off > worst and not problem.parameters[a].bound then worst, name = off, problem.parameters[a].name end
   end
-  return worst, name
+  return worst, name, steps
 end
 
 -- Marks parameters at their bounds, whose derivatives say nothing about the others' errors.
@@ -145,18 +146,31 @@ local function finish(problem, values, iterations)
   mark_bounds(problem, values)
   local columns = problem:with_roughness(problem:jacobian(values, true))
   local covariance, unseen = solve.covariance(without_bounds(problem, columns))
-  local worst, name = unfinished(problem, values, columns, covariance)
+  local worst, name, step = unfinished(problem, values, columns, covariance)
   return { values = values, columns = columns, covariance = covariance, unseen = unseen,
-    iterations = iterations, off = worst, off_name = name }
+    iterations = iterations, off = worst, off_name = name, step = step }
 end
 
 -- How far the next step may go, over the standard errors: else derivatives to both sides are used,
 -- and with those the noise of runs is allowed for.
 local enough, tolerable = 0.1, 0.3
 
--- Values that jump from node to node leave no place where the next step is small; their scatter is in
--- the errors.
-local function tolerable_of(problem) return next(problem.rippled) and 1 or tolerable end
+-- Values that jump from node to node stop the search at any of them: from there on steps go by the lines
+-- through what they say.
+local polishing = 8
+
+local function polish(problem, found, beyond)
+  local left = polishing
+  while left > 0 and next(problem.rippled) and beyond(found, enough) do
+    local values = {}
+    for i, one in ipairs(problem.parameters) do
+      values[i] = unknown.inside(one, found.values[i], one.bound and 0 or found.step[i])
+    end
+    found = finish(problem, values, found.iterations + 1)
+    left = left - 1
+  end
+  return found
+end
 
 local function from(problem, values)
   for i, one in ipairs(problem.parameters) do
@@ -184,7 +198,8 @@ local function settle(problem)
   local before = found.iterations
   found = finish(problem, search(problem, true))
   found.iterations = found.iterations + before
-  if beyond(found, tolerable_of(problem)) and #found.unseen == 0 then refuse_unsettled(problem, found) end
+  found = polish(problem, found, beyond)
+  if beyond(found, tolerable) and #found.unseen == 0 then refuse_unsettled(problem, found) end
   return found
 end
 

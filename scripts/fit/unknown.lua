@@ -151,6 +151,13 @@ function unknown.value(one, u)
   return one.start + one.span * (u - 1), one.span
 end
 
+-- A value after a step, at most nine tenths of the way to a bound.
+function unknown.inside(one, value, step)
+  if one.low then step = math.max(step, 0.9 * (one.low - value)) end
+  if one.high then step = math.min(step, 0.9 * (one.high - value)) end
+  return value + step
+end
+
 -- The bound that a value has been driven to, "low" or "high", or nil.
 function unknown.at_bound(one, value)
   if one.low and value - one.low < 1e-4 * one.span then return "low" end

@@ -29,7 +29,8 @@ local function normal_equations(points, values, degree)
   return rows
 end
 
--- The polynomial of a degree: its slope at 0, the standard error of that, and the scatter about it.
+-- The polynomial of a degree: its slope at 0, the standard error of that, the scatter about it, and its
+-- value at 0.
 local function polynomial(points, values, degree)
   local rows = eliminate(normal_equations(points, values, degree))
   local sum = 0
@@ -39,7 +40,8 @@ local function polynomial(points, values, degree)
     sum = sum + off * off
   end
   local scatter = math.sqrt(sum / (#points - degree - 1))
-  return rows[2][degree + 2] / rows[2][2], scatter * math.sqrt(rows[2][degree + 3] / rows[2][2]), scatter
+  return rows[2][degree + 2] / rows[2][2], scatter * math.sqrt(rows[2][degree + 3] / rows[2][2]), scatter,
+    rows[1][degree + 2] / rows[1][1]
 end
 
 -- Neighbouring runs miss the line to the same side, so that the error is more than they say.
@@ -54,14 +56,15 @@ end
 local rounding = 1e-10 -- of a result: less than this is no scatter
 
 -- slope(points, values): values at evenly spaced points, of which some lie on either side of 0 or all on
--- one, in units of their range. Returns { value =, error =, scatter = of a value, ripple = scatter of
--- the slope between neighbours, over the slope }.
+-- one, in units of their range. Returns { value =, error =, middle = the result at 0, scatter = of a
+-- result, ripple = scatter of the slope between neighbours, over the slope }.
 return function(points, values)
-  local even, even_error = polynomial(points, values, 2)
+  local even, even_error, _, middle = polynomial(points, values, 2)
   local cubic, cubic_error, scatter = polynomial(points, values, 3)
   local value, err = even, even_error
   if cubic_error < even_error then value, err = cubic, cubic_error end
   local between = scatter * math.sqrt(2) / math.abs(points[2] - points[1])
   local smooth = scatter <= rounding * largest(values)
-  return { value = value, error = doubt * err, scatter = scatter, ripple = smooth and 0 or between / math.abs(value) }
+  return { value = value, error = doubt * err, middle = middle, scatter = scatter,
+    ripple = smooth and 0 or between / math.abs(value) }
 end
