@@ -1,5 +1,5 @@
-/* The history file: read whole, cut into entries, cleaned of copies, rewritten under another name
- * and renamed when there was something to clean. A lock on its folder keeps two sessions apart.
+/* The history file: read whole, cut into entries, cleaned of copies, replaced as a whole when there
+ * was something to clean. A lock on its folder keeps two sessions apart.
  *
  * An entry is a line "#TIME" and its text; a line of the text that looks like the former has a
  * backslash before it. What a crash leaves (half a line, a line of time alone, zeros) loses no
@@ -7,6 +7,7 @@
 #include "cli/history_file.h"
 
 #include "archard/base.h"
+#include "archard/place.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -101,8 +102,8 @@ static char *next_line(char *line) {
 
 /* --- writing --------------------------------------------------------------------------------- */
 
-static FILE *open_private(const char *path, int flags) {
-  int descriptor = open(path, O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | flags, 0600);
+static FILE *open_private(const char *path) {
+  int descriptor = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0600);
   if (descriptor < 0) return NULL;
   FILE *file = fdopen(descriptor, "a");
   if (file == NULL) close(descriptor);
@@ -129,7 +130,7 @@ static void mend_end(FILE *file) {
 /* A history that cannot be written is no reason to disturb the session: errors are let pass. */
 void history_file_append(const char *path, const char *text) {
   int lock = lock_folder(path);
-  FILE *file = open_private(path, O_APPEND);
+  FILE *file = open_private(path);
   if (file) {
     char header[32];
     snprintf(header, sizeof header, "#%lld", (long long)time(NULL));
@@ -140,19 +141,21 @@ void history_file_append(const char *path, const char *text) {
   unlock_folder(lock);
 }
 
+/* Returns zero where not all of it could be written. */
+static int put_entries(const char *path, const history *self, int first) {
+  FILE *file = fopen(path, "w");
+  if (file == NULL) return 0;
+  for (int i = first; i < self->count; i++)
+    if (!self->entries[i].copy) put_entry(file, self->entries[i].header, self->entries[i].text);
+  int broken = ferror(file);
+  return fclose(file) == 0 && !broken;
+}
+
 static void rewrite(const char *path, const history *self, int first) {
-  size_t size = strlen(path) + sizeof ".new";
-  char *fresh = malloc(size);
-  if (fresh == NULL) return;
-  snprintf(fresh, size, "%s.new", path);
-  FILE *file = open_private(fresh, O_TRUNC);
-  if (file) {
-    for (int i = first; i < self->count; i++)
-      if (!self->entries[i].copy) put_entry(file, self->entries[i].header, self->entries[i].text);
-    int broken = ferror(file);
-    if (fclose(file) == 0 && !broken) rename(fresh, path);
-  }
-  free(fresh);
+  arc_place *place;
+  if (arc_place_take(path, &place, NULL) != ARC_OK) return;
+  if (put_entries(arc_place_path(place), self, first)) arc_place_publish(&place, NULL);
+  arc_place_drop(&place);
 }
 
 /* --- reading --------------------------------------------------------------------------------- */

@@ -1,18 +1,19 @@
-/* Starting and ending children: the one file that starts programs. Leans on POSIX only.
+/* Starting and ending children: the one file that starts programs. Leans on POSIX, and on Linux for
+ * the signal that a child gets when its parent dies.
  *
- * By posix_spawn, so by exec: a bare fork would carry over locks of the libraries.
+ * By vfork, since posix_spawn cannot ask for that signal: it copies nothing, however large we are,
+ * and runs no handler that a library has for forks.
  */
+#define _GNU_SOURCE /* vfork, execvpe */
 #include "system/child.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern char **environ;
 
 void arc_child_close(int *descriptor) {
   if (*descriptor >= 0) close(*descriptor);
@@ -26,37 +27,61 @@ int arc_child_channel(int ends[2], int is_socket) {
   return 0;
 }
 
-static int set_attributes(posix_spawnattr_t *attributes) {
-  sigset_t usual, none;
+/* --- in the child, which has our memory until exec: nothing is written there ------------------ */
+
+/* Ignored signals stay ignored, but for those that end a program; a handler of ours could run once
+ * they are no longer blocked, and is taken away. Returns an errno. */
+static int use_own_signals(void) {
+  struct sigaction now, usual = {.sa_handler = SIG_DFL};
+  sigset_t none;
   sigemptyset(&none);
-  sigemptyset(&usual);
-  sigaddset(&usual, SIGINT);
-  sigaddset(&usual, SIGPIPE);
-  sigaddset(&usual, SIGTERM);
-  short flags = POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK;
-  int failed = posix_spawnattr_setpgroup(attributes, 0);
-  if (!failed) failed = posix_spawnattr_setsigdefault(attributes, &usual);
-  if (!failed) failed = posix_spawnattr_setsigmask(attributes, &none);
-  if (!failed) failed = posix_spawnattr_setflags(attributes, flags);
+  for (int n = 1; n < NSIG; n++)
+    if (sigaction(n, NULL, &now) == 0 &&
+        (now.sa_handler != SIG_IGN || n == SIGINT || n == SIGPIPE || n == SIGTERM))
+      sigaction(n, &usual, NULL);
+  return sigprocmask(SIG_SETMASK, &none, NULL) == 0 ? 0 : errno;
+}
+
+/* Returns an errno. */
+static int use_own_ends(const int ends[3]) {
+  for (int i = 0; i < 3; i++)
+    if (dup2(ends[i], i) < 0 || fcntl(i, F_SETFD, 0) != 0) return errno;
+  return 0;
+}
+
+/* Returns an errno where it returns. */
+static int become(const arc_child_def *def, pid_t parent) {
+  if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return errno;
+  if (getppid() != parent) return ESRCH; /* it was killed before */
+  int failed = use_own_ends(def->ends);
+  if (!failed) failed = use_own_signals();
+  if (failed) return failed;
+  execvpe(def->program, def->arguments, def->environment ? def->environment : environ);
+  return errno;
+}
+
+/* --- here ------------------------------------------------------------------------------------- */
+
+/* The child tells why it failed in the memory that it has in common with us. Returns an errno. */
+static int begin(const arc_child_def *def, pid_t *process) {
+  volatile int failed = 0;
+  const pid_t parent = getpid(), child = vfork();
+  if (child < 0) return errno;
+  if (child == 0) {
+    failed = become(def, parent);
+    _exit(127);
+  }
+  *process = child;
+  if (failed) waitpid(child, NULL, 0);
   return failed;
 }
 
 int arc_child_start(const arc_child_def *def, pid_t *process) {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  int failed = posix_spawn_file_actions_init(&actions);
-  if (failed) return failed;
-  failed = posix_spawnattr_init(&attributes);
-  if (!failed) {
-    for (int i = 0; i < 3 && !failed; i++)
-      failed = posix_spawn_file_actions_adddup2(&actions, def->ends[i], i);
-    if (!failed) failed = set_attributes(&attributes);
-    if (!failed)
-      failed = posix_spawnp(process, def->program, &actions, &attributes, def->arguments,
-                            def->environment ? def->environment : environ);
-    posix_spawnattr_destroy(&attributes);
-  }
-  posix_spawn_file_actions_destroy(&actions);
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const int failed = begin(def, process);
+  pthread_sigmask(SIG_SETMASK, &before, NULL);
   return failed;
 }
 

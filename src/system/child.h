@@ -14,7 +14,8 @@ typedef struct arc_child_def {
 
 /* Starts it in a process group of its own, which keeps a Ctrl-C at the terminal away from it, with
  * no signal blocked, SIGINT, SIGPIPE and SIGTERM as usual, and no descriptor of ours that is closed
- * on exec but its three. Returns 0 and the process, or an errno value. */
+ * on exec but its three. It is killed when the thread ends that called this, however that comes.
+ * Returns 0 and the process, or an errno value. */
 int arc_child_start(const arc_child_def *def, pid_t *process);
 
 /* Two connected ends, both closed on exec: a pipe from [1] to [0], or a socket both ways, which can

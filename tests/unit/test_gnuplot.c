@@ -4,6 +4,7 @@
 #include "plot_shared.h"
 
 #include <signal.h>
+#include <sys/wait.h>
 
 /* --- a gnuplot that is not well --------------------------------------------------------------- */
 
@@ -122,6 +123,48 @@ static void test_signals(void **state) {
   arc_gnuplot_close(&session);
 }
 
+/* Whether the process has ended within a second; nobody may have waited for it. */
+static int ends_soon(long pid) {
+  char path[40], state = '?';
+  snprintf(path, sizeof path, "/proc/%ld/stat", pid);
+  for (int i = 0; i < 100; i++) {
+    FILE *file = fopen(path, "r");
+    if (!file) return 1;
+    const int known = fscanf(file, "%*d (%*[^)]) %c", &state) == 1;
+    fclose(file);
+    if (known && state == 'Z') return 1;
+    usleep(10000);
+  }
+  return 0;
+}
+
+/* A program that is killed while gnuplot is busy, and reads nothing, takes it along. */
+static void test_killed_program(void **state) {
+  (void)state;
+  int told[2];
+  long pid = 0;
+  assert_int_equal(pipe(told), 0);
+  pid_t program = fork();
+  if (program == 0) {
+    static const char busy[] = "do for [i=1:2000000000] { x = i }";
+    arc_gnuplot *session = open_session("gnuplot");
+    if (arc_gnuplot_start(session, NULL) != ARC_OK) _exit(1);
+    pid = arc_gnuplot_process(session);
+    if (write(told[1], &pid, sizeof pid) != sizeof pid) _exit(2);
+    arc_gnuplot_run(session, busy, sizeof busy - 1, NULL, NULL, NULL);
+    _exit(3);
+  }
+  close(told[1]);
+  assert_int_equal(read(told[0], &pid, sizeof pid), sizeof pid);
+  close(told[0]);
+  usleep(100000);
+  kill(program, SIGKILL);
+  waitpid(program, NULL, 0);
+  const int ended = ends_soon(pid);
+  if (!ended) kill((pid_t)pid, SIGKILL);
+  assert_true(ended);
+}
+
 /* More than a pipe holds in both directions at once must not lock up. */
 static void test_much_both_ways(void **state) {
   arc_gnuplot *session = *state;
@@ -172,15 +215,11 @@ static void test_terminals(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_not_well),
-      cmocka_unit_test(test_silent),
-      cmocka_unit_test(test_slow),
-      cmocka_unit_test(test_killed_in_mid_plot),
-      cmocka_unit_test(test_killed_idle),
-      cmocka_unit_test(test_stop),
-      cmocka_unit_test(test_signals),
-      cmocka_unit_test(test_much_both_ways),
-      cmocka_unit_test(test_refused_command),
+      cmocka_unit_test(test_not_well),       cmocka_unit_test(test_silent),
+      cmocka_unit_test(test_slow),           cmocka_unit_test(test_killed_in_mid_plot),
+      cmocka_unit_test(test_killed_idle),    cmocka_unit_test(test_stop),
+      cmocka_unit_test(test_signals),        cmocka_unit_test(test_killed_program),
+      cmocka_unit_test(test_much_both_ways), cmocka_unit_test(test_refused_command),
       cmocka_unit_test(test_terminals),
   };
   return cmocka_run_group_tests_name("gnuplot", tests, set_up, tear_down);
