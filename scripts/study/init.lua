@@ -170,8 +170,8 @@ function methods:run(options)
   local store = definitions.for_run("study:run", self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
-  self.failed, self.warned = require "archard.study.run"(store, { workers = workers, keep = options.keep,
-    chosen = read_shard(options.shard), progress = options.progress })
+  self.failed, self.warned = check.as("study:run", require "archard.study.run", store, { workers = workers,
+    keep = options.keep, chosen = read_shard(options.shard), progress = options.progress })
   store:close()
   report(self.failed, self.warned)
   return self

@@ -173,6 +173,6 @@ return function(path, folder, every)
   warnings.keep()
   for line in io.lines() do
     local fine, why = pcall(attend, held, line)
-    if not fine then say("broken", one_line(why)) end
+    if not fine then say("broken", one_line(type(why) == "table" and why.message or why)) end
   end
 end

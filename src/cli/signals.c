@@ -42,6 +42,7 @@ static void install(int signal_number, void (*handler)(int), int flags) {
 }
 
 void signals_install(int stay) {
+  install(SIGXFSZ, SIG_IGN, 0); /* a file that grows too large is an error of the write */
   install(SIGINT, stay ? on_interrupt_stay : on_interrupt_once, stay ? 0 : (int)SA_RESETHAND);
 }
 

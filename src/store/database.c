@@ -9,8 +9,8 @@
 
 struct database {
   sqlite3 *handle;
-  char *path;
-  long long bytes; /* of the file when the present query was opened, and of the one attached */
+  char *path, *name; /* where it is, and what the user calls it */
+  long long bytes;   /* of the file when the present query was opened, and of the one attached */
   long long beside;
   long long work; /* instructions that it may still take, in units of WATCH */
 };
@@ -41,6 +41,26 @@ static arc_status status_of(int code) {
   }
 }
 
+/* What the system said of the last thing that went wrong with the file; 0: nothing. */
+static int system_error(const database *db, int code) {
+  int number = sqlite3_system_errno(db->handle);
+  if ((code & 0xff) == SQLITE_IOERR)
+    sqlite3_file_control(db->handle, "main", SQLITE_FCNTL_LAST_ERRNO, &number);
+  return number;
+}
+
+static const char *read_only(int code) {
+  switch (code) {
+  case SQLITE_READONLY_ROLLBACK:
+    return "a killed program left it in mid-change, and it cannot be put right without write "
+           "permission";
+  case SQLITE_READONLY_DBMOVED:
+    return "the file was moved or removed while it was open";
+  default:
+    return "no permission to write";
+  }
+}
+
 static arc_status fail(const database *db, int code, arc_error *error) {
   const char *why = db->handle ? sqlite3_errmsg(db->handle) : sqlite3_errstr(code);
   const char *remedy = "", *what = "";
@@ -50,7 +70,8 @@ static arc_status fail(const database *db, int code, arc_error *error) {
     remedy = "; what was stored before is still there";
     break;
   case SQLITE_CANTOPEN:
-    if (sqlite3_system_errno(db->handle)) why = strerror(sqlite3_system_errno(db->handle));
+  case SQLITE_IOERR:
+    if (system_error(db, code)) why = strerror(system_error(db, code));
     break;
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
@@ -70,15 +91,12 @@ static arc_status fail(const database *db, int code, arc_error *error) {
     why = "another program keeps the file locked";
     break;
   case SQLITE_READONLY:
-    why = code == SQLITE_READONLY_ROLLBACK
-              ? "a killed program left it in mid-change, and it cannot "
-                "be put right without write permission"
-              : "no permission to write";
+    why = read_only(code);
     break;
   default:
     break;
   }
-  return arc_fail(error, status_of(code), "%s: %s%s%s", db->path, what, why, remedy);
+  return arc_fail(error, status_of(code), "%s: %s%s%s", db->name, what, why, remedy);
 }
 
 /* --- limits ----------------------------------------------------------------------------------- */
@@ -129,15 +147,28 @@ static arc_status configure(database *db, arc_error *error) {
       error);
 }
 
-arc_status arc_database_open(const char *path, int writable, int create, database **result,
-                             arc_error *error) {
-  *result = NULL;
+static void free_database(database *db) {
+  if (!db) return;
+  free(db->path);
+  free(db->name);
+  free(db);
+}
+
+static database *new_database(const char *path, const char *name) {
   database *db = calloc(1, sizeof *db);
-  if (db) db->path = strdup(path);
-  if (!db || !db->path) {
-    free(db);
-    return arc_fail(error, ARC_MEMORY, "%s: out of memory", path);
-  }
+  if (!db) return NULL;
+  db->path = strdup(path);
+  db->name = strdup(name);
+  if (db->path && db->name) return db;
+  free_database(db);
+  return NULL;
+}
+
+arc_status arc_database_open(const char *path, const char *name, int writable, int create,
+                             database **result, arc_error *error) {
+  *result = NULL;
+  database *db = new_database(path, name);
+  if (!db) return arc_fail(error, ARC_MEMORY, "%s: out of memory", name);
   /* a store belongs to one thread: locks at every value bound cost a third of storing */
   int flags = SQLITE_OPEN_NOMUTEX | (writable ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY);
   if (create) flags |= SQLITE_OPEN_CREATE;
@@ -151,8 +182,7 @@ arc_status arc_database_open(const char *path, int writable, int create, databas
 void arc_database_close(database **db) {
   if (!db || !*db) return;
   sqlite3_close_v2((*db)->handle);
-  free((*db)->path);
-  free(*db);
+  free_database(*db);
   *db = NULL;
 }
 
@@ -161,14 +191,14 @@ static arc_status copy(database *to, const char *schema, const database *from, a
   sqlite3_backup *backup = sqlite3_backup_init(to->handle, schema, from->handle, "main");
   if (backup) sqlite3_backup_step(backup, -1);
   int code = backup ? sqlite3_backup_finish(backup) : sqlite3_errcode(to->handle);
-  const database told = {.handle = to->handle, .path = from->path};
+  const database told = {.handle = to->handle, .name = from->name};
   return code == SQLITE_OK ? ARC_OK : fail(&told, code, error);
 }
 
 /* SQLite keeps what has no name in memory while it is small, then in a file that nobody sees. */
 arc_status arc_database_copy(database *db, arc_error *error) {
   database *made;
-  arc_status status = arc_database_open("", 1, 1, &made, error);
+  arc_status status = arc_database_open("", db->name, 1, 1, &made, error);
   if (status != ARC_OK) return status;
   status = copy(made, "main", db, error);
   if (status == ARC_OK) {
@@ -217,7 +247,7 @@ int arc_database_in_transaction(const database *db) {
 arc_status arc_query_open(database *db, const char *sql, query **result, arc_error *error) {
   *result = NULL;
   query *q = calloc(1, sizeof *q);
-  if (!q) return arc_fail(error, ARC_MEMORY, "%s: out of memory", db->path);
+  if (!q) return arc_fail(error, ARC_MEMORY, "%s: out of memory", db->name);
   q->db = db;
   measure(db);
   int code = sqlite3_prepare_v2(db->handle, sql, -1, &q->statement, NULL);

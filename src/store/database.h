@@ -8,9 +8,9 @@
 typedef struct database database;
 typedef struct query query;
 
-/* `create`: makes the file, which must not be there. */
-arc_status arc_database_open(const char *path, int writable, int create, database **db,
-                             arc_error *error);
+/* `create`: makes the file, which must not be there. Messages call it `name`. */
+arc_status arc_database_open(const char *path, const char *name, int writable, int create,
+                             database **db, arc_error *error);
 void arc_database_close(database **db);
 /* From now on the database is a temporary copy of itself, which goes when it is closed. */
 arc_status arc_database_copy(database *db, arc_error *error);

@@ -87,7 +87,7 @@ const char *arc_store_path(const arc_store *store) {
 static arc_status make_beside(arc_store *store, arc_error *error) {
   arc_status status = arc_place_take(store->path, &store->place, error);
   if (status == ARC_OK)
-    status = arc_database_open(arc_place_path(store->place), 1, 1, &store->db, error);
+    status = arc_database_open(arc_place_path(store->place), store->path, 1, 1, &store->db, error);
   return status == ARC_OK ? arc_schema_make(store, error) : status;
 }
 
@@ -96,7 +96,8 @@ static arc_status create(arc_store *store, arc_error *error) {
   arc_status status = make_beside(store, error);
   arc_database_close(&store->db);
   if (status == ARC_OK) status = arc_place_publish_first(&store->place, error);
-  return status == ARC_OK ? arc_database_open(store->path, 1, 0, &store->db, error) : status;
+  return status == ARC_OK ? arc_database_open(store->path, store->path, 1, 0, &store->db, error)
+                          : status;
 }
 
 /* A file of an older format is brought up to date: in place for a writer, as a copy for a reader.
@@ -113,7 +114,7 @@ static arc_status bring_up_to_date(arc_store *store, arc_store_mode mode, arc_er
  * put right that way. It writes nothing of its own. */
 static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error *error) {
   int writable = mode != ARC_STORE_READ || access(store->path, W_OK) == 0;
-  arc_status status = arc_database_open(store->path, writable, 0, &store->db, error);
+  arc_status status = arc_database_open(store->path, store->path, writable, 0, &store->db, error);
   if (status == ARC_OK) status = bring_up_to_date(store, mode, error);
   if (status == ARC_OK && mode == ARC_STORE_READ)
     status = arc_database_run(store->db, "PRAGMA query_only = ON", error);

@@ -1,0 +1,28 @@
+-- What users write, each into the folder arg[1], for tests that do not let them: a line each, with
+-- what went wrong or "fine". arg[2]: the share of the study to compute; none: all of it.
+warn "@off"
+local folder, share = arg[1], arg[2]
+local small = { radius = 10, mesh = { size = 0.08, height = 0.06 } }
+w = wear{ model = model(small), distance = 400, increments = 10, jump = 20 }
+w:step()
+local s = study{ looks = 1, base = { model = small, increments = 10, jump = 100, distance = 100 }, vary = { alpha = { 0, 1 } } }
+
+local works = {
+  { "save", function() w:save(folder .. "run.archard") end },
+  { "session", function() session.save(folder .. "all.archard") end },
+  { "svg", function() plot.profile(w, { file = folder .. "p.svg" }) end },
+  { "png", function() plot.profile(w, { file = folder .. "p.png" }) end },
+  { "gp", function() plot.profile(w, { file = folder .. "p.gp" }) end },
+  { "csv", function() export.csv(w.history, folder .. "h.csv") end },
+  { "vtu", function() export.vtk(w, folder .. "w.vtu") end },
+  { "inp", function() export.inp(w, folder .. "w.inp") end },
+  { "json", function() export.json(w, folder .. "w.json") end },
+  { "study", function()
+    s:run{ file = folder .. "study.archard", workers = 1, progress = false, shard = share }
+    assert(#s.failed == 0, s.failed[1] and s.failed[1].message)
+  end },
+}
+for _, work in ipairs(works) do
+  local fine, why = pcall(work[2])
+  print(("%s: %s"):format(work[1], fine and "fine" or tostring(why):gsub("^[^:]*:%d+: ", "")))
+end
