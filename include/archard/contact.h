@@ -46,8 +46,8 @@ arc_model *arc_shape_model(const arc_shape *shape);
 
 /* Wears one body by `depth` [surface] at the candidate nodes [mm]: nodes move along their current
  * normals (Eq. 8 of the paper), the scalar sums are kept beside them, the wear box is smoothed.
- * ARC_GEOMETRY (a wear-box element would collapse) or ARC_MEMORY/ARC_NUMERIC: the shape is
- * unchanged. */
+ * ARC_GEOMETRY (a wear-box element would collapse; frozen: more than 1e6 mm) or
+ * ARC_MEMORY/ARC_NUMERIC: the shape is unchanged. */
 arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error);
 
 /* Wears one body everywhere by the same depth [mm], as a plate under a stroke over its whole width:

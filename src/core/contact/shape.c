@@ -227,8 +227,8 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
   double *xy = malloc(2 * (size_t)side->n * sizeof *xy);
   if (!xy) return out_of_memory(error);
   arc_shape_move(side, shape->geometry, depth, xy);
-  arc_status status =
-      shape->geometry == ARC_MOVING ? arc_shape_check_box(shape, side, xy, error) : ARC_OK;
+  arc_status status = shape->geometry == ARC_MOVING ? arc_shape_check_box(shape, side, xy, error)
+                                                    : arc_shape_check_depth(side, depth, error);
   compliance renewed = {0};
   const int due = status == ARC_OK && refresh_is_due(shape, side, xy);
   if (due) status = arc_shape_condense(side, xy, &renewed, error);

@@ -69,6 +69,13 @@ arc_status arc_shape_condense(const shape_side *side, const double *xy, complian
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
                                arc_error *error);
 
+/* Wear [mm] that nobody sees: beyond it the gaps of a frozen geometry hide what pressures do. */
+#define ARC_SHAPE_DEEPEST 1e6
+
+/* Whether the surface may wear by depth [n] more, what all nodes share apart; ARC_GEOMETRY
+ * (wear_box.c). */
+arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error);
+
 /* How much lower the surface lies at a fixed x per depth along the normals that wear would follow,
  * 1 / cos of the slope, into down [n]. */
 void arc_shape_downward(const arc_shape *shape, arc_body body, double *down);

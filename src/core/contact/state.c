@@ -22,9 +22,8 @@ static arc_status refuse(const shape_side *side, int node, const char *expected,
 /* Wear even and local. */
 static arc_status check_depths(const shape_side *side, const arc_surface_state *state,
                                arc_error *error) {
-  static const double deepest = 1e6; /* [mm] nobody wears more away */
   for (int i = 0; i < side->n; i++)
-    if (!(state->h[i] >= 0 && state->h[i] <= deepest))
+    if (!(state->h[i] >= 0 && state->h[i] <= ARC_SHAPE_DEEPEST))
       return refuse(side, i, "a wear depth in mm", state->h[i], error);
   for (int i = 0; i < side->n; i++)
     if (!(state->even >= 0 && state->even <= state->h[i] * (1 + 1e-9) + 1e-12))

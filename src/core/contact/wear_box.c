@@ -1,4 +1,5 @@
-/* Whether worn surfaces leave the wear boxes their elements, and what helps where they do not. */
+/* Whether worn surfaces leave the wear boxes their elements, and what helps where they do not;
+ * whether they are surfaces at all. */
 #include "core/contact/shape.h"
 
 #include <math.h>
@@ -40,6 +41,17 @@ arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, c
     const double left = (bottom[1] - xy[2 * i + 1]) * shape_inward(side);
     if (left > thinnest * box && (i == 0 || xy[2 * i] > xy[2 * i - 2])) continue;
     return refuse_wear(shape, side, i, left, box, error);
+  }
+  return ARC_OK;
+}
+
+arc_status arc_shape_check_depth(const shape_side *side, const double *depth, arc_error *error) {
+  for (int i = 0; i < side->n; i++) {
+    const double deep = side->h[i] - side->even + depth[i];
+    if (!(deep <= ARC_SHAPE_DEEPEST))
+      return arc_fail(error, ARC_GEOMETRY,
+                      "the %s's wear at x = %.4g mm is %g mm, the most is %g mm",
+                      arc_body_name(side->body->mesh->body), side->x0[i], deep, ARC_SHAPE_DEEPEST);
   }
   return ARC_OK;
 }
