@@ -232,7 +232,7 @@ man: $(program)
 
 # --- care -------------------------------------------------------------------------------------
 c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] tests/fuzz/*.[ch] tests/memory/*.c examples/c/*.c)
-sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run tests/fuzz/run tests/trust/trials \
+sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run tests/fuzz/run tests/trust/trials tests/memory/valgrind \
            .ci/run tests/tap.bash $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 
 format:
