@@ -23,7 +23,7 @@ comma := ,
 BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),-checks)
 OBJ   = $(BUILD)/obj
 
-.PHONY: all demo check fuzz fuzz-programs golden study figures test-programs bench peer gallery man format lint install \
+.PHONY: all demo check coverage fuzz fuzz-programs golden study figures test-programs bench peer gallery man format lint install \
         install-files uninstall clean setup dist dist-check deb deb-check slurm-check
 .DELETE_ON_ERROR:
 
@@ -57,7 +57,7 @@ lua_module = $(BUILD)/lua/archard.so
 # Plain `make` never installs: scripts/probe names what is missing. `make demo` and `make check`
 # install. Two notes in the build folder are written where they differ from what they hold: after
 # other flags all is probed and compiled anew, after other files all is linked anew.
-ifneq ($(filter-out check clean demo fuzz dist dist-check format install-files lint setup uninstall,$(or $(MAKECMDGOALS),all)),)
+ifneq ($(filter-out check clean coverage demo fuzz dist dist-check format install-files lint setup uninstall,$(or $(MAKECMDGOALS),all)),)
 flags   := $(strip $(CC); $(CPPFLAGS); $(CFLAGS); $(LDFLAGS); $(PKG_CONFIG); $(WERROR))
 sources := $(strip $(lib_src) $(plot_src) $(front_src) $(scripts))
 $(shell mkdir -p $(BUILD))
@@ -186,6 +186,14 @@ check:
 	@$(MAKE) --no-print-directory -j$(jobs) test-programs
 	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run
 
+# What share of the sources' lines and branches the tests reach, in a build folder of its own.
+coverage:
+	@scripts/setup test
+	@$(MAKE) --no-print-directory -j$(jobs) BUILD=build-coverage CFLAGS="-O0 -g --coverage" LDFLAGS=--coverage test-programs
+	@find build-coverage -name '*.gcda' -delete
+	@BUILD=build-coverage tests/run tests/unit/ tests/fuzz/ tests/lua/ tests/cli/
+	@tests/coverage build-coverage
+
 # Inputs made to break things, by clang's libFuzzer under its sanitizers: SECONDS of each target, or of
 # the one named by TARGET. What was found, and what reached new code, stays in the folder of the build.
 SECONDS = 60
@@ -232,7 +240,7 @@ man: $(program)
 
 # --- care -------------------------------------------------------------------------------------
 c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] tests/fuzz/*.[ch] tests/memory/*.c examples/c/*.c)
-sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run tests/fuzz/run tests/trust/trials tests/memory/valgrind \
+sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run tests/fuzz/run tests/trust/trials tests/memory/valgrind tests/coverage \
            .ci/run tests/tap.bash $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 
 format:
