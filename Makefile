@@ -191,7 +191,8 @@ coverage:
 	@scripts/setup test
 	@$(MAKE) --no-print-directory -j$(jobs) BUILD=build-coverage CFLAGS="-O0 -g --coverage" LDFLAGS=--coverage test-programs
 	@find build-coverage -name '*.gcda' -delete
-	@BUILD=build-coverage tests/run tests/unit/ tests/fuzz/ tests/lua/ tests/cli/
+	@BUILD=build-coverage ARCHARD_POINTS=100 tests/run tests/unit/ tests/fuzz/ tests/lua/ tests/cli/ \
+	  verify/functions verify/geometry verify/hertz verify/revolved verify/waves
 	@tests/coverage build-coverage
 
 # Inputs made to break things, by clang's libFuzzer under its sanitizers: SECONDS of each target, or of

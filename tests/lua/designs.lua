@@ -1,0 +1,37 @@
+-- The points of designs of experiments, and the distributions they are taken to.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, fails = tap.ok, tap.is, tap.fails
+local random = require "archard.random"
+
+-- How many points lie in each of `n` slices of (0, 1): the least and the most.
+local function slices(column, n)
+  local count = {}
+  for i = 1, n do count[i] = 0 end
+  for _, x in ipairs(column) do
+    local slice = math.floor(x * n) + 1
+    count[slice] = count[slice] + 1
+  end
+  return math.min(table.unpack(count)), math.max(table.unpack(count))
+end
+
+for _, design in ipairs{ "sobol", "latin", "random" } do
+  local points = random.points(design, 64, 3, 7)
+  is(#points, 3, design .. ": an axis each")
+  local inside = true
+  for _, column in ipairs(points) do
+    for _, x in ipairs(column) do inside = inside and x > 0 and x < 1 end
+  end
+  ok(inside and #points[3] == 64, design .. ": within (0, 1)")
+  is(table.concat(random.points(design, 64, 3, 7)[2], " "), table.concat(points[2], " "), design .. ": a seed gives the same again")
+  ok(random.points(design, 64, 3, 8)[2][5] ~= points[2][5], design .. ": another one others")
+  if design ~= "random" then
+    local least, most = slices(points[3], 64)
+    is(least .. " " .. most, "1 1", design .. ": one in each slice of an axis")
+  end
+end
+fails(function() random.points("grid", 8, 2, 1) end, "design", "a design of no such name")
+fails(function() random.points("latin", 0, 2, 1) end, "expected 1 to 10000000", "no points")
+fails(function() random.points("sobol", 8, 41, 1) end, "expected 1 to 40", "more axes than Sobol's sequence has here")
+ok(math.abs(random.normal_share(random.normal_quantile(0.975)) - 0.975) < 1e-12, "a quantile is where the share is")
+ok(math.abs(random.normal_quantile(0.975) - 1.959963984540054) < 1e-12, "of the standard normal distribution")
