@@ -235,7 +235,8 @@ arc_shear arc_contact_shear(const arc_contact *contact, arc_body body);
 const double *arc_contact_slip(const arc_contact *contact, int *count);
 
 /* Zones that stuck in the last increment, from left to right: writes the edges [mm] of zone `index`
- * (from 0), or returns 0 where there are no more. Interpolated between nodes. */
+ * (from 0), or returns 0 where there are no more. Between nodes to 0.15 of an element, to 0.3 where
+ * fewer than six stick. */
 int arc_contact_stick(const arc_contact *contact, int index, double edges[2]);
 
 /* Whether the solution is one, for tests and builds with checks: forces of both bodies balance the

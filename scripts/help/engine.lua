@@ -147,7 +147,7 @@ return {
       .. "summed over nodes. Good to some per cent where ten nodes or more slip." },
   { "contact.stick", kind = "field", unit = "mm",
     text = "The zones that stuck in the last increment, a list of { left=, right= }; empty in gross "
-      .. "slip. Good to half an element." },
+      .. "slip. Between nodes to 0.15 of an element, to 0.3 where fewer than six stick." },
   { "contact.shear", kind = "method", values = { "cylinder", "plate" },
     use = 'c:shear("cylinder" | "plate")', default = '"cylinder"',
     text = "Shear traction at the surface nodes of a body, as { x=, q= } in mm and MPa: on the "
