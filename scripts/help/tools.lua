@@ -155,6 +155,8 @@ return {
   { "plot{dash}", type = "whole number >= 1",
     text = "In a curve: 1 a full line, 2 to 5 dashed, in a window or file." },
   { "plot{width}", type = "number > 0", default = 1, text = "In a curve: relative line width." },
+  { "plot{on}", values = { "pixels", "characters" },
+    text = "In a curve: only drawn where the picture is of these; left out, everywhere." },
   { "plot{equal}", type = "boolean", default = false, text = "The same scale on both axes." },
   { "plot{levels}", type = "whole number >= 1", text = "Contour lines of a field." },
   { "plot{size}", type = "table { width, height }",
@@ -230,6 +232,10 @@ return {
       .. "runs with friction or of what their w:loop() gave before. The key tells the energy of each, and in "
       .. "what several runs differ; far ways are in mm. Takes the options of plot{} too." },
   { "plot.loop{titles}", type = "list of strings", text = "Names of the loops in the key; left out, those of their runs." },
+  { "plot.fretting_map", kind = "function", takes = "plot", use = "plot.fretting_map(f)",
+    text = "A running condition fretting map, load in N over the amplitude of the motion in um: grounds of stick, partial "
+      .. "slip and gross slip, their borders, and a mark for each condition; grounds are left out in characters. "
+      .. "Takes the options of plot{} too, such as logx=true." },
   { "plot.profile", kind = "function", takes = "plot", values = { "cylinder", "plate" },
     use = 'plot.profile(w1, ..., "plate")',
     text = "Wear depth in um against x; both bodies where none is named. Takes the options of plot{} "

@@ -28,7 +28,7 @@ local curve_fields = {
     return type(v) == "number" or check.list.test(v)
   end),
   style = check.one_of(styles), colour = check.text, series = check.count, dash = check.count,
-  width = check.positive,
+  width = check.positive, on = check.one_of(output.surfaces),
 }
 draw.curve_fields = curve_fields
 local places = check.kind("{ at = { numbers }, words = { strings } }, as many", function(v)
@@ -88,7 +88,7 @@ local function to_curve(where, given, number, panel)
   return {
     x = given.x or counted(given.y), y = given.y, title = words(given.title),
     style = given.style or panel.style, colour = words(given.colour), series = given.series,
-    dash = given.dash, width = given.width, error = given.error,
+    dash = given.dash, width = given.width, error = given.error, on = given.on,
     value = type(given.value) == "number" and given.value or nil,
   }
 end
@@ -226,10 +226,23 @@ local function run(where, f, ...)
   return result
 end
 
+-- A figure without the curves that are not for a surface.
+local function on(figure, surface)
+  local panels = {}
+  for i, panel in ipairs(figure.panels) do
+    local curves = {}
+    for _, curve in ipairs(panel.curves) do
+      if curve.on == nil or curve.on == surface then curves[#curves + 1] = curve end
+    end
+    panels[i] = merged(panel, { curves = curves })
+  end
+  return merged(figure, { panels = panels })
+end
+
 -- Draws a figure; returns the picture where it is one for the terminal.
 local function paint(where, figure, given, moving)
   local to = output.choose(where, figure, given, moving)
-  local picture = run(where, gnuplot.draw, figure, to)
+  local picture = run(where, gnuplot.draw, on(figure, output.surface(to)), to)
   last, last_given = figure, given
   return type(picture) == "string" and output.written(picture, to) or nil
 end
@@ -303,7 +316,7 @@ end
 -- Writes a gif that moves: a list of options as plot{} takes them, each one frame.
 function draw.film(where, frames, delay, given)
   local figures = {}
-  for i, frame in ipairs(frames) do figures[i] = to_figure(where, frame) end
+  for i, frame in ipairs(frames) do figures[i] = on(to_figure(where, frame), "pixels") end
   local to = output.to_file(where, figures[1], given.file, "gif", given.size)
   run(where, gnuplot.animate, figures, delay, to)
 end
@@ -311,9 +324,8 @@ end
 -- Writes a figure to a file, and its data beside it.
 local function save(where, figure, file, options)
   local given = { file = file, size = options.size, term = options.term }
-  run(where, gnuplot.draw, figure, output.choose(where, figure, given))
+  paint(where, figure, given)
   files.write(where, file:gsub("%.[^./]*$", "") .. ".csv", csv(figure))
-  last, last_given = figure, given
 end
 
 -- save("p.png" [, options]): the last picture; save{ ..., file="p.png" }: this one.

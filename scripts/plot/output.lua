@@ -140,6 +140,14 @@ function output.choose(where, figure, given, moving)
   return to
 end
 
+-- What a curve may be for, where it says so: characters do not show what lies behind others.
+output.surfaces = { "pixels", "characters" }
+
+function output.surface(to)
+  local characters = to.medium == "text" or to.file and to.file:lower():find "%.txt$"
+  return characters and "characters" or "pixels"
+end
+
 -- --- pictures for the terminal -------------------------------------------------------------------
 
 local letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"

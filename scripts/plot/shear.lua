@@ -16,23 +16,13 @@ local function bounds_of(pressure, friction)
   return upper, lower, most
 end
 
-local in_characters = { dumb = true, dots = true, txt = true }
-
--- Characters do not show what lies behind others.
-local function can_shade(options)
-  local ending = options.file and options.file:match("%.(%w+)$")
-  return not in_characters[ending or options.term or draw.default.term or "dots"]
-end
-
--- Each zone that sticks, shaded up to `top`; the first one names them.
-local function stick_zones(contact, bottom, top)
-  local zones = {}
+-- Each zone that sticks, shaded up to `top` on one kind of surface; the first one names them.
+local function add_zones(given, contact, bottom, top, surface)
   for i, zone in ipairs(contact.stick) do
-    zones[i] = { x = { zone.left, zone.right, zone.right, zone.left, zone.left },
-      y = { bottom, bottom, top, top, bottom }, style = "filled", series = 3,
+    given[#given + 1] = { x = { zone.left, zone.right, zone.right, zone.left, zone.left },
+      y = { bottom, bottom, top, top, bottom }, style = "filled", series = 3, on = surface,
       title = i == 1 and "sticks" or nil }
   end
-  return zones
 end
 
 local function around(contact)
@@ -51,7 +41,9 @@ function shear.shear(contact, options)
   local body = naming.body(where, contact, options.body or "upper")
   local q = contact:shear(body)
   local upper, lower, most = bounds_of(contact:pressure(body), contact.friction)
-  local given = stick_zones(contact, -1.05 * most, (can_shade(options) and 1.05 or -0.95) * most)
+  local given = {}
+  add_zones(given, contact, -1.05 * most, 1.05 * most, "pixels")
+  add_zones(given, contact, -1.05 * most, -0.95 * most, "characters") -- which do not show what lies behind others
   given[#given + 1] = { x = q.x, y = upper, series = 2, dash = 2, title = "±μp" }
   given[#given + 1] = { x = q.x, y = lower, series = 2, dash = 2 }
   given[#given + 1] = { x = q.x, y = q.q, series = 1, title = "q" }
