@@ -46,13 +46,19 @@ return {
     text = "The file that receives all cases." },
   { "study.fretting_map", kind = "function", class = "fretting_map",
     use = "f = study.fretting_map{ load={ 50, 100 }, motion={ 1e-3, 3e-3, 1e-2 } }",
-    text = "The running condition fretting map of unworn surfaces: for each load in N and each amplitude of motion in "
-      .. "mm whether the contact sticks (but for less than a tenth of its width), slips partially or grossly, from "
-      .. "its steady cycle; and at each load the motions between, to 1 % or an element. Takes the fields of wear{} too." },
+    text = "The running condition fretting map: for each load and each amplitude of motion whether the contact sticks, slips "
+      .. "partially or slides (gross slip), and at each load the motions between, from steady cycles between two forces. "
+      .. "Any force makes a smooth contact slip at its edges: partial slip begins where a stroke slips on a share of "
+      .. "the width (annulus), by Cattaneo and Mindlin under 1 - (1 - annulus)^2 of the force that slides it, 19 % for a "
+      .. "tenth. That is followed from wider slip, as meshes seldom resolve it: for a cylinder within 13, 4, 3 and 2 % at a "
+      .. "fineness of 1, 2, 4 and 8; gross slip within 0.5 %. Takes the fields of contact{} too (worn=, friction=, "
+      .. "model=, which without one is built for each load with a fineness of 2)." },
   { "study.fretting_map{load}", type = "list of numbers", unit = "N", text = "Normal loads, increasing." },
   { "study.fretting_map{motion}", type = "list of numbers", unit = "mm",
     text = "Amplitudes of the plate's motion, half its strokes, increasing." },
-  { "study.fretting_map{friction}", type = "number", default = 0.6, text = "Coefficient of friction." },
+  { "study.fretting_map{friction}", type = "number > 0", default = 0.6, text = "Coefficient of friction." },
+  { "study.fretting_map{annulus}", type = "number in (0, 1)", default = 0.1,
+    text = "Partial slip begins where slip takes this share of the contact's width, both sides together." },
   { "study.converge", kind = "function", class = "convergence",
     use = "c = study.converge{ base={ stroke=0.22 } }",
     text = "Finds the settings that cases need, by trial: the element size whose unworn pressure is "
@@ -154,7 +160,7 @@ return {
 
   -- --- fretting maps --------------------------------------------------------------------------
   { "fretting_map", kind = "object", use = "f = study.fretting_map{...}",
-    text = "What study.fretting_map found; print shows the borders." },
+    text = "What study.fretting_map found; print shows regimes and borders, plot.fretting_map draws them." },
   { "fretting_map.regime", kind = "field", type = "table",
     text = "regime[i][j]: \"stick\", \"partial\" or \"gross\" at load i and motion j." },
   { "fretting_map.partial_from", kind = "field", type = "list of numbers", unit = "mm",
@@ -163,8 +169,8 @@ return {
     text = "At each load the amplitude above which it slips grossly." },
   { "fretting_map.load", kind = "field", type = "list of numbers", unit = "N", text = "The loads." },
   { "fretting_map.motion", kind = "field", type = "list of numbers", unit = "mm", text = "The amplitudes." },
-  { "fretting_map.plot", kind = "method", takes = "plot", use = "f:plot{ file= }",
-    text = "Draws the map: load against amplitude, a point for each condition, and the borders. Takes the options of plot{} too." },
+  { "fretting_map.friction", kind = "field", text = "Coefficient of friction." },
+  { "fretting_map.annulus", kind = "field", text = "Share of the width with which partial slip begins." },
 
   -- --- convergence ----------------------------------------------------------------------------
   { "convergence", kind = "object", use = "c = study.converge{...}",

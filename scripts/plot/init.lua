@@ -1,7 +1,7 @@
 -- plot: curves, and the pictures of contact and wear. Only gathers what users see; the work is in
 -- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/naming.lua (titles and keys),
 -- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses),
--- plot/shear.lua and plot/loop.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies),
+-- plot/shear.lua, plot/loop.lua and plot/fretting_map.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies),
 -- plot/fit.lua and plot/animate.lua.
 
 local check = require "archard.lib.check"
@@ -18,6 +18,7 @@ local plot = {
   slip = later("archard.plot.shear", "slip"),
   mesh = later("archard.plot.mesh", "mesh"),
   stress = later("archard.plot.mesh", "stress"),
+  fretting_map = later "archard.plot.fretting_map",
   animate = later "archard.plot.animate",
   response = later "archard.plot.response",
   bands = later "archard.plot.bands",

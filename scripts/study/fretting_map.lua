@@ -1,5 +1,10 @@
--- study.fretting_map: which loads and motions lead to stick, partial slip and gross slip, from the steady cycle of
--- unworn surfaces; and the borders between, by bisection.
+-- study.fretting_map: which loads and motions lead to stick, partial slip and gross slip, from steady cycles of a
+-- contact between forces to and fro, and the borders between. The picture is in plot/fretting_map.lua.
+--
+-- Under any force a smooth contact slips at its edges: partial slip begins where that can be told, where slip has taken
+-- a share of the width. So little of it is seldom as wide as an element. What sticks is therefore measured at forces all
+-- the way to sliding, and 1 - (its share of the width)^2 is followed by b1 s + b2 s^2 over the shares s of that force: for
+-- Hertz' contact it is s itself (Cattaneo and Mindlin).
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
@@ -7,79 +12,119 @@ local strict = require "archard.strict"
 
 local where = "study.fretting_map"
 
-local usual_friction, usual_increments = 0.6, 40
-local sticks = 0.9 -- of the width: at the very edges every contact slips
-local close = 1.01 -- of borders
+local usual = { friction = 0.6, annulus = 0.1, model = { mesh = { fineness = 2 } } }
+local levels, last_level = 18, 0.9 -- of what friction carries
+local sliding = 1 - 1e-6
+local steps = 4 -- from one end of a cycle to the other; pressures hardly follow the shear
 
-local growing = check.list_of(check.positive, "a list of increasing numbers > 0", true)
-
-local fields = { load = growing, motion = growing }
-for _, setting in ipairs(require "archard.settings".wear) do
-  fields[setting.name] = fields[setting.name] or check.any "a field of wear{}"
+local fields = { load = check.any "a list", motion = check.any "a list", friction = check.positive, annulus = check.share }
+for _, setting in ipairs(require "archard.settings".contact) do
+  fields[setting.name] = fields[setting.name] or check.any "a field of contact{}"
 end
-for _, own in ipairs{ "stroke", "tangential", "loading", "distance", "cycles" } do fields[own] = nil end
+for _, own in ipairs{ "x", "load_angle", "average" } do fields[own] = nil end
 
-local function regime_of(given, load, motion)
-  local w <close> = check.as(where, wear, merged(given, { load = load, stroke = 2 * motion, cycles = 1 }))
-  local loop = check.as(where, w.loop, w)
-  if loop.gross then return "gross" end
-  return loop.stick_width >= sticks * 2 * w.half_width and "stick" or "partial"
-end
-
-local rank = { stick = 1, partial = 2, gross = 3 }
-
--- The amplitude from which on a regime is at least the one of `name`.
-local function border(given, load, name, guess)
-  local function reached(motion) return rank[regime_of(given, load, motion)] >= rank[name] end
-  local low, high = guess, guess
-  while reached(low) do low = low / 2 end
-  while not reached(high) do high = 2 * high end
-  while high > close * low do
-    local middle = math.sqrt(low * high)
-    if reached(middle) then high = middle else low = middle end
+-- Each number beyond the one before.
+local function check_growing(given, name, unit)
+  local list = given[name]
+  if not check.list.test(list) or #list == 0 then
+    check.refuse(where, name, ("a list of increasing numbers > 0 in %s"):format(unit), list)
   end
-  return math.sqrt(low * high)
-end
-
--- --- the picture ---------------------------------------------------------------------------------
-
-local function um(list) return require "archard.plot.shapes".scaled(list, 1000) end
-
-local function points_of(self, name)
-  local curve = { x = {}, y = {}, style = "points", title = name == "stick" and name or name .. " slip" }
-  for i, load in ipairs(self.load) do
-    for j, motion in ipairs(self.motion) do
-      if self.regime[i][j] == name then
-        curve.x[#curve.x + 1], curve.y[#curve.y + 1] = 1000 * motion, load
-      end
+  for i, value in ipairs(list) do
+    local least = i > 1 and list[i - 1] or 0
+    if not (check.positive.test(value) and value > least) then
+      check.refuse(where, ("%s[%d]"):format(name, i), ("a number > %g %s"):format(least, unit), value)
     end
   end
-  return curve
 end
 
-local methods = {}
-local class = { __name = "fretting_map", __methods = methods,
-  __fields = { "load", "motion", "regime", "partial_from", "gross_from" } }
+-- --- steady cycles -------------------------------------------------------------------------------
 
-function methods:plot(options)
-  local draw = require "archard.plot.draw"
-  options = draw.options("fretting_map:plot", options, {})
-  local given = { xlabel = "amplitude of the motion / µm", ylabel = "load / N", title = "running condition fretting map" }
-  for _, name in ipairs{ "stick", "partial", "gross" } do
-    local points = points_of(self, name)
-    if #points.x > 0 then given[#given + 1] = points end
+-- What sticks on the way to an end of a cycle, as a share of the width; nil where every node of a side does, as the mesh
+-- does not tell then.
+local function share_of(contact)
+  local zones, edges, sum = contact.stick, contact.edges, 0
+  if zones[1] and (zones[1].left <= edges.left or zones[#zones].right >= edges.right) then return nil end
+  for _, zone in ipairs(zones) do sum = sum + zone.right - zone.left end
+  return sum / (edges.right - edges.left)
+end
+
+-- Both ends of a cycle between a share of what friction carries and as much against it.
+local function cycle(pressed, share)
+  local force = share * pressed.friction * pressed.load
+  local function go(from, to) return check.as(where, from.move, from, { tangential = to, increments = steps }) end
+  local back = go(go(pressed, force), -force)
+  return back, go(back, force)
+end
+
+local function amplitude(pressed, share)
+  local back, there = cycle(pressed, share)
+  return (there.x - back.x) / 2
+end
+
+-- --- borders -------------------------------------------------------------------------------------
+
+-- Adds one end of a cycle to the normal equations of b1 and b2.
+local function add_end(sums, share, contact)
+  local width = share_of(contact)
+  if not width then return end
+  for power = 2, 4 do sums[power] = sums[power] + share ^ power end
+  for power = 1, 2 do sums.of[power] = sums.of[power] + share ^ power * (1 - width ^ 2) end
+  sums.count = sums.count + 1
+end
+
+-- The share of the force that slips `annulus` of the width; that of sliding where less has slipped before.
+local function partial_share(pressed, annulus)
+  local sums = { 0, 0, 0, 0, of = { 0, 0 }, count = 0 }
+  for i = 1, levels do
+    local share = last_level * i / levels
+    local back, there = cycle(pressed, share)
+    add_end(sums, share, back)
+    add_end(sums, share, there)
   end
-  if #self.load > 1 then
-    given[#given + 1] = { x = um(self.partial_from), y = self.load, title = "partial slip from here" }
-    given[#given + 1] = { x = um(self.gross_from), y = self.load, title = "gross slip from here" }
-  end
-  draw.draw("fretting_map:plot", draw.over(given, options))
+  if sums.count < 4 then return sliding end
+  local det, gone = sums[2] * sums[4] - sums[3] ^ 2, 1 - (1 - annulus) ^ 2
+  local b1 = (sums.of[1] * sums[4] - sums.of[2] * sums[3]) / det
+  local b2 = (sums.of[2] * sums[2] - sums.of[1] * sums[3]) / det
+  local under = b1 ^ 2 + 4 * b2 * gone
+  local share = under >= 0 and 2 * gone / (b1 + math.sqrt(under)) or sliding
+  return share > 0 and math.min(share, sliding) or sliding
+end
+
+local function regime_of(self, i, motion)
+  if motion >= self.gross_from[i] then return "gross" end
+  return motion >= self.partial_from[i] and "partial" or "stick"
+end
+
+-- The row of a load.
+local function add_load(self, given, load)
+  local i = #self.load + 1
+  local pressed = check.as(where, contact, merged(given, { load = load }))
+  self.load[i] = load
+  self.partial_from[i] = amplitude(pressed, partial_share(pressed, self.annulus))
+  self.gross_from[i] = amplitude(pressed, sliding)
+  self.regime[i] = {}
+  for j, motion in ipairs(self.motion) do self.regime[i][j] = regime_of(self, i, motion) end
+end
+
+-- --- the map -------------------------------------------------------------------------------------
+
+local class = { __name = "fretting_map", __methods = {},
+  __fields = { "load", "motion", "friction", "annulus", "regime", "partial_from", "gross_from" } }
+
+local function row(first, words, partial, gross)
+  local cells = { ("%10s"):format(first) }
+  for i, word in ipairs(words) do cells[i + 1] = ("%10s"):format(word) end
+  cells[#cells + 1] = ("%18s %16s"):format(partial, gross)
+  return table.concat(cells)
 end
 
 function class.__tostring(self)
-  local lines = { "   load / N   partial slip from / um   gross slip from / um" }
+  local motions = {}
+  for j, motion in ipairs(self.motion) do motions[j] = ("%.4g um"):format(1000 * motion) end
+  local lines = { row("load / N", motions, "partial from / um", "gross from / um") }
   for i, load in ipairs(self.load) do
-    lines[#lines + 1] = ("%11.4g %24.4f %22.4f"):format(load, 1000 * self.partial_from[i], 1000 * self.gross_from[i])
+    lines[i + 1] = row(("%.4g"):format(load), self.regime[i], ("%.4g"):format(1000 * self.partial_from[i]),
+      ("%.4g"):format(1000 * self.gross_from[i]))
   end
   return table.concat(lines, "\n")
 end
@@ -88,19 +133,12 @@ strict.class(class)
 
 return function(given)
   check.definition(where, given, fields)
-  for _, name in ipairs{ "load", "motion" } do
-    if given[name] == nil then check.refuse(where, name, growing.expected, nil) end
-  end
-  local base = merged({ friction = usual_friction, increments = usual_increments }, given)
-  base.motion = nil
-  if not base.model then base.model = model{ mesh = { size = 0.01, height = 0.0125 } } end
-  local self = { load = given.load, motion = given.motion, regime = {}, partial_from = {}, gross_from = {} }
-  local guess = given.motion[1]
-  for i, load in ipairs(given.load) do
-    self.regime[i] = {}
-    for j, motion in ipairs(given.motion) do self.regime[i][j] = regime_of(base, load, motion) end
-    self.partial_from[i] = border(base, load, "partial", guess)
-    self.gross_from[i] = border(base, load, "gross", self.partial_from[i])
-  end
-  return setmetatable(self, class)
+  check_growing(given, "load", "N")
+  check_growing(given, "motion", "mm")
+  local all = merged(usual, given)
+  local self = setmetatable({ load = {}, motion = table.move(all.motion, 1, #all.motion, 1, {}), regime = {},
+    friction = all.friction, annulus = all.annulus, partial_from = {}, gross_from = {} }, class)
+  all.motion, all.annulus = nil, nil
+  for _, load in ipairs(given.load) do add_load(self, all, load) end
+  return self
 end

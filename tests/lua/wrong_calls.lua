@@ -59,7 +59,7 @@ local beside = {
   calibrate = { volume = { cylinder = 1e-5, plate = 1e-5 }, load = 100, distance = 22 },
   ["plot.response"] = { x = "alpha", y = "depth_plate" }, ["plot.points"] = { x = { 1 }, y = { 1 } },
   ["study.failure"] = { of = "depth_plate", above = 1 }, ["study.merge"] = { file = path "m.archard" },
-  ["study.fretting_map"] = { load = { 100 }, motion = { 1e-3 }, model = m, increments = 8 },
+  ["study.fretting_map"] = { load = { 100 }, motion = { 1e-3 }, model = m },
   ["study.run"] = { file = path "s.archard" }, ["study.figures"] = { dir = path "figures", term = "dumb" },
   ["study.submit"] = { file = path "s.archard", engine = "local" }, wear = { model = m }, contact = { model = m },
   model = { mesh = coarse }, ["study.table"] = {}, ["plot.animate"] = { file = path "a.gif" },

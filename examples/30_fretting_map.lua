@@ -1,0 +1,14 @@
+-- The running condition fretting map of a steel cylinder on a plate with friction 0.6: which loads and which amplitudes of
+-- motion let it stick, slip at its edges, or slide. Each border is found at its load, the conditions stand between them.
+--   archard examples/30_fretting_map.lua
+
+local began = os.clock()
+local map = study.fretting_map{ friction = 0.6, load = { 20, 50, 100, 150, 200 }, motion = { 0.0003, 0.0008, 0.002, 0.004 } }
+print(map)
+
+-- Cattaneo and Mindlin: 1 - (share of the width that sticks)^2 is the force over friction times the load, here 0.19.
+local at_100 = contact{ friction = 0.6, load = 100, model = { mesh = { fineness = 2 } } }
+print(("\nat 100 N partial slip begins at %.3f um, with half-planes' %.2f N at %.3f um; %.1f s in all"):format(
+  1e3 * map.partial_from[3], 0.19 * 60, 1e3 * at_100:move{ tangential = 0.19 * 60 }.x, os.clock() - began))
+
+plot.fretting_map(map)

@@ -1,0 +1,78 @@
+-- plot.fretting_map: the running condition fretting map: where a contact sticks, slips partially and slips grossly, over
+-- load and motion. Leans on plot/draw.lua; of the map it uses only what users can.
+
+local check = require "archard.lib.check"
+local draw = require "archard.plot.draw"
+local naming = require "archard.plot.naming"
+local shapes = require "archard.plot.shapes"
+
+local where = "plot.fretting_map"
+
+local regimes = { { name = "stick", series = 3 }, { name = "partial", title = "partial slip", series = 5 },
+  { name = "gross", title = "gross slip", series = 2 } }
+
+local function title_of(regime) return regime.title or regime.name end
+
+local function constant(value, count)
+  local list = {}
+  for i = 1, count do list[i] = value end
+  return list
+end
+
+-- The ground of a regime between two borders, from the lowest load to the highest, and back to where it began.
+local function ground(map, regime, left, right)
+  local area = shapes.area(map.load, left, right, 1)
+  local x, y = area.y, area.x
+  x[#x + 1], y[#y + 1] = x[1], y[1]
+  return { x = x, y = y, style = "filled", series = regime.series, title = title_of(regime), on = "pixels" }
+end
+
+local function add_grounds(given, map, partial, gross, from, to)
+  local n = #map.load
+  local at = { constant(from, n), partial, gross, constant(to, n) }
+  for i, regime in ipairs(n > 1 and regimes or {}) do given[i] = ground(map, regime, at[i], at[i + 1]) end
+end
+
+-- The conditions that were asked about; where there is no ground they say what they stand for.
+local function add_conditions(given, map, regime, surface)
+  local curve = { x = {}, y = {}, style = "points", series = regime.series, on = surface,
+    title = (surface == "characters" or #map.load == 1) and title_of(regime) or nil }
+  for i, load in ipairs(map.load) do
+    for j, motion in ipairs(map.motion) do
+      if map.regime[i][j] == regime.name then
+        curve.x[#curve.x + 1], curve.y[#curve.y + 1] = 1000 * motion, load
+      end
+    end
+  end
+  if #curve.x > 0 then given[#given + 1] = curve end
+end
+
+-- Two borders, or their ends at the one load there is.
+local function add_borders(given, map, partial, gross)
+  local style = #map.load > 1 and "lines" or "points"
+  given[#given + 1] = { x = partial, y = map.load, style = style, series = 7, dash = 1,
+    title = ("slips on %g %% of the width"):format(100 * map.annulus) }
+  given[#given + 1] = { x = gross, y = map.load, style = style, series = 8, dash = 1, title = "slides" }
+end
+
+-- plot.fretting_map(map, { ... })
+return function(map, options)
+  if not naming.get(map, "gross_from") then
+    check.fail(where, "expected what study.fretting_map{} gave, got " .. check.shown(map))
+  end
+  options = draw.options(where, options, {})
+  local partial, gross = shapes.scaled(map.partial_from, 1000), shapes.scaled(map.gross_from, 1000)
+  local motions = shapes.scaled(map.motion, 1000)
+  local most = 1.1 * math.max(motions[#motions], gross[#gross])
+  local least = options.logx and math.min(motions[1], partial[1]) / 1.5 or 0
+  local given = {}
+  add_grounds(given, map, partial, gross, least, most)
+  add_borders(given, map, partial, gross)
+  for _, regime in ipairs(regimes) do
+    for _, surface in ipairs{ "pixels", "characters" } do add_conditions(given, map, regime, surface) end
+  end
+  given.yrange = { options.logy and map.load[1] / 1.1 or 0, 1.05 * map.load[#map.load] } -- clear of the frame
+  given.xlabel, given.ylabel, given.xrange = "amplitude of the motion / µm", "load / N", { least, most }
+  given.title = ("running condition fretting map: μ = %g"):format(map.friction)
+  draw.draw(where, draw.over(given, options))
+end

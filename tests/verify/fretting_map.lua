@@ -1,0 +1,69 @@
+-- The fretting map against half-planes, and what it is off by the mesh: borders of stick, partial slip and gross slip, and
+-- the edges of the zone that sticks, which the first of them comes from.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, below, note = figures.within, figures.below, figures.note
+
+local mu = 0.6
+
+-- --- where it sticks ----------------------------------------------------------------------------
+
+-- Half the zone's width over contacts whose edges pass over an element, against Cattaneo and Mindlin's; in elements.
+local function edges_off(fineness, share)
+  local first = contact{ model = { mesh = { fineness = fineness } }, friction = mu }
+  local size, a, most, sum, count = first.model.mesh.size, first.half_width, 0, 0, 12
+  for i = 1, count do
+    local load = 100 * (1 + ((i - 0.5) / count - 0.5) * size / a) ^ 2
+    local zone = contact{ model = first.model, friction = mu, load = load }:move{ tangential = share * mu * load }.stick[1]
+    local off = ((zone.right - zone.left) / 2 - hertz{ load = load }.half_width * math.sqrt(1 - share)) / size
+    most, sum = math.max(most, math.abs(off)), sum + off / count
+  end
+  return most, sum
+end
+
+for _, share in ipairs{ 0.3, 0.5, 0.7 } do
+  for fineness, allowed in pairs{ [1] = 0.3, [2] = 0.15, [4] = 0.13 } do
+    local most, mean = edges_off(fineness, share)
+    note(("fineness %d, %g of the force: mean %+.3f elements"):format(fineness, share, mean))
+    below(most, allowed, ("fineness %d, %g of the force: edge of the zone that sticks, elements off at most"):format(fineness, share))
+  end
+end
+
+-- --- borders ------------------------------------------------------------------------------------
+
+-- Cattaneo and Mindlin: a share s of the width is lost under 1 - (1 - s)^2 of the force that slides. The motion under it is
+-- that of a contact that hardly slips, which every mesh has.
+local function motion_at(load, share)
+  return contact{ friction = mu, load = load, model = { mesh = { fineness = 2 } } }:move{ tangential = share * mu * load }.x
+end
+
+local loads = { 50, 200 }
+for _, annulus in ipairs{ 0.05, 0.1, 0.2 } do
+  local exact = {}
+  for i, load in ipairs(loads) do exact[i] = motion_at(load, 1 - (1 - annulus) ^ 2) end
+  for fineness, allowed in pairs{ [1] = 0.14, [2] = 0.05, [4] = 0.035 } do
+    local map = study.fretting_map{ load = loads, motion = { 1e-3 }, friction = mu, annulus = annulus,
+      model = { mesh = { fineness = fineness } } }
+    for i, load in ipairs(loads) do
+      within(map.partial_from[i], exact[i], allowed,
+        ("fineness %d, %g N, %g %% of the width: partial slip from [mm]"):format(fineness, load, 100 * annulus))
+    end
+  end
+end
+
+-- Half-planes with the bodies' lengths (7.23 R): the way until all slips, for 100 N/mm.
+for fineness = 1, 4 do
+  local map = study.fretting_map{ load = { 100 }, motion = { 1e-3 }, friction = mu, model = { mesh = { fineness = fineness } } }
+  within(map.gross_from[1], 2.677e-3, 0.006, ("fineness %d: gross slip from [mm]"):format(fineness))
+end
+
+-- Dissimilar bodies, which slip on one side before the other: no closed form, but no mesh in it either.
+local function dissimilar(fineness)
+  return study.fretting_map{ load = { 100 }, motion = { 1e-3 }, friction = mu,
+    model = { plate = { E = 70e3, nu = 0.33 }, mesh = { fineness = fineness } } }
+end
+local fine = dissimilar(4)
+for _, fineness in ipairs{ 1, 2 } do
+  local map = dissimilar(fineness)
+  within(map.partial_from[1], fine.partial_from[1], 0.06, ("dissimilar, fineness %d to 4: partial slip from [mm]"):format(fineness))
+  within(map.gross_from[1], fine.gross_from[1], 0.005, ("dissimilar, fineness %d to 4: gross slip from [mm]"):format(fineness))
+end
