@@ -194,6 +194,22 @@ for label, case in pairs{ ["no motions"] = { {}, { "field 'motion'", "increasing
   fails(function() study.fretting_map(case[1]) end, case[2], "map: " .. label)
 end
 
+-- friction that falls below the force on the way
+for _, thickness in ipairs{ 1, 5 } do
+  local w = wear{ model = { thickness = thickness, mesh = { size = 0.04, height = 0.05, far = 2 } }, load = 100 * thickness,
+    tangential = 30 * thickness, friction = { distance = { 0, 0.1 }, value = { 0.6, 0.1 } }, k = 1e-7, cycles = 1e5, jump = 100,
+    increments = 8 }
+  local err = fails(function() w:run{ progress = false } end, { "field 'friction'", "expected more than 0.3",
+    ("a force of %d N"):format(30 * thickness), ("a load of %d N"):format(100 * thickness), "got 0.1 at a distance of", "mm" },
+    ("friction that falls below a force, thickness %d"):format(thickness))
+  is(err.code, "ARGUMENT", "its code")
+  is(w.update, 0, "the run stays where it was")
+end
+local later = run{ stroke = 0.1, cycles = 100, jump = 50, friction = function(state) return state.cycle < 20 and 0.6 or 0 end }
+later:run{ progress = false }
+is(later.gross, 0, "where friction has gone nothing is told of it")
+is(later.cycle_energy, 0, "nor dissipated")
+
 -- what is refused
 local function refused(fields, words, label) fails(function() run(fields) end, words, label) end
 refused({ friction = -0.1 }, { "field 'friction'", ">= 0", "-0.1" }, "friction below 0")
@@ -204,6 +220,8 @@ refused({ loading = { x = { 0, 1, 0 }, tangential = { 0, 1, 0 } } }, { "'loading
   "x and force")
 refused({ loading = { tangential = { 0, 50, 0 }, load = { 100, 80, 100 } } },
   { "loading[1].tangential[2]", "48 N", "50 N" }, "more than mu L in a block")
+refused({ friction = { distance = { 0, 1 }, value = { 0.6, 0.5 } },
+  loading = { tangential = { 0, 5, 0 }, load = { 100, 0, 100 } } }, { "loading[1].tangential[2]", "0 N", "5 N" }, "a force on nothing")
 refused({ friction = 0, loading = { tangential = { 0, 5, 0 } } }, "loading[1].tangential", "a block's force without friction")
 refused({ loading = { x = { 0, 0.1 } } }, "ends where it begins", "a cycle that does not close")
 refused({ stroke = 0.1, update = "increment" }, "field 'update'", "updates within a cycle")

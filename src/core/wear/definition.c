@@ -156,6 +156,12 @@ static int friction_is_known(const arc_wear_def *d) {
   return !d->friction_function && d->friction_series.count == 0;
 }
 
+/* Tangential force that is refused [N]: more will be told of on the way. */
+static double carried(const arc_wear_def *d, double load) {
+  if (friction_is_known(d)) return d->friction * load;
+  return load > 0 ? INFINITY : 0;
+}
+
 /* More than friction carries, where that is known; and a cycle that does not come back. */
 static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int number,
                                 arc_error *error) {
@@ -165,11 +171,11 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
       return arc_fail(error, ARC_ARGUMENT,
                       "field 'loading[%d].tangential[%d]': expected a finite force in N, got %g",
                       number, i + 1, l->tangential[i]);
-    if (friction_is_known(d) && fabs(l->tangential[i]) >= d->friction * l->load[i])
+    if (fabs(l->tangential[i]) >= carried(d, l->load[i]))
       return arc_fail(error, ARC_ARGUMENT,
                       "field 'loading[%d].tangential[%d]': expected less than friction times the "
                       "load, %g N, got %g N",
-                      number, i + 1, d->friction * l->load[i], l->tangential[i]);
+                      number, i + 1, carried(d, l->load[i]), l->tangential[i]);
   }
   if (!l->periodic)
     return arc_fail(error, ARC_ARGUMENT,

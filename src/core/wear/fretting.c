@@ -31,17 +31,6 @@ typedef struct fretting {
   double *work, *on; /* [nc], [np] */
 } fretting;
 
-arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
-                             arc_error *error) {
-  const arc_wear_def *d = &w->def;
-  *mu = d->friction;
-  if (d->friction_function)
-    return arc_wear_ask(w, &arc_wear_settings[ARC_AT_friction], d->friction_function, state, mu,
-                        error);
-  if (d->friction_series.count > 0) *mu = arc_wear_series(&d->friction_series, state->distance);
-  return ARC_OK;
-}
-
 static arc_status fretting_create(fretting *r) {
   const size_t nc = (size_t)r->w->nc, np = (size_t)r->w->np;
   r->start = malloc((5 * nc + np) * sizeof *r->start);
@@ -157,7 +146,7 @@ static void note_increment(fretting *r, int at) {
   const friction_state *s = &w->path.state;
   wear_rate *rate = r->rate;
   double most;
-  if (slips_everywhere(s, &most)) rate->gross = 1;
+  if (slips_everywhere(s, &most) && r->window->mu > 0) rate->gross = 1;
   rate->shear = fmax(rate->shear, fabs(s->tangential));
   for (int i = 0; i < s->nc; i++) {
     r->least[i] = fmin(r->least[i], s->f[i]);

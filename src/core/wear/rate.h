@@ -67,10 +67,13 @@ arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, cons
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,
                          wear_rate *rate);
 
-/* --- fretting.c --- */
-/* The coefficient of friction of a state. */
+/* --- rubbing.c --- */
+/* The coefficient of friction of a state. ARC_ARGUMENT where it does not carry the force that
+ * drives the plate there; also what a function fails of. */
 arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
                              arc_error *error);
+
+/* --- fretting.c --- */
 /* The wear of a steady cycle with friction. */
 arc_status arc_wear_fret(arc_wear *w, const wear_window *window, wear_watch *watch, wear_rate *rate,
                          arc_error *error);

@@ -1,0 +1,45 @@
+/* The coefficient of friction of a state, and whether it carries the force that drives the plate.
+ */
+#include "core/base/callbacks.h"
+#include "core/wear/rate.h"
+
+#include <math.h>
+
+/* The point of a block that takes most friction; and how much, infinite where nothing presses. */
+static int worst_point(const wear_block *b, double *needed) {
+  int worst = 0;
+  *needed = 0;
+  for (int i = 0; i < b->count; i++) {
+    const double force = fabs(b->tangential[i]), of = force > 0 ? force / b->line[i] : 0;
+    if (of > *needed) *needed = of, worst = i;
+  }
+  return worst;
+}
+
+/* A number is checked with the definition; tables and functions may fall below it on the way. */
+static arc_status check_carried(const arc_wear *w, const arc_wear_record *state, double mu,
+                                arc_error *error) {
+  const wear_block *b = arc_wear_block_at(w, state->cycle);
+  double needed;
+  if (!b->tangential) return ARC_OK;
+  const int at = worst_point(b, &needed);
+  if (mu > needed) return ARC_OK;
+  const double thickness = arc_model_definition(w->model)->thickness;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'friction': expected more than %g, as a force of %g N drives the plate "
+                  "under a load of %g N, got %g at a distance of %g mm",
+                  needed, fabs(b->tangential[at]) * thickness, b->line[at] * thickness, mu,
+                  state->distance);
+}
+
+arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
+                             arc_error *error) {
+  const arc_wear_def *d = &w->def;
+  arc_status status = ARC_OK;
+  *mu = d->friction;
+  if (d->friction_series.count > 0) *mu = arc_wear_series(&d->friction_series, state->distance);
+  if (d->friction_function)
+    status = arc_wear_ask(w, &arc_wear_settings[ARC_AT_friction], d->friction_function, state, mu,
+                          error);
+  return status == ARC_OK ? check_carried(w, state, *mu, error) : status;
+}
