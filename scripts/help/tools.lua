@@ -294,8 +294,8 @@ return {
     text = "Writes files for other tools. A file is complete or not there; a wrong ending is refused, "
       .. "a missing one added." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
-    text = "Columns of numbers with a line of names and units: the history of a wear run, a pressure, "
-      .. "a table of lists; tables of ours know their units, others have those of a third argument, { x=\"mm\" }. A "
+    text = "Columns of numbers with a line of names and units: the history of a wear run, the pressures "
+      .. "of a contact (with friction its shear, and the slip at the cylinder's nodes), a table of lists; tables of ours know their units, others have those of a third argument, { x=\"mm\" }. A "
       .. "stress becomes two files, path-cylinder.csv and path-plate.csv. Returns what was written." },
   { "export.vtk", kind = "function", use = 'export.vtk(obj, "c.vtu")',
     text = "Meshes and fields for ParaView and others, as .vtu (XML) or .vtk (legacy text). Of a "

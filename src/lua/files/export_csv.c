@@ -58,23 +58,36 @@ static const double *push_padded(lua_State *L, const double *values, size_t coun
   return padded;
 }
 
-/* The pressures of both bodies side by side; the shorter columns end early. */
-static void write_pressures(lua_State *L, const char *path, const arc_contact *contact) {
-  static const char *const units[] = {"mm", "MPa", "mm", "MPa"};
+/* Adds a column of a body's surface nodes as the table's next one. */
+static void add_nodal(lua_State *L, csv_table *table, const char *name, const char *unit,
+                      const arc_contact *contact, arc_body body, const double *values) {
   const arc_model_def *pair = arc_model_definition(arc_contact_model(contact));
-  csv_table table = push_columns(L, 4);
-  for (int body = 0; body < ARC_BODIES; body++) {
-    size_t count = (size_t)arc_contact_pressure(contact, (arc_body)body).count;
-    if (count > table.rows) table.rows = count;
+  const size_t count = (size_t)arc_contact_pressure(contact, body).count, at = table->columns++;
+  table->names[at] = lua_pushfstring(L, "%s_%s", name, body_name(pair, body));
+  table->units[at] = unit;
+  table->data[at] = push_padded(L, values, count, table->rows);
+}
+
+/* Pressures of both bodies side by side, with friction their shear too, and slip at the nodes of
+ * the cylinder; the shorter columns end early. */
+static void write_contact(lua_State *L, const char *path, const arc_contact *contact) {
+  enum { most_columns = 7 };
+  csv_table table = push_columns(L, most_columns);
+  int count;
+  const double *slip = arc_contact_slip(contact, &count);
+  table.columns = 0;
+  for (arc_body body = 0; body < ARC_BODIES; body++) {
+    count = arc_contact_pressure(contact, body).count;
+    if ((size_t)count > table.rows) table.rows = (size_t)count;
   }
-  for (int body = 0; body < ARC_BODIES; body++) {
-    arc_pressure pressure = arc_contact_pressure(contact, (arc_body)body);
-    table.data[2 * body] = push_padded(L, pressure.x, (size_t)pressure.count, table.rows);
-    table.data[2 * body + 1] = push_padded(L, pressure.p, (size_t)pressure.count, table.rows);
-    table.names[2 * body] = lua_pushfstring(L, "x_%s", body_name(pair, (arc_body)body));
-    table.names[2 * body + 1] = lua_pushfstring(L, "p_%s", body_name(pair, (arc_body)body));
+  for (arc_body body = 0; body < ARC_BODIES; body++) {
+    const arc_pressure pressure = arc_contact_pressure(contact, body);
+    add_nodal(L, &table, "x", "mm", contact, body, pressure.x);
+    add_nodal(L, &table, "p", "MPa", contact, body, pressure.p);
   }
-  memcpy(table.units, units, sizeof units);
+  for (arc_body body = 0; body < ARC_BODIES && slip; body++)
+    add_nodal(L, &table, "q", "MPa", contact, body, arc_contact_shear(contact, body).q);
+  if (slip) add_nodal(L, &table, "s", "mm", contact, ARC_CYLINDER, slip);
   write_columns(L, path, table);
 }
 
@@ -243,7 +256,7 @@ int export_csv(lua_State *L) {
   if (box_test(L, 1, &wear_class))
     write_history(L, path, box_check(L, 1, &wear_class, where)->thing);
   else if (box_test(L, 1, &contact_class))
-    write_pressures(L, path, box_check(L, 1, &contact_class, where)->thing);
+    write_contact(L, path, box_check(L, 1, &contact_class, where)->thing);
   else if (stress_contact(L, 1, where))
     return write_stress(L, path, stress_contact(L, 1, where));
   else if (lua_istable(L, 1))
