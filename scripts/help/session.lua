@@ -9,7 +9,7 @@ return {
   { "session.save", kind = "function", use = "session.save(path)",
     text = "Writes everything into one run file; a session that was saved there before is replaced, anything else is "
       .. "refused. Without a path: where it was saved or opened last. Returns in words what was kept, and what was not "
-      .. "(functions, contacts and the like). A study that has run stays in its own file, which is noted." },
+      .. "(functions, stresses and the like; contacts, which contact{} and the same motions give again to the same bits). A study that has run stays in its own file, which is noted." },
   { "session.open", kind = "function", use = "session.open(path, { w = { k = f } })",
     text = "Makes everything in the file a global again; runs go on to the same numbers. Functions in a run's definition "
       .. "cannot be stored: the second table gives them again by the names of the runs. All of it or nothing: a run of "

@@ -37,6 +37,7 @@ function shear.shear(contact, options)
   if type(contact) ~= "userdata" or not curves.get(contact, "stick") then
     check.fail(where, "expected a contact, got " .. check.shown(contact))
   end
+  if contact.friction == 0 then check.fail(where, "expected a contact with friction, got friction 0") end
   options = draw.options(where, options, { body = check.text })
   local body = naming.body(where, contact, options.body or "upper")
   local q = contact:shear(body)

@@ -79,7 +79,38 @@ fails(function() c:move(1) end, "expected a table", "a number for a table")
 fails(function() contact{ friction = -0.1 } end, "field 'friction': expected a number >= 0, got -0.1", "negative friction")
 fails(function() contact{ press = "hard" } end, "field 'press'", "another way to press")
 fails(function() c:move{ x = 5 } end, "zone", "too far")
+for _, x in ipairs{ 15, -1e300 } do
+  fails(function() c:move{ x = x } end, { "field 'x'", "less than 8 mm to either side", "of the plate", "got" }, "off the plate")
+end
+fails(function() contact{ model = m, x = 15 } end, { "field 'x'", "got 15 mm" }, "pressed off the plate")
+fails(function() d:slip("plate") end, { "expected no argument", "cylinder's nodes", '"plate"' }, "slip of a body")
 is(c.load, 100, "all of which leaves the contact as it is")
+
+-- what no file keeps comes again, to the same bits
+do
+  local again = contact{ model = m, friction = 0.6, load = 100 }:move{ tangential = 45 }
+  is(again.x, d.x, "the same motions lead to the same place")
+  for _, name in ipairs{ "shear", "pressure", "slip" } do
+    local one, other = d[name](d), again[name](again)
+    for field, values in pairs(one) do
+      for i, value in ipairs(values) do if other[field][i] ~= value then ok(false, name .. " too") end end
+    end
+  end
+end
+
+-- its columns in a file
+do
+  local file = os.tmpname() .. ".csv"
+  export.csv(d, file)
+  local read = csv.read(file)
+  local shear, slipped = d:shear "plate", d:slip()
+  for i, value in ipairs(shear.q) do if read.q_plate[i] ~= value then ok(false, "shear in a file") end end
+  for i, value in ipairs(slipped.s) do if read.s_cylinder[i] ~= value then ok(false, "slip in a file") end end
+  ok(read.q_cylinder and #shear.q > 0 and #slipped.s > 0, "shear and slip beside the pressures")
+  export.csv(smooth, file)
+  ok(not io.open(file):read("l"):find("q_", 1, true), "not without friction")
+  os.remove(file)
+end
 
 -- pictures
 local name = os.tmpname()
@@ -96,5 +127,6 @@ holds(text, { "sticks", "±μp", "45 N on a load of 100 N" }, "plot.shear")
 text = picture(function(file) plot.slip(d, slid, { file = file }) end)
 holds(text, { "slip / µm", "45 N tangential", "60 N tangential" }, "plot.slip")
 fails(function() plot.shear(m) end, "expected a contact", "a model has no shear")
+fails(function() plot.shear(smooth) end, "expected a contact with friction", "no shear to draw without friction")
 fails(function() plot.slip(d, "plate") end, "expected contacts", "a word")
 os.remove(name)

@@ -151,11 +151,28 @@ void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
   zone[ARC_UPPER] += 2 * fabs(under);
 }
 
+/* Whether no zone of the plate reaches where it would touch. */
+static int is_off(const arc_contact *c) {
+  const arc_model_def *model = arc_model_definition(c->shape->model);
+  if (arc_model_body(c->shape->model, ARC_UPPER)->chart.polar) return 0;
+  return 2 * fabs(c->pose.x) >= arc_model_widest_zone(model, ARC_PLATE);
+}
+
+static arc_status tell_off(const arc_contact *c, arc_error *error) {
+  const arc_model_def *model = arc_model_definition(c->shape->model);
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "field 'x': expected less than %g mm to either side, as far as the candidate zone "
+      "of the plate can reach, got %g mm",
+      arc_model_widest_zone(model, ARC_PLATE) / 2, c->pose.x);
+}
+
 /* What is said where the zones do not hold the contact, with those that would: as without a model,
  * or half as wide again where these are not wider. */
 static arc_status tell_zones(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->shape->model);
   if (!error || arc_model_is_given(c->shape->model)) return ARC_ZONE;
+  if (is_off(c)) return tell_off(c, error);
   const arc_error why = *error;
   double zone[ARC_BODIES];
   arc_contact_def here = c->def;

@@ -3,6 +3,7 @@
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
+#include "lua/base/names.h"
 #include "lua/base/strict.h"
 
 #include <stdio.h>
@@ -123,6 +124,10 @@ static int contact_slip(lua_State *L) {
   const arc_contact *contact = self(L);
   int count;
   const double *slip = arc_contact_slip(contact, &count);
+  if (lua_gettop(L) > 1)
+    error_raise(L, ARC_ARGUMENT, "contact:slip",
+                "expected no argument, as slip is told at the cylinder's nodes, got %s",
+                names_push_shown(L, 2));
   if (!slip)
     error_raise(L, ARC_ARGUMENT, "contact:slip",
                 "expected a contact with friction, got friction 0");
