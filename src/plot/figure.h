@@ -112,6 +112,8 @@ size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double 
 int arc_look_one_key(const arc_writer *w);
 size_t arc_look_title(const arc_writer *w, const char *title);
 double arc_look_key_rows(const arc_writer *w);
+/* The rows that a panel's own key takes below it. */
+double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel);
 
 /* Fills the writer's titles; sets the failed flag of its text when memory is out. */
 void arc_look_collect(arc_writer *w);

@@ -135,6 +135,23 @@ void arc_look_collect(arc_writer *w) {
     }
 }
 
+/* Of curves on a scale of colours characters name the first, the last, and some between. */
+static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t position) {
+  const arc_plot_curve *curve = &panel->curves[position];
+  size_t last = panel->curve_count - 1;
+  if (!curve->title || is_scaled(w, curve) || (curve->labelled && !w->canvas->text)) return 0;
+  if (!curve->scaled || last < KEY_ENTRIES) return 1;
+  for (size_t k = 0; k < KEY_ENTRIES; k++)
+    if (position == k * last / (KEY_ENTRIES - 1)) return 1;
+  return 0;
+}
+
+/* Lines that so many titles take side by side, with their samples. */
+static double lines_of_key(size_t titles, size_t longest, double columns) {
+  const double in_a_row = fmax(1, floor(columns / ((double)longest + 14)));
+  return ceil((double)titles / in_a_row);
+}
+
 double arc_look_key_rows(const arc_writer *w) {
   size_t longest = 0;
   if (!arc_look_one_key(w)) return 0;
@@ -142,8 +159,19 @@ double arc_look_key_rows(const arc_writer *w) {
     size_t length = arc_text_characters(w->titles[i]);
     longest = length > longest ? length : longest;
   }
-  double in_a_row = fmax(1, floor(w->canvas->columns / ((double)longest + 14)));
-  return ceil((double)w->title_count / in_a_row);
+  return lines_of_key(w->title_count, longest, w->canvas->columns);
+}
+
+double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
+  size_t longest = 0, count = 0;
+  if (arc_look_one_key(w) || panel->key != ARC_PLOT_KEY_BELOW) return 0;
+  for (size_t i = 0; i < panel->curve_count; i++) {
+    if (!in_key(w, panel, i)) continue;
+    size_t length = arc_text_characters(panel->curves[i].title);
+    longest = length > longest ? length : longest;
+    count++;
+  }
+  return lines_of_key(count, longest, arc_panel_columns(w));
 }
 
 /* --- curves ----------------------------------------------------------------------------------- */
@@ -217,17 +245,6 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
 static void title_words(arc_writer *w, const char *title) {
   arc_text_word(w->out, w->canvas->text && *title ? " title ' '." : " title ");
   arc_writer_label(w, "", title, "");
-}
-
-/* Of curves on a scale of colours characters name the first, the last, and some between. */
-static int in_key(const arc_writer *w, const arc_plot_panel *panel, size_t position) {
-  const arc_plot_curve *curve = &panel->curves[position];
-  size_t last = panel->curve_count - 1;
-  if (!curve->title || is_scaled(w, curve) || (curve->labelled && !w->canvas->text)) return 0;
-  if (!curve->scaled || last < KEY_ENTRIES) return 1;
-  for (size_t k = 0; k < KEY_ENTRIES; k++)
-    if (position == k * last / (KEY_ENTRIES - 1)) return 1;
-  return 0;
 }
 
 /* Points have one mark where the curves come as dots. */

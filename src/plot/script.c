@@ -46,11 +46,9 @@ static room room_around(const arc_writer *w, double columns) {
 /* Keys of their own below every panel need their lines there. */
 static double own_keys(const arc_writer *w) {
   double lines = 0;
-  for (size_t i = 0; i < w->figure->panel_count && !arc_look_one_key(w); i++)
-    for (size_t c = 0; c < w->figure->panels[i].curve_count; c++)
-      if (w->figure->panels[i].curves[c].title && w->figure->panels[i].key == ARC_PLOT_KEY_BELOW)
-        lines = fmax(lines, 1.2 + (double)(w->figure->panels[i].curve_count / 3));
-  return lines;
+  for (size_t i = 0; i < w->figure->panel_count; i++)
+    lines = fmax(lines, arc_look_own_key_rows(w, &w->figure->panels[i]));
+  return lines > 0 ? lines + 0.2 : 0;
 }
 
 /* The longest number of all panels decides, so that their frames stand in line. */

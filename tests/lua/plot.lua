@@ -196,3 +196,13 @@ do
 end
 
 pictures.remove()
+
+-- a key of three lines below dots
+do
+  local titles, given = { "a", "a long title that takes half of it", "c", "d", "e" }, { term = "dots", size = { 90, 22 } }
+  for i, title in ipairs(titles) do
+    given[i] = { x = { 1, 2 }, y = { i, i + 1 }, style = i > 2 and "points" or "lines", title = title }
+  end
+  local words = require "archard.plot.draw".picture("plot", given):gsub("\27%[[%d;]*m", "")
+  for _, title in ipairs(titles) do ok(words:find(title .. "%s", 1), "key of dots: " .. title) end
+end
