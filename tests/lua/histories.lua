@@ -307,8 +307,9 @@ fails(function() w:set{ loading = { x = { -8, 8, -8 } } } end, "zone", "a way th
 fails(function() w:set{ local_factor = function() error("no factor") end } end, "no factor", "a function that fails")
 is(tostring(w), before, "after a refusal all is as it was")
 w:set{ k = { distance = { 0, 1000 }, value = { 1e-8, 1e-8 } } }
-w:set{ loading = { x = function(at) w:set{ k = 2e-8 } return 0.05 * at end } }
-is(w.k, 2e-8, "a change within a change")
+fails(function() w:set{ loading = { x = function(at) w:set{ k = 2e-8 } return 0.05 * at end } } end,
+  "this wear object is in use and cannot change", "a change within a change")
+is(w.k.value[2], 1e-8, "changes nothing")
 fails(function() w:set{ loading = { x = function(at) w:close() return 0.05 * at end } } end, "has been closed",
   "closed within a change")
 

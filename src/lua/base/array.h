@@ -16,6 +16,12 @@ void array_set_number(lua_State *L, const char *name, double value);
 /* Pushes a userdata that the collector frees, and returns its room for `count` doubles. */
 double *array_buffer(lua_State *L, size_t count);
 
+/* The number of items in the list on top of the stack, as it stands: metamethods are not asked. A
+ * list of more than `most` is refused. All sizes that scripts give come from here. */
+size_t array_length(lua_State *L, args_place place, const char *name, size_t most);
+
+enum { ARRAY_MOST = 100000000 }; /* numbers in a list */
+
 /* Reads the table on top of the stack, a list of finite numbers, into a buffer pushed on the stack
  * (the table stays below). Errors name the field and the position. */
 double *array_read(lua_State *L, args_place place, const char *name, size_t *count);

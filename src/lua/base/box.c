@@ -1,5 +1,6 @@
 /* Boxes: metatables made on first use, reading of methods and fields, closing. */
 #include "lua/base/box.h"
+#include "lua/base/call.h"
 #include "lua/base/error.h"
 #include "lua/base/settings.h"
 #include "lua/base/strict.h"
@@ -7,6 +8,8 @@
 #include <stdalign.h>
 #include <stdint.h>
 #include <string.h>
+
+static const char class_key[] = "archard.class %s"; /* where the registry has a class by its name */
 
 static const box_class *class_upvalue(lua_State *L) {
   return lua_touserdata(L, lua_upvalueindex(1));
@@ -28,26 +31,22 @@ static int guarded(lua_State *L) {
   return 1;
 }
 
-/* A setting that the class shows, by the name at index 2. */
-static int push_setting(lua_State *L) {
-  const box_class *class = class_upvalue(L);
-  const arc_setting *setting = class->settings && lua_type(L, 2) == LUA_TSTRING
-                                   ? arc_setting_find(class->settings, lua_tostring(L, 2))
-                                   : NULL;
-  if (!setting || setting->kind == ARC_OTHER) return unknown_field(L);
-  settings_push(L, setting, class->definition(L));
-  return guarded(L);
+/* The value of a setting of the object at index 1. Upvalues: class, setting. */
+static int setting_field(lua_State *L) {
+  const arc_setting *setting = lua_touserdata(L, lua_upvalueindex(2));
+  settings_push(L, setting, class_upvalue(L)->definition(L));
+  return 1;
 }
 
-/* __index(object, name): a method, the value of a computed field or of a setting. Upvalues: class,
- * methods, fields, names of all. */
+/* __index(object, name): a method, or the value of a field. Upvalues: class, methods, fields, names
+ * of all. */
 static int class_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) return 1;
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
-  if (lua_rawget(L, lua_upvalueindex(3)) == LUA_TNIL) return lua_settop(L, 2), push_setting(L);
+  if (lua_rawget(L, lua_upvalueindex(3)) == LUA_TNIL) return unknown_field(L);
   lua_pushvalue(L, 1);
   lua_call(L, 1, 1);
   return guarded(L);
@@ -66,11 +65,23 @@ void box_empty(box *emptied, const box_class *class) {
   if (thing && class->destroy) class->destroy(thing);
 }
 
+static void close_box(box *self) {
+  if (self->held.count > 0)
+    self->closing = 1;
+  else
+    box_empty(self, self->class);
+}
+
+static void last_use(call_held *held) {
+  box *self = (box *)(void *)((char *)held - offsetof(box, held));
+  if (self->closing && !self->busy) box_empty(self, self->class);
+}
+
 /* __gc and __close: whatever came is a box of this class, unless a script plays with metatables. */
 static int class_gc(lua_State *L) {
   const box_class *class = class_upvalue(L);
   box *self = box_test(L, 1, class);
-  if (self && !self->busy) box_empty(self, class);
+  if (self && !self->busy) close_box(self);
   return 0;
 }
 
@@ -81,7 +92,8 @@ static int class_close(lua_State *L) {
   if (!self) error_raise(L, ARC_ARGUMENT, class->name, "close is called as object:close()");
   if (self->busy)
     error_raise(L, ARC_ARGUMENT, class->name, "a running %s cannot be closed", class->name);
-  box_empty(self, class);
+  close_box(self);
+  if (self->closing) return 0;
   lua_pushnil(L);
   lua_setiuservalue(L, 1, 1);
   lua_pushnil(L);
@@ -91,8 +103,8 @@ static int class_close(lua_State *L) {
 
 static int class_tostring(lua_State *L) {
   const box_class *class = class_upvalue(L);
-  box *self = box_test(L, 1, class);
-  if (self && self->thing) return class->tostring(L);
+  const box *self = box_test(L, 1, class);
+  if (self && self->thing && !self->closing) return class->tostring(L);
   lua_pushfstring(L, "%s (closed)", class->name);
   return 1;
 }
@@ -115,11 +127,25 @@ static void set_function(lua_State *L, const char *name, const box_class *class,
 
 static void push_methods(lua_State *L, const box_class *class) {
   lua_newtable(L);
-  if (class->methods) luaL_setfuncs(L, class->methods, 0);
+  if (class->methods) call_set_functions(L, class->methods);
   if (class->destroy) set_function(L, "close", class, class_close);
 }
 
-/* The list of the names of the computed fields. */
+/* The functions that read fields, by name: computed ones before settings. */
+static void push_readers(lua_State *L, const box_class *class) {
+  lua_newtable(L);
+  for (const arc_setting *s = class->settings; s && s->name; s++) {
+    if (s->kind == ARC_OTHER) continue;
+    lua_pushlightuserdata(L, (void *)(uintptr_t) class);
+    lua_pushlightuserdata(L, (void *)(uintptr_t)s);
+    lua_pushcclosure(L, setting_field, 2);
+    call_wrap(L);
+    lua_setfield(L, -2, s->name);
+  }
+  if (class->fields) call_set_functions(L, class->fields);
+}
+
+/* The list of the names of the fields. */
 static void push_field_names(lua_State *L, const box_class *class) {
   lua_newtable(L);
   int count = 0;
@@ -154,13 +180,15 @@ static void fill_metatable(lua_State *L, const box_class *class) {
   lua_setfield(L, -3, "__methods");
   lua_pushlightuserdata(L, (void *)(uintptr_t) class);
   lua_insert(L, -2);
-  lua_newtable(L);
-  if (class->fields) luaL_setfuncs(L, class->fields, 0);
+  push_readers(L, class);
   push_names(L, class);
   lua_pushcclosure(L, class_index, 4);
   lua_setfield(L, -2, "__index");
   set_function(L, "__newindex", class, class_newindex);
-  set_function(L, "__tostring", class, class_tostring);
+  lua_pushlightuserdata(L, (void *)(uintptr_t) class);
+  lua_pushcclosure(L, class_tostring, 1);
+  call_wrap(L);
+  lua_setfield(L, -2, "__tostring");
   set_function(L, "__eq", class, class_eq);
   if (class->destroy) {
     set_function(L, "__gc", class, class_gc);
@@ -178,27 +206,37 @@ static void push_metatable(lua_State *L, const box_class *class) {
   lua_pushfstring(L, "archard.%s", class->name); /* where help looks for a method's owner */
   lua_pushvalue(L, -2);
   lua_rawset(L, LUA_REGISTRYINDEX);
+  lua_pushfstring(L, class_key, class->name);
+  lua_pushlightuserdata(L, (void *)(uintptr_t) class);
+  lua_rawset(L, LUA_REGISTRYINDEX);
 }
 
 box *box_push(lua_State *L, const box_class *class) {
-  luaL_checkstack(L, 6, class->name);
+  luaL_checkstack(L, 12, class->name);
   size_t unit = alignof(max_align_t);
   size_t head = (sizeof(box) + unit - 1) / unit * unit;
   box *made = lua_newuserdatauv(L, head + class->value, 2);
   memset(made, 0, head + class->value);
+  made->class = class;
+  made->held.last = last_use;
   if (class->value) made->thing = (char *)made + head;
   push_metatable(L, class);
   lua_setmetatable(L, -2);
   return made;
 }
 
+/* A script may have given the metatable of a class to another userdata. */
+static int is_box_of(const box *found, size_t size, const box_class *class) {
+  return size >= sizeof *found && found->class == class;
+}
+
 box *box_test(lua_State *L, int index, const box_class *class) {
   box *found = lua_touserdata(L, index);
-  if (!found || lua_islightuserdata(L, index) || !lua_getmetatable(L, index)) return NULL;
+  if (lua_type(L, index) != LUA_TUSERDATA || !lua_getmetatable(L, index)) return NULL;
   lua_rawgetp(L, LUA_REGISTRYINDEX, class);
-  if (!lua_rawequal(L, -1, -2)) found = NULL;
+  const int same = lua_rawequal(L, -1, -2);
   lua_pop(L, 2);
-  return found;
+  return same && is_box_of(found, lua_rawlen(L, index), class) ? found : NULL;
 }
 
 /* What kind of value stands at `index`, in one word. */
@@ -214,28 +252,31 @@ __attribute__((noreturn)) static void refuse(lua_State *L, int index, const box_
               kind_of(L, index), hint);
 }
 
-static box *check_full(lua_State *L, box *found, const box_class *class, const char *where) {
-  if (!found->thing)
-    error_raise(L, ARC_ARGUMENT, where, "this %s object has been closed", class->name);
+static box *hold_full(lua_State *L, int index, box *found, const char *where) {
+  if (!found->thing || found->closing)
+    error_raise(L, ARC_ARGUMENT, where, "this %s object has been closed", found->class->name);
+  call_hold(L, index, &found->held);
   return found;
 }
 
 box *box_check(lua_State *L, int index, const box_class *class, const char *where) {
   box *found = box_test(L, index, class);
   if (!found) refuse(L, index, class, where, "");
-  return check_full(L, found, class, where);
+  return hold_full(L, index, found, where);
 }
 
 box *box_self(lua_State *L, const box_class *class, const char *where) {
   box *found = box_test(L, 1, class);
   if (!found) refuse(L, 1, class, where, "; methods are called with a colon, as object:method()");
-  return check_full(L, found, class, where);
+  return hold_full(L, 1, found, where);
 }
 
 box *box_self_idle(lua_State *L, const box_class *class, const char *where) {
   box *self = box_self(L, class, where);
   if (self->busy)
     error_raise(L, ARC_ARGUMENT, where, "this %s object is running already", class->name);
+  if (call_is_held_outside(&self->held))
+    error_raise(L, ARC_ARGUMENT, where, "this %s object is in use and cannot change", class->name);
   return self;
 }
 
@@ -245,17 +286,14 @@ void box_keep(lua_State *L, int parent) {
 }
 
 int box_copy_value(lua_State *L, int index, const char *class_name, void *value) {
-  const box *found = lua_touserdata(L, index);
-  if (lua_type(L, index) != LUA_TUSERDATA || !lua_getmetatable(L, index)) return 0;
-  lua_pushfstring(L, "archard.%s", class_name);
+  index = lua_absindex(L, index);
+  lua_pushfstring(L, class_key, class_name);
   lua_rawget(L, LUA_REGISTRYINDEX);
-  const int same = lua_rawequal(L, -1, -2);
-  lua_pop(L, 2);
-  if (same) {
-    const size_t head = (size_t)((const char *)found->thing - (const char *)found);
-    memcpy(value, found->thing, lua_rawlen(L, index) - head);
-  }
-  return same;
+  const box_class *class = lua_touserdata(L, -1);
+  lua_pop(L, 1);
+  const box *found = class ? box_test(L, index, class) : NULL;
+  if (found) memcpy(value, found->thing, class->value);
+  return found != NULL;
 }
 
 void box_weigh(lua_State *L, size_t bytes) {

@@ -11,6 +11,7 @@
 #define LUA_BOX_H
 
 #include "archard/setting.h"
+#include "lua/base/call.h"
 
 #include <lauxlib.h>
 #include <lua.h>
@@ -31,9 +32,12 @@ typedef struct box_class {
 } box_class;
 
 typedef struct box {
+  const box_class *class;
   void *thing; /* NULL: empty */
   int tag;     /* the class' own use */
-  int busy;    /* in use by the engine: may be neither closed nor entered again */
+  int busy;    /* the engine changes it: may be neither closed nor entered again */
+  int closing; /* closed for all but the functions that hold it; the last of them empties it */
+  call_held held;
 } box;
 
 /* Pushes an empty box with two user values (a parent to keep alive; the class' own use). A value's
@@ -47,11 +51,12 @@ box *box_test(lua_State *L, int index, const box_class *class);
  * value; returns whether it did. */
 int box_copy_value(lua_State *L, int index, const char *class_name, void *value);
 
-/* The box at `index` of the stack, full. Raises an error that names `where` for anything else. */
+/* The box at `index` of the stack, full, held until the function that runs returns (call.h). Raises
+ * an error that names `where` for anything else. */
 box *box_check(lua_State *L, int index, const box_class *class, const char *where);
 
 /* box_check for the object of a method or field, at index 1, with a word on how to call those; and
- * for methods that change it, which a busy box refuses. */
+ * for methods that change it, which a box that is busy or held by another function refuses. */
 box *box_self(lua_State *L, const box_class *class, const char *where);
 box *box_self_idle(lua_State *L, const box_class *class, const char *where);
 

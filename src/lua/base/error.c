@@ -114,10 +114,26 @@ void error_check(lua_State *L, arc_status status, const arc_error *error, const 
   throw(L);
 }
 
+static int to_text(lua_State *L) {
+  luaL_tolstring(L, 1, NULL);
+  return 1;
+}
+
+/* Pushes the text of the value on top, which may be of the user's making. */
+static void push_told(lua_State *L) {
+  lua_pushcfunction(L, to_text);
+  lua_pushvalue(L, -2);
+  if (lua_pcall(L, 1, 1, 0) == LUA_OK) return;
+  lua_pop(L, 1);
+  lua_pushfstring(L, "(error value is a %s)", luaL_typename(L, -1));
+}
+
 void error_callback(lua_State *L, const char *where, const char *name) {
   if (interrupt_pending(NULL)) throw(L);
-  int cause = lua_gettop(L);
-  lua_pushfstring(L, "%s failed: %s", name, luaL_tolstring(L, cause, NULL));
+  luaL_checkstack(L, 10, where);
+  const int cause = lua_gettop(L);
+  push_told(L);
+  lua_pushfstring(L, "%s failed: %s", name, lua_tostring(L, -1));
   push_object(L, ARC_CALLBACK, where);
   lua_pushvalue(L, cause);
   lua_setfield(L, -2, "cause");

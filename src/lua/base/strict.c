@@ -32,6 +32,10 @@ int strict_reads(lua_State *L) {
   return reads_at(L, 1);
 }
 
+int strict_reads_called(lua_State *L) {
+  return reads_at(L, 2);
+}
+
 /* --- what is known --------------------------------------------------------------------------- */
 
 /* Offers the texts among the keys of the table at `index`, and among the values of its list. */

@@ -15,6 +15,7 @@ void strict_lax(lua_State *L);
 
 /* Whether the function that indexes is the user's: for __index functions in C. */
 int strict_reads(lua_State *L);
+int strict_reads_called(lua_State *L); /* for those that call.h has wrapped */
 
 /* Raises the error for a field: `where` has it not. The names at index `known` are the values of a
  * list, or else the keys of a table, or both. */

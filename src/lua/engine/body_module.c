@@ -2,13 +2,12 @@
  * a model reads them. */
 #include "lua/engine/bodies.h"
 #include "lua/base/array.h"
+#include "lua/base/call.h"
 #include "lua/base/error.h"
 #include "lua/engine/classes.h"
 
 #include <stdio.h>
 #include <string.h>
-
-static const char samples_key = 0; /* its address names the registry's table of samples */
 
 /* What each kind has of its own, by arc_solid. */
 static const char *const own[][4] = {
@@ -116,11 +115,7 @@ static void read_layers(lua_State *L, int index, args_place place, arc_body_def 
     return;
   }
   if (!lua_istable(L, -1)) args_refuse(L, place, "layers", "a list { { thickness=, material= } }");
-  const int count = (int)lua_rawlen(L, -1);
-  if (count > ARC_MOST_LAYERS)
-    error_raise(L, ARC_ARGUMENT, place.where,
-                "field '%slayers': expected at most %d layers, got %d", place.prefix,
-                ARC_MOST_LAYERS, count);
+  const int count = (int)array_length(L, place, "layers", ARC_MOST_LAYERS);
   for (int l = 0; l < count; l++) {
     lua_rawgeti(L, -1, l + 1);
     const char *prefix = lua_pushfstring(L, "%slayers[%d].", place.prefix, l + 1);
@@ -134,24 +129,6 @@ static void read_layers(lua_State *L, int index, args_place place, arc_body_def 
 /* --- profiles --------------------------------------------------------------------------------- */
 
 enum { SAMPLES = 20001 }; /* of a function */
-
-/* Keeps the value on top of the stack as long as the table at `index` lives, and pops it. */
-static void keep_beside(lua_State *L, int index) {
-  if (lua_rawgetp(L, LUA_REGISTRYINDEX, &samples_key) != LUA_TTABLE) {
-    lua_pop(L, 1);
-    lua_newtable(L);
-    lua_createtable(L, 0, 1);
-    lua_pushliteral(L, "k");
-    lua_setfield(L, -2, "__mode");
-    lua_setmetatable(L, -2);
-    lua_pushvalue(L, -1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &samples_key);
-  }
-  lua_pushvalue(L, index);
-  lua_rotate(L, -3, -1);
-  lua_rawset(L, -3);
-  lua_pop(L, 1);
-}
 
 static arc_series sample_function(lua_State *L, int function, args_place place, double width) {
   double *x = array_buffer(L, 2 * SAMPLES), *y = x + SAMPLES;
@@ -196,7 +173,7 @@ static void read_profile(lua_State *L, int index, args_place place, double radiu
     def->y_series = copy_lists(L, index, place);
   else
     args_refuse(L, place, "y", "a function y(x) or a list of heights in mm");
-  keep_beside(L, index);
+  call_keep(L);
   lua_settop(L, top);
 }
 
@@ -341,6 +318,7 @@ int luaopen_archard_body(lua_State *L) {
   for (int kind = ARC_SOLID_CYLINDER; arc_solid_names[kind]; kind++) {
     lua_pushinteger(L, kind);
     lua_pushcclosure(L, make, 1);
+    call_wrap(L);
     lua_setfield(L, -2, arc_solid_names[kind]);
   }
   return 1;

@@ -1,6 +1,7 @@
 /* Class contact: one contact solution and its pressures; the stresses are in stress.c. */
 #include "archard/contact.h"
 #include "lua/base/array.h"
+#include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
@@ -254,6 +255,6 @@ const box_class contact_class = {
 };
 
 int luaopen_archard_contact(lua_State *L) {
-  lua_pushcfunction(L, contact_new);
+  call_push(L, contact_new);
   return 1;
 }

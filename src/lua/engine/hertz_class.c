@@ -1,4 +1,5 @@
 /* Class hertz: the closed-form line contact of a cylinder and a plate. */
+#include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 
@@ -81,6 +82,6 @@ static int hertz_new(lua_State *L) {
 }
 
 int luaopen_archard_hertz(lua_State *L) {
-  lua_pushcfunction(L, hertz_new);
+  call_push(L, hertz_new);
   return 1;
 }

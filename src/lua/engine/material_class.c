@@ -1,4 +1,5 @@
 /* Class material: an elastic material, E and nu. */
+#include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 
@@ -51,6 +52,6 @@ static int material_new(lua_State *L) {
 }
 
 int luaopen_archard_material(lua_State *L) {
-  lua_pushcfunction(L, material_new);
+  call_push(L, material_new);
   return 1;
 }

@@ -2,6 +2,7 @@
  * a weak table in the registry finds the living ones, and the one asked for last is kept. */
 #include "lua/base/array.h"
 #include "lua/engine/bodies.h"
+#include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
@@ -402,6 +403,6 @@ const box_class model_class = {
 };
 
 int luaopen_archard_model(lua_State *L) {
-  lua_pushcfunction(L, model_new);
+  call_push(L, model_new);
   return 1;
 }

@@ -1,5 +1,6 @@
 /* The stress field of a contact: for each body a table of arrays by node. */
 #include "lua/base/array.h"
+#include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/strict.h"
@@ -46,12 +47,15 @@ static void push_field(lua_State *L, const arc_contact *contact, arc_body body) 
   lua_replace(L, -2);
 }
 
-/* The number at `position` of array `name` of the table on top. */
+/* The number at `position` of array `name` of the table on top; NaN where a script has put something
+ * else. */
 static double element_of(lua_State *L, const char *name, lua_Integer position) {
-  lua_getfield(L, -1, name);
-  lua_geti(L, -1, position);
-  double value = lua_tonumber(L, -1);
-  lua_pop(L, 2);
+  double value = NAN;
+  if (lua_getfield(L, -1, name) == LUA_TTABLE) {
+    if (lua_rawgeti(L, -1, position) == LUA_TNUMBER) value = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
   return value;
 }
 
@@ -59,12 +63,12 @@ static double element_of(lua_State *L, const char *name, lua_Integer position) {
 static lua_Integer largest_of(lua_State *L, const char *name) {
   lua_Integer best = 1;
   double largest = -HUGE_VAL;
-  lua_getfield(L, -1, name);
-  lua_Integer count = lua_istable(L, -1) ? luaL_len(L, -1) : 0;
-  for (lua_Integer i = 1; i <= count; i++) {
-    if (lua_geti(L, -1, i) == LUA_TNUMBER && lua_tonumber(L, -1) > largest) {
+  const int is_list = lua_getfield(L, -1, name) == LUA_TTABLE;
+  const size_t count = is_list ? array_length(L, (args_place){"stress", ""}, name, ARRAY_MOST) : 0;
+  for (size_t i = 1; i <= count; i++) {
+    if (lua_rawgeti(L, -1, (lua_Integer)i) == LUA_TNUMBER && lua_tonumber(L, -1) > largest) {
       largest = lua_tonumber(L, -1);
-      best = i;
+      best = (lua_Integer)i;
     }
     lua_pop(L, 1);
   }
@@ -140,7 +144,7 @@ static int stress_index(lua_State *L) {
   }
   lua_pushliteral(L, "contact");
   if (!lua_rawequal(L, 2, 3)) {
-    if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
+    if (lua_type(L, 2) == LUA_TSTRING && strict_reads_called(L))
       strict_refuse(L, "stress", lua_tostring(L, 2), 1);
     return 0;
   }
@@ -165,9 +169,9 @@ int stress_new(lua_State *L) {
   lua_settable(L, -3);
   lua_pop(L, 1);
   if (luaL_newmetatable(L, kind)) {
-    lua_pushcfunction(L, stress_tostring);
+    call_push(L, stress_tostring);
     lua_setfield(L, -2, "__tostring");
-    lua_pushcfunction(L, stress_index);
+    call_push(L, stress_index);
     lua_setfield(L, -2, "__index");
     lua_newtable(L);
     lua_setfield(L, -2, "__methods");

@@ -60,6 +60,7 @@ static arc_depths push_profile(lua_State *L, int index, args_place place) {
   index = lua_absindex(L, index);
   luaL_checkstack(L, 12, place.where);
   if (luaL_callmeta(L, index, "__worn")) index = lua_gettop(L);
+  if (!lua_istable(L, index)) args_refuse(L, place, "", "what __worn gives, a table { x=, h= }");
   profile.x = push_column(L, index, place, "x", &profile.count);
   profile.h = push_column(L, index, place, "h", &depths);
   if (depths != profile.count || depths < 2)

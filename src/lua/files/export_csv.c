@@ -11,6 +11,8 @@
 
 static const char where[] = "export.csv";
 
+enum { MOST_COLUMNS = 100000 };
+
 /* Columns on their way to a file; what holds them stands on the stack. */
 typedef struct csv_table {
   const char **names, **units;
@@ -140,10 +142,14 @@ static void insert_name(const char **names, size_t count, const char *name) {
   names[count] = name;
 }
 
-/* Collects the names of the columns of the table at `index`, sorted. */
+/* Collects the names of the columns of the table at `index`, sorted. It must be one that no script
+ * reaches: what is counted is still there when it is collected. */
 static csv_table push_names(lua_State *L, int index) {
   size_t columns = 0;
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) columns++;
+  if (columns > MOST_COLUMNS)
+    error_raise(L, ARC_ARGUMENT, where, "expected at most %d columns, got %I", MOST_COLUMNS,
+                (LUAI_UACINT)columns);
   if (columns == 0)
     error_raise(L, ARC_ARGUMENT, where, "the table is empty; expected arrays by name");
   csv_table table = push_columns(L, columns);
@@ -192,9 +198,8 @@ static int is_own(lua_State *L, int index) {
   return own;
 }
 
-/* Gives the columns their units where the table at `index` is one of ours. */
-static void own_units(lua_State *L, int index, csv_table table) {
-  if (!is_own(L, index)) return;
+/* Gives the columns the units that they have in tables of ours. */
+static void set_own_units(csv_table table) {
   for (size_t i = 0; i < table.columns; i++) table.units[i] = unit_of(table.names[i]);
 }
 
@@ -216,10 +221,20 @@ static void read_units(lua_State *L, int index, csv_table table) {
   }
 }
 
+/* Copies the table at `index` in its place, where it is one. */
+static void use_copy(lua_State *L, int index) {
+  if (!lua_istable(L, index)) return;
+  args_push_copy(L, index);
+  lua_replace(L, index);
+}
+
 /* Writes a plain table of arrays of one length. */
 static void write_table(lua_State *L, const char *path, int index, int units) {
+  const int own = is_own(L, index);
+  use_copy(L, index);
+  use_copy(L, units);
   csv_table table = push_names(L, index);
-  own_units(L, index, table);
+  if (own) set_own_units(table);
   read_units(L, units, table);
   luaL_checkstack(L, 2 * (int)table.columns + 12, where);
   for (size_t i = 0; i < table.columns; i++) {

@@ -2,6 +2,7 @@
  * writing of texts and numbers below them. The table export (scripts/export) is made of it. */
 #include "archard/export.h"
 #include "lua/base/archard.h"
+#include "lua/base/call.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/base/file_name.h"
@@ -252,6 +253,6 @@ int luaopen_archard_files(lua_State *L) {
       {"msh", export_msh},          {"write", files_write},       {"read", files_read},
       {"is_there", files_is_there}, {"number", files_number},     {"allowed", files_allowed},
       {"confine", files_confine},   {"confined", files_confined}, {NULL, NULL}};
-  luaL_newlib(L, functions);
+  call_new_library(L, functions);
   return 1;
 }

@@ -2,6 +2,7 @@
  * Leans on archard/store.h. */
 #include "lua/base/array.h"
 #include "lua/base/archard.h"
+#include "lua/base/call.h"
 #include "lua/base/file_name.h"
 #include "lua/files/store_module.h"
 #include "lua/base/error.h"
@@ -13,7 +14,7 @@ static const char *const mode_names[] = {"read", "write", "create", NULL};
 static const char *const use_names[] = {"settings", "definition", "results", NULL};
 
 static arc_store *self(lua_State *L, const char *where) {
-  return box_self(L, &store_class, where)->thing;
+  return box_self_idle(L, &store_class, where)->thing;
 }
 
 int store_id_argument(lua_State *L, int index, const char *where) {
@@ -52,7 +53,7 @@ static int store_open(lua_State *L) {
 
 /* store:publish(): a store that replaces a file takes its place, and is closed */
 static int store_publish(lua_State *L) {
-  box *held = box_self(L, &store_class, "store:publish");
+  box *held = box_self_idle(L, &store_class, "store:publish");
   arc_error error = {0};
   arc_store *store = held->thing;
   held->thing = NULL;
@@ -260,6 +261,6 @@ int luaopen_archard_store(lua_State *L) {
                                        {"replace", store_replace},
                                        {"note_saved", store_note_saved},
                                        {NULL, NULL}};
-  luaL_newlib(L, functions);
+  call_new_library(L, functions);
   return 1;
 }

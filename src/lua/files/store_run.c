@@ -10,8 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { most_surfaces = 1000000 };
+
 static arc_store *self(lua_State *L, const char *where) {
-  return box_self(L, &store_class, where)->thing;
+  return box_self_idle(L, &store_class, where)->thing;
 }
 
 /* --- saving ----------------------------------------------------------------------------------- */
@@ -70,12 +72,14 @@ int store_save(lua_State *L) {
   lua_settop(L, 4);
   arc_store *store = self(L, where);
   const arc_wear *wear = box_check(L, 3, &wear_class, where)->thing;
-  size_t count = lua_istable(L, 4) ? (size_t)luaL_len(L, 4) : 0;
+  const size_t count =
+      lua_istable(L, 4) ? array_length(L, (args_place){where, ""}, "surfaces", most_surfaces) : 0;
   arc_surface *surfaces = lua_newuserdatauv(L, (count + ARC_BODIES) * sizeof *surfaces, 0);
   lua_newtable(L);
   int anchors = lua_gettop(L);
   for (size_t i = 0; i < count; i++) {
-    lua_geti(L, 4, (lua_Integer)i + 1);
+    if (lua_rawgeti(L, 4, (lua_Integer)i + 1) != LUA_TTABLE)
+      args_refuse(L, (args_place){where, ""}, "surfaces", "a list of tables");
     surfaces[i] = read_surface(L, anchors);
     lua_pop(L, 1);
   }

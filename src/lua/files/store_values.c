@@ -42,6 +42,8 @@ static size_t count_fields(lua_State *L, int index) {
 void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use use, int index,
                         const char *where) {
   arc_error error = {0};
+  args_push_copy(L, index); /* which no script reaches: as many are read as are counted */
+  index = lua_gettop(L);
   size_t room = count_fields(L, index), count = 0;
   arc_value *values = lua_newuserdatauv(L, (room + 1) * sizeof *values, 0);
   lua_newtable(L); /* keeps arrays alive */
@@ -58,7 +60,7 @@ void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use us
   }
   arc_status status = arc_store_set_values(store, id, use, values, count, &error);
   error_check(L, status, &error, where, -1);
-  lua_settop(L, anchors - 2);
+  lua_settop(L, index - 1);
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */

@@ -6,6 +6,7 @@
  * error in the middle leaks nothing.
  */
 #include "lua/base/archard.h"
+#include "lua/base/array.h"
 #include "lua/base/file_name.h"
 #include "lua/base/interrupt.h"
 
@@ -21,6 +22,8 @@ static const char session_name[] = "archard.gnuplot session";
 #define WORD(name, text) text,
 static const char *const styles[] = {ARC_PLOT_STYLE_LIST(WORD) NULL};
 static const char *const keys[] = {ARC_PLOT_KEY_LIST(WORD) NULL};
+
+enum { MOST_PARTS = 100000 }; /* figures, panels of one, curves in a panel */
 
 /* What a reader carries: where memory is anchored, and what it reads, for messages. */
 typedef struct reader {
@@ -88,22 +91,19 @@ static int read_choice(reader *r, const char *name, const char *const *choices) 
 
 /* --- columns ---------------------------------------------------------------------------------- */
 
-static size_t length_of(reader *r) {
-  lua_Integer length = luaL_len(r->L, -1);
-  if (length < 0 || length > 100000000) luaL_error(r->L, "a list of %I values", length);
-  return (size_t)length;
+static size_t length_of(reader *r, const char *name, size_t most) {
+  return array_length(r->L, (args_place){"plot", ""}, name, most);
 }
 
-/* A list of numbers as an array. The list may be anything that can be indexed. */
+/* A list of numbers as an array. */
 static double *read_column(reader *r, const char *name, size_t *count) {
-  int type = lua_getfield(r->L, -1, name);
-  if (type != LUA_TTABLE && type != LUA_TUSERDATA)
+  if (lua_getfield(r->L, -1, name) != LUA_TTABLE)
     luaL_error(r->L, "panel %d: curve %d: %s must be a list of numbers, got %s", (int)r->panel,
                (int)r->curve, name, luaL_typename(r->L, -1));
-  *count = length_of(r);
+  *count = length_of(r, name, ARRAY_MOST);
   double *column = anchored(r, *count, sizeof *column);
   for (size_t i = 0; i < *count; i++) {
-    if (lua_geti(r->L, -1, (lua_Integer)i + 1) != LUA_TNUMBER)
+    if (lua_rawgeti(r->L, -1, (lua_Integer)i + 1) != LUA_TNUMBER)
       luaL_error(r->L, "panel %d: curve %d: %s[%d] must be a number, got %s", (int)r->panel,
                  (int)r->curve, name, (int)i + 1, luaL_typename(r->L, -1));
     column[i] = lua_tonumber(r->L, -1);
@@ -173,9 +173,9 @@ static void read_places(reader *r, arc_plot_axis *axis) {
     axis->places = read_column(r, "at", &axis->place_count);
     const char **words = anchored(r, axis->place_count, sizeof *words);
     axis->words = words;
-    lua_getfield(r->L, -1, "words");
+    if (lua_getfield(r->L, -1, "words") != LUA_TTABLE) luaL_error(r->L, "an axis has no words");
     for (size_t i = 0; i < axis->place_count; i++) {
-      if (lua_geti(r->L, -1, (lua_Integer)i + 1) != LUA_TSTRING)
+      if (lua_rawgeti(r->L, -1, (lua_Integer)i + 1) != LUA_TSTRING)
         luaL_error(r->L, "place %d of an axis has no words", (int)i + 1);
       words[i] = lua_tostring(r->L, -1);
       lua_rawseti(r->L, r->anchors, (lua_Integer)lua_rawlen(r->L, r->anchors) + 1);
@@ -210,12 +210,12 @@ static void read_panel(reader *r, arc_plot_panel *panel) {
   panel->levels = read_count(r, "levels");
   panel->field = read_field(r);
   if (lua_getfield(r->L, -1, "curves") == LUA_TTABLE) {
-    panel->curve_count = length_of(r);
+    panel->curve_count = length_of(r, "curves", MOST_PARTS);
     arc_plot_curve *curves = anchored(r, panel->curve_count, sizeof *curves);
     panel->curves = curves;
     for (size_t i = 0; i < panel->curve_count; i++) {
       r->curve = i + 1;
-      if (lua_geti(r->L, -1, (lua_Integer)i + 1) != LUA_TTABLE)
+      if (lua_rawgeti(r->L, -1, (lua_Integer)i + 1) != LUA_TTABLE)
         luaL_error(r->L, "panel %d: curve %d is no table", (int)r->panel, (int)i + 1);
       read_curve(r, &curves[i]);
       lua_pop(r->L, 1);
@@ -231,12 +231,12 @@ static void read_figure(reader *r, arc_plot_figure *figure) {
   figure->columns = read_count(r, "columns");
   figure->one_key = read_flag(r, "one_key");
   if (lua_getfield(r->L, -1, "panels") != LUA_TTABLE) luaL_error(r->L, "a figure without panels");
-  figure->panel_count = length_of(r);
+  figure->panel_count = length_of(r, "panels", MOST_PARTS);
   arc_plot_panel *panels = anchored(r, figure->panel_count, sizeof *panels);
   figure->panels = panels;
   for (size_t i = 0; i < figure->panel_count; i++) {
     r->panel = i + 1;
-    if (lua_geti(r->L, -1, (lua_Integer)i + 1) != LUA_TTABLE)
+    if (lua_rawgeti(r->L, -1, (lua_Integer)i + 1) != LUA_TTABLE)
       luaL_error(r->L, "panel %d is no table", (int)i + 1);
     read_panel(r, &panels[i]);
     lua_pop(r->L, 1);
@@ -333,10 +333,10 @@ static int gnuplot_animate(lua_State *L) {
   lua_pushvalue(L, 3);
   arc_plot_output output = read_output(&r);
   lua_pushvalue(L, 1);
-  size_t count = length_of(&r);
+  const size_t count = length_of(&r, "figures", MOST_PARTS);
   arc_plot_figure *frames = anchored(&r, count, sizeof *frames);
   for (size_t i = 0; i < count; i++) {
-    if (lua_geti(L, -1, (lua_Integer)i + 1) != LUA_TTABLE)
+    if (lua_rawgeti(L, -1, (lua_Integer)i + 1) != LUA_TTABLE)
       return luaL_error(L, "frame %d is no table", (int)i + 1);
     read_figure(&r, &frames[i]);
     lua_pop(L, 1);

@@ -3,6 +3,8 @@
  * input that nobody waits for it any more.
  */
 #include "lua/base/archard.h"
+#include "lua/base/array.h"
+#include "lua/base/call.h"
 #include "lua/base/box.h"
 #include "lua/base/error.h"
 #include "lua/base/file_name.h"
@@ -23,7 +25,7 @@
 extern char **environ;
 
 /* Longest line a worker may write, and how much of its last words is kept. */
-enum { LINE = 4096, WORDS = 400, MOST_WORKERS = 256 };
+enum { LINE = 4096, WORDS = 400, MOST_WORKERS = 256, MOST_ARGUMENTS = 1000 };
 
 typedef struct worker {
   pid_t process; /* 0: none */
@@ -144,6 +146,21 @@ static char **make_environment(void) {
   return NULL;
 }
 
+/* Replaces the list at `index` by one of its texts that no script reaches. */
+static void use_arguments(lua_State *L, int index) {
+  luaL_checktype(L, index, LUA_TTABLE);
+  args_push_copy(L, index);
+  lua_replace(L, index);
+  lua_pushvalue(L, index);
+  const size_t count = array_length(L, (args_place){"process.pool", ""}, "arguments", MOST_ARGUMENTS);
+  lua_pop(L, 1);
+  for (size_t i = 1; i <= count; i++) {
+    if (lua_rawgeti(L, index, (lua_Integer)i) != LUA_TSTRING)
+      luaL_error(L, "process.pool: argument %d is no text", (int)i);
+    lua_pop(L, 1);
+  }
+}
+
 /* The program's name, then the texts of the list at `index`, which have been checked. */
 static char **make_arguments(lua_State *L, int index) {
   lua_Integer count = (lua_Integer)lua_rawlen(L, index);
@@ -159,20 +176,11 @@ static char **make_arguments(lua_State *L, int index) {
   return NULL;
 }
 
-static void check_arguments(lua_State *L, int index) {
-  luaL_checktype(L, index, LUA_TTABLE);
-  for (lua_Integer i = 1; i <= (lua_Integer)lua_rawlen(L, index); i++) {
-    if (lua_rawgeti(L, index, i) != LUA_TSTRING)
-      luaL_error(L, "process.pool: argument %d is no text", (int)i);
-    lua_pop(L, 1);
-  }
-}
-
 /* process.pool(count, arguments): the program will run with these arguments, `count` times */
 static int process_pool(lua_State *L) {
   lua_Integer count = luaL_checkinteger(L, 1);
   luaL_argcheck(L, count >= 1 && count <= MOST_WORKERS, 1, "expected from 1 to 256 workers");
-  check_arguments(L, 2);
+  use_arguments(L, 2);
   box *made = box_push(L, &pool_class);
   pool *p = made->thing = calloc(1, sizeof *p);
   if (!p) luaL_error(L, "out of memory");
@@ -189,7 +197,7 @@ static int process_pool(lua_State *L) {
 /* pool:send(worker, line): starts the worker unless it runs. What it does with the line comes back
  * from wait, also if it is dead by then. */
 static int pool_send(lua_State *L) {
-  pool *p = box_self(L, &pool_class, "pool:send")->thing;
+  pool *p = box_self_idle(L, &pool_class, "pool:send")->thing;
   lua_Integer which = luaL_checkinteger(L, 2);
   size_t length;
   const char *line = luaL_checklstring(L, 3, &length);
@@ -285,18 +293,25 @@ static void check_interrupt(lua_State *L, pool *p) {
   luaL_error(L, "interrupted");
 }
 
+/* Milliseconds for poll, of the seconds at `index`. */
+static int wait_argument(lua_State *L, int index) {
+  const double seconds = luaL_checknumber(L, index);
+  luaL_argcheck(L, seconds >= 0 && seconds <= 1e6, index, "expected 0 to 1e6 seconds");
+  return (int)(1000 * seconds);
+}
+
 /* pool:wait(seconds) -> list of { worker=, line= } and { worker=, ended=, words= }; empty when the
  * time is over */
 static int pool_wait(lua_State *L) {
-  pool *p = box_self(L, &pool_class, "pool:wait")->thing;
-  double seconds = luaL_checknumber(L, 2);
+  pool *p = box_self_idle(L, &pool_class, "pool:wait")->thing;
+  const int wait = wait_argument(L, 2);
   struct pollfd ready[2 * MOST_WORKERS];
   check_interrupt(L, p);
   for (int i = 0; i < p->count; i++) { /* poll passes over descriptors below zero */
     ready[2 * i] = (struct pollfd){.fd = p->workers[i].output, .events = POLLIN};
     ready[2 * i + 1] = (struct pollfd){.fd = p->workers[i].errors, .events = POLLIN};
   }
-  int found = poll(ready, 2 * (nfds_t)p->count, (int)(1000 * seconds));
+  int found = poll(ready, 2 * (nfds_t)p->count, wait);
   check_interrupt(L, p);
   lua_newtable(L);
   for (int i = 0; found > 0 && i < p->count; i++) {
@@ -316,9 +331,9 @@ static int process_processors(lua_State *L) {
 /* process.pause(seconds, stand): does nothing for so long; an interrupt ends it, and is told of as
  * "<stand>: interrupted", or without what stands */
 static int process_pause(lua_State *L) {
-  const double seconds = luaL_checknumber(L, 1);
+  const int wait = wait_argument(L, 1);
   const char *stand = luaL_optstring(L, 2, NULL);
-  poll(NULL, 0, (int)(1000 * seconds));
+  poll(NULL, 0, wait);
   if (interrupt_pending(NULL) && stand) interrupt_raise(L, stand);
   if (interrupt_pending(NULL)) luaL_error(L, "interrupted");
   return 0;
@@ -378,6 +393,6 @@ int luaopen_archard_process(lua_State *L) {
                                        {"files", process_files},
                                        {"pause", process_pause},
                                        {NULL, NULL}};
-  luaL_newlib(L, functions);
+  call_new_library(L, functions);
   return 1;
 }

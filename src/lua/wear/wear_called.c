@@ -13,8 +13,16 @@ enum { DEPTH = ARC_WEAR_COLUMN_COUNT, VOLUME };
 static const arc_setting known[] = {
     ARC_WEAR_COLUMNS(COLUMN_FIELD) ARGS_OTHER("depth"), ARGS_OTHER("volume"), {.name = NULL}};
 
-static const arc_wear_record *record_of(lua_State *L) {
+/* Where the state at index 1 has its record. A script may have given its metatable to another
+ * userdata. */
+static const arc_wear_record *const *place_of(lua_State *L) {
   const arc_wear_record *const *state = luaL_checkudata(L, 1, kind);
+  luaL_argexpected(L, lua_rawlen(L, 1) == sizeof *state, 1, kind);
+  return state;
+}
+
+static const arc_wear_record *record_of(lua_State *L) {
+  const arc_wear_record *const *state = place_of(L);
   if (!*state)
     error_raise(L, ARC_ARGUMENT, "state",
                 "it can be read during the call of your function only; keep the numbers you need");
@@ -49,7 +57,7 @@ static int state_newindex(lua_State *L) {
 }
 
 static int state_tostring(lua_State *L) {
-  const arc_wear_record *const *state = luaL_checkudata(L, 1, kind);
+  const arc_wear_record *const *state = place_of(L);
   if (*state)
     record_push_line(L, *state);
   else

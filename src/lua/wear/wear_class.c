@@ -1,5 +1,6 @@
 /* Class wear: construction, cloning, and the list of what the other wear_*.c files do. */
 #include "lua/wear/wear_class.h"
+#include "lua/base/call.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 #include "lua/wear/wear_functions.h"
@@ -124,18 +125,6 @@ static int wear_clone(lua_State *L) {
   return 1;
 }
 
-/* What the request has kept of the run's own arrays, taken from the run as it is now: functions
- * that were called on the way may have changed it. */
-static void keep_arrays(arc_wear_def *def, const arc_wear_def *before, const arc_wear_def *now) {
-  for (const arc_setting *s = arc_wear_settings; s->name; s++)
-    if (s->forms & ARC_SERIES &&
-        arc_setting_series(s, def).distance == arc_setting_series(s, before).distance)
-      *(arc_series *)(void *)((char *)def + s->series) = arc_setting_series(s, now);
-  if (def->loading != before->loading || def->blocks == 0) return;
-  def->loading = now->loading;
-  def->blocks = now->blocks;
-}
-
 static void warn(void *context, const char *text) {
   lua_warning(context, text, 0);
 }
@@ -146,13 +135,11 @@ static int wear_set(lua_State *L) {
   arc_error error = {0};
   lua_settop(L, 2);
   box *made = box_self_idle(L, &wear_class, where);
-  const arc_wear_def before = *arc_wear_definition(made->thing);
   wear_request request = wear_request_read(L, 2, 1);
-  made = box_self_idle(L, &wear_class, where);
+  box_self_idle(L, &wear_class, where); /* a function of the request may have closed it */
   arc_mesh_def mesh = arc_model_definition(arc_wear_model(made->thing))->mesh;
   const int remeshed = lua_istable(L, 2) && model_read_mesh(L, 2, where, &mesh);
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
-  keep_arrays(&request.def, &before, arc_wear_definition(made->thing));
   arc_wear_def def =
       wear_request_settle(&request, arc_model_definition(arc_wear_model(made->thing)));
   functions_call call = functions_enter(L, request.functions, made);
@@ -222,12 +209,12 @@ static int class_tostring(lua_State *L) {
 int luaopen_archard_wear(lua_State *L) {
   lua_newtable(L);
   lua_createtable(L, 0, 1);
-  lua_pushcfunction(L, wear_new);
+  call_push(L, wear_new);
   lua_setfield(L, -2, "__call");
   lua_pushcfunction(L, class_tostring);
   lua_setfield(L, -2, "__tostring");
   lua_setmetatable(L, -2);
-  lua_pushcfunction(L, wear_open);
+  call_push(L, wear_open);
   lua_setfield(L, -2, "open");
   return 1;
 }

@@ -138,7 +138,7 @@ static int all_nodes(lua_State *L) {
   lua_Integer at = 0;
   for (int i = 0; i < call->n; i++) {
     if (!(call->p[i] > 0)) continue;
-    if (lua_geti(L, -1, ++at) != LUA_TNUMBER)
+    if (lua_rawgeti(L, -1, ++at) != LUA_TNUMBER)
       return luaL_error(L, "expected a number for every x, got %s for x[%d]", luaL_typename(L, -1),
                         (int)at);
     call->factor[i] = lua_tonumber(L, -1);

@@ -40,7 +40,7 @@ typedef struct reading {
   const double *from, *t; /* both from 0 to 1 */
 } reading;
 
-enum { usual_increments = 100 };
+enum { usual_increments = 100, most_blocks = 1000000 };
 
 /* --- times ----------------------------------------------------------------------------------- */
 
@@ -68,10 +68,11 @@ static const double *push_times(const reading *r, size_t *count) {
 }
 
 /* Number of values in the array `name`, 0 where it is none. */
-static size_t array_length(const reading *r, const char *name) {
+static size_t values_in(const reading *r, const char *name) {
   lua_State *L = r->L;
   size_t length = 0;
-  if (lua_getfield(L, r->table, name) == LUA_TTABLE) length = (size_t)luaL_len(L, -1);
+  if (lua_getfield(L, r->table, name) == LUA_TTABLE)
+    length = array_length(L, r->place, name, ARRAY_MOST);
   lua_pop(L, 1);
   return length;
 }
@@ -82,7 +83,7 @@ static void find_times(reading *r, int increments) {
   lua_State *L = r->L;
   static const char *const lists[] = {"x", "tangential", "rotation", "load", "load_angle", NULL};
   size_t values = 0;
-  for (int i = 0; lists[i] && values == 0; i++) values = array_length(r, lists[i]);
+  for (int i = 0; lists[i] && values == 0; i++) values = values_in(r, lists[i]);
   const int timed = lua_getfield(L, r->table, "t") != LUA_TNIL;
   if (timed)
     r->from = push_times(r, &r->given);
@@ -139,7 +140,7 @@ static const double *sample(const reading *r, int holder, const char *name, doub
   lua_State *L = r->L;
   const int top = lua_gettop(L);
   double *value = array_buffer(L, r->count);
-  lua_rawseti(L, holder, luaL_len(L, holder) + 1);
+  lua_rawseti(L, holder, (lua_Integer)lua_rawlen(L, holder) + 1);
   int type = lua_getfield(L, r->table, name);
   if (type == LUA_TFUNCTION)
     sample_function(r, name, value);
@@ -160,7 +161,7 @@ static const double *sample(const reading *r, int holder, const char *name, doub
 static const double *still(const reading *r, int holder) {
   double *value = array_buffer(r->L, r->count);
   memset(value, 0, r->count * sizeof *value);
-  lua_rawseti(r->L, holder, luaL_len(r->L, holder) + 1);
+  lua_rawseti(r->L, holder, (lua_Integer)lua_rawlen(r->L, holder) + 1);
   return value;
 }
 
@@ -236,14 +237,14 @@ int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def) {
   if (type != LUA_TTABLE)
     args_refuse(L, place, "loading", "a block { x=, load= } or a list of them");
   const int loading = lua_gettop(L), list = is_list(L, loading);
-  const lua_Integer count = list ? luaL_len(L, loading) : 1;
+  const int count = list ? (int)array_length(L, place, "loading", most_blocks) : 1;
   lua_newtable(L);
   const int holder = lua_gettop(L);
   arc_loading *blocks = lua_newuserdatauv(L, (size_t)count * sizeof *blocks, 0);
   for (int b = 0; b < count; b++) {
     char prefix[40] = "loading.";
     if (list) {
-      lua_geti(L, loading, b + 1);
+      lua_rawgeti(L, loading, b + 1);
       snprintf(prefix, sizeof prefix, "loading[%d].", b + 1);
     } else {
       lua_pushvalue(L, loading);
@@ -251,7 +252,7 @@ int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def) {
     blocks[b] = read_block(L, holder, (args_place){place.where, prefix}, def->load);
     lua_pop(L, 1);
   }
-  def->blocks = (int)count;
+  def->blocks = count;
   def->loading = blocks;
   return 1;
 }

@@ -1,0 +1,105 @@
+/* What functions hold while they run: a frame on the C stack for each of them. They end in the
+ * reverse order of their beginning, as nothing yields across them and errors stop at each. */
+#include "lua/base/call.h"
+
+#include <assert.h>
+
+enum { MOST_HELD = 16 }; /* by one function */
+
+typedef struct frame {
+  struct frame *outer;
+  int count, keeps; /* keeps: the registry has a table of values under the frame's address */
+  call_held *held[MOST_HELD];
+} frame;
+
+static _Thread_local frame *current; /* of the function that runs */
+
+/* --- holding ---------------------------------------------------------------------------------- */
+
+static int is_held(const frame *f, const call_held *held) {
+  for (int i = 0; i < f->count; i++)
+    if (f->held[i] == held) return 1;
+  return 0;
+}
+
+/* The registry keeps it alive meanwhile. */
+void call_hold(lua_State *L, int index, call_held *held) {
+  if (!current || is_held(current, held)) return;
+  if (current->count == MOST_HELD) luaL_error(L, "too many objects in one call");
+  luaL_checkstack(L, 2, "objects");
+  lua_pushvalue(L, index);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, held);
+  current->held[current->count++] = held;
+  held->count++;
+}
+
+int call_is_held_outside(const call_held *held) {
+  return held->count > (current && is_held(current, held));
+}
+
+void call_keep(lua_State *L) {
+  assert(current);
+  luaL_checkstack(L, 4, "objects");
+  if (!current->keeps) {
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, current);
+    current->keeps = 1;
+  }
+  lua_rawgetp(L, LUA_REGISTRYINDEX, current);
+  lua_insert(L, -2);
+  lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+  lua_pop(L, 1);
+}
+
+static void forget(lua_State *L, const void *key) {
+  if (!lua_checkstack(L, 1)) return; /* it stays alive, no more */
+  lua_pushnil(L);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, key);
+}
+
+static void release(lua_State *L, const frame *f) {
+  for (int i = 0; i < f->count; i++) {
+    call_held *held = f->held[i];
+    if (--held->count > 0) continue;
+    held->last(held);
+    forget(L, held);
+  }
+  if (f->keeps) forget(L, f);
+}
+
+/* --- calling ---------------------------------------------------------------------------------- */
+
+/* Upvalue: the function. */
+static int call(lua_State *L) {
+  frame own = {.outer = current};
+  const int arguments = lua_gettop(L);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  current = &own;
+  const int status = lua_pcall(L, arguments, LUA_MULTRET, 0);
+  current = own.outer;
+  release(L, &own);
+  return status == LUA_OK ? lua_gettop(L) : lua_error(L);
+}
+
+void call_wrap(lua_State *L) {
+  lua_pushcclosure(L, call, 1);
+}
+
+void call_push(lua_State *L, lua_CFunction function) {
+  lua_pushcfunction(L, function);
+  call_wrap(L);
+}
+
+void call_set_functions(lua_State *L, const luaL_Reg *list) {
+  for (const luaL_Reg *each = list; each->name; each++) {
+    call_push(L, each->func);
+    lua_setfield(L, -2, each->name);
+  }
+}
+
+void call_new_library(lua_State *L, const luaL_Reg *list) {
+  luaL_checkversion(L);
+  lua_newtable(L);
+  call_set_functions(L, list);
+}
