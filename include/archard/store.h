@@ -45,7 +45,8 @@ arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **sto
 
 /* A new file in place of `path`, which may be absent or a run file of the same kind (info "kind");
  * anything else there is refused and stays. The file appears under its name, whole, with
- * arc_store_publish; until then, closing the store forgets it. */
+ * arc_store_publish; until then, closing the store forgets it. Publishing one that replaces nothing
+ * is ARC_ARGUMENT, and leaves it open; after anything else *store is NULL. */
 arc_status arc_store_replace(const char *path, const char *kind, arc_store **store,
                              arc_error *error);
 arc_status arc_store_publish(arc_store **store, arc_error *error);

@@ -163,6 +163,7 @@ end
 
 case.__name = "case"
 case.__methods = methods
+strict.methods(case)
 case.__fields = keys(merged(own, computed, measures))
 
 function case.__tostring(self)

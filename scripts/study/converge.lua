@@ -36,7 +36,7 @@ end
 
 local function flat_cases(study, given)
   local base, functions = without_functions(given.base or {})
-  local flat = study{ base = base, vary = given.vary, cases = given.cases }.flat
+  local flat = check.as(where, study, { base = base, vary = given.vary, cases = given.cases }).flat
   local name = next(functions)
   if name and #flat > 1 then
     check.fail(where, ("field 'base.%s': many cases are searched through a file, which holds no "
@@ -91,7 +91,7 @@ end
 
 local function search_one(flat)
   return { { label = "the only case", status = "done", settings = settings.nest(flat),
-    found = search(settings.nest(flat), function() end) } }
+    found = check.as(where, search, settings.nest(flat), function() end) } }
 end
 
 local function search_many(study, flat, options, name)

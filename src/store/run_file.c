@@ -168,6 +168,8 @@ arc_status arc_store_replace(const char *path, const char *kind, arc_store **res
 }
 
 arc_status arc_store_publish(arc_store **store, arc_error *error) {
+  if (!(*store)->place)
+    return arc_fail(error, ARC_ARGUMENT, "%s: this store replaces no file", (*store)->path);
   arc_database_close(&(*store)->db);
   arc_status status = arc_place_publish(&(*store)->place, error);
   arc_store_close(store);

@@ -100,7 +100,7 @@ for i, case in ipairs(study.paper():cases()) do
   rows[i] = { settings = case.settings, found = { jump = i, increments = 16, capped = i == 4,
     bound = "cycles", roughnesses = {} } }
 end
-local table_1 = getmetatable(c).__methods.table_1{ cases = rows }
+local table_1 = setmetatable({ cases = rows }, getmetatable(c)):table_1()
 is(table.concat(table_1[2], " "), "0 75 1 16 50 2 16 30 3 16 - ≥4 16", "Table 1, first row")
 is(#table_1, 6, "a row for each alpha")
 

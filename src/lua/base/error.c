@@ -53,7 +53,7 @@ int error_user_level(lua_State *L) {
     if (strcmp(frame.what, "main") == 0) return level;
     if (strcmp(frame.what, "Lua") == 0 && strncmp(frame.source, "@scripts/", 9) != 0) return level;
   }
-  return 1;
+  return 0;
 }
 
 void error_push_plain(lua_State *L, const char *text) {

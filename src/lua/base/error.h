@@ -33,7 +33,7 @@ void error_callback(lua_State *L, const char *where, const char *name) __attribu
 int error_pcall(lua_State *L, int arguments, int results);
 
 /* The level of the first function of the user's: neither in C nor in a script of the program,
- * unless that is the chunk that runs. 1 where there is none. */
+ * unless that is the chunk that runs. 0, which has no place in a text, where there is none. */
 int error_user_level(lua_State *L);
 
 #endif

@@ -82,6 +82,44 @@ static void follow_streams(lua_State *L) {
   lua_pop(L, 1);
 }
 
+/* pairs and ipairs of what tables hold themselves, whatever a user's metatable says of it. */
+static int raw_pairs(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_pushvalue(L, 1);
+  lua_pushnil(L);
+  return 3;
+}
+
+static int raw_item(lua_State *L) {
+  const lua_Integer i = luaL_intop(+, luaL_checkinteger(L, 2), 1);
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_pushinteger(L, i);
+  return lua_rawgeti(L, 1, i) == LUA_TNIL ? 1 : 2;
+}
+
+static int raw_ipairs(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_pushvalue(L, 1);
+  lua_pushinteger(L, 0);
+  return 3;
+}
+
+/* Puts what asks no metatables of users' tables into the table of globals on top. */
+static void set_raw_functions(lua_State *L) {
+  lua_getfield(L, -1, "next");
+  lua_pushcclosure(L, raw_pairs, 1);
+  lua_setfield(L, -2, "pairs");
+  lua_pushcfunction(L, raw_item);
+  lua_pushcclosure(L, raw_ipairs, 1);
+  lua_setfield(L, -2, "ipairs");
+  lua_getfield(L, -1, "debug");
+  lua_getfield(L, -1, "getmetatable");
+  lua_setfield(L, -3, "getmetatable");
+  lua_pop(L, 1);
+}
+
 static int own_require(lua_State *L) {
   script_require(L, luaL_checkstring(L, 1));
   return 1;
@@ -113,6 +151,7 @@ static void make_globals(lua_State *L) {
   lua_setfield(L, -2, "print");
   lua_pushcfunction(L, own_require);
   lua_setfield(L, -2, "require");
+  set_raw_functions(L);
   refuse_others(L);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &globals_key);
 }

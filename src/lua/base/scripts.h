@@ -2,7 +2,8 @@
  *
  * Scripts see globals of their own: copies of Lua's libraries and of our classes as they were at
  * the start. Whatever the user makes of require, string.gsub, package.loaded or wear changes what
- * the user's text does, and nothing of what the program itself needs. */
+ * the user's text does, and nothing of what the program itself needs. Their pairs, ipairs and
+ * getmetatable go by what a table is, not by what its metatable says. */
 #ifndef LUA_SCRIPTS_H
 #define LUA_SCRIPTS_H
 

@@ -266,11 +266,44 @@ static void gather(lua_State *L) {
   lua_settop(L, 2);
 }
 
+/* A method of objects made in Lua; upvalues: what it does, the metatable of its class. */
+static int object_method(lua_State *L) {
+  const int arguments = lua_gettop(L);
+  if (arguments == 0 || !lua_getmetatable(L, 1) || !lua_rawequal(L, -1, lua_upvalueindex(2))) {
+    lua_settop(L, 1);
+    lua_getfield(L, lua_upvalueindex(2), "__name");
+    const char *class = lua_tostring(L, -1), *shown = names_push_shown(L, 1);
+    error_raise(L, ARC_ARGUMENT, class,
+                "expected a %s object, got %s; methods are called with a colon, as object:method()",
+                class, shown);
+  }
+  lua_settop(L, arguments);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, arguments, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
+/* methods(metatable) -> metatable, whose __methods are from now on for objects of its class alone */
+static int module_methods(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_settop(L, 1);
+  if (lua_getfield(L, 1, "__methods") != LUA_TTABLE) return lua_settop(L, 1), 1;
+  for (lua_pushnil(L); lua_next(L, 2); lua_settop(L, 3)) {
+    lua_pushvalue(L, 1);
+    lua_pushcclosure(L, object_method, 2);
+    lua_pushvalue(L, 3);
+    lua_insert(L, -2);
+    lua_rawset(L, 2);
+  }
+  lua_settop(L, 1);
+  return 1;
+}
+
 /* class(metatable) -> metatable, of objects made in Lua: they gain an __index that knows the
  * methods in __methods, and the names in __fields, which may be without a value. */
 static int module_class(lua_State *L) {
-  luaL_checktype(L, 1, LUA_TTABLE);
-  lua_settop(L, 1);
+  module_methods(L);
   lua_newtable(L);
   lua_getfield(L, 1, "__methods");
   gather(L);
@@ -289,8 +322,11 @@ static int module_class(lua_State *L) {
 }
 
 int luaopen_archard_strict(lua_State *L) {
-  static const luaL_Reg functions[] = {
-      {"table", module_table}, {"refuse", module_refuse}, {"class", module_class}, {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"table", module_table},
+                                       {"refuse", module_refuse},
+                                       {"methods", module_methods},
+                                       {"class", module_class},
+                                       {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

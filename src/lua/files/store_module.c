@@ -56,8 +56,9 @@ static int store_publish(lua_State *L) {
   box *held = box_self_idle(L, &store_class, "store:publish");
   arc_error error = {0};
   arc_store *store = held->thing;
-  held->thing = NULL;
-  error_check(L, arc_store_publish(&store, &error), &error, "store:publish", -1);
+  const arc_status status = arc_store_publish(&store, &error);
+  held->thing = store;
+  error_check(L, status, &error, "store:publish", -1);
   return 0;
 }
 
