@@ -54,12 +54,39 @@ end
 
 -- Metatables of our classes and of strings are not for strangers.
 local function hide_metatables()
-  local strings = debug.getmetatable ""
-  strings.__metatable, strings.__index.dump = false, nil
-  local get = getmetatable
+  debug.getmetatable "".__metatable = false
+  local get = globals.getmetatable
   globals.getmetatable = function(value)
     if type(value) == "userdata" then return false end
     return get(value)
+  end
+end
+
+-- Lua calls no hook in a finalizer, so nobody would count its instructions: they go on in a coroutine, which has
+-- hooks of its own. A guard that dies with the object stands for it; the object itself Lua never finalizes.
+local function count_finalizers()
+  local set = globals.setmetatable
+  local guards = setmetatable({}, { __mode = "k" })
+  local guard = {}
+
+  function guard.__gc(self)
+    local metatable = getmetatable(self.object)
+    local finalizer = type(metatable) == "table" and rawget(metatable, "__gc")
+    guards[self.object] = nil
+    if type(finalizer) ~= "function" then return end
+    local fine, why = coroutine.resume(coroutine.create(finalizer), self.object)
+    if not fine then error(why, 0) end
+  end
+
+  globals.setmetatable = function(value, metatable)
+    local finalizer = type(metatable) == "table" and rawget(metatable, "__gc")
+    if not finalizer then return set(value, metatable) end
+    rawset(metatable, "__gc", nil)
+    local fine, why = pcall(set, value, metatable)
+    rawset(metatable, "__gc", finalizer)
+    if not fine then error(why, 2) end
+    guards[value] = guards[value] or setmetatable({ object = value }, guard)
+    return value
   end
 end
 
@@ -78,4 +105,5 @@ return function(folder)
   end
   globals.require = requirer(folder)
   hide_metatables()
+  count_finalizers()
 end

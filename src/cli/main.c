@@ -10,6 +10,7 @@
 #include "lua/base/interrupt.h"
 #include "lua/base/scripts.h"
 #include "lua/base/strict.h"
+#include "lua/base/strings.h"
 
 #include <getopt.h>
 #include <lauxlib.h>
@@ -203,7 +204,7 @@ static int session(lua_State *L) {
   set_arg_table(L, self);
   luaopen_archard(L);
   strict_globals(L);
-  script_keep_methods(L);
+  strings_keep(L);
   strict_libraries(L);
   if (self->lax) strict_lax(L);
   lua_settop(L, 0);

@@ -265,19 +265,3 @@ void script_preload(lua_State *L, const luaL_Reg *modules) {
   make_modules(L, modules);
   fill_preload(L, modules);
 }
-
-/* --- methods of strings ----------------------------------------------------------------------- */
-
-void script_keep_methods(lua_State *L) {
-  lua_pushliteral(L, "");
-  if (!lua_getmetatable(L, -1)) return;
-  lua_newtable(L);
-  lua_getglobal(L, "string");
-  copy_into(L, -1, -2);
-  lua_createtable(L, 0, 1);
-  lua_insert(L, -2);
-  lua_setfield(L, -2, "__index");
-  lua_setmetatable(L, -2);
-  lua_setfield(L, -2, "__index");
-  lua_pop(L, 2);
-}

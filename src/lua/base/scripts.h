@@ -28,8 +28,4 @@ void script_set_module(lua_State *L, const char *name);
 /* Pops a value, which is the global `name` of scripts. */
 void script_set_global(lua_State *L, const char *name);
 
-/* Methods of strings, ("x"):gsub, stay what they are when the user takes them out of `string`; what
- * is put into it becomes one, as ever. */
-void script_keep_methods(lua_State *L);
-
 #endif

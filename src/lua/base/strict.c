@@ -197,6 +197,11 @@ static int library_index(lua_State *L) {
   return is_among(asked_of_libraries, lua_tostring(L, 2)) ? 0 : table_index(L);
 }
 
+void strict_method(lua_State *L, int library) {
+  if (lua_type(L, 2) != LUA_TSTRING || is_among(asked_of_libraries, lua_tostring(L, 2))) return;
+  if (strict_reads(L)) strict_refuse(L, "string", lua_tostring(L, 2), library);
+}
+
 static void strict_library(lua_State *L, const char *name) {
   if (lua_getglobal(L, name) == LUA_TTABLE && !lua_getmetatable(L, -1)) {
     lua_createtable(L, 0, 1);

@@ -39,4 +39,8 @@ void strict_globals(lua_State *L);
 /* The same of the names in Lua's own libraries: math.sqr. */
 void strict_libraries(lua_State *L);
 
+/* For the __index of strings: refuses the name at index 2, which the library at `library` has not,
+ * where the user reads it. */
+void strict_method(lua_State *L, int library);
+
 #endif

@@ -1,0 +1,180 @@
+/* Two metatables: the real one, which no script of the user's gets hold of, and the one that is shown
+ * in its place, whose reading and writing goes through to it. The __index that the user sees and sets
+ * is asked for what Lua's own methods are not. Leans on strict.c for names that nobody has given. */
+#include "lua/base/strings.h"
+
+#include "lua/base/strict.h"
+
+#include <lauxlib.h>
+#include <string.h>
+
+/* Their addresses name entries of the registry: the real metatable, the one that is shown, and the
+ * user's __index. */
+static const char real_key = 0, shown_key = 0, index_key = 0;
+
+static void push(lua_State *L, const char *key) {
+  lua_rawgetp(L, LUA_REGISTRYINDEX, key);
+}
+
+static int is_text(lua_State *L, int index, const char *text) {
+  return lua_type(L, index) == LUA_TSTRING && strcmp(lua_tostring(L, index), text) == 0;
+}
+
+/* --- methods ---------------------------------------------------------------------------------- */
+
+/* What the user's __index on top says of the name at index 2. Upvalue 2: the library. */
+static int ask_user(lua_State *L) {
+  if (lua_isnil(L, -1)) return 1;
+  if (lua_rawequal(L, -1, lua_upvalueindex(2))) {
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) == LUA_TNIL) strict_method(L, lua_upvalueindex(2));
+    return 1;
+  }
+  if (lua_isfunction(L, -1)) {
+    lua_pushvalue(L, 1);
+    lua_pushvalue(L, 2);
+    lua_call(L, 2, 1);
+    return 1;
+  }
+  lua_pushvalue(L, 2);
+  lua_gettable(L, -2);
+  return 1;
+}
+
+/* __index(string, name). Upvalue 1: the methods that stay. */
+static int string_index(lua_State *L) {
+  lua_settop(L, 2);
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
+  push(L, &index_key);
+  return ask_user(L);
+}
+
+/* --- the metatable that is shown -------------------------------------------------------------- */
+
+/* __index(shown, name) */
+static int shown_index(lua_State *L) {
+  lua_settop(L, 2);
+  if (is_text(L, 2, "__index")) return push(L, &index_key), 1;
+  if (lua_isnil(L, 2) || is_text(L, 2, "__metatable")) return 0;
+  push(L, &real_key);
+  lua_insert(L, 2);
+  lua_rawget(L, 2);
+  return 1;
+}
+
+/* __newindex(shown, name, value) */
+static int shown_newindex(lua_State *L) {
+  lua_settop(L, 3);
+  if (is_text(L, 2, "__index")) {
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
+  } else if (!is_text(L, 2, "__metatable")) {
+    push(L, &real_key);
+    lua_insert(L, 2);
+    lua_rawset(L, 2);
+  }
+  return 0;
+}
+
+/* What stands at index 2, a table or nil, in the place of all that was set. */
+static void replace_shown(lua_State *L) {
+  push(L, &real_key);
+  for (lua_pushnil(L); lua_next(L, 3); lua_settop(L, 4)) {
+    if (is_text(L, 4, "__index") || is_text(L, 4, "__metatable")) continue;
+    lua_pushvalue(L, 4);
+    lua_pushnil(L);
+    lua_rawset(L, 3);
+  }
+  lua_pushnil(L);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
+  if (!lua_istable(L, 2)) return;
+  push(L, &shown_key);
+  for (lua_pushnil(L); lua_next(L, 2); lua_settop(L, 5)) {
+    lua_pushvalue(L, 5);
+    lua_insert(L, 6);
+    lua_settable(L, 4);
+  }
+}
+
+/* --- the user's debug.getmetatable and setmetatable; upvalue: Lua's ------------------------------ */
+
+static int call_original(lua_State *L) {
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
+static int get_metatable(lua_State *L) {
+  if (lua_type(L, 1) != LUA_TSTRING) return call_original(L);
+  push(L, &shown_key);
+  return 1;
+}
+
+static int set_metatable(lua_State *L) {
+  if (lua_type(L, 1) != LUA_TSTRING || !(lua_istable(L, 2) || lua_type(L, 2) == LUA_TNIL))
+    return call_original(L);
+  lua_settop(L, 2);
+  replace_shown(L);
+  lua_settop(L, 1);
+  return 1;
+}
+
+static void wrap(lua_State *L, const char *name, lua_CFunction function) {
+  lua_getfield(L, -1, name);
+  lua_pushcclosure(L, function, 1);
+  lua_setfield(L, -2, name);
+}
+
+/* --- setting up ------------------------------------------------------------------------------- */
+
+/* Pushes a copy of the library at `index`, without what a sandbox takes away. */
+static void push_methods(lua_State *L, int index) {
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    if (is_text(L, -2, "dump")) continue;
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, -5);
+  }
+}
+
+static void push_shown(lua_State *L) {
+  lua_newtable(L);
+  lua_createtable(L, 0, 2);
+  lua_pushcfunction(L, shown_index);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, shown_newindex);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, -2);
+}
+
+/* The metatable on top shows another one in its place. */
+static void hide(lua_State *L) {
+  push_shown(L);
+  lua_pushvalue(L, -1);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &shown_key);
+  lua_setfield(L, -2, "__metatable");
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &real_key);
+}
+
+void strings_keep(lua_State *L) {
+  const int top = lua_gettop(L);
+  lua_pushliteral(L, "");
+  lua_getglobal(L, "string");
+  if (lua_getmetatable(L, top + 1)) {
+    lua_pushvalue(L, top + 2);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
+    push_methods(L, top + 2);
+    lua_pushvalue(L, top + 2);
+    lua_pushcclosure(L, string_index, 2);
+    lua_setfield(L, -2, "__index");
+    hide(L);
+    lua_getglobal(L, "debug");
+    wrap(L, "getmetatable", get_metatable);
+    wrap(L, "setmetatable", set_metatable);
+  }
+  lua_settop(L, top);
+}
