@@ -106,12 +106,13 @@ local function add_field(class, name)
 end
 
 -- The functions of a metatable, with whatever.
-local function add_metatable(class)
-  local metatable = debug.getmetatable(objects[class])
+local function add_metatable(class, value)
+  local metatable = debug.getmetatable(value or objects[class])
   for _, event in ipairs{ "__index", "__newindex", "__tostring", "__gc", "__close", "__eq", "__call", "__worn" } do
     local f = type(metatable) == "table" and rawget(metatable, event)
     if type(f) == "function" then
-      add(class .. " " .. event, function() return f(itself(class), arguments()) end)
+      add(class .. " " .. event, function() return f(value or itself(class), arguments()) end)
+      add(class .. " " .. event, function() return f(arguments()) end)
     end
   end
 end
@@ -198,6 +199,10 @@ add_entries()
 add_modules()
 for _, class in ipairs{ "model", "mesh", "material", "hertz", "contact", "stress", "wear", "store" } do
   add_metatable(class)
+end
+for i, value in ipairs{ objects.wear.history, objects.wear.depth, objects.model.mesh, objects.wear:profile(), _G, math,
+  export, require "archard", getmetatable "", world.closed[#world.closed] } do
+  add_metatable("table " .. i, value)
 end
 for _, class in ipairs{ "model", "contact", "wear", "hertz", "material" } do
   for _, setting in ipairs(settings[class] or {}) do

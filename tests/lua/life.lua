@@ -93,3 +93,86 @@ if (os.getenv "SANITIZER" or "") == "" then
   ok(runs < 100, ("300 dropped runs leave no heap of memory (%+.0f MB)"):format(runs))
   ok(models < 60, ("12 dropped models neither (%+.0f MB)"):format(models))
 end
+
+-- --- what scripts can do to what is in use -----------------------------------------------------------
+
+local small = { mesh = { size = 0.1, height = 0.1, far = 2, rows = 2 } }
+warn "@off"
+local function run_of(definition)
+  definition.model, definition.distance, definition.jump = small, 44, 50
+  return wear(definition)
+end
+
+for _, length in ipairs{ 2^61, 1 << 61, -1, "10" } do
+  local list = setmetatable({ 0, 1, 0 }, { __len = function() return length end })
+  is(#run_of{ loading = { x = list } }.loading[1].x, 3, ("a list is as long as it is, not %s"):format(length))
+end
+fails(function() run_of{ k = { distance = setmetatable({}, { __index = function() return 1 end }), value = { 1 } } } end,
+  "expected two arrays of one length", "items are the list's own")
+
+-- closed by the table that is read: it is held as long as it is needed
+local shape = run_of{}
+shape:step()
+local made = contact{ model = small, worn = setmetatable({ plate = shape:profile "plate" }, { __index = function()
+  shape:close()
+end }) }
+ok(made.p_max > 0, "a profile outlives its run")
+shape = run_of{}
+shape:step()
+fails(function() contact(setmetatable({ worn = shape }, { __index = function() shape:close() end })) end,
+  "this wear object has been closed", "a run that is closed before its shape is read")
+shape = run_of{}
+shape:step()
+local depth = setmetatable({}, { __index = function(_, name) shape:close() collectgarbage() return name == "h" and { 0, 0 } end })
+fails(function() contact{ model = small, worn = { plate = depth, cylinder = shape } } end, "field", "and within it")
+
+-- finalizers that step and close while rows are handed out
+local stepped = run_of{}
+stepped:step()
+collectgarbage("generational", 1)
+local refused = 0
+for _ = 1, 200 do
+  setmetatable({}, { __gc = function()
+    local fine, why = pcall(function() stepped:step() end)
+    if not fine and tostring(why):find "is in use and cannot change" then refused = refused + 1 end
+  end })
+  local history, profile = stepped.history, stepped:profile "plate"
+  if #history.distance < 2 or #profile.x ~= #profile.h then refused = -math.huge end
+end
+collectgarbage "incremental"
+ok(refused > 0 and stepped.distance == 44, "a finalizer that steps finds a run in use, or at rest")
+
+-- metatables of other classes
+local steel, other = material{}, run_of{}
+debug.setmetatable(steel, getmetatable(other))
+fails(function() return steel.distance end, "expected a wear object", "a material with the metatable of runs")
+local streams = debug.getmetatable(io.stdout)
+debug.setmetatable(io.stdout, getmetatable(other))
+fails(function() return io.stdout.distance end, "expected a wear object", "a file with it")
+debug.setmetatable(io.stdout, streams)
+ok(not pcall(getmetatable(other).__methods.step, setmetatable({}, getmetatable(other))), "a table with it")
+debug.setmetatable(steel, getmetatable(material{}))
+is(steel.E, 200e3, "and back")
+
+-- errors that cannot be told
+fails(function() run_of{ k = function() error(setmetatable({}, { __tostring = error })) end } end,
+  "k(state at distance 0 mm, cycle 0) failed: (error value is a table)", "an error without a text")
+local files = os.tmpname()
+os.remove(files)
+run_of{}:save(files)
+local store <close> = require "archard.store".open(files)
+fails(function() store:publish() end, "replaces no file", "a store that replaces nothing")
+is(#store:cases(), 1, "stays open")
+os.remove(files)
+fails(function() run_of{ slide = "z", loading = { x = { 0, 1e300, 0 } } } end, "expected a way of at most 1e+07 increments",
+  "a way of more increments than can be counted")
+for _, value in ipairs{ stepped.history, stepped.depth, contact{ model = small }:stress(), _G, math } do
+  local metatable = debug.getmetatable(value)
+  pcall(metatable.__index, 5, "radius")
+  ok(not pcall(metatable.__newindex or error, 5, 5, 5), "metamethods of our tables, asked of a number")
+end
+local co = coroutine.create(function()
+  return profile{ x = { 0, 1, 2, 3, 4, 5, 6, 7 }, z = { 0, 1, 0, 1, 0, 1, 0, 1 } }.roughness(5)
+end)
+holds(select(2, coroutine.resume(co)), "profile: expected a profile object, got 5", "a method of a class in Lua")
+ok(not tostring(select(2, coroutine.resume(coroutine.create(uniform)))):find "scripts/", "without a line of ours")

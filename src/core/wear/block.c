@@ -151,17 +151,22 @@ double arc_loading_length(const arc_model_def *model, const arc_loading *from, i
 
 /* Increments between points i - 1 and i of a loading: as many as follow the contact there, unless
  * the number is the user's. */
-static int parts(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
-                 int i) {
+static double parts(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
+                    int i) {
   if (def->increments > 0 || arc_wear_choose_procedure(def, model) == ARC_NSP) return 1;
-  return (int)fmax(1, ceil(arc_loading_length(model, from, i) * (1 - 1e-9)));
+  return fmax(1, ceil(arc_loading_length(model, from, i) * (1 - 1e-9)));
+}
+
+double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
+                              const arc_loading *from) {
+  double count = 0;
+  for (int i = 1; i < from->count; i++) count += parts(def, model, from, i);
+  return count;
 }
 
 static arc_status given(const arc_wear_def *def, const arc_model_def *model,
                         const arc_loading *from, wear_block *b) {
-  int count = 1;
-  for (int i = 1; i < from->count; i++) count += parts(def, model, from, i);
-  const arc_status status = block_create(b, count);
+  const arc_status status = block_create(b, 1 + (int)arc_loading_increments(def, model, from));
   if (status != ARC_OK) return status;
   int at = 0;
   if (from->tangential) {
@@ -172,7 +177,7 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model,
   b->angle[0] = arc_radians(angle_of(def, from, 0));
   b->line[0] = from->load[0] / model->thickness;
   for (int i = 1; i < from->count; i++) {
-    const int n = parts(def, model, from, i);
+    const int n = (int)parts(def, model, from, i);
     for (int j = 1; j <= n; j++) { /* the last is the point itself, to the bit */
       const double left = (double)(n - j) / n, right = (double)j / n;
       b->x[++at] = left * arc_loading_x(from, model, i - 1) + right * arc_loading_x(from, model, i);

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double most_increments = 1e7; /* of a block of loading */
+
 const char *const arc_procedure_names[] = {ARC_PROCEDURE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_scheme_names[] = {ARC_SCHEME_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_slide_names[] = {ARC_SLIDE_LIST(ARC_CHOICE_NAME) NULL};
@@ -55,11 +57,16 @@ double arc_wear_reach(const arc_model_def *model, double load) {
   return share * arc_model_half_width(model, load);
 }
 
+/* As many in a stroke as follow the contact. */
+static double half_increments(const arc_wear_def *def, const arc_model_def *model) {
+  return ceil(def->stroke / arc_wear_reach(model, def->load) * (1 - 1e-9));
+}
+
 int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { usual = 100 };
   const int stays = arc_wear_choose_procedure(def, model) == ARC_NSP || def->tangential > 0;
   if (def->increments > 0 || stays) return def->increments > 0 ? def->increments : usual;
-  const double half = ceil(def->stroke / arc_wear_reach(model, def->load) * (1 - 1e-9));
+  const double half = half_increments(def, model);
   return half > usual / 2 ? 2 * (int)half : usual;
 }
 
@@ -347,6 +354,17 @@ static arc_status check_start(const arc_wear_def *d, arc_error *error) {
                   d->start_distance, d->start_cycle);
 }
 
+static arc_status check_way(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
+  double most = d->blocks == 0 && d->increments == 0 ? 2 * half_increments(d, model) : 0;
+  for (int b = 0; b < d->blocks; b++)
+    most = fmax(most, arc_loading_increments(d, model, &d->loading[b]));
+  if (most <= most_increments) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field '%s': expected a way of at most %g increments, each shorter than half the "
+                  "contact, got %g",
+                  d->blocks > 0 ? "loading" : "stroke", most_increments, most);
+}
+
 arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   arc_status status = arc_settings_check(arc_wear_settings, "", d, error);
   if (status == ARC_OK) status = check_start(d, error);
@@ -355,7 +373,8 @@ arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc
   if (status == ARC_OK) status = check_scheme(d, error);
   if (status == ARC_OK) status = check_friction(d, model, error);
   if (status == ARC_OK) status = check_hole(d, model, error);
-  return status == ARC_OK ? check_loading(d, model, error) : status;
+  if (status == ARC_OK) status = check_loading(d, model, error);
+  return status == ARC_OK ? check_way(d, model, error) : status;
 }
 
 /* --- copies --- */

@@ -33,6 +33,9 @@ void arc_wear_blocks_free(wear_block **block, int count);
 /* How long the increment that ends at point i of a loading is, over what follows the contact there;
  * 0 where nothing touches. */
 double arc_loading_length(const arc_model_def *model, const arc_loading *from, int i);
+/* How many increments a loading is simulated in, at least one between two of its points. */
+double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
+                              const arc_loading *from);
 /* Where it ends [mm]. */
 double arc_wear_block_end(const wear_block *block);
 

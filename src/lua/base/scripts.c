@@ -52,7 +52,7 @@ static int user_print(lua_State *L) {
 /* __index(io, name): the user's own io.stderr, as long as that is something to write to. Upvalue:
  * Lua's streams. */
 static int user_stream(lua_State *L) {
-  if (lua_getfield(L, lua_upvalueindex(1), lua_tostring(L, 2)) == LUA_TNIL) return 1;
+  if (lua_getfield(L, lua_upvalueindex(1), luaL_checkstring(L, 2)) == LUA_TNIL) return 1;
   lua_pushglobaltable(L);
   lua_pushliteral(L, "io");
   int type = lua_rawget(L, 4);

@@ -40,6 +40,7 @@ int strict_reads_called(lua_State *L) {
 
 /* Offers the texts among the keys of the table at `index`, and among the values of its list. */
 static void offer_all(lua_State *L, int index, names_search *search) {
+  if (!lua_istable(L, index)) return;
   index = lua_absindex(L, index);
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
     if (lua_type(L, -2) == LUA_TSTRING)
@@ -62,6 +63,8 @@ void strict_refuse(lua_State *L, const char *where, const char *name, int known)
 
 /* __index(table, name); upvalues: the table's name, other words for its fields or nil. */
 static int table_index(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_settop(L, 2);
   if (lua_istable(L, lua_upvalueindex(2))) {
     lua_pushvalue(L, 2);
     if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) {
@@ -154,6 +157,7 @@ static int was_assigned(lua_State *L) {
 
 /* __index(globals, name); upvalue: the names that were assigned, maybe nil. */
 static int global_index(lua_State *L) {
+  lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING || !strict_reads(L) || was_assigned(L)) return 0;
   const char *name = lua_tostring(L, 2);
   if (is_among(asked_for, name)) return 0;
@@ -164,6 +168,9 @@ static int global_index(lua_State *L) {
 }
 
 static int global_newindex(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_settop(L, 3);
+  luaL_argcheck(L, !lua_isnil(L, 2) && lua_tonumber(L, 2) == lua_tonumber(L, 2), 2, "no name");
   lua_pushvalue(L, 2);
   lua_pushboolean(L, 1);
   lua_rawset(L, lua_upvalueindex(1));
@@ -193,6 +200,7 @@ static const char *const asked_of_libraries[] = {
 
 /* __index(library, name); upvalue: the library's name. */
 static int library_index(lua_State *L) {
+  lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING) return 0;
   return is_among(asked_of_libraries, lua_tostring(L, 2)) ? 0 : table_index(L);
 }
@@ -247,6 +255,7 @@ static int is_listed(lua_State *L, int known, int name) {
  * two levels up. nil where that is not the user's text, or for a name in the list, which may be
  * without a value. */
 static int module_refuse(lua_State *L) {
+  luaL_checktype(L, 3, LUA_TTABLE);
   if (lua_type(L, 2) != LUA_TSTRING || !reads_at(L, 2) || is_listed(L, 3, 2)) return 0;
   strict_refuse(L, luaL_checkstring(L, 1), lua_tostring(L, 2), 3);
 }

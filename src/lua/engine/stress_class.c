@@ -134,6 +134,7 @@ static int stress_tostring(lua_State *L) {
 /* stress.contact: beside the bodies, so that a loop over the object meets these alone; and the
  * other words for them */
 static int stress_index(lua_State *L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);
   const arc_model_def *def = pair_of(L, 1);
   arc_body body;
