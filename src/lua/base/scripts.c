@@ -92,7 +92,7 @@ static int raw_pairs(lua_State *L) {
 }
 
 static int raw_item(lua_State *L) {
-  const lua_Integer i = luaL_intop(+, luaL_checkinteger(L, 2), 1);
+  const lua_Integer i = (lua_Integer)((lua_Unsigned)luaL_checkinteger(L, 2) + 1);
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_pushinteger(L, i);
   return lua_rawgeti(L, 1, i) == LUA_TNIL ? 1 : 2;

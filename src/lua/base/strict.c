@@ -298,7 +298,8 @@ static int object_method(lua_State *L) {
   return lua_gettop(L);
 }
 
-/* methods(metatable) -> metatable, whose __methods are from now on for objects of its class alone */
+/* methods(metatable) -> metatable, whose __methods are from now on for objects of its class alone
+ */
 static int module_methods(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);

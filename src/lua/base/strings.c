@@ -1,6 +1,7 @@
-/* Two metatables: the real one, which no script of the user's gets hold of, and the one that is shown
- * in its place, whose reading and writing goes through to it. The __index that the user sees and sets
- * is asked for what Lua's own methods are not. Leans on strict.c for names that nobody has given. */
+/* Two metatables: the real one, which no script of the user's gets hold of, and the one that is
+ * shown in its place, whose reading and writing goes through to it. The __index that the user sees
+ * and sets is asked for what Lua's own methods are not. Leans on strict.c for names that nobody has
+ * given. */
 #include "lua/base/strings.h"
 
 #include "lua/base/strict.h"
@@ -96,7 +97,8 @@ static void replace_shown(lua_State *L) {
   }
 }
 
-/* --- the user's debug.getmetatable and setmetatable; upvalue: Lua's ------------------------------ */
+/* --- the user's debug.getmetatable and setmetatable; upvalue: Lua's ------------------------------
+ */
 
 static int call_original(lua_State *L) {
   lua_pushvalue(L, lua_upvalueindex(1));

@@ -47,8 +47,8 @@ static void push_field(lua_State *L, const arc_contact *contact, arc_body body) 
   lua_replace(L, -2);
 }
 
-/* The number at `position` of array `name` of the table on top; NaN where a script has put something
- * else. */
+/* The number at `position` of array `name` of the table on top; NaN where a script has put
+ * something else. */
 static double element_of(lua_State *L, const char *name, lua_Integer position) {
   double value = NAN;
   if (lua_getfield(L, -1, name) == LUA_TTABLE) {

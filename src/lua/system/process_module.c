@@ -152,7 +152,8 @@ static void use_arguments(lua_State *L, int index) {
   args_push_copy(L, index);
   lua_replace(L, index);
   lua_pushvalue(L, index);
-  const size_t count = array_length(L, (args_place){"process.pool", ""}, "arguments", MOST_ARGUMENTS);
+  const size_t count =
+      array_length(L, (args_place){"process.pool", ""}, "arguments", MOST_ARGUMENTS);
   lua_pop(L, 1);
   for (size_t i = 1; i <= count; i++) {
     if (lua_rawgeti(L, index, (lua_Integer)i) != LUA_TSTRING)
