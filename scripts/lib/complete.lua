@@ -136,6 +136,7 @@ end
 
 -- The table a missing key of `value` is looked up in, if it can be read without a call.
 local function fallback_of(value)
+  if type(value) == "string" then return rawget(globals, "string") end
   local metatable = debug.getmetatable(value)
   if type(metatable) ~= "table" then return nil end
   local methods = rawget(metatable, "__methods")
