@@ -35,7 +35,7 @@ local function without_functions(given)
 end
 
 local function flat_cases(study, given)
-  local base, functions = without_functions(given.base or {})
+  local base, functions = without_functions(check.definition(where, given.base or {}, check.anything, nil, "base"))
   local flat = check.as(where, study, { base = base, vary = given.vary, cases = given.cases }).flat
   local name = next(functions)
   if name and #flat > 1 then
