@@ -106,7 +106,7 @@ static void fill_row(pose *p, int k, const double *cyl, const double *plate) {
   for (int q = 0; q < p->width; q++) row[q] /= p->wc[i];
 }
 
-/* Forces f_k (-m_k, 1) along s and z, by the load's direction: that of z where it points. */
+/* Forces along z, by the load's direction: that of z where it points. */
 void arc_pose_find_down(pose *p, const arc_shape *shape) {
   const shape_side *cylinder = &shape->side[ARC_CYLINDER];
   const chart *c = &cylinder->body->chart;
@@ -114,7 +114,7 @@ void arc_pose_find_down(pose *p, const arc_shape *shape) {
   for (int k = 0; k < p->count; k++) {
     double along[2], across[2];
     arc_chart_axes(c, cylinder->settled[2 * (p->lo + k)] - under, along, across);
-    p->down[k] = c->polar ? across[1] - p->slope[p->lo + k] * along[1] : 1;
+    p->down[k] = c->polar ? across[1] : 1;
   }
   p->aimed = 1;
 }

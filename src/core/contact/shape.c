@@ -166,7 +166,7 @@ static int refresh_is_due(const arc_shape *shape, const shape_side *side, const 
   /* slopes change pressures by it times their change; between like bodies forces undo each other */
   const arc_model_def *def = arc_model_definition(shape->model);
   const double beta = fabs(arc_contact_mismatch(def->geometry, def->material));
-  const int inclines = side->body->mesh->body == ARC_PLATE && beta > 0;
+  const int inclines = side->body->mesh->body == ARC_PLATE && beta > 0 && !side->body->chart.polar;
   for (int i = 0; i < side->n; i++) {
     if (gone_too_far(side, xy, i, shape->refresh)) return 1;
     if (inclines && turned_too_far(side, xy, i, turn * shape->refresh / beta)) return 1;
@@ -180,9 +180,13 @@ static int is_unworn(const shape_side *side) {
   return 1;
 }
 
-/* Tells a compliance the slopes of its surface, unless that is flat to the bit. */
-static void incline(const double *xy, compliance *c) {
+/* Tells a compliance the slopes of its surface, unless that is flat to the bit. On polar charts
+ * pressures act along z, worn or not: the pin that sinks into a hole turns against the surfaces as
+ * it goes, so that slopes alone, by the whole of its way, would be no better, and would come all at
+ * once. */
+static void incline(const shape_side *side, const double *xy, compliance *c) {
   int flat = 1;
+  if (side->body->chart.polar) return;
   for (int i = 0; i < c->n; i++) {
     double chord[2];
     shape_chord(xy, c->n, i, chord);
@@ -201,7 +205,7 @@ arc_status arc_shape_condense(const shape_side *side, const double *xy, complian
   } else {
     arc_shape_box(side, xy, box);
     status = arc_body_condense(side->body, box, result, error);
-    if (status == ARC_OK) incline(xy, result);
+    if (status == ARC_OK) incline(side, xy, result);
     if (status != ARC_OK) arc_compliance_free(result);
   }
   free(box);

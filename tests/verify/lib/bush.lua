@@ -12,4 +12,17 @@ function bush.angle_of(R, gap, volume)
   return low
 end
 
+-- The largest deviation of a worn bush's pressures from the law over nine tenths of its contact, under a load from the
+-- angle at [rad].
+function bush.deviation(w, R, gap, at)
+  local e, worst = bush.angle_of(R, gap, w.volume.bush), 0
+  local p0 = w.load / (R * (e + math.sin(e) * math.cos(e)))
+  local pressure = w:pressure("bush")
+  for i, x in ipairs(pressure.x) do
+    local t = x / R - (at or 0)
+    if math.abs(t) < 0.9 * e then worst = math.max(worst, math.abs(pressure.p[i] / (p0 * math.cos(t)) - 1)) end
+  end
+  return worst
+end
+
 return bush
