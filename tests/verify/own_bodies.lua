@@ -124,6 +124,16 @@ for _, geometry in ipairs{ "moving", "frozen" } do
   below(bush_law.deviation(w, R, gap), 0.041, ("bush worn on its own mesh, %s: pressures off the cosine law"):format(geometry))
 end
 
+-- Both wear, their surfaces move, and slide in the plane or out of it: the force that wears them is the same on both.
+for _, way in ipairs{ { slide = "z", jump = "auto" }, { slide = "z", scheme = "implicit", tolerance = 1e-3 },
+  { slide = "x", scheme = "implicit", tolerance = 1e-3 } } do
+  local w = wear{ model = bush, k = k, alpha = 0.3, load = P, stroke = 0.5, distance = 30, slide = way.slide, jump = way.jump,
+    scheme = way.scheme, tolerance = way.tolerance }:run()
+  local of = ("bush and pin worn, slide %s, %s: V = k integral normal force ds "):format(way.slide, way.scheme or "explicit")
+  within(w.volume_cylinder, 0.3 * k * w.load_distance, 1e-12, of .. "of the pin [mm3]")
+  within(w.volume_plate, 0.7 * k * w.load_distance, 1e-12, of .. "of the bush [mm3]")
+end
+
 -- A coat that wears ten times slower than what it lies on: V = k F s in it, faster beneath.
 local coated = model{ radius = 10, lower = body.block{ width = 20, height = 10, k = 1e-7,
   layers = { { thickness = 2e-3, E = 400e3, nu = 0.3, k = 1e-8 } } }, mesh = { size = 0.04, height = 0.02, zone = { cylinder = 2, plate = 2 } } }
@@ -136,3 +146,46 @@ local early, late = worn_by(100), worn_by(4000)
 within(early.volume_plate, 1e-8 * 100 * 100, 1e-9, "coat: volume by its own k while it lasts [mm3]")
 figures.ok(early.depth_plate < 2e-3, "coat: not through yet")
 figures.ok(late.depth_plate > 2e-3 and late.volume_plate > 1e-8 * 100 * 4000 * 1.2, "coat: through, and wear goes faster")
+
+-- Where the plate wears evenly, its layers do: under a stroke over all of it, and on the track of a pin.
+local slow = material{ E = 200e3, nu = 0.3, k = 1e-9 }
+local function on(thickness, k_below) return body.block{ k = k_below, layers = { { thickness = thickness, material = slow } } } end
+for _, scheme in ipairs{ "explicit", "implicit" } do
+  local w = wear{ load = 100, stroke = 20, distance = 2000, jump = 10, scheme = scheme, model = { lower = on(1, 2e-8) } }:run()
+  within(w.volume_plate, 1e-9 * 100 * 2000, 1e-12, "layer over the whole plate, " .. scheme .. ": volume by its own k [mm3]")
+end
+local through = wear{ load = 100, stroke = 20, distance = 120000, jump = 7, model = { lower = on(0.5e-3, 2e-8) } }:run()
+within((through.depth_plate - 0.5e-3) / 2e-8 + 0.5e-3 / 1e-9, 100 * 120000 / 20, 1e-12, "layer worn through evenly: integral dh / k [N]")
+for _, thickness in ipairs{ 1, 1e-4 } do
+  local w = wear{ load = 50, slide = "z", track = 20, cycles = 1000, jump = 100, model = { geometry = "axisymmetric",
+    upper = body.cylinder{ radius = 10, k = 1e-13 }, lower = on(thickness, 2e-8) } }:run()
+  local alone = 1e-9 * 50 * w.distance
+  if thickness == 1 then
+    within(w.volume_plate, alone, 1e-12, "layer under a track: volume by its own k [mm3]")
+  else -- the mean depth goes through it where it is as deep
+    local left = 2 * math.pi * 20 * 2 * w.half_width * thickness
+    within(w.volume_plate, left + 20 * (alone - left), 0.01, "layer under a track, worn through: volume [mm3]")
+  end
+end
+
+-- A layer that is never worn through wears as a body of its material does, however fast the one beneath would.
+local function under_stroke(lower)
+  return wear{ load = 100, stroke = 0.2, distance = 3000, jump = "auto",
+    model = { upper = body.cylinder{ radius = 10, k = 0 }, lower = lower } }:run()
+end
+local layered, plain = under_stroke(on(0.05, 2e-8)), under_stroke(body.block{ k = 1e-9 })
+within(layered.depth_plate, plain.depth_plate, 0.005, "layer never worn through: depth of its material alone [mm]")
+within(layered.p_center, plain.p_center, 0.01, "layer never worn through: pressure of its material alone [MPa]")
+figures.ok(layered.update <= 3 * plain.update, "layer never worn through: in updates as long")
+
+-- Coats thinner than what a hundredth of the wear box is, of the material that they lie on.
+local function in_hole(coat, on_pin)
+  local layers = coat and { { thickness = coat, material = material{ E = 200e3 } } }
+  return contact{ load = P, model = { upper = body.disc{ radius = R - gap, layers = on_pin and layers or nil },
+    lower = body.ring{ inner = R, outer = 20, layers = not on_pin and layers or nil } } }.p_center
+end
+for _, coat in ipairs{ 2e-3, 1e-5 } do
+  for _, on_pin in ipairs{ true, false } do
+    within(in_hole(coat, on_pin), in_hole(), 1e-3, ("coat of %g mm on the %s: pressure [MPa]"):format(coat, on_pin and "pin" or "bush"))
+  end
+end

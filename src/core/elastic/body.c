@@ -203,10 +203,10 @@ static void take_difference(elastic_body *b, const compliance *thinner, double s
 static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
   if (b->mesh->rows == 0) return ARC_OK; /* no box that could get thinner */
   static const double share = 0.01;
-  const int rows = b->mesh->rows, first = usual_column(b) * (rows + 1);
+  const int rows = b->mesh->rows, column = usual_column(b), first = column * (rows + 1);
   const double *bottom = &box[2 * (first + rows)], top = box[2 * first + 1];
   for (int row = 0; row < rows; row++)
-    box[2 * (first + row) + 1] += share * (bottom[1] - top) * (rows - row) / rows;
+    box[2 * (first + row) + 1] += share * (bottom[1] - top) * arc_body_pull(b, column, row);
   compliance thinner;
   arc_status status = arc_compliance_create(&thinner, b->mesh->surface);
   if (status != ARC_OK) return out_of_memory(b, error);

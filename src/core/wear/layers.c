@@ -14,8 +14,7 @@ static double share_of(const arc_model_def *def, arc_body body, int layer) {
   return largest > 0 ? own / largest : 1;
 }
 
-/* The depth from h on that `due` comes to. */
-static double spend(const arc_model_def *def, arc_body body, double h, double due) {
+double arc_wear_through_layers(const arc_model_def *def, arc_body body, double h, double due) {
   const arc_body_def *solid = &def->body[body];
   const int layers = arc_body_layers(solid);
   const double from = h;
@@ -35,5 +34,6 @@ void arc_wear_into_layers(const arc_shape *shape, arc_body body, double *depth) 
   const arc_model_def *def = arc_model_definition(shape->model);
   if (arc_body_layers(&def->body[body]) == 0) return;
   for (int i = 0; i < shape->side[body].n; i++)
-    if (depth[i] > 0) depth[i] = spend(def, body, shape->side[body].h[i], depth[i]);
+    if (depth[i] > 0)
+      depth[i] = arc_wear_through_layers(def, body, shape->side[body].h[i], depth[i]);
 }

@@ -4,8 +4,11 @@
 
 #include "core/contact/shape.h"
 
-/* Depths [surface] that a body would lose with the largest wear coefficient of its layers become
- * those that it loses with the coefficients of the layers it wears into. */
+/* The depth from h on [mm] that a depth due at the largest wear coefficient of the body's layers
+ * comes to at their own. */
+double arc_wear_through_layers(const arc_model_def *def, arc_body body, double h, double due);
+
+/* The same for the depths [surface] of all nodes of a body. */
 void arc_wear_into_layers(const arc_shape *shape, arc_body body, double *depth);
 
 #endif

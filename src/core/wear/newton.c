@@ -51,13 +51,17 @@ static double largest_of(const double *v, int n) {
   return largest;
 }
 
+/* What a rate takes off one body [mm2]. */
+static double area_on(const newton *s, arc_body b, const double *rate) {
+  double sum = 0;
+  for (int i = 0; i < s->window.shape->side[b].n; i++)
+    sum += rate[i] * arc_shape_span(s->window.shape, b, i);
+  return sum;
+}
+
 /* What a cycle wears off both bodies [mm2]. */
 static double area_of(const newton *s, const double *rate) {
-  double sum = 0;
-  for (int b = 0; b < ARC_BODIES; b++)
-    for (int i = 0; i < s->window.shape->side[b].n; i++)
-      sum += *rate++ * arc_shape_span(s->window.shape, (arc_body)b, i);
-  return sum;
+  return area_on(s, ARC_CYLINDER, rate) + area_on(s, ARC_PLATE, rate + s->w->nc);
 }
 
 arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
@@ -123,26 +127,27 @@ static int hopeless(arc_status status) {
   return status == ARC_STOPPED || status == ARC_CALLBACK || status == ARC_MEMORY;
 }
 
-/* No node is pulled: what that takes from a body's wear, the others give. */
-static void push_only(const newton *s, arc_body b, double *rate) {
-  const shape_side *side = &s->window.shape->side[b];
-  double sum = 0, pushed = 0;
-  for (int i = 0; i < side->n; i++) {
-    const double width = arc_shape_width(side, i);
-    sum += width * rate[i];
-    rate[i] = fmax(0, rate[i]);
-    pushed += width * rate[i];
-  }
-  for (int i = 0; i < side->n && pushed > 0; i++) rate[i] *= sum / pushed;
+/* No node is pulled: the body loses `area` all the same. */
+static void push_only(const newton *s, arc_body b, double area, double *rate) {
+  const int n = s->window.shape->side[b].n;
+  for (int i = 0; i < n; i++) rate[i] = fmax(0, rate[i]);
+  const double pushed = area_on(s, b, rate);
+  for (int i = 0; i < n && pushed > 0; i++) rate[i] *= area / pushed;
 }
 
 /* Takes the last step too. The pressures that belong to it are those of the linear model, whose
- * resultant is the load: volumes stay exact. */
+ * resultant is the load: volumes stay exact. Where that is not all of the forces, the plate feels
+ * those on the cylinder. */
 static void take_last(newton *s, double h, double *rate) {
+  double *plate = rate + s->w->nc;
+  const double *k = s->dose.k;
   for (int i = 0; i < s->n; i++)
     if (k_at(s, i) > 0) rate[i] = (s->z[i] - s->step[i] - s->known[i]) / h;
-  push_only(s, ARC_CYLINDER, rate);
-  push_only(s, ARC_PLATE, rate + s->w->nc);
+  const double upper = area_on(s, ARC_CYLINDER, rate), lower = area_on(s, ARC_PLATE, plate);
+  const int both = k[ARC_CYLINDER] > 0 && k[ARC_PLATE] > 0 && !s->w->def.local_factor;
+  const int counted = both && arc_wear_counts_forces(s->w);
+  push_only(s, ARC_CYLINDER, upper, rate);
+  push_only(s, ARC_PLATE, counted ? upper * (k[ARC_PLATE] / k[ARC_CYLINDER]) : lower, plate);
 }
 
 static double product(const double *a, const double *b, int n) {

@@ -138,10 +138,12 @@ static void add_increment(const arc_wear *w, const wear_point point[2], int at, 
 
 /* A slope slides by cos times the plate's way, and is longer than its shadow on x, on which
  * pressure times width is force: so much depth along the normal takes the area k force |dx|. Out of
- * the plane every slope slides all the way; of revolution areas are those seen from above. */
+ * the plane every slope slides all the way, but in holes, where pressures are those on the hole's
+ * area; of revolution areas are those seen from above. */
 static double share_of_slope(const arc_wear *w, const wear_window *window, arc_body b, int i) {
   const shape_side *side = &window->shape->side[b];
-  const int out = w->def.slide == ARC_SLIDE_Z && !side->body->chart.revolved.on;
+  const chart *c = &side->body->chart;
+  const int out = w->def.slide == ARC_SLIDE_Z && !c->revolved.on && !c->polar;
   if (window->shape->geometry == ARC_FROZEN || out) return 1;
   return arc_shape_width(side, i) / arc_shape_span(window->shape, b, i);
 }
@@ -203,7 +205,7 @@ static double pressing(const arc_wear *w, const wear_window *window, const wear_
 /* In hollow surfaces and under a spin it is not the load. */
 static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
   const wear_block *b = w->path.block;
-  if (!window->shape->side[ARC_CYLINDER].body->chart.polar && w->def.spin == 0) return;
+  if (!arc_wear_counts_forces(w)) return;
   const double now = pressing(w, window, &w->path.point[at % 2]);
   const int mean = w->def.rule == ARC_TRAPEZOID;
   const double before = mean ? pressing(w, window, &w->path.point[(at + 1) % 2]) : now;

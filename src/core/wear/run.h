@@ -87,6 +87,12 @@ static inline int splits_cycles(const arc_wear *w) {
   return w->def.update == ARC_UPDATE_INCREMENT && w->procedure == ARC_SP;
 }
 
+/* Whether the load alone does not tell the work: forces along the load balance it, those along
+ * normals are more in a hole; and a spin goes farther at larger radii. */
+static inline int arc_wear_counts_forces(const arc_wear *w) {
+  return arc_model_body(w->model, ARC_CYLINDER)->chart.polar || w->def.spin > 0;
+}
+
 /* --- definition.c --- */
 arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model);
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model);

@@ -3,6 +3,7 @@
  * 1 / (s - 1) of the update, and the update takes the mean of all rates: a longer update needs more
  * stages, so that ripples never set its length. Leans on the rate at trial depths: the compliance
  * of an update's start serves all its stages, and volumes stay exact. */
+#include "core/wear/layers.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -59,6 +60,12 @@ static double scale(const staged *s, int i) {
   return s->w->procedure == ARC_NSP ? 0 : s->dose.cycles * s->dose.k[ARC_PLATE];
 }
 
+/* What the coefficients of layers leave of z. */
+static void into_layers(staged *s) {
+  arc_wear_into_layers(s->window.shape, ARC_CYLINDER, s->z);
+  arc_wear_into_layers(s->window.shape, ARC_PLATE, s->z + s->w->nc);
+}
+
 /* Adds the rate at hand, and goes on by Euler's rule. */
 static void add_stage(staged *s, int stage) {
   const double *rate = s->rate->node[0];
@@ -71,6 +78,7 @@ static void add_stage(staged *s, int stage) {
     s->bend[i] += weight * rate[i];
     s->z[i] = scale(s, i) * s->sum[i] / (s->stages - 1);
   }
+  into_layers(s);
 }
 
 static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
@@ -110,10 +118,14 @@ static double estimate(staged *s, const wear_depths *depth) {
   for (int i = 0; i < s->n; i++)
     defect[i] = by_thirds ? scale(s, i) * s->bend[i] * 9 / 4 / s->stages
                           : scale(s, i) * (defect[i] + s->rate->node[0][i]) / 2 - depth->node[0][i];
+  memcpy(s->z, depth->node[0], (size_t)s->n * sizeof *s->z);
+  into_layers(s);
+  for (int i = 0; i < s->n; i++)
+    if (depth->node[0][i] > 0) defect[i] *= s->z[i] / depth->node[0][i];
   for (int b = 0; b < ARC_BODIES; b++) {
+    const int first = b == ARC_CYLINDER ? 0 : s->w->nc;
     double deepest;
-    const double off = worn_mean(s, (arc_body)b, depth->node[b],
-                                 b == ARC_CYLINDER ? defect : defect + s->w->nc, &deepest);
+    const double off = worn_mean(s, (arc_body)b, s->z + first, defect + first, &deepest);
     if (deepest > 0) share = fmax(share, off / (ARC_STAGED_TOLERANCE * deepest));
   }
   return share;

@@ -12,21 +12,24 @@ static int any_depth(const double *depth, int n) {
   return 0;
 }
 
-/* Whether the load alone does not tell the work: forces along the load balance it, those along
- * normals are more in a hole; and a spin goes farther at larger radii. */
-static int counts_forces(const arc_wear *w) {
-  return arc_model_body(w->model, ARC_CYLINDER)->chart.polar || w->def.spin > 0;
+/* What coefficients of layers leave of depths; a track is as deep as its mean over the contact. */
+static void go_through_layers(const arc_wear *w, const wear_outcome *out, wear_depths *depth) {
+  const double wide = w->def.track > 0 ? 2 * out->record.half_width : 1;
+  for (int b = 0; b < ARC_BODIES; b++)
+    arc_wear_into_layers(out->shape, (arc_body)b, depth->node[b]);
+  if (depth->even > 0)
+    depth->even = wide * arc_wear_through_layers(arc_model_definition(w->model), ARC_PLATE,
+                                                 out->record.depth_plate, depth->even / wide);
 }
 
 /* Wears the outcome's shape, and adds volumes and error. */
 static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out,
                         arc_error *error) {
-  for (int b = 0; b < ARC_BODIES; b++)
-    arc_wear_into_layers(out->shape, (arc_body)b, depth->node[b]);
+  go_through_layers(w, out, depth);
   arc_wear_add_volumes(w, out->shape, depth, &out->record);
   out->record.error = depth->error;
   out->record.energy += depth->energy * arc_model_definition(w->model)->thickness;
-  if (counts_forces(w))
+  if (arc_wear_counts_forces(w))
     out->record.load_distance += depth->pressed * arc_model_definition(w->model)->thickness;
   out->record.p_peak = fmax(out->record.p_peak, depth->peak);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -295,7 +298,7 @@ arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear
   out->record.update += split ? plan->block->count - 1 : 1;
   const int generic = !plan->block->periodic;
   const int first = generic ? plan->first : 0, last = plan->block->count - 1;
-  if (counts_forces(w)) return status;
+  if (arc_wear_counts_forces(w)) return status;
   out->record.load_distance +=
       plan->times * load_distance(w, plan->block, first, generic ? first + 1 : last);
   return status;
