@@ -125,3 +125,32 @@ tap.holds(message, { "of its wear box of 4 rows of 0.0625 mm, the most that fit;
 ok(not fine, "and the run ends there")
 ok(not pcall(full.step, full), "again")
 ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is what it was")
+
+-- Automatic steps that come to the edge of a zone do not creep up to it: the meshes grow before.
+local function pin_in_hole() -- a model that is given was sized before it was known what wears
+  return wear{ model = model{ upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000,
+    stroke = 0.1, alpha = 1, k = 1e-7, distance = 1000, jump = "auto", geometry = "frozen" }
+end
+local function ball(zone)
+  return wear{ model = model{ geometry = "axisymmetric", radius = 10, mesh = { size = 0.02, zone = zone } }, load = 50,
+    slide = "z", alpha = 1, k = 1e-7, distance = 100, jump = "auto" }
+end
+local pin = pin_in_hole():run()
+ok(pin.done and pin.update < 50, "a pin in a hole goes on past the edge of its zone")
+ok(off(pin.volume.cylinder, 1e-7 * pin.load_distance) < 1e-12, "its volume is exact")
+local narrow, wide = ball{ cylinder = 0.5, plate = 0.5 }:run(), ball{ cylinder = 1.2, plate = 1.2 }:run()
+ok(narrow.model.mesh.zone.cylinder > 0.5 and narrow.update < 60, "a ball does")
+ok(off(narrow.depth.cylinder, wide.depth.cylinder) < 5e-3, "its depth is that on the large mesh")
+local halfway = pin_in_hole()
+for _ = 1, 14 do halfway:step() end -- in the steps that are cut for the edge
+halfway:save(path)
+halfway = wear.open(path):run()
+is(halfway.p_center, pin.p_center, "stored at the edge: the same bits")
+is(halfway.update, pin.update, "and updates")
+os.remove(path)
+
+-- Steps that would never come to an end.
+local endless = wear{ jump = function() return 1e-14 end, distance = 2000 }
+local ended, because = pcall(endless.run, endless)
+ok(not ended and endless.update < 50, "steps without end are refused")
+tap.holds(because, { "field 'jump'", "the last 30 steps", "are left: this would not end", "take longer ones" }, "by what they went")

@@ -50,10 +50,21 @@ static double total_depth(const arc_wear *w) {
   return now->depth_cylinder + now->depth_plate;
 }
 
+/* How much automatic updates may wear at least [mm]. */
+static double bite(const arc_wear *w) {
+  return fmax(first_bite * natural_depth(w), later_bite * total_depth(w));
+}
+
+int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan) {
+  static const double little = 0.01;
+  const arc_wear_record *now = arc_wear_last(w);
+  return now->k * (plan->end - now->distance) * now->p_max < little * bite(w);
+}
+
 /* Updates of a single stage: neither ripples may grow nor too much wear at once. */
 static arc_status plan_plain(arc_wear *w, wear_plan *plan, arc_error *error) {
   double k[ARC_BODIES], eigenvalue = 0;
-  plan->most = dose_for(w, fmax(first_bite * natural_depth(w), later_bite * total_depth(w)));
+  plan->most = dose_for(w, bite(w));
   if (arc_wear_closed_form(w)) return ARC_OK;
   arc_status status = arc_wear_coefficients_now(w, k, error);
   if (status == ARC_OK) status = arc_wear_stability(w, &eigenvalue, error);
@@ -155,6 +166,22 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles) {
   plan->cycles = cycles;
 }
 
+/* Steps that get shorter and shorter would never end. */
+static arc_status check_progress(const arc_wear *w, const wear_plan *plan, double limit,
+                                 arc_error *error) {
+  enum { many = 30 };
+  static const double nothing = 1e-12; /* of the way that is left */
+  if (!plan->block->periodic || w->records <= many) return ARC_OK;
+  const arc_wear_record *now = arc_wear_last(w);
+  const double gone = now->distance - (now - many)->distance, left = limit - now->distance;
+  if (gone > nothing * left) return ARC_OK;
+  return arc_fail(error, ARC_NOT_CONVERGED,
+                  "field 'jump': the last %d steps, to %.6g mm, went on by %.3g mm together, and "
+                  "%.6g mm are left: this would not end; take longer ones, and smooth what jumps "
+                  "on the way (a law, a coefficient, a factor)",
+                  many, now->distance, gone, left);
+}
+
 arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
                               arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
@@ -167,7 +194,8 @@ arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *m
       !plan->block->periodic && last && now->cycle >= plan->block->start_cycle + 1 - whole;
   *moved = !finished && (limit - now->distance) > rounding * (limit + plan->block->sliding);
   if (!*moved) return ARC_OK;
-  arc_status status = arc_path_enter(&w->path, plan->block, w->model, error);
+  arc_status status = check_progress(w, plan, limit, error);
+  if (status == ARC_OK) status = arc_path_enter(&w->path, plan->block, w->model, error);
   if (status != ARC_OK) return status;
   if (!plan->block->periodic) {
     plan_increment(w, limit, plan);

@@ -118,6 +118,11 @@ static double passable(const wear_plan *plan) {
   return plan->staged ? 2 : 1;
 }
 
+/* A contact that has grown to the edge of its mesh leaves it after the shortest of steps, too. */
+static int is_at_edge(const arc_wear *w, const wear_plan *plan, arc_status status) {
+  return arc_wear_has_outgrown(w, status) && arc_wear_plan_is_short(w, plan);
+}
+
 /* Steps that do not converge, or err too much, are cut and tried again. */
 static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_watch *watch,
                                     wear_outcome *out, arc_error *error) {
@@ -132,6 +137,7 @@ static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_watch *wa
     if (status != ARC_OK && status != ARC_NOT_CONVERGED && !lost) return status;
     failures += status != ARC_OK;
     if (plan->staged && failures > patience) return status;
+    if (is_at_edge(w, plan, status)) return status;
     if (!plan->staged && !plan->explicit && (failures == most_failures || cut == patience)) {
       *plan = whole_plan;
       if ((status = give_up_implicit(w, plan, error)) != ARC_OK) return status;

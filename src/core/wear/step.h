@@ -38,6 +38,8 @@ arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *m
                               arc_error *error);
 /* Fewer cycles. */
 void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
+/* Whether it is to wear next to nothing, beside what automatic updates do. */
+int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan);
 
 /* --- ahead.c --- */
 /* What a rate takes in a dose. */
