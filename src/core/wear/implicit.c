@@ -105,6 +105,7 @@ static double largest_pressure_error(newton *s, const double *off) {
 static double share_of_tolerance(newton *s, double h, double *defect) {
   const double tolerance = s->w->def.tolerance;
   if (tolerance == 0 || arc_newton_direction(s, h, defect) != ARC_OK) return 0;
+  for (int i = 0; i < s->n; i++) defect[i] *= arc_newton_share(s, i);
   const double depth =
       fmax(depth_error(s, ARC_CYLINDER, defect), depth_error(s, ARC_PLATE, defect + s->w->nc));
   const double pressure = largest_pressure_error(s, defect);

@@ -37,3 +37,14 @@ void arc_wear_into_layers(const arc_shape *shape, arc_body body, double *depth) 
     if (depth[i] > 0)
       depth[i] = arc_wear_through_layers(def, body, shape->side[body].h[i], depth[i]);
 }
+
+double arc_wear_layer_share(const arc_shape *shape, arc_body body, int i, double depth) {
+  const arc_model_def *def = arc_model_definition(shape->model);
+  const int layers = arc_body_layers(&def->body[body]);
+  int layer = 0;
+  if (layers == 0) return 1;
+  while (layer < layers &&
+         shape->side[body].h[i] + depth >= arc_body_interface(&def->body[body], layer))
+    layer++;
+  return share_of(def, body, layer);
+}

@@ -10,5 +10,8 @@ double arc_wear_through_layers(const arc_model_def *def, arc_body body, double h
 
 /* The same for the depths [surface] of all nodes of a body. */
 void arc_wear_into_layers(const arc_shape *shape, arc_body body, double *depth);
+/* Share of the largest coefficient by which node i of a body wears where it has lost `depth` more.
+ */
+double arc_wear_layer_share(const arc_shape *shape, arc_body body, int i, double depth);
 
 #endif

@@ -3,6 +3,7 @@
  * are used in every iteration, with a line search. Leans on rate.c and jacobian.c. */
 #include "core/wear/newton.h"
 #include "core/base/dense.h"
+#include "core/wear/layers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,18 +17,18 @@ static const double contraction = 0.4;
 
 arc_status arc_newton_create(newton *s) {
   const size_t n = (size_t)s->n;
-  double *block = calloc(13 * n + n * n, sizeof *block);
+  double *block = calloc(14 * n + n * n, sizeof *block);
   s->z = block;
   s->pivots = malloc(2 * n * sizeof(int));
   if (!block || !s->pivots) return ARC_MEMORY;
   s->node = s->pivots + n;
   double **member[] = {&s->z,       &s->residual, &s->step,    &s->known,  &s->down,
                        &s->rate[0], &s->rate[1],  &s->rate[2], &s->packed, &s->start,
-                       &s->defect,  &s->last,     &s->taken};
-  for (int m = 0; m < 13; m++) *member[m] = block + (size_t)m * n;
-  s->matrix = block + 13 * n;
+                       &s->defect,  &s->last,     &s->taken,   &s->worn};
+  for (int m = 0; m < 14; m++) *member[m] = block + (size_t)m * n;
+  s->matrix = block + 14 * n;
   s->window.trial = &s->trial;
-  s->trial = arc_wear_trial_on(s->window.shape, s->z, s->down);
+  s->trial = arc_wear_trial_on(s->window.shape, s->worn, s->down);
   const shape_side *plate = &s->window.shape->side[ARC_PLATE];
   s->coarse = 2 * arc_shape_width(plate, plate->n / 2);
   const arc_status status = arc_wear_jacobian_create(&s->jacobian, s->w->nc, s->w->np);
@@ -43,6 +44,19 @@ void arc_newton_free(newton *s) {
 
 static double k_at(const newton *s, int i) {
   return s->dose.k[i < s->w->nc ? ARC_CYLINDER : ARC_PLATE];
+}
+
+/* The depths that z comes to. */
+static void wear_by_z(newton *s) {
+  memcpy(s->worn, s->z, (size_t)s->n * sizeof *s->worn);
+  arc_wear_into_layers(s->window.shape, ARC_CYLINDER, s->worn);
+  arc_wear_into_layers(s->window.shape, ARC_PLATE, s->worn + s->w->nc);
+}
+
+double arc_newton_share(const newton *s, int i) {
+  const int plate = i >= s->w->nc;
+  return arc_wear_layer_share(s->window.shape, plate ? ARC_PLATE : ARC_CYLINDER,
+                              plate ? i - s->w->nc : i, s->worn[i]);
 }
 
 static double largest_of(const double *v, int n) {
@@ -67,6 +81,7 @@ static double area_of(const newton *s, const double *rate) {
 arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
   wear_rate here = {.node = {rate, rate + s->w->nc}};
   s->window.jacobian = with_jacobian ? &s->jacobian : NULL;
+  wear_by_z(s);
   const arc_status status = arc_wear_evaluate(s->w, &s->window, s->watch, &here, &s->error);
   if (status != ARC_OK) return status;
   if (with_jacobian) s->h = 0;
@@ -89,8 +104,9 @@ static arc_status factorise(newton *s, double h) {
     if (k_at(s, i) > 0 && rates[dense_at(i, i, s->n)] > 0) s->node[m++] = i;
   for (int j = 0; j < m; j++) {
     double *to = &s->matrix[dense_at(0, j, m)];
+    const double by = h * arc_newton_share(s, s->node[j]);
     for (int i = 0; i < m; i++)
-      to[i] = h * k_at(s, s->node[i]) * rates[dense_at(s->node[i], s->node[j], s->n)];
+      to[i] = by * k_at(s, s->node[i]) * rates[dense_at(s->node[i], s->node[j], s->n)];
     to[j] += 1;
   }
   s->live = m;
@@ -120,7 +136,7 @@ static double allowed(const newton *s) {
   const double depth = fmax(arc_shape_depth(s->window.shape, ARC_CYLINDER),
                             arc_shape_depth(s->window.shape, ARC_PLATE));
   const double share = s->w->def.tolerance > 0 ? share_of_tolerance * s->w->def.tolerance : tight;
-  return share * (depth + largest_of(s->z, s->n));
+  return share * (depth + largest_of(s->worn, s->n));
 }
 
 static int hopeless(arc_status status) {
@@ -238,6 +254,7 @@ static arc_status solve_exactly(newton *s, double h, double *rate) {
 /* The energy goes with the wear: the last step was not evaluated any more. */
 static void settle(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->z[i] = s->known[i] + h * rate[i];
+  wear_by_z(s);
   if (s->area > 0) s->energy *= area_of(s, rate) / s->area;
 }
 

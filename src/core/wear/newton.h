@@ -16,7 +16,9 @@ typedef struct newton {
   double pressed;    /* its normal force over the sliding [N] */
   double energy;     /* what a cycle of the rate at hand dissipates [N] */
   double area;       /* what one of the last evaluation wears [mm2] */
-  double *z, *known; /* [n] depths gained [mm]; the fixed part of a stage */
+  double *z, *known; /* [n] depths gained [mm] at the largest coefficient of each body's layers; the
+                        fixed part of a stage */
+  double *worn;      /* [n] what z comes to at their own */
   double *residual, *step, *down;
   double *rate[3]; /* [n] k times the wear of a cycle [mm] at the start and both stages */
   wear_jacobian jacobian;
@@ -35,6 +37,8 @@ arc_status arc_newton_create(newton *s);
 void arc_newton_free(newton *s);
 /* Wear per cycle at z into `rate`; the Jacobian with it if asked for. */
 arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian);
+/* Share of the largest coefficient by which node i wears now. */
+double arc_newton_share(const newton *s, int i);
 /* x := (I + h k J)^-1 x. */
 arc_status arc_newton_direction(newton *s, double h, double *x);
 /* Solves z = known + h rate(z) from the present z, whose rate is `rate`, and with the Jacobian of
