@@ -3,7 +3,8 @@
  * A line's are x and y themselves. A polar one lies about the centre (0, side R) of a hollow
  * surface of radius R: s = R theta, z = side (R - r), so that z grows towards +y at the first point
  * of contact, which is the origin of both. Lengths along s are those of the hole, and pressures
- * those on its area; kinematics are of first order in clearance and wear over R, with forces along z.
+ * those on its area; kinematics are of first order in clearance and wear over R, with forces along
+ * z.
  */
 #ifndef ELASTIC_CHART_H
 #define ELASTIC_CHART_H
