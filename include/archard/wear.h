@@ -163,9 +163,14 @@ typedef struct arc_loading {
   QUANTITY(friction, "", 0, FROM(0), ARC_FUNCTION | ARC_SERIES,                                    \
            "Coefficient of friction of the couple; 0: none. With it slip is the real one, that "   \
            "of each point: increments of the cycle are solved with stick and slip, on both "       \
-           "strokes, from surfaces pressed anew, until the cycle is steady; that one counts. "     \
+           "strokes, from bodies pressed anew, until the cycle is steady; that one counts. "       \
            "k p ds and the energy are those of that slip. An update takes the "                    \
            "coefficient in its middle. For updates of whole cycles.")                              \
+  CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
+         "Whether friction acts while the bodies are pressed together, as in contact{}, or only "  \
+         "from then on. It matters where a part never slips and materials differ; between like "   \
+         "bodies that Hertz' formulas hold for pressing shears nothing, and friction is left "     \
+         "out.")                                                                                   \
   NUMBER(tangential, "N", 0, ABOVE(0), ARC_OPTIONAL,                                               \
          "Amplitude of a tangential force that moves the plate to and fro, instead of stroke; "    \
          "needs friction, and less than friction times load. Of distance it counts as "            \

@@ -110,6 +110,36 @@ phase:run{ progress = false }
 ok(phase.gross == 1 and phase.energy > 0, "a load that changes meanwhile")
 ok(#block.loading[1].tangential == 25 and #phase.loading[1].x == 101, "loadings tell what drives the plate")
 
+-- a contact that is pressed and moved alike has the loop's steady cycle, whatever friction locked in while pressing
+local function steady_energy(of, force, press)
+  local c = contact{ model = of.model, friction = of.friction, load = of.load, press = press }
+  local before
+  c = c:move{ tangential = -force, increments = 20 }
+  for _ = 1, 2 do
+    before = c.energy
+    c = c:move{ tangential = force, increments = 40 }:move{ tangential = -force, increments = 40 }
+  end
+  return c.energy - before
+end
+local unlike = { [0.117] = { E = 70e3, nu = 0.33, friction = 0.5 }, [0.318] = { E = 20e3, nu = 0.2, friction = 0.9 } }
+for beta, of in pairs(unlike) do
+  of.model = model{ cylinder = { E = of.E, nu = of.nu }, plate = { E = beta > 0.2 and 200e3 or 210e3 }, mesh = { fineness = 2 } }
+  for _, share in ipairs{ 0.4, 0.8 } do
+    local energy, force = {}, share * of.friction * 50
+    for _, press in ipairs{ "friction", "frictionless" } do
+      local w = run{ model = of.model, friction = of.friction, load = 50, stroke = false, tangential = force, press = press,
+        increments = 80 }
+      energy[press] = w:loop().energy
+      near(energy[press], steady_energy(w, force, press), 1e-12,
+        ("loop and contact, beta %g, force %g mu L, press %s: energy"):format(beta, share, press))
+    end
+    ok(math.abs(energy.friction / energy.frictionless - 1) > 5e-3, "which friction while pressing changes")
+  end
+end
+is(run{ stroke = false }:loop().energy, run{ stroke = false, press = "frictionless" }:loop().energy,
+  "like bodies are pressed without it: the same bits")
+is(run{ stroke = false }.press, "friction", "pressed as contacts are")
+
 -- friction that hardly is: the wear of the plain run, which slides rigidly
 local plain, slight = run{ friction = 0, stroke = 0.2 }, run{ friction = 1e-6, stroke = 0.2 }
 plain:run{ progress = false } slight:run{ progress = false }
@@ -121,7 +151,9 @@ fails(function() plain:loop() end, { "field 'friction'", "without friction" }, "
 -- files and copies: nothing but the shape and the history is kept
 local name = os.tmpname()
 os.remove(name)
-for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" },
+local soft = model{ cylinder = { E = 20e3, nu = 0.2 }, mesh = { size = 0.02, height = 0.025 } }
+for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" }, pressed = { stroke = false, model = soft },
+  loose = { stroke = false, model = soft, press = "frictionless" },
   table = { stroke = 0.1, jump = "auto", friction = { distance = { 0, 80 }, value = { 0.3, 0.9 } } },
   implicit = { stroke = 0.1, scheme = "implicit", tolerance = 1e-3, jump = nil }, force = { stroke = false },
   block = { stroke = nil, cycles = 400, loading = { tangential = { -20, 30, -20 }, load = { 80, 100, 80 } } } } do
@@ -137,6 +169,7 @@ for label, fields in pairs{ stroke = { stroke = 0.1, jump = "auto" },
     is(stored[field], w[field], label .. ": from a file, " .. field)
   end
   is(stored.depth.plate, w.depth.plate, label .. ": depth to the bit")
+  is(stored.press, w.press, label .. ": how it is pressed")
 end
 
 -- materials so different that the solution may not be the only one
@@ -224,6 +257,7 @@ refused({ friction = { distance = { 0, 1 }, value = { 0.6, 0.5 } },
   loading = { tangential = { 0, 5, 0 }, load = { 100, 0, 100 } } }, { "loading[1].tangential[2]", "0 N", "5 N" }, "a force on nothing")
 refused({ friction = 0, loading = { tangential = { 0, 5, 0 } } }, "loading[1].tangential", "a block's force without friction")
 refused({ loading = { x = { 0, 0.1 } } }, "ends where it begins", "a cycle that does not close")
+refused({ stroke = 0.1, press = "hard" }, { "field 'press'", "\"frictionless\"", "hard" }, "another way to press")
 refused({ stroke = 0.1, update = "increment" }, "field 'update'", "updates within a cycle")
 refused({ stroke = 0.1, slide = "z" }, "field 'slide'", "slip out of the plane")
 refused({ stroke = 0.1, slip = "total" }, "field 'slip'", "total slip")

@@ -1,4 +1,4 @@
-/* What friction remembers: room and copies. */
+/* What friction remembers: room and copies; how it begins. */
 #include "core/contact/friction.h"
 
 #include <stdlib.h>
@@ -36,6 +36,11 @@ void arc_friction_free(friction_state *s) {
 
 size_t arc_friction_bytes(const friction_state *s) {
   return numbers_of(s) * sizeof *s->f;
+}
+
+friction_step arc_friction_pressing(double line, int i, int n) {
+  const double share = (double)i / n;
+  return (friction_step){.line = share * share * line};
 }
 
 void arc_friction_copy(friction_state *to, const friction_state *from) {

@@ -10,8 +10,6 @@ const arc_setting arc_motion_settings[] = {
 };
 #undef ARC_SETTING_OF
 
-enum { usual_increments = 20 };
-
 static double thickness_of(const arc_contact *c) {
   return arc_model_definition(c->shape->model)->thickness;
 }
@@ -33,15 +31,14 @@ static arc_status press_frictionless(arc_contact *c, arc_error *error) {
   return go_to(c, c->def.x, &step, error);
 }
 
-/* The width of the contact grows in equal steps. */
 arc_status arc_contact_press(arc_contact *c, arc_error *error) {
   if (c->def.press == ARC_PRESS_FRICTIONLESS) return press_frictionless(c, error);
-  const int n = c->def.increments > 0 ? c->def.increments : usual_increments;
+  const int n = c->def.increments > 0 ? c->def.increments : arc_press_increments;
   arc_status status = ARC_OK;
   for (int i = 1; i <= n && status == ARC_OK; i++) {
-    const double share = (double)i / n;
-    const friction_step step = {
-        .mu = c->def.friction, .line = share * share * contact_line(c), .x = c->def.x};
+    friction_step step = arc_friction_pressing(contact_line(c), i, n);
+    step.mu = c->def.friction;
+    step.x = c->def.x;
     status = go_to(c, c->def.x, &step, error);
   }
   return status;

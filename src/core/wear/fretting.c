@@ -1,11 +1,11 @@
 /* The wear of a cycle with friction: increments of stick and slip on a given shape, from surfaces
  * pressed anew, until the cycle is steady; that one counts.
  *
- * Every evaluation begins with surfaces that nothing has sheared. What has slipped forgets in a
- * cycle what was before, and what never slipped is held as it was pressed: so no history has to
- * outlive an update, slip of the update itself is in no cycle, and a stored run goes on to the same
- * bits. Work meets pressure at the cylinder's nodes, those that open or close within the increment
- * too; the plate gets the same work through the coupling (Eq. 15).
+ * Every evaluation begins with bodies that do not touch. What has slipped forgets in a cycle what
+ * was before, and what never slipped is held as it was pressed: so no history has to outlive an
+ * update, slip of the update itself is in no cycle, and a stored run goes on to the same bits. Work
+ * meets pressure at the cylinder's nodes, those that open or close within the increment too; the
+ * plate gets the same work through the coupling (Eq. 15).
  */
 #include "core/base/callbacks.h"
 #include "core/wear/rate.h"
@@ -48,27 +48,34 @@ static void fretting_free(fretting *r) {
 
 /* --- one increment ---------------------------------------------------------------------------- */
 
+/* One increment, that ends at point `at`. */
+static arc_status advance(fretting *r, int at, const friction_step *step, arc_error *error) {
+  wear_path *path = &r->w->path;
+  const int place = path->block->place[at];
+  if (callbacks_stop(r->watch->callbacks))
+    return arc_fail(error, ARC_STOPPED, "stopped on request");
+  const arc_status status = arc_wear_prepare(r->w, r->window, at, error);
+  if (status != ARC_OK) return status;
+  r->watch->solutions++;
+  return arc_friction_solve(&path->pose[place], &path->grip[place], &path->room, step, &path->state,
+                            error);
+}
+
 /* The contact after an increment to point `at`, with all that wears there. */
-static arc_status go_to(fretting *r, int at, double mu, arc_error *error) {
+static arc_status go_to(fretting *r, int at, arc_error *error) {
   arc_wear *w = r->w;
   wear_path *path = &w->path;
   const wear_block *b = path->block;
-  const int place = b->place[at], by_force = b->tangential && mu > 0;
-  const friction_step step = {.mu = mu,
+  const friction_step step = {.mu = r->window->mu,
                               .line = b->line[at],
-                              .by_force = by_force,
+                              .by_force = b->tangential && r->window->mu > 0,
                               .x = b->tangential ? path->state.x : b->x[at],
-                              .tangential = by_force ? b->tangential[at] : 0};
+                              .tangential = b->tangential ? b->tangential[at] : 0};
   wear_point *point = &path->point[at % 2];
-  pose *p = &path->pose[place];
-  if (callbacks_stop(r->watch->callbacks))
-    return arc_fail(error, ARC_STOPPED, "stopped on request");
-  arc_path_clear(path, point);
-  arc_status status = arc_wear_prepare(w, r->window, at, error);
+  const arc_status status = advance(r, at, &step, error);
   if (status != ARC_OK) return status;
-  status = arc_friction_solve(p, &path->grip[place], &path->room, &step, &path->state, error);
-  r->watch->solutions++;
-  return status == ARC_OK ? arc_wear_take(w, r->window, p, point, error) : status;
+  arc_path_clear(path, point);
+  return arc_wear_take(w, r->window, &path->pose[b->place[at]], point, error);
 }
 
 /* The path to point 0, which is the last one as well. */
@@ -78,7 +85,30 @@ static void wrap(fretting *r) {
   if (last % 2 != 0) arc_path_copy(path, &path->point[1], &path->point[0]);
 }
 
-/* From apart: pressed without friction, then to the end of the cycle, where it begins. */
+/* Half-planes of the same material do not shear each other when they are pressed; the outer shapes
+ * of bodies on which Hertz' formulas hold make less of it than 1e-4 of a cycle's energy. */
+static int shear_when_pressed(const arc_wear *w) {
+  const arc_model_def *model = arc_model_definition(w->model);
+  return arc_contact_mismatch(model->geometry, model->material) != 0 ||
+         !arc_model_is_hertzian(model);
+}
+
+/* The bodies come together at point b->press as those of a contact do. */
+static arc_status press(fretting *r, arc_error *error) {
+  const wear_block *b = r->w->path.block;
+  const int rubs = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
+  const int count = rubs ? arc_press_increments : 1, at = b->press;
+  arc_status status = ARC_OK;
+  for (int i = 1; i <= count && status == ARC_OK; i++) {
+    friction_step step = arc_friction_pressing(b->line[at], i, count);
+    step.mu = rubs ? r->window->mu : 0;
+    step.x = b->x[at];
+    status = advance(r, at, &step, error);
+  }
+  return status;
+}
+
+/* From apart: pressed, then to the end of the cycle, where it begins. */
 static arc_status approach(fretting *r, arc_error *error) {
   wear_path *path = &r->w->path;
   friction_state *s = &path->state;
@@ -87,10 +117,10 @@ static arc_status approach(fretting *r, arc_error *error) {
     path->pose[i].active = path->pose[i].factored = 0;
   path->room.shear.factored = 0;
   arc_friction_reset(s, b->x[b->press]);
-  arc_status status = go_to(r, b->press, 0, error);
+  arc_status status = press(r, error);
   for (int at = b->press; at < b->count && b->press > 0 && status == ARC_OK; at++)
-    status = go_to(r, at, r->window->mu, error);
-  if (b->press == 0 && status == ARC_OK) status = go_to(r, 0, r->window->mu, error);
+    status = go_to(r, at, error);
+  if (b->press == 0 && status == ARC_OK) status = go_to(r, 0, error);
   if (b->press > 0) wrap(r);
   return status;
 }
@@ -164,7 +194,7 @@ static void note_loop(fretting *r, int at) {
 
 static arc_status add_increment(fretting *r, int at, arc_error *error) {
   const int mean = r->w->def.rule == ARC_TRAPEZOID;
-  const arc_status status = go_to(r, at, r->window->mu, error);
+  const arc_status status = go_to(r, at, error);
   if (status != ARC_OK) return status;
   if (mean) add_end(r, at - 1, 0.5);
   add_end(r, at, mean ? 0.5 : 1);
