@@ -177,6 +177,27 @@ void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from
   *from = j;
 }
 
+/* Four columns at a time. */
+ARC_WIDE void arc_dense_add_columns(int first, int last, int n, const int *at, const double *a,
+                                    int lda, const double *x, double *y) {
+  int s = 0;
+  for (; s + 4 <= n; s += 4) {
+    const double *a0 = &a[dense_at(0, at ? at[s] : s, lda)];
+    const double *a1 = &a[dense_at(0, at ? at[s + 1] : s + 1, lda)];
+    const double *a2 = &a[dense_at(0, at ? at[s + 2] : s + 2, lda)];
+    const double *a3 = &a[dense_at(0, at ? at[s + 3] : s + 3, lda)];
+    const double x0 = x[s], x1 = x[s + 1], x2 = x[s + 2], x3 = x[s + 3];
+#pragma omp simd
+    for (int k = first; k < last; k++)
+      y[k] += (a0[k] * x0 + a1[k] * x1) + (a2[k] * x2 + a3[k] * x3);
+  }
+  for (; s < n; s++) {
+    const double *column = &a[dense_at(0, at ? at[s] : s, lda)];
+#pragma omp simd
+    for (int k = first; k < last; k++) y[k] += column[k] * x[s];
+  }
+}
+
 void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const double *a, int lda,
                                    const double *b, int ldb, double beta, double *c, int ldc) {
   dgemm_("T", "N", &m, &n, &k, &alpha, a, &lda, b, &ldb, &beta, c, &ldc);

@@ -28,6 +28,10 @@ void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const doub
 /* c := beta c + alpha a b, a [m x k], b [k x n], c [m x n]. */
 void arc_dense_multiply(int m, int n, int k, double alpha, const double *a, int lda,
                         const double *b, int ldb, double beta, double *c, int ldc);
+/* y += a x in rows first .. last - 1; x [n] belongs to the columns at[0] .. at[n - 1], to the first
+ * n where at is NULL. */
+void arc_dense_add_columns(int first, int last, int n, const int *at, const double *a, int lda,
+                           const double *x, double *y);
 /* c := a a', lower triangle; a [n x k], c [n x n]. */
 void arc_dense_square(int n, int k, const double *a, int lda, double *c, int ldc);
 /* c += a' a, lower triangle; a [k x n], c [n x n]. */

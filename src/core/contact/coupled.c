@@ -145,25 +145,19 @@ static void spread(coupled *c) {
     w->t[p->set[i]] = pull_at(c, p->set[i]) * c->b[i];
   }
   for (int i = 0; i < c->ns; i++) w->t[c->stuck[i]] = c->b[c->na + i];
-  arc_grip_gaps(g, p, w->t, w->sheared);
+  arc_grip_gaps(g, w->t, w->sheared);
+  arc_grip_drag(g, p->f, w->t, w->dragged);
   for (int i = 0; i < p->count; i++) {
     p->gap[i] = w->gap[i] + slope_at(c, i) * w->shear.shift + w->sheared[i];
     p->open[i] = p->gap[i] - p->approach;
   }
-  for (int s = 0; s < p->active; s++) {
-    const double f = p->f[p->set[s]], *column = &p->a[dense_at(0, p->set[s], p->count)];
-    for (int i = 0; i < p->count; i++) p->open[i] += column[i] * f;
-  }
+  arc_dense_add_columns(0, p->count, c->na, p->set, p->a, p->count, c->b, p->open);
 }
 
 static double slip_at(const coupled *c, int at) {
   const friction_task *k = c->k;
-  const pose *p = k->p;
-  double slip = k->dx + k->w->shear.shift + slope_at(c, at) * (p->approach - k->approach) +
-                k->w->before[at] - arc_grip_dragged(k->g, p, at);
-  for (int i = 0; i < p->active; i++)
-    slip -= k->g->tt[dense_at(p->set[i], at, p->count)] * k->w->t[p->set[i]];
-  return slip;
+  return k->dx + k->w->shear.shift + slope_at(c, at) * (k->p->approach - k->approach) +
+         k->w->before[at] - k->w->dragged[at];
 }
 
 /* The way of a node in contact. */

@@ -37,11 +37,12 @@ static void set_shear(friction_task *k) {
   s->a = k->g->tt;
   s->ld = p->count;
   s->by_force = k->by_force;
+  arc_grip_drag(k->g, p->f, NULL, k->w->dragged);
   for (int i = 0; i < s->n; i++) {
     const int at = p->set[i];
     const double up = p->slope[p->lo + at] * (p->approach - k->approach);
     s->bound[i] = k->step->mu * p->f[at];
-    s->drive[i] = k->dx + up + k->w->before[at] - arc_grip_dragged(k->g, p, at);
+    s->drive[i] = k->dx + up + k->w->before[at] - k->w->dragged[at];
     s->way[i] = (k->w->slip[at] > 0) - (k->w->slip[at] < 0);
   }
   k->over = 0;
@@ -108,7 +109,7 @@ static int sweep(friction_task *k) {
   if (arc_shear_solve(&w->shear) != 1) return -1;
   w->iterations += k->p->iterations + w->shear.iterations;
   take_shear(k);
-  arc_grip_gaps(g, k->p, w->t, sheared);
+  arc_grip_gaps(g, w->t, sheared);
   const double held = carried_by_shear(k), change = changed(k, sheared);
   if (change <= settled && fabs(held - k->held) <= settled * k->step->line) return 1;
   take_over(k, sheared, held);
@@ -118,7 +119,7 @@ static int sweep(friction_task *k) {
 int arc_friction_sweeps(friction_task *k, int limit) {
   int trial = k->w->patience;
   k->w->newton = k->w->sweeps = 0;
-  arc_grip_gaps(k->g, k->p, k->w->t, k->w->sheared);
+  arc_grip_gaps(k->g, k->w->t, k->w->sheared);
   k->held = carried_by_shear(k);
   k->shift = k->w->shear.shift;
   while (k->w->sweeps < limit) {
@@ -197,18 +198,13 @@ static void begin(friction_task *k) {
 /* Slip of the candidates that do not touch. */
 static void slip_of_open(friction_task *k) {
   const pose *p = k->p;
-  grip *g = k->g;
   friction_room *w = k->w;
+  arc_grip_drag(k->g, p->f, w->t, w->dragged);
   for (int c = 0, s = 0; c < p->count; c++) {
-    if (s < p->active && p->set[s] == c) {
-      s++;
-      continue;
-    }
+    const int touches = s < p->active && p->set[s] == c;
     const double up = p->slope[p->lo + c] * (p->approach - k->approach);
-    double slip = k->dx + w->shear.shift + up + w->before[c] - arc_grip_dragged(g, p, c);
-    for (int i = 0; i < p->active; i++)
-      slip -= g->tt[dense_at(p->set[i], c, p->count)] * w->t[p->set[i]];
-    w->slip[c] = slip;
+    s += touches;
+    if (!touches) w->slip[c] = k->dx + w->shear.shift + up + w->before[c] - w->dragged[c];
   }
 }
 

@@ -36,6 +36,7 @@ typedef struct shear_problem {
   int stuck;
   int factored; /* factor and ones belong to list and a */
   double *factor, *ones, *target;
+  double *held, *pulled; /* forces of the nodes that slip; by candidate A_tt t */
   int iterations;
 } shear_problem;
 
@@ -48,7 +49,8 @@ typedef struct grip {
   long version; /* of the pose it was made for; 0: none */
   double x;
   int flat;   /* no slopes anywhere */
-  double *nt; /* [count x count] gaps under shear forces; A_tn is its transpose */
+  double *nt; /* [count x count] gaps under shear forces */
+  double *tn; /* [count x count] its transpose */
   double *tt; /* [count x count] */
 } grip;
 
@@ -66,6 +68,7 @@ typedef struct friction_room {
   double *before;  /* [nc] r before the increment, by candidate */
   double *t;       /* [nc] solution: shear forces [N/mm], by candidate */
   double *slip;    /* [nc] solution: ds [mm], by candidate, 0 where it sticks; open ones too */
+  double *dragged; /* [nc] A_tn f, or r of all forces; by candidate */
   double *work;    /* [4 * (nc + np)] */
   shear_problem shear;
   const grip *grip; /* the shear problem's factor belongs to */
@@ -164,9 +167,9 @@ int arc_friction_bracket(friction_task *k);
 int arc_friction_newton(friction_task *k);
 
 /* result [count] := A_nt t, by candidate. */
-void arc_grip_gaps(const grip *g, const pose *p, const double *t, double *result);
-/* (A_tn f) at a candidate, of the pose's set. */
-double arc_grip_dragged(const grip *g, const pose *p, int candidate);
+void arc_grip_gaps(const grip *g, const double *t, double *result);
+/* r [count] := A_tn f + A_tt t, by candidate; without the latter where t is NULL. */
+void arc_grip_drag(const grip *g, const double *f, const double *t, double *r);
 /* r of displacements u on a pose, by candidate; work [np]. */
 void arc_grip_relative(const pose *p, double *const u[ARC_BODIES], double *work, double *r);
 /* Displacements of both surfaces under forces f, t [nc] by cylinder node; work [4 * (nc + np)]. */

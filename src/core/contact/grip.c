@@ -10,9 +10,10 @@
 arc_status arc_grip_create(grip *g, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   *g = (grip){.nc = (int)nc, .np = arc_model_mesh(model, ARC_PLATE)->surface};
-  g->nt = malloc(2 * nc * nc * sizeof(double));
+  g->nt = malloc(3 * nc * nc * sizeof(double));
   if (!g->nt) return ARC_MEMORY;
-  g->tt = g->nt + nc * nc;
+  g->tn = g->nt + nc * nc;
+  g->tt = g->tn + nc * nc;
   return ARC_OK;
 }
 
@@ -22,7 +23,7 @@ void arc_grip_free(grip *g) {
 }
 
 size_t arc_grip_bytes(const grip *g) {
-  return sizeof *g + 2 * (size_t)g->nc * (size_t)g->nc * sizeof(double);
+  return sizeof *g + 3 * (size_t)g->nc * (size_t)g->nc * sizeof(double);
 }
 
 /* --- matrices --------------------------------------------------------------------------------- */
@@ -65,7 +66,7 @@ static void fill_column(grip *g, const pose *p, int k, double *work) {
       un += row[q] * n[p->first[r] + q];
       ut += row[q] * t[p->first[r] + q];
     }
-    g->nt[dense_at(r, k, p->count)] = un;
+    g->nt[dense_at(r, k, p->count)] = g->tn[dense_at(k, r, p->count)] = un;
     if (r >= k) g->tt[dense_at(r, k, p->count)] = g->tt[dense_at(k, r, p->count)] = ut;
   }
 }
@@ -81,20 +82,23 @@ void arc_grip_update(grip *g, const pose *p, double *work) {
   g->x = p->x;
 }
 
-void arc_grip_gaps(const grip *g, const pose *p, const double *t, double *result) {
-  memset(result, 0, (size_t)p->count * sizeof *result);
-  for (int s = 0; s < p->count; s++) {
-    const double *column = &g->nt[dense_at(0, s, p->count)];
-    if (t[s] == 0) continue;
-    for (int k = 0; k < p->count; k++) result[k] += column[k] * t[s];
-  }
+/* y += a x [n x n], where x is zero but in the middle. */
+static void add_middle(int n, const double *a, const double *x, double *y) {
+  int first = 0, last = n;
+  while (first < last && x[first] == 0) first++;
+  while (last > first && x[last - 1] == 0) last--;
+  arc_dense_add_columns(0, n, last - first, NULL, &a[dense_at(0, first, n)], n, &x[first], y);
 }
 
-double arc_grip_dragged(const grip *g, const pose *p, int candidate) {
-  const double *column = &g->nt[dense_at(0, candidate, p->count)];
-  double sum = 0;
-  for (int s = 0; s < p->active; s++) sum += column[p->set[s]] * p->f[p->set[s]];
-  return sum;
+void arc_grip_gaps(const grip *g, const double *t, double *result) {
+  memset(result, 0, (size_t)g->count * sizeof *result);
+  add_middle(g->count, g->nt, t, result);
+}
+
+void arc_grip_drag(const grip *g, const double *f, const double *t, double *r) {
+  memset(r, 0, (size_t)g->count * sizeof *r);
+  add_middle(g->count, g->tn, f, r);
+  if (t) add_middle(g->count, g->tt, t, r);
 }
 
 /* --- displacements ---------------------------------------------------------------------------- */
@@ -112,31 +116,33 @@ void arc_grip_relative(const pose *p, double *const u[ARC_BODIES], double *work,
 }
 
 /* u [2 n] under forces along normals (f) and tangents (t) with slopes; on flat surfaces only along
- * x, as nothing else is asked. */
+ * x, as nothing else is asked. force [2 n] is room. */
 static void displace(const compliance *c, const double *slope, int flat, const double *f,
-                     const double *t, double *u) {
-  const size_t n = (size_t)c->n;
-  memset(u, 0, 2 * n * sizeof *u);
-  for (size_t k = 0; k < n; k++) {
-    if (f[k] == 0 && t[k] == 0) continue;
-    const double fx = t[k] - slope[k] * f[k], fy = f[k] + slope[k] * t[k];
-    const double *xx = &c->xx[k * n], *xy = &c->xy[k * n], *yx = &c->yx[k * n], *yy = &c->yy[k * n];
-    for (size_t l = 0; l < n; l++) u[l] += xx[l] * fx + xy[l] * fy;
-    for (size_t l = 0; l < n && !flat; l++) u[n + l] += yx[l] * fx + yy[l] * fy;
+                     const double *t, double *force, double *u) {
+  double *fx = force, *fy = force + c->n;
+  for (int k = 0; k < c->n; k++) {
+    fx[k] = t[k] - slope[k] * f[k];
+    fy[k] = f[k] + slope[k] * t[k];
   }
+  memset(u, 0, 2 * (size_t)c->n * sizeof *u);
+  add_middle(c->n, c->xx, fx, u);
+  add_middle(c->n, c->xy, fy, u);
+  if (flat) return;
+  add_middle(c->n, c->yx, fx, u + c->n);
+  add_middle(c->n, c->yy, fy, u + c->n);
 }
 
 void arc_grip_displace(const pose *p, int flat, const double *f, const double *t,
                        double *const u[ARC_BODIES], double *work) {
   const compliance *cylinder = shape_compliance(&p->shape->side[ARC_CYLINDER]);
   const compliance *plate = shape_compliance(&p->shape->side[ARC_PLATE]);
-  double *fp = work, *tp = work + p->np;
-  displace(cylinder, p->slope, flat, f, t, u[ARC_CYLINDER]);
+  double *fp = work, *tp = work + p->np, *force = tp + p->np;
+  displace(cylinder, p->slope, flat, f, t, force, u[ARC_CYLINDER]);
   arc_pose_to_plate(p, f, fp);
   arc_pose_to_plate(p, t, tp);
   for (int l = 0; l < p->np; l++) {
     fp[l] = -fp[l];
     tp[l] = -tp[l];
   }
-  displace(plate, plate->slope, flat, fp, tp, u[ARC_PLATE]);
+  displace(plate, plate->slope, flat, fp, tp, force, u[ARC_PLATE]);
 }

@@ -7,7 +7,6 @@
  * f'A f / 2 + gap'f, takes over: its objective falls with every set, so no set comes back.
  */
 #include "core/base/dense.h"
-#include "core/base/wide.h"
 #include "core/contact/pose.h"
 
 #include <math.h>
@@ -45,26 +44,6 @@ static int solve_on_set(pose *p, double line, double *fs) {
   return 0;
 }
 
-/* open[] += A f for the candidates first .. last - 1, four columns at a time. */
-ARC_WIDE static void open_by(const pose *p, const double *fs, int first, int last, double *open) {
-  int s = 0;
-  for (; s + 4 <= p->active; s += 4) {
-    const double *a0 = &p->a[dense_at(0, p->set[s], p->count)];
-    const double *a1 = &p->a[dense_at(0, p->set[s + 1], p->count)];
-    const double *a2 = &p->a[dense_at(0, p->set[s + 2], p->count)];
-    const double *a3 = &p->a[dense_at(0, p->set[s + 3], p->count)];
-    const double f0 = fs[s], f1 = fs[s + 1], f2 = fs[s + 2], f3 = fs[s + 3];
-#pragma omp simd
-    for (int k = first; k < last; k++)
-      open[k] += (a0[k] * f0 + a1[k] * f1) + (a2[k] * f2 + a3[k] * f3);
-  }
-  for (; s < p->active; s++) {
-    const double *a = &p->a[dense_at(0, p->set[s], p->count)];
-#pragma omp simd
-    for (int k = first; k < last; k++) open[k] += a[k] * fs[s];
-  }
-}
-
 /* f by candidate from fs on the set; the gaps that remain: none on the set, and elsewhere between
  * its nodes. */
 static void spread(pose *p, const double *fs) {
@@ -74,7 +53,8 @@ static void spread(pose *p, const double *fs) {
   }
   for (int s = 0, first = 0; s <= p->active; s++) {
     const int last = s < p->active ? p->set[s] : p->count;
-    if (last > first) open_by(p, fs, first, last, p->open);
+    if (last > first)
+      arc_dense_add_columns(first, last, p->active, p->set, p->a, p->count, fs, p->open);
     first = last + 1;
   }
   for (int s = 0; s < p->active; s++) {

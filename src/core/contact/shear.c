@@ -12,8 +12,11 @@
 
 enum { newton_limit = 20 };
 
-static double a_at(const shear_problem *s, int i, int j) {
-  return s->a[dense_at(s->at[i], s->at[j], s->ld)];
+/* pulled [by candidate] := A_tt t at the nodes, and between them. */
+static void pull(shear_problem *s, const double *t) {
+  const int first = s->at[0], last = s->at[s->n - 1] + 1;
+  memset(&s->pulled[first], 0, (size_t)(last - first) * sizeof *s->pulled);
+  arc_dense_add_columns(first, last, s->n, s->at, s->a, s->ld, t, s->pulled);
 }
 
 /* Lists the stuck nodes; whether they are the ones of the last time. */
@@ -62,12 +65,9 @@ static int solve_on_ways(shear_problem *s) {
   if (factorise(s)) return -1;
   s->shift = 0;
   if (s->stuck == 0) return !s->by_force;
-  for (int k = 0; k < s->stuck; k++) s->target[k] = s->drive[s->pick[k]];
-  for (int j = 0; j < s->n; j++) {
-    if (s->way[j] == 0) continue;
-    const double t = s->way[j] * s->bound[j], *column = &s->a[dense_at(0, s->at[j], s->ld)];
-    for (int k = 0; k < s->stuck; k++) s->target[k] -= column[s->list[k]] * t;
-  }
+  for (int j = 0; j < s->n; j++) s->held[j] = s->way[j] * s->bound[j];
+  pull(s, s->held);
+  for (int k = 0; k < s->stuck; k++) s->target[k] = s->drive[s->pick[k]] - s->pulled[s->list[k]];
   arc_dense_cholesky_solve(s->stuck, 1, s->factor, s->stuck, s->target, s->stuck);
   if (!s->by_force) return 1;
   find_shift(s);
@@ -82,13 +82,9 @@ static void take_target(shear_problem *s) {
 
 /* Slip of the nodes that do not stick. */
 static void measure_slip(shear_problem *s) {
-  for (int i = 0; i < s->n; i++) {
-    s->slip[i] = 0;
-    if (s->way[i] == 0) continue;
-    double d = s->drive[i] + s->shift;
-    for (int j = 0; j < s->n; j++) d -= a_at(s, j, i) * s->t[j];
-    s->slip[i] = d;
-  }
+  pull(s, s->t);
+  for (int i = 0; i < s->n; i++)
+    s->slip[i] = s->way[i] != 0 ? s->drive[i] + s->shift - s->pulled[s->at[i]] : 0;
 }
 
 /* Whether a way changed. */
