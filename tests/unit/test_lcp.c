@@ -17,7 +17,8 @@ static pose room(int n) {
   p.f = calloc((size_t)n, sizeof(double));
   p.open = calloc((size_t)n, sizeof(double));
   p.ones = calloc((size_t)n, sizeof(double));
-  p.joined = calloc((size_t)n, sizeof(int));
+  p.joined = calloc(2 * (size_t)n, sizeof(int));
+  p.made = p.joined + n;
   p.down = malloc((size_t)n * sizeof(double));
   for (int k = 0; k < n; k++) p.down[k] = 1;
   p.work = calloc(4 * (size_t)(2 * n), sizeof(double));

@@ -222,7 +222,6 @@ int arc_friction_newton(friction_task *k) {
   save(&c, t, slip, set);
   memcpy(sheared, w->sheared, (size_t)g->count * sizeof *sheared);
   for (int i = 0; i < g->count; i++) c.way[i] = (w->slip[i] > 0) - (w->slip[i] < 0);
-  p->factored = 0;
   w->newton = iterate(&c);
   if (w->newton) return 1;
   memcpy(w->t, t, (size_t)g->count * sizeof *t);

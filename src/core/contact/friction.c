@@ -110,10 +110,17 @@ static int sweep(friction_task *k) {
   w->iterations += k->p->iterations + w->shear.iterations;
   take_shear(k);
   arc_grip_gaps(g, w->t, sheared);
-  const double held = carried_by_shear(k), change = changed(k, sheared);
-  if (change <= settled && fabs(held - k->held) <= settled * k->step->line) return 1;
+  const double held = carried_by_shear(k);
+  k->change = changed(k, sheared);
+  if (k->change <= settled && fabs(held - k->held) <= settled * k->step->line) return 1;
   take_over(k, sheared, held);
   return 0;
+}
+
+/* For similar bodies sweeps are quick to the end once the sets are right. */
+static int is_closing_in(const friction_task *k, double before) {
+  static const double quick = 0.02;
+  return k->change < quick * before;
 }
 
 int arc_friction_sweeps(friction_task *k, int limit) {
@@ -122,11 +129,13 @@ int arc_friction_sweeps(friction_task *k, int limit) {
   arc_grip_gaps(k->g, k->w->t, k->w->sheared);
   k->held = carried_by_shear(k);
   k->shift = k->w->shear.shift;
+  k->change = 0;
   while (k->w->sweeps < limit) {
+    const double before = k->change;
     const int done = sweep(k);
     k->w->sweeps++;
     if (done != 0) return done;
-    if (k->w->sweeps < trial) continue;
+    if (k->w->sweeps < trial || is_closing_in(k, before)) continue;
     trial *= 2;
     if (!k->over && arc_friction_newton(k)) return 1;
   }

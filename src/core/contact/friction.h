@@ -153,6 +153,7 @@ typedef struct friction_task {
   double approach;    /* [mm] before the increment; from nothing, where it first touches */
   int by_force;       /* whether the tangential force is given, or the motion */
   double dx;          /* [mm] the plate's way; by force w->shear.shift comes on top */
+  double change;      /* of the last sweep, see friction.c */
   double shift, held; /* motion [mm] and load that shear carries [N/mm], as the gaps have them */
   int over;           /* the last shear problem was asked for more than friction carries */
 } friction_task;

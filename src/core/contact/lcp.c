@@ -14,15 +14,24 @@
 
 enum { newton_limit = 30 };
 
+/* What was made for a set serves again wherever the way comes back to it. */
+static int is_made(const pose *p) {
+  return p->factored && p->of == p->active &&
+         memcmp(p->made, p->set, (size_t)p->of * sizeof *p->made) == 0;
+}
+
 int arc_lcp_factorise(pose *p) {
-  if (p->factored) return 0;
+  if (is_made(p)) return 0;
   const int n = p->active;
+  p->factored = 0;
   for (int c = 0; c < n; c++)
     for (int r = c; r < n; r++)
       p->factor[dense_at(r, c, n)] = p->a[dense_at(p->set[r], p->set[c], p->count)];
   if (arc_dense_cholesky(n, p->factor, n)) return 1;
   for (int k = 0; k < n; k++) p->ones[k] = p->down[p->set[k]];
   arc_dense_cholesky_solve(n, 1, p->factor, n, p->ones, n);
+  memcpy(p->made, p->set, (size_t)n * sizeof *p->made);
+  p->of = n;
   p->factored = 1;
   return 0;
 }
@@ -76,13 +85,11 @@ static int update_set(pose *p) {
   if (same) return 0;
   memcpy(p->set, p->joined, (size_t)n * sizeof *p->set);
   p->active = n;
-  p->factored = 0;
   return 1;
 }
 
 static void all_active(pose *p) {
   p->active = p->count;
-  p->factored = 0;
   for (int k = 0; k < p->count; k++) p->set[k] = k;
 }
 
@@ -103,13 +110,11 @@ static void insert(pose *p, int candidate) {
   int at = p->active++;
   for (; at > 0 && p->set[at - 1] > candidate; at--) p->set[at] = p->set[at - 1];
   p->set[at] = candidate;
-  p->factored = 0;
 }
 
 static void drop(pose *p, int at) {
   p->active--;
   memmove(&p->set[at], &p->set[at + 1], (size_t)(p->active - at) * sizeof *p->set);
-  p->factored = 0;
 }
 
 /* From the feasible forces f towards those of the set, as far as they stay non-negative; drops a

@@ -125,7 +125,7 @@ arc_status arc_pose_place(pose *p, const arc_shape *shape, double x, arc_error *
   p->revolved = &shape->side[ARC_CYLINDER].body->chart.revolved;
   const int lo = p->lo, count = p->count;
   find_candidates(p, cyl, plate[0] + x, plate[2 * p->np - 2] + x);
-  if (p->lo != lo || p->count != count) p->active = p->factored = 0;
+  if (p->lo != lo || p->count != count) p->active = 0;
   if (p->count < 3)
     return arc_fail(
         error, ARC_ZONE,

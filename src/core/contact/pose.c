@@ -13,7 +13,7 @@ arc_status arc_pose_create(pose *p, const arc_model *model) {
   *p = (pose){.nc = (int)nc, .np = (int)np};
   p->first = malloc(nc * sizeof(int));
   p->set = malloc(nc * sizeof(int));
-  p->joined = malloc(nc * sizeof(int));
+  p->joined = malloc(2 * nc * sizeof(int));
   p->a = malloc(nc * nc * sizeof(double));
   p->factor = malloc(nc * nc * sizeof(double));
   p->wc = calloc(7 * nc + np + 5 * (nc + np), sizeof(double)); /* one block for the small arrays */
@@ -21,6 +21,7 @@ arc_status arc_pose_create(pose *p, const arc_model *model) {
     arc_pose_free(p);
     return ARC_MEMORY;
   }
+  p->made = p->joined + nc;
   p->gap = p->wc + nc;
   p->f = p->gap + nc;
   p->open = p->f + nc;
@@ -46,7 +47,7 @@ void arc_pose_free(pose *p) {
 size_t arc_pose_bytes(const pose *p) {
   const size_t nc = (size_t)p->nc, np = (size_t)p->np, width = (size_t)p->width;
   return sizeof *p + (2 * nc * nc + nc * width + 12 * nc + 6 * np) * sizeof(double) +
-         3 * nc * sizeof(int);
+         4 * nc * sizeof(int);
 }
 
 void arc_pose_aim(pose *p, double angle) {
@@ -74,7 +75,7 @@ arc_status arc_pose_update(pose *p, const arc_shape *shape, double x, arc_error 
 static arc_status edge_reached(pose *p, int left, arc_error *error) {
   const int node = left ? p->lo : p->lo + p->count - 1;
   const int cylinder = node == 1 || node == p->nc - 2;
-  p->active = p->factored = 0;
+  p->active = 0;
   return arc_fail(
       error, ARC_ZONE,
       "with the plate at x = %g mm the contact reaches the %s edge of the %s's candidate zone; "
@@ -100,7 +101,6 @@ void arc_pose_follow(pose *p, const pose *neighbour) {
     const int candidate = neighbour->lo + neighbour->set[s] - p->lo;
     if (0 <= candidate && candidate < p->count) p->set[p->active++] = candidate;
   }
-  p->factored = 0;
 }
 
 arc_status arc_pose_check_zone(pose *p, arc_error *error) {
@@ -110,7 +110,7 @@ arc_status arc_pose_check_zone(pose *p, arc_error *error) {
 }
 
 arc_status arc_pose_broke_down(pose *p, arc_error *error) {
-  p->active = p->factored = 0;
+  p->active = 0;
   return arc_fail(error, ARC_NUMERIC, "the contact solution broke down with the plate at x = %g mm",
                   p->x);
 }

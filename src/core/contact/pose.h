@@ -37,9 +37,10 @@ typedef struct pose {
   int active;      /* size of the active set */
   int *set;        /* [nc] the active candidates in increasing order */
   int *joined;     /* [nc] work: the next set */
-  double *factor;  /* [active x active] Cholesky factor of A on the set */
+  int *made, of;   /* [nc] the set that factor and ones were made for, `of` candidates */
+  double *factor;  /* [of x of] Cholesky factor of A on that set */
   double *ones;    /* [nc] (A_set)^-1 down */
-  int factored;    /* factor and ones belong to set and A */
+  int factored;    /* factor and ones belong to A */
   double *work;    /* [5 * (nc + np)] */
 } pose;
 

@@ -113,8 +113,7 @@ static arc_status approach(fretting *r, arc_error *error) {
   wear_path *path = &r->w->path;
   friction_state *s = &path->state;
   const wear_block *b = path->block;
-  for (size_t i = 0; i < (size_t)path->poses; i++)
-    path->pose[i].active = path->pose[i].factored = 0;
+  for (int i = 0; i < path->poses; i++) path->pose[i].active = 0;
   path->room.shear.factored = 0;
   arc_friction_reset(s, b->x[b->press]);
   arc_status status = press(r, error);
