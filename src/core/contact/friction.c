@@ -37,7 +37,7 @@ static void set_shear(friction_task *k) {
   s->a = k->g->tt;
   s->ld = p->count;
   s->by_force = k->by_force;
-  arc_grip_drag(k->g, p->f, NULL, k->w->dragged);
+  arc_grip_drag(k->g, p->f, p->set[0], p->set[p->active - 1] + 1, k->w->dragged);
   for (int i = 0; i < s->n; i++) {
     const int at = p->set[i];
     const double up = p->slope[p->lo + at] * (p->approach - k->approach);
@@ -208,7 +208,7 @@ static void begin(friction_task *k) {
 static void slip_of_open(friction_task *k) {
   const pose *p = k->p;
   friction_room *w = k->w;
-  arc_grip_drag(k->g, p->f, w->t, w->dragged);
+  arc_grip_drag_all(k->g, p->f, w->t, w->dragged);
   for (int c = 0, s = 0; c < p->count; c++) {
     const int touches = s < p->active && p->set[s] == c;
     const double up = p->slope[p->lo + c] * (p->approach - k->approach);

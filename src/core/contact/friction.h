@@ -57,7 +57,7 @@ typedef struct grip {
 arc_status arc_grip_create(grip *g, const arc_model *model);
 void arc_grip_free(grip *g);
 size_t arc_grip_bytes(const grip *g);
-/* Brings the matrices up to date with a pose that is; work [2 * np]. */
+/* Brings the matrices up to date with a pose that is; work [2 * (nc + np)]. */
 void arc_grip_update(grip *g, const pose *p, double *work);
 
 /* Room for an increment, and its solution until the next one; one serves any number of poses. */
@@ -169,8 +169,9 @@ int arc_friction_newton(friction_task *k);
 
 /* result [count] := A_nt t, by candidate. */
 void arc_grip_gaps(const grip *g, const double *t, double *result);
-/* r [count] := A_tn f + A_tt t, by candidate; without the latter where t is NULL. */
-void arc_grip_drag(const grip *g, const double *f, const double *t, double *r);
+/* r := A_tn f at candidates first .. last - 1; A_tn f + A_tt t at all of them. */
+void arc_grip_drag(const grip *g, const double *f, int first, int last, double *r);
+void arc_grip_drag_all(const grip *g, const double *f, const double *t, double *r);
 /* r of displacements u on a pose, by candidate; work [np]. */
 void arc_grip_relative(const pose *p, double *const u[ARC_BODIES], double *work, double *r);
 /* Displacements of both surfaces under forces f, t [nc] by cylinder node; work [4 * (nc + np)]. */

@@ -2,6 +2,7 @@
  * with the normals of mortar.c: the plate's own at its nodes, the one it shows the cylinder there.
  */
 #include "core/base/dense.h"
+#include "core/base/wide.h"
 #include "core/contact/friction.h"
 
 #include <stdlib.h>
@@ -28,46 +29,46 @@ size_t arc_grip_bytes(const grip *g) {
 
 /* --- matrices --------------------------------------------------------------------------------- */
 
-/* Response of a body between nodes r and c: the gap (n) and the tangential displacement (t) at r,
- * slope mr, under a unit of shear at c, slope mc. */
-static void response(const compliance *c, size_t at, double mr, double mc, double *n, double *t) {
-  const double ux = c->xx[at] + mc * c->xy[at], uy = c->yx[at] + mc * c->yy[at];
-  *n += uy - mr * ux;
-  *t += ux + mr * uy;
-}
-
-/* Adds what shear at candidate k does to the plate's surface, by plate node. */
-static void pull_plate(const pose *p, const compliance *c, int k, double *n, double *t) {
-  for (int q = 0; q < p->width; q++) {
-    const double weight = p->b[k * p->width + q];
-    const int from = p->first[k] + q;
-    if (weight == 0) continue;
-    for (int l = 0; l < p->np; l++) {
-      double un = 0, ut = 0;
-      response(c, dense_at(l, from, c->n), c->slope[l], c->slope[from], &un, &ut);
-      n[l] += weight * un;
-      t[l] += weight * ut;
-    }
+/* Adds `weight` times what a unit of shear at a body's node `at` does to its nodes first .. first +
+ * count - 1: gaps n, tangential displacements t. */
+ARC_WIDE static void respond(const compliance *c, const double *slopes, int first, int count,
+                             int at, double weight, double *restrict n, double *restrict t) {
+  const size_t from = dense_at(first, at, c->n);
+  const double *xx = &c->xx[from], *xy = &c->xy[from], *yx = &c->yx[from], *yy = &c->yy[from];
+  const double *slope = &slopes[first], m = slopes[at];
+#pragma omp simd
+  for (int l = 0; l < count; l++) {
+    const double ux = xx[l] + m * xy[l], uy = yx[l] + m * yy[l];
+    n[l] += weight * (uy - slope[l] * ux);
+    t[l] += weight * (ux + slope[l] * uy);
   }
 }
 
+/* What shear at candidate k does to the plate's surface, by plate node, and to the cylinder's. */
+static void pull_at(const pose *p, int k, double *const plate[2], double *const cylinder[2]) {
+  const compliance *c = shape_compliance(&p->shape->side[ARC_PLATE]);
+  memset(plate[0], 0, 2 * (size_t)(p->np + p->nc) * sizeof *plate[0]);
+  for (int q = 0; q < p->width; q++) {
+    const double weight = p->b[k * p->width + q];
+    if (weight != 0) respond(c, c->slope, 0, p->np, p->first[k] + q, weight, plate[0], plate[1]);
+  }
+  respond(shape_compliance(&p->shape->side[ARC_CYLINDER]), p->slope, p->lo, p->count, p->lo + k, 1,
+          cylinder[0], cylinder[1]);
+}
+
 static void fill_column(grip *g, const pose *p, int k, double *work) {
-  const compliance *cylinder = shape_compliance(&p->shape->side[ARC_CYLINDER]);
-  const compliance *plate = shape_compliance(&p->shape->side[ARC_PLATE]);
-  double *n = work, *t = work + p->np;
-  memset(n, 0, 2 * (size_t)p->np * sizeof *n);
-  pull_plate(p, plate, k, n, t);
+  double *plate[2] = {work, work + p->np}, *cylinder[2] = {plate[1] + p->np, NULL};
+  cylinder[1] = cylinder[0] + p->nc;
+  pull_at(p, k, plate, cylinder);
   for (int r = 0; r < p->count; r++) {
     const double *row = &p->b[r * p->width];
-    double un = 0, ut = 0;
-    response(cylinder, dense_at(p->lo + r, p->lo + k, cylinder->n), p->slope[p->lo + r],
-             p->slope[p->lo + k], &un, &ut);
+    double n = cylinder[0][r], t = cylinder[1][r];
     for (int q = 0; q < p->width; q++) {
-      un += row[q] * n[p->first[r] + q];
-      ut += row[q] * t[p->first[r] + q];
+      n += row[q] * plate[0][p->first[r] + q];
+      t += row[q] * plate[1][p->first[r] + q];
     }
-    g->nt[dense_at(r, k, p->count)] = g->tn[dense_at(k, r, p->count)] = un;
-    if (r >= k) g->tt[dense_at(r, k, p->count)] = g->tt[dense_at(k, r, p->count)] = ut;
+    g->nt[dense_at(r, k, p->count)] = g->tn[dense_at(k, r, p->count)] = n;
+    if (r >= k) g->tt[dense_at(r, k, p->count)] = g->tt[dense_at(k, r, p->count)] = t;
   }
 }
 
@@ -82,23 +83,27 @@ void arc_grip_update(grip *g, const pose *p, double *work) {
   g->x = p->x;
 }
 
-/* y += a x [n x n], where x is zero but in the middle. */
-static void add_middle(int n, const double *a, const double *x, double *y) {
+/* y += a x [n x n] in rows from .. to - 1, where x is zero but in the middle. */
+static void add_middle(int n, int from, int to, const double *a, const double *x, double *y) {
   int first = 0, last = n;
   while (first < last && x[first] == 0) first++;
   while (last > first && x[last - 1] == 0) last--;
-  arc_dense_add_columns(0, n, last - first, NULL, &a[dense_at(0, first, n)], n, &x[first], y);
+  arc_dense_add_columns(from, to, last - first, NULL, &a[dense_at(0, first, n)], n, &x[first], y);
 }
 
 void arc_grip_gaps(const grip *g, const double *t, double *result) {
   memset(result, 0, (size_t)g->count * sizeof *result);
-  add_middle(g->count, g->nt, t, result);
+  add_middle(g->count, 0, g->count, g->nt, t, result);
 }
 
-void arc_grip_drag(const grip *g, const double *f, const double *t, double *r) {
-  memset(r, 0, (size_t)g->count * sizeof *r);
-  add_middle(g->count, g->tn, f, r);
-  if (t) add_middle(g->count, g->tt, t, r);
+void arc_grip_drag(const grip *g, const double *f, int first, int last, double *r) {
+  memset(&r[first], 0, (size_t)(last - first) * sizeof *r);
+  add_middle(g->count, first, last, g->tn, f, r);
+}
+
+void arc_grip_drag_all(const grip *g, const double *f, const double *t, double *r) {
+  arc_grip_drag(g, f, 0, g->count, r);
+  add_middle(g->count, 0, g->count, g->tt, t, r);
 }
 
 /* --- displacements ---------------------------------------------------------------------------- */
@@ -125,11 +130,11 @@ static void displace(const compliance *c, const double *slope, int flat, const d
     fy[k] = f[k] + slope[k] * t[k];
   }
   memset(u, 0, 2 * (size_t)c->n * sizeof *u);
-  add_middle(c->n, c->xx, fx, u);
-  add_middle(c->n, c->xy, fy, u);
+  add_middle(c->n, 0, c->n, c->xx, fx, u);
+  add_middle(c->n, 0, c->n, c->xy, fy, u);
   if (flat) return;
-  add_middle(c->n, c->yx, fx, u + c->n);
-  add_middle(c->n, c->yy, fy, u + c->n);
+  add_middle(c->n, 0, c->n, c->yx, fx, u + c->n);
+  add_middle(c->n, 0, c->n, c->yy, fy, u + c->n);
 }
 
 void arc_grip_displace(const pose *p, int flat, const double *f, const double *t,
