@@ -74,7 +74,6 @@ static arc_status go_to(fretting *r, int at, arc_error *error) {
   wear_point *point = &path->point[at % 2];
   const arc_status status = advance(r, at, &step, error);
   if (status != ARC_OK) return status;
-  arc_path_clear(path, point);
   return arc_wear_take(w, r->window, &path->pose[b->place[at]], point, error);
 }
 
@@ -136,6 +135,8 @@ static void add_end(fretting *r, int at, double share) {
   if (b->line[at] == 0) return; /* lifted off */
   for (int i = 0; i < w->nc; i++) {
     const double pressure = point->p[ARC_CYLINDER][i], way = share * b->repeat * fabs(slip[i]);
+    r->work[i] = 0;
+    if (pressure == 0 || way == 0) continue;
     r->work[i] = way * arc_wear_law_rubbed(w, pressure, r->window->mu);
     r->rate->energy += r->window->mu * pressure * p->wc[i] * way;
   }
@@ -177,10 +178,11 @@ static void note_increment(fretting *r, int at) {
   double most;
   if (slips_everywhere(s, &most) && r->window->mu > 0) rate->gross = 1;
   rate->shear = fmax(rate->shear, fabs(s->tangential));
+  const double *p = w->path.point[at % 2].p[ARC_CYLINDER];
   for (int i = 0; i < s->nc; i++) {
-    r->least[i] = fmin(r->least[i], s->f[i]);
+    if (s->f[i] < r->least[i]) r->least[i] = s->f[i];
+    if (p[i] > rate->peak) rate->peak = p[i];
     r->slid[i] += fabs(s->slip[i]);
-    rate->peak = fmax(rate->peak, w->path.point[at % 2].p[ARC_CYLINDER][i]);
   }
   if (r->window->jacobian && s->line > 0) add_to_jacobian(r, at, most);
 }
