@@ -178,8 +178,8 @@ void arc_dense_band_solve(int n, int band, const double *l, double *x, int *from
 }
 
 /* Four columns at a time. */
-ARC_WIDE void arc_dense_add_columns(int first, int last, int n, const int *at, const double *a,
-                                    int lda, const double *x, double *y) {
+ARC_WIDE static void add_columns(int first, int last, int n, const int *at, const double *a,
+                                 int lda, const double *x, double *y) {
   int s = 0;
   for (; s + 4 <= n; s += 4) {
     const double *a0 = &a[dense_at(0, at ? at[s] : s, lda)];
@@ -196,6 +196,11 @@ ARC_WIDE void arc_dense_add_columns(int first, int last, int n, const int *at, c
 #pragma omp simd
     for (int k = first; k < last; k++) y[k] += column[k] * x[s];
   }
+}
+
+void arc_dense_add_columns(int first, int last, int n, const int *at, const double *a, int lda,
+                           const double *x, double *y) {
+  add_columns(first, last, n, at, a, lda, x, y);
 }
 
 void arc_dense_multiply_transposed(int m, int n, int k, double alpha, const double *a, int lda,
