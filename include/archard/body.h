@@ -33,7 +33,8 @@ const char *arc_body_name(arc_body body);
   X(SOLID_PUNCH, "punch")                                                                          \
   X(SOLID_PROFILE, "profile")                                                                      \
   X(SOLID_DISC, "disc")                                                                            \
-  X(SOLID_RING, "ring")
+  X(SOLID_RING, "ring")                                                                            \
+  X(SOLID_GMSH, "gmsh")
 typedef enum arc_solid { ARC_SOLID_LIST(ARC_CHOICE_ENUM) } arc_solid;
 extern const char *const arc_solid_names[];
 
@@ -43,9 +44,11 @@ extern const char *const arc_solid_names[];
 typedef enum arc_rim { ARC_RIM_LIST(ARC_CHOICE_ENUM) } arc_rim;
 extern const char *const arc_rim_names[];
 
-/* A layer on a body's surface, with a material of its own. */
+/* A layer on a body's surface, with a material of its own: as thick everywhere, or, in a mesh from
+ * outside, what the mesh has under that name. */
 typedef struct arc_layer {
-  double thickness; /* [mm]; 0: there is none */
+  char name[ARC_TEXT_SIZE]; /* "": it goes by its thickness */
+  double thickness;         /* [mm]; 0: by its name; without one there is none */
   arc_material material;
 } arc_layer;
 enum { ARC_MOST_LAYERS = 4 };
@@ -57,7 +60,8 @@ enum { ARC_MOST_LAYERS = 4 };
   TEXT(name, ARC_BODY_NAME, ARC_OPTIONAL,                                                          \
        "What it is called by results, pictures and files. Left out: by its kind or role.")         \
   CHOICE(kind, solid, ARC_SOLID_USUAL, 0,                                                          \
-         "Its shape; the usual one is a cylinder above, and a block below.")                       \
+         "Its shape; the usual one is a cylinder above, and a block below; \"gmsh\" stands for "   \
+         "that in the Gmsh file of its model.")                                                    \
   NUMBER(radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Radius of a cylinder or disc, or of a punch's rounded edges. Left out: the model's.")    \
   NUMBER(width, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
@@ -112,10 +116,11 @@ double arc_body_crest(const arc_body_def *def);
  * arcs. */
 double arc_body_inset(const arc_body_def *def, double crest, double x);
 
-/* Layers; the lower end of one [mm]; the one at a depth [mm], `layers` for the body's own material.
- */
+/* Layers; the lower end of one [mm] that goes by its thickness; the material of one, of `layers`
+ * and beyond the body's own. */
 int arc_body_layers(const arc_body_def *def);
 double arc_body_interface(const arc_body_def *def, int layer);
+arc_material arc_body_layer_material(const arc_body_def *def, int layer, arc_material own);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

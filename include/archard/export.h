@@ -47,10 +47,14 @@ arc_status arc_export_inp(const char *path, const arc_contact *contact, arc_erro
 arc_status arc_export_mesh_inp(const char *path, const arc_mesh *mesh, arc_error *error);
 
 /* A Gmsh file (4.1, text, mm) of both bodies, or of one (NULL: left out), with the physical groups
- * that arc_mesh_read_msh reads: "upper" is the cylinder, "lower" the plate. Numbers read back to
- * the bit; materials' names are not written. */
+ * that arc_mesh_read_msh reads: "upper" is the cylinder, "lower" the plate, "upper.NAME" what is of
+ * a named material, "upper.layer1" the first of a body's own layers. Numbers read back to the bit,
+ * nodes and elements in their order. */
 arc_status arc_export_msh(const char *path, const arc_mesh *const mesh[ARC_BODIES],
                           arc_error *error);
+/* The same as a text, to be freed with free(); NULL on failure, ARC_MEMORY. */
+arc_status arc_export_msh_text(char **text, const arc_mesh *const mesh[ARC_BODIES],
+                               arc_error *error);
 
 /* A text of `length` bytes as it is. */
 arc_status arc_export_text(const char *path, const char *text, size_t length, arc_error *error);

@@ -100,9 +100,9 @@ typedef struct arc_mesh {
   int *fixed_node;   /* [fixed] */
   int outline;       /* number of nodes of the boundary polygon */
   int *outline_node; /* [outline] counter-clockwise, not closed */
-  int materials;     /* of a mesh from outside: its named materials, 0: one without a name */
-  char (*material_name)[64]; /* [materials] */
-  int *material;             /* [elements] material of each, NULL where there is no choice */
+  int materials;     /* of a mesh from outside: its named materials */
+  char (*material_name)[ARC_TEXT_SIZE]; /* [materials] */
+  int *material; /* [elements] material of each, -1 for the body's own; NULL: that of all */
 } arc_mesh;
 
 /* Corners of an element: 3 or 4. */
@@ -117,12 +117,12 @@ arc_status arc_mesh_build(const arc_mesh_def *def, arc_body body, double radius,
 arc_status arc_mesh_build_solid(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
                                 arc_mesh **mesh, arc_error *error);
 
-/* Most named materials of one body in a mesh from outside. */
-enum { ARC_MESH_MATERIALS = 16 };
+/* Most named materials of one body in a mesh from outside: they are the layers of its body. */
+enum { ARC_MESH_MATERIALS = ARC_MOST_LAYERS };
 
 /* Reads both bodies, as they touch without load, from a Gmsh file: text, version 4.1 or 2.2, units
  * mm, in the plane z = 0, triangles and quadrilaterals of first order. Physical groups tell what is
- * what: surfaces "upper", or "upper.NAME" where it has several materials; curves "upper.contact"
+ * what: surfaces "upper", and "upper.NAME" what is of another material; curves "upper.contact"
  * (from one end to the other x increases), "upper.fixed" (built in); and the same of "lower". The
  * rest of the file is ignored. Such a mesh has no wear box: rows and box_elements are 0, and it
  * serves frozen geometry alone. `radius` is that of the parabola which fits the unworn gap best
@@ -132,6 +132,9 @@ enum { ARC_MESH_MATERIALS = 16 };
  * (groups, nodes or elements that make no two bodies: which, and where), ARC_MEMORY. On failure
  * both meshes are NULL. */
 arc_status arc_mesh_read_msh(const char *path, arc_mesh *mesh[ARC_BODIES], arc_error *error);
+/* The same of a text of `length` bytes, which messages call by `name` in place of a path. */
+arc_status arc_mesh_parse_msh(const char *name, const char *text, size_t length,
+                              arc_mesh *mesh[ARC_BODIES], arc_error *error);
 
 /* What its elements of 3 or 4 corners are called, "CPE4", "CPS4I", "CAX3". */
 const char *arc_mesh_element(const arc_mesh *mesh, int corners);

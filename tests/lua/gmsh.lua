@@ -44,6 +44,64 @@ fails(function() export.msh(d, at("pair.msh")) end, "expected a model or a mesh"
 own.mesh.plate:write(at("plate.msh"))
 fails(function() model{ mesh = at("plate.msh") } end, "no physical group 'upper'", "half a pair")
 
+-- Materials by the names in the mesh: a coat that wears through, as archard's own layer does. Frozen,
+-- its own compliance is that of the unworn coat, too.
+local coat = { E = 400e3, k = 5e-9 }
+local layered = model{ mesh = { size = 0.05 }, upper = body.cylinder{ radius = 10, E = 210e3, k = 2e-8,
+  layers = { { thickness = 5e-4, E = coat.E, k = coat.k } } }, lower = body.block{ k = 1e-8 } }
+export.msh(layered, at("coated"))
+local function coated(upper, lower)
+  return model{ mesh = at("coated.msh"), radius = 10, upper = upper, lower = lower or body.gmsh{ k = 1e-8 } }
+end
+local m = coated(body.gmsh{ name = "roller", E = 210e3, k = 2e-8, materials = { layer1 = coat } })
+is(m.upper.materials.layer1.E, 400e3, "the body tells its materials")
+is(m.bodies.upper, "roller", "and is called by its name")
+local function wear_through(pair)
+  return wear{ model = pair, geometry = "frozen", stroke = 0.1, cycles = 1600, jump = 100 }:run()
+end
+local own_coat, its_coat = wear_through(layered), wear_through(m)
+ok(its_coat.depth.roller > 7e-4, "the coat is worn through")
+-- The layer is as thick along the normal everywhere; along y, as frozen depths go, the mesh's is a little thicker.
+near(its_coat.depth.roller, own_coat.depth.upper, 1e-4, "as deep as archard's own layer")
+near(its_coat.p_center, own_coat.p_center, 1e-4, "under the same pressure")
+near(largest_mises(contact{ model = m, load = 100 }), largest_mises(contact{ model = layered, load = 100 }), 1e-6,
+  "the same stresses below it")
+is(coated(body.cylinder{ materials = { layer1 = material(coat) } }).upper.kind, "cylinder",
+  "other bodies take materials, too, and objects")
+local function refused(upper, why, name)
+  fails(function() coated(upper) end, why, name)
+end
+refused(nil, "field 'upper.materials': expected one for each name in the mesh, 'layer1', got none for 'layer1'", "no material")
+refused(body.gmsh{ materials = { layer1 = coat, coating = coat } },
+  "field 'upper.materials': expected the names in the mesh, 'layer1', got 'coating'", "another name")
+refused(body.cylinder{ layers = { { thickness = 0.1 } } }, "expected 'upper.materials' by the names in it: 'layer1'", "layers")
+fails(function() model{ upper = body.gmsh{} } end, "expected mesh = \"FILE.msh\" beside body.gmsh{}", "no mesh")
+fails(function() model{ upper = body.cylinder{ materials = { a = coat } } } end, "field 'upper.materials': expected layers",
+  "materials without a mesh")
+fails(function() body.gmsh{ materials = { coat = { F = 1 } } } end, "materials.coat.F", "unknown field of a material")
+fails(function() body.gmsh{ materials = { coat = 4 } } end, "'materials.coat': expected a material object", "no material")
+fails(function() body.gmsh{ materials = { coat } } end, "by name", "a list")
+fails(function() body.gmsh{ materials = { a = {}, b = {}, c = {}, d = {}, e = {} } } end, "at most 4 materials", "too many")
+fails(function() body.gmsh{ materials = {}, layers = { { thickness = 1 } } } end, "expected one of them, got both", "both")
+fails(function() body.gmsh{ radius = 10 } end, "unknown field 'radius' of a gmsh", "a shape")
+
+-- A hole's chart goes by the radii that the bodies say.
+local bush = { upper = body.disc{ radius = 9.95, name = "pin" }, lower = body.ring{ inner = 10, outer = 20 } }
+local hole = model(bush)
+export.msh(hole, at("bush"))
+local outer = model{ mesh = at("bush.msh"), upper = bush.upper, lower = bush.lower }
+near(contact{ model = outer, load = 100 }.p_center, contact{ model = hole, load = 100 }.p_center, 1e-9, "a pin in a bush")
+fails(function() model{ mesh = at("bush.msh"), upper = body.disc{ radius = 8 }, lower = bush.lower } end,
+  "within 5 % of the radius 8 mm that 'upper' says", "another radius")
+fails(function() model{ mesh = at("bush.msh"), upper = bush.upper, lower = bush.lower, geometry = "axisymmetric" } end,
+  "for a hole", "a hole that turns about a vertical axis")
+
+-- The table of a model as another's field, and a mesh as text.
+local text = io.open(at("pair.msh")):read("a")
+is(contact{ model = { mesh = at("pair.msh"), radius = 10 }, load = 100 }.p_center, c.p_center, "a file in contact{ model = }")
+is(contact{ model = { mesh = text, radius = 10 }, load = 100 }.p_center, c.p_center, "its text in place of its name")
+fails(function() wear{ model = { mesh = text:sub(1, 300) } } end, "model.mesh, line", "half a text")
+
 -- A mesh by Gmsh of the same shapes.
 local outside = model{ mesh = here .. "/../../examples/gmsh_pair.msh", radius = 10 }
 local e = contact{ model = outside, load = 100 }

@@ -62,8 +62,10 @@ static void test_materials(void **state) {
   }
   const arc_model_def def = arc_model_default();
   arc_model *model;
-  check_refused(arc_model_build_given(&def, mesh, NULL, &model, why), ARC_ARGUMENT,
-                "expected one material, got 2");
+  check_refused(
+      arc_model_build_given(&def, mesh, NULL, &model, why), ARC_ARGUMENT,
+      "field 'upper.materials': expected one for each name in the mesh, 'steel', 'bronze', "
+      "got none for 'steel'");
   assert_null(mesh[ARC_CYLINDER]); /* taken over all the same */
 }
 
@@ -81,12 +83,7 @@ static void check_same(const arc_mesh *got, const arc_mesh *expected) {
   assert_memory_equal(got->surface_node, expected->surface_node,
                       (size_t)got->surface * sizeof(int));
   assert_memory_equal(got->fixed_node, expected->fixed_node, (size_t)got->fixed * sizeof(int));
-  /* elements come back as they were, quadrilaterals first */
-  int at = 0;
-  for (int corners = 4; corners >= 3; corners--)
-    for (int e = 0; e < expected->elements; e++)
-      if ((expected->element[4 * e + 3] < 0 ? 3 : 4) == corners)
-        assert_memory_equal(&got->element[4 * at++], &expected->element[4 * e], 4 * sizeof(int));
+  assert_memory_equal(got->element, expected->element, 4 * (size_t)got->elements * sizeof(int));
 }
 
 static const char *temporary(void) {
@@ -124,6 +121,57 @@ static void test_one_body(void **state) {
                 "no physical group 'upper' of surfaces; found: 'lower.contact' (curves)");
   remove(temporary());
   arc_model_release(&model);
+}
+
+/* --- as texts --------------------------------------------------------------------------------- */
+
+static char *text_of(arc_mesh *const mesh[ARC_BODIES]) {
+  const arc_mesh *both[ARC_BODIES] = {mesh[0], mesh[1]};
+  char *text;
+  check_ok(arc_export_msh_text(&text, both, why));
+  return text;
+}
+
+static void check_same_materials(const arc_mesh *got, const arc_mesh *expected) {
+  assert_int_equal(got->materials, expected->materials);
+  for (int e = 0; e < got->elements && got->materials > 0; e++) {
+    const int a = got->material[e], b = expected->material[e];
+    assert_int_equal(a < 0, b < 0);
+    if (a >= 0) assert_string_equal(got->material_name[a], expected->material_name[b]);
+  }
+}
+
+/* What is written of a mesh makes the same one, and the same text again. */
+static void test_text(void **state) {
+  (void)state;
+  static const char *const names[] = {"tests/files/msh/good-41.msh", "tests/files/msh/good-22.msh",
+                                      "tests/files/msh/good-materials.msh",
+                                      "tests/files/msh/good-inlay.msh", "examples/gmsh_pair.msh"};
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    arc_mesh *first[ARC_BODIES], *second[ARC_BODIES];
+    check_ok(arc_mesh_read_msh(names[i], first, why));
+    char *text = text_of(first);
+    check_ok(arc_mesh_parse_msh("text", text, strlen(text), second, why));
+    for (int b = 0; b < ARC_BODIES; b++) {
+      check_same(second[b], first[b]);
+      check_same_materials(second[b], first[b]);
+      assert_true(second[b]->radius == first[b]->radius);
+    }
+    char *again = text_of(second);
+    assert_string_equal(again, text);
+    free(again);
+    free(text);
+    forget(first);
+    forget(second);
+  }
+}
+
+static void test_bad_text(void **state) {
+  (void)state;
+  arc_mesh *mesh[ARC_BODIES];
+  check_refused(arc_mesh_parse_msh("the text", "$MeshFormat\n4.1 0 8", 19, mesh, why), ARC_FORMAT,
+                "the text, line 2: the file ends before $EndMeshFormat");
+  assert_null(mesh[ARC_PLATE]);
 }
 
 /* --- models of them --------------------------------------------------------------------------- */
@@ -190,12 +238,16 @@ static const struct broken {
     {"no-upper", "no physical group 'upper' of surfaces; found: 'upper.contact' (curves)"},
     {"no-lower-contact", "no physical group 'lower.contact' of curves; found:"},
     {"no-upper-fixed", "no physical group 'upper.fixed'"},
+    {"fixed-no-edge", "line 5 of 'upper.fixed' at (-2, 2) mm is no edge of an element"},
     {"fixed-surface", "expected curves in the group 'upper.fixed', got surfaces"},
     {"flipped", "element 18 of 'upper' at (-0.5, 1.0125) mm is flipped"},
     {"folded", "element 18 of 'upper' at (-0.5, 1.0125) mm is folded or not convex"},
     {"flat", "has hardly any area at a corner"},
     {"same-corner", "has the same corner twice"},
     {"crack", "of 'upper' are at one place, (0, "},
+    {"material-name", "expected a material behind 'upper.', a word of letters, digits and _ that"},
+    {"materials-twice", "surface 3 has two materials, 'bronze' and 'steel'"},
+    {"materials-many", "expected at most 4 materials of 'upper', got more"},
     {"gap", "the bodies are apart by 0.25 mm at x = 0 mm"},
     {"overlap", "the bodies overlap by 0.25 mm at x = 0 mm"},
     {"apart-along-x", "do not face each other: 'upper' from x = 48 to 52 mm"},
@@ -310,6 +362,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_both_versions), cmocka_unit_test(test_materials),
       cmocka_unit_test(test_round_trip),    cmocka_unit_test(test_one_body),
+      cmocka_unit_test(test_text),          cmocka_unit_test(test_bad_text),
       cmocka_unit_test(test_same_run),      cmocka_unit_test(test_moving_refused),
       cmocka_unit_test(test_broken),        cmocka_unit_test(test_no_file),
       cmocka_unit_test(test_random),

@@ -133,10 +133,20 @@ typedef struct edge_law {
   double modulus, around, load;
 } edge_law;
 
-static edge_law law_of_surface(const recovery *r) {
-  const arc_body_def *solid = &r->mesh->solid; /* what the surface is made of */
-  const arc_material top =
-      arc_body_layers(solid) > 0 ? solid->layer[0].material : r->body->material;
+/* The element that the edge between two nodes of the boundary belongs to. */
+static int element_at(const recovery *r, int a, int b) {
+  for (int k = r->start[a]; k < r->start[a + 1]; k++) {
+    const int *corner = &r->mesh->element[4 * r->around[k]];
+    for (int c = 0; c < arc_mesh_corners(r->mesh, r->around[k]); c++)
+      if (corner[c] == b) return r->around[k];
+  }
+  return r->around[r->start[a]];
+}
+
+/* By what the boundary is made of there. */
+static edge_law law_between(const recovery *r, int a, int b) {
+  const arc_material top = arc_body_layer_material(
+      &r->mesh->solid, r->mesh->layer[element_at(r, a, b)], r->body->material);
   const double nu = top.nu, modulus = arc_material_E_star(top);
   if (r->body->space == ARC_PLANE_STRESS) return (edge_law){top.E, 0, 1 - nu};
   const double around = r->body->space == ARC_AXISYMMETRIC ? nu * modulus : 0;
@@ -153,11 +163,11 @@ static double strain_around(const recovery *r, int a, int b) {
  * nowhere else, so that the stress along it is -p. What is left of the stress comes from afar
  * and is smooth, even where the pressure ends. */
 static void split_edges(const recovery *r, boundary *o) {
-  const edge_law law = law_of_surface(r);
   const int *node = r->mesh->outline_node;
   for (int k = 0; k < o->count; k++) {
     const double *a = &r->xy[2 * node[k]], *b = &r->xy[2 * node[next_of(o, k)]];
     const double *ua = &r->u[2 * node[k]], *ub = &r->u[2 * node[next_of(o, k)]];
+    const edge_law law = law_between(r, node[k], node[next_of(o, k)]);
     const double dx = b[0] - a[0], dy = b[1] - a[1];
     const double strain = ((ub[0] - ua[0]) * dx + (ub[1] - ua[1]) * dy) / (dx * dx + dy * dy);
     o->length[k] = hypot(dx, dy);

@@ -250,14 +250,14 @@ static arc_status take_mesh(elastic_body *b, const arc_model_def *def, arc_body 
   *given = NULL;
   b->mesh->def.element = mesh.element;
   b->mesh->solid = solid;
-  b->mesh->layer = calloc((size_t)b->mesh->elements, sizeof(int)); /* one material */
-  return b->mesh->layer ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for a given mesh");
+  return arc_given_layers(b->mesh, &solid, error);
 }
 
 /* All but the mesh. */
 static arc_status make(elastic_body *b, work_watch *seen, arc_error *error) {
   arc_status status = arc_watch_stage(seen);
   if (status == ARC_OK && (status = allocate(b)) != ARC_OK) out_of_memory(b, error);
+  if (status == ARC_OK) status = arc_body_find_strata(b, error);
   if (status == ARC_OK) status = eliminate_far(b, error);
   if (status == ARC_OK) status = arc_watch_stage(seen);
   if (status == ARC_OK) status = condense_unworn(b, seen, error);
@@ -295,6 +295,8 @@ void arc_body_destroy(elastic_body **body) {
   arc_compliance_free(&b->unworn);
   free(b->thinning);
   free(b->box_at);
+  free(b->stratum);
+  free(b->stratum_start);
   free(b);
   *body = NULL;
 }

@@ -25,6 +25,13 @@ typedef struct compliance {
   double *slope, *along;
 } compliance;
 
+/* What of one layer lies under a node of the surface: down to `end` [mm] along the chart's z, the
+ * last one to INFINITY. */
+typedef struct stratum {
+  double end;
+  int layer;
+} stratum;
+
 typedef struct elastic_body {
   arc_mesh *mesh;
   arc_material material;
@@ -45,7 +52,9 @@ typedef struct elastic_body {
   sparse_entries coupling; /* K between far (row) and rim (column) unknowns */
   double *s_far;           /* [2 rim x 2 rim] Schur complement of the far part */
   compliance unworn;
-  double *thinning; /* see arc_body_thinning */
+  double *thinning;   /* see arc_body_thinning */
+  stratum *stratum;   /* of a mesh from outside with layers, node by node; NULL of others */
+  int *stratum_start; /* [surface] where those of a node begin */
 } elastic_body;
 
 /* How the compliance answers where the wear box gets thinner at one column: to be added to the
@@ -94,6 +103,13 @@ static inline double arc_body_pull(const elastic_body *body, int i, int row) {
   return (bottom - body->box_at[2 * (i * (rows + 1) + row) + 1]) / (bottom - top);
 }
 
+/* The n-th stratum under node i of the surface, from 0; the last one ends at INFINITY. */
+static inline stratum arc_body_stratum(const elastic_body *body, int i, int n) {
+  if (body->stratum) return body->stratum[body->stratum_start[i] + n];
+  const arc_body_def *solid = &body->mesh->solid;
+  return (stratum){n < arc_body_layers(solid) ? arc_body_interface(solid, n) : INFINITY, n};
+}
+
 /* Elasticity of an element outside the wear box. */
 static inline elasticity arc_body_elasticity(const elastic_body *body, int e) {
   return body->layer[body->mesh->layer[e]];
@@ -136,8 +152,25 @@ double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BOD
 /* Whether two bodies, each in order, make a pair; ARC_ARGUMENT. */
 arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error);
 
-/* Whether thickness and axis suit its geometry; ARC_ARGUMENT. Part of the above. */
-arc_status arc_model_check_space(const arc_model_def *def, arc_error *error);
+/* Of a pair whose meshes are given, which tell themselves how far they reach. */
+arc_status arc_model_check_given_pair(const arc_model_def *def, arc_error *error);
+
+/* --- given.c: meshes from outside ---------------------------------------------------------------
+ */
+
+/* The definition says of a given pair what it says of the program's own; its materials are those of
+ * the bulk. */
+arc_model_def arc_given_fit(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]);
+/* Fills in the layer of each element by the names of the body's. ARC_MEMORY. */
+arc_status arc_given_layers(arc_mesh *mesh, const arc_body_def *solid, arc_error *error);
+/* Refuses what belongs to such meshes alone. ARC_ARGUMENT. */
+arc_status arc_given_refuse(const arc_model_def *def, arc_error *error);
+
+/* --- strata.c: what lies under the nodes of a surface -------------------------------------------
+ */
+
+/* Finds those of a given mesh whose body has layers; else there is nothing to find. ARC_MEMORY. */
+arc_status arc_body_find_strata(elastic_body *body, arc_error *error);
 
 /* The widest zone of a body of the model [mm]: arcs curl away from the contact. */
 double arc_model_widest_zone(const arc_model_def *def, arc_body body);

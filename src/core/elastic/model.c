@@ -187,6 +187,7 @@ static arc_status build_watched(const arc_model_def *def, arc_mesh *given[ARC_BO
 static arc_status settle(arc_model_def *def, arc_error *error) {
   arc_status status = arc_settings_check(arc_model_settings, "", def, error);
   if (status == ARC_OK) status = arc_model_check_pair(def, error);
+  if (status == ARC_OK) status = arc_given_refuse(def, error);
   if (status != ARC_OK) return status;
   arc_model_fit_alone(def);
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
@@ -214,55 +215,12 @@ arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_err
   return arc_model_build_watched(def, NULL, result, error);
 }
 
-/* The definition says of a given pair what it says of the program's own. */
-static arc_model_def fitted(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]) {
-  arc_model_def fit = *def;
-  const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;
-  fit.mesh.size = fit.mesh.height = fmin(upper->size, lower->size);
-  fit.mesh.far = fmax(upper->far, lower->far);
-  fit.mesh.fineness = 0; /* nobody fits it to another contact */
-  for (int b = 0; b < ARC_BODIES; b++) fit.mesh.zone[b] = given[b]->def.zone[b];
-  return fit;
-}
-
-static arc_status check_given(const arc_mesh *mesh, arc_error *error) {
-  if (mesh->materials < 2) return ARC_OK;
-  return arc_fail(
-      error, ARC_ARGUMENT, "mesh of the %s: expected one material, got %d ('%s', '%s', ...)",
-      arc_body_name(mesh->body), mesh->materials, mesh->material_name[0], mesh->material_name[1]);
-}
-
-/* All of a body of revolution lies on one side of its axis, or about it. */
-static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
-  double least = INFINITY, most = -INFINITY;
-  for (int n = 0; n < mesh->nodes; n++) {
-    least = fmin(least, mesh->xy[2 * n]);
-    most = fmax(most, mesh->xy[2 * n]);
-  }
-  if (def->geometry != ARC_AXISYMMETRIC) return ARC_OK;
-  if (def->axis > 0 && least < -def->axis)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'axis': expected at least the %g mm that the mesh of the %s reaches "
-                    "towards the axis, got %g mm",
-                    -least, arc_body_name(mesh->body), def->axis);
-  if (def->axis > 0 || fabs(least + most) <= 1e-6 * (most - least)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "mesh of the %s: expected both halves of the section about the axis x = 0, got x "
-                  "from %g to %g mm",
-                  arc_body_name(mesh->body), least, most);
-}
-
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                  const arc_callbacks *callbacks, arc_model **result,
                                  arc_error *error) {
   *result = NULL;
-  arc_status status = ARC_OK;
-  for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++) status = check_given(given[b], error);
-  const arc_model_def fit = fitted(def, given);
-  if (status == ARC_OK) status = arc_settings_check(arc_model_settings, "", &fit, error);
-  if (status == ARC_OK) status = arc_model_check_space(&fit, error);
-  for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++)
-    status = check_side(&fit, given[b], error);
+  arc_status status = arc_model_check_given(def, given, error);
+  const arc_model_def fit = arc_given_fit(def, given);
   if (status == ARC_OK) status = build_watched(&fit, given, callbacks, result, error);
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
   return status;

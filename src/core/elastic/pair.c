@@ -118,13 +118,18 @@ static arc_status check_profile_turns(const arc_body_def *b, const char *path, a
   return ARC_OK;
 }
 
+static arc_status check_no_hole(const arc_body_def *b, const char *path, arc_error *error) {
+  if (!arc_body_is_hollow(b)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'geometry': expected \"plane strain\" or \"plane stress\" for a hole "
+                  "(%skind = \"ring\" held by its outer rim), whose axis is across the section",
+                  path);
+}
+
 static arc_status check_turns(const arc_model_def *def, const arc_body_def *b, const char *path,
                               arc_error *error) {
-  if (arc_body_is_hollow(b))
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'geometry': expected \"plane strain\" or \"plane stress\" for a hole "
-                    "(%skind = \"ring\" held by its outer rim), whose axis is across the section",
-                    path);
+  const arc_status status = check_no_hole(b, path, error);
+  if (status != ARC_OK) return status;
   if (def->axis > 0 && reach_of(b) >= def->axis)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'axis': expected 0 or more than the %g mm that the %s reaches towards "
@@ -134,7 +139,7 @@ static arc_status check_turns(const arc_model_def *def, const arc_body_def *b, c
   return ARC_OK;
 }
 
-arc_status arc_model_check_space(const arc_model_def *def, arc_error *error) {
+static arc_status check_space(const arc_model_def *def, arc_error *error) {
   if (def->geometry != ARC_AXISYMMETRIC && def->axis == 0) return ARC_OK;
   if (def->geometry != ARC_AXISYMMETRIC)
     return arc_fail(error, ARC_ARGUMENT,
@@ -145,22 +150,39 @@ arc_status arc_model_check_space(const arc_model_def *def, arc_error *error) {
                   "field 'thickness': bodies of revolution have none, got %g mm", def->thickness);
 }
 
-arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error) {
-  const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
-                     lower = arc_model_solid(def, ARC_LOWER);
-  arc_status status = arc_body_check(&upper, "upper.", error);
-  if (status == ARC_OK) status = arc_body_check(&lower, "lower.", error);
+/* Each by itself, and what they are called and stand for. */
+static arc_status check_each(const arc_model_def *def, const arc_body_def solid[ARC_BODIES],
+                             arc_error *error) {
+  arc_status status = arc_body_check(&solid[ARC_UPPER], "upper.", error);
+  if (status == ARC_OK) status = arc_body_check(&solid[ARC_LOWER], "lower.", error);
   if (status == ARC_OK) status = check_names(def, error);
-  if (status != ARC_OK) return status;
-  status = arc_model_check_space(def, error);
-  if (status == ARC_OK && def->geometry == ARC_AXISYMMETRIC) {
-    status = check_turns(def, &upper, "upper.", error);
-    return status == ARC_OK ? check_turns(def, &lower, "lower.", error) : status;
-  }
-  if (status != ARC_OK) return status;
-  if (arc_body_is_hollow(&lower)) return check_fit(&upper, &lower, error);
-  if (arc_body_is_hollow(&upper)) return check_fit(&lower, &upper, error);
+  return status == ARC_OK ? check_space(def, error) : status;
+}
+
+static arc_status check_holes(const arc_body_def solid[ARC_BODIES], arc_error *error) {
+  for (int b = ARC_BODIES - 1; b >= 0; b--)
+    if (arc_body_is_hollow(&solid[b])) return check_fit(&solid[1 - b], &solid[b], error);
   return ARC_OK;
+}
+
+arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error) {
+  static const char *const path[] = {"upper.", "lower."};
+  const arc_body_def solid[] = {arc_model_solid(def, ARC_UPPER), arc_model_solid(def, ARC_LOWER)};
+  arc_status status = check_each(def, solid, error);
+  if (status == ARC_OK && def->geometry != ARC_AXISYMMETRIC) return check_holes(solid, error);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    status = check_turns(def, &solid[b], path[b], error);
+  return status;
+}
+
+arc_status arc_model_check_given_pair(const arc_model_def *def, arc_error *error) {
+  static const char *const path[] = {"upper.", "lower."};
+  const arc_body_def solid[] = {arc_model_solid(def, ARC_UPPER), arc_model_solid(def, ARC_LOWER)};
+  arc_status status = check_each(def, solid, error);
+  if (status == ARC_OK && def->geometry != ARC_AXISYMMETRIC) return check_holes(solid, error);
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    status = check_no_hole(&solid[b], path[b], error);
+  return status;
 }
 
 double arc_model_relative_radius(const arc_model_def *def) {

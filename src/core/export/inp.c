@@ -180,7 +180,7 @@ static void write_layers(const deck *d, const arc_mesh *m, numbering at) {
     fprintf(d->out, "*ELSET, ELSET=%s\n", name);
     for (int e = 0; e < m->elements; e++)
       if (m->layer[e] == l) fprintf(d->out, "%d\n", e + at.element);
-    write_material(d->out, name, l < layers ? solid->layer[l].material : d->def->material[m->body]);
+    write_material(d->out, name, arc_body_layer_material(solid, l, d->def->material[m->body]));
   }
 }
 

@@ -9,15 +9,56 @@ enum { MSH_LINE = 1, MSH_TRIANGLE = 2, MSH_QUAD = 3, CURVES = 2 };
 static const char *const role_names[] = {"upper", "lower"};
 static const char *const curve_names[] = {"contact", "fixed"};
 
-/* What is written: surface b + 1 is body b, curves 2 b + 1 and 2 b + 2 its contact and its fixed
- * part. Groups have the numbers of what they hold. */
+/* A surface: what is of one material in a body. */
+typedef struct msh_part {
+  int body, material; /* -1: its own, which has no name */
+} msh_part;
+enum { PARTS = ARC_BODIES * (ARC_MESH_MATERIALS + 1) };
+
+/* What is written: surface p + 1 is part p, curves 2 b + 1 and 2 b + 2 of body b its contact and
+ * its fixed part. Groups have the numbers of what they hold. */
 typedef struct msh_output {
   FILE *out;
   const arc_mesh *mesh[ARC_BODIES]; /* NULL: left out */
   char *fixed[ARC_BODIES];          /* [nodes] whether it is fixed */
   int lines[ARC_BODIES][CURVES];    /* of each curve */
-  int nodes, elements, bodies;      /* all that are written */
+  msh_part part[PARTS];
+  int parts, nodes, elements, bodies; /* all that are written */
 } msh_output;
+
+/* --- the surfaces ----------------------------------------------------------------------------- */
+
+/* Layers of archard's own meshes are materials too. */
+static int material_of(const arc_mesh *m, int e) {
+  if (m->material) return m->material[e];
+  return m->layer && m->layer[e] < arc_body_layers(&m->solid) ? m->layer[e] : -1;
+}
+
+static int part_of(const msh_output *o, int body, int material) {
+  int p = 0;
+  while (p < o->parts && (o->part[p].body != body || o->part[p].material != material)) p++;
+  return p;
+}
+
+/* In the order of materials: those that have elements, and names that have none. */
+static void find_parts(msh_output *o, int body) {
+  const arc_mesh *m = o->mesh[body];
+  for (int material = -1; material < ARC_MESH_MATERIALS; material++) {
+    int e = 0;
+    while (e < m->elements && material_of(m, e) != material) e++;
+    if (e < m->elements || (material >= 0 && material < m->materials))
+      o->part[o->parts++] = (msh_part){body, material};
+  }
+}
+
+static void write_part_name(const msh_output *o, const msh_part *p) {
+  const arc_mesh *m = o->mesh[p->body];
+  fputs(role_names[p->body], o->out);
+  if (p->material >= 0 && m->material)
+    fprintf(o->out, ".%s", m->material_name[p->material]);
+  else if (p->material >= 0)
+    fprintf(o->out, ".layer%d", p->material + 1);
+}
 
 /* --- the curves ------------------------------------------------------------------------------- */
 
@@ -63,6 +104,7 @@ static arc_status find_curves(msh_output *o, int body, arc_error *error) {
     add_curve(o, body, curve, &counted);
     o->elements += o->lines[body][curve] = counted.count;
   }
+  find_parts(o, body);
   o->nodes += m->nodes;
   o->elements += m->elements;
   o->bodies++;
@@ -73,17 +115,20 @@ static arc_status find_curves(msh_output *o, int body, arc_error *error) {
 
 static void write_names(const msh_output *o) {
   fprintf(o->out, "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
-  fprintf(o->out, "$PhysicalNames\n%d\n", (CURVES + 1) * o->bodies);
+  fprintf(o->out, "$PhysicalNames\n%d\n", CURVES * o->bodies + o->parts);
   for (int b = 0; b < ARC_BODIES; b++)
     for (int curve = 0; curve < CURVES && o->mesh[b]; curve++)
       fprintf(o->out, "1 %d \"%s.%s\"\n", CURVES * b + curve + 1, role_names[b],
               curve_names[curve]);
-  for (int b = 0; b < ARC_BODIES; b++)
-    if (o->mesh[b]) fprintf(o->out, "2 %d \"%s\"\n", b + 1, role_names[b]);
+  for (int p = 0; p < o->parts; p++) {
+    fprintf(o->out, "2 %d \"", p + 1);
+    write_part_name(o, &o->part[p]);
+    fprintf(o->out, "\"\n");
+  }
   fprintf(o->out, "$EndPhysicalNames\n");
 }
 
-/* Number and extent, which is that of the whole body for its curves too. */
+/* Number and extent, which is that of the whole body for all of its parts. */
 static void write_extent(const msh_output *o, int tag, int body) {
   const double *xy = o->mesh[body]->xy;
   double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -97,13 +142,18 @@ static void write_extent(const msh_output *o, int tag, int body) {
 }
 
 static void write_entities(const msh_output *o) {
-  fprintf(o->out, "$Entities\n0 %d %d 0\n", CURVES * o->bodies, o->bodies);
+  fprintf(o->out, "$Entities\n0 %d %d 0\n", CURVES * o->bodies, o->parts);
   for (int b = 0; b < ARC_BODIES; b++)
     for (int curve = 0; curve < CURVES && o->mesh[b]; curve++)
       write_extent(o, CURVES * b + curve + 1, b);
-  for (int b = 0; b < ARC_BODIES; b++)
-    if (o->mesh[b]) write_extent(o, b + 1, b);
+  for (int p = 0; p < o->parts; p++) write_extent(o, p + 1, o->part[p].body);
   fprintf(o->out, "$EndEntities\n");
+}
+
+static int first_part(const msh_output *o, int body) {
+  int p = 0;
+  while (o->part[p].body != body) p++;
+  return p;
 }
 
 static void write_nodes(const msh_output *o) {
@@ -111,7 +161,7 @@ static void write_nodes(const msh_output *o) {
   for (int b = 0, first = 1; b < ARC_BODIES; b++) {
     if (!o->mesh[b]) continue;
     const int count = o->mesh[b]->nodes;
-    fprintf(o->out, "2 %d 0 %d\n", b + 1, count);
+    fprintf(o->out, "2 %d 0 %d\n", first_part(o, b) + 1, count);
     for (int n = 0; n < count; n++) fprintf(o->out, "%d\n", first + n);
     for (int n = 0; n < count; n++)
       fprintf(o->out, "%s %s 0\n", arc_number_to_text(o->mesh[b]->xy[2 * n]).text,
@@ -127,29 +177,46 @@ static void write_curve(const msh_output *o, int body, int curve, int first, int
   add_curve(o, body, curve, &written);
 }
 
-static void write_surface(const msh_output *o, int body, int corners, int first, int *tag) {
+/* The end of the elements from e on that make one block: of one kind and material. Blocks keep the
+ * order of elements: what is assembled of them has the same bits. */
+static int block_end(const arc_mesh *m, int e) {
+  const int corners = arc_mesh_corners(m, e), material = material_of(m, e);
+  while (e < m->elements && arc_mesh_corners(m, e) == corners && material_of(m, e) == material) e++;
+  return e;
+}
+
+static int count_blocks(const arc_mesh *m) {
+  int blocks = 0;
+  for (int e = 0; e < m->elements; e = block_end(m, e)) blocks++;
+  return blocks;
+}
+
+static void write_element(FILE *out, const arc_mesh *m, int e, int first, int tag) {
+  fprintf(out, "%d", tag);
+  for (int k = 0; k < arc_mesh_corners(m, e); k++)
+    fprintf(out, " %d", m->element[4 * e + k] + first);
+  fputc('\n', out);
+}
+
+static void write_blocks(const msh_output *o, int body, int first, int *tag) {
   const arc_mesh *m = o->mesh[body];
-  const int count = corners == 4 ? m->quads : m->triangles;
-  if (count == 0) return;
-  fprintf(o->out, "2 %d %d %d\n", body + 1, corners == 4 ? MSH_QUAD : MSH_TRIANGLE, count);
-  for (int e = 0; e < m->elements; e++) {
-    const int *c = &m->element[4 * e];
-    if (arc_mesh_corners(m, e) != corners) continue;
-    fprintf(o->out, "%d", (*tag)++);
-    for (int k = 0; k < corners; k++) fprintf(o->out, " %d", c[k] + first);
-    fputc('\n', o->out);
+  for (int e = 0, end; e < m->elements; e = end) {
+    end = block_end(m, e);
+    fprintf(o->out, "2 %d %d %d\n", part_of(o, body, material_of(m, e)) + 1,
+            arc_mesh_corners(m, e) == 4 ? MSH_QUAD : MSH_TRIANGLE, end - e);
+    for (int k = e; k < end; k++) write_element(o->out, m, k, first, (*tag)++);
   }
 }
 
 static void write_elements(const msh_output *o) {
   int tag = 1, blocks = 0;
   for (int b = 0; b < ARC_BODIES; b++)
-    if (o->mesh[b]) blocks += CURVES + (o->mesh[b]->quads > 0) + (o->mesh[b]->triangles > 0);
+    if (o->mesh[b]) blocks += CURVES + count_blocks(o->mesh[b]);
   fprintf(o->out, "$Elements\n%d %d 1 %d\n", blocks, o->elements, o->elements);
   for (int b = 0, first = 1; b < ARC_BODIES; b++) {
     if (!o->mesh[b]) continue;
     for (int curve = 0; curve < CURVES; curve++) write_curve(o, b, curve, first, &tag);
-    for (int corners = 4; corners >= 3; corners--) write_surface(o, b, corners, first, &tag);
+    write_blocks(o, b, first, &tag);
     first += o->mesh[b]->nodes;
   }
   fprintf(o->out, "$EndElements\n");
@@ -157,27 +224,60 @@ static void write_elements(const msh_output *o) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
+static void write_all(const msh_output *o) {
+  write_names(o);
+  write_entities(o);
+  write_nodes(o);
+  write_elements(o);
+}
+
 static arc_status write_file(const char *path, msh_output *o, arc_error *error) {
   output_file file;
   const arc_status status = arc_output_open(&file, path, error);
   if (status != ARC_OK) return status;
   o->out = file.stream;
-  write_names(o);
-  write_entities(o);
-  write_nodes(o);
-  write_elements(o);
+  write_all(o);
   return arc_output_close(&file, error);
+}
+
+static arc_status write_text(char **text, msh_output *o, arc_error *error) {
+  size_t length;
+  o->out = open_memstream(text, &length);
+  if (o->out) write_all(o);
+  const int whole = o->out && !ferror(o->out);
+  if (o->out && fclose(o->out) == 0 && whole) return ARC_OK;
+  free(*text);
+  *text = NULL;
+  return arc_fail(error, ARC_MEMORY, "out of memory for writing a mesh");
+}
+
+/* Finds what is to be written; what it leaves is to be freed in any case. */
+static arc_status begin(msh_output *o, const arc_mesh *const mesh[ARC_BODIES], arc_error *error) {
+  arc_status status = ARC_OK;
+  for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++)
+    if ((o->mesh[b] = mesh[b])) status = find_curves(o, b, error);
+  return status;
+}
+
+static void end(msh_output *o) {
+  for (int b = 0; b < ARC_BODIES; b++) free(o->fixed[b]);
 }
 
 arc_status arc_export_msh(const char *path, const arc_mesh *const mesh[ARC_BODIES],
                           arc_error *error) {
   msh_output o = {0};
-  arc_status status = ARC_OK;
-  for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++) {
-    if (!(o.mesh[b] = mesh[b])) continue;
-    status = find_curves(&o, b, error);
-  }
+  arc_status status = begin(&o, mesh, error);
   if (status == ARC_OK) status = write_file(path, &o, error);
-  for (int b = 0; b < ARC_BODIES; b++) free(o.fixed[b]);
+  end(&o);
+  return status;
+}
+
+arc_status arc_export_msh_text(char **text, const arc_mesh *const mesh[ARC_BODIES],
+                               arc_error *error) {
+  msh_output o = {0};
+  *text = NULL;
+  arc_status status = begin(&o, mesh, error);
+  if (status == ARC_OK) status = write_text(text, &o, error);
+  end(&o);
   return status;
 }

@@ -19,7 +19,7 @@ static int is_taken(const char *name) {
   return arc_setting_find(arc_mesh_settings, name) != NULL;
 }
 
-static int is_word(const char *name) {
+int arc_body_is_word(const char *name) {
   int word = isalpha((unsigned char)name[0]) != 0;
   for (; *name; name++) word = word && (isalnum((unsigned char)*name) || *name == '_');
   return word;
@@ -27,7 +27,7 @@ static int is_word(const char *name) {
 
 arc_status arc_body_check_name(const arc_body_def *b, const char *path, arc_error *error) {
   if (!b->name[0]) return ARC_OK;
-  if (!is_word(b->name))
+  if (!arc_body_is_word(b->name))
     return arc_fail(error, ARC_ARGUMENT, "field '%sname': expected " ARC_BODY_NAME ", got \"%s\"",
                     path, b->name);
   if (!is_taken(b->name)) return ARC_OK;

@@ -20,6 +20,8 @@ typedef struct mesh_builder {
 /* Errors of arc_mesh_build that are known beforehand. */
 arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
                           arc_error *error);
+/* Whether a name is a word, ARC_BODY_NAME but for its length. */
+int arc_body_is_word(const char *name);
 /* Names that are words, and stand for nothing else. */
 arc_status arc_body_check_name(const arc_body_def *body, const char *path, arc_error *error);
 /* Radius of the parabola that fits a profile best, INFINITY where that is flat or hollow; length of

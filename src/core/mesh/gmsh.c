@@ -145,14 +145,28 @@ static arc_status make_pair(msh_file *f, arc_mesh *mesh[ARC_BODIES], arc_error *
   return ARC_OK;
 }
 
-arc_status arc_mesh_read_msh(const char *path, arc_mesh *mesh[ARC_BODIES], arc_error *error) {
-  msh_file file;
-  for (int b = 0; b < ARC_BODIES; b++) mesh[b] = NULL;
-  arc_status status = arc_msh_read(&file, path, error);
+/* Both meshes of a file whose text is there. */
+static arc_status read_pair(msh_file *file, arc_mesh *mesh[ARC_BODIES], arc_error *error) {
+  arc_status status = arc_msh_read(file, error);
   if (status != ARC_OK) return status;
-  status = make_pair(&file, mesh, error);
-  arc_msh_free(&file);
+  status = make_pair(file, mesh, error);
+  arc_msh_free(file);
   if (status != ARC_OK)
     for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&mesh[b]);
   return status;
+}
+
+arc_status arc_mesh_read_msh(const char *path, arc_mesh *mesh[ARC_BODIES], arc_error *error) {
+  msh_file file = {0};
+  for (int b = 0; b < ARC_BODIES; b++) mesh[b] = NULL;
+  const arc_status status = arc_msh_open(&file.text, path, error);
+  return status == ARC_OK ? read_pair(&file, mesh, error) : status;
+}
+
+arc_status arc_mesh_parse_msh(const char *name, const char *text, size_t length,
+                              arc_mesh *mesh[ARC_BODIES], arc_error *error) {
+  msh_file file = {0};
+  for (int b = 0; b < ARC_BODIES; b++) mesh[b] = NULL;
+  const arc_status status = arc_msh_copy(&file.text, name, text, length, error);
+  return status == ARC_OK ? read_pair(&file, mesh, error) : status;
 }

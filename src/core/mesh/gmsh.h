@@ -13,7 +13,7 @@
 /* --- text ------------------------------------------------------------------------------------- */
 
 typedef struct msh_text {
-  const char *path;
+  const char *path; /* what messages call it */
   char *data, *end; /* the whole file, and a zero behind it */
   char *next;       /* the line that follows */
   char *at;         /* what is left of the present line, without its end */
@@ -22,6 +22,9 @@ typedef struct msh_text {
 
 /* Reads the whole file. ARC_IO, ARC_MEMORY, ARC_FORMAT (too large). */
 arc_status arc_msh_open(msh_text *text, const char *path, arc_error *error);
+/* Takes a copy of a text that is no file, under a name. ARC_MEMORY. */
+arc_status arc_msh_copy(msh_text *text, const char *name, const char *from, size_t length,
+                        arc_error *error);
 void arc_msh_close(msh_text *text);
 
 /* Goes to the next line that is not blank; 0: there is none. */
@@ -83,15 +86,15 @@ typedef struct msh_list {
 
 typedef struct msh_file {
   msh_text text;
-  int version;                                       /* 2 or 4 */
-  msh_list groups, members, nodes, elements;         /* of the structs above */
-  msh_list entities;                                 /* by dimension and number */
-  int materials[ARC_BODIES];                         /* of each body */
-  char material[ARC_BODIES][ARC_MESH_MATERIALS][64]; /* their names */
+  int version;                                                  /* 2 or 4 */
+  msh_list groups, members, nodes, elements;                    /* of the structs above */
+  msh_list entities;                                            /* by dimension and number */
+  int materials[ARC_BODIES];                                    /* of each body */
+  char material[ARC_BODIES][ARC_MESH_MATERIALS][ARC_TEXT_SIZE]; /* their names */
 } msh_file;
 
-/* Reads a file. On failure there is nothing to free. */
-arc_status arc_msh_read(msh_file *file, const char *path, arc_error *error);
+/* Reads the text of a file that is set up but for that. On failure there is nothing to free. */
+arc_status arc_msh_read(msh_file *file, arc_error *error);
 void arc_msh_free(msh_file *file);
 /* A new item at the end of a list, all zero; NULL: no memory. */
 void *arc_msh_add(msh_list *list, size_t size);

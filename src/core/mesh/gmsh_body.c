@@ -89,7 +89,7 @@ static arc_status fill(msh_body *b) {
   return ARC_OK;
 }
 
-/* Where one surface has a named material, all need one. */
+/* What has no name is of the body's own material. */
 static arc_status fill_materials(msh_body *b) {
   arc_mesh *m = b->mesh;
   m->materials = b->file->materials[m->body];
@@ -102,10 +102,6 @@ static arc_status fill_materials(msh_body *b) {
   for (int e = 0; e < m->elements; e++) {
     const msh_element *from = file_element(b, b->source[e]);
     m->material[e] = arc_msh_entity_of(b->file, from)->material[m->body];
-    if (m->material[e] < 0)
-      return arc_fail(b->error, ARC_GEOMETRY,
-                      "%s: element %lld of '%s' has no material; name one for each of its surfaces",
-                      b->file->text.path, from->tag, arc_msh_role(m->body));
   }
   return ARC_OK;
 }

@@ -25,13 +25,19 @@ static const double *place(const msh_body *b, int node) {
 
 /* --- edges that only one element has ---------------------------------------------------------- */
 
-static int compare_edges(const void *a, const void *b) {
+/* By their ends, whichever comes first. */
+static int compare_ends(const void *a, const void *b) {
   const edge *p = a, *q = b;
   const int pl = p->from < p->to ? p->from : p->to, ql = q->from < q->to ? q->from : q->to;
   if (pl != ql) return pl < ql ? -1 : 1;
   const int ph = p->from + p->to - pl, qh = q->from + q->to - ql;
-  if (ph != qh) return ph < qh ? -1 : 1;
-  return (p->element > q->element) - (p->element < q->element);
+  return (ph > qh) - (ph < qh);
+}
+
+static int compare_edges(const void *a, const void *b) {
+  const edge *p = a, *q = b;
+  const int ends = compare_ends(p, q);
+  return ends ? ends : (p->element > q->element) - (p->element < q->element);
 }
 
 static int same_edge(const edge *p, const edge *q) {
@@ -69,8 +75,7 @@ static arc_status link_edge(msh_body *b, const edge *e) {
 }
 
 /* Inner edges belong to two elements, which run along them in opposite directions. */
-static arc_status link_boundary(msh_body *b, edge *list, int n) {
-  qsort(list, (size_t)n, sizeof *list, compare_edges);
+static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   for (int k = 0; k < b->mesh->nodes; k++) b->next[k] = -1;
   arc_status status = ARC_OK;
   for (int k = 0, end; status == ARC_OK && k < n; k = end) {
@@ -83,14 +88,6 @@ static arc_status link_boundary(msh_body *b, edge *list, int n) {
     else if (count == 1)
       status = link_edge(b, &list[k]);
   }
-  return status;
-}
-
-static arc_status find_boundary(msh_body *b) {
-  edge *list = malloc(4 * (size_t)b->mesh->elements * sizeof *list);
-  if (!list) return out_of_memory(b);
-  const arc_status status = link_boundary(b, list, list_edges(b->mesh, list));
-  free(list);
   return status;
 }
 
@@ -211,12 +208,15 @@ static arc_status find_surface(msh_body *b) {
 
 /* --- fixed nodes ------------------------------------------------------------------------------ */
 
-static arc_status mark_fixed(const msh_body *b, char *fixed) {
+static arc_status mark_fixed(const msh_body *b, const edge *list, int edges, char *fixed) {
   int end[2];
   for (int i = 0; i < b->file->elements.count; i++) {
     const msh_element *e = line_of(b, i, MSH_FIXED, end);
     if (!e) continue;
+    const edge line = {.from = end[0], .to = end[1]};
     if (end[0] < 0 || end[1] < 0) return refuse_line(b, e, "fixed", "is not part of the body");
+    if (!bsearch(&line, list, (size_t)edges, sizeof line, compare_ends))
+      return refuse_line(b, e, "fixed", "is no edge of an element");
     fixed[end[0]] = fixed[end[1]] = 1;
   }
   for (int i = 0; i < b->mesh->surface; i++) {
@@ -231,11 +231,11 @@ static arc_status mark_fixed(const msh_body *b, char *fixed) {
   return ARC_OK;
 }
 
-static arc_status find_fixed(msh_body *b) {
+static arc_status find_fixed(msh_body *b, const edge *list, int edges) {
   arc_mesh *m = b->mesh;
   char *fixed = calloc((size_t)m->nodes, 1);
   m->fixed_node = malloc((size_t)m->nodes * sizeof(int));
-  arc_status status = fixed && m->fixed_node ? mark_fixed(b, fixed) : out_of_memory(b);
+  arc_status status = fixed && m->fixed_node ? mark_fixed(b, list, edges, fixed) : out_of_memory(b);
   for (int n = 0; status == ARC_OK && n < m->nodes; n++)
     if (fixed[n]) m->fixed_node[m->fixed++] = n;
   free(fixed);
@@ -266,9 +266,14 @@ static void find_sizes(arc_mesh *m) {
 }
 
 arc_status arc_msh_boundary(msh_body *b) {
-  arc_status status = find_boundary(b);
+  edge *list = malloc(4 * (size_t)b->mesh->elements * sizeof *list);
+  if (!list) return out_of_memory(b);
+  const int n = list_edges(b->mesh, list);
+  qsort(list, (size_t)n, sizeof *list, compare_edges);
+  arc_status status = link_boundary(b, list, n);
   if (status == ARC_OK) status = find_surface(b);
-  if (status == ARC_OK) status = find_fixed(b);
+  if (status == ARC_OK) status = find_fixed(b, list, n);
+  free(list);
   if (status == ARC_OK) status = chain_outline(b);
   if (status == ARC_OK) find_sizes(b->mesh);
   return status;

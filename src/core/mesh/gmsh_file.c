@@ -160,9 +160,11 @@ static arc_status add_node(msh_file *f, arc_error *error) {
 
 static arc_status read_place(msh_file *f, int index, arc_error *error) {
   msh_node *node = (msh_node *)f->nodes.data + index;
-  for (int d = 0; d < 3; d++)
+  for (int d = 0; d < 3; d++) {
     if (!arc_msh_real(&f->text, &node->x[d]))
       return bad_item(f, "three finite coordinates of a node", error);
+    node->x[d] += 0.0; /* zero has no sign: it is written without */
+  }
   return ARC_OK;
 }
 
@@ -354,10 +356,8 @@ static arc_status read_sections(msh_file *f, arc_error *error) {
   return status;
 }
 
-arc_status arc_msh_read(msh_file *f, const char *path, arc_error *error) {
-  *f = (msh_file){0};
-  arc_status status = arc_msh_open(&f->text, path, error);
-  if (status == ARC_OK) status = read_sections(f, error);
+arc_status arc_msh_read(msh_file *f, arc_error *error) {
+  const arc_status status = read_sections(f, error);
   if (status != ARC_OK) arc_msh_free(f);
   return status;
 }

@@ -1,4 +1,5 @@
 /* Which body, and which of its sets, the physical groups of a Gmsh file mean. */
+#include "core/mesh/build.h"
 #include "core/mesh/gmsh.h"
 
 #include <stdio.h>
@@ -51,6 +52,10 @@ static arc_status note_group(msh_file *f, const msh_group *g, msh_entity *entity
                       f->text.path, dimension_names[dim], g->name, dimension_names[g->dim]);
     entity->sets |= arc_msh_bit((arc_body)body, set);
     if (set != MSH_BODY || !*behind) continue;
+    if (!arc_body_is_word(behind + 1) || strlen(behind + 1) >= ARC_TEXT_SIZE)
+      return arc_fail(error, ARC_GEOMETRY,
+                      "%s: expected a material behind '%s.', " ARC_BODY_NAME ", got '%s'",
+                      f->text.path, roles[body], behind + 1);
     const int material = enter_material(f, body, behind + 1);
     if (material < 0)
       return arc_fail(error, ARC_GEOMETRY, "%s: expected at most %d materials of '%s', got more",

@@ -9,13 +9,28 @@
 #include <stdlib.h>
 #include <string.h>
 
+static void begin(msh_text *t, size_t length) {
+  t->next = t->at = t->data;
+  t->end = t->data + length;
+}
+
 arc_status arc_msh_open(msh_text *t, const char *path, arc_error *error) {
-  size_t length;
+  size_t length = 0;
   *t = (msh_text){.path = path};
   const arc_status status = arc_file_read(path, &t->data, &length, error);
-  t->next = t->at = t->data;
-  t->end = status == ARC_OK ? t->data + length : NULL;
+  if (status == ARC_OK) begin(t, length);
   return status;
+}
+
+/* An own copy: lines are ended in it. */
+arc_status arc_msh_copy(msh_text *t, const char *name, const char *text, size_t length,
+                        arc_error *error) {
+  *t = (msh_text){.path = name, .data = malloc(length + 1)};
+  if (!t->data) return arc_fail(error, ARC_MEMORY, "out of memory for reading %s", name);
+  memcpy(t->data, text, length);
+  t->data[length] = '\0';
+  begin(t, length);
+  return ARC_OK;
 }
 
 void arc_msh_close(msh_text *t) {

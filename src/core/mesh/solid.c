@@ -9,21 +9,23 @@ static const double pi = 3.14159265358979323846;
 
 const char *const arc_solid_names[] = {ARC_SOLID_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_rim_names[] = {ARC_RIM_LIST(ARC_CHOICE_NAME) NULL};
-_Static_assert(0 ARC_SOLID_LIST(ARC_CHOICE_ONE) == 7,
+_Static_assert(0 ARC_SOLID_LIST(ARC_CHOICE_ONE) == 8,
                "a new body: decide it in mesh/solid.c and mesh/map.c");
 
 #define ARC_SETTING_OF arc_layer
 static const arc_setting layer_settings[] = {
-    ARC_SETTING_NUMBER(thickness, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Thickness of the layer."){
-        .name = "material",
-        .unit = "",
-        .kind = ARC_GROUP,
-        .group = arc_material_settings,
-        .offset = offsetof(arc_layer, material),
-        .class_name = "material",
-        .usual_text = "material{}",
-        .type = "a material object or a table { E=, nu=, k= }",
-        .text = "Material of the layer."},
+    ARC_SETTING_TEXT(name, "a name in the mesh from outside", ARC_OPTIONAL,
+                     "What a mesh from outside calls it, in place of its thickness.")
+        ARC_SETTING_NUMBER(thickness, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Thickness of the layer."){
+            .name = "material",
+            .unit = "",
+            .kind = ARC_GROUP,
+            .group = arc_material_settings,
+            .offset = offsetof(arc_layer, material),
+            .class_name = "material",
+            .usual_text = "material{}",
+            .type = "a material object or a table { E=, nu=, k= }",
+            .text = "Material of the layer."},
     {.name = NULL},
 };
 #undef ARC_SETTING_OF
@@ -57,7 +59,8 @@ const arc_setting arc_body_settings[] = {
 
 arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double radius) {
   arc_body_def b = *def;
-  if (b.kind == ARC_SOLID_USUAL) b.kind = role == ARC_UPPER ? ARC_SOLID_CYLINDER : ARC_SOLID_BLOCK;
+  const int usual = b.kind == ARC_SOLID_USUAL || b.kind == ARC_SOLID_GMSH;
+  if (usual) b.kind = role == ARC_UPPER ? ARC_SOLID_CYLINDER : ARC_SOLID_BLOCK;
   if (b.radius == 0) b.radius = radius;
   if (b.kind == ARC_SOLID_PUNCH) b.width = b.flat + 2 * b.radius;
   if (b.width == 0) b.width = 2 * radius;
@@ -139,8 +142,13 @@ double arc_body_inset(const arc_body_def *b, double crest, double x) {
 
 int arc_body_layers(const arc_body_def *b) {
   int count = 0;
-  while (count < ARC_MOST_LAYERS && b->layer[count].thickness > 0) count++;
+  while (count < ARC_MOST_LAYERS && (b->layer[count].thickness > 0 || b->layer[count].name[0]))
+    count++;
   return count;
+}
+
+arc_material arc_body_layer_material(const arc_body_def *b, int layer, arc_material own) {
+  return layer < arc_body_layers(b) ? b->layer[layer].material : own;
 }
 
 double arc_body_interface(const arc_body_def *b, int layer) {

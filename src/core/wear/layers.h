@@ -4,9 +4,9 @@
 
 #include "core/contact/shape.h"
 
-/* The depth from h on [mm] that a depth due at the largest wear coefficient of the body's layers
- * comes to at their own. */
-double arc_wear_through_layers(const arc_model_def *def, arc_body body, double h, double due);
+/* The depth from h on [mm] that a depth due at the largest wear coefficient of the layers under node
+ * i of a body comes to at their own. */
+double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due);
 
 /* The same for the depths [surface] of all nodes of a body. */
 void arc_wear_into_layers(const arc_shape *shape, arc_body body, double *depth);

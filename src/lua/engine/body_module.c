@@ -18,11 +18,12 @@ static const char *const own[][4] = {
     {"width", "height", "y", "x"},
     {"radius", NULL},
     {"inner", "outer", "fixed", NULL},
+    {NULL}, /* that of a mesh */
 };
 
 static const arc_setting common[] = {
-    ARGS_OTHER("kind"),   ARGS_OTHER("name"), ARGS_OTHER("material"),
-    ARGS_OTHER("layers"), {.name = NULL},
+    ARGS_OTHER("kind"),   ARGS_OTHER("name"),      ARGS_OTHER("material"),
+    ARGS_OTHER("layers"), ARGS_OTHER("materials"), {.name = NULL},
 };
 
 static const arc_setting layer_fields[] = {
@@ -52,7 +53,7 @@ static void refuse_name(lua_State *L, args_place place, arc_solid kind, const ch
     luaL_addstring(&known, own[kind][i]);
     luaL_addstring(&known, ", ");
   }
-  luaL_addstring(&known, "name, E, nu, k, material, layers");
+  luaL_addstring(&known, "name, E, nu, k, material, layers, materials");
   luaL_pushresult(&known);
   error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' of a %s (known: %s)",
               place.prefix, name, arc_solid_names[kind], lua_tostring(L, -1));
@@ -124,6 +125,65 @@ static void read_layers(lua_State *L, int index, args_place place, arc_body_def 
     lua_pop(L, 2);
   }
   lua_pop(L, 1);
+}
+
+/* --- materials of a mesh by name
+ * ------------------------------------------------------------------
+ */
+
+static void read_named(lua_State *L, int index, args_place place, arc_layer *layer) {
+  const arc_setting one[] = {{.name = layer->name,
+                              .kind = ARC_GROUP,
+                              .group = arc_material_settings,
+                              .class_name = "material",
+                              .type = "a material object or a table { E=, nu=, k= }"},
+                             {.name = NULL}};
+  layer->material = arc_material_default();
+  push_part(L, index, one);
+  args_read(L, -1, place, one, &layer->material);
+  lua_pop(L, 1);
+}
+
+/* Puts a name among the `count` that are there in order. */
+static void enter_name(arc_body_def *def, int count, const char *name) {
+  for (; count > 0 && strcmp(def->layer[count - 1].name, name) > 0; count--)
+    def->layer[count] = def->layer[count - 1];
+  snprintf(def->layer[count].name, sizeof def->layer[count].name, "%s", name);
+}
+
+/* Reads the names of the table at `index`; returns how many there are. */
+static int read_names(lua_State *L, int index, args_place place, arc_body_def *def) {
+  int count = 0;
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, place);
+    if (lua_rawlen(L, -2) == 0 || lua_rawlen(L, -2) >= ARC_TEXT_SIZE)
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "field '%s': expected " ARC_BODY_NAME ", got \"%s\"", place.prefix,
+                  lua_tostring(L, -2));
+    if (count == ARC_MESH_MATERIALS)
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "field '%s': expected at most %d materials, got more", place.prefix,
+                  ARC_MESH_MATERIALS);
+    enter_name(def, count++, lua_tostring(L, -2));
+  }
+  return count;
+}
+
+/* In the order of their names: tables have none. */
+static void read_materials(lua_State *L, int index, args_place place, arc_body_def *def) {
+  const int top = lua_gettop(L);
+  if (lua_getfield(L, index, "materials") != LUA_TNIL) {
+    if (!lua_istable(L, -1))
+      args_refuse(L, place, "materials", "a table { NAME = material{}, ... } by the mesh's names");
+    if (arc_body_layers(def) > 0)
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "fields '%slayers' and '%smaterials': expected one of them, got both",
+                  place.prefix, place.prefix);
+    const args_place inside = {place.where, lua_pushfstring(L, "%smaterials.", place.prefix)};
+    const int count = read_names(L, top + 1, inside, def);
+    for (int l = 0; l < count; l++) read_named(L, top + 1, inside, &def->layer[l]);
+  }
+  lua_settop(L, top);
 }
 
 /* --- profiles --------------------------------------------------------------------------------- */
@@ -203,6 +263,7 @@ static void read_at(lua_State *L, int index, args_place place, double radius, ar
   lua_pop(L, 1);
   read_material(L, index, place, material);
   read_layers(L, index, place, def);
+  read_materials(L, index, place, def);
   if (kind == ARC_SOLID_PROFILE) read_profile(L, index, place, radius, def);
 }
 
@@ -245,17 +306,24 @@ static void set_material(lua_State *L, arc_material m) {
   array_set_number(L, "k", m.k);
 }
 
+static void push_layer(lua_State *L, const arc_layer *layer) {
+  lua_newtable(L);
+  if (layer->thickness > 0) array_set_number(L, "thickness", layer->thickness);
+  set_material(L, layer->material);
+}
+
 static void set_layers(lua_State *L, const arc_body_def *def) {
-  const int layers = arc_body_layers(def);
+  const int layers = arc_body_layers(def), named = def->layer[0].name[0] != 0;
   if (layers == 0) return;
   lua_createtable(L, layers, 0);
   for (int l = 0; l < layers; l++) {
-    lua_newtable(L);
-    array_set_number(L, "thickness", def->layer[l].thickness);
-    set_material(L, def->layer[l].material);
-    lua_rawseti(L, -2, l + 1);
+    push_layer(L, &def->layer[l]);
+    if (named)
+      lua_setfield(L, -2, def->layer[l].name);
+    else
+      lua_rawseti(L, -2, l + 1);
   }
-  lua_setfield(L, -2, "layers");
+  lua_setfield(L, -2, named ? "materials" : "layers");
 }
 
 /* What it has of its own, as far as it was given. */

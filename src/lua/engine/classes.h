@@ -57,7 +57,7 @@ void push_usual_names(lua_State *L, int index, args_place place, const arc_model
 /* Pushes a material object. */
 void material_push(lua_State *L, arc_material material);
 
-/* --- models (model.c) --- */
+/* --- models (model_class.c) --- */
 
 /* Writes the zones that a contact or run needs on a model of `def`, or says why it cannot be. */
 typedef arc_status (*zones_fn)(const void *asker, const arc_model_def *def, double zone[ARC_BODIES],
@@ -74,8 +74,13 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
  * where there is none. */
 int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *mesh);
 
+/* --- sharing them (model_share.c) --- */
+
 /* Pushes the box of a model of this definition: one that lives already, or a new one. */
 arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where);
+/* The same of two meshes that are given, by arc_body, which a new one takes over and nulls. */
+arc_model *model_push_given(lua_State *L, const arc_model_def *def, arc_mesh **given,
+                            const char *where);
 
 /* Pushes a box of a model that lives without one. */
 void model_push_living(lua_State *L, arc_model *model);

@@ -1,17 +1,15 @@
-/* Class model: two meshed and condensed bodies. Models of one definition are built once and shared:
- * a weak table in the registry finds the living ones, and the one asked for last is kept. */
+/* Class model: two meshed and condensed bodies. Models of one definition are shared, see
+ * model_share.c. */
 #include "lua/base/array.h"
 #include "lua/engine/bodies.h"
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
-#include "lua/base/interrupt.h"
 #include "lua/base/file_name.h"
-#include "lua/base/scripts.h"
 
 #include <stdio.h>
-
-static const char cache_key = 0, last_key = 0; /* their addresses name the registry's entries */
+#include <stdlib.h>
+#include <string.h>
 
 /* --- the definition -------------------------------------------------------------------------- */
 
@@ -82,181 +80,79 @@ int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *me
   return 0;
 }
 
-/* --- building and sharing -------------------------------------------------------------------- */
-
-static int add_to_key(void *context, const char *path, const arc_setting *s, void *member,
-                      const void *def) {
-  char text[40];
-  (void)path;
-  if (s->kind == ARC_TEXT) {
-    luaL_addlstring(context, member, ARC_TEXT_SIZE);
-    return 0;
-  }
-  snprintf(text, sizeof text, "%a ", arc_setting_number(s, def));
-  luaL_addstring(context, text);
-  const arc_series series = arc_setting_series(s, def);
-  if (series.count == 0) return 0;
-  luaL_addlstring(context, (const char *)series.distance, (size_t)series.count * sizeof(double));
-  luaL_addlstring(context, (const char *)series.value, (size_t)series.count * sizeof(double));
-  return 0;
-}
-
-/* Pushes a text that is the same for equal definitions, and for them alone. */
-static void push_key(lua_State *L, const arc_model_def *def) {
-  luaL_Buffer text;
-  luaL_buffinit(L, &text);
-  arc_settings_walk(arc_model_settings, "", def, add_to_key, &text);
-  luaL_pushresult(&text);
-}
-
-/* Pushes the table from keys to holders: boxes no script sees, each the user value of the boxes
- * that scripts hold, so that it lives as long as any of them. */
-static void push_cache(lua_State *L) {
-  if (lua_rawgetp(L, LUA_REGISTRYINDEX, &cache_key) == LUA_TTABLE) return;
-  lua_pop(L, 1);
-  lua_newtable(L);
-  lua_createtable(L, 0, 1);
-  lua_pushliteral(L, "v");
-  lua_setfield(L, -2, "__mode");
-  lua_setmetatable(L, -2);
-  lua_pushvalue(L, -1);
-  lua_rawsetp(L, LUA_REGISTRYINDEX, &cache_key);
-}
-
-/* How a long construction is shown: by archard.lib.build_progress, once it takes its time. */
-typedef struct building {
-  lua_State *L;
-  int begun; /* the function stands on top of the stack */
-} building;
-
-static void begin_showing(building *b) {
-  b->begun = 1;
-  if (script_pcall(b->L, "archard.lib.build_progress", 0, 1) == LUA_OK) return;
-  lua_pop(b->L, 1);
-  lua_pushnil(b->L); /* a model does not fail for want of a display */
-}
-
-static void tell(building *b, int arguments) {
-  if (lua_pcall(b->L, arguments, 0, 0) != LUA_OK) lua_pop(b->L, 1);
-}
-
-static void show(void *context, const char *what, double share, double seconds) {
-  static const double patience = 1; /* [s] */
-  building *b = context;
-  if (seconds < patience || interrupt_pending(NULL)) return;
-  if (!b->begun) begin_showing(b);
-  if (lua_isnil(b->L, -1)) return;
-  lua_pushvalue(b->L, -1);
-  lua_pushstring(b->L, what);
-  lua_pushnumber(b->L, share);
-  lua_pushnumber(b->L, seconds);
-  tell(b, 3);
-}
-
-static void end_showing(building *b) {
-  if (!b->begun) return;
-  if (lua_isnil(b->L, -1))
-    lua_pop(b->L, 1);
-  else
-    tell(b, 0);
-}
-
-/* Puts a model into its box, or raises why there is none. */
-static void end_build(lua_State *L, box *holder, arc_model *model, building *shown,
-                      arc_status status, const arc_error *error, const char *where) {
-  holder->thing = model;
-  end_showing(shown);
-  if (status == ARC_STOPPED && interrupt_pending(NULL)) interrupt_raise(L, "building a model");
-  error_check(L, status, error, where, -1);
-  box_weigh(L, arc_model_bytes(model));
-}
-
-/* Pushes a holder with a new model. */
-static void build_holder(lua_State *L, const arc_model_def *def, const char *where) {
-  arc_error error = {0};
-  arc_model *model = NULL;
-  box *holder = box_push(L, &model_class);
-  building shown = {.L = L};
-  const arc_callbacks callbacks = {.stop = interrupt_pending, .working = show, .context = &shown};
-  arc_status status = arc_model_build_watched(def, &callbacks, &model, &error);
-  end_build(L, holder, model, &shown, status, &error, where);
-}
-
-/* Pushes the holder for a definition. */
-static void push_holder(lua_State *L, const arc_model_def *def, const char *where) {
-  push_cache(L);
-  push_key(L, def);
-  lua_pushvalue(L, -1);
-  if (lua_rawget(L, -3) != LUA_TUSERDATA) {
-    lua_pop(L, 1);
-    build_holder(L, def, where);
-    lua_pushvalue(L, -2);
-    lua_pushvalue(L, -2);
-    lua_rawset(L, -5);
-  }
-  lua_replace(L, -3);
-  lua_pop(L, 1);
-}
-
-arc_model *model_push(lua_State *L, const arc_model_def *def, const char *where) {
-  luaL_checkstack(L, 10, where);
-  push_holder(L, def, where);
-  int holder = lua_gettop(L);
-  lua_pushvalue(L, holder);
-  lua_rawsetp(L, LUA_REGISTRYINDEX, &last_key);
-  box *made = box_push(L, &model_class);
-  made->thing = arc_model_retain(box_test(L, holder, &model_class)->thing);
-  box_keep(L, holder);
-  lua_remove(L, holder);
-  return made->thing;
-}
-
 /* --- meshes from outside ---------------------------------------------------------------------- */
 
-/* Reads the other fields of the table at index 1, whose mesh is a file. */
-static void read_beside_file(lua_State *L, arc_model_def *def) {
-  args_push_copy(L, 1);
+/* Meshes on their way into a model; internal, so that what Lua raises leaks nothing. */
+static void free_given(void *thing) {
+  arc_mesh **given = thing;
+  for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
+  free(given);
+}
+
+static int given_tostring(lua_State *L) {
+  lua_pushliteral(L, "two meshes");
+  return 1;
+}
+
+static const box_class given_class = {
+    .name = "two meshes", .tostring = given_tostring, .destroy = free_given};
+
+/* Pushes the box of both meshes that the text on top of the stack means: a file's name, or all that
+ * would stand in it. */
+static arc_mesh **push_meshes(lua_State *L, args_place place) {
+  static const char begin[] = "$MeshFormat";
+  const int top = lua_gettop(L);
+  size_t length;
+  const char *text = lua_tolstring(L, top, &length);
+  const int is_mesh = strncmp(text, begin, sizeof begin - 1) == 0;
+  const char *name = lua_pushfstring(L, "%smesh", place.prefix);
+  if (!is_mesh) path_argument(L, top, place.where, name, PATH_READ);
+  arc_error error = {0};
+  box *held = box_push(L, &given_class);
+  arc_mesh **given = held->thing = calloc(ARC_BODIES, sizeof *given);
+  if (!given) error_raise(L, ARC_MEMORY, place.where, "out of memory");
+  const arc_status status = is_mesh ? arc_mesh_parse_msh(name, text, length, given, &error)
+                                    : arc_mesh_read_msh(text, given, &error);
+  error_check(L, status, &error, place.where, -1);
+  lua_replace(L, top);
+  lua_settop(L, top);
+  return given;
+}
+
+/* Reads the other fields of the table at `index`, whose mesh is a text. */
+static void read_beside_mesh(lua_State *L, int index, args_place place, arc_model_def *def) {
+  args_push_copy(L, index);
   lua_pushnil(L);
   lua_setfield(L, -2, "mesh");
-  read_definition(L, lua_gettop(L), (args_place){"model", ""}, def);
+  read_definition(L, lua_gettop(L), place, def);
   lua_pop(L, 1);
 }
 
-/* Pushes a model of the meshes in a file. It is built anew each time: the file may have changed. */
-static void push_of_file(lua_State *L, const char *path) {
-  arc_model_def def = begin_definition();
-  const int has_radius = args_given(L, 1, "radius");
-  arc_mesh *mesh[ARC_BODIES];
-  arc_model *model = NULL;
-  arc_error error = {0};
-  building shown = {.L = L};
-  const arc_callbacks callbacks = {.stop = interrupt_pending, .working = show, .context = &shown};
-  read_beside_file(L, &def);
-  box *made = box_push(L, &model_class);
-  arc_status status = arc_mesh_read_msh(path, mesh, &error);
-  if (status == ARC_OK) {
-    if (!has_radius) def.radius = mesh[ARC_CYLINDER]->radius;
-    status = arc_model_build_given(&def, mesh, &callbacks, &model, &error);
+/* Pushes the model of the table at `index`, whose mesh is a text; without one pushes nothing and
+ * returns NULL. Files are read anew each time: they may have changed. */
+static arc_model *push_of_mesh(lua_State *L, int index, args_place place) {
+  if (!lua_istable(L, index)) return NULL;
+  index = lua_absindex(L, index);
+  if (args_get(L, index, "mesh") != LUA_TSTRING) {
+    lua_pop(L, 1);
+    return NULL;
   }
-  end_build(L, made, model, &shown, status, &error, "model");
-}
-
-void model_push_living(lua_State *L, arc_model *model) {
-  box *made = box_push(L, &model_class);
-  made->thing = arc_model_retain(model);
-  box_weigh(L, arc_model_bytes(model));
+  arc_model_def def = begin_definition();
+  read_beside_mesh(L, index, place, &def);
+  arc_mesh **given = push_meshes(L, place);
+  if (!args_given(L, index, "radius")) def.radius = given[ARC_CYLINDER]->radius;
+  arc_model *model = model_push_given(L, &def, given, place.where);
+  lua_remove(L, -2);
+  return model;
 }
 
 /* model{ radius=, cylinder=, plate=, thickness=, mesh={...} | "pair.msh" } */
 static int model_new(lua_State *L) {
+  const args_place place = {"model", ""};
   lua_settop(L, 1);
-  if (lua_istable(L, 1) && args_get(L, 1, "mesh") == LUA_TSTRING) {
-    push_of_file(L, path_argument(L, -1, "model", "mesh", PATH_READ));
-    return 1;
-  }
-  lua_settop(L, 1);
+  if (push_of_mesh(L, 1, place)) return 1;
   arc_model_def def = begin_definition();
-  if (!lua_isnil(L, 1)) read_definition(L, 1, (args_place){"model", ""}, &def);
+  if (!lua_isnil(L, 1)) read_definition(L, 1, place, &def);
   arc_model_fit_alone(&def);
   model_push(L, &def, "model");
   return 1;
@@ -284,13 +180,19 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
     model_push_living(L, kept);
     return kept;
   }
+  const args_place place = {where, "model."};
+  arc_model *given = push_of_mesh(L, -1, place);
+  if (given) {
+    lua_remove(L, -2);
+    return given;
+  }
   arc_model_def def = begin_definition();
   const arc_model_def *other = lua_isnil(L, -1) ? worn_model_def(L, worn) : NULL;
   if (other) {
     def = *other;
     for (int body = 0; body < ARC_BODIES; body++) def.mesh.zone[body] = 0;
   }
-  read_definition(L, lua_gettop(L), (args_place){where, "model."}, &def);
+  read_definition(L, lua_gettop(L), place, &def);
   lua_pop(L, 1);
   arc_model_fit(&def, load);
   suit_zones(L, &def, where, zones, asker);

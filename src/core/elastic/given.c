@@ -1,0 +1,186 @@
+/* Meshes from outside: whether they suit the definition of a model, and what they make of it. */
+#include "core/elastic/body.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- materials by name ------------------------------------------------------------------------ */
+
+static int find_layer(const arc_body_def *solid, const char *name) {
+  const int layers = arc_body_layers(solid);
+  for (int l = 0; l < layers; l++)
+    if (strcmp(solid->layer[l].name, name) == 0) return l;
+  return -1;
+}
+
+static int has_name(const arc_mesh *mesh, const char *name) {
+  for (int m = 0; m < mesh->materials; m++)
+    if (strcmp(mesh->material_name[m], name) == 0) return 1;
+  return 0;
+}
+
+static const char *list_names(const arc_mesh *mesh, char text[200]) {
+  int n = snprintf(text, 200, "%s", mesh->materials > 0 ? "" : "none");
+  for (int m = 0; m < mesh->materials; m++)
+    n += snprintf(text + n, (size_t)(200 - n), "%s'%s'", m > 0 ? ", " : "", mesh->material_name[m]);
+  return text;
+}
+_Static_assert(ARC_MESH_MATERIALS *(ARC_TEXT_SIZE + 4) < 200, "room for all names in a message");
+
+/* Every layer is one of the mesh's by name. */
+static arc_status check_layer(const arc_layer *layer, const arc_mesh *mesh, arc_error *error) {
+  const char *role = arc_model_role_name(mesh->body);
+  char names[200];
+  if (!layer->name[0])
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field '%s.layers': a mesh from outside has its layers itself; expected "
+                    "'%s.materials' by the names in it: %s",
+                    role, role, list_names(mesh, names));
+  if (has_name(mesh, layer->name)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field '%s.materials': expected the names in the mesh, %s, got '%s'", role,
+                  list_names(mesh, names), layer->name);
+}
+
+static arc_status check_materials(const arc_model_def *def, const arc_mesh *mesh,
+                                  arc_error *error) {
+  const arc_body_def *solid = &def->body[mesh->body];
+  char names[200];
+  for (int l = 0; l < arc_body_layers(solid); l++) {
+    const arc_status status = check_layer(&solid->layer[l], mesh, error);
+    if (status != ARC_OK) return status;
+  }
+  for (int m = 0; m < mesh->materials; m++)
+    if (find_layer(solid, mesh->material_name[m]) < 0)
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field '%s.materials': expected one for each name in the mesh, %s, got none "
+                      "for '%s'",
+                      arc_model_role_name(mesh->body), list_names(mesh, names),
+                      mesh->material_name[m]);
+  return ARC_OK;
+}
+
+arc_status arc_given_refuse(const arc_model_def *def, arc_error *error) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const char *role = arc_model_role_name((arc_body)b);
+    if (def->body[b].kind == ARC_SOLID_GMSH)
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field '%s': expected mesh = \"FILE.msh\" beside body.gmsh{}, whose shape is "
+                      "that in the file",
+                      role);
+    for (int l = 0; l < arc_body_layers(&def->body[b]); l++)
+      if (def->body[b].layer[l].name[0])
+        return arc_fail(error, ARC_ARGUMENT,
+                        "field '%s.materials': expected layers = { { thickness=, material= } }; "
+                        "materials go by the names in a mesh from a file",
+                        role);
+  }
+  return ARC_OK;
+}
+
+arc_status arc_given_layers(arc_mesh *mesh, const arc_body_def *solid, arc_error *error) {
+  mesh->layer = malloc((size_t)mesh->elements * sizeof(int));
+  if (!mesh->layer) return arc_fail(error, ARC_MEMORY, "out of memory for a given mesh");
+  for (int e = 0; e < mesh->elements; e++) {
+    const int material = mesh->material ? mesh->material[e] : -1;
+    mesh->layer[e] =
+        material < 0 ? arc_body_layers(solid) : find_layer(solid, mesh->material_name[material]);
+  }
+  return ARC_OK;
+}
+
+static double area_of(const arc_mesh *mesh, int e) {
+  const int *c = &mesh->element[4 * e], corners = arc_mesh_corners(mesh, e);
+  double twice = 0;
+  for (int k = 0; k < corners; k++) {
+    const double *p = &mesh->xy[2 * c[k]], *q = &mesh->xy[2 * c[(k + 1) % corners]];
+    twice += p[0] * q[1] - q[0] * p[1];
+  }
+  return twice / 2;
+}
+
+/* The body's own material; where all of it has names, that with the largest area stands for it. */
+static arc_material bulk_of(const arc_model_def *def, const arc_mesh *mesh) {
+  const arc_body_def *solid = &def->body[mesh->body];
+  double area[ARC_MESH_MATERIALS] = {0};
+  int most = 0;
+  for (int e = 0; e < mesh->elements; e++) {
+    if (!mesh->material || mesh->material[e] < 0) return def->material[mesh->body];
+    area[mesh->material[e]] += area_of(mesh, e);
+  }
+  for (int m = 1; m < mesh->materials; m++)
+    if (area[m] > area[most]) most = m;
+  const int layer = find_layer(solid, mesh->material_name[most]);
+  return layer < 0 ? def->material[mesh->body] : solid->layer[layer].material;
+}
+
+/* --- shapes ----------------------------------------------------------------------------------- */
+
+/* All of a body of revolution lies on one side of its axis, or about it. */
+static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
+  double least = INFINITY, most = -INFINITY;
+  for (int n = 0; n < mesh->nodes; n++) {
+    least = fmin(least, mesh->xy[2 * n]);
+    most = fmax(most, mesh->xy[2 * n]);
+  }
+  if (def->geometry != ARC_AXISYMMETRIC) return ARC_OK;
+  if (def->axis > 0 && least < -def->axis)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'axis': expected at least the %g mm that the mesh of the %s reaches "
+                    "towards the axis, got %g mm",
+                    -least, arc_body_name(mesh->body), def->axis);
+  if (def->axis > 0 || fabs(least + most) <= 1e-6 * (most - least)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "mesh of the %s: expected both halves of the section about the axis x = 0, got x "
+                  "from %g to %g mm",
+                  arc_body_name(mesh->body), least, most);
+}
+
+/* In a hole the chart goes by the radii that are given: both surfaces lie about there. */
+static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
+  static const double most = 0.05; /* of the radius */
+  const chart c = arc_chart_of(def);
+  const arc_body_def solid = arc_model_solid(def, mesh->body);
+  const double radius = fabs(arc_body_radius(&solid));
+  for (int i = 0; c.polar && i < mesh->surface; i++) {
+    const double *at = &mesh->xy[2 * mesh->surface_node[i]];
+    const double r = hypot(at[0], c.side * at[1] - radius);
+    if (!(fabs(r - radius) <= most * radius))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "mesh of the %s: expected contact nodes within 5 %% of the radius %g mm that "
+                      "'%s' says, got one at %g mm, (%g, %g) mm",
+                      arc_body_name(mesh->body), radius, arc_model_role_name(mesh->body), r, at[0],
+                      at[1]);
+  }
+  return ARC_OK;
+}
+
+/* --- the whole -------------------------------------------------------------------------------- */
+
+arc_model_def arc_given_fit(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]) {
+  arc_model_def fit = *def;
+  const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;
+  fit.mesh.size = fit.mesh.height = fmin(upper->size, lower->size);
+  fit.mesh.far = fmax(upper->far, lower->far);
+  fit.mesh.fineness = 0; /* nobody fits it to another contact */
+  for (int b = 0; b < ARC_BODIES; b++) {
+    fit.mesh.zone[b] = given[b]->def.zone[b];
+    fit.material[b] = bulk_of(def, given[b]);
+  }
+  return fit;
+}
+
+arc_status arc_model_check_given(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
+                                 arc_error *error) {
+  const arc_model_def fit = arc_given_fit(def, given);
+  arc_status status = arc_settings_check(arc_model_settings, "", &fit, error);
+  if (status == ARC_OK) status = arc_model_check_given_pair(&fit, error);
+  for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++) {
+    status = check_materials(def, given[b], error);
+    if (status == ARC_OK) status = check_side(&fit, given[b], error);
+    if (status == ARC_OK) status = check_arc(&fit, given[b], error);
+  }
+  return status;
+}

@@ -1,0 +1,147 @@
+/* What lies under the surface of a mesh from outside: along the chart's z through its elements,
+ * from each node of the surface on, which layer from where to where. */
+#include "core/elastic/body.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The part of an element under a node of the surface [mm of depth]. */
+typedef struct piece {
+  int node, layer;
+  double from, to;
+} piece;
+
+typedef struct search {
+  const elastic_body *body;
+  double *sz; /* [2 * nodes] in the chart */
+  double tiny;
+  piece *list;
+  int count, room;
+} search;
+
+static int compare_pieces(const void *a, const void *b) {
+  const piece *p = a, *q = b;
+  if (p->node != q->node) return p->node < q->node ? -1 : 1;
+  if (p->from != q->from) return p->from < q->from ? -1 : 1;
+  return (p->layer > q->layer) - (p->layer < q->layer);
+}
+
+static int add(search *f, piece found) {
+  if (f->count == f->room) {
+    const int room = f->room > 0 ? 2 * f->room : 1024;
+    piece *more = realloc(f->list, (size_t)room * sizeof *more);
+    if (!more) return 0;
+    f->list = more;
+    f->room = room;
+  }
+  f->list[f->count++] = found;
+  return 1;
+}
+
+/* --- elements --------------------------------------------------------------------------------- */
+
+static const double *corner(const search *f, int e, int k) {
+  return &f->sz[2 * f->body->mesh->element[4 * e + k]];
+}
+
+/* From where to where an element reaches along s. */
+static void reach(const search *f, int e, double *low, double *high) {
+  *low = *high = corner(f, e, 0)[0];
+  for (int k = 1; k < arc_mesh_corners(f->body->mesh, e); k++) {
+    *low = fmin(*low, corner(f, e, k)[0]);
+    *high = fmax(*high, corner(f, e, k)[0]);
+  }
+}
+
+/* Takes z of an edge at s, if it gets there, into the range. */
+static void cut_edge(const double *p, const double *q, double s, double *low, double *high) {
+  if (s < fmin(p[0], q[0]) || s > fmax(p[0], q[0])) return;
+  const double z = p[0] == q[0] ? p[1] : p[1] + (q[1] - p[1]) * ((s - p[0]) / (q[0] - p[0]));
+  *low = fmin(*low, z);
+  *high = fmax(*high, z);
+}
+
+/* The part of element e under node i of the surface; 0: no memory. */
+static int cut_element(search *f, int e, int i) {
+  const arc_mesh *m = f->body->mesh;
+  const int corners = arc_mesh_corners(m, e);
+  const double *top = arc_body_top(f->body, i), up = m->body == ARC_UPPER ? 1 : -1;
+  double low = INFINITY, high = -INFINITY;
+  for (int k = 0; k < corners; k++)
+    cut_edge(corner(f, e, k), corner(f, e, (k + 1) % corners), top[0], &low, &high);
+  const double from = up > 0 ? low - top[1] : top[1] - high, to = from + (high - low);
+  if (!(high - low > f->tiny) || to <= f->tiny) return 1;
+  return add(f, (piece){.node = i, .layer = m->layer[e], .from = from, .to = to});
+}
+
+/* The first node of the surface from s on. */
+static int first_from(const search *f, double s) {
+  int low = 0, high = f->body->mesh->surface;
+  while (low < high) {
+    const int middle = (low + high) / 2;
+    if (arc_body_top(f->body, middle)[0] < s)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+/* Elements at the other side of a hole, where s begins anew, are far from any surface. */
+static int find_pieces(search *f) {
+  const arc_mesh *m = f->body->mesh;
+  for (int e = 0; e < m->elements; e++) {
+    double low, high;
+    reach(f, e, &low, &high);
+    if (f->body->chart.polar && high - low > f->body->chart.radius) continue;
+    for (int i = first_from(f, low); i < m->surface && arc_body_top(f->body, i)[0] <= high; i++)
+      if (!cut_element(f, e, i)) return 0;
+  }
+  return 1;
+}
+
+/* --- strata ----------------------------------------------------------------------------------- */
+
+/* Joins the pieces of each node; what lies beside another one on a common edge is left out. */
+static void join_pieces(const search *f, elastic_body *b) {
+  int at = 0, count = 0;
+  for (int i = 0; i < b->mesh->surface; i++) {
+    double covered = 0;
+    const int first = b->stratum_start[i] = count;
+    for (; at < f->count && f->list[at].node == i; at++) {
+      const piece *p = &f->list[at];
+      if (p->to <= covered + f->tiny) continue;
+      if (count == first || b->stratum[count - 1].layer != p->layer)
+        b->stratum[count++] = (stratum){.layer = p->layer};
+      b->stratum[count - 1].end = covered = p->to;
+    }
+    if (count == first) b->stratum[count++] = (stratum){.layer = arc_body_layers(&b->mesh->solid)};
+    b->stratum[count - 1].end = INFINITY;
+  }
+}
+
+static int prepare(search *f) {
+  const arc_mesh *m = f->body->mesh;
+  f->sz = malloc(2 * (size_t)m->nodes * sizeof *f->sz);
+  if (!f->sz) return 0;
+  arc_chart_from_space(&f->body->chart, m->nodes, m->xy, f->sz);
+  for (int k = 0; k < 2 * m->nodes; k++) f->tiny = fmax(f->tiny, 1e-9 * fabs(f->sz[k]));
+  return find_pieces(f);
+}
+
+arc_status arc_body_find_strata(elastic_body *b, arc_error *error) {
+  const arc_mesh *m = b->mesh;
+  if (m->rows > 0 || arc_body_layers(&m->solid) == 0) return ARC_OK;
+  search f = {.body = b};
+  int whole = prepare(&f);
+  if (whole) {
+    if (f.count > 0) qsort(f.list, (size_t)f.count, sizeof *f.list, compare_pieces);
+    b->stratum = malloc((size_t)(f.count + m->surface) * sizeof *b->stratum);
+    b->stratum_start = malloc((size_t)m->surface * sizeof *b->stratum_start);
+    whole = b->stratum && b->stratum_start;
+  }
+  if (whole) join_pieces(&f, b);
+  free(f.list);
+  free(f.sz);
+  return whole ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for the layers of a mesh");
+}
