@@ -58,7 +58,7 @@ static arc_status load(const char *path, double *settled, arc_wear **wear, arc_e
   if (status == ARC_OK) {
     run.def.k_function = running_in;
     run.def.context = settled;
-    status = arc_model_build(&run.model, &model, why);
+    status = arc_stored_run_model(&run, NULL, &model, why);
     if (status == ARC_OK) status = arc_store_restore(store, 1, model, &run.def, wear, why);
     arc_stored_run_free(&run);
   }

@@ -142,7 +142,8 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
 
 /* Stores a run under a case that is there, in place of what was stored of it: definition, history,
  * state, and `count` surfaces, the present ones (arc_wear_surfaces) among them; of two of one body
- * and update the later counts. One transaction (its own, or the one begun). Of a field that is a
+ * and update the later counts. Meshes from outside are stored as the text of a Gmsh file. One
+ * transaction (its own, or the one begun). Of a field that is a
  * function only that is stored: it must be given again to go on. */
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
                           const arc_surface *surfaces, size_t count, arc_error *error);
@@ -150,7 +151,9 @@ arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
 /* The definition of a stored run. */
 typedef struct arc_stored_run {
   arc_model_def model;
-  arc_wear_def def;                        /* its functions are NULL */
+  arc_wear_def def;            /* its functions are NULL */
+  arc_mesh *given[ARC_BODIES]; /* its meshes where they came from outside, else NULL: for
+                                  arc_model_build_given, which takes them over */
   char functions[ARC_WEAR_SETTINGS_COUNT]; /* whether the setting in this place was a function */
   void *memory;                            /* the arrays `def` points to */
 } arc_stored_run;
@@ -160,10 +163,14 @@ typedef struct arc_stored_run {
  * nothing to free. */
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error);
 void arc_stored_run_free(arc_stored_run *run);
+/* Builds its model, of its meshes where it has some, which are taken over. Errors of
+ * arc_model_build. */
+arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callbacks,
+                                arc_model **model, arc_error *error);
 
-/* The run itself, on a model of the stored definition, with `def` the stored one and its functions
- * set: goes on to the same bits as the run that was stored. Errors: ARC_FORMAT (the state is not
- * complete) and those of arc_wear_restore. */
+/* The run itself, on a model of the stored definition and meshes, with `def` the stored one and its
+ * functions set: goes on to the same bits as the run that was stored. Errors: ARC_FORMAT (the state
+ * is not complete) and those of arc_wear_restore. */
 arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
                              arc_wear **wear, arc_error *error);
 

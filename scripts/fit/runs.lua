@@ -78,7 +78,7 @@ end
 -- Flat settings as text: a fit goes on in a file that has been made with the same ones.
 local function fingerprint(where, base)
   local lines = {}
-  for name, value in pairs(settings.flatten(where, base)) do
+  for name, value in pairs(settings.carrier(where)(settings.flatten(where, base))) do
     if type(value) == "table" then value = table.concat(value, " ") end
     lines[#lines + 1] = name .. "=" .. tostring(value)
   end
@@ -98,13 +98,14 @@ local function open(self)
 end
 
 local function add_cases(self, store, wanted)
+  local carried = settings.carrier(self.where)
   store:begin()
   for _, each in ipairs(wanted) do
     if not self.cases[each.label] then
       self.last = self.last + 1
       self.cases[each.label] = self.last
       store:add(self.last, each.label)
-      store:set_values(self.last, "settings", settings.flatten(self.where, self:given(each.values)))
+      store:set_values(self.last, "settings", carried(settings.flatten(self.where, self:given(each.values))))
     end
   end
   store:commit()

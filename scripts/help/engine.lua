@@ -40,7 +40,8 @@ return {
   { "body", kind = "module", use = "model{ upper = body.punch{ flat=1, radius=2 }, lower = body.block{} }",
     text = "Makes bodies for model{ upper=, lower= }: the upper one carries the load by its top or held "
       .. "part, the lower one moves. Each takes E, nu, k (or material=) and layers = {{ thickness=, "
-      .. "material= }, ...} from the surface inwards, whose k counts as deep as they reach." },
+      .. "material= }, ...} from the surface inwards, whose k counts as deep as they reach; on a mesh from "
+      .. "Gmsh materials = { NAME = } in their place." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
     text = "A half cylinder, its flat built in." },
   { "body.block", kind = "function", use = "body.block{ width=20, height=10 }", result = "table",
@@ -55,6 +56,9 @@ return {
   { "body.ring", kind = "function", use = 'body.ring{ inner=10, outer=20, fixed="outer" }', result = "table",
     text = "A ring; fixed=\"outer\": its hole is in contact, with a disc, cylinder or inner ring in it. "
       .. "Then contact is solved along the arc, x is the length along the hole; without friction." },
+  { "body.gmsh", kind = "function", use = "body.gmsh{ name=, E=, materials={ coating={ E=400e3 } } }",
+    result = "table", text = "What the Gmsh file of model{ mesh = } has for it; materials by the names there: help "
+      .. "\"gmsh\"." },
   { "model.seconds", kind = "field", unit = "s", text = "Time it took to build." },
   { "model.bytes", kind = "field", unit = "bytes", text = "Memory it takes." },
   { "model.close", kind = "method", use = "m:close()",

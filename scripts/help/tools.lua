@@ -318,7 +318,8 @@ return {
       .. "the latter with radii for x and one half of the section." },
   { "export.msh", kind = "function", use = "export.msh(m, path)",
     text = "A model or a mesh as a Gmsh file (4.1, text, mm), with the physical groups that model{ mesh = "
-      .. "path } reads: upper is the cylinder, lower the plate. Coordinates read back to the bit." },
+      .. "path } reads: upper is the cylinder, lower the plate, upper.layer1 its first layer. Coordinates read "
+      .. "back to the bit. Without a path its text is the result; model{ mesh = } takes that, too." },
   { "export.json", kind = "function", use = "export.json(w, path)",
     text = "Summary of a wear run: versions, definition with its model, results, units. NaN and what was not given are null, "
       .. "a function of the user the word \"function\"." },

@@ -75,11 +75,18 @@ triangles and quadrilaterals of first order. Physical groups name the parts:
   upper.contact     curve that may come into contact, in one piece, one y for
                     each x; lower.contact too
   upper.fixed       curves built in or tied to the rigid base; lower.fixed too
+  upper.NAME        surfaces of another material (up to 4); lower.NAME too
 
-Bodies share no points, not even where they touch. What does not fit is refused with its number and place. radius is
-that of the unworn gap where it is not given; estimates need it. Such a mesh has no wear box: wear{ geometry = "frozen" }
-alone works on it, and such runs are not saved. export.msh writes archard's own meshes, examples/gmsh_pair.geo shows how to
-make one:
+Bodies share no points, not even where they touch. What does not fit is refused with its number and place. Materials come by
+their names, k as deep as they reach in the mesh; what has no name is of the body's own E, nu and k:
+
+  model{ mesh = "pair.msh", upper = body.gmsh{ name = "roller", E = 210e3,
+    materials = { coating = { E = 400e3, k = 1e-9 } } } }
+
+Of a pin in a hole the shapes tell the arc: upper = body.disc{ radius= }, lower = body.ring{ inner=, outer= }; they take
+materials, too. radius is that of the unworn gap where it is not given; estimates need it. Such a mesh has no wear box:
+wear{ geometry = "frozen" } alone works on it. Runs, studies and sessions are stored with the mesh itself. export.msh writes
+archard's own meshes, examples/gmsh_pair.geo shows how to make one:
 
   gmsh -2 -order 1 -format msh41 -o gmsh_pair.msh gmsh_pair.geo]] },
   { "steps", [[

@@ -51,9 +51,10 @@ function readers.material(given) return material(settings.nest(given).is) end
 -- A study that has run is in a file of its own; of another its cases are kept.
 function writers.study(value, given)
   given.file, given.name, given.looks, given.task = value.file, value.name, value.looks, value.task
+  local carried = settings.carrier("session.save")
   for i, flat in ipairs(value.file and {} or value.flat) do
     given["count"] = i
-    for name, one in pairs(flat) do given[("is.%d.%s"):format(i, name)] = one end
+    for name, one in pairs(carried(flat)) do given[("is.%d.%s"):format(i, name)] = one end
   end
 end
 

@@ -21,9 +21,10 @@ local function write(self, store)
   store:set_info("task", self.task)
   if self.sample then store:set_info("sample", self.sample.text or design.text(self.sample)) end
   store:set_info("program", "archard " .. require "archard".version)
+  local carried = settings.carrier("study")
   for id, flat in ipairs(self.flat) do
     store:add(id, self.labels[id])
-    store:set_values(id, "settings", flat)
+    store:set_values(id, "settings", carried(flat))
   end
 end
 
@@ -42,8 +43,9 @@ local function compare(where, self, store)
   if #cases ~= #self.flat then
     other_study(where, store, ("it has %d cases, this one %d"):format(#cases, #self.flat))
   end
-  for id, flat in ipairs(self.flat) do
-    local there = store:values(id, "settings")
+  local carried = settings.carrier(where)
+  for id, given in ipairs(self.flat) do
+    local flat, there = carried(given), store:values(id, "settings")
     local name = settings.difference(flat, there)
     if name then
       other_study(where, store, ("case %d has %s = %s there, %s here"):format(id, name,

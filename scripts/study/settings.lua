@@ -2,6 +2,7 @@
 -- file and back, grids of varied fields, labels. Leans on check for its errors.
 
 local check = require "archard.lib.check"
+local files = require "archard.files"
 local known = require "archard.settings"
 local merged = require "archard.lib.merged"
 
@@ -32,11 +33,14 @@ local function as_table(where, name, value)
     check.fail(where, ("field '%s': a %s cannot be kept in a run file; expected a number, a text, "
       .. "a boolean, a material, a model or a table of them"):format(name, class or type(value)))
   end
-  local flat = {}
+  local flat, outside = {}, class == "model" and value.mesh.upper.rows == 0
   for _, setting in ipairs(known[class]) do
     local own = (not setting.group or setting.class) and not implied[setting.path]
-    if own then flat[setting.path] = value_at(value, setting.path) end
+    if own and not (outside and setting.path:match("^mesh%.")) then
+      flat[setting.path] = value_at(value, setting.path)
+    end
   end
+  if outside then flat.mesh = files.msh(value) end -- no settings make that one again
   return flat
 end
 
@@ -58,6 +62,18 @@ local function flatten(where, into, prefix, given)
     end
   end
   return into
+end
+
+-- A function that puts, for the names of mesh files in flat settings, what stands in them: when a case
+-- runs there may be another file of that name, or none.
+function settings.carrier(where)
+  local texts = {}
+  return function(flat)
+    local path = flat["model.mesh"]
+    if type(path) ~= "string" or path:find("\n", 1, true) then return flat end
+    texts[path] = texts[path] or files.read(where, path)
+    return merged(flat, { ["model.mesh"] = texts[path] })
+  end
 end
 
 -- { model = { radius = 8 } } -> { ["model.radius"] = 8 }
@@ -193,7 +209,8 @@ end
 function settings.shown(value)
   if type(value) == "number" then return ("%.6g"):format(value) end
   if type(value) == "table" then return ("(%d numbers)"):format(#value) end
-  return tostring(value)
+  local text = tostring(value)
+  return #text < 100 and text or ("(%d characters)"):format(#text)
 end
 
 -- The first name, in order, in which two flat tables differ; nil where they are the same.

@@ -117,6 +117,14 @@ case_id, step and the columns of history_of.
 .It Li state
 case_id, body, condensed, even, h, xy, settled: what a run needs to go on to the
 same bits.
+.It Li texts
+name, text: long texts, each once; values have the name, which is the checksum of
+what it says.
+Meshes from outside are Gmsh files here:
+.Li model.mesh
+of settings,
+.Li model.msh
+of definitions.
 .El
 .Pp
 Values are numbers (REAL), texts, flags (INTEGER 0 or 1) or lists of numbers

@@ -153,7 +153,16 @@ static const char *const look_up[] = {
     "SELECT name, value FROM definition WHERE case_id = ?1 ORDER BY name",
     "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name"};
 
-static void set_value(query *q, const arc_value *value) {
+/* Sets a text, or the name that stands for it; `name` lives until the query has run. */
+static arc_status set_text(arc_store *store, query *q, const char *text, char name[ARC_TEXT_NAME],
+                           arc_error *error) {
+  const arc_status status = arc_store_put_text(store, text, name, error);
+  arc_query_set_text(q, 3, name[0] ? name : text);
+  return status;
+}
+
+static arc_status set_value(arc_store *store, query *q, const arc_value *value,
+                            char name[ARC_TEXT_NAME], arc_error *error) {
   arc_query_set_text(q, 2, value->name);
   switch (value->kind) {
   case ARC_VALUE_NUMBER:
@@ -163,12 +172,12 @@ static void set_value(query *q, const arc_value *value) {
     arc_query_set_whole(q, 3, value->number != 0);
     break;
   case ARC_VALUE_TEXT:
-    arc_query_set_text(q, 3, value->text);
-    break;
+    return set_text(store, q, value->text, name, error);
   case ARC_VALUE_ARRAY:
     arc_query_set_array(q, 3, value->array, value->count);
     break;
   }
+  return ARC_OK;
 }
 
 static arc_status insert_values(arc_store *store, int id, arc_value_use use,
@@ -176,8 +185,9 @@ static arc_status insert_values(arc_store *store, int id, arc_value_use use,
   query *q;
   arc_status status = arc_store_query(store, insert[use], id, &q, error);
   for (size_t i = 0; i < count && status == ARC_OK; i++) {
-    set_value(q, &values[i]);
-    status = arc_query_run(q, error);
+    char name[ARC_TEXT_NAME];
+    status = set_value(store, q, &values[i], name, error);
+    if (status == ARC_OK) status = arc_query_run(q, error);
   }
   arc_query_close(&q);
   return status;
@@ -193,8 +203,35 @@ arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
   return arc_store_leave(store, own, status, error);
 }
 
-/* The value of the row; an array is put into *buffer, which grows. */
-static arc_status read_value(arc_store *store, query *q, arc_value *value, double **buffer,
+/* What a value of a row is put into where the row does not hold it; to be freed. */
+typedef struct buffers {
+  double *array;
+  char *text;
+} buffers;
+
+static arc_status read_text(arc_store *store, query *q, arc_value *value, buffers *to,
+                            arc_error *error) {
+  value->kind = ARC_VALUE_TEXT;
+  value->text = arc_query_text(q, 1);
+  free(to->text);
+  const arc_status status = arc_store_get_text(store, value->text, &to->text, error);
+  if (to->text) value->text = to->text;
+  return status;
+}
+
+static arc_status read_array(const arc_store *store, query *q, arc_value *value, buffers *to,
+                             arc_error *error) {
+  value->kind = ARC_VALUE_ARRAY;
+  value->count = arc_query_array_count(q, 1);
+  free(to->array);
+  value->array = to->array = malloc((value->count + 1) * sizeof *to->array);
+  if (!to->array) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
+  arc_query_array(q, 1, to->array, value->count);
+  return ARC_OK;
+}
+
+/* The value of the row. */
+static arc_status read_value(arc_store *store, query *q, arc_value *value, buffers *to,
                              arc_error *error) {
   *value = (arc_value){.kind = ARC_VALUE_NUMBER, .name = arc_query_text(q, 0)};
   switch (arc_query_kind(q, 1)) {
@@ -203,18 +240,9 @@ static arc_status read_value(arc_store *store, query *q, arc_value *value, doubl
     value->number = (double)arc_query_whole(q, 1);
     break;
   case COLUMN_TEXT:
-    value->kind = ARC_VALUE_TEXT;
-    value->text = arc_query_text(q, 1);
-    break;
+    return read_text(store, q, value, to, error);
   case COLUMN_ARRAY:
-    value->kind = ARC_VALUE_ARRAY;
-    value->count = arc_query_array_count(q, 1);
-    free(*buffer);
-    *buffer = malloc((value->count + 1) * sizeof **buffer);
-    if (!*buffer) return arc_fail(error, ARC_MEMORY, "%s: out of memory", store->path);
-    arc_query_array(q, 1, *buffer, value->count);
-    value->array = *buffer;
-    break;
+    return read_array(store, q, value, to, error);
   case COLUMN_BYTES:
     return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: '%s' is no list of numbers",
                     store->path, value->name);
@@ -228,17 +256,18 @@ static arc_status read_value(arc_store *store, query *q, arc_value *value, doubl
 arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_value_fn see,
                             void *context, arc_error *error) {
   query *q = NULL;
-  double *buffer = NULL;
+  buffers held = {NULL, NULL};
   arc_value value;
   int row = 0, ended = 0;
   arc_status status = use == ARC_DEFINITION ? arc_store_verify_run(store, id, error)
                                             : arc_store_verify(store, id, error);
   if (status == ARC_OK) status = arc_store_query(store, look_up[use], id, &q, error);
   while (!ended && status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row) {
-    status = read_value(store, q, &value, &buffer, error);
+    status = read_value(store, q, &value, &held, error);
     if (status == ARC_OK) ended = see(context, &value);
   }
   arc_query_close(&q);
-  free(buffer);
+  free(held.array);
+  free(held.text);
   return status;
 }

@@ -3,7 +3,6 @@
  * this finds it inside the numbers. */
 #include "store/store.h"
 
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +16,7 @@ static const char *const parts[] = {
     "SELECT * FROM surfaces WHERE case_id = ?1 ORDER BY updates, body, node",
     "SELECT * FROM state WHERE case_id = ?1 ORDER BY body"};
 
-static uint64_t add_bytes(uint64_t sum, const void *bytes, size_t count) {
+uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count) {
   const unsigned char *at = bytes;
   for (size_t i = 0; i < count; i++) sum = (sum ^ at[i]) * 1099511628211u;
   return sum;
@@ -27,22 +26,22 @@ static uint64_t add_bytes(uint64_t sum, const void *bytes, size_t count) {
 static arc_status add_value(query *q, int column, uint64_t *sum) {
   const column_kind kind = arc_query_kind(q, column);
   const unsigned char tag = (unsigned char)kind;
-  *sum = add_bytes(*sum, &tag, 1);
+  *sum = arc_store_checksum(*sum, &tag, 1);
   if (kind == COLUMN_WHOLE) {
     const long long whole = arc_query_whole(q, column);
-    *sum = add_bytes(*sum, &whole, sizeof whole);
+    *sum = arc_store_checksum(*sum, &whole, sizeof whole);
   } else if (kind == COLUMN_NUMBER) {
     const double number = arc_query_number(q, column);
-    *sum = add_bytes(*sum, &number, sizeof number);
+    *sum = arc_store_checksum(*sum, &number, sizeof number);
   } else if (kind == COLUMN_TEXT) {
     const char *text = arc_query_text(q, column);
-    *sum = add_bytes(*sum, text, strlen(text) + 1);
+    *sum = arc_store_checksum(*sum, text, strlen(text) + 1);
   } else if (kind == COLUMN_ARRAY) {
     const size_t count = arc_query_array_count(q, column);
     double *array = malloc((count + 1) * sizeof *array);
     if (!array) return ARC_MEMORY;
     arc_query_array(q, column, array, count);
-    *sum = add_bytes(*sum, array, count * sizeof *array);
+    *sum = arc_store_checksum(*sum, array, count * sizeof *array);
     free(array);
   }
   return ARC_OK;
@@ -63,7 +62,7 @@ static arc_status add_part(arc_store *store, const char *sql, int id, uint64_t *
 
 /* The checksum of a case as text. */
 static arc_status digest_of(arc_store *store, int id, char text[17], arc_error *error) {
-  uint64_t sum = 14695981039346656037u;
+  uint64_t sum = ARC_STORE_CHECKSUM;
   arc_status status = ARC_OK;
   for (size_t p = 0; p < sizeof parts / sizeof *parts && status == ARC_OK; p++)
     status = add_part(store, parts[p], id, &sum, error);

@@ -67,6 +67,7 @@ static arc_status check_same_results(arc_store *store, const char *from, arc_err
 /* Columns may stand in another order in either file: checksums are written anew. */
 static arc_status copy_finished(arc_store *store, arc_error *error) {
   static const char *const steps[] = {
+      "INSERT OR IGNORE INTO main.texts (name, text) SELECT name, text FROM other.texts",
       COPY("definition", VALUES),
       COPY("results", VALUES),
       COPY("history", HISTORY),

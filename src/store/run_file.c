@@ -185,6 +185,7 @@ arc_status arc_store_check(arc_store *store, arc_error *error) {
     status = arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", store->path,
                       arc_query_text(q, 0));
   arc_query_close(&q);
+  if (status == ARC_OK) status = arc_store_verify_texts(store, error);
   return status == ARC_OK ? arc_store_verify_all(store, error) : status;
 }
 

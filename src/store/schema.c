@@ -15,12 +15,13 @@
  * would lose the sign of zero. */
 #define CASE_ID      "case_id INTEGER NOT NULL REFERENCES cases"
 #define NAMED_VALUES "(" CASE_ID ", name TEXT NOT NULL, value, PRIMARY KEY (case_id, name))"
+#define MAKE_TEXTS   "CREATE TABLE texts (name TEXT PRIMARY KEY, text TEXT NOT NULL);"
 static const char tables[] =
     "CREATE TABLE info (name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;"
     "CREATE TABLE cases (id INTEGER PRIMARY KEY, label TEXT NOT NULL,"
     "  status TEXT NOT NULL DEFAULT 'waiting', message TEXT, seconds REAL, checksum TEXT,"
-    "  created TEXT, finished TEXT);"
-    "CREATE TABLE settings " NAMED_VALUES " WITHOUT ROWID;"
+    "  created TEXT, finished TEXT);" MAKE_TEXTS "CREATE TABLE settings " NAMED_VALUES
+    " WITHOUT ROWID;"
     "CREATE TABLE definition " NAMED_VALUES " WITHOUT ROWID;"
     "CREATE TABLE results " NAMED_VALUES " WITHOUT ROWID;"
     "CREATE TABLE history (" CASE_ID ", step INTEGER NOT NULL@columns,"
@@ -87,7 +88,7 @@ static const struct migration {
      "ALTER TABLE history ADD COLUMN cycle_energy_N_mm;"
      "ALTER TABLE history ADD COLUMN largest_shear_N;"
      "ALTER TABLE history ADD COLUMN stick_width_mm;"
-     "ALTER TABLE history ADD COLUMN gross;"},
+     "ALTER TABLE history ADD COLUMN gross;" MAKE_TEXTS},
 };
 
 enum { MIGRATIONS = sizeof migrations / sizeof *migrations };

@@ -6,6 +6,8 @@
 #include "archard/store.h"
 #include "store/database.h"
 
+#include <stdint.h>
+
 /* The file's application_id, "arch"; at byte 68. */
 #define ARC_STORE_APPLICATION 1634886504
 
@@ -94,6 +96,25 @@ arc_status arc_store_unseal_sound(arc_store *store, arc_error *error);
 arc_status arc_store_verify(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_run(arc_store *store, int id, arc_error *error);
 arc_status arc_store_verify_all(arc_store *store, arc_error *error);
+
+/* Goes on with a checksum, which begins with the number, over some bytes. */
+#define ARC_STORE_CHECKSUM 14695981039346656037u
+uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count);
+
+/* --- texts.c: long texts, once in a file --------------------------------------------------------
+ */
+
+enum { ARC_TEXT_NAME = 24 }; /* room for a name with its end */
+
+/* Keeps a text that is long; `name` then stands for it, "" for one that may stand where it belongs.
+ */
+arc_status arc_store_put_text(arc_store *store, const char *text, char name[ARC_TEXT_NAME],
+                              arc_error *error);
+/* The text that a name stands for, to be freed with free(); NULL: it is no name. ARC_FORMAT: there
+ * is none, or another one. */
+arc_status arc_store_get_text(arc_store *store, const char *name, char **text, arc_error *error);
+/* ARC_FORMAT where a text is not what its name says. */
+arc_status arc_store_verify_texts(arc_store *store, arc_error *error);
 
 /* --- stored_definition.c: the engine's definitions as named values ------------------------------
  */

@@ -2,6 +2,7 @@
  * where they stand in the definitions; it is made from the lists of settings and serves writing,
  * reading and checking: a new setting needs nothing here. Beside a setting NAME stand NAME_auto,
  * NAME_function (only that it was one), NAME_series.distance and NAME_series.value. */
+#include "archard/export.h"
 #include "store/store.h"
 
 #include <math.h>
@@ -16,9 +17,9 @@ enum { LONGEST_NAME = 96 };
 /* A value that a definition may have. */
 typedef struct slot {
   char name[LONGEST_NAME];
-  enum { SLOT_NUMBER, SLOT_WHOLE, SLOT_CHOICE, SLOT_TEXT, SLOT_FLAG, SLOT_ARRAY } kind;
+  enum { SLOT_NUMBER, SLOT_WHOLE, SLOT_CHOICE, SLOT_TEXT, SLOT_LONG, SLOT_FLAG, SLOT_ARRAY } kind;
   const char *const *choices;
-  void *at;     /* double, int, int, char [ARC_TEXT_SIZE], char, const double * */
+  void *at;     /* double, int, int, char [ARC_TEXT_SIZE], const char *, char, const double * */
   int *count;   /* of an array: shared with those that are as long; 0: none of them is there */
   int optional; /* an array that may miss beside the others */
 } slot;
@@ -78,8 +79,9 @@ static void add_block(slots *list, arc_loading *block, int number) {
   add(list, prefix, "periodic", (slot){.kind = SLOT_WHOLE, .at = &block->periodic});
 }
 
-/* All values of a run, whose blocks of loading are there already. */
-static slots table_of(arc_stored_run *run) {
+/* All values of a run, whose blocks of loading are there already, and the Gmsh file of its meshes
+ * (NULL: they are archard's own). */
+static slots table_of(arc_stored_run *run, const char **msh) {
   slots list = {0};
   arc_wear_def *def = &run->def;
   arc_settings_walk(arc_wear_settings, "", def, add_setting, &list);
@@ -93,6 +95,7 @@ static slots table_of(arc_stored_run *run) {
   for (int b = 0; b < def->blocks; b++)
     add_block(&list, (arc_loading *)(size_t)&def->loading[b], b + 1);
   arc_settings_walk(arc_model_settings, "model.", &run->model, add_setting, &list);
+  add(&list, "model.msh", "", (slot){.kind = SLOT_LONG, .at = msh});
   return list;
 }
 
@@ -102,7 +105,12 @@ static const double *array_at(const slot *s) {
   return *(const double **)s->at;
 }
 
+static const char *long_at(const slot *s) {
+  return *(const char **)s->at;
+}
+
 static int is_there(const slot *s) {
+  if (s->kind == SLOT_LONG) return long_at(s) != NULL;
   if (s->kind == SLOT_FLAG || s->kind == SLOT_TEXT) return *(const char *)s->at != 0;
   return s->kind != SLOT_ARRAY || (*s->count > 0 && array_at(s));
 }
@@ -124,6 +132,10 @@ static arc_value value_of(const slot *s) {
     value.kind = ARC_VALUE_TEXT;
     value.text = s->at;
     break;
+  case SLOT_LONG:
+    value.kind = ARC_VALUE_TEXT;
+    value.text = long_at(s);
+    break;
   case SLOT_FLAG:
     value.kind = ARC_VALUE_FLAG;
     value.number = 1;
@@ -137,12 +149,13 @@ static arc_value value_of(const slot *s) {
   return value;
 }
 
-arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error) {
+static arc_status save(arc_store *store, int id, const arc_wear *wear, const char *msh,
+                       arc_error *error) {
   arc_stored_run run = {.model = *arc_model_definition(arc_wear_model(wear)),
                         .def = *arc_wear_definition(wear)};
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     run.functions[s - arc_wear_settings] = (char)arc_setting_has_function(s, &run.def);
-  slots table = table_of(&run);
+  slots table = table_of(&run, &msh);
   arc_value *values = malloc((table.count + 1) * sizeof *values);
   size_t count = 0;
   arc_status status = ARC_MEMORY;
@@ -154,6 +167,18 @@ arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, a
     status = arc_store_set_values(store, id, ARC_DEFINITION, values, count, error);
   free(values);
   free(table.slot);
+  return status;
+}
+
+arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, arc_error *error) {
+  const arc_model *model = arc_wear_model(wear);
+  const arc_mesh *mesh[ARC_BODIES] = {arc_model_mesh(model, ARC_UPPER),
+                                      arc_model_mesh(model, ARC_LOWER)};
+  char *msh = NULL;
+  arc_status status = ARC_OK;
+  if (arc_model_is_given(model)) status = arc_export_msh_text(&msh, mesh, error);
+  if (status == ARC_OK) status = save(store, id, wear, msh, error);
+  free(msh);
   return status;
 }
 
@@ -181,6 +206,7 @@ static void free_stock(stock *s) {
 }
 
 void arc_stored_run_free(arc_stored_run *run) {
+  for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&run->given[b]);
   free_stock(run->memory);
   *run = (arc_stored_run){.memory = NULL};
 }
@@ -206,6 +232,7 @@ typedef struct reading {
   stock *stock;
   arc_error *error;
   arc_status status;
+  const char *msh; /* the Gmsh file of its meshes, or NULL */
 } reading;
 
 static arc_status no_memory(const reading *r) {
@@ -280,6 +307,9 @@ static int read_value(const slot *s, const arc_value *value) {
     return read_choice(s, value);
   case SLOT_TEXT:
     return read_text(s, value);
+  case SLOT_LONG:
+    *(const char **)s->at = value->text;
+    return value->kind == ARC_VALUE_TEXT;
   case SLOT_ARRAY:
     return read_array(s, value);
   case SLOT_FLAG:
@@ -329,10 +359,10 @@ static arc_status fill_in(const reading *r, const slots *table) {
   return ARC_OK;
 }
 
-static arc_status fill(const reading *r) {
+static arc_status fill(reading *r) {
   arc_status status = make_blocks(r);
   if (status != ARC_OK) return status;
-  slots table = table_of(r->run);
+  slots table = table_of(r->run, &r->msh);
   if (table.failed) {
     status = no_memory(r);
   } else {
@@ -347,6 +377,22 @@ static arc_status fill(const reading *r) {
 
 static void stand_in(void) {}
 
+/* What does not make two meshes is refused by the reader of such files. */
+static arc_status read_meshes(const reading *r) {
+  arc_error why = {0};
+  if (!r->msh) return ARC_OK;
+  if (arc_mesh_parse_msh("the mesh", r->msh, strlen(r->msh), r->run->given, &why) == ARC_OK)
+    return ARC_OK;
+  if (why.status == ARC_FORMAT)
+    return arc_store_damaged(r->store, r->error, r->id, "has no mesh: %s", why.message);
+  return arc_store_refused(r->store, r->error, r->id, &why);
+}
+
+static arc_status check_model(const reading *r, arc_error *why) {
+  if (!r->msh) return arc_model_check(&r->run->model, why);
+  return arc_model_check_given(&r->run->model, r->run->given, why);
+}
+
 /* What the engine takes; the functions are not there yet. */
 static arc_status check(const reading *r) {
   arc_error why = {0};
@@ -355,22 +401,30 @@ static arc_status check(const reading *r) {
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     if (r->run->functions[s - arc_wear_settings])
       memcpy((char *)&def + s->function, &function, sizeof function);
-  arc_status status = arc_model_check(&r->run->model, &why);
+  arc_status status = check_model(r, &why);
   if (status == ARC_OK) status = arc_wear_check(&def, &r->run->model, &why);
   return status == ARC_OK ? ARC_OK : arc_store_refused(r->store, r->error, r->id, &why);
+}
+
+arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callbacks,
+                                arc_model **model, arc_error *error) {
+  if (run->given[ARC_UPPER])
+    return arc_model_build_given(&run->model, run->given, callbacks, model, error);
+  return arc_model_build_watched(&run->model, callbacks, model, error);
 }
 
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error) {
   stock *values = calloc(1, sizeof *values);
   *run =
       (arc_stored_run){.model = arc_model_default(), .def = arc_wear_default(), .memory = values};
-  reading r = {store, id, run, values, error, ARC_OK};
+  reading r = {store, id, run, values, error, ARC_OK, NULL};
   if (!values) return no_memory(&r);
   arc_status status = arc_store_values(store, id, ARC_DEFINITION, collect, &r, error);
   if (status == ARC_OK) status = r.status;
   if (status == ARC_OK && r.stock->count == 0)
     status = arc_fail(error, ARC_ARGUMENT, "%s: no run is stored as case %d", store->path, id);
   if (status == ARC_OK) status = fill(&r);
+  if (status == ARC_OK) status = read_meshes(&r);
   if (status == ARC_OK) status = check(&r);
   if (status != ARC_OK) arc_stored_run_free(run);
   return status;

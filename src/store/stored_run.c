@@ -88,10 +88,6 @@ static arc_status forget(arc_store *store, int id, arc_error *error) {
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
                           const arc_surface *surfaces, size_t count, arc_error *error) {
   int own = 0;
-  if (arc_model_is_given(arc_wear_model(wear)))
-    return arc_fail(error, ARC_ARGUMENT,
-                    "a run on a mesh from outside cannot be stored: its file would not hold the "
-                    "mesh");
   arc_status status = arc_store_enter(store, &own, error);
   if (status == ARC_OK) status = arc_store_open_seal(store, id, error);
   if (status == ARC_OK) status = forget(store, id, error);

@@ -184,9 +184,11 @@ static int see(void *context, const arc_value *value) {
 }
 
 /* The model of the sound file is built once. */
-static arc_status model_of(const arc_model_def *def, arc_model **model) {
+static arc_status model_of(arc_stored_run *run, arc_model **model) {
   static arc_model *kept;
   static arc_model_def of_kept;
+  const arc_model_def *def = &run->model;
+  if (run->given[ARC_UPPER]) return arc_stored_run_model(run, NULL, model, NULL);
   if (kept && memcmp(def, &of_kept, sizeof *def) == 0) {
     *model = arc_model_retain(kept);
     return ARC_OK;
@@ -196,12 +198,12 @@ static arc_status model_of(const arc_model_def *def, arc_model **model) {
   return status;
 }
 
-static void go_on(arc_store *store, int id, const arc_stored_run *run) {
+static void go_on(arc_store *store, int id, arc_stored_run *run) {
   arc_error error = {0};
   arc_model *model = NULL;
   arc_wear *wear = NULL;
   if (run->model.mesh.size > 0 && run->model.mesh.size < 0.05) return; /* too slow here */
-  if (model_of(&run->model, &model) == ARC_OK &&
+  if (model_of(run, &model) == ARC_OK &&
       arc_store_restore(store, id, model, &run->def, &wear, &error) == ARC_OK)
     arc_wear_step(wear, NULL, &error);
   arc_wear_destroy(&wear);

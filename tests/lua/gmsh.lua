@@ -30,8 +30,16 @@ fails(function() wear{ model = read } end, 'expected "frozen" on a mesh from out
 local w = wear{ model = read, geometry = "frozen", stroke = 0.2, cycles = 100 }
 w:run()
 ok(w.depth_plate > 0, "a frozen run wears")
-fails(function() w:save(at("w.wear")) end, "mesh from outside cannot be stored", "not stored")
-ok(not io.open(at("w.wear")), "and no file is left")
+
+-- Stored with its mesh, without the file: a run goes on to the same bits.
+local half = wear{ model = read, geometry = "frozen", stroke = 0.2, cycles = 100, jump = 20 }
+half:step(2)
+half:save(at("w.wear"))
+local again = wear.open(at("w.wear"))
+half:run()
+again:run()
+ok(again.p_center == half.p_center and again.depth_plate == half.depth_plate, "a stored run goes on to the same bits")
+is(again.model.mesh.plate.rows, 0, "on its mesh")
 is(contact{ worn = w }.model.mesh.plate.nodes, own.mesh.plate.nodes, "contact{ worn = } stays on its mesh")
 fails(function() export.inp(read, at("p.inp")) end, "no wear box", "no deck")
 
@@ -101,6 +109,39 @@ local text = io.open(at("pair.msh")):read("a")
 is(contact{ model = { mesh = at("pair.msh"), radius = 10 }, load = 100 }.p_center, c.p_center, "a file in contact{ model = }")
 is(contact{ model = { mesh = text, radius = 10 }, load = 100 }.p_center, c.p_center, "its text in place of its name")
 fails(function() wear{ model = { mesh = text:sub(1, 300) } } end, "model.mesh, line", "half a text")
+
+-- Studies, sessions and what is made of settings keep the mesh itself, not the name of its file.
+os.execute(("cp %s %s"):format(at("coated.msh"), at("gone.msh")))
+local base = { geometry = "frozen", stroke = 0.1, cycles = 40, jump = 20, increments = 20 }
+local function coated_study(given)
+  base.model = given
+  return study{ base = base, vary = { alpha = { 0.25, 0.5 } } }
+end
+local of_roller = body.gmsh{ name = "roller", E = 210e3, materials = { layer1 = { E = 400e3 } } }
+local by_file = coated_study{ mesh = at("gone.msh"), radius = 10, upper = of_roller }
+local by_model = coated_study(model{ mesh = at("gone.msh"), radius = 10, upper = of_roller })
+by_file:run{ file = at("file.study"), workers = 1, progress = false }
+os.remove(at("gone.msh"))
+by_model:run{ file = at("model.study"), workers = 1, progress = false }
+local p, q = by_file:cases(), by_model:cases()
+for i = 1, 2 do
+  ok(p[i].status == "done" and p[i].last.p_center == q[i].last.p_center and p[i].last.depth_plate == q[i].last.depth_plate,
+    ("case %d: the same by the file and by the model"):format(i))
+end
+local roller = coated(of_roller, body.gmsh{})
+local alone = wear{ model = roller, geometry = "frozen", stroke = 0.1, cycles = 40, jump = 20, increments = 20, k = 1e-8, alpha = 0.5 }
+near(q[2].last.depth_plate, alone:run().depth_plate, 1e-9, "and as the run by itself")
+near(wear.open(at("file.study"), 2).depth_plate, alone.depth_plate, 1e-9, "opened from the study")
+is(#study.open(at("file.study")):cases(), 2, "the study opens without the file")
+fails(function() coated_study{ mesh = at("gone.msh") }:run{ file = at("none.study"), workers = 1 } end, "cannot read", "no file")
+the_model, the_run = roller, alone -- globals are what sessions keep
+session.save(at("session"))
+the_model, the_run = nil, nil
+session.open(at("session"))
+is(the_run.depth.roller, alone.depth.roller, "a session keeps runs")
+is(the_model.upper.materials.layer1.E, 400e3, "and models, with their materials")
+is(contact{ model = the_model, load = 100 }.p_center, contact{ model = roller, load = 100 }.p_center, "the same ones")
+is(export.msh(the_model), export.msh(roller), "on the same mesh; without a path export.msh gives the text")
 
 -- A mesh by Gmsh of the same shapes.
 local outside = model{ mesh = here .. "/../../examples/gmsh_pair.msh", radius = 10 }

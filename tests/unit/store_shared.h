@@ -148,7 +148,7 @@ __attribute__((unused)) static arc_wear *restored(const char *name, int id, arc_
   arc_stored_run run;
   arc_wear *wear;
   must(arc_store_definition(store, id, &run, &error), &error);
-  must(arc_model_build(&run.model, model, &error), &error);
+  must(arc_stored_run_model(&run, NULL, model, &error), &error);
   must(arc_store_restore(store, id, *model, &run.def, &wear, &error), &error);
   arc_stored_run_free(&run);
   arc_store_close(&store);

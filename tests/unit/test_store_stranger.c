@@ -95,7 +95,7 @@ static arc_status read_run(arc_store *store, arc_error *error) {
   arc_wear *wear = NULL;
   arc_status status = arc_store_definition(store, 1, &run, error);
   if (status != ARC_OK) return status;
-  status = arc_model_build(&run.model, &model, error);
+  status = arc_stored_run_model(&run, NULL, &model, error);
   if (status == ARC_OK) status = arc_store_restore(store, 1, model, &run.def, &wear, error);
   if (status == ARC_OK) status = arc_wear_step(wear, NULL, error);
   arc_wear_destroy(&wear);

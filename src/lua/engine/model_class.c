@@ -97,14 +97,13 @@ static int given_tostring(lua_State *L) {
 static const box_class given_class = {
     .name = "two meshes", .tostring = given_tostring, .destroy = free_given};
 
-/* Pushes the box of both meshes that the text on top of the stack means: a file's name, or all that
- * would stand in it. */
+/* Pushes the box of both meshes that the text on top of the stack means: a file's name, or the lines
+ * that would stand in it. */
 static arc_mesh **push_meshes(lua_State *L, args_place place) {
-  static const char begin[] = "$MeshFormat";
   const int top = lua_gettop(L);
   size_t length;
   const char *text = lua_tolstring(L, top, &length);
-  const int is_mesh = strncmp(text, begin, sizeof begin - 1) == 0;
+  const int is_mesh = strchr(text, '\n') != NULL;
   const char *name = lua_pushfstring(L, "%smesh", place.prefix);
   if (!is_mesh) path_argument(L, top, place.where, name, PATH_READ);
   arc_error error = {0};

@@ -154,12 +154,33 @@ static int export_inp(lua_State *L) {
 /* --- Gmsh files ------------------------------------------------------------------------------ */
 
 /* msh(model | mesh, path) -> the file written: both bodies of a model */
+/* Arguments: the object, then where the text is put, and how long it is. */
+static int push_msh(lua_State *L) {
+  lua_pushstring(L, *(char **)lua_touserdata(L, 1));
+  return 1;
+}
+
+/* Pushes the text of a Gmsh file. */
+static int msh_as_text(lua_State *L, const arc_mesh *const mesh[ARC_BODIES], const char *where) {
+  arc_error error = {0};
+  char *text;
+  error_check(L, arc_export_msh_text(&text, mesh, &error), &error, where, -1);
+  lua_pushcfunction(L, push_msh);
+  lua_pushlightuserdata(L, &text);
+  const int failed = lua_pcall(L, 1, 1, 0);
+  free(text);
+  return failed ? lua_error(L) : 1;
+}
+
+/* export.msh(object, path) -> the path; export.msh(object) -> the text */
 static int export_msh(lua_State *L) {
   static const char where[] = "export.msh";
   static const char *const endings[] = {".msh", NULL};
   const arc_mesh *mesh[ARC_BODIES] = {0};
+  const int is_file = !lua_isnoneornil(L, 2);
   lua_settop(L, 2);
-  const char *path = path_ending(L, where, endings, "a file name that ends in .msh");
+  const char *path =
+      is_file ? path_ending(L, where, endings, "a file name that ends in .msh") : NULL;
   if (box_test(L, 1, &mesh_class)) {
     const arc_mesh *one = mesh_of(L, 1, where);
     mesh[one->body] = one;
@@ -170,6 +191,7 @@ static int export_msh(lua_State *L) {
     error_raise(L, ARC_ARGUMENT, where, "expected a model or a mesh, got %s",
                 names_push_shown(L, 1));
   }
+  if (!is_file) return msh_as_text(L, mesh, where);
   arc_error error = {0};
   error_check(L, arc_export_msh(path, mesh, &error), &error, where, -1);
   lua_pushvalue(L, 2);

@@ -219,7 +219,7 @@ void store_push_wear(lua_State *L, arc_store *store, int id, int given, const ch
   box *stored = box_test(L, -1, &stored_class);
   push_functions(L, run, given, where);
   int holder = lua_gettop(L);
-  arc_model *model = model_push(L, &run->model, where);
+  arc_model *model = model_push_given(L, &run->model, run->given[0] ? run->given : NULL, where);
   arc_wear *wear = NULL;
   box *made = box_push(L, &wear_class);
   box_keep(L, -2);

@@ -1,0 +1,375 @@
+/* Runs on meshes from outside in run files: the file carries the mesh, runs go on to the same bits,
+ * many cases share one text, and a stranger's mesh is read as one from any file. */
+#include "store_shared.h"
+
+#include "archard/export.h"
+#include "store/store.h"
+
+#include <sqlite3.h>
+
+/* --- a run on a given mesh -------------------------------------------------------------------- */
+
+/* A coarse pair whose cylinder has a thin coat, as the text of a Gmsh file. */
+static char *coated_text(void) {
+  arc_error error = {0};
+  arc_model_def def = arc_model_default();
+  arc_model *own;
+  char *text;
+  def.mesh.size = def.mesh.height = 0.05;
+  def.body[ARC_UPPER].layer[0] = (arc_layer){.thickness = 5e-4, .material = {.E = 4e5, .nu = 0.3}};
+  must(arc_model_build(&def, &own, &error), &error);
+  const arc_mesh *mesh[ARC_BODIES] = {arc_model_mesh(own, ARC_UPPER),
+                                      arc_model_mesh(own, ARC_LOWER)};
+  must(arc_export_msh_text(&text, mesh, &error), &error);
+  arc_model_release(&own);
+  return text;
+}
+
+static arc_model *given_model(const char *text) {
+  arc_error error = {0};
+  arc_mesh *mesh[ARC_BODIES];
+  arc_model *model;
+  arc_model_def def = arc_model_default();
+  arc_body_def *upper = &def.body[ARC_UPPER];
+  upper->kind = ARC_SOLID_GMSH;
+  snprintf(upper->name, sizeof upper->name, "roller");
+  snprintf(upper->layer[0].name, sizeof upper->layer[0].name, "layer1");
+  upper->layer[0].material = (arc_material){.E = 4e5, .nu = 0.3, .k = 5e-9};
+  def.material[ARC_UPPER].k = 2e-8;
+  def.material[ARC_LOWER].k = 1e-8;
+  must(arc_mesh_parse_msh("text", text, strlen(text), mesh, &error), &error);
+  must(arc_model_build_given(&def, mesh, NULL, &model, &error), &error);
+  return model;
+}
+
+static arc_wear *given_run(arc_model *model, double distance) {
+  arc_error error = {0};
+  arc_wear *wear;
+  arc_wear_def def = arc_wear_default();
+  def.geometry = ARC_FROZEN;
+  def.distance = 330;
+  def.increments = 20;
+  assert_true(arc_wear_def_of_bodies(&def, arc_model_definition(model)));
+  must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
+  must(arc_wear_run(wear, distance, NULL, &error), &error);
+  return wear;
+}
+
+static int make_good(void **state) {
+  if (make_folder(state) != 0) return -1;
+  char *text = coated_text();
+  arc_model *model = given_model(text);
+  arc_wear *wear = given_run(model, 66);
+  save_as("good", 1, wear);
+  free(text);
+  arc_wear_destroy(&wear);
+  arc_model_release(&model);
+  return 0;
+}
+
+/* --- to the same bits ------------------------------------------------------------------------- */
+
+static void test_goes_on(void **state) {
+  (void)state;
+  arc_error error = {0};
+  char *text = coated_text();
+  arc_model *model = given_model(text), *again;
+  arc_wear *whole = given_run(model, 330), *stored = restored("good", 1, &again);
+  assert_true(arc_model_is_given(again));
+  assert_string_equal(arc_model_definition(again)->body[ARC_UPPER].layer[0].name, "layer1");
+  must(arc_wear_run(stored, 330, NULL, &error), &error);
+  assert_true(arc_wear_last(stored)->depth_cylinder > 5e-4); /* through the coat */
+  assert_same_runs(stored, whole);
+  free(text);
+  arc_wear_destroy(&whole);
+  arc_wear_destroy(&stored);
+  arc_model_release(&model);
+  arc_model_release(&again);
+}
+
+/* --- one text for all ------------------------------------------------------------------------- */
+
+static int number_of(const char *name, const char *sql) {
+  sqlite3 *db;
+  sqlite3_stmt *s;
+  assert_int_equal(sqlite3_open(in_folder(name), &db), SQLITE_OK);
+  assert_int_equal(sqlite3_prepare_v2(db, sql, -1, &s, NULL), SQLITE_OK);
+  assert_int_equal(sqlite3_step(s), SQLITE_ROW);
+  const int number = sqlite3_column_int(s, 0);
+  sqlite3_finalize(s);
+  sqlite3_close(db);
+  return number;
+}
+
+static void make_study(const char *name, int cases) {
+  arc_error error = {0};
+  arc_store *store = opened(name, ARC_STORE_CREATE);
+  for (int id = 1; id <= cases; id++) must(arc_store_add(store, id, "case", &error), &error);
+  arc_store_close(&store);
+}
+
+static void finish(const char *name, int id, const arc_wear *wear) {
+  arc_error error = {0};
+  arc_store *store = opened(name, ARC_STORE_WRITE);
+  save_run(store, id, wear);
+  must(arc_store_mark(store, id, ARC_CASE_DONE, NULL, 1, &error), &error);
+  arc_store_close(&store);
+}
+
+/* Cases share the text of their mesh, and shares of a study bring it along. */
+static void test_shared(void **state) {
+  (void)state;
+  arc_error error = {0};
+  arc_model *model;
+  arc_wear *wear = restored("good", 1, &model);
+  make_study("whole", 2);
+  make_study("share", 2);
+  for (int id = 1; id <= 2; id++) finish("share", id, wear);
+  assert_int_equal(number_of("share", "SELECT count(*) FROM texts"), 1);
+  arc_store *store = opened("whole", ARC_STORE_WRITE);
+  must(arc_store_merge(store, in_folder("share"), &error), &error);
+  must(arc_store_check(store, &error), &error);
+  arc_store_close(&store);
+  for (int id = 1; id <= 2; id++) {
+    arc_model *merged;
+    arc_wear *there = restored("whole", id, &merged);
+    assert_same_runs(there, wear);
+    arc_wear_destroy(&there);
+    arc_model_release(&merged);
+  }
+  arc_wear_destroy(&wear);
+  arc_model_release(&model);
+}
+
+static int keep_text(void *context, const arc_value *value) {
+  if (value->kind == ARC_VALUE_TEXT) snprintf(context, 2000, "%s", value->text);
+  return 0;
+}
+
+/* Any text comes back as it was, also one that looks like the name of another. */
+static void test_texts(void **state) {
+  (void)state;
+  arc_error error = {0};
+  static char words[1500], back[2000];
+  memset(words, 'x', sizeof words - 1);
+  const char *const texts[] = {"short", "text:0123456789abcdef", "text:", words};
+  make_study("texts", 1);
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    const arc_value value = {.kind = ARC_VALUE_TEXT, .name = "a", .text = texts[i]};
+    arc_store *store = opened("texts", ARC_STORE_WRITE);
+    must(arc_store_set_values(store, 1, ARC_SETTINGS, &value, 1, &error), &error);
+    must(arc_store_values(store, 1, ARC_SETTINGS, keep_text, back, &error), &error);
+    assert_string_equal(back, texts[i]);
+    arc_store_close(&store);
+  }
+  assert_int_equal(number_of("texts", "SELECT count(*) FROM texts"), 3);
+}
+
+/* --- strangers -------------------------------------------------------------------------------- */
+
+static void copy_good(const char *name) {
+  size_t count;
+  unsigned char *bytes = bytes_of(in_folder("good"), &count);
+  write_bytes(in_folder(name), bytes, count);
+  free(bytes);
+}
+
+static void run_sql(const char *name, const char *sql) {
+  sqlite3 *db;
+  char *why = NULL;
+  assert_int_equal(sqlite3_open(in_folder(name), &db), SQLITE_OK);
+  if (sqlite3_exec(db, sql, NULL, NULL, &why) != SQLITE_OK) fail_msg("%s: %s", sql, why);
+  sqlite3_close(db);
+}
+
+/* Gives the case a checksum that fits what it is now. */
+static void seal(const char *name) {
+  arc_error error = {0};
+  arc_store *store = opened(name, ARC_STORE_WRITE);
+  must(arc_store_mark(store, 1, ARC_CASE_DONE, NULL, 1, &error), &error);
+  arc_store_close(&store);
+}
+
+static void set_mesh(const char *name, const char *value) {
+  sqlite3 *db;
+  sqlite3_stmt *s;
+  assert_int_equal(sqlite3_open(in_folder(name), &db), SQLITE_OK);
+  assert_int_equal(sqlite3_prepare_v2(db,
+                                      "UPDATE definition SET value = ?1 WHERE name = 'model.msh'",
+                                      -1, &s, NULL),
+                   SQLITE_OK);
+  sqlite3_bind_text(s, 1, value, -1, SQLITE_STATIC);
+  assert_int_equal(sqlite3_step(s), SQLITE_DONE);
+  sqlite3_finalize(s);
+  sqlite3_close(db);
+}
+
+/* The good run on another mesh. */
+static void change_mesh(const char *name, const char *text) {
+  arc_error error = {0};
+  char of_text[ARC_TEXT_NAME];
+  copy_good(name);
+  arc_store *store = opened(name, ARC_STORE_WRITE);
+  must(arc_store_put_text(store, text, of_text, &error), &error);
+  arc_store_close(&store);
+  set_mesh(name, of_text[0] ? of_text : text);
+  seal(name);
+}
+
+static arc_status read_run(const char *name, arc_error *error) {
+  arc_store *store;
+  arc_stored_run run;
+  arc_model *model = NULL;
+  arc_wear *wear = NULL;
+  arc_status status = arc_store_open(in_folder(name), ARC_STORE_READ, &store, error);
+  if (status != ARC_OK) return status;
+  status = arc_store_definition(store, 1, &run, error);
+  if (status == ARC_OK) {
+    status = arc_stored_run_model(&run, NULL, &model, error);
+    if (status == ARC_OK) status = arc_store_restore(store, 1, model, &run.def, &wear, error);
+    arc_stored_run_free(&run);
+  }
+  arc_wear_destroy(&wear);
+  arc_model_release(&model);
+  arc_store_close(&store);
+  return status;
+}
+
+static void assert_damaged(const char *name, const char *words) {
+  arc_error error = {0};
+  const arc_status status = read_run(name, &error);
+  if (status != ARC_FORMAT || !strstr(error.message, "the file is damaged") ||
+      !strstr(error.message, words))
+    fail_msg("%s: expected '%s', got status %d, %s", name, words, status, error.message);
+}
+
+/* Every kind of broken mesh, as a stranger would put it into a run file. */
+static void test_broken_meshes(void **state) {
+  (void)state;
+  static const struct {
+    const char *file, *words;
+  } broken[] = {
+      {"flipped", "is flipped"},
+      {"crack", "are at one place"},
+      {"gap", "are apart by 0.25 mm"},
+      {"overlap", "overlap by 0.25 mm"},
+      {"no-upper", "no physical group 'upper'"},
+      {"node-twice", "two nodes have the number"},
+      {"unknown-node", "which is not there"},
+      {"element-twice", "overlap at node"},
+      {"two-pieces", "is in pieces"},
+      {"contact-fixed", "is both in"},
+      {"fixed-no-edge", "is no edge of an element"},
+      {"binary", "the file is binary"},
+      {"huge-nodes", "expected a number of nodes"},
+      {"truncated", "the file ends"},
+      {"nan", "three finite coordinates"},
+      {"good-41", "field 'upper.materials'"}, /* a sound one, of another run */
+      {"good-materials", "field 'upper.materials'"},
+  };
+  for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
+    char path[100];
+    size_t count;
+    snprintf(path, sizeof path, "tests/files/msh/%s.msh", broken[i].file);
+    unsigned char *text = bytes_of(path, &count);
+    text[count] = 0;
+    change_mesh("broken", (const char *)text);
+    assert_damaged("broken", broken[i].words);
+    free(text);
+  }
+}
+
+/* A sound mesh whose surface has other nodes than the state. */
+static void test_other_surface(void **state) {
+  (void)state;
+  size_t count;
+  unsigned char *text = bytes_of("tests/files/msh/good-materials.msh", &count);
+  text[count] = 0;
+  char *one = strstr((char *)text, "upper.steel"), *two = strstr((char *)text, "upper.bronze");
+  memcpy(one, "upper\"     ", strlen("upper.steel"));
+  memcpy(two, "upper.layer1", strlen("upper.bronze"));
+  change_mesh("other", (const char *)text);
+  assert_damaged("other", "nodes");
+  free(text);
+}
+
+static void test_texts_of_strangers(void **state) {
+  (void)state;
+  arc_error error = {0};
+  static const char *const wrong[] = {
+      "DELETE FROM texts", "UPDATE texts SET text = replace(text, '0', '1')",
+      "UPDATE texts SET text = NULL", "UPDATE texts SET text = x'00'",
+      "UPDATE texts SET name = 'text:0000000000000000'"};
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    copy_good("text");
+    run_sql("text", "PRAGMA foreign_keys = OFF; CREATE TABLE t (name, text); INSERT INTO t SELECT "
+                    "* FROM texts; DROP TABLE texts; ALTER TABLE t RENAME TO texts");
+    run_sql("text", wrong[i]);
+    assert_damaged("text", "text");
+    if (i == 0) continue; /* nobody's loss but the case's */
+    arc_store *store = opened("text", ARC_STORE_READ);
+    assert_int_equal(arc_store_check(store, &error), ARC_FORMAT);
+    arc_store_close(&store);
+  }
+}
+
+static void test_values_of_strangers(void **state) {
+  (void)state;
+  static const struct {
+    const char *value, *words;
+  } wrong[] = {{"'text:'", "text"},       {"1.5", "model.msh"},
+               {"1", "model.msh"},        {"NULL", "model.msh"},
+               {"x'00'", "model.msh"},    {"zeroblob(16)", "model.msh"},
+               {"''", "no section"},      {"'$MeshFormat'", "has no mesh"},
+               {"'steel'", "has no mesh"}};
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    char sql[200];
+    copy_good("value");
+    snprintf(sql, sizeof sql, "UPDATE definition SET value = %s WHERE name = 'model.msh'",
+             wrong[i].value);
+    run_sql("value", sql);
+    seal("value");
+    assert_damaged("value", wrong[i].words);
+  }
+}
+
+/* Fields of a definition that no given mesh goes with; without its mesh the run is none, too. */
+static void test_definitions_of_strangers(void **state) {
+  (void)state;
+#define SET(name, value) "UPDATE definition SET value = " value " WHERE name = '" name "'"
+  static const struct {
+    const char *sql, *words;
+  } wrong[] = {
+      {"DELETE FROM definition WHERE name = 'model.msh'", "field 'upper'"},
+      {SET("model.upper.layer1.name", "'other'"), "field 'upper.materials'"},
+      {SET("model.upper.layer1.name", "'a name that is much too long to be one'"), "layer1.name"},
+      {"DELETE FROM definition WHERE name = 'model.upper.layer1.name'", "field 'upper.materials'"},
+      {SET("model.upper.layer1.thickness", "0.1") "; " SET("model.upper.layer1.name", "''"),
+       "field 'upper.layers'"},
+      {SET("model.upper.layer1.material.E", "-1.0"), "upper.layer1.material.E"},
+      {SET("model.lower.kind", "'ring'"), "inner"},
+      {SET("model.geometry", "'axisymmetric'") "; " SET("model.thickness", "2.0"), "thickness"},
+      {SET("geometry", "'moving'"), "geometry"},
+  };
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    copy_good("definition");
+    run_sql("definition", wrong[i].sql);
+    seal("definition");
+    assert_damaged("definition", wrong[i].words);
+  }
+}
+
+int main(void) {
+  arc_single_threaded();
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_goes_on),
+      cmocka_unit_test(test_shared),
+      cmocka_unit_test(test_texts),
+      cmocka_unit_test(test_broken_meshes),
+      cmocka_unit_test(test_other_surface),
+      cmocka_unit_test(test_texts_of_strangers),
+      cmocka_unit_test(test_values_of_strangers),
+      cmocka_unit_test(test_definitions_of_strangers),
+  };
+  return cmocka_run_group_tests_name("store_mesh", tests, make_good, remove_folder);
+}
