@@ -35,7 +35,7 @@ The contact stays where it is, so wear{} needs slide = "z", and one of these:
     alpha = 1, track = 20, cycles = 1000, jump = "auto" }
 
 Refused: strokes along x, friction in the section, holes, plates of another thickness; profiles that differ at x and -x. A mesh
-from Gmsh has both halves of the section, mirror images about the axis. Pressures on the axis have no bound under a spin.]] },
+from Gmsh has both halves of the section, with mesh lines on the axis between them. Pressures on the axis have no bound under a spin.]] },
   { "running in", [[
 Fresh surfaces often wear faster and then settle. Give k as a function of the state, or as a table over the distance:
 

@@ -104,6 +104,9 @@ fails(function() model{ mesh = at("bush.msh"), upper = body.disc{ radius = 8 }, 
 fails(function() model{ mesh = at("bush.msh"), upper = bush.upper, lower = bush.lower, geometry = "axisymmetric" } end,
   "for a hole", "a hole that turns about a vertical axis")
 
+fails(function() model{ mesh = here .. "/../../examples/gmsh_pair.msh", geometry = "axisymmetric" } end,
+  "expected mesh lines along the axis x = 0, got an element from x = -", "elements across an axis of revolution")
+
 -- The table of a model as another's field, and a mesh as text.
 local text = io.open(at("pair.msh")):read("a")
 is(contact{ model = { mesh = at("pair.msh"), radius = 10 }, load = 100 }.p_center, c.p_center, "a file in contact{ model = }")

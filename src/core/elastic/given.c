@@ -118,6 +118,24 @@ static arc_material bulk_of(const arc_model_def *def, const arc_mesh *mesh) {
 
 /* --- shapes ----------------------------------------------------------------------------------- */
 
+/* What lies across the axis would be a ring on both of its sides. */
+static arc_status check_across(const arc_mesh *mesh, double width, arc_error *error) {
+  for (int e = 0; e < mesh->elements; e++) {
+    const int *c = &mesh->element[4 * e], corners = arc_mesh_corners(mesh, e);
+    double least = INFINITY, most = -INFINITY;
+    for (int k = 0; k < corners; k++) {
+      least = fmin(least, mesh->xy[2 * c[k]]);
+      most = fmax(most, mesh->xy[2 * c[k]]);
+    }
+    if (least < -1e-9 * width && most > 1e-9 * width)
+      return arc_fail(error, ARC_ARGUMENT,
+                      "mesh of the %s: expected mesh lines along the axis x = 0, got an element "
+                      "from x = %g to %g mm at y = %g mm",
+                      arc_body_name(mesh->body), least, most, mesh->xy[2 * c[0] + 1]);
+  }
+  return ARC_OK;
+}
+
 /* All of a body of revolution lies on one side of its axis, or about it. */
 static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
   double least = INFINITY, most = -INFINITY;
@@ -131,7 +149,8 @@ static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc
                     "field 'axis': expected at least the %g mm that the mesh of the %s reaches "
                     "towards the axis, got %g mm",
                     -least, arc_body_name(mesh->body), def->axis);
-  if (def->axis > 0 || fabs(least + most) <= 1e-6 * (most - least)) return ARC_OK;
+  if (def->axis > 0) return ARC_OK;
+  if (fabs(least + most) <= 1e-6 * (most - least)) return check_across(mesh, most - least, error);
   return arc_fail(error, ARC_ARGUMENT,
                   "mesh of the %s: expected both halves of the section about the axis x = 0, got x "
                   "from %g to %g mm",

@@ -1,0 +1,74 @@
+-- The same shapes through Gmsh files: meshes that Gmsh has made of tests/files/gmsh/*.geo, and archard's
+-- own, written and read. Contact and wear over several updates, beside archard's own bodies, on which the
+-- other tests of this folder have the closed forms. Gmsh itself is not needed.
+local here = arg[0]:match("^(.*)/") or "."
+local figures = dofile(here .. "/lib/figures.lua")
+local within, below = figures.within, figures.below
+
+local function wave(x) return 1e-4 * math.cos(2 * math.pi * x / 0.1) end
+
+-- upper, lower: archard's own bodies; outside: what stands beside the mesh by Gmsh in their place; fields:
+-- of both models; wear: of both runs.
+local shapes = {
+  { name = "punch", load = 200, upper = body.punch{ flat = 1, radius = 2, height = 10 },
+    lower = body.block{ width = 20, height = 10 }, outside = {}, mesh = { size = 0.02 },
+    wear = { stroke = 0.1, cycles = 600, jump = 100 } },
+  { name = "bush", load = 1000, upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 },
+    outside = { upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } },
+    mesh = { size = 0.12, zone = { cylinder = 14, plate = 14 } }, wear = { stroke = 1, cycles = 300, jump = 60, k = 1e-7 } },
+  { name = "coat", load = 100, upper = body.cylinder{ radius = 10, E = 210e3, layers = { { thickness = 0.1, E = 400e3 } } },
+    lower = body.block{ E = 1e9 }, outside = { upper = body.gmsh{ E = 210e3, materials = { coat = { E = 400e3 } } },
+      lower = body.gmsh{ E = 1e9 } }, inside = body.gmsh{ E = 210e3, materials = { layer1 = { E = 400e3 } } },
+    fields = { radius = 10 }, mesh = { size = 0.01 }, wear = { stroke = 0.05, cycles = 300, jump = 60 } },
+  { name = "waves", load = 70, upper = body.profile{ width = 2, height = 1, y = wave }, lower = body.block{ width = 2, height = 1 },
+    outside = {}, mesh = { size = 0.00625, zone = { cylinder = 0.7, plate = 0.9 } }, wear = { stroke = 0.02, cycles = 50, jump = 10 } },
+  { name = "ball", load = 50, outside = {}, fields = { geometry = "axisymmetric", radius = 10 }, mesh = { size = 0.0125 },
+    wear = { slide = "z", track = 2, cycles = 8, jump = 2, alpha = 1 } },
+}
+
+local function with(base, more)
+  local all = {}
+  for _, part in ipairs{ base or {}, more } do
+    for name, value in pairs(part) do all[name] = value end
+  end
+  return all
+end
+
+local function run(s, m, more)
+  return wear(with(with({ model = m, load = s.load, scheme = "implicit", increments = 20 }, s.wear), more)):run()
+end
+
+-- Depths and volumes of both bodies at the end, and the volume that must be.
+local function compare(s, of, v, w, share)
+  for _, role in ipairs{ "upper", "lower" } do
+    if w.depth[role] > 0 then
+      within(v.depth[role], w.depth[role], share, of .. "depth of the " .. role .. " body [mm]")
+      within(v.volume[role], w.volume[role], share, of .. "volume of the " .. role .. " body [mm3]")
+    end
+  end
+  -- as exactly as implicit steps are solved
+  within(v.volume.total, (s.wear.k or 1e-8) * v.load_distance, 1e-9, of .. "V = k integral normal force ds [mm3]")
+end
+
+for _, s in ipairs(shapes) do
+  local own = model(with(s.fields, { upper = s.upper, lower = s.lower, mesh = s.mesh }))
+  local by_gmsh = model(with(with(s.fields, s.outside), { mesh = here .. "/../files/gmsh/" .. s.name .. ".msh" }))
+  local c, d = contact{ model = by_gmsh, load = s.load }, contact{ model = own, load = s.load }
+  local of = s.name .. " by Gmsh: "
+  within(c.p_center, d.p_center, 0.01, of .. "centre pressure [MPa]")
+  below(math.abs(c.half_width - d.half_width), s.mesh.size / 2, of .. "half width, off by less than half an element [mm]")
+  -- worn in frozen geometry, beside a run whose geometry moves
+  compare(s, of, run(s, by_gmsh, { geometry = "frozen" }), run(s, own), 0.01)
+
+  -- archard's own mesh, written and read: what differs is rounding
+  local inside = s.inside and { upper = s.inside, lower = s.outside.lower } or { upper = s.upper, lower = s.lower }
+  local path = os.tmpname()
+  os.remove(path)
+  local again = model(with(with(s.fields, inside), { mesh = export.msh(own, path .. ".msh") }))
+  os.remove(path .. ".msh")
+  local e = contact{ model = again, load = s.load }
+  of = s.name .. ", own mesh written and read: "
+  within(e.p_center, d.p_center, 1e-9, of .. "centre pressure [MPa]")
+  within(e.half_width, d.half_width, 1e-9, of .. "half width [mm]")
+  compare(s, of, run(s, again, { geometry = "frozen" }), run(s, own, { geometry = "frozen" }), 1e-9)
+end
