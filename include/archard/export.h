@@ -31,7 +31,8 @@ arc_status arc_export_vtk(const char *path, const arc_mesh *mesh, const arc_fiel
 /* A VTK unstructured grid (.vtu: XML, numbers to the bit in binary behind it) of one body;
  * with a contact whose model has that mesh also its displacements, the columns of
  * ARC_FIELD_STRESSES and those of ARC_SURFACE_COLUMNS, nodes as worn. `time` is written as
- * TimeValue with a contact. Arrays carry their units. Also errors of arc_contact_field. */
+ * TimeValue with a contact. Bodies with layers have the number of each element's, from 1, as layer.
+ * Arrays carry their units. Also errors of arc_contact_field. */
 arc_status arc_export_vtu(const char *path, const arc_mesh *mesh, const arc_contact *contact,
                           double time, arc_error *error);
 

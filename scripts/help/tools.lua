@@ -301,7 +301,7 @@ return {
     text = "Meshes and fields for ParaView and others, as .vtu (XML) or .vtk (legacy text). Of a "
       .. "model, a run, a contact or its stress come two files, path-cylinder.vtu and path-plate.vtu, "
       .. "whose names are returned. A .vtu has nodes as worn, displacements, stresses, wear depth and "
-      .. "pressure (0 off the surface), with their units." },
+      .. "pressure (0 off the surface), with their units; bodies with layers the number of each element's." },
   { "export.pvd", kind = "function", use = 'w:run{ progress = export.pvd(w, "w.pvd", { every=10 }) }',
     text = "A run as it wears, for ParaView: a .vtu for each body and state, and the list of them by "
       .. "travelled distance in w.pvd. Writes the present state and returns a function that adds the "

@@ -149,8 +149,11 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   arc_shape_box(side, side->xy, box);
   const arc_status status = arc_body_displacements(side->body, box, f, u, error);
   if (status != ARC_OK) return status;
+  /* what has no wear box has been solved as unworn */
+  const arc_mesh *mesh = side->body->mesh;
   arc_shape_nodes(c->shape, body, xy);
-  if (recover(c, body, xy, u, field) != ARC_OK) return out_of_memory(error);
+  if (recover(c, body, mesh->rows > 0 ? xy : mesh->xy, u, field) != ARC_OK)
+    return out_of_memory(error);
   place(c, body, xy, u, field);
   for (size_t k = 0; k < n; k++) {
     field->x[k] = xy[2 * k];

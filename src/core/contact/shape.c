@@ -122,14 +122,15 @@ arc_model *arc_shape_model(const arc_shape *shape) {
 }
 
 /* Node k of the wear box: its column is pulled along with the surface, fully at the top, not at all
- * at the bottom. Without rows all stay. */
+ * at the bottom. Without rows the surface is all there is of it. */
 static void box_node_at(const shape_side *side, const double *surface_xy, int k, double xy[2]) {
   const arc_mesh *mesh = side->body->mesh;
   const int column = k / (mesh->rows + 1), row = k % (mesh->rows + 1);
   const double *top = arc_body_top(side->body, column);
   /* far elements share the nodes at the box's sides, and stay as they are: so do these */
   const int side_column = column == 0 || column == side->n - 1;
-  const double share = side_column || mesh->rows == 0 ? 0 : arc_body_pull(side->body, column, row);
+  const double pull = mesh->rows > 0 ? arc_body_pull(side->body, column, row) : 1;
+  const double share = side_column ? 0 : pull;
   for (int d = 0; d < 2; d++)
     xy[d] = side->body->box_at[2 * k + d] + share * (surface_xy[2 * column + d] - top[d]);
 }

@@ -8,8 +8,9 @@
 
 enum { VTK_TRIANGLE = 5, VTK_QUAD = 9 };
 
-typedef enum section { FIELD_DATA, POINT_DATA, POINTS, CELLS, SECTIONS } section;
-static const char *const section_names[] = {"FieldData", "PointData", "Points", "Cells"};
+typedef enum section { FIELD_DATA, POINT_DATA, CELL_DATA, POINTS, CELLS, SECTIONS } section;
+static const char *const section_names[] = {"FieldData", "PointData", "CellData", "Points",
+                                            "Cells"};
 
 typedef enum number_type { FLOAT64, INT32, UINT8 } number_type;
 static const char *const type_names[] = {"Float64", "Int32", "UInt8"};
@@ -24,9 +25,9 @@ typedef struct array {
   void *data;
 } array;
 
-/* Points, time, displacement and three of the cells besides the columns. */
+/* Points, time, displacement, layers and three of the cells besides the columns. */
 #define AND_ONE(name, unit, text) +1
-enum { MOST_ARRAYS = 6 ARC_FIELD_STRESSES(AND_ONE) ARC_SURFACE_COLUMNS(AND_ONE) };
+enum { MOST_ARRAYS = 7 ARC_FIELD_STRESSES(AND_ONE) ARC_SURFACE_COLUMNS(AND_ONE) };
 
 typedef struct grid {
   const arc_mesh *mesh;
@@ -99,6 +100,18 @@ static void add_points(grid *g, const arc_field *f) {
     to[3 * n] = f ? f->x[n] : g->mesh->xy[2 * n];
     to[3 * n + 1] = f ? f->y[n] : g->mesh->xy[2 * n + 1];
   }
+}
+
+/* From the surface on, or by the names in a mesh from outside; what is of no layer comes last. */
+static void add_layers(grid *g) {
+  const arc_mesh *m = g->mesh;
+  if (!m->layer || arc_body_layers(&m->solid) == 0) return;
+  int32_t *layer = add(g, (array){.section = CELL_DATA,
+                                  .name = "layer",
+                                  .type = INT32,
+                                  .components = 1,
+                                  .tuples = (size_t)m->elements});
+  for (int e = 0; layer && e < m->elements; e++) layer[e] = m->layer[e] + 1;
 }
 
 static void add_cells(grid *g) {
@@ -197,6 +210,7 @@ arc_status arc_export_vtu(const char *path, const arc_mesh *mesh, const arc_cont
     add_time(&g, time);
     add_results(&g, field);
   }
+  add_layers(&g);
   add_points(&g, field);
   add_cells(&g);
   if (status == ARC_OK && g.failed)
