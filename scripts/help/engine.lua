@@ -36,7 +36,7 @@ return {
     text = "What the bodies are called: m.bodies.upper, m.bodies.lower. By their name, as in body.disc{ "
       .. 'name="pin" }; without one by their kind ("ring"), or else "upper" and "lower"; the usual pair '
       .. '"cylinder" and "plate". Results answer to all of these words: w.depth.pin, w.depth.upper, '
-      .. 'w:profile("pin"), m.mesh.pin.' },
+      .. 'w:profile("pin"), m.mesh.pin, state.depth.pin, a case of a study, plot.history(w, "depth_pin").' },
   { "body", kind = "module", use = "model{ upper = body.punch{ flat=1, radius=2 }, lower = body.block{} }",
     text = "Makes bodies for model{ upper=, lower= }: the upper one carries the load by its top or held "
       .. "part, the lower one moves. Each takes E, nu, k (or material=) and layers = {{ thickness=, "

@@ -188,8 +188,7 @@ for _, column in ipairs(known.columns) do
   local unit = column.unit ~= "" and " / " .. column.unit or ""
   quantities[#quantities + 1] = { "^" .. column.name .. "$", column.name .. unit, 1 }
 end
-local spoken = { p_center = "centre", p_max = "largest", p_peak = "over the cycle", depth_cylinder = "cylinder",
-  depth_plate = "plate", volume_cylinder = "cylinder", volume_plate = "plate" }
+local spoken = { p_center = "centre", p_max = "largest", p_peak = "over the cycle" }
 local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }
 
 -- The label of a column, and the factor to its unit; nil for what is none.
@@ -235,17 +234,17 @@ local function history_curve(where, history, abscissa, column, factor)
 end
 
 -- "plate, α = 0.5": what a reader needs to tell the curves of a panel apart.
-local function history_title(column, name, several_columns, several_objects)
+local function history_title(column, body, name, several_columns, several_objects)
   local parts = {}
-  if several_columns then parts[1] = spoken[column] or column end
+  if several_columns then parts[1] = body or spoken[column] or column end
   if several_objects then parts[#parts + 1] = name end
   return parts[1] and table.concat(parts, ", ") or nil
 end
 
 -- One column of one body names it; its axis says what it is.
-local function history_name(columns)
-  local body = #columns == 1 and columns[1]:match("_(%l+)$")
-  return (body == "cylinder" or body == "plate") and "history of the " .. body or "history"
+local function history_name(object, columns)
+  local _, body = naming.column(object, columns[1])
+  return #columns == 1 and body and "history of the " .. body or "history"
 end
 
 -- plot.history(w1, ..., "p_center", ..., { against="cycle", ... })
@@ -261,10 +260,11 @@ function curves.history(...)
     local history = object.history
     for _, panel in ipairs(panels) do
       for c, column in ipairs(panel.columns) do
-        local curve = history_curve(where, history, abscissa, column, panel.factor)
+        local own, body = naming.column(object, column)
+        local curve = history_curve(where, history, abscissa, own, panel.factor)
         curve.series, curve.dash = #objects > 1 and i or c, #panel.columns > 1 and c or nil
         curve.value = scale and #panel.columns == 1 and scale.values[i] or nil
-        curve.title = history_title(column, names[i], #panel.columns > 1, #objects > 1)
+        curve.title = history_title(column, body, names[i], #panel.columns > 1, #objects > 1)
         panel[#panel + 1] = curve
       end
     end
@@ -274,7 +274,7 @@ function curves.history(...)
   end
   local defaults = #panels == 1 and panels[1] or { panels = panels, layout = { #panels, 1 } }
   defaults.xlabel = against[abscissa] or abscissa
-  defaults.title = title_of(history_name(columns), objects, options)
+  defaults.title = title_of(history_name(objects[1], columns), objects, options)
   draw.draw(where, draw.over(defaults, options))
 end
 

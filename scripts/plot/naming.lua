@@ -25,20 +25,30 @@ function naming.bodies(object)
   return names and { names.upper, names.lower } or usual
 end
 
--- What the body that a word means is called: its name, role or kind.
-function naming.body(where, object, word)
+-- What the body that a word means is called: its name, role or kind; nil: it means none.
+local function called(object, word)
   local model = get(object, "model") or get(get(object, "contact"), "model") or object
   local names = get(model, "bodies")
-  local name = names and names[word]
-  if not names then
-    name = (word == "upper" or word == usual[1]) and usual[1] or (word == "lower" or word == usual[2])
-      and usual[2]
-  end
-  local known = naming.bodies(object)
+  if names then return get(names, word) end
+  return (word == "upper" or word == usual[1]) and usual[1] or (word == "lower" or word == usual[2]) and usual[2] or nil
+end
+
+function naming.body(where, object, word)
+  local name, known = called(object, word), naming.bodies(object)
   if not name then
     check.refuse(where, "body", ('"%s" or "%s"'):format(known[1], known[2]), word)
   end
   return name
+end
+
+-- The column of the history that a name means, as "depth_pin" depth_cylinder, and what its body is
+-- called; nil where it is of no body.
+function naming.column(object, name)
+  local what, word = name:match("^(%l+)_([%w_]+)$")
+  if what ~= "depth" and what ~= "volume" then return name end
+  local body, known = called(object, word), naming.bodies(object)
+  if not body then return name end
+  return what .. "_" .. usual[body == known[1] and 1 or 2], body
 end
 
 -- --- one setting of an object --------------------------------------------------------------------

@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local hertz_of = require "archard.lib.hertz_of"
 local keys = require "archard.lib.keys"
 local measure = require "archard.measure"
+local naming = require "archard.plot.naming"
 local merged = require "archard.lib.merged"
 local settings = require "archard.study.settings"
 local strict = require "archard.strict"
@@ -45,19 +46,20 @@ end
 
 function computed.depth(self)
   local last = self.last
-  return last and strict.table({ cylinder = last.depth_cylinder, plate = last.depth_plate },
-    "case.depth")
+  return last and measure.by_body(self.model, last.depth_cylinder, last.depth_plate, "case.depth")
 end
 
 function computed.volume(self)
   local last = self.last
-  return last and strict.table({ cylinder = last.volume_cylinder, plate = last.volume_plate,
-    total = last.volume_cylinder + last.volume_plate }, "case.volume")
+  if not last then return nil end
+  local volume = measure.by_body(self.model, last.volume_cylinder, last.volume_plate, "case.volume")
+  return rawset(volume, "total", last.volume_cylinder + last.volume_plate)
 end
 
 function computed.model(self)
-  local definition = self.definition
-  return next(definition) and definition.model
+  local model = next(self.definition) and self.definition.model
+  if model then model.bodies = measure.bodies(model) end
+  return model
 end
 
 function computed.hertz(self)
@@ -78,12 +80,11 @@ local methods = {}
 
 -- The stored surface of a body at the last look not after `distance` [mm]; nil: at the end.
 local function surface(self, where, body, distance)
-  body = ({ upper = "cylinder", lower = "plate" })[body or "upper"] or body
+  local names = measure.bodies(self.model)
+  local called = rawequal(body, nil) and names.upper or naming.body(where, { model = { bodies = names } }, body)
+  body = called == names.upper and "cylinder" or "plate"
   if distance ~= nil and not check.number.test(distance) then
     check.refuse(where, "distance", "a number in mm", distance)
-  end
-  if body ~= "cylinder" and body ~= "plate" then
-    check.refuse(where, "body", '"cylinder" or "plate"', body)
   end
   local found
   for _, each in ipairs(self.surfaces) do

@@ -180,3 +180,33 @@ refused({ "moves", "degrees" }, "a rotation that stands still", function() wear{
 refused({ "'friction'", "in a hole" }, "a run with friction in a hole", function() wear{ model = m, friction = 0.3, load = 10, stroke = 0.1 } end)
 refused({ "'friction'", "in a hole" }, "friction in a hole", function() contact{ model = m, friction = 0.1, load = 10 } end)
 
+-- The names hold in functions of the state, in studies and in pictures of the history, too.
+local hip = { upper = body.disc{ radius = 9.95, name = "pin" }, lower = body.ring{ inner = 10, outer = 20, name = "bush" },
+  mesh = { size = 0.5, height = 0.3, zone = { cylinder = 20, plate = 20 } } }
+local of_hip = { model = hip, load = 1000, stroke = 1, cycles = 2, jump = 1, increments = 10 }
+local depths = {}
+wear{ model = hip, load = 1000, stroke = 1, cycles = 2, jump = 1, increments = 10, k = function(state)
+  depths = { state.depth.pin, state.depth.upper, state.depth.cylinder, state.volume.bush, state.volume.total }
+  return 1e-7
+end }:run()
+ok(depths[1] > 0 and depths[1] == depths[2] and depths[1] == depths[3], "state.depth answers to names and roles")
+ok(depths[4] > 0 and depths[5] > depths[4], "state.volume, too")
+local file = os.tmpname()
+os.remove(file)
+local hips = study{ base = of_hip, vary = { alpha = { 0.3, 0.5 } } }:run{ file = file, workers = 1, progress = false }
+local case = hips:cases()[2]
+ok(case.depth.pin > 0 and case.depth.pin == case.last.depth_cylinder, "case.depth.pin")
+is(case.volume.bush, case.last.volume_plate, "case.volume.bush")
+is(case.volume.total, case.volume.pin + case.volume.lower, "case.volume.total")
+is(#case:profile("bush").h, #case:profile("lower").h, "case:profile by name")
+is(case.model.bodies.upper, "pin", "case.model.bodies")
+fails(function() case:profile("plug") end, '"pin" or "bush"', "another name")
+fails(function() return case.depth.plug end, "plug", "nor in its depths")
+local picture = file .. ".txt"
+plot.history(case, "depth_pin", "depth_bush", { file = picture, term = "dumb" })
+local drawn = io.open(picture):read("a")
+ok(drawn:find(" pin ", 1, true) and drawn:find(" bush", 1, true), "plot.history knows columns by the bodies' names, and its key")
+fails(function() plot.history(case, "depth_plug") end, "no column 'depth_plug'", "another column")
+os.remove(picture)
+hips:close()
+os.remove(file)

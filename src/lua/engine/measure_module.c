@@ -1,5 +1,7 @@
 /* The module `archard.measure`: what profiles tell, for scripts that have them as columns; and the
  * pushing of such measures, for classes that have them as arrays. */
+#include "lua/engine/bodies.h"
+#include "lua/engine/classes.h"
 #include "lua/engine/measure_module.h"
 #include "lua/base/archard.h"
 #include "lua/base/array.h"
@@ -75,11 +77,34 @@ static int measure_sawtooth(lua_State *L) {
   return 1;
 }
 
+/* --- by body ---------------------------------------------------------------------------------- */
+
+/* What the bodies of the model are called whose table is at index 1 (none: the usual pair). */
+static arc_model_def read_names(lua_State *L) {
+  arc_model_def def = {0};
+  if (lua_istable(L, 1)) body_read_names(L, 1, &def);
+  return def;
+}
+
+/* bodies(model) -> { upper=, lower= }, as m.bodies */
+static int measure_bodies(lua_State *L) {
+  const arc_model_def def = read_names(L);
+  push_body_names(L, &def);
+  return 1;
+}
+
+/* by_body(model, upper, lower, where) -> both numbers by what the bodies are called, as w.depth */
+static int measure_by_body(lua_State *L) {
+  const arc_model_def def = read_names(L);
+  push_by_body(L, &def, luaL_checknumber(L, 2), luaL_checknumber(L, 3), luaL_checkstring(L, 4));
+  return 1;
+}
+
 int luaopen_archard_measure(lua_State *L) {
-  static const luaL_Reg functions[] = {{"combined", measure_combined},
-                                       {"local_partition", measure_local_partition},
-                                       {"sawtooth", measure_sawtooth},
-                                       {NULL, NULL}};
+  static const luaL_Reg functions[] = {
+      {"bodies", measure_bodies},     {"by_body", measure_by_body},
+      {"combined", measure_combined}, {"local_partition", measure_local_partition},
+      {"sawtooth", measure_sawtooth}, {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }

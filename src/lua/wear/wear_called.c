@@ -13,39 +13,40 @@ enum { DEPTH = ARC_WEAR_COLUMN_COUNT, VOLUME };
 static const arc_setting known[] = {
     ARC_WEAR_COLUMNS(COLUMN_FIELD) ARGS_OTHER("depth"), ARGS_OTHER("volume"), {.name = NULL}};
 
-/* Where the state at index 1 has its record. A script may have given its metatable to another
- * userdata. */
-static const arc_wear_record *const *place_of(lua_State *L) {
-  const arc_wear_record *const *state = luaL_checkudata(L, 1, kind);
+/* The state at index 1. A script may have given its metatable to another userdata. */
+static const called_state *place_of(lua_State *L) {
+  const called_state *state = luaL_checkudata(L, 1, kind);
   luaL_argexpected(L, lua_rawlen(L, 1) == sizeof *state, 1, kind);
   return state;
 }
 
-static const arc_wear_record *record_of(lua_State *L) {
-  const arc_wear_record *const *state = place_of(L);
-  if (!*state)
+static const called_state *self(lua_State *L) {
+  const called_state *state = place_of(L);
+  if (!state->record)
     error_raise(L, ARC_ARGUMENT, "state",
                 "it can be read during the call of your function only; keep the numbers you need");
-  return *state;
+  return state;
 }
 
-static void push_volume(lua_State *L, const arc_wear_record *record) {
-  push_by_body(L, NULL, record->volume_cylinder, record->volume_plate, "state.volume");
+static void push_volume(lua_State *L, const called_state *state) {
+  const arc_wear_record *record = state->record;
+  push_by_body(L, state->pair, record->volume_cylinder, record->volume_plate, "state.volume");
   array_set_number(L, "total", record->volume_cylinder + record->volume_plate);
 }
 
 /* state.NAME; the upvalue tells the column of a name. */
 static int state_index(lua_State *L) {
-  const arc_wear_record *record = record_of(L);
+  const called_state *state = self(L);
+  const arc_wear_record *record = state->record;
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNUMBER)
     args_unknown(L, (args_place){"state", ""}, known, luaL_tolstring(L, 2, NULL));
   const int column = (int)lua_tointeger(L, -1);
   if (column == DEPTH)
-    push_by_body(L, NULL, record->depth_cylinder, record->depth_plate, "state.depth");
+    push_by_body(L, state->pair, record->depth_cylinder, record->depth_plate, "state.depth");
   else if (column == VOLUME)
-    push_volume(L, record);
+    push_volume(L, state);
   else
     lua_pushnumber(L, arc_wear_record_get(record, column));
   return 1;
@@ -57,9 +58,9 @@ static int state_newindex(lua_State *L) {
 }
 
 static int state_tostring(lua_State *L) {
-  const arc_wear_record *const *state = place_of(L);
-  if (*state)
-    record_push_line(L, *state);
+  const called_state *state = place_of(L);
+  if (state->record)
+    record_push_line(L, state->record);
   else
     lua_pushliteral(L, "state (of a call that is over)");
   return 1;
@@ -85,9 +86,9 @@ static void push_metatable(lua_State *L) {
   lua_setfield(L, -2, "__tostring");
 }
 
-const arc_wear_record **state_push(lua_State *L) {
-  const arc_wear_record **state = lua_newuserdatauv(L, sizeof *state, 0);
-  *state = NULL;
+called_state *state_push(lua_State *L) {
+  called_state *state = lua_newuserdatauv(L, sizeof *state, 0);
+  *state = (called_state){NULL, NULL};
   push_metatable(L);
   lua_setmetatable(L, -2);
   return state;

@@ -40,7 +40,7 @@ static void create_run(lua_State *L, box *made, arc_model *model, const wear_req
   arc_wear *wear = NULL;
   arc_wear_def def = wear_request_settle(request, arc_model_definition(model));
   const int top = lua_gettop(L);
-  functions_call call = functions_enter(L, request->functions, NULL);
+  functions_call call = functions_enter_making(L, request->functions, arc_model_definition(model));
   arc_status status = arc_wear_create(model, &def, start, &wear, &error);
   made->thing = wear;
   functions_leave(L, &call, "wear");

@@ -22,7 +22,7 @@ static int place_of(const arc_setting *setting) {
 
 typedef struct wear_functions {
   functions_place now;
-  const arc_wear_record **state;
+  called_state *state;
   int vector;     /* local_factor takes all nodes at once */
   char what[200]; /* the call that failed, in words */
 } wear_functions;
@@ -31,15 +31,16 @@ static const char kind[] = "archard.functions";
 
 /* --- calls ----------------------------------------------------------------------------------- */
 
-static lua_State *begin(wear_functions *f, const arc_wear_record *state,
-                        const arc_wear_record **before) {
+static lua_State *begin(wear_functions *f, const arc_wear_record *state, called_state *before) {
+  const box *run = f->now.run;
   *before = *f->state;
-  *f->state = state;
+  f->state->record = state;
+  f->state->pair = run ? arc_model_definition(arc_wear_model(run->thing)) : f->now.pair;
   if (f->now.run) f->now.run->busy = RUN_IN_STEP;
   return f->now.L;
 }
 
-static void end(wear_functions *f, int top, const arc_wear_record *before) {
+static void end(wear_functions *f, int top, called_state before) {
   *f->state = before;
   if (f->now.run) f->now.run->busy = RUN_BUSY;
   lua_settop(f->now.L, top);
@@ -61,7 +62,7 @@ static void name_call(wear_functions *f, const char *name, const arc_wear_record
 static arc_status ask(void *context, const arc_setting *what, const arc_wear_record *state,
                       double *value) {
   wear_functions *f = context;
-  const arc_wear_record *before;
+  called_state before;
   lua_State *L = begin(f, state, &before);
   const int top = lua_gettop(L);
   arc_status status = ARC_OK;
@@ -163,7 +164,7 @@ static arc_status ask_local(void *context, arc_body body, int n, const double *x
                             const arc_wear_record *state, double *factor) {
   wear_functions *f = context;
   local_call call = {f, body, n, -1, x, p, factor};
-  const arc_wear_record *before;
+  called_state before;
   lua_State *L = begin(f, state, &before);
   const int top = lua_gettop(L);
   arc_status status = ARC_OK;
@@ -181,16 +182,24 @@ static arc_status ask_local(void *context, arc_body body, int n, const double *x
 
 /* --- around a call of the engine ------------------------------------------------------------- */
 
-functions_call functions_enter(lua_State *L, int holder, box *run) {
+static functions_call enter(lua_State *L, int holder, box *run, const arc_model_def *pair) {
   wear_functions *f = lua_touserdata(L, holder);
   functions_call call = {f, {0}};
   if (!f) return call;
   luaL_checkstack(L, PLACES + 20, "functions of a run");
   lua_pushvalue(L, holder);
   call.outer = f->now;
-  f->now = (functions_place){L, run, lua_gettop(L), 0};
+  f->now = (functions_place){L, run, pair, lua_gettop(L), 0};
   for (int place = 1; place <= STATE; place++) lua_getiuservalue(L, f->now.at, place);
   return call;
+}
+
+functions_call functions_enter(lua_State *L, int holder, box *run) {
+  return enter(L, holder, run, NULL);
+}
+
+functions_call functions_enter_making(lua_State *L, int holder, const arc_model_def *pair) {
+  return enter(L, holder, NULL, pair);
 }
 
 void functions_leave(lua_State *L, functions_call *call, const char *where) {

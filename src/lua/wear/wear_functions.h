@@ -18,10 +18,11 @@ void functions_read(lua_State *L, int index, int previous, args_place place, arc
 
 /* Where functions are called: on which stack, for which run. */
 typedef struct functions_place {
-  lua_State *L; /* NULL outside a call of the engine */
-  box *run;     /* NULL while it is being made */
-  int at;       /* index of the holder on the stack; the functions follow it */
-  int failed;   /* the holder keeps an error */
+  lua_State *L;              /* NULL outside a call of the engine */
+  box *run;                  /* NULL while it is being made */
+  const arc_model_def *pair; /* that of a run that is being made */
+  int at;                    /* index of the holder on the stack; the functions follow it */
+  int failed;                /* the holder keeps an error */
 } functions_place;
 
 typedef struct functions_call {
@@ -30,9 +31,10 @@ typedef struct functions_call {
 } functions_call;
 
 /* Makes ready to call the functions of the holder at `holder` (nil: nothing is done); `run` is
- * marked as busy in the middle of a step while one of them runs (NULL: no run yet). Leaves values
- * on the stack. */
+ * marked as busy in the middle of a step while one of them runs. Leaves values on the stack. */
 functions_call functions_enter(lua_State *L, int holder, box *run);
+/* The same where there is no run yet, on a model of that definition. */
+functions_call functions_enter_making(lua_State *L, int holder, const arc_model_def *pair);
 
 /* The end of the call. Raises what a function has raised; the stack may hold anything. */
 void functions_leave(lua_State *L, functions_call *call, const char *where);
@@ -43,8 +45,14 @@ void functions_push(lua_State *L, int holder, const char *field);
 /* Pushes the list of the fields of a definition that are functions. */
 void functions_push_names(lua_State *L, const arc_wear_def *def);
 
-/* Pushes a state object, and what it shows from now on. It shows nothing while that is NULL. */
-const arc_wear_record **state_push(lua_State *L);
+/* What a state object shows: nothing while there is no record; by body as the pair's are called. */
+typedef struct called_state {
+  const arc_wear_record *record;
+  const arc_model_def *pair;
+} called_state;
+
+/* Pushes a state object, and what it shows from now on. */
+called_state *state_push(lua_State *L);
 
 enum { RUN_IDLE = 0, RUN_BUSY = 1, RUN_IN_STEP = 2 }; /* box.busy of a run */
 enum { RUN_MODEL = 1, RUN_FUNCTIONS = 2 };            /* its user values */
