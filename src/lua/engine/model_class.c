@@ -97,8 +97,8 @@ static int given_tostring(lua_State *L) {
 static const box_class given_class = {
     .name = "two meshes", .tostring = given_tostring, .destroy = free_given};
 
-/* Pushes the box of both meshes that the text on top of the stack means: a file's name, or the lines
- * that would stand in it. */
+/* Pushes the box of both meshes that the text on top of the stack means: a file's name, or the
+ * lines that would stand in it. */
 static arc_mesh **push_meshes(lua_State *L, args_place place) {
   const int top = lua_gettop(L);
   size_t length;
