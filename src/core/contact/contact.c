@@ -146,9 +146,15 @@ static void read_all(arc_contact *c) {
 void arc_contact_zones(const arc_contact_def *def, const arc_model_def *model,
                        double zone[ARC_BODIES]) {
   const double under = arc_model_way(model, def->load_angle);
-  arc_zone_for(fabs(under - def->x), 2 * arc_model_half_width(model, def->load), model->mesh.size,
-               zone);
-  zone[ARC_UPPER] += 2 * fabs(under);
+  const contact_estimate e = arc_model_estimate(model, def->load);
+  arc_zone_for(fabs(under - def->x) + fabs(e.at), e.half_width + e.edge, model->mesh.size, zone);
+  zone[ARC_UPPER] += 2 * (fabs(under) + fabs(e.at));
+}
+
+/* To three digits, upwards where there is room [mm]. */
+static double round_zone(double zone, double widest) {
+  const double unit = pow(10, floor(log10(zone)) - 2), up = ceil(zone / unit - 1e-9) * unit;
+  return up <= widest ? up : floor(widest / unit) * unit;
 }
 
 /* Whether no zone of the plate reaches where it would touch. */
@@ -168,7 +174,7 @@ static arc_status tell_off(const arc_contact *c, arc_error *error) {
 }
 
 /* What is said where the zones do not hold the contact, with those that would: as without a model,
- * or half as wide again where these are not wider. */
+ * or twice as wide where these are not wider. */
 static arc_status tell_zones(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->shape->model);
   if (!error || arc_model_is_given(c->shape->model)) return ARC_ZONE;
@@ -178,11 +184,16 @@ static arc_status tell_zones(const arc_contact *c, arc_error *error) {
   arc_contact_def here = c->def;
   here.x = c->pose.x;
   arc_contact_zones(&here, model, zone);
-  const int wider = zone[ARC_CYLINDER] > model->mesh.zone[ARC_CYLINDER] ||
-                    zone[ARC_PLATE] > model->mesh.zone[ARC_PLATE];
-  for (int b = 0; b < ARC_BODIES; b++)
-    zone[b] = fmin(fmax(zone[b], (wider ? 1 : 1.5) * model->mesh.zone[b]),
-                   arc_model_widest_zone(model, (arc_body)b));
+  int wider = 0, more = 0;
+  for (int b = 0; b < ARC_BODIES; b++) wider |= zone[b] > model->mesh.zone[b];
+  for (int b = 0; b < ARC_BODIES; b++) {
+    zone[b] = round_zone(fmax(zone[b], (wider ? 1 : 2) * model->mesh.zone[b]),
+                         arc_model_widest_zone(model, (arc_body)b));
+    more |= zone[b] > model->mesh.zone[b];
+  }
+  if (!more)
+    return arc_fail(error, ARC_ZONE, "%s (there is no wider one: the bodies are too small for it)",
+                    why.message);
   return arc_fail(error, ARC_ZONE,
                   "%s (this contact needs mesh.zone = {cylinder = %.3g, plate = %.3g} mm)",
                   why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);

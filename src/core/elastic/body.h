@@ -146,6 +146,24 @@ void arc_model_warn(const arc_model *model, double half_width, const arc_callbac
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
+/* Modulus of a material's half-plane [MPa]: E*, in plane stress E. */
+double arc_material_modulus(arc_space space, arc_material material);
+
+/* That of the half-plane which yields as much as a body with its layers does to a pressure of wave
+ * number q [1/mm]; to the bit the material's where there are no layers and no base is near. */
+double arc_body_modulus(arc_space space, const arc_body_def *body, arc_material own, double q);
+
+/* What unworn bodies come to under a load, estimated. All in mm. */
+typedef struct contact_estimate {
+  double half_width; /* see arc_model_half_width */
+  double flat;       /* width that touches without load, of it */
+  double at;         /* x of its middle: profiles may touch beside x = 0 */
+  double edge; /* half width of the cylinder's, or ball's, contact whose pressure has edges as sharp:
+                  the half width itself but where rounded edges or kinks touch */
+  double wave; /* length of the shortest waves that are felt; INFINITY: none are */
+} contact_estimate;
+contact_estimate arc_model_estimate(const arc_model_def *def, double load);
+
 /* Dundurs' second constant of a pair: how unlike its bodies are to shear. */
 double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BODIES]);
 

@@ -37,22 +37,25 @@ static double largest_size(const arc_model_def *def) {
   return fmin(measure / 10 / stretch, measure / 4 / stretch / def->mesh.rows);
 }
 
-/* Eight elements a wave of a rough profile. */
-static double wave_size(const arc_model_def *def) {
-  enum { a_wave = 8 };
-  double size = INFINITY;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
-    size = fmin(size, arc_body_wave(&solid) / a_wave);
-  }
-  return size;
+/* Columns that a contact with sharp edges gets by itself: elements are as small all over the zone,
+ * and as deep as it is wide. */
+static const double most_columns = 320;
+
+/* The contact's edges as fine as the paper's, with a node at the ends of a flat. */
+static double contact_size(const contact_estimate *e) {
+  const double least = 2 * ARC_CONTACT_ROOM * (e->half_width + e->edge) / most_columns;
+  const double size = fmax(arc_model_size_for(e->edge), least);
+  const double flat = e->flat / 2;
+  return flat > size ? flat / ceil(flat / size) : size;
 }
 
+/* Eight elements a wave of a rough profile. */
 static void fit_size(arc_model_def *def, double load) {
+  enum { a_wave = 8 };
   arc_mesh_def *mesh = &def->mesh;
+  const contact_estimate e = arc_model_estimate(def, load);
   if (mesh->fineness == 0) mesh->fineness = 1;
-  const double contact = arc_model_size_for(arc_model_half_width(def, load));
-  mesh->size = fmin(fmin(contact, wave_size(def)) / mesh->fineness, largest_size(def));
+  mesh->size = fmin(fmin(contact_size(&e), e.wave / a_wave) / mesh->fineness, largest_size(def));
 }
 
 void arc_model_fit(arc_model_def *def, double load) {
@@ -83,10 +86,10 @@ void arc_model_fit_zones(arc_model_def *def, const double needed[ARC_BODIES]) {
 
 void arc_model_fit_alone(arc_model_def *def) {
   const double load = arc_hertz_default().load;
-  const double half_width = arc_model_half_width(def, load);
+  const contact_estimate e = arc_model_estimate(def, load);
   double zone[ARC_BODIES];
   arc_model_fit(def, load);
-  arc_zone_for(0, half_width, arc_model_size_for(half_width), zone);
+  arc_zone_for(0, fabs(e.at) + e.half_width + e.edge, arc_model_size_for(e.edge), zone);
   for (int b = 0; b < ARC_BODIES; b++)
     if (def->mesh.zone[b] == 0)
       def->mesh.zone[b] = fmin(zone[b], arc_model_widest_zone(def, (arc_body)b));

@@ -60,13 +60,13 @@ double arc_material_E_star(arc_material m) {
   return m.E / (1 - m.nu * m.nu);
 }
 
-static double modulus_in(arc_space space, arc_material m) {
+double arc_material_modulus(arc_space space, arc_material m) {
   return space == ARC_PLANE_STRESS ? m.E : arc_material_E_star(m);
 }
 
 double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]) {
-  return 1 / (1 / modulus_in(space, material[ARC_CYLINDER]) +
-              1 / modulus_in(space, material[ARC_PLATE]));
+  return 1 / (1 / arc_material_modulus(space, material[ARC_CYLINDER]) +
+              1 / arc_material_modulus(space, material[ARC_PLATE]));
 }
 
 arc_status arc_material_check(arc_material m, arc_error *error) {

@@ -24,10 +24,11 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
 int arc_body_is_word(const char *name);
 /* Names that are words, and stand for nothing else. */
 arc_status arc_body_check_name(const arc_body_def *body, const char *path, arc_error *error);
-/* Radius of the parabola that fits a profile best, INFINITY where that is flat or hollow; length of
- * its waves [mm], INFINITY where there are none. INFINITY for others. */
+/* Radius of the parabola that fits a profile best, negative where that is hollow, INFINITY where it
+ * is flat; length of its waves [mm], INFINITY where there are none, and height [mm] from valleys to peaks. INFINITY and
+ * 0 for others. */
 double arc_body_form_radius(const arc_body_def *body);
-double arc_body_wave(const arc_body_def *body);
+double arc_body_wave(const arc_body_def *body, double *height);
 
 /* About how many nodes a mesh will have. */
 double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def *solid);

@@ -170,13 +170,13 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'mesh.far': expected at least the element size %g mm, got %g mm",
                     fmax(def->size, def->height), def->far);
-  if (def->rows < 1 || def->rows * def->height > radius / 4)
+  const double most_rows = floor(radius / 4 / def->height * (1 + 1e-9)); /* of what just fits, too */
+  if (def->rows < 1 || def->rows > most_rows)
     return arc_fail(
         error, ARC_ARGUMENT,
-        "field 'mesh.rows': expected from 1 to radius / 4 / height = %d, got %d; elements %g mm "
-        "high are large in bodies of radius %g mm (those that suit a contact are where "
-        "it is nearly as wide as the bodies: take less load or a stiffer material)",
-        (int)(radius / 4 / def->height), def->rows, def->height, radius);
+        "field 'mesh.rows': expected from 1 to radius / 4 / height = %g, got %d; rows of %g mm are "
+        "high in bodies of radius %g mm: give fewer of them or a smaller mesh.height",
+        most_rows, def->rows, def->height, radius);
   if ((status = check_zone(def, body, solid, error))) return status;
   const double estimate = arc_mesh_nodes(def, body, solid);
   if (estimate > most_elements)

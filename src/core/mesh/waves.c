@@ -47,14 +47,15 @@ static form form_of(const arc_series *y) {
 double arc_body_form_radius(const arc_body_def *b) {
   if (b->kind != ARC_SOLID_PROFILE || b->y_series.count < 3) return INFINITY;
   const form f = form_of(&b->y_series);
-  return f.c[2] < 0 ? -f.half * f.half / (3 * f.c[2]) : INFINITY;
+  return f.c[2] != 0 ? -f.half * f.half / (3 * f.c[2]) : INFINITY;
 }
 
 /* Turns between peaks and valleys that are higher than a tenth of the whole. */
-double arc_body_wave(const arc_body_def *b) {
+double arc_body_wave(const arc_body_def *b, double *height) {
   static const double least = 0.1;
   enum { fewest = 4 };
   const arc_series *y = &b->y_series;
+  *height = 0;
   if (b->kind != ARC_SOLID_PROFILE || y->count < 3) return INFINITY;
   const form f = form_of(y);
   double low = INFINITY, high = -INFINITY, last = 0;
@@ -63,6 +64,7 @@ double arc_body_wave(const arc_body_def *b) {
     low = fmin(low, r);
     high = fmax(high, r);
   }
+  *height = high - low;
   int turns = 0, way = 0;
   double from = 0, to = 0, at = 0; /* the first and the last turn; the outermost point since */
   for (int i = 0; i < y->count; i++) {

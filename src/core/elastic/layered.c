@@ -1,0 +1,92 @@
+/* How stiff layered bodies are to waves of pressure: a section of them, from the base upwards, in
+ * closed form.
+ *
+ * Under a pressure that goes as cos(q x), displacements go as u sin(q x) and v cos(q x), and
+ * stresses on level planes as q times tau sin(q x) and sigma cos(q x). Over the depth, in units of
+ * 1 / q, these four follow s' = A s within a layer, and (A^2 - 1)^2 = 0: exp(A d) has four terms.
+ * Through a layer goes what displacements the stresses on its lower face come with. */
+#include "core/base/dense.h"
+#include "core/elastic/body.h"
+#include "core/mesh/build.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { half = 2, whole = 4 }; /* displacements, or stresses; both */
+
+/* A depth [1 / q] beyond which nothing of what lies below is felt. */
+static const double deep = 20;
+
+typedef double square[whole * whole];
+
+/* The A of a material. In a thin plate that gives way sideways, a modulus of E and a lesser nu. */
+static void find_rates(arc_space space, arc_material m, square a) {
+  const double G = m.E / (2 * (1 + m.nu));
+  const double across = space == ARC_PLANE_STRESS ? m.nu : m.nu / (1 - m.nu);
+  memset(a, 0, sizeof(square));
+  a[dense_at(0, 1, whole)] = 1;
+  a[dense_at(0, 2, whole)] = 1 / G;
+  a[dense_at(1, 0, whole)] = -across;
+  a[dense_at(1, 3, whole)] = (1 - across) / (2 * G);
+  a[dense_at(2, 0, whole)] = arc_material_modulus(space, m);
+  a[dense_at(2, 3, whole)] = across;
+  a[dense_at(3, 2, whole)] = -1;
+}
+
+/* exp(-A d), but for a factor that keeps it from overflow. */
+static void find_way_up(const square a, double d, square up) {
+  const double e = exp(-2 * d), cosh = (1 + e) / 2, sinh = -expm1(-2 * d) / 2;
+  const double c[whole] = {cosh - d * sinh / 2, -(3 * sinh - d * cosh) / 2, d * sinh / 2,
+                           -(d * cosh - sinh) / 2};
+  square power = {0}, next;
+  memset(up, 0, sizeof(square));
+  for (int i = 0; i < whole; i++) power[dense_at(i, i, whole)] = 1;
+  for (int k = 0; k < whole; k++) {
+    for (int i = 0; i < whole * whole; i++) up[i] += c[k] * power[i];
+    arc_dense_multiply(whole, whole, whole, 1, a, whole, power, whole, 0, next, whole);
+    memcpy(power, next, sizeof next);
+  }
+}
+
+/* c [2 x 2]: displacements that come with stresses, on the lower face of a layer of depth d, then
+ * on its upper one. */
+static void climb(arc_space space, arc_material m, double d, double c[half * half]) {
+  square a, up;
+  double displaced[half * half], pressed[half * half];
+  if (d == 0) return;
+  find_rates(space, m, a);
+  find_way_up(a, d, up);
+  for (int i = 0; i < half; i++)
+    for (int j = 0; j < half; j++) {
+      const size_t at = dense_at(i, j, half);
+      displaced[at] = up[dense_at(i, half + j, whole)];
+      pressed[at] = up[dense_at(half + i, half + j, whole)];
+      for (int k = 0; k < half; k++) {
+        displaced[at] += up[dense_at(i, k, whole)] * c[dense_at(k, j, half)];
+        pressed[at] += up[dense_at(half + i, k, whole)] * c[dense_at(k, j, half)];
+      }
+    }
+  const double determinant = pressed[0] * pressed[3] - pressed[1] * pressed[2];
+  for (int i = 0; i < half; i++) {
+    const double left = displaced[i], right = displaced[half + i];
+    c[i] = (left * pressed[3] - right * pressed[1]) / determinant;
+    c[half + i] = (right * pressed[0] - left * pressed[2]) / determinant;
+  }
+}
+
+/* Solid arcs have no base: what is far away is all around. */
+static double depth_of(const arc_body_def *b) {
+  const int solid = b->kind == ARC_SOLID_CYLINDER || b->kind == ARC_SOLID_DISC;
+  return solid ? INFINITY : arc_body_depth(b);
+}
+
+double arc_body_modulus(arc_space space, const arc_body_def *b, arc_material own, double q) {
+  const int layers = arc_body_layers(b);
+  const double base = depth_of(b) - (layers > 0 ? arc_body_interface(b, layers - 1) : 0);
+  double c[half * half] = {0};
+  if (layers == 0 && q * base > deep) return arc_material_modulus(space, own);
+  climb(space, own, fmin(q * base, deep), c);
+  for (int l = layers - 1; l >= 0; l--)
+    climb(space, b->layer[l].material, fmin(q * b->layer[l].thickness, deep), c);
+  return -2 / c[dense_at(1, 1, half)];
+}

@@ -1,0 +1,251 @@
+/* How wide unworn bodies touch: the estimate that meshes are made by.
+ *
+ * A load presses a half width into a pair of half-planes: in closed form by Hertz for arcs and by
+ * Persson in holes; of other shapes that touch in one place it is an integral over their gap.
+ * Layers, and bases that are near, count by the modulus that the bodies show to a wave of about the
+ * contact's length. */
+#include "core/elastic/body.h"
+#include "core/mesh/build.h"
+
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+
+/* --- the pair --------------------------------------------------------------------------------- */
+
+/* Whether the contact is a spot on the axis of revolution. */
+static int is_round(const arc_model_def *def) {
+  return def->geometry == ARC_AXISYMMETRIC && def->axis == 0;
+}
+
+/* Length of a contact that is a line, straight or around [mm]. */
+static double line_length(const arc_model_def *def) {
+  return def->geometry == ARC_AXISYMMETRIC ? 2 * pi * def->axis : def->thickness;
+}
+
+/* Waves this often over a half width show layers as a contact does: to the digit where layers are
+ * so thin that they yield like springs side by side. */
+static double waves_over(const arc_model_def *def) {
+  return is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
+}
+
+/* The contact modulus of the pair to a contact of this half width [MPa]. */
+static double modulus_at(const arc_model_def *def, double half_width) {
+  double yields = 0;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
+    yields += 1 / arc_body_modulus(def->geometry, &solid, def->material[b],
+                                   waves_over(def) / half_width);
+  }
+  return 1 / yields;
+}
+
+static arc_hertz hertz_on(const arc_model_def *def, double radius, double load) {
+  const arc_hertz_def pair = {.radius = radius,
+                              .thickness = is_round(def) ? 1 : line_length(def),
+                              .load = load,
+                              .geometry = def->geometry == ARC_AXISYMMETRIC && !is_round(def)
+                                              ? ARC_PLANE_STRAIN
+                                              : def->geometry,
+                              .material = {def->material[0], def->material[1]}};
+  arc_hertz hertz = {0};
+  arc_hertz_of(&pair, &hertz, NULL);
+  return hertz;
+}
+
+arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
+  return hertz_on(def, arc_model_relative_radius(def), load);
+}
+
+/* --- their gap -------------------------------------------------------------------------------- */
+
+/* What the two surfaces are to each other. `least` is the half width [mm] that touches without
+ * load, `most` what is taken for the widest contact; of a pair in a hole, the hole's radius. */
+typedef struct gap_of_pair {
+  arc_body_def solid[ARC_BODIES];
+  double crest[ARC_BODIES];
+  double form[ARC_BODIES]; /* [mm] radius that stands for a rough profile; 0: its own heights */
+  double at;               /* [mm] where they touch */
+  double hole, clearance;  /* 0: no hole */
+  double least, most;
+  int round;
+} gap_of_pair;
+
+/* How far a surface lies inside its body at x [mm]. */
+static double inset_at(const gap_of_pair *g, int b, double x) {
+  const arc_body_def *s = &g->solid[b];
+  const double radius = g->form[b] != 0 ? g->form[b] : arc_body_radius(s);
+  if (isfinite(radius)) {
+    const double side = fmax(-1, fmin(1, x / radius));
+    return x * side / (1 + sqrt(1 - side * side));
+  }
+  return g->form[b] != 0 ? 0 : arc_body_inset(s, g->crest[b], x);
+}
+
+static double gap_at(const gap_of_pair *g, double x) {
+  return inset_at(g, ARC_UPPER, x) + inset_at(g, ARC_LOWER, x);
+}
+
+/* Of both sides of the first point of contact, the mean. */
+static double opening(const gap_of_pair *g, double s) {
+  return (gap_at(g, g->at + s) + gap_at(g, g->at - s)) / 2;
+}
+
+/* The point of a profile that comes nearest the other body: that in the middle of several. */
+static void find_first_point(gap_of_pair *g) {
+  double least = INFINITY;
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < g->solid[b].y_series.count && g->form[b] == 0; i++) {
+      const double x = g->solid[b].y_series.distance[i], gap = gap_at(g, x);
+      if (gap > least || (gap == least && fabs(x) >= fabs(g->at))) continue;
+      least = gap;
+      g->at = x;
+    }
+}
+
+/* The widest contact that a body is for. */
+static double reach_of(const arc_body_def *s) {
+  if (s->kind == ARC_SOLID_PUNCH) return s->flat / 2 + s->radius;
+  return arc_body_is_round(s) ? fabs(arc_body_radius(s)) : s->width / 4;
+}
+
+static void find_limits(gap_of_pair *g) {
+  const arc_body_def *s = g->solid;
+  g->most = fmin(reach_of(&s[0]), reach_of(&s[1]));
+  for (int b = 0; b < ARC_BODIES; b++) {
+    if (s[b].kind == ARC_SOLID_PUNCH && s[1 - b].kind != ARC_SOLID_PROFILE)
+      g->least = g->least > 0 ? fmin(g->least, s[b].flat / 2) : s[b].flat / 2;
+    if (!arc_body_is_hollow(&s[b])) continue;
+    g->hole = s[b].inner;
+    g->clearance = s[b].inner - arc_body_radius(&s[1 - b]);
+    g->most = g->hole * pi / 2;
+  }
+}
+
+static gap_of_pair gap_of(const arc_model_def *def) {
+  gap_of_pair g = {.round = is_round(def)};
+  for (int b = 0; b < ARC_BODIES; b++) {
+    g.solid[b] = arc_model_solid(def, (arc_body)b);
+    g.crest[b] = arc_body_crest(&g.solid[b]);
+  }
+  find_limits(&g);
+  return g;
+}
+
+/* --- the load that a width takes -------------------------------------------------------------- */
+
+/* Persson's pin in a hole of equal materials, 2 E* c / P by b = tan(e / 2). */
+static double press_into_hole(const gap_of_pair *g, double half_width) {
+  const double b = tan(half_width / g->hole / 2), s = b * b;
+  const double c = (2 - 2 * s * s - log1p(s)) / (pi * s * (1 + s));
+  return c > 0 ? 2 * g->clearance / c : INFINITY;
+}
+
+/* Half-planes that touch over s < a, P / E* = integral of s g' / sqrt(a^2 - s^2) ds, and round
+ * spots, P / E* = twice that of s^2 g' / sqrt(a^2 - s^2). Over t = sqrt(a^2 - s^2) both are smooth.
+ * `wide` is what the half width has beyond what touches without load. */
+static double press(const gap_of_pair *g, double wide) {
+  enum { steps = 100 };
+  const double a = g->least + wide, most = sqrt(wide * (wide + 2 * g->least));
+  if (g->hole > 0) return press_into_hole(g, a);
+  double sum = 0, outer = a, out = opening(g, a);
+  for (int k = 1; k <= steps; k++) {
+    const double t = most * k / steps, step = most / steps, before = t - step;
+    const double inner = k < steps ? sqrt((a - t) * (a + t)) : g->least, in = opening(g, inner);
+    const double both = outer + inner;
+    /* outer^2 - inner^2 = t^2 - before^2 */
+    sum += (out - in) * both / (t + before) * (g->round ? both : 1);
+    outer = inner;
+    out = in;
+  }
+  return sum;
+}
+
+/* The width that a load takes, by halving on a scale of sizes; the widest where that takes less. */
+static double width_under(const arc_model_def *def, const gap_of_pair *g, double load) {
+  enum { halvings = 45 };
+  static const double smallest = 1e-9;
+  double low = log(smallest), high = 0;
+  for (int i = 0; i < halvings; i++) {
+    const double middle = (low + high) / 2, wide = exp(middle) * (g->most - g->least);
+    if (press(g, wide) * modulus_at(def, g->least + wide) < load)
+      low = middle;
+    else
+      high = middle;
+  }
+  return exp(high) * (g->most - g->least);
+}
+
+/* The half width of the cylinder, or ball, whose contact grows as fast with the load: as sharp are
+ * the pressure's edges. P goes as its square, or cube. */
+static double edge_at(const gap_of_pair *g, double wide) {
+  static const double step = 1e-3;
+  const double a = g->least + wide, p = press(g, wide);
+  const double growth = (press(g, wide * (1 + step)) - press(g, wide * (1 - step))) / (2 * step);
+  if (g->hole > 0 || !(p > 0) || !(growth > 0)) return a;
+  return fmin(a, (g->round ? 3 : 2) * p / growth * wide);
+}
+
+/* --- what is estimated ------------------------------------------------------------------------ */
+
+/* A wave of a pressed surface ripples the pressure by pi E* / length times its amplitude: one that
+ * does so by less than this share of the mean is none. */
+static const double felt = 1e-3;
+
+static double mean_pressure(const arc_model_def *def, double half_width, double load) {
+  return is_round(def) ? load / (pi * half_width * half_width)
+                       : load / (2 * half_width * line_length(def));
+}
+
+/* Whose profile is rough under a load, by what its form makes of that: only its form counts for the
+ * width then. The length of the shortest waves [mm]. */
+static double find_waves(const arc_model_def *def, gap_of_pair *g, double load) {
+  const double line = is_round(def) ? load : load / line_length(def);
+  double shortest = INFINITY;
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (g->solid[b].kind == ARC_SOLID_PROFILE) g->form[b] = arc_body_form_radius(&g->solid[b]);
+  const double wide = width_under(def, g, line), a = g->least + wide;
+  const double p = mean_pressure(def, a, load);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double height;
+    const double wave = arc_body_wave(&g->solid[b], &height);
+    const int rough = pi * modulus_at(def, a) * height / 2 > felt * p * wave;
+    if (rough) shortest = fmin(shortest, wave);
+    if (!rough) g->form[b] = 0;
+  }
+  return shortest;
+}
+
+static int has_profile(const gap_of_pair *g) {
+  return g->solid[0].kind == ARC_SOLID_PROFILE || g->solid[1].kind == ARC_SOLID_PROFILE;
+}
+
+/* Whether both are arcs or flat, and feel nothing but themselves. */
+static int is_plain(const arc_model_def *def, const gap_of_pair *g, double half_width) {
+  return g->hole == 0 && g->least == 0 && !has_profile(g) && half_width > 0 &&
+         modulus_at(def, half_width) == arc_contact_modulus(def->geometry, def->material);
+}
+
+contact_estimate arc_model_estimate(const arc_model_def *def, double load) {
+  gap_of_pair g = gap_of(def);
+  contact_estimate e = {.half_width = arc_model_hertz(def, load).half_width, .wave = INFINITY};
+  e.edge = e.half_width;
+  if (is_plain(def, &g, e.half_width)) return e;
+  if (has_profile(&g)) e.wave = find_waves(def, &g, load);
+  find_first_point(&g);
+  const double wide = width_under(def, &g, is_round(def) ? load : load / line_length(def));
+  e.half_width = g.least + wide;
+  e.edge = edge_at(&g, wide);
+  e.at = g.at;
+  e.flat = 2 * g.least;
+  return e;
+}
+
+double arc_model_half_width(const arc_model_def *def, double load) {
+  return arc_model_estimate(def, load).half_width;
+}
+
+double arc_model_line(const arc_model_def *def, double load) {
+  if (!is_round(def)) return load / line_length(def);
+  return 2 * load / (pi * arc_model_half_width(def, load));
+}
