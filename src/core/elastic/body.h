@@ -153,6 +153,9 @@ double arc_material_modulus(arc_space space, arc_material material);
  * number q [1/mm]; to the bit the material's where there are no layers and no base is near. */
 double arc_body_modulus(arc_space space, const arc_body_def *body, arc_material own, double q);
 
+/* The contact modulus of a pair to it [MPa]. */
+double arc_model_modulus(const arc_model_def *def, double q);
+
 /* What unworn bodies come to under a load, estimated. All in mm. */
 typedef struct contact_estimate {
   double half_width; /* see arc_model_half_width */

@@ -58,11 +58,31 @@ static void fit_size(arc_model_def *def, double load) {
   mesh->size = fmin(fmin(contact_size(&e), e.wave / a_wave) / mesh->fineness, largest_size(def));
 }
 
+/* Rows so high that two fit into soft layers that hardly change their volume: a single one locks
+ * where it is squeezed out sideways. As far as they do not get too flat; much thinner layers are
+ * as stiff as their foundation. */
+static double height_in_layers(const arc_model_def *def, double height) {
+  static const double incompressible = 0.4;
+  const double flattest = def->mesh.size / 16;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_body_def *solid = &def->body[b];
+    const int layers = arc_body_layers(solid);
+    for (int l = 0; l < layers; l++) {
+      const arc_layer *layer = &solid->layer[l];
+      const double below = l + 1 < layers ? layer[1].material.E : def->material[b].E;
+      const int squeezed = layer->material.nu > incompressible && layer->material.E < below;
+      if (squeezed && layer->thickness / 2 >= flattest) height = fmin(height, layer->thickness / 2);
+    }
+  }
+  return height;
+}
+
 void arc_model_fit(arc_model_def *def, double load) {
   const arc_mesh_def paper = arc_mesh_default();
   arc_mesh_def *mesh = &def->mesh;
   if (mesh->size == 0) fit_size(def, load);
-  if (mesh->height == 0) mesh->height = paper.height * (mesh->size / paper.size);
+  if (mesh->height == 0)
+    mesh->height = height_in_layers(def, paper.height * (mesh->size / paper.size));
   if (mesh->far == 0) mesh->far = fmax(least_measure(def) / 10, fmax(mesh->size, mesh->height));
 }
 

@@ -29,15 +29,18 @@ static double waves_over(const arc_model_def *def) {
   return is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
 }
 
-/* The contact modulus of the pair to a contact of this half width [MPa]. */
-static double modulus_at(const arc_model_def *def, double half_width) {
+double arc_model_modulus(const arc_model_def *def, double q) {
   double yields = 0;
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_body_def solid = arc_model_solid(def, (arc_body)b);
-    yields += 1 / arc_body_modulus(def->geometry, &solid, def->material[b],
-                                   waves_over(def) / half_width);
+    yields += 1 / arc_body_modulus(def->geometry, &solid, def->material[b], q);
   }
   return 1 / yields;
+}
+
+/* The contact modulus of the pair to a contact of this half width [MPa]. */
+static double modulus_at(const arc_model_def *def, double half_width) {
+  return arc_model_modulus(def, waves_over(def) / half_width);
 }
 
 static arc_hertz hertz_on(const arc_model_def *def, double radius, double load) {
