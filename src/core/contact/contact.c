@@ -173,8 +173,24 @@ static arc_status tell_off(const arc_contact *c, arc_error *error) {
       arc_model_widest_zone(model, ARC_PLATE) / 2, c->pose.x);
 }
 
-/* What is said where the zones do not hold the contact, with those that would: as without a model,
- * or twice as wide where these are not wider. */
+/* The zones that would hold a contact: as without a model, or twice as wide where these are not
+ * wider. 0: bodies have none as wide. */
+static int find_zones(const arc_contact_def *def, const arc_model_def *model,
+                      double zone[ARC_BODIES]) {
+  const double contact = 2 * arc_model_half_width(model, def->load), *now = model->mesh.zone;
+  int more = 0;
+  arc_contact_zones(def, model, zone);
+  const int wider = zone[ARC_UPPER] > now[ARC_UPPER] || zone[ARC_LOWER] > now[ARC_LOWER];
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const double widest = arc_model_widest_zone(model, (arc_body)b);
+    if (contact > widest) return 0;
+    zone[b] = round_zone(fmax(zone[b], (wider ? 1 : 2) * now[b]), widest);
+    more |= zone[b] > now[b];
+  }
+  return more;
+}
+
+/* What is said where the zones do not hold the contact. */
 static arc_status tell_zones(const arc_contact *c, arc_error *error) {
   const arc_model_def *model = arc_model_definition(c->shape->model);
   if (!error || arc_model_is_given(c->shape->model)) return ARC_ZONE;
@@ -183,27 +199,29 @@ static arc_status tell_zones(const arc_contact *c, arc_error *error) {
   double zone[ARC_BODIES];
   arc_contact_def here = c->def;
   here.x = c->pose.x;
-  arc_contact_zones(&here, model, zone);
-  int wider = 0, more = 0;
-  for (int b = 0; b < ARC_BODIES; b++) wider |= zone[b] > model->mesh.zone[b];
-  for (int b = 0; b < ARC_BODIES; b++) {
-    zone[b] = round_zone(fmax(zone[b], (wider ? 1 : 2) * model->mesh.zone[b]),
-                         arc_model_widest_zone(model, (arc_body)b));
-    more |= zone[b] > model->mesh.zone[b];
-  }
-  if (!more)
-    return arc_fail(error, ARC_ZONE, "%s (there is no wider one: the bodies are too small for it)",
-                    why.message);
+  if (!find_zones(&here, model, zone))
+    return arc_fail(error, ARC_ZONE,
+                    "%s; the bodies are too small for it: their zones end at %g and %g mm",
+                    why.message, arc_model_widest_zone(model, ARC_CYLINDER),
+                    arc_model_widest_zone(model, ARC_PLATE));
   return arc_fail(error, ARC_ZONE,
                   "%s (this contact needs mesh.zone = {cylinder = %.3g, plate = %.3g} mm)",
                   why.message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
+}
+
+/* [N]; 0 where one of the bodies is worn. */
+static double unworn_load(const arc_contact *c) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (arc_shape_depth(c->shape, (arc_body)b) > 0) return 0;
+  return c->def.load;
 }
 
 arc_status arc_contact_finish(arc_contact **contact, arc_status status,
                               const arc_callbacks *callbacks, arc_error *error) {
   if (status == ARC_OK) {
     read_all(*contact);
-    arc_model_warn((*contact)->shape->model, (*contact)->result.half_width, callbacks);
+    arc_model_warn((*contact)->shape->model, unworn_load(*contact), (*contact)->result.half_width,
+                   callbacks);
   }
 #ifdef ARC_CHECKS
   arc_error broken;

@@ -136,9 +136,10 @@ arc_status arc_body_displacements(const elastic_body *body, const double *box_at
 /* The model's body (not public: contact and wear lean on it). */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
-/* Warns where a contact of this half width [mm] has less than four elements of the model, and where
- * a body's elements lock. */
-void arc_model_warn(const arc_model *model, double half_width, const arc_callbacks *callbacks);
+/* Warns where a contact of this half width [mm], or a sharp edge of the unworn one under a load [N]
+ * (0: it is worn), has less than four elements of the model, and where a body's elements lock. */
+void arc_model_warn(const arc_model *model, double load, double half_width,
+                    const arc_callbacks *callbacks);
 
 /* Numbers for compliances, so that what was made from one knows when it is stale. The model counts
  * them: a number means the same bits on whatever shape it stands. The unworn compliance has the
@@ -153,7 +154,10 @@ double arc_material_modulus(arc_space space, arc_material material);
  * number q [1/mm]; to the bit the material's where there are no layers and no base is near. */
 double arc_body_modulus(arc_space space, const arc_body_def *body, arc_material own, double q);
 
-/* The contact modulus of a pair to it [MPa]. */
+/* Whether the contact is a spot on the axis of revolution. */
+int arc_model_is_round(const arc_model_def *def);
+
+/* The contact modulus of a pair to waves of number q [MPa]. */
 double arc_model_modulus(const arc_model_def *def, double q);
 
 /* What unworn bodies come to under a load, estimated. All in mm. */
@@ -161,9 +165,9 @@ typedef struct contact_estimate {
   double half_width; /* see arc_model_half_width */
   double flat;       /* width that touches without load, of it */
   double at;         /* x of its middle: profiles may touch beside x = 0 */
-  double edge; /* half width of the cylinder's, or ball's, contact whose pressure has edges as sharp:
-                  the half width itself but where rounded edges or kinks touch */
-  double wave; /* length of the shortest waves that are felt; INFINITY: none are */
+  double edge;       /* half width of the cylinder's, or ball's, contact whose pressure has edges as
+                        sharp:       the half width itself but where rounded edges or kinks touch */
+  double wave;       /* length of the shortest waves that are felt; INFINITY: none are */
 } contact_estimate;
 contact_estimate arc_model_estimate(const arc_model_def *def, double load);
 

@@ -41,11 +41,12 @@ static double largest_size(const arc_model_def *def) {
  * and as deep as it is wide. */
 static const double most_columns = 320;
 
-/* The contact's edges as fine as the paper's, with a node at the ends of a flat. */
-static double contact_size(const contact_estimate *e) {
+/* The contact's edges as fine as the paper's, spots twice as fine, whose pressure at the axis would
+ * be 0.3 % low; with a node at the ends of a flat. */
+static double contact_size(const arc_model_def *def, const contact_estimate *e) {
   const double least = 2 * ARC_CONTACT_ROOM * (e->half_width + e->edge) / most_columns;
-  const double size = fmax(arc_model_size_for(e->edge), least);
-  const double flat = e->flat / 2;
+  const double fine = arc_model_size_for(e->edge) / (arc_model_is_round(def) ? 2 : 1);
+  const double size = fmax(fine, least), flat = e->flat / 2;
   return flat > size ? flat / ceil(flat / size) : size;
 }
 
@@ -55,7 +56,8 @@ static void fit_size(arc_model_def *def, double load) {
   arc_mesh_def *mesh = &def->mesh;
   const contact_estimate e = arc_model_estimate(def, load);
   if (mesh->fineness == 0) mesh->fineness = 1;
-  mesh->size = fmin(fmin(contact_size(&e), e.wave / a_wave) / mesh->fineness, largest_size(def));
+  mesh->size =
+      fmin(fmin(contact_size(def, &e), e.wave / a_wave) / mesh->fineness, largest_size(def));
 }
 
 /* Rows so high that two fit into soft layers that hardly change their volume: a single one locks

@@ -13,8 +13,7 @@ static const double pi = 3.14159265358979323846;
 
 /* --- the pair --------------------------------------------------------------------------------- */
 
-/* Whether the contact is a spot on the axis of revolution. */
-static int is_round(const arc_model_def *def) {
+int arc_model_is_round(const arc_model_def *def) {
   return def->geometry == ARC_AXISYMMETRIC && def->axis == 0;
 }
 
@@ -26,7 +25,7 @@ static double line_length(const arc_model_def *def) {
 /* Waves this often over a half width show layers as a contact does: to the digit where layers are
  * so thin that they yield like springs side by side. */
 static double waves_over(const arc_model_def *def) {
-  return is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
+  return arc_model_is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
 }
 
 double arc_model_modulus(const arc_model_def *def, double q) {
@@ -44,13 +43,13 @@ static double modulus_at(const arc_model_def *def, double half_width) {
 }
 
 static arc_hertz hertz_on(const arc_model_def *def, double radius, double load) {
-  const arc_hertz_def pair = {.radius = radius,
-                              .thickness = is_round(def) ? 1 : line_length(def),
-                              .load = load,
-                              .geometry = def->geometry == ARC_AXISYMMETRIC && !is_round(def)
-                                              ? ARC_PLANE_STRAIN
-                                              : def->geometry,
-                              .material = {def->material[0], def->material[1]}};
+  const arc_hertz_def pair = {
+      .radius = radius,
+      .thickness = arc_model_is_round(def) ? 1 : line_length(def),
+      .load = load,
+      .geometry = def->geometry == ARC_AXISYMMETRIC && !arc_model_is_round(def) ? ARC_PLANE_STRAIN
+                                                                                : def->geometry,
+      .material = {def->material[0], def->material[1]}};
   arc_hertz hertz = {0};
   arc_hertz_of(&pair, &hertz, NULL);
   return hertz;
@@ -94,22 +93,34 @@ static double opening(const gap_of_pair *g, double s) {
   return (gap_at(g, g->at + s) + gap_at(g, g->at - s)) / 2;
 }
 
-/* The point of a profile that comes nearest the other body: that in the middle of several. */
-static void find_first_point(gap_of_pair *g) {
-  double least = INFINITY;
-  for (int b = 0; b < ARC_BODIES; b++)
-    for (int i = 0; i < g->solid[b].y_series.count && g->form[b] == 0; i++) {
-      const double x = g->solid[b].y_series.distance[i], gap = gap_at(g, x);
-      if (gap > least || (gap == least && fabs(x) >= fabs(g->at))) continue;
-      least = gap;
-      g->at = x;
+/* Where smooth profiles come nearest the other body: a point, or a flat; the first of several. */
+static void find_first_touch(gap_of_pair *g) {
+  const double alike = 1e-12 * g->most;
+  double least = INFINITY, first = 0, last = 0;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_series *y = &g->solid[b].y_series;
+    int goes_on = 0;
+    for (int i = 0; i < y->count && g->form[b] == 0; i++) {
+      const double x = y->distance[i], gap = gap_at(g, x);
+      if (gap < least - alike) {
+        least = gap;
+        first = last = x;
+        goes_on = 1;
+      } else if (gap > least + alike) {
+        goes_on = 0;
+      } else if (goes_on) {
+        last = x;
+      }
     }
+  }
+  g->at = (first + last) / 2;
+  if (last > first) g->least = fmin((last - first) / 2, 0.9 * g->most);
 }
 
 /* The widest contact that a body is for. */
 static double reach_of(const arc_body_def *s) {
   if (s->kind == ARC_SOLID_PUNCH) return s->flat / 2 + s->radius;
-  return arc_body_is_round(s) ? fabs(arc_body_radius(s)) : s->width / 4;
+  return arc_body_is_round(s) ? fabs(arc_body_radius(s)) : 0.4 * s->width;
 }
 
 static void find_limits(gap_of_pair *g) {
@@ -126,7 +137,7 @@ static void find_limits(gap_of_pair *g) {
 }
 
 static gap_of_pair gap_of(const arc_model_def *def) {
-  gap_of_pair g = {.round = is_round(def)};
+  gap_of_pair g = {.round = arc_model_is_round(def)};
   for (int b = 0; b < ARC_BODIES; b++) {
     g.solid[b] = arc_model_solid(def, (arc_body)b);
     g.crest[b] = arc_body_crest(&g.solid[b]);
@@ -196,14 +207,14 @@ static double edge_at(const gap_of_pair *g, double wide) {
 static const double felt = 1e-3;
 
 static double mean_pressure(const arc_model_def *def, double half_width, double load) {
-  return is_round(def) ? load / (pi * half_width * half_width)
-                       : load / (2 * half_width * line_length(def));
+  return arc_model_is_round(def) ? load / (pi * half_width * half_width)
+                                 : load / (2 * half_width * line_length(def));
 }
 
 /* Whose profile is rough under a load, by what its form makes of that: only its form counts for the
  * width then. The length of the shortest waves [mm]. */
 static double find_waves(const arc_model_def *def, gap_of_pair *g, double load) {
-  const double line = is_round(def) ? load : load / line_length(def);
+  const double line = arc_model_is_round(def) ? load : load / line_length(def);
   double shortest = INFINITY;
   for (int b = 0; b < ARC_BODIES; b++)
     if (g->solid[b].kind == ARC_SOLID_PROFILE) g->form[b] = arc_body_form_radius(&g->solid[b]);
@@ -235,8 +246,9 @@ contact_estimate arc_model_estimate(const arc_model_def *def, double load) {
   e.edge = e.half_width;
   if (is_plain(def, &g, e.half_width)) return e;
   if (has_profile(&g)) e.wave = find_waves(def, &g, load);
-  find_first_point(&g);
-  const double wide = width_under(def, &g, is_round(def) ? load : load / line_length(def));
+  if (has_profile(&g)) find_first_touch(&g);
+  const double wide =
+      width_under(def, &g, arc_model_is_round(def) ? load : load / line_length(def));
   e.half_width = g.least + wide;
   e.edge = edge_at(&g, wide);
   e.at = g.at;
@@ -249,6 +261,6 @@ double arc_model_half_width(const arc_model_def *def, double load) {
 }
 
 double arc_model_line(const arc_model_def *def, double load) {
-  if (!is_round(def)) return load / line_length(def);
+  if (!arc_model_is_round(def)) return load / line_length(def);
   return 2 * load / (pi * arc_model_half_width(def, load));
 }

@@ -25,8 +25,8 @@ int arc_body_is_word(const char *name);
 /* Names that are words, and stand for nothing else. */
 arc_status arc_body_check_name(const arc_body_def *body, const char *path, arc_error *error);
 /* Radius of the parabola that fits a profile best, negative where that is hollow, INFINITY where it
- * is flat; length of its waves [mm], INFINITY where there are none, and height [mm] from valleys to peaks. INFINITY and
- * 0 for others. */
+ * is flat; length of its waves [mm], INFINITY where there are none, and height [mm] from valleys to
+ * peaks. INFINITY and 0 for others. */
 double arc_body_form_radius(const arc_body_def *body);
 double arc_body_wave(const arc_body_def *body, double *height);
 

@@ -170,7 +170,8 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'mesh.far': expected at least the element size %g mm, got %g mm",
                     fmax(def->size, def->height), def->far);
-  const double most_rows = floor(radius / 4 / def->height * (1 + 1e-9)); /* of what just fits, too */
+  const double most_rows =
+      floor(radius / 4 / def->height * (1 + 1e-9)); /* of what just fits, too */
   if (def->rows < 1 || def->rows > most_rows)
     return arc_fail(
         error, ARC_ARGUMENT,

@@ -182,7 +182,8 @@ static void warn_of_friction(const arc_wear *w, const arc_callbacks *callbacks) 
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *last = arc_wear_last(w);
   if (!callbacks || !callbacks->warn || last->distance >= w->def.distance) return;
-  if (!w->warned && last->update == 0) arc_model_warn(w->model, last->half_width, callbacks);
+  if (!w->warned && last->update == 0)
+    arc_model_warn(w->model, w->def.load, last->half_width, callbacks);
   if (!w->warned) warn_leaps(w, callbacks);
   if (!w->warned && last->update == 0) warn_of_friction(w, callbacks);
   warn_unstable(w, callbacks);
