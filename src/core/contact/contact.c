@@ -174,10 +174,11 @@ static arc_status tell_off(const arc_contact *c, arc_error *error) {
 }
 
 /* The zones that would hold a contact: as without a model, or twice as wide where these are not
- * wider. 0: bodies have none as wide. */
+ * wider. 0: the bodies have no room for it and two open elements on either side. */
 static int find_zones(const arc_contact_def *def, const arc_model_def *model,
                       double zone[ARC_BODIES]) {
-  const double contact = 2 * arc_model_half_width(model, def->load), *now = model->mesh.zone;
+  const double contact = 2 * arc_model_half_width(model, def->load) + 4 * model->mesh.size;
+  const double *now = model->mesh.zone;
   int more = 0;
   arc_contact_zones(def, model, zone);
   const int wider = zone[ARC_UPPER] > now[ARC_UPPER] || zone[ARC_LOWER] > now[ARC_LOWER];
