@@ -5,8 +5,7 @@ local contacts, titles = {}, {}
 for i, radius in ipairs{ 1, 2, 5 } do -- mm
   local c = contact{ load = 200, model = {
     upper = body.punch{ flat = 1, radius = radius, height = 10 },
-    lower = body.block{ width = 20, height = 10 },
-    mesh = { size = 0.01, zone = { cylinder = 1.4, plate = 1.4 } } } }
+    lower = body.block{ width = 20, height = 10 } } }
   print(("edges of %.1f mm: %.1f MPa in the middle, %.1f MPa at most, %.4f mm half width"):format(radius, c.p_center,
     c.p_max, c.half_width))
   contacts[i], titles[i] = c, ("R = %g mm"):format(radius)

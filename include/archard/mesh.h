@@ -41,15 +41,18 @@ extern const char *const arc_space_names[];
       size, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                      \
       "Width of the elements at the contact. \"auto\": the unworn contact's half width over "      \
       "5.4 and fineness, as in the paper, whose case gets 0.020 mm; under the load of the "        \
-      "contact or wear run that builds the model, of model{} alone under 100 N; at the most an "   \
-      "eighth of the waves of a rough profile.")                                                   \
+      "contact or wear run that builds the model, of model{} alone under 100 N; layers count. Of " \
+      "balls half of that; where rounded edges or kinks touch, the width over which the pressure " \
+      "rises there takes the half width's place, as far as 320 elements go; at the most an "       \
+      "eighth of the waves of a rough profile, but for waves that ripple the pressure by less "    \
+      "than a thousandth.")                                                                        \
   NUMBER(fineness, "", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Divides the size that \"auto\" finds: 2 halves it. Left out: 1. A size that is given "   \
          "has none.")                                                                              \
-  NUMBER(                                                                                          \
-      height, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                    \
-      "Height of the elements at the contact. \"auto\": 1.25 size. Partial slip under friction "   \
-      "comes out several times more accurate with half of size.")                                  \
+  NUMBER(height, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                 \
+         "Height of the elements at the contact. \"auto\": 1.25 size, and less where soft layers " \
+         "with nu above 0.4 need it for two rows. Partial slip under friction "                    \
+         "comes out several times more accurate with half of size.")                               \
   NUMBER(far, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                    \
          "Largest size of the elements far from the contact. \"auto\": a tenth of the radius.")    \
   WHOLE(rows, "", 3, WITHIN(1, 100), 0,                                                            \
