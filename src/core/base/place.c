@@ -24,7 +24,8 @@ struct arc_place {
   char target[PATH_MAX]; /* the file itself, behind symbolic links; "" for scratch */
   char path[PATH_MAX];   /* of the place */
   size_t folder;         /* letters of path that are the folder, with its slash */
-  int stream;            /* the target is a device or a pipe */
+  int stream;            /* the target is a device, a pipe, or open already */
+  int own;               /* the descriptor of this process that the target names, or -1 */
 };
 
 static arc_status failed(const char *path, int why, arc_error *error) {
@@ -79,6 +80,24 @@ static arc_status check_name(const char *path, arc_error *error) {
              : arc_fail(error, ARC_ARGUMENT, "'%.200s...': the path is too long", path);
 }
 
+/* "/dev/stdout" and its like name a descriptor of this process, not the file that stands behind it;
+ * -1 for other names. */
+static int own_descriptor(const char *path) {
+  static const struct {
+    const char *name;
+    int descriptor; /* -1: its number follows */
+  } names[] = {{"/dev/stdin", 0}, {"/dev/stdout", 1}, {"/dev/stderr", 2}, {"/dev/fd/", -1}, {"/proc/self/fd/", -1}};
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    const size_t length = strlen(names[i].name);
+    if (names[i].descriptor >= 0 && strcmp(path, names[i].name) == 0) return names[i].descriptor;
+    if (names[i].descriptor >= 0 || strncmp(path, names[i].name, length) != 0) continue;
+    char *end;
+    const long number = strtol(path + length, &end, 10);
+    if (path[length] && !*end && number >= 0 && number < INT_MAX) return (int)number;
+  }
+  return -1;
+}
+
 /* Replaces the name in `target` by what the symbolic link says. Returns an errno. */
 static int follow(char target[PATH_MAX]) {
   char link[PATH_MAX];
@@ -97,6 +116,7 @@ static int resolve(const char *path, char target[PATH_MAX]) {
   struct stat facts;
   snprintf(target, PATH_MAX, "%s", path);
   for (int links = 0; links < 40; links++) {
+    if (own_descriptor(target) >= 0) return 0;
     if (lstat(target, &facts) != 0) return errno == ENOENT ? 0 : errno;
     if (!S_ISLNK(facts.st_mode)) return 0;
     int why = follow(target);
@@ -105,10 +125,20 @@ static int resolve(const char *path, char target[PATH_MAX]) {
   return ELOOP;
 }
 
+/* An open descriptor takes what it was opened for. Returns an errno. */
+static int look_at_own(arc_place *place) {
+  const int flags = fcntl(place->own, F_GETFL);
+  place->stream = 1;
+  if (flags < 0) return errno;
+  return (flags & O_ACCMODE) == O_RDONLY ? EACCES : 0;
+}
+
 /* What is there already may forbid it, or give its permissions. Returns an errno. */
 static int look_at(arc_place *place, mode_t *mode) {
   struct stat facts;
   *mode = 0;
+  place->own = own_descriptor(place->target);
+  if (place->own >= 0) return look_at_own(place);
   if (stat(place->target, &facts) != 0) return errno == ENOENT ? 0 : errno;
   if (S_ISDIR(facts.st_mode)) return EISDIR;
   if (access(place->target, W_OK) != 0) return errno;
@@ -172,7 +202,7 @@ static int take(arc_place *place, mode_t mode) {
 static arc_place *new_place(const char *asked) {
   arc_place *place = calloc(1, sizeof *place);
   if (!place) return NULL;
-  place->descriptor = -1;
+  place->descriptor = place->own = -1;
   snprintf(place->asked, sizeof place->asked, "%s", asked);
   return place;
 }
@@ -228,10 +258,18 @@ void arc_place_drop(arc_place **place) {
   *place = NULL;
 }
 
-/* Writes all that stands in the place to a device or a pipe. Returns an errno. */
-static int pour(int from, const char *path) {
+/* A descriptor to write the target with, -1 with errno; what was printed before comes first. */
+static int open_stream(const arc_place *place) {
+  if (place->own < 0) return open(place->target, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  fflush(stdout);
+  return fcntl(place->own, F_DUPFD_CLOEXEC, 0);
+}
+
+/* Writes all that stands in the place to a device, a pipe or what is open. Returns an errno. */
+static int pour(const arc_place *place) {
   char block[1 << 16];
-  int to = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY), why = 0;
+  const int from = place->descriptor, to = open_stream(place);
+  int why = 0;
   if (to < 0) return errno;
   ssize_t got = 0;
   if (lseek(from, 0, SEEK_SET) < 0) why = errno;
@@ -266,7 +304,7 @@ static int name_first(const char *path, const char *target) {
 
 /* Returns an errno. */
 static int give_name(arc_place *place, int first) {
-  if (place->stream) return pour(place->descriptor, place->target);
+  if (place->stream) return pour(place);
   if (fsync(place->descriptor) != 0) return errno;
   int why = 0;
   if (first)
