@@ -1,6 +1,7 @@
 /* The limits of the sandbox. */
 #include "cli/sandbox.h"
 
+#include "archard/base.h"
 #include "cli/signals.h"
 #include "lua/base/file_name.h"
 #include "lua/base/interrupt.h"
@@ -85,6 +86,7 @@ void sandbox_enter(lua_State *L, const sandbox *self, const char *script) {
   lua_pushstring(L, folder);
   lua_call(L, 1, 0);
   lua_pop(L, 1);
+  arc_reserve_blas();
   limit_memory(self);
   interrupt_limit(L, self->instructions);
   signals_limit(self->seconds);

@@ -1,6 +1,8 @@
 /* One thread for BLAS and OpenMP. OpenBLAS is reached through weak symbols: any BLAS will do. */
 #include "archard/base.h"
 
+#include "core/base/dense.h"
+
 #include <omp.h>
 
 extern void openblas_set_num_threads(int count) __attribute__((weak));
@@ -10,4 +12,13 @@ const char *arc_single_threaded(void) {
   omp_set_max_active_levels(0);
   if (openblas_set_num_threads) openblas_set_num_threads(1);
   return openblas_get_config ? openblas_get_config() : NULL;
+}
+
+/* Any routine that packs blocks does it, on small matrices too. */
+void arc_reserve_blas(void) {
+  enum { N = 64 };
+  double a[N * N] = {0}, b[N * N] = {0}, c[N * N] = {0};
+  for (int i = 0; i < N; i++) a[i * N + i] = 1;
+  arc_dense_multiply(N, N, N, 1, a, N, b, N, 0, c, N);
+  arc_dense_cholesky(N, a, N);
 }

@@ -53,10 +53,14 @@ static void arm(lua_State *L) {
   lua_sethook(L, stop_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
 }
 
-/* Counts while nothing is asked for. */
-static void count_hook(lua_State *L, lua_Debug *event) {
+static void charge(void) {
   instructions_left -= PERIOD;
   if (instructions_left <= 0) interrupt_exceed("more instructions than the sandbox allows");
+}
+
+/* Counts while nothing is asked for. */
+static void count_hook(lua_State *L, lua_Debug *event) {
+  charge();
   if (exceeded) stop_hook(L, event);
 }
 
@@ -172,9 +176,23 @@ static int call_wrapped(lua_State *L) {
   return lua_error(L);
 }
 
-static int tracked_wrap(lua_State *L) {
+/* Each coroutine counts its own periods: what it may do before its first one ends is charged at once. */
+static lua_State *new_coroutine(lua_State *L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   lua_State *co = lua_newthread(L);
+  if (instructions_left > 0) charge();
+  return co;
+}
+
+static int tracked_create(lua_State *L) {
+  lua_State *co = new_coroutine(L);
+  lua_pushvalue(L, 1);
+  lua_xmove(L, co, 1);
+  return 1;
+}
+
+static int tracked_wrap(lua_State *L) {
+  lua_State *co = new_coroutine(L);
   lua_pushvalue(L, 1);
   lua_xmove(L, co, 1);
   lua_pushcclosure(L, call_wrapped, 1);
@@ -198,6 +216,8 @@ void interrupt_install(lua_State *L) {
   lua_getfield(L, -1, "close");
   lua_pushcclosure(L, tracked_close, 1);
   lua_setfield(L, -2, "close");
+  lua_pushcfunction(L, tracked_create);
+  lua_setfield(L, -2, "create");
   lua_pushcfunction(L, tracked_resume);
   lua_setfield(L, -2, "resume");
   lua_pushcfunction(L, tracked_wrap);
