@@ -92,8 +92,9 @@ typedef struct arc_callbacks {
  * or NULL where it has none. */
 const char *arc_single_threaded(void);
 
-/* BLAS takes its working memory now. OpenBLAS asks for it again and again, without end, once a limit on
- * the memory of the process (RLIMIT_AS) leaves none: call this before such a limit is set. */
+/* BLAS takes its working memory now. OpenBLAS asks for it again and again, without end, once a
+ * limit on the memory of the process (RLIMIT_AS) leaves none: call this before such a limit is set.
+ */
 void arc_reserve_blas(void);
 
 #pragma GCC visibility pop

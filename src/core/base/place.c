@@ -86,7 +86,11 @@ static int own_descriptor(const char *path) {
   static const struct {
     const char *name;
     int descriptor; /* -1: its number follows */
-  } names[] = {{"/dev/stdin", 0}, {"/dev/stdout", 1}, {"/dev/stderr", 2}, {"/dev/fd/", -1}, {"/proc/self/fd/", -1}};
+  } names[] = {{"/dev/stdin", 0},
+               {"/dev/stdout", 1},
+               {"/dev/stderr", 2},
+               {"/dev/fd/", -1},
+               {"/proc/self/fd/", -1}};
   for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
     const size_t length = strlen(names[i].name);
     if (names[i].descriptor >= 0 && strcmp(path, names[i].name) == 0) return names[i].descriptor;

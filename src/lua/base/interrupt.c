@@ -176,7 +176,8 @@ static int call_wrapped(lua_State *L) {
   return lua_error(L);
 }
 
-/* Each coroutine counts its own periods: what it may do before its first one ends is charged at once. */
+/* Each coroutine counts its own periods: what it may do before its first one ends is charged at
+ * once. */
 static lua_State *new_coroutine(lua_State *L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   lua_State *co = lua_newthread(L);
