@@ -4,8 +4,8 @@
 
 #include "core/contact/shape.h"
 
-/* The depth from h on [mm] that a depth due at the largest wear coefficient of the layers under node
- * i of a body comes to at their own. */
+/* The depth from h on [mm] that a depth due at the largest wear coefficient of the layers under
+ * node i of a body comes to at their own. */
 double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due);
 
 /* The same for the depths [surface] of all nodes of a body. */
