@@ -44,10 +44,16 @@ local function as_table(where, name, value)
   return flat
 end
 
+-- Names as run files take them: what ASCII can print, with points between, no part of it empty.
+local function check_path(where, name)
+  if name:find "^[ -~]+$" and not ("." .. name .. "."):find("..", 1, true) then return name end
+  check.fail(where, ("unknown field %s: names of fields are printed letters of ASCII"):format(check.shown(name)))
+end
+
 local function flatten(where, into, prefix, given)
   check.depth(where, prefix)
   for key, value in pairs(given) do
-    local name = prefix .. tostring(key)
+    local name = check_path(where, prefix .. tostring(key))
     local kind = type(value)
     if kind == "number" and (value ~= value or math.abs(value) == math.huge) then
       check.refuse(where, name, "a finite number", value)
@@ -206,11 +212,12 @@ function settings.same(a, b)
   return true
 end
 
+-- Texts may be those of a stranger's file.
 function settings.shown(value)
   if type(value) == "number" then return ("%.6g"):format(value) end
   if type(value) == "table" then return ("(%d numbers)"):format(#value) end
   local text = tostring(value)
-  return #text < 100 and text or ("(%d characters)"):format(#text)
+  return #text < 100 and check.plain(text) or ("(%d characters)"):format(#text)
 end
 
 -- The first name, in order, in which two flat tables differ; nil where they are the same.

@@ -230,9 +230,20 @@ static arc_status read_array(const arc_store *store, query *q, arc_value *value,
   return ARC_OK;
 }
 
+/* Names are paths, "model.mesh.size": what ASCII can print, no part of it empty. */
+static int is_path(const char *name) {
+  const size_t length = strlen(name);
+  for (size_t i = 0; i < length; i++)
+    if (name[i] < ' ' || name[i] > '~') return 0;
+  return length > 0 && name[0] != '.' && name[length - 1] != '.' && !strstr(name, "..");
+}
+
 /* The value of the row. */
-static arc_status read_value(arc_store *store, query *q, arc_value *value, buffers *to,
+static arc_status read_value(arc_store *store, query *q, int id, arc_value *value, buffers *to,
                              arc_error *error) {
+  if (arc_query_kind(q, 0) != COLUMN_TEXT || !is_path(arc_query_text(q, 0)))
+    return arc_store_damaged(store, error, id, "has a value of the name '%s', which is none",
+                             arc_query_text(q, 0));
   *value = (arc_value){.kind = ARC_VALUE_NUMBER, .name = arc_query_text(q, 0)};
   switch (arc_query_kind(q, 1)) {
   case COLUMN_WHOLE:
@@ -263,7 +274,7 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
                                             : arc_store_verify(store, id, error);
   if (status == ARC_OK) status = arc_store_query(store, look_up[use], id, &q, error);
   while (!ended && status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row) {
-    status = read_value(store, q, &value, &held, error);
+    status = read_value(store, q, id, &value, &held, error);
     if (status == ARC_OK) ended = see(context, &value);
   }
   arc_query_close(&q);
