@@ -32,7 +32,7 @@ end
 -- What the engine warned of in this case, or nil.
 function computed.warning(self)
   local text = self.study.file and self.study:store():values(self.id, "results").warning
-  return text and check.plain(text)
+  return text and check.plain(tostring(text))
 end
 
 -- The last row of the history, or nil.

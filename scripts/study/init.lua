@@ -8,6 +8,7 @@ local merged = require "archard.lib.merged"
 local report = require "archard.study.report"
 local definitions = require "archard.study.definitions"
 local settings = require "archard.study.settings"
+local stored = require "archard.study.stored"
 local strict = require "archard.strict"
 local text_file = require "archard.lib.text_file"
 
@@ -24,8 +25,7 @@ local open_file = definitions.open
 
 local definition_fields = { base = check.table, vary = check.table, cases = check.list_of(check.table, "a list of tables"),
   name = check.text, looks = check.whole(0), task = check.one_of{ "wear", "converge" }, sample = check.table,
-  n = check.whole(2, 1000000), design = check.one_of(design.kinds), seed = check.whole(1, 2 ^ 31 - 1),
-  indices = check.flag }
+  n = design.fields.n, design = design.fields.design, seed = design.fields.seed, indices = design.fields.indices }
 
 local of_samples = { "n", "design", "seed", "indices" }
 
@@ -101,20 +101,10 @@ function study.open(path)
   end
   local store = open_file("study.open", path, "read")
   store:check()
-  local kind = store:info("kind")
-  if kind ~= "study" then
-    check.fail("study.open", ("%s: expected a run file of kind study, got %s"):format(path,
-      tostring(kind)), "FORMAT")
-  end
-  local flat = {}
-  for i, case in ipairs(store:cases()) do flat[i] = store:values(case.id, "settings") end
-  local name = store:info("name")
-  local self = new("study.open", { name = name and check.plain(name), cases = { {} },
-    looks = math.tointeger(tonumber(store:info("looks"))), task = store:info("task") })
-  local text = store:info("sample")
-  self.sample = text and design.parse(text)
-  self.flat, self.varied, self.labels = flat, settings.varied(flat), {}
-  for i, case in ipairs(flat) do self.labels[i] = settings.label(case, self.varied) end
+  local there = stored("study.open", store)
+  local self = new("study.open", { name = there.name, cases = { {} }, looks = there.looks, task = there.task })
+  self.sample, self.flat, self.varied, self.labels = there.sample, there.flat, settings.varied(there.flat), {}
+  for i, case in ipairs(self.flat) do self.labels[i] = settings.label(case, self.varied) end
   self.file, self.reading = path, store
   return self
 end

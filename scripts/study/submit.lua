@@ -151,8 +151,9 @@ end
 
 local function absolute(path)
   local text, fine = shell.ask("realpath -m -- " .. shell.quote(path))
-  if not fine then check.fail(where, text, "IO") end
-  return text
+  if fine then return text end
+  check.fail(where, ("%s: the shell cannot tell where it is: %s"):format(path,
+    text ~= "" and text or "it says nothing, as where it has too few files that may be open"), "IO")
 end
 
 -- What every share runs: its number comes from Slurm, or as an argument.
@@ -232,7 +233,7 @@ local function warned_of(store, asked)
   local list = {}
   for _, case in ipairs(asked) do
     local text = store:values(case.id, "results").warning
-    if text then list[#list + 1] = { id = case.id, label = case.label, message = check.plain(text) } end
+    if text then list[#list + 1] = { id = case.id, label = case.label, message = check.plain(tostring(text)) } end
   end
   return list
 end

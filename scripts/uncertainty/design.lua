@@ -10,7 +10,8 @@ local settings = require "archard.study.settings"
 
 local design = {}
 
-design.kinds = { "sobol", "latin", "random" }
+design.fields = { n = check.whole(2, 1000000), design = check.one_of{ "sobol", "latin", "random" },
+  seed = check.whole(1, 2 ^ 31 - 1), indices = check.flag }
 
 -- --- what is given -------------------------------------------------------------------------------
 
@@ -101,8 +102,11 @@ local function cholesky(where, matrix)
   return lower
 end
 
+-- The cases of one point of the design.
+local function cases_each(sample) return sample.indices and #sample.fields + 2 or 1 end
+
 local function check_count(where, sample)
-  local each = sample.indices and #sample.fields + 2 or 1
+  local each = cases_each(sample)
   settings.check_count(where, "n", sample.n * each, ("%d samples%s"):format(sample.n,
     sample.indices and (", with indices %d cases each"):format(each) or ""))
 end
@@ -193,14 +197,40 @@ function design.text(sample)
   return table.concat(lines, "\n")
 end
 
-function design.parse(text)
-  local kind, n, seed, indices = text:match("^(%a+) n=(%d+) seed=(%d+) indices=(%a+)")
-  local sample = { design = kind, n = math.tointeger(tonumber(n)), seed = math.tointeger(tonumber(seed)),
-    indices = indices == "true", fields = {}, text = text }
-  for name, distribution in text:gmatch("\n(%S+) ([^\n]+)") do
-    sample.fields[#sample.fields + 1] = { name = name, distribution = distribution }
+-- The fields of the lines behind the first; nil where one is none, or is there twice.
+local function parse_fields(lines)
+  local fields, known = {}, {}
+  if not lines:find "^\n" then return nil end
+  for line in lines:gmatch "\n([^\n]*)" do
+    local name, distribution = line:match "^(.-) (%a+{.*)$"
+    if not name or known[name] or not distributions.is_text(distribution) then return nil end
+    fields[#fields + 1], known[name] = { name = name, distribution = distribution }, true
   end
-  return sample
+  return fields
+end
+
+-- What such a text tells of; nil where it tells of no design.
+function design.parse(text)
+  local kind, n, seed, indices, lines = text:match "^(%a+) n=(%d+) seed=(%d+) indices=(%a+)(.*)$"
+  local sample = { design = kind, n = math.tointeger(tonumber(n)), seed = math.tointeger(tonumber(seed)),
+    indices = ({ ["true"] = true, ["false"] = false })[indices], fields = parse_fields(lines or ""), text = text }
+  for name, wanted in pairs(design.fields) do
+    if not wanted.test(sample[name]) then return nil end
+  end
+  return sample.fields and sample.fields[1] and sample
+end
+
+-- What the cases of a run file lack of a design, by the text of it; nil where it is theirs.
+function design.missing(sample, flat)
+  local count = sample.n * cases_each(sample)
+  if count ~= #flat then return ("its samples make %d cases, it has %d"):format(count, #flat) end
+  for id, case in ipairs(flat) do
+    for _, field in ipairs(sample.fields) do
+      if not check.number.test(case[field.name]) then
+        return ("case %d has no number for the sampled field '%s'"):format(id, field.name)
+      end
+    end
+  end
 end
 
 return design

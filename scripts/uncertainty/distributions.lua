@@ -19,6 +19,18 @@ function class.__tostring(self)
   return ("%s{ %s }"):format(self.kind, table.concat(parts, ", "))
 end
 
+-- Whether a text is one of those, with a number for each of its names.
+local kinds = { uniform = true, normal = true, lognormal = true }
+local function is_text(text)
+  local kind, inside = text:match "^(%a+){ ([^{}]*) }$"
+  if not kinds[kind] then return false end
+  for part in (inside .. ", "):gmatch "(.-), " do
+    local name, value = part:match "^(%a+)=(%S+)$"
+    if not (name and tonumber(value)) then return false end
+  end
+  return true
+end
+
 -- --- what is given -------------------------------------------------------------------------------
 
 -- Named fields, or the first two by their order.
@@ -123,5 +135,7 @@ function distributions.uniform(given)
 end
 
 function distributions.is(value) return getmetatable(value) == class end
+
+distributions.is_text = is_text
 
 return distributions

@@ -67,6 +67,13 @@ local function counted(study, rows)
   return kept, left_out
 end
 
+-- Of a case that is done; a stranger's file may say so of any.
+local function history_of(store, where, id)
+  local history = store:history(id)
+  if history then return history end
+  check.fail(where, ("%s: the file is damaged: case %d is done and has no history"):format(store.path, id), "FORMAT")
+end
+
 -- each(study, where, visit): calls visit(index, history) for every case that counts; returns how many
 -- failed.
 function outcomes.each(study, where, visit)
@@ -76,7 +83,7 @@ function outcomes.each(study, where, visit)
   for i, row in ipairs(rows) do
     if kept[i] then
       number = number + 1
-      visit(number, store:history(row.id), i)
+      visit(number, history_of(store, where, row.id), i)
     end
   end
   if number < 2 then check.fail(where, "fewer than two cases have results") end
