@@ -68,8 +68,9 @@ void args_check_names(lua_State *L, int index, args_place place, const arc_setti
   index = lua_absindex(L, index);
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, place);
-    const char *name = lua_tostring(L, -2);
-    if (!arc_setting_find(list, name)) args_unknown(L, place, list, name);
+    if (!arc_setting_find(list, names_push_text(L, -2)))
+      args_unknown(L, place, list, lua_tostring(L, -1));
+    lua_pop(L, 1);
   }
 }
 

@@ -62,20 +62,18 @@ static int names_nearest(lua_State *L) {
 /* --- values ---------------------------------------------------------------------------------- */
 
 /* C strings end at a zero byte: what a message shows has none. */
-static const char *push_quoted(lua_State *L, int index) {
+const char *names_push_text(lua_State *L, int index) {
   size_t length;
   const char *text = lua_tolstring(L, index, &length);
-  luaL_Buffer quoted;
-  luaL_buffinit(L, &quoted);
-  luaL_addchar(&quoted, '"');
+  luaL_Buffer shown;
+  luaL_buffinit(L, &shown);
   for (size_t i = 0; i < length; i++) {
     if (text[i])
-      luaL_addchar(&quoted, text[i]);
+      luaL_addchar(&shown, text[i]);
     else
-      luaL_addstring(&quoted, "\\0");
+      luaL_addstring(&shown, "\\0");
   }
-  luaL_addchar(&quoted, '"');
-  luaL_pushresult(&quoted);
+  luaL_pushresult(&shown);
   return lua_tostring(L, -1);
 }
 
@@ -85,7 +83,7 @@ const char *names_push_shown(lua_State *L, int index) {
     if (isnan(lua_tonumber(L, index))) return lua_pushliteral(L, "nan");
     return luaL_tolstring(L, index, NULL);
   case LUA_TSTRING:
-    return push_quoted(L, index);
+    return lua_pushfstring(L, "\"%s\"", names_push_text(L, index));
   case LUA_TBOOLEAN:
     return lua_pushstring(L, lua_toboolean(L, index) ? "true" : "false");
   default:

@@ -19,4 +19,7 @@ void names_offer(names_search *search, const char *known);
 /* Pushes a short description of the value at `index`: numbers and text as they are. */
 const char *names_push_shown(lua_State *L, int index);
 
+/* Pushes the text at `index`, the name of a field, with a zero byte as \0. */
+const char *names_push_text(lua_State *L, int index);
+
 #endif

@@ -4,6 +4,7 @@
 #include "lua/base/array.h"
 #include "lua/base/call.h"
 #include "lua/base/error.h"
+#include "lua/base/names.h"
 #include "lua/engine/classes.h"
 
 #include <stdio.h>
@@ -62,7 +63,9 @@ static void refuse_name(lua_State *L, args_place place, arc_solid kind, const ch
 static void check_names(lua_State *L, int index, args_place place, arc_solid kind) {
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) args_refuse_position(L, place);
-    if (!is_known(kind, lua_tostring(L, -2))) refuse_name(L, place, kind, lua_tostring(L, -2));
+    const char *name = names_push_text(L, -2);
+    if (!is_known(kind, name)) refuse_name(L, place, kind, name);
+    lua_pop(L, 1);
   }
 }
 
@@ -97,13 +100,14 @@ static void read_layer(lua_State *L, args_place place, arc_layer *layer) {
   if (!lua_istable(L, -1)) args_refuse(L, place, "", "a table { thickness=, material= }");
   const int at = lua_gettop(L);
   layer->material = arc_material_default();
-  for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1))
-    if (lua_type(L, -2) != LUA_TSTRING ||
-        (!arc_setting_find(layer_fields, lua_tostring(L, -2)) &&
-         !arc_setting_find(arc_material_settings, lua_tostring(L, -2))))
+  for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 3)) {
+    luaL_tolstring(L, -2, NULL);
+    const char *name = names_push_text(L, -1);
+    if (!arc_setting_find(layer_fields, name) && !arc_setting_find(arc_material_settings, name))
       error_raise(L, ARC_ARGUMENT, place.where,
                   "unknown field '%s%s' (known: thickness, material, E, nu, k)", place.prefix,
-                  luaL_tolstring(L, -2, NULL));
+                  name);
+  }
   lua_getfield(L, at, "thickness");
   layer->thickness = args_number(L, place, &layer_fields[0]);
   lua_pop(L, 1);
