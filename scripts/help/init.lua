@@ -99,6 +99,11 @@ function help.definition(address, path)
   return list
 end
 
+-- Whether they are names that there can be, the path one or none.
+local function names_fit(address, path)
+  return type(address) == "string" and (path == nil or type(path) == "string")
+end
+
 -- Follows a path into tables whose fields are those of another definition: wear{ model={ ... } },
 -- or all of plot{} in plot.pressure(w, { ... }). Returns an address and the path left within it; nil
 -- where that is in a field that only a new object can have.
@@ -123,7 +128,7 @@ end
 -- All fields that can stand in that table, taken ones too, but for those that only a new object
 -- can have.
 function help.fields(address, path)
-  if not address then return {} end
+  if not names_fit(address, path) then return {} end
   load_entries()
   local at, rest = follow(address, path)
   if not at then return {} end
@@ -223,6 +228,7 @@ end
 
 -- Every entry a name can mean: its full address first, else all that end in it.
 function help.find(name)
+  if type(name) ~= "string" then return {} end
   load_entries()
   local topic = topics[name:lower():match("^%s*(.-)%s*$")]
   name = spoken(name)
@@ -237,6 +243,7 @@ end
 
 -- Topics and entries in which all words of the text stand.
 function help.matches(text)
+  if type(text) ~= "string" then return {} end
   load_entries()
   return require "archard.help.search"(table.move(ordered, 1, #ordered, #topics + 1,
     table.move(topics, 1, #topics, 1, {})), text)
@@ -272,7 +279,7 @@ end
 
 -- help.search(text): a list of what tells of it.
 function help.search(text)
-  local found = help.matches(type(text) == "string" and text or "")
+  local found = help.matches(text)
   if not found[1] then
     return print(('nothing tells of %s; it is called as help.search "units"'):format(names.shown(text)))
   end
