@@ -171,6 +171,32 @@ static void test_arrays(void **state) {
   assert_damaged("falling", "k.distance");
 }
 
+static int see_none(void *context, const arc_value *value) {
+  (void)context;
+  (void)value;
+  return 0;
+}
+
+static void test_names(void **state) {
+  (void)state;
+  static const char *const names[] = {"''", "x'00616c706861'", "x'6c6f6164'", "'a..b'",
+                                      "'k' || char(27)"};
+  for (int i = 0; i < 5; i++)
+    for (int use = ARC_SETTINGS; use <= ARC_RESULTS; use++) {
+      static const char *const tables[] = {"settings", "definition", "results"};
+      char sql[200];
+      arc_error error = {0};
+      snprintf(sql, sizeof sql, "INSERT INTO %s SELECT 1, %s, 1.0", tables[use], names[i]);
+      spoil("names", sql);
+      arc_store *store = opened("names", ARC_STORE_READ);
+      assert_int_equal(arc_store_values(store, 1, (arc_value_use)use, see_none, NULL, &error),
+                       ARC_FORMAT);
+      if (!strstr(error.message, "the file is damaged: case 1 has a value of the name"))
+        fail_msg("%s in %s: %s", names[i], tables[use], error.message);
+      arc_store_close(&store);
+    }
+}
+
 static void test_loading(void **state) {
   (void)state;
   spoil("block", VALUE("loading.1.load", "substr(value, 1, 24)"));
@@ -442,6 +468,7 @@ int main(void) {
       cmocka_unit_test(test_functions_in_great_number),
       cmocka_unit_test(test_values_twice),
       cmocka_unit_test(test_arrays),
+      cmocka_unit_test(test_names),
       cmocka_unit_test(test_loading),
       cmocka_unit_test(test_ranges),
       cmocka_unit_test(test_states),
