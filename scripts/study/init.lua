@@ -100,7 +100,7 @@ function study.open(path)
     check.fail("study.open", ("expected the name of a run file, got %s"):format(check.shown(path)))
   end
   local store = open_file("study.open", path, "read")
-  store:check()
+  check.as("study.open", store.check, store)
   local there = stored("study.open", store)
   local self = new("study.open", { name = there.name, cases = { {} }, looks = there.looks, task = there.task })
   self.sample, self.flat, self.varied, self.labels = there.sample, there.flat, settings.varied(there.flat), {}
