@@ -265,7 +265,7 @@ void arc_place_drop(arc_place **place) {
 /* A descriptor to write the target with, -1 with errno; what was printed before comes first. */
 static int open_stream(const arc_place *place) {
   if (place->own < 0) return open(place->target, O_WRONLY | O_CLOEXEC | O_NOCTTY);
-  fflush(stdout);
+  fflush(NULL);
   return fcntl(place->own, F_DUPFD_CLOEXEC, 0);
 }
 

@@ -23,11 +23,11 @@ arc_status arc_msh_open(msh_text *t, const char *path, arc_error *error) {
 }
 
 /* An own copy: lines are ended in it. */
-arc_status arc_msh_copy(msh_text *t, const char *name, const char *text, size_t length,
+arc_status arc_msh_copy(msh_text *t, const char *name, const char *from, size_t length,
                         arc_error *error) {
   *t = (msh_text){.path = name, .data = malloc(length + 1)};
   if (!t->data) return arc_fail(error, ARC_MEMORY, "out of memory for reading %s", name);
-  memcpy(t->data, text, length);
+  memcpy(t->data, from, length);
   t->data[length] = '\0';
   begin(t, length);
   return ARC_OK;
