@@ -39,7 +39,7 @@ return {
       .. 'w:profile("pin"), m.mesh.pin, state.depth.pin, a case of a study, plot.history(w, "depth_pin").' },
   { "body", kind = "module", use = "model{ upper = body.punch{ flat=1, radius=2 }, lower = body.block{} }",
     text = "Makes bodies for model{ upper=, lower= }: the upper one carries the load by its top or held "
-      .. "part, the lower one moves. Each takes E, nu, k (or material=) and layers = {{ thickness=, "
+      .. "part, the lower one moves. Each takes either E, nu, k or material=, and layers = {{ thickness=, "
       .. "material= }, ...} from the surface inwards, whose k counts as deep as they reach; on a mesh from "
       .. "Gmsh materials = { NAME = } in their place." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",

@@ -26,6 +26,9 @@ end
 -- What the size of a model that is there has come of; the size tells all.
 local implied = { ["mesh.fineness"] = true }
 
+-- Bodies tell their materials themselves.
+local told_by = { cylinder = "upper", plate = "lower" }
+
 -- Objects as the flat settings that would make them again.
 local function as_table(where, name, value)
   local class = (getmetatable(value) or {}).__name
@@ -36,9 +39,9 @@ local function as_table(where, name, value)
   local flat, outside = {}, class == "model" and value.mesh.upper.rows == 0
   for _, setting in ipairs(known[class]) do
     local own = (not setting.group or setting.class) and not implied[setting.path]
-    if own and not (outside and setting.path:match("^mesh%.")) then
-      flat[setting.path] = value_at(value, setting.path)
-    end
+    local body = class == "model" and told_by[setting.path:match("^%l+")]
+    local left = outside and setting.path:match("^mesh%.") or body and value[body]
+    if own and not left then flat[setting.path] = value_at(value, setting.path) end
   end
   if outside then flat.mesh = files.msh(value) end -- no settings make that one again
   return flat

@@ -14,7 +14,7 @@ is(m.plate.E, 20e3, "its material is that of the role")
 is(model{ mesh = coarse }.upper, nil, "the usual pair has none")
 is(contact{ model = { upper = m.upper, lower = m.lower, mesh = coarse }, load = 10 }.p_max, contact{ model = m, load = 10 }.p_max,
   "given back they make the same model")
-local layered = model{ lower = body.block{ layers = { { thickness = 0.05, material = material{ E = 1e5 }, k = 1e-9 } } }, mesh = coarse }
+local layered = model{ lower = body.block{ layers = { { thickness = 0.05, material = material{ E = 1e5, k = 1e-9 } } } }, mesh = coarse }
 is(layered.lower.layers[1].E, 1e5, "layers")
 is(layered.lower.layers[1].thickness, 0.05, "their thickness")
 local listed = model{ upper = body.profile{ x = { -1, 0, 1 }, y = { 0, 0.01, 0 } , width = 10 }, mesh = coarse }
@@ -76,6 +76,13 @@ is(wear.open(file).model.upper.y[7], waves.model.upper.y[7], "a profile is kept 
 os.remove(file)
 run_of:save(file)
 is(wear.open(file).depth.pin, run_of.depth.pin, "so are names")
+os.remove(file)
+
+-- A study that varies a body of a model that is there.
+local varied = study{ base = { model = layered, load = 10, distance = 1 }, vary = { ["model.lower.E"] = { 1e5, 2e5 } } }
+local of_both = varied:run{ file = file, workers = 1, progress = false }:cases()
+ok(of_both[1].last.p_center < of_both[2].last.p_center, "a study varies what a body is of")
+varied:close()
 os.remove(file)
 
 -- Rotations and loads from an angle.
@@ -162,7 +169,16 @@ refused({ "within half" }, "a profile higher than its body", function() body.pro
 refused({ "'layers'", "at most 4" }, "too many layers", function() body.block{ layers = { {}, {}, {}, {}, {} } } end)
 refused({ "layers[1].thickness", "nil" }, "a layer of no thickness", function() body.block{ layers = { { E = 3 } } } end)
 refused({ "layers[1]", "nue" }, "a layer's unknown field", function() body.block{ layers = { { thickness = 1, nue = 3 } } } end)
-refused({ "layers", "0.9" }, "layers thicker than the body", function() body.block{ layers = { { thickness = 30 } } } end)
+refused({ "layers", "0.9" }, "layers thicker than the body", function() body.block{ layers = { { thickness = 30, E = 3 } } } end)
+refused({ "layers'", "a list", "no list" }, "a layer in place of a list", function() body.block{ layers = { thickness = 1, E = 3 } } end)
+refused({ "layers'", "no list" }, "a list with a gap", function() body.block{ layers = { [2] = { thickness = 1, E = 3 } } } end)
+refused({ "'layers[1].material'", "got nil" }, "a layer without a material", function() body.block{ layers = { { thickness = 1, k = 1e-9 } } } end)
+refused({ "'layers[1].material'", "'layers[1].k'", "both" }, "k beside a layer's material", function()
+  body.block{ layers = { { thickness = 1, k = 1e-9, material = material{ E = 3 } } } }
+end)
+refused({ "'material'", "'E'", "both" }, "E beside a material", function() body.block{ E = 1e3, material = material{} } end)
+refused({ "'upper'", "'cylinder'", "both" }, "a material beside a body", function() model{ upper = body.cylinder{ E = 1 }, cylinder = { E = 2 } } end)
+refused({ "'model.lower'", "'model.plate'" }, "below, too", function() contact{ model = { lower = body.block{}, plate = { k = 1e-9 } } } end)
 refused({ "upper", "a body" }, "no body", function() model{ upper = 3 } end)
 refused({ "upper.kind", "body.cylinder" }, "a table that is none", function() model{ upper = { radius = 3 } } end)
 refused({ "hole's radius 10", "got 10" }, "a pin as wide as its hole", function() model{ upper = body.disc{ radius = 10 }, lower = body.ring{ inner = 10, outer = 20 } } end)

@@ -81,7 +81,17 @@ static void push_part(lua_State *L, int index, const arc_setting *list) {
 
 /* --- materials and layers --------------------------------------------------------------------- */
 
-/* From the field `material`, then from E, nu and k beside it. */
+/* Of E, nu and k beside a material nobody could say which counts. */
+static void refuse_both(lua_State *L, int index, args_place place) {
+  if (!args_given(L, index, "material")) return;
+  for (const arc_setting *s = arc_material_settings; s->name; s++)
+    if (args_given(L, index, s->name))
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "fields '%smaterial' and '%s%s': expected one of them, got both", place.prefix,
+                  place.prefix, s->name);
+}
+
+/* From the field `material`, or from E, nu and k. */
 static void read_material(lua_State *L, int index, args_place place, arc_material *to) {
   static const arc_setting whole[] = {{.name = "material",
                                        .kind = ARC_GROUP,
@@ -89,6 +99,7 @@ static void read_material(lua_State *L, int index, args_place place, arc_materia
                                        .class_name = "material",
                                        .type = "a material object or a table { E=, nu=, k= }"},
                                       {.name = NULL}};
+  refuse_both(L, index, place);
   push_part(L, index, whole);
   args_read(L, -1, place, whole, to);
   push_part(L, index, arc_material_settings);
@@ -111,7 +122,30 @@ static void read_layer(lua_State *L, args_place place, arc_layer *layer) {
   lua_getfield(L, at, "thickness");
   layer->thickness = args_number(L, place, &layer_fields[0]);
   lua_pop(L, 1);
+  if (!args_given(L, at, "material") && !args_given(L, at, "E")) {
+    lua_pushnil(L);
+    args_refuse(L, place, "material", "a material object or a table { E=, nu=, k= }, or E= here");
+  }
   read_material(L, at, place, &layer->material);
+}
+
+static const char a_list[] = "a list { { thickness=, material= } }";
+
+/* The layers of the table on top of the stack, all of whose fields are places in a list. */
+static int count_layers(lua_State *L, args_place place) {
+  if (!lua_istable(L, -1)) args_refuse(L, place, "layers", a_list);
+  const int count = (int)lua_rawlen(L, -1);
+  for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) {
+    const lua_Integer at = lua_isinteger(L, -2) ? lua_tointeger(L, -2) : 0;
+    if (at < 1 || at > count)
+      error_raise(L, ARC_ARGUMENT, place.where,
+                  "field '%slayers': expected %s, got a table that is no list", place.prefix, a_list);
+  }
+  if (count > ARC_MOST_LAYERS)
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "field '%slayers': expected at most %d layers, got %d", place.prefix,
+                ARC_MOST_LAYERS, count);
+  return count;
 }
 
 static void read_layers(lua_State *L, int index, args_place place, arc_body_def *def) {
@@ -119,8 +153,7 @@ static void read_layers(lua_State *L, int index, args_place place, arc_body_def 
     lua_pop(L, 1);
     return;
   }
-  if (!lua_istable(L, -1)) args_refuse(L, place, "layers", "a list { { thickness=, material= } }");
-  const int count = (int)array_length(L, place, "layers", ARC_MOST_LAYERS);
+  const int count = count_layers(L, place);
   for (int l = 0; l < count; l++) {
     lua_rawgeti(L, -1, l + 1);
     const char *prefix = lua_pushfstring(L, "%slayers[%d].", place.prefix, l + 1);
@@ -271,6 +304,16 @@ static void read_at(lua_State *L, int index, args_place place, double radius, ar
   if (kind == ARC_SOLID_PROFILE) read_profile(L, index, place, radius, def);
 }
 
+/* The usual pair's words for a material have no say beside a body, which has its own. */
+static void refuse_pair(lua_State *L, int index, args_place place, arc_body body) {
+  const char *role = arc_model_role_name(body), *usual = arc_body_name(body);
+  if (args_given(L, index, usual))
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "fields '%s%s' and '%s%s': expected one of them (a body takes E, nu and k itself), "
+                "got both",
+                place.prefix, role, place.prefix, usual);
+}
+
 void body_read(lua_State *L, int index, args_place place, arc_model_def *def) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const char *role = arc_model_role_name((arc_body)b);
@@ -278,6 +321,7 @@ void body_read(lua_State *L, int index, args_place place, arc_model_def *def) {
     if (lua_getfield(L, index, role) != LUA_TNIL) {
       if (!lua_istable(L, -1))
         args_refuse(L, place, role, "a body, as body.cylinder{ radius=10 } makes one");
+      refuse_pair(L, index, place, (arc_body)b);
       const args_place inside = {place.where, lua_pushfstring(L, "%s%s.", place.prefix, role)};
       read_at(L, top + 1, inside, def->radius, &def->body[b], &def->material[b]);
     }
