@@ -79,7 +79,7 @@ is(wear.open(file).depth.pin, run_of.depth.pin, "so are names")
 os.remove(file)
 
 -- A study that varies a body of a model that is there.
-local varied = study{ base = { model = layered, load = 10, distance = 1 }, vary = { ["model.lower.E"] = { 1e5, 2e5 } } }
+local varied = study{ base = { model = layered, load = 1000, distance = 1 }, vary = { ["model.lower.E"] = { 1e5, 2e5 } } }
 local of_both = varied:run{ file = file, workers = 1, progress = false }:cases()
 ok(of_both[1].last.p_center < of_both[2].last.p_center, "a study varies what a body is of")
 varied:close()
