@@ -35,12 +35,42 @@ local function put(into, units, prefix, path, value, unit)
   if unit and unit ~= "" then units[prefix .. path] = unit end
 end
 
+-- Units of a body's fields, or a layer's, and no coefficient where it has none of its own.
+local function complete(part, units, prefix)
+  for _, class in ipairs{ "body", "material" } do
+    for _, setting in ipairs(known[class]) do
+      if part[setting.path] then units[prefix .. setting.path] = setting.unit end
+    end
+  end
+  if part.k == 0 then part.k = json.null end
+end
+
+-- A body as it was given, in numbers; the usual one is null.
+local function body_of(given, units, prefix)
+  if rawequal(given, nil) then return json.null end
+  local body = plain(given)
+  complete(body, units, prefix)
+  for _, layer in ipairs(body.layers or {}) do
+    complete(layer, units, prefix .. "layers.")
+    units[prefix .. "layers.thickness"] = "mm"
+  end
+  if body.x then units[prefix .. "x"] = "mm" end
+  return body
+end
+
+-- A body of one's own tells its material itself.
+local told_by = { cylinder = "upper", plate = "lower" }
+
 -- The settings of a class as the object has them.
 local function definition(class, object, units, prefix)
   local into = {}
   for _, setting in ipairs(known[class]) do
     local path = setting.path
-    if setting.class == "material" then
+    if setting.class == "body" then
+      into[path] = body_of(object[path], units, prefix .. path .. ".")
+    elseif class == "model" and told_by[path] and object[told_by[path]] then
+      into[path] = json.null
+    elseif setting.class == "material" then
       into[path] = definition("material", object[path], units, prefix .. path .. ".")
     elseif setting.plain and not setting.group then
       local value = value_at(object, class == "wear" and held_as[path] or path)
@@ -76,6 +106,8 @@ return function(run, path)
   local units = {}
   local asked = definition("wear", run, units, "definition.")
   asked.model = definition("model", run.model, units, "definition.model.")
+  local called = run.model.bodies
+  asked.model.bodies = { upper = called.upper, lower = called.lower }
   asked.loading = run.loading and plain(run.loading) or json.null
   units["definition.loading.x"], units["definition.loading.load"] = "mm", "N"
   asked.local_factor = run.local_factor and "function" or json.null

@@ -321,7 +321,7 @@ return {
       .. "path } reads: upper is the cylinder, lower the plate, upper.layer1 its first layer. Coordinates read "
       .. "back to the bit. Without a path its text is the result; model{ mesh = } takes that, too." },
   { "export.json", kind = "function", use = "export.json(w, path)",
-    text = "Summary of a wear run: versions, definition with its model, results, units. NaN and what was not given are null, "
+    text = "Summary of a wear run: versions, definition with its model, bodies and layers, results, units. NaN and what was not given are null, "
       .. "a function of the user the word \"function\"." },
 
   -- --- help -----------------------------------------------------------------------------------

@@ -180,6 +180,12 @@ local fresh = wear{ model = w.model, k = function() return 1e-8 end }
 export.json(fresh, at "fresh.json")
 holds(read "fresh.json", { '"depth_partition": null', '"k": "function"' }, "NaN is null, a function is named")
 holds(read "fresh.json", '"k": null,', "a body without a coefficient has none, not 0")
+holds(summary, { '"lower": null', '"upper": "cylinder"' }, "the usual pair")
+export.json(wear{ load = 100, model = { mesh = { size = 0.2, height = 0.2 }, upper = body.punch{ flat = 1, radius = 2, height = 10, name = "foot" },
+  lower = body.block{ k = 2e-8, layers = { { thickness = 0.4, material = material{ E = 4e5, k = 1e-9 } } } } } }, at "own.json")
+holds(read "own.json", { '"upper": "foot"', '"lower": "block"', '"cylinder": null', '"plate": null', '"kind": "punch"', '"flat": 1,',
+  '"name": "foot"', '"k": 2e-08', '"thickness": 0.4', '"E": 400000', '"k": 1e-09', '"definition.model.upper.flat": "mm"',
+  '"definition.model.lower.layers.k": "mm2/N"' }, "bodies of one's own")
 fails(function() export.json(c, at "c.json") end, "export.json: expected a wear object", "of a contact")
 fails(function() export.json(w, at "w.txt") end, "ends in .json", "another ending")
 fails(function() export.json(w) end, "field 'path': expected a file name, got nil", "no path")

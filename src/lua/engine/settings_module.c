@@ -13,6 +13,7 @@ static const struct {
     {"material", arc_material_settings}, {"hertz", arc_hertz_settings},
     {"model", arc_model_settings},       {"contact", arc_contact_settings},
     {"wear", arc_wear_settings},         {"contact.move", arc_motion_settings},
+    {"body", arc_body_settings},
 };
 
 enum { DEFINITIONS = sizeof definitions / sizeof *definitions };
@@ -116,7 +117,7 @@ static void add_column(lua_State *L, const char *name, const char *unit, const c
   lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
 }
 
-/* { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, columns= }: lists of settings,
+/* { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, body=, columns= }: lists of settings,
  * and of the columns of a history. */
 int luaopen_archard_settings(lua_State *L) {
   push_definitions(L);
