@@ -144,10 +144,10 @@ arc_status arc_model_build_watched(const arc_model_def *def, const arc_callbacks
 /* The same of two meshes that are given, by arc_body, as those of arc_mesh_read_msh. It takes them
  * over, on failure too, and nulls them. def->radius is that of the pair, for estimates by Hertz'
  * theory and the plate's width; of def->mesh only `element` counts, the rest becomes what the
- * meshes have. Meshes without a wear box serve frozen geometry alone: moving it is ARC_ARGUMENT in
- * arc_shape_create and what leans on it. Triangles of such meshes stand alone in CPE4I. What a mesh
- * has a named material for, a layer of the body has under that name; depths of layers are those in
- * the mesh. */
+ * meshes have. A shape in def->body is ARC_ARGUMENT, but for the radii of a hole. Meshes without a
+ * wear box serve frozen geometry alone: moving it is ARC_ARGUMENT in arc_shape_create and what
+ * leans on it. Triangles of such meshes stand alone in CPE4I. What a mesh has a named material for,
+ * a layer of the body has under that name; depths of layers are those in the mesh. */
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
                                  const arc_callbacks *callbacks, arc_model **model,
                                  arc_error *error);

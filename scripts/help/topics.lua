@@ -85,7 +85,7 @@ their names, k as deep as they reach in the mesh; what has no name is of the bod
     materials = { coating = { E = 400e3, k = 1e-9 } } } }
 
 Of a pin in a hole the shapes tell the arc: upper = body.disc{ radius= }, lower = body.ring{ inner=, outer= }; they take
-materials, too. radius is that of the unworn gap where it is not given; estimates need it. Such a mesh has no wear box:
+materials, too. Any other shape beside the mesh is refused. radius is that of the unworn gap where it is not given; estimates need it. Such a mesh has no wear box:
 wear{ geometry = "frozen" } alone works on it. Runs, studies and sessions are stored with the mesh itself. export.msh writes
 archard's own meshes, examples/gmsh_pair.geo shows how to make one:
 

@@ -44,6 +44,14 @@ is(contact{ worn = w }.model.mesh.plate.nodes, own.mesh.plate.nodes, "contact{ w
 fails(function() export.inp(read, at("p.inp")) end, "no wear box", "no deck")
 
 -- Wrong uses.
+is(model{ mesh = at("pair.msh"), lower = body.block{ name = "plank", E = 1e5 } }.bodies.lower, "plank", "a body without a shape")
+local function told(upper, field)
+  fails(function() model{ mesh = at("pair.msh"), upper = upper } end, "field 'upper." .. field .. "': expected", "a shape beside that of the mesh")
+end
+told(body.punch{ flat = 1, radius = 2 }, "radius")
+told(body.block{ width = 8 }, "width")
+told(body.profile{ y = function() return 0 end }, "y")
+told(body.cylinder{ layers = { { thickness = 0.1, E = 1e5 } } }, "layers")
 fails(function() model{ mesh = at("nothing.msh") } end, "cannot read", "no file")
 fails(function() model{ mesh = files .. "gap.msh" } end, "move 'upper' by -0.25 mm along y", "a gap")
 fails(function() model{ mesh = files .. "good-41.msh", radios = 10 } end, "radios", "unknown field")
@@ -82,7 +90,7 @@ end
 refused(nil, "field 'upper.materials': expected one for each name in the mesh, 'layer1', got none for 'layer1'", "no material")
 refused(body.gmsh{ materials = { layer1 = coat, coating = coat } },
   "field 'upper.materials': expected the names in the mesh, 'layer1', got 'coating'", "another name")
-refused(body.cylinder{ layers = { { thickness = 0.1 } } }, "expected 'upper.materials' by the names in it: 'layer1'", "layers")
+refused(body.cylinder{ layers = { { thickness = 0.1, E = 1e5 } } }, "expected 'upper.materials' by the names in it: 'layer1'", "layers")
 fails(function() model{ upper = body.gmsh{} } end, "expected mesh = \"FILE.msh\" beside body.gmsh{}", "no mesh")
 fails(function() model{ upper = body.cylinder{ materials = { a = coat } } } end, "field 'upper.materials': expected layers",
   "materials without a mesh")
@@ -90,7 +98,7 @@ fails(function() body.gmsh{ materials = { coat = { F = 1 } } } end, "materials.c
 fails(function() body.gmsh{ materials = { coat = 4 } } end, "'materials.coat': expected a material object", "no material")
 fails(function() body.gmsh{ materials = { coat } } end, "by name", "a list")
 fails(function() body.gmsh{ materials = { a = {}, b = {}, c = {}, d = {}, e = {} } } end, "at most 4 materials", "too many")
-fails(function() body.gmsh{ materials = {}, layers = { { thickness = 1 } } } end, "expected one of them, got both", "both")
+fails(function() body.gmsh{ materials = {}, layers = { { thickness = 1, E = 1e5 } } } end, "expected one of them, got both", "both")
 fails(function() body.gmsh{ radius = 10 } end, "unknown field 'radius' of a gmsh", "a shape")
 
 -- A hole's chart goes by the radii that the bodies say.

@@ -133,6 +133,9 @@ element arc_body_element(const elastic_body *body, const double *xy, const int c
 arc_status arc_body_displacements(const elastic_body *body, const double *box_at, const double *f,
                                   double *u, arc_error *error);
 
+/* Refuses a shape that a body has beside a mesh from outside: ARC_ARGUMENT. */
+arc_status arc_given_check_shape(const arc_model_def *def, arc_body body, arc_error *error);
+
 /* The model's body (not public: contact and wear lean on it). */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 

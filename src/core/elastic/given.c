@@ -197,7 +197,8 @@ arc_status arc_model_check_given(const arc_model_def *def, arc_mesh *const given
   arc_status status = arc_settings_check(arc_model_settings, "", &fit, error);
   if (status == ARC_OK) status = arc_model_check_given_pair(&fit, error);
   for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++) {
-    status = check_materials(def, given[b], error);
+    status = arc_given_check_shape(def, (arc_body)b, error);
+    if (status == ARC_OK) status = check_materials(def, given[b], error);
     if (status == ARC_OK) status = check_side(&fit, given[b], error);
     if (status == ARC_OK) status = check_arc(&fit, given[b], error);
   }

@@ -134,17 +134,14 @@ static const char a_list[] = "a list { { thickness=, material= } }";
 /* The layers of the table on top of the stack, all of whose fields are places in a list. */
 static int count_layers(lua_State *L, args_place place) {
   if (!lua_istable(L, -1)) args_refuse(L, place, "layers", a_list);
-  const int count = (int)lua_rawlen(L, -1);
+  const int count = (int)array_length(L, place, "layers", ARC_MOST_LAYERS);
   for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) {
     const lua_Integer at = lua_isinteger(L, -2) ? lua_tointeger(L, -2) : 0;
     if (at < 1 || at > count)
       error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%slayers': expected %s, got a table that is no list", place.prefix, a_list);
+                  "field '%slayers': expected %s, got a table that is no list", place.prefix,
+                  a_list);
   }
-  if (count > ARC_MOST_LAYERS)
-    error_raise(L, ARC_ARGUMENT, place.where,
-                "field '%slayers': expected at most %d layers, got %d", place.prefix,
-                ARC_MOST_LAYERS, count);
   return count;
 }
 

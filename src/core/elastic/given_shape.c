@@ -1,0 +1,26 @@
+/* What bodies may say of their shape beside a mesh from outside, which has it. */
+#include "core/elastic/body.h"
+
+#include <string.h>
+
+/* In a hole the radii tell along which arc contact is solved. */
+static int tells_arc(const arc_model_def *def, const char *name) {
+  return arc_model_is_hole(def) &&
+         (strcmp(name, "radius") == 0 || strcmp(name, "inner") == 0 || strcmp(name, "outer") == 0);
+}
+
+static int is_given(const arc_setting *s, const arc_body_def *body) {
+  return s->kind == ARC_NUMBER &&
+         (arc_setting_number(s, body) != 0 || arc_setting_series(s, body).count > 0);
+}
+
+arc_status arc_given_check_shape(const arc_model_def *def, arc_body body, arc_error *error) {
+  for (const arc_setting *s = arc_body_settings; s->name; s++)
+    if (is_given(s, &def->body[body]) && !tells_arc(def, s->name))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field '%s.%s': expected name and materials alone beside a mesh from outside "
+                      "(and the radii of a hole), got the %s of a %s",
+                      arc_model_role_name(body), s->name, s->name,
+                      arc_solid_names[def->body[body].kind]);
+  return ARC_OK;
+}
