@@ -185,11 +185,11 @@ typedef struct arc_loading {
          "Of bodies that spin about their axis of revolution: the radius at which stroke and "     \
          "distance are told; elsewhere slip goes with the radius. 1: distances are angles in "     \
          "radians.")                                                                               \
-  NUMBER(                                                                                          \
-      track, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                      \
-      "Of a pin on a disc: mean radius of its track. A cycle is a revolution then, in place of "   \
-      "stroke. The disc stays flat; its depth is told as the mean over the track, as wide as "     \
-      "the contact is by then.")                                                                   \
+  NUMBER(track, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
+         "Of a pin on a disc: mean radius of its track, beyond the contact's. A cycle is a "       \
+         "revolution then, in place of "                                                           \
+         "stroke. The disc stays flat; its depth is told as the mean over the track, as wide as "  \
+         "the contact is by then.")                                                                \
   CHOICE(rule, rule, ARC_TRAPEZOID, 0, "Integration over the increments: Eq. (4) or Eq. (5).")     \
   CHOICE(geometry, geometry, ARC_MOVING, ARC_FIXED,                                                \
          "Whether the worn nodes change the stiffness of the surface layer, or the gap alone.")    \

@@ -50,7 +50,8 @@ return {
     text = "A block with a flat of full width `flat` and edges rounded by `radius` beside it." },
   { "body.profile", kind = "function", use = "body.profile{ y=function(x) return 1e-4*math.cos(60*x) end }",
     result = "table",
-    text = "A block with a measured or made-up surface: y(x) out of the body in mm, or lists x and y." },
+    text = "A block with a measured or made-up surface: y(x) out of the body in mm, or lists x and y; or "
+      .. "body.profile(profile.read(path)), a trace with z." },
   { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
     text = "A whole disc, held by a hub of 0.15 radius in its middle." },
   { "body.ring", kind = "function", use = 'body.ring{ inner=10, outer=20, fixed="outer" }', result = "table",
@@ -125,7 +126,8 @@ return {
   { "contact.p_average", kind = "field", unit = "MPa",
     text = "Largest pressure averaged over the length `average`: settles as the mesh shrinks." },
   { "contact.p_center", kind = "field", unit = "MPa",
-    text = "Pressure at the lowest point of the cylinder." },
+    text = "Pressure at x = 0 of the upper body: the lowest point of a cylinder; that of a profile may lie elsewhere, "
+      .. "see p_max." },
   { "contact.normal_force", kind = "field", unit = "N",
     text = "Integral of the pressure over the area: the load, but in holes up to 4/pi times that." },
   { "contact.approach", kind = "field", unit = "mm",

@@ -213,12 +213,16 @@ local function add_polygons(field, x, y, values, elements, box)
   end
 end
 
--- Three half widths around the contact, unless told otherwise.
-local function stress_view(contact, zoom)
+-- Three half widths around the contact, or all where that is wider than the bodies, unless told otherwise.
+local function stress_view(contact, zoom, bodies)
   if type(zoom) == "table" then return zoom end
   local ok, a = pcall(function() return contact.half_width end)
   if zoom == "all" or not ok or not a or a <= 0 then return nil end
-  return { -3 * a, 3 * a, -2.5 * a, 2.5 * a }
+  for _, body in ipairs(bodies) do
+    for _, x in ipairs(body.x) do
+      if math.abs(x) > 3 * a then return { -3 * a, 3 * a, -2.5 * a, 2.5 * a } end
+    end
+  end
 end
 
 -- The stresses of a contact, of a run as it is worn, or what stress() handed out; and the contact,
@@ -242,10 +246,11 @@ function mesh.stress(object, options)
   local where = "plot.stress"
   local stress, contact = field_of(where, object)
   options = draw.options(where, options, stress_options)
-  local component, box = options.component or "mises", stress_view(contact, options.zoom)
+  local shown = {}
+  for i, name in ipairs((shown_bodies(where, stress, options))) do shown[i] = stress[name] end
+  local component, box = options.component or "mises", stress_view(contact, options.zoom, shown)
   local field, defaults = { x = {}, y = {}, value = {} }, {}
-  for _, name in ipairs((shown_bodies(where, stress, options))) do
-    local body = stress[name]
+  for _, body in ipairs(shown) do
     local x, y = displaced(body, options.deformed or 0)
     local elements, radius = body.elements, nil
     if options.unrolled then

@@ -19,6 +19,11 @@ is(layered.lower.layers[1].E, 1e5, "layers")
 is(layered.lower.layers[1].thickness, 0.05, "their thickness")
 local listed = model{ upper = body.profile{ x = { -1, 0, 1 }, y = { 0, 0.01, 0 } , width = 10 }, mesh = coarse }
 near(listed.upper.y[2], 0.01, 1e-15, "a profile's heights")
+local trace = { x = {}, z = {} }
+for i = 1, 21 do trace.x[i], trace.z[i] = (i - 11) / 10, 1e-3 * math.cos(i) end
+local traced = body.profile(profile(trace))
+ok(traced.x[3] == trace.x[3] and traced.y[3] == trace.z[3], "those of a measured one")
+is(model{ geometry = "plane", mesh = { size = 0.2, height = 0.2 } }.geometry, "plane strain", "plane is plane strain")
 
 -- What they are called: by name, role or kind.
 local called = model{ upper = body.disc{ radius = 9.5, k = 1e-8, name = "pin" },
@@ -33,6 +38,11 @@ for key in pairs(run_of.depth) do keys[#keys + 1] = key end
 table.sort(keys)
 is(table.concat(keys, " "), "bush pin", "a loop over results meets names alone")
 is(run_of:profile("bush").x[1], run_of:profile("lower").x[1], "a method takes all of them")
+is(run_of.history.depth_pin[#run_of.history.p_max], run_of.depth.pin, "histories do")
+is(run_of.history.volume_lower[2], run_of.history.volume_plate[2], "by all words")
+fails(function() return run_of.history.depth_bash end, "no field 'depth_bash'", "an unknown column")
+local zones = model{ upper = called.upper, lower = called.lower, mesh = { size = 0.1, height = 0.1, zone = { pin = 4, lower = 5 } } }.mesh.zone
+ok(zones.cylinder == 4 and zones.plate == 5, "zones of a mesh do, too")
 is(called.mesh.pin.body, "pin", "meshes know their name")
 is(called.bodies.ring, "bush", "model.bodies tells it")
 is(called.upper.name, "pin", "and the body as it was given")
@@ -193,6 +203,10 @@ end)
 refused({ "'load_angle'", "(-90, 90) degrees", "got 90" }, "just from the side", function() contact{ model = m, load_angle = 90 } end)
 refused({ "'loading.x'", "'loading.rotation'" }, "two ways", function() wear{ model = m, loading = { x = list, rotation = list }, distance = 1 } end)
 refused({ "moves", "degrees" }, "a rotation that stands still", function() wear{ model = m, loading = { rotation = { 1, 1, 1 } }, distance = 1 } end)
+refused({ "loading.rotation'", "got nil" }, "a load that turns over what rests", function()
+  wear{ model = m, loading = { load_angle = function(t) return t end }, distance = 1 }
+end)
+refused({ "zone.", "named twice" }, "a zone given twice", function() model{ mesh = { zone = { upper = 4, cylinder = 2 } } } end)
 refused({ "'friction'", "in a hole" }, "a run with friction in a hole", function() wear{ model = m, friction = 0.3, load = 10, stroke = 0.1 } end)
 refused({ "'friction'", "in a hole" }, "friction in a hole", function() contact{ model = m, friction = 0.1, load = 10 } end)
 

@@ -36,6 +36,12 @@ arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *m
                            error);
   if (d->track > 0 && d->blocks > 0)
     return refuse_revolved("track", "expected stroke and load: a cycle is a revolution", error);
+  const double spot = arc_model_half_width(model, d->load);
+  if (d->track > 0 && d->track <= spot)
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'track': expected more than the contact's radius, about %g mm, got %g mm", spot,
+        d->track);
   if (d->track > 0 && d->procedure == ARC_SP)
     return refuse_revolved("procedure", "expected \"NSP\" with track: the disc stays flat", error);
   if (model->axis > 0 || d->spin > 0 || d->track > 0 || arc_wear_alpha_stays_one(d)) return ARC_OK;

@@ -93,11 +93,13 @@ double args_number(lua_State *L, args_place place, const arc_setting *s) {
   return value;
 }
 
-/* The position of the text at `index` in a list of names, or -1. */
+/* The position of the text at `index` in a list of names, or -1. "plane" is plane strain. */
 static int find_choice(lua_State *L, int index, const char *const *choices) {
-  if (lua_type(L, index) == LUA_TSTRING)
-    for (int i = 0; choices[i]; i++)
-      if (strcmp(choices[i], lua_tostring(L, index)) == 0) return i;
+  if (lua_type(L, index) != LUA_TSTRING) return -1;
+  const char *word = lua_tostring(L, index);
+  if (strcmp(word, "plane") == 0) word = "plane strain";
+  for (int i = 0; choices[i]; i++)
+    if (strcmp(choices[i], word) == 0) return i;
   return -1;
 }
 

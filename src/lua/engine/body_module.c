@@ -405,6 +405,21 @@ void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
 
 /* --- making ----------------------------------------------------------------------------------- */
 
+/* A measured profile, at index 1, is that of a body with no other fields. */
+static void take_measured(lua_State *L) {
+  if (luaL_getmetafield(L, 1, "__name") == LUA_TNIL) return;
+  const int measured =
+      lua_type(L, -1) == LUA_TSTRING && strcmp(lua_tostring(L, -1), "profile") == 0;
+  lua_pop(L, 1);
+  if (!measured) return;
+  lua_createtable(L, 0, 2);
+  lua_getfield(L, 1, "x");
+  lua_setfield(L, -2, "x");
+  lua_getfield(L, 1, "z");
+  lua_setfield(L, -2, "y");
+  lua_replace(L, 1);
+}
+
 /* body.KIND{...}: a copy of the table with its kind, checked. */
 static int make(lua_State *L) {
   const arc_solid kind = (arc_solid)lua_tointeger(L, lua_upvalueindex(1));
@@ -417,6 +432,7 @@ static int make(lua_State *L) {
   lua_settop(L, 1);
   if (lua_isnil(L, 1)) lua_newtable(L), lua_replace(L, 1);
   args_check_table(L, 1, where);
+  if (kind == ARC_SOLID_PROFILE) take_measured(L);
   args_push_copy(L, 1);
   lua_pushstring(L, arc_solid_names[kind]);
   lua_setfield(L, 2, "kind");

@@ -83,6 +83,32 @@ void by_body_named(lua_State *L, const arc_model_def *def, const char *where) {
   lua_pop(L, 1);
 }
 
+/* Adds "depth_WORD" for a column where the word means one body. */
+static void add_column(lua_State *L, const arc_model_def *def, const char *what, const char *word) {
+  arc_body body;
+  if (body_find(def, word, &body) != 1) return;
+  lua_pushfstring(L, "%s_%s", what, word);
+  lua_pushfstring(L, "%s_%s", what, body_names[body]);
+  lua_rawset(L, -3);
+}
+
+void columns_by_body(lua_State *L, const arc_model_def *def, const char *where) {
+  luaL_checkstack(L, 10, where);
+  lua_newtable(L);
+  const int columns = lua_gettop(L);
+  push_words(L, def);
+  for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) {
+    const char *word = lua_tostring(L, -2);
+    lua_pushvalue(L, columns);
+    add_column(L, def, "depth", word);
+    add_column(L, def, "volume", word);
+    lua_pop(L, 1);
+  }
+  strict_metatable(L, where, columns);
+  lua_setmetatable(L, columns - 1);
+  lua_settop(L, columns - 1);
+}
+
 void set_by_body(lua_State *L, const arc_model_def *def, arc_body body) {
   lua_setfield(L, -2, body_name(def, body));
 }

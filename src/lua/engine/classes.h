@@ -50,6 +50,8 @@ void by_body_named(lua_State *L, const arc_model_def *def, const char *where);
 /* Pushes a table with a number, or with what each is called, by body. */
 void push_by_body(lua_State *L, const arc_model_def *def, double upper, double lower,
                   const char *where);
+/* A history on top answers to depth_NAME and volume_NAME by all words for the bodies. */
+void columns_by_body(lua_State *L, const arc_model_def *def, const char *where);
 void push_body_names(lua_State *L, const arc_model_def *def);
 /* Pushes the table at `index` with the fields of bodies called as in body_names. */
 void push_usual_names(lua_State *L, int index, args_place place, const arc_model_def *def);

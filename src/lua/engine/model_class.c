@@ -34,6 +34,21 @@ static void check_fineness(lua_State *L, int index, args_place place, arc_mesh_d
   lua_pop(L, 1);
 }
 
+/* Zones in the definition on top of the stack, a copy, may be called as the bodies are. */
+static void rename_zones(lua_State *L, args_place place, const arc_model_def *def) {
+  const int top = lua_gettop(L);
+  if (args_get(L, top, "mesh") == LUA_TTABLE && args_get(L, top + 1, "zone") == LUA_TTABLE) {
+    args_push_copy(L, top + 1);
+    push_usual_names(L, top + 2,
+                     (args_place){place.where, lua_pushfstring(L, "%smesh.zone.", place.prefix)},
+                     def);
+    lua_setfield(L, top + 3, "zone");
+    lua_pushvalue(L, top + 3);
+    lua_setfield(L, top, "mesh");
+  }
+  lua_settop(L, top);
+}
+
 /* Pushes the table at `index` without its bodies, which are read on their own. */
 static void push_without_bodies(lua_State *L, int index, args_place place) {
   if (!lua_istable(L, index)) args_read(L, index, place, arc_model_settings, NULL); /* refuses */
@@ -48,7 +63,10 @@ static void push_without_bodies(lua_State *L, int index, args_place place) {
  * was there. */
 static void read_definition(lua_State *L, int index, args_place place, arc_model_def *def) {
   if (lua_isnil(L, index)) return;
+  arc_model_def called = *def;
   push_without_bodies(L, index, place);
+  body_read_names(L, lua_absindex(L, index), &called);
+  rename_zones(L, place, &called);
   args_read(L, -1, place, arc_model_settings, def);
   lua_pop(L, 1);
   body_read(L, lua_absindex(L, index), place, def);

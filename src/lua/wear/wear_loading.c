@@ -177,7 +177,8 @@ static int read_periodic(const reading *r) {
   return periodic;
 }
 
-/* What drives the lower body: one of three fields. */
+/* What drives the lower body: one of three fields; under a load that turns, which alone wears
+ * nothing, it is the rotation that is missed. */
 static const char *drive_of(const reading *r) {
   static const char *const drives[] = {"x", "tangential", "rotation", NULL};
   const char *found = NULL;
@@ -189,7 +190,7 @@ static const char *drive_of(const reading *r) {
                   found, r->place.prefix, drives[i]);
     found = drives[i];
   }
-  return found ? found : drives[0];
+  return found ? found : drives[args_given(r->L, r->table, "load_angle") ? 2 : 0];
 }
 
 /* The block on top of the stack. */

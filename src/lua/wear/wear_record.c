@@ -89,4 +89,5 @@ void history_push(lua_State *L, const arc_wear *wear) {
   size_t count;
   const arc_wear_record *records = arc_wear_history(wear, &count);
   records_push_columns(L, records, count);
+  columns_by_body(L, arc_model_definition(arc_wear_model(wear)), "history");
 }
