@@ -46,7 +46,7 @@ fails(function() export.inp(read, at("p.inp")) end, "no wear box", "no deck")
 -- Wrong uses.
 is(model{ mesh = at("pair.msh"), lower = body.block{ name = "plank", E = 1e5 } }.bodies.lower, "plank", "a body without a shape")
 local function told(upper, field)
-  fails(function() model{ mesh = at("pair.msh"), upper = upper } end, "field 'upper." .. field .. "': expected", "a shape beside that of the mesh")
+  fails(function() model{ mesh = at("pair.msh"), upper = upper } end, "field 'upper." .. field .. "':", "a shape beside that of the mesh")
 end
 told(body.punch{ flat = 1, radius = 2 }, "radius")
 told(body.block{ width = 8 }, "width")
