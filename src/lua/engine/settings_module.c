@@ -117,8 +117,8 @@ static void add_column(lua_State *L, const char *name, const char *unit, const c
   lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
 }
 
-/* { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, body=, columns= }: lists of settings,
- * and of the columns of a history. */
+/* { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, body=, columns= }: lists of
+ * settings, and of the columns of a history. */
 int luaopen_archard_settings(lua_State *L) {
   push_definitions(L);
   lua_newtable(L);
