@@ -205,7 +205,8 @@ typedef struct arc_contact_result {
   double approach;     /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
   double
       tangential; /* [N] force that drives the plate along x; without friction what slopes bear */
-  double energy;  /* [N mm] dissipated by friction since the bodies came together */
+  double energy;  /* [N mm] dissipated by friction since the bodies came together, by the slip
+                     between  nodes too */
   int iterations; /* active-set iterations */
 } arc_contact_result;
 arc_contact_result arc_contact_get(const arc_contact *contact);

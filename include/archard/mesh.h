@@ -51,8 +51,7 @@ extern const char *const arc_space_names[];
          "has none.")                                                                              \
   NUMBER(height, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                 \
          "Height of the elements at the contact. \"auto\": 1.25 size, and less where soft layers " \
-         "with nu above 0.4 need it for two rows. Partial slip under friction "                    \
-         "comes out several times more accurate with half of size.")                               \
+         "with nu above 0.4 need it for two rows.")                                                \
   NUMBER(far, "mm", 0, ABOVE(0), ARC_AUTOMATIC,                                                    \
          "Largest size of the elements far from the contact. \"auto\": a tenth of the radius.")    \
   WHOLE(rows, "", 3, WITHIN(1, 100), 0,                                                            \

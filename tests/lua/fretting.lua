@@ -90,9 +90,9 @@ local partial = run{ stroke = false, cycles = 200 }
 partial:run{ progress = false }
 is(partial.cycle, 200, "so many cycles")
 is(partial.gross, 0, "a part sticks")
-near(partial.stick_width, 2 * hertz{}.half_width * math.sqrt(0.5), 0.1, "Cattaneo and Mindlin's")
+ok(math.abs(partial.stick_width - 2 * hertz{}.half_width * math.sqrt(0.5)) < 2 * 0.02, "Cattaneo and Mindlin's, by nodes")
 near(partial.largest_shear, 30, 1e-9, "under the force that is given")
-tap.holds(tostring(partial), { "force up to 30 N, sticks on 0.14 mm", "N mm a cycle" }, "print(w)")
+tap.holds(tostring(partial), { "force up to 30 N, sticks on 0.18 mm", "N mm a cycle" }, "print(w)")
 tap.holds(tostring(gross), "slips grossly", "print(w) in gross slip")
 local block = run{ stroke = nil, cycles = 20,
   loading = { tangential = function(t) return 30 * math.sin(2 * math.pi * t) end, load = 100, increments = 24 } }

@@ -285,7 +285,7 @@ static void test_no_friction(void **state) {
 
 static void check_same(const friction_state *a, const friction_state *b) {
   assert_true(a->x == b->x && a->approach == b->approach && a->line == b->line);
-  assert_true(a->tangential == b->tangential && a->energy == b->energy);
+  assert_true(a->tangential == b->tangential && a->energy == b->energy && a->between == b->between);
   assert_memory_equal(a->f, b->f, arc_friction_bytes(a));
 }
 
@@ -371,6 +371,56 @@ static void test_displaced(void **state) {
     check_near(r[c], wanted, 1e-15);
   }
   free(r);
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* Shear that changes from node to node moves the surface as such pressure does: that of the
+ * elements alone would by half. Wide loads are left to the elements. */
+static void test_alternating(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.6, 0);
+  play(&h, 0, 1);
+  const pose *p = &h.pose;
+  const compliance *c = shape_compliance(&h.shape->side[ARC_CYLINDER]);
+  const int mid = p->count / 2, far = 2 * ARC_SHEAR_REACH;
+  double shear = 0, press = 0, elements = 0;
+  static const double force[] = {1, -4, 6, -4, 1};
+  for (int k = 0; k < 5; k++) {
+    const int at = mid - 2 + k;
+    shear += force[k] * h.grip.tt[dense_at(mid, at, p->count)];
+    press += force[k] * p->a[dense_at(mid, at, p->count)];
+    elements += force[k] * c->xx[dense_at(p->lo + mid, p->lo + at, c->n)];
+  }
+  check_near(shear, press, 0.01 * press);
+  assert_true(2 * elements < 0.6 * press);
+  assert_true(compliance_shear(c, mid, mid + far) == c->xx[dense_at(mid, mid + far, c->n)]);
+  assert_true(compliance_shear(c, mid, mid + 3) == compliance_shear(c, mid + 3, mid));
+  end(&h);
+  arc_model_release(&model);
+}
+
+/* The force over the plate's way is what nodes dissipate; what they do not see is on top, and is
+ * there where none of them slips. */
+static void test_between(void **state) {
+  (void)state;
+  arc_model *model = coarse_model();
+  history h;
+  begin(&h, model, 0.6, 0);
+  go(&h, &(friction_step){.mu = 0, .line = 100});
+  double start[2] = {0}, area = 0;
+  for (int i = 1; i <= 200; i++) {
+    const double force = i <= 40 ? i : i <= 120 ? 80 - i : i - 160; /* 40, -40, 40 */
+    if (i == 41) start[0] = h.state.energy, start[1] = h.state.between;
+    go(&h, &(friction_step){.mu = 0.6, .line = 100, .by_force = 1, .tangential = force});
+    if (i > 40) area += (h.state.x - h.before.x) * (h.state.tangential + h.before.tangential) / 2;
+    if (i == 4) assert_true(h.state.energy > 0 && h.state.energy == h.state.between);
+  }
+  const double energy = h.state.energy - start[0], between = h.state.between - start[1];
+  check_near(energy, 3.2635e-3, 0.04 * 3.2635e-3); /* of half-planes; the nodes have 27 % less */
+  check_near(area, energy - between, 1e-3 * energy);
   end(&h);
   arc_model_release(&model);
 }
@@ -465,7 +515,8 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_no_friction),      cmocka_unit_test(test_copied),
       cmocka_unit_test(test_refused),          cmocka_unit_test(test_lifted),
-      cmocka_unit_test(test_displaced),        cmocka_unit_test(test_signs),
+      cmocka_unit_test(test_displaced),        cmocka_unit_test(test_alternating),
+      cmocka_unit_test(test_between),          cmocka_unit_test(test_signs),
       cmocka_unit_test(test_validated),        cmocka_unit_test(test_uniqueness),
       cmocka_unit_test(test_random_histories), cmocka_unit_test(test_ways_to_solve),
   };

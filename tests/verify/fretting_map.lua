@@ -21,7 +21,7 @@ local function edges_off(fineness, share)
 end
 
 for _, share in ipairs{ 0.3, 0.5, 0.7 } do
-  for fineness, allowed in pairs{ [1] = 0.3, [2] = 0.15, [4] = 0.13 } do
+  for fineness, allowed in pairs{ [1] = 0.12, [2] = 0.09, [4] = 0.07 } do
     local most, mean = edges_off(fineness, share)
     note(("fineness %d, %g of the force: mean %+.3f elements"):format(fineness, share, mean))
     below(most, allowed, ("fineness %d, %g of the force: edge of the zone that sticks, elements off at most"):format(fineness, share))
@@ -40,7 +40,7 @@ local loads = { 50, 200 }
 for _, annulus in ipairs{ 0.05, 0.1, 0.2 } do
   local exact = {}
   for i, load in ipairs(loads) do exact[i] = motion_at(load, 1 - (1 - annulus) ^ 2) end
-  for fineness, allowed in pairs{ [1] = 0.14, [2] = 0.05, [4] = 0.035 } do
+  for fineness, allowed in pairs{ [1] = 0.09, [2] = 0.02, [4] = 0.02 } do
     local map = study.fretting_map{ load = loads, motion = { 1e-3 }, friction = mu, annulus = annulus,
       model = { mesh = { fineness = fineness } } }
     for i, load in ipairs(loads) do

@@ -31,11 +31,10 @@ local function cycle_energy(f)
   return 4 * mu ^ 2 * load ^ 2 / (math.pi * exact.E_star) * ((1 - f) * math.log(1 - f) + f - f * f / 2)
 end
 
--- The energy's error is that of the mesh: below, what it comes of. Here single figures, as they fall with the nodes.
 local allowed = {
-  [0.02] = { shear = 0.06, energy = { 0.5, 0.15, 0.12 } },
-  [0.01] = { shear = 0.03, energy = { 0.08, 0.03, 0.01 } },
-  [0.005] = { shear = 0.015, energy = { 0.12, 0.02, 0.007 } },
+  [0.02] = { shear = 0.06, energy = { 0.1, 0.01, 0.01 } },
+  [0.01] = { shear = 0.03, energy = { 0.01, 0.01, 0.01 } },
+  [0.005] = { shear = 0.015, energy = { 0.005, 0.005, 0.005 } },
 }
 local slipping = {}
 for _, size in ipairs{ 0.02, 0.01, 0.005 } do
@@ -67,13 +66,14 @@ do
       worst = math.max(worst, math.abs(back.s[i] - there.s[i] + 2 * mu * g))
     end
   end
-  below(worst / (2 * 9.2606e-5), 0.02, "5 um, 30 N: slip of a half cycle, largest error / slip at the edge")
+  below(worst / (2 * 9.2606e-5), 0.005, "5 um, 30 N: slip of a half cycle, largest error / slip at the edge")
 end
 
--- --- what the energy's error comes of -----------------------------------------------------------
+-- --- what the energy's error depends on ---------------------------------------------------------
 
-local function energy_off(model, force, each)
-  local f, at = force / (mu * load), hertz{ load = each }
+local function energy_off(model, force, each, at)
+  local f = force / (mu * load)
+  at = at or exact
   local there = contact{ model = model, friction = mu, load = each, press = "frictionless" }
     :move{ tangential = f * mu * each, increments = 1 }
   local back = there:move{ tangential = -f * mu * each, increments = 1 }
@@ -91,8 +91,10 @@ local function energy_errors(model, force, size)
   return sum / count, math.sqrt(squares / count), most
 end
 
--- It matters neither how the bodies are pressed, nor how many increments follow, nor which cycle it is, nor whether q ds is
--- summed or the force over the plate's way.
+local function n_of(force, size) return a * (1 - math.sqrt(1 - force / (mu * load))) / size end
+
+-- It matters neither how the bodies are pressed, nor how many increments follow, nor which cycle it is. The area of the loop
+-- has the plate's way as the nodes have it, without what slips between them: it scatters as sums over nodes do.
 do
   local c = contact{ model = models[0.01], friction = mu }:move{ tangential = 30 }
   local cycle = c:move{ tangential = -30 }:move{ tangential = 30 }
@@ -106,36 +108,52 @@ do
   within(first, (1 + energy_off(models[0.01], 30, load)) * cycle_energy(0.5), 1e-3,
     "energy of a cycle, as where the bodies were pressed without friction and went in 1 increment [N mm]")
   within(2 * half, first, 1e-3, "as the second cycle's, in 100 increments")
-  within(2 * area, first, 1e-3, "as the area of the loop")
+  within(2 * area, first, 0.85 / n_of(30, 0.01) ^ 2, "as the area of the loop, but for the nodes")
   ok(later.x > start, "which is run through the right way")
 end
 
--- Two parts, both of second order in n, the number of elements that slip on either side. Elements taller than half their
--- width give way too much under shear that changes from node to node: slip, and with it the mean, is too large. And single
--- figures scatter with where the nodes are, by 0.3 / n^2 r.m.s.
-local function n_of(force, size) return a * (1 - math.sqrt(1 - force / (mu * load))) / size end
-
-local means = { [0.02] = { [30] = 0.06, [48] = 0.02 }, [0.01] = { [30] = 0.015, [48] = 0.005 },
-  [0.005] = { [12] = 0.015, [30] = 0.005, [48] = 0.005 } }
-local tall = {}
+-- Over contacts whose edges pass over two elements, whatever the elements' height. Fewer than one element on either side slips
+-- at 20 um under 12 N, where no node does in half of the contacts.
+local rms = { [0.02] = { [12] = 0.08, [30] = 0.0075, [48] = 0.006 }, [0.01] = { [12] = 0.01, [30] = 0.002, [48] = 0.002 },
+  [0.005] = { [12] = 0.001, [30] = 0.0005, [48] = 0.001 } }
+local scatters = {}
 for _, size in ipairs{ 0.02, 0.01, 0.005 } do
-  local flat = model{ mesh = { size = size, height = size / 2 } }
-  for _, force in ipairs{ 12, 30, 48 } do
-    local n, mean, scatter, most = n_of(force, size), energy_errors(flat, force, size)
-    local label = ("%g um, half as high, %g N, n = %.1f: energy's error, "):format(1e3 * size, force, n)
-    note(("%smean %+.2f %%, r.m.s. %.2f %%, at most %.2f %%"):format(label, 100 * mean, 100 * scatter, 100 * most))
-    if means[size][force] then below(math.abs(mean), means[size][force], label .. "mean") end
-    if n > 1 then
-      below(scatter * n * n, 0.4, label .. "r.m.s. times n^2")
-      below(most * n * n, 0.85, label .. "largest times n^2")
+  for _, height in ipairs{ 1.25, 0.5 } do
+    local bodies = height == 0.5 and model{ mesh = { size = size, height = size / 2 } } or models[size]
+    for _, force in ipairs{ 12, 30, 48 } do
+      local mean, scatter, most = energy_errors(bodies, force, size)
+      local label = ("%g x %g um, %g N, n = %.1f: energy of a cycle, "):format(1e3 * size, 1e3 * size * height, force,
+        n_of(force, size))
+      note(("%smean %+.3f %%, r.m.s. %.3f %%, at most %.3f %%"):format(label, 100 * mean, 100 * scatter, 100 * most))
+      below(scatter, rms[size][force], label .. "r.m.s. of its error")
+      below(most, 2 * rms[size][force], label .. "largest")
+      if force == 30 then scatters[size] = scatter end
     end
   end
-  local mean, scatter = energy_errors(models[size], 30, size)
-  note(("%g um, 1.25 as high, 30 N: mean %+.2f %%, r.m.s. %.2f %%"):format(1e3 * size, 100 * mean, 100 * scatter))
-  tall[#tall + 1] = scatter
 end
-below(tall[3], 0.015, "5 um, 1.25 as high: energy of a cycle, r.m.s.")
-figures.above(math.log(tall[1] / tall[3], 4), 1.5, "its order of convergence from 20 to 5 um")
+figures.above(math.log(scatters[0.02] / scatters[0.005], 4), 2, "30 N: its order of convergence from 20 to 5 um")
+
+-- Under a force that hardly moves the plate no node slips at all: what is dissipated is all between them. Close to sliding.
+for _, case in ipairs{ { 6, 0.06 }, { 57, 0.005 }, { 59.4, 0.005 } } do
+  local force, most = table.unpack(case)
+  below(math.abs(energy_off(models[0.01], force, load)), most, ("10 um, %g N: energy of a cycle, error"):format(force))
+end
+
+-- Other bodies: a thin pair, one of plastics, another kind of elements.
+do
+  local plastic, fine = { E = 1000, nu = 0.46 }, mesh_of(0.02)
+  fine.zone = { cylinder = 1, plate = 1.2 }
+  for _, case in ipairs{
+    { "plane stress", { geometry = "plane stress", mesh = mesh_of(0.02) }, { geometry = "plane stress" }, 100 },
+    { "plastics", { cylinder = plastic, plate = plastic, mesh = fine }, { cylinder = plastic, plate = plastic }, 1 },
+    { "CPE4I", { mesh = { size = 0.02, height = 0.025, element = "CPE4I" } }, {}, 100 },
+  } do
+    local label, bodies, pair, normal = table.unpack(case)
+    pair.load = normal
+    local off = energy_off(model(bodies), 30, normal, hertz(pair))
+    below(math.abs(off), 0.015, label .. ": energy of a cycle, error")
+  end
+end
 
 -- --- load and force together --------------------------------------------------------------------
 

@@ -42,6 +42,9 @@ typedef struct shear_problem {
 
 /* Returns 1 solved, 0 gave up, -1 broke down. */
 int arc_shear_solve(shear_problem *s);
+/* Finds the nodes that stick by its ways, and what holds them against a unit of motion: stuck,
+ * list, pick, factor, ones. Non-zero: broke down. */
+int arc_shear_factorise(shear_problem *s);
 
 /* What a pose needs besides: the tangential part of its contact matrix. */
 typedef struct grip {
@@ -49,6 +52,7 @@ typedef struct grip {
   long version; /* of the pose it was made for; 0: none */
   double x;
   int flat;   /* no slopes anywhere */
+  int alike;  /* shear does not move gaps, but by slopes and the bodies' outer shapes */
   double *nt; /* [count x count] gaps under shear forces */
   double *tn; /* [count x count] its transpose */
   double *tt; /* [count x count] */
@@ -88,17 +92,34 @@ arc_status arc_friction_room_create(friction_room *w, const arc_model *model);
 void arc_friction_room_free(friction_room *w);
 size_t arc_friction_room_bytes(const friction_room *w);
 
+/* What the ends of a sum over nodes are off [mm, N], of each order; see between.c. */
+typedef struct friction_terms {
+  double even, odd;
+} friction_terms;
+
+/* A motion one way under one load, since the plate turned. */
+typedef struct friction_stretch {
+  int sense;            /* 1 along x, -1 against it; 0: there is none */
+  double kappa;         /* shear a node takes until it slips, by its force; 0: not known */
+  double from;          /* [N/mm] tangential force where it began */
+  friction_terms start; /* the sum's end there */
+  double energy;        /* [N] what it has added between the nodes */
+} friction_stretch;
+
 /* What is carried from increment to increment; nothing else has influence on the next solution. */
 typedef struct friction_state {
   int nc, np;
-  double x;              /* [mm] position of the plate's base */
-  double approach;       /* [mm] */
-  double line;           /* [N/mm] */
-  double tangential;     /* [N/mm] */
-  double energy;         /* [N] dissipated per thickness, all increments */
+  double x;          /* [mm] position of the plate's base */
+  double approach;   /* [mm] */
+  double line;       /* [N/mm] */
+  double tangential; /* [N/mm] */
+  double energy;     /* [N] dissipated per thickness, all increments */
+  double between;    /* [N] part of it that the nodes do not see (between.c) */
+  friction_stretch stretch;
   double *f, *t;         /* [nc] forces by cylinder node [N/mm] */
   double *slip;          /* [nc] ds of the last increment [mm] */
   double *way;           /* [nc] sum of ds [mm] */
+  double *held, *stood;  /* [nc] t and way where the stretch began */
   double *u[ARC_BODIES]; /* [2 * surface] displacements of the surfaces, along x, then along y */
 } friction_state;
 
@@ -162,6 +183,11 @@ typedef struct friction_task {
 int arc_friction_sweeps(friction_task *k, int limit);
 /* A given force by the motion that leads to it (bracket.c), where the sweeps do not end. */
 int arc_friction_bracket(friction_task *k);
+
+/* Begins a stretch where the increment turns, before its forces are taken over. */
+void arc_friction_turn(friction_task *k, friction_state *s);
+/* Adds what is dissipated between the nodes. */
+void arc_friction_between(friction_task *k, friction_state *s);
 
 /* The increment at once by semismooth Newton, from the sets of the last sweep (coupled.c). Returns
  * 1 solved, 0 not; then only p's set and w's ways have changed. */

@@ -10,7 +10,10 @@
 
 arc_status arc_grip_create(grip *g, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
-  *g = (grip){.nc = (int)nc, .np = arc_model_mesh(model, ARC_PLATE)->surface};
+  const arc_model_def *def = arc_model_definition(model);
+  *g = (grip){.nc = (int)nc,
+              .np = arc_model_mesh(model, ARC_PLATE)->surface,
+              .alike = arc_contact_mismatch(def->geometry, def->material) == 0};
   g->nt = malloc(3 * nc * nc * sizeof(double));
   if (!g->nt) return ARC_MEMORY;
   g->tn = g->nt + nc * nc;
@@ -29,10 +32,10 @@ size_t arc_grip_bytes(const grip *g) {
 
 /* --- matrices --------------------------------------------------------------------------------- */
 
-/* Adds `weight` times what a unit of shear at a body's node `at` does to its nodes first .. first +
- * count - 1: gaps n, tangential displacements t. */
-ARC_WIDE static void respond(const compliance *c, const double *slopes, int first, int count,
-                             int at, double weight, double *restrict n, double *restrict t) {
+/* Adds `weight` times what a unit of shear at a body's node `at` does by xx to its nodes first ..
+ * first + count - 1: gaps n, tangential displacements t. */
+ARC_WIDE static void respond_wide(const compliance *c, const double *slopes, int first, int count,
+                                  int at, double weight, double *restrict n, double *restrict t) {
   const size_t from = dense_at(first, at, c->n);
   const double *xx = &c->xx[from], *xy = &c->xy[from], *yx = &c->yx[from], *yy = &c->yy[from];
   const double *slope = &slopes[first], m = slopes[at];
@@ -41,6 +44,24 @@ ARC_WIDE static void respond(const compliance *c, const double *slopes, int firs
     const double ux = xx[l] + m * xy[l], uy = yx[l] + m * yy[l];
     n[l] += weight * (uy - slope[l] * ux);
     t[l] += weight * (ux + slope[l] * uy);
+  }
+}
+
+/* What the displacement of node l along the surface under a unit of shear at node `at` is beyond
+ * that of xx. */
+static double beyond_xx(const compliance *c, int l, int at) {
+  return compliance_shear(c, l, at) - c->xx[dense_at(l, at, c->n)];
+}
+
+/* The same by the compliance for shear, that is another one near the diagonal. */
+static void respond(const compliance *c, const double *slopes, int first, int count, int at,
+                    double weight, double *n, double *t) {
+  respond_wide(c, slopes, first, count, at, weight, n, t);
+  for (int l = at - ARC_SHEAR_REACH; l <= at + ARC_SHEAR_REACH; l++) {
+    if (l < first || l >= first + count) continue;
+    const double ux = weight * beyond_xx(c, l, at);
+    n[l - first] -= slopes[l] * ux;
+    t[l - first] += ux;
   }
 }
 
@@ -120,6 +141,12 @@ void arc_grip_relative(const pose *p, double *const u[ARC_BODIES], double *work,
   }
 }
 
+/* Adds what shear at node k moves the nodes near it along the surface beyond xx. */
+static void add_beyond_xx(const compliance *c, int k, double shear, double *u) {
+  for (int l = k - ARC_SHEAR_REACH; l <= k + ARC_SHEAR_REACH && shear != 0; l++)
+    if (l >= 0 && l < c->n) u[l] += beyond_xx(c, l, k) * shear;
+}
+
 /* u [2 n] under forces along normals (f) and tangents (t) with slopes; on flat surfaces only along
  * x, as nothing else is asked. force [2 n] is room. */
 static void displace(const compliance *c, const double *slope, int flat, const double *f,
@@ -132,6 +159,7 @@ static void displace(const compliance *c, const double *slope, int flat, const d
   memset(u, 0, 2 * (size_t)c->n * sizeof *u);
   add_middle(c->n, 0, c->n, c->xx, fx, u);
   add_middle(c->n, 0, c->n, c->xy, fy, u);
+  for (int k = 0; k < c->n; k++) add_beyond_xx(c, k, fx[k], u);
   if (flat) return;
   add_middle(c->n, 0, c->n, c->yx, fx, u + c->n);
   add_middle(c->n, 0, c->n, c->yy, fy, u + c->n);

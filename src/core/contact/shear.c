@@ -33,7 +33,7 @@ static int list_stuck(shear_problem *s) {
   return same;
 }
 
-static int factorise(shear_problem *s) {
+int arc_shear_factorise(shear_problem *s) {
   if (list_stuck(s) && s->factored) return 0;
   const int n = s->stuck;
   s->factored = 0;
@@ -62,7 +62,7 @@ static void find_shift(shear_problem *s) {
 /* target [stuck] that stops the stuck nodes, while the others pull with all they have. -1: broke
  * down, 0: nothing holds the given force. */
 static int solve_on_ways(shear_problem *s) {
-  if (factorise(s)) return -1;
+  if (arc_shear_factorise(s)) return -1;
   s->shift = 0;
   if (s->stuck == 0) return !s->by_force;
   for (int j = 0; j < s->n; j++) s->held[j] = s->way[j] * s->bound[j];

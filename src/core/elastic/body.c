@@ -311,7 +311,7 @@ enum { blocks = 5 };
 
 /* The last one counts who shares them. */
 static size_t compliance_numbers(int n) {
-  return blocks * (size_t)n * (size_t)n + (size_t)n + 1;
+  return blocks * (size_t)n * (size_t)n + 2 * (size_t)n + 1;
 }
 
 static double *sharers(const compliance *c) {
@@ -322,7 +322,7 @@ size_t arc_compliance_bytes(int n) {
   return compliance_numbers(n) * sizeof(double);
 }
 
-/* All five blocks and the slopes in one piece of memory; flat, `along` is yy itself. */
+/* All five blocks, slopes and levels in one piece of memory; flat, `along` is yy itself. */
 arc_status arc_compliance_create(compliance *c, int n) {
   const size_t count = (size_t)n * (size_t)n;
   *c = (compliance){0};
@@ -360,4 +360,26 @@ void arc_compliance_incline(compliance *c) {
       c->along[at + (size_t)r] =
           yy[r] - slope[r] * xy[r] - slope[k] * yx[r] + slope[r] * slope[k] * xx[r];
   }
+}
+
+/* yy - xx a few columns away, on one or both sides of column k. */
+static double difference_at(const compliance *c, int k, int columns) {
+  double sum = 0;
+  int sides = 0;
+  for (int side = -1; side <= 1; side += 2) {
+    const int r = k + side * columns;
+    if (r < 0 || r >= c->n) continue;
+    sum += c->yy[dense_at(r, k, c->n)] - c->xx[dense_at(r, k, c->n)];
+    sides++;
+  }
+  return sum / sides;
+}
+
+/* The elements' error falls with the square of the distance. */
+void arc_compliance_level(compliance *c) {
+  if (c->n <= 2 * ARC_SHEAR_REACH) return;
+  c->level = c->slope + c->n;
+  for (int k = 0; k < c->n; k++)
+    c->level[k] =
+        (4 * difference_at(c, k, ARC_SHEAR_REACH) - difference_at(c, k, ARC_SHEAR_REACH / 2)) / 3;
 }

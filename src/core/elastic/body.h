@@ -23,6 +23,8 @@ typedef struct compliance {
    * gaps to pressures along its normals, yy - m xy - yx m + m xx m. Left to whoever knows the
    * surface; along is yy where the surface is flat. */
   double *slope, *along;
+  double *
+      level; /* [n] yy - xx but for the elements' error, NULL: that is left; arc_compliance_level */
 } compliance;
 
 /* What of one layer lies under a node of the surface: down to `end` [mm] along the chart's z, the
@@ -31,6 +33,14 @@ typedef struct stratum {
   double end;
   int layer;
 } stratum;
+
+/* Displacement of node r along the surface under a unit of shear at node k. */
+enum { ARC_SHEAR_REACH = 8 };
+static inline double compliance_shear(const compliance *c, int r, int k) {
+  const size_t at = (size_t)k * (size_t)c->n + (size_t)r;
+  if (!c->level || r - k > ARC_SHEAR_REACH || k - r > ARC_SHEAR_REACH) return c->xx[at];
+  return c->yy[at] - (c->level[r] + c->level[k]) / 2;
+}
 
 typedef struct elastic_body {
   arc_mesh *mesh;
@@ -83,6 +93,12 @@ void arc_compliance_free(compliance *c);
 compliance arc_compliance_share(const compliance *c);
 /* Fills `along` from the blocks and the slopes. */
 void arc_compliance_incline(compliance *c);
+/* Has shear answered as pressure is, for bodies of one material. A uniform half-plane moves along
+ * its surface under shear as it moves across under pressure. Elements find shear that changes from
+ * node to node too stiff, the more the taller they are: 1.25 widths high they give way half as much
+ * as under such pressure. So within a few columns yy stands for xx, but for the difference that
+ * bodies of finite size make. */
+void arc_compliance_level(compliance *c);
 /* Bytes of a compliance of n nodes. */
 size_t arc_compliance_bytes(int n);
 

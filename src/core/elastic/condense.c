@@ -335,13 +335,15 @@ static arc_status turn_into_chart(const elastic_body *b, const double *box_at, c
 arc_status arc_body_condense(const elastic_body *b, const double *box_at, compliance *result,
                              arc_error *error) {
   condensation c;
-  const arc_status status = condense(b, box_at, &c, error);
+  arc_status status = condense(b, box_at, &c, error);
   if (status != ARC_OK) return status;
   for (int q = 0; q < 2 * c.ns; q += together) add_z(b, &c, q);
   for (int j = 0; j < 2 * c.ns; j += panel) add_panel(&c, j);
   split(&c, result);
   condensation_free(&c);
-  return turn_into_chart(b, box_at, result, error);
+  status = turn_into_chart(b, box_at, result, error);
+  if (status == ARC_OK && arc_body_layers(&b->mesh->solid) == 0) arc_compliance_level(result);
+  return status;
 }
 
 /* u_far = -K_ff^-1 K_fr u_rim, written into u. */

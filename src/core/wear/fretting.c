@@ -29,6 +29,7 @@ typedef struct fretting {
   double *least;     /* [nc] smallest force in the cycle */
   double *slid;      /* [nc] sum of |slip| in the cycle [mm] */
   double *work, *on; /* [nc], [np] */
+  double between;    /* [N] of the state as the cycle began */
 } fretting;
 
 static arc_status fretting_create(fretting *r) {
@@ -214,6 +215,7 @@ static void begin_cycle(fretting *r) {
   memcpy(r->start + nc, s->t, nc * sizeof *s->t);
   memcpy(r->least, s->f, nc * sizeof *s->f);
   memset(r->slid, 0, nc * sizeof *r->slid);
+  r->between = s->between;
   if (r->window->jacobian) arc_wear_jacobian_clear(r->window->jacobian);
   note_loop(r, 0);
 }
@@ -239,6 +241,19 @@ static void find_stick(fretting *r) {
       r->rate->stick += arc_shape_width(cylinder, i);
 }
 
+/* What is dissipated between the nodes wears where the nodes do: all by the same share more. Where
+ * none slips nothing wears. */
+static void add_between(fretting *r) {
+  const arc_wear *w = r->w;
+  const size_t n = (size_t)(w->nc + w->np);
+  const double energy = w->path.block->repeat * (w->path.state.between - r->between);
+  if (!(r->rate->energy > 0 && r->rate->energy + energy > 0)) return;
+  const double share = 1 + energy / r->rate->energy;
+  for (size_t i = 0; i < n; i++) r->rate->node[ARC_CYLINDER][i] *= share;
+  for (size_t i = 0; i < n * n && r->window->jacobian; i++) r->window->jacobian->value[i] *= share;
+  r->rate->energy *= share;
+}
+
 static arc_status run_cycles(fretting *r, arc_error *error) {
   const wear_block *b = r->w->path.block;
   arc_status status = approach(r, error);
@@ -249,6 +264,7 @@ static arc_status run_cycles(fretting *r, arc_error *error) {
     if (status != ARC_OK || !has_closed(r)) continue;
     find_stick(r);
     if (r->window->jacobian) arc_wear_jacobian_finish(r->window->jacobian);
+    add_between(r);
     return ARC_OK;
   }
   if (status != ARC_OK) return status;
