@@ -133,7 +133,8 @@ for beta, of in pairs(unlike) do
       near(energy[press], steady_energy(w, force, press), 1e-12,
         ("loop and contact, beta %g, force %g mu L, press %s: energy"):format(beta, share, press))
     end
-    ok(math.abs(energy.friction / energy.frictionless - 1) > 5e-3, "which friction while pressing changes")
+    -- by 2.5, 0.6, 2.2 and 0.4 % on finer elements; here where few nodes slip by 0.35 % and more
+    ok(math.abs(energy.friction / energy.frictionless - 1) > 1e-3, "which friction while pressing changes")
   end
 end
 is(run{ stroke = false }:loop().energy, run{ stroke = false, press = "frictionless" }:loop().energy,
