@@ -173,14 +173,13 @@ static double find_law(const ending *e, double start, edge_law *law) {
 }
 
 contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right) {
-  const arc_model_def *def = arc_model_definition(shape->model);
   ending e = {.p = p,
               .xy = shape->side[ARC_CYLINDER].xy,
               .last = right ? p->set[p->active - 1] : p->set[0],
               .out = right ? 1 : -1};
   contact_edge edge = {.out = e.out, .width = place(&e, 1) - place(&e, 0)};
-  e.E_star =
-      arc_model_modulus(def, 1 / edge.width); /* layers as the nodes that are asked feel them */
+  /* layers as the nodes that are asked feel them */
+  e.E_star = arc_model_felt_modulus(shape->model, 1 / edge.width);
   const double between = edge_between(&e);
   edge_law law = {0};
   edge.smooth = find_law(&e, between, &law);

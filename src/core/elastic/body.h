@@ -178,6 +178,8 @@ int arc_model_is_round(const arc_model_def *def);
 
 /* The contact modulus of a pair to waves of number q [MPa]. */
 double arc_model_modulus(const arc_model_def *def, double q);
+/* The same with the layers that bodies from outside have. */
+double arc_model_felt_modulus(const arc_model *model, double q);
 
 /* What unworn bodies come to under a load, estimated. All in mm. */
 typedef struct contact_estimate {
@@ -215,6 +217,9 @@ arc_status arc_given_refuse(const arc_model_def *def, arc_error *error);
 
 /* Finds those of a given mesh whose body has layers; else there is nothing to find. ARC_MEMORY. */
 arc_status arc_body_find_strata(elastic_body *body, arc_error *error);
+/* Of a body that has them: the body with those under the middle of its surface as layers by their
+ * thickness, on *own. */
+arc_body_def arc_body_under_middle(const elastic_body *body, arc_material *own);
 
 /* The widest zone of a body of the model [mm]: arcs curl away from the contact. */
 double arc_model_widest_zone(const arc_model_def *def, arc_body body);

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The part of an element under a node of the surface [mm of depth]. */
 typedef struct piece {
@@ -144,4 +145,21 @@ arc_status arc_body_find_strata(elastic_body *b, arc_error *error) {
   free(f.list);
   free(f.sz);
   return whole ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for the layers of a mesh");
+}
+
+arc_body_def arc_body_under_middle(const elastic_body *b, arc_material *own) {
+  const int middle = b->mesh->surface / 2;
+  arc_body_def solid = b->mesh->solid;
+  memset(solid.layer, 0, sizeof solid.layer);
+  double from = 0;
+  for (int n = 0;; n++) {
+    const stratum here = arc_body_stratum(b, middle, n);
+    const arc_material material = arc_body_layer_material(&b->mesh->solid, here.layer, b->material);
+    if (n == ARC_MOST_LAYERS || here.end == INFINITY) {
+      *own = material;
+      return solid;
+    }
+    solid.layer[n] = (arc_layer){.thickness = here.end - from, .material = material};
+    from = here.end;
+  }
 }
