@@ -446,78 +446,12 @@ static void test_signs(void **state) {
   arc_model_release(&model);
 }
 
-/* --- the public face ------------------------------------------------------------------------- */
-
-static arc_contact *pressed(arc_model *model, double friction) {
-  arc_shape *shape;
-  arc_contact *contact;
-  arc_contact_def def = arc_contact_default();
-  def.friction = friction;
-  check_ok(arc_shape_create(model, ARC_MOVING, 0.05, &shape, why));
-  check_ok(arc_contact_solve(shape, &def, NULL, &contact, why));
-  arc_shape_destroy(&shape);
-  check_ok(arc_contact_validate(contact, why));
-  return contact;
-}
-
-static void test_validated(void **state) {
-  (void)state;
-  arc_model *model = coarse_model();
-  arc_contact *from = pressed(model, 0.6), *c;
-  arc_motion_def motion = arc_contact_motion(from);
-  motion.x = 1.5e-3;
-  check_ok(arc_contact_move(from, &motion, NULL, &c, why));
-  check_ok(arc_contact_validate(c, why));
-  const int middle = c->pose.active / 2, edge = 0, last = c->pose.active - 1;
-  double *const numbers[] = {&c->room.t[c->pose.set[middle]], &c->room.slip[c->pose.set[edge]],
-                             &c->room.slip[c->pose.set[middle]], &c->room.slip[c->pose.set[last]]};
-  const double wrong[] = {1e3, -1e-4, 1e-4, NAN};
-  const char *const named[] = {"shear", "slip", "slip", "slip"};
-  for (int k = 0; k < 4; k++) {
-    const double right = *numbers[k];
-    *numbers[k] = wrong[k];
-    check_refused(arc_contact_validate(c, why), ARC_NUMERIC, named[k]);
-    *numbers[k] = right;
-  }
-  arc_contact_destroy(&c);
-  arc_contact_destroy(&from);
-  arc_model_release(&model);
-}
-
-static void warned(void *context, const char *text) {
-  *(int *)context += strstr(text, "Dundurs") != NULL;
-}
-
-static void test_uniqueness(void **state) {
-  (void)state;
-  arc_model_def def = coarse_definition();
-  def.material[ARC_PLATE] = (arc_material){.E = 20e3, .nu = 0.1};
-  arc_model *model = build_model(&def);
-  for (int i = 0; i < 2; i++) {
-    int warnings = 0;
-    const arc_callbacks callbacks = {.warn = warned, .context = &warnings};
-    arc_shape *shape;
-    arc_contact *contact;
-    arc_contact_def rough = arc_contact_default();
-    rough.load = 20;
-    rough.friction = i ? 1.2 : 0.3;
-    check_ok(arc_shape_create(model, ARC_MOVING, 0.05, &shape, why));
-    check_ok(arc_contact_solve(shape, &rough, &callbacks, &contact, why));
-    check_ok(arc_contact_validate(contact, why));
-    assert_int_equal(warnings, i);
-    arc_contact_destroy(&contact);
-    arc_shape_destroy(&shape);
-  }
-  arc_model_release(&model);
-}
-
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_no_friction),      cmocka_unit_test(test_copied),
       cmocka_unit_test(test_refused),          cmocka_unit_test(test_lifted),
       cmocka_unit_test(test_displaced),        cmocka_unit_test(test_alternating),
       cmocka_unit_test(test_between),          cmocka_unit_test(test_signs),
-      cmocka_unit_test(test_validated),        cmocka_unit_test(test_uniqueness),
       cmocka_unit_test(test_random_histories), cmocka_unit_test(test_ways_to_solve),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

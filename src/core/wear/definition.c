@@ -1,5 +1,4 @@
-/* Definitions of wear runs: defaults, checks, copies, the choice of procedure, the zones they need.
- */
+/* Definitions of wear runs: defaults, checks, copies, choice of procedure, zones they need. */
 #include "core/wear/run.h"
 
 #include <math.h>
