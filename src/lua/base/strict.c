@@ -98,9 +98,12 @@ static void set_index(lua_State *L, const char *where, int words) {
   lua_setfield(L, -2, "__index");
 }
 
-/* The metatable says that nothing of the table is hidden by its text: it is shown as others are. */
+/* The metatable says what the table is (strict_is), and that nothing of it is hidden by its text:
+ * it is shown as others are. */
 static void fill_metatable(lua_State *L, const char *where, int words) {
   set_index(L, where, words);
+  lua_pushstring(L, where);
+  lua_setfield(L, -2, "__table");
   lua_pushcfunction(L, table_tostring);
   lua_setfield(L, -2, "__tostring");
   lua_pushboolean(L, 1);
@@ -116,6 +119,14 @@ void strict_table(lua_State *L, const char *where) {
   }
   lua_setmetatable(L, -3);
   lua_pop(L, 1);
+}
+
+int strict_is(lua_State *L, int index, const char *where) {
+  if (luaL_getmetafield(L, index, "__table") == LUA_TNIL) return 0;
+  const char *what = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+  const int is = strcmp(what, where) == 0;
+  lua_pop(L, 1);
+  return is;
 }
 
 void strict_metatable(lua_State *L, const char *where, int words) {

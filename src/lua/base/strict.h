@@ -30,6 +30,9 @@ void strict_table(lua_State *L, const char *where);
  * table at `words`, to the name of the field. */
 void strict_metatable(lua_State *L, const char *where, int words);
 
+/* Whether the table at `index` was made one of `where` by either. */
+int strict_is(lua_State *L, int index, const char *where);
+
 /* The same of a table with a metatable of its own, which gains an __index where it has none. */
 void strict_module(lua_State *L, const char *where);
 

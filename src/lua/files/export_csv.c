@@ -2,6 +2,7 @@
 #include "archard/export.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/base/strict.h"
 #include "lua/base/names.h"
 #include "lua/base/file_name.h"
 #include "lua/files/export.h"
@@ -186,15 +187,9 @@ static int is_own(lua_State *L, int index) {
   static const char *const ours[] = {"wear:profile",  "case:profile", "pressure",
                                      "case:pressure", "combined",     "mesh:coordinates",
                                      "history"};
-  const int top = lua_gettop(L);
   int own = 0;
-  if (!lua_getmetatable(L, index)) return 0;
-  for (size_t i = 0; !own && i < sizeof ours / sizeof *ours; i++) {
-    luaL_getmetatable(L, lua_pushfstring(L, "archard.table %s", ours[i]));
-    own = lua_rawequal(L, -1, top + 1);
-    lua_pop(L, 2);
-  }
-  lua_settop(L, top);
+  for (size_t i = 0; !own && i < sizeof ours / sizeof *ours; i++)
+    own = strict_is(L, index, ours[i]);
   return own;
 }
 
