@@ -242,10 +242,11 @@ function profile.mean(given)
   if type(given) ~= "table" or #given < 2 then
     check.fail(where, "expected a list of at least two profiles, got " .. check.shown(given))
   end
+  local first = given[1]
   for i, p in ipairs(given) do
-    if not profile.is(p) or (p.z == nil) ~= (given[1].z == nil) then
-      check.fail(where, ("item %d: expected a profile of %s, got %s"):format(i,
-        given[1] and given[1].h and "depths" or "heights", check.shown(p)))
+    if not profile.is(p) or (p.z == nil) ~= (first.z == nil) then
+      local of = i > 1 and (" of " .. (first.z == nil and "depths" or "heights")) or ""
+      check.fail(where, ("item %d: expected a profile%s, got %s"):format(i, of, check.shown(p)))
     end
     from, to = math.max(from, p.x[1]), math.min(to, p.x[#p.x])
   end

@@ -331,7 +331,9 @@ end
 local untouched = tostring(objects.wear)
 
 local function check_run(number)
+  collectgarbage "stop" -- a finalizer may step the run between two looks
   local fine, lack = pcall(lack_of_run, objects.wear)
+  collectgarbage "restart"
   if not fine and not tostring(lack):find "has been closed" then lack = tostring(lack) end
   if lack and not tostring(lack):find "has been closed" then note(wrong.state, number, lack) end
   if tostring(objects.wear) ~= untouched then world.again "wear" end

@@ -72,7 +72,12 @@ return function(folder)
   }
   local function value_of(address)
     local owner, name = address:match("^(.*)%.(.*)$")
-    if not owner then return _G[address] end
+    if not owner then
+      local found = _G[address]
+      local meta = getmetatable(found)
+      local is_callable = type(found) == "function" or type(meta) == "table" and meta.__call ~= nil
+      return is_callable and found or nil
+    end
     local module = rawget(_G, owner)
     return type(module) == "table" and rawget(module, name) or nil
   end
