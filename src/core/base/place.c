@@ -1,6 +1,6 @@
 /* Files that appear whole or not at all. Leans on POSIX only.
  *
- * A place is a file ".archard-part-PID-N" that its writer holds a lock on: one that nobody holds
+ * A place is a file ".archard-part-PID-TIME" that its writer holds a lock on: one that nobody holds
  * was left by a program that was killed.
  */
 #include "archard/place.h"
@@ -14,6 +14,7 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 static const char prefix[] = ".archard-part-";
@@ -48,13 +49,20 @@ static void remove_part(int folder, const char *name) {
   unlinkat(folder, name, 0);
 }
 
+/* Whether the file still has the name: its holder may have published it, and let go. */
+static int is_named(int folder, const char *name, const struct stat *file) {
+  struct stat there;
+  return fstatat(folder, name, &there, AT_SYMLINK_NOFOLLOW) == 0 && there.st_ino == file->st_ino &&
+         there.st_dev == file->st_dev;
+}
+
 /* One that nobody holds, and is ours, is taken away. */
 static void sweep_part(int folder, const char *name) {
   int descriptor = openat(folder, name, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   struct stat facts;
   if (descriptor < 0) return;
   if (fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) && facts.st_uid == geteuid() &&
-      flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+      flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_named(folder, name, &facts))
     remove_part(folder, name);
   close(descriptor);
 }
@@ -179,11 +187,14 @@ static int hold(int descriptor) {
          facts.st_nlink > 0;
 }
 
-/* Makes a file that nobody has in the folder. Returns an errno. */
+/* Makes a file that nobody has in the folder, of a name that this process has never had: whoever
+ * sweeps may still be about to take the last one away. Returns an errno. */
 static int make_part(arc_place *place) {
   for (int n = 0; n < 10000; n++) {
-    snprintf(place->path + place->folder, PATH_MAX - place->folder, "%s%ld-%d", prefix,
-             (long)getpid(), n);
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    snprintf(place->path + place->folder, PATH_MAX - place->folder, "%s%ld-%lld%09ld", prefix,
+             (long)getpid(), (long long)now.tv_sec, now.tv_nsec);
     place->descriptor = open(place->path, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (place->descriptor < 0 && errno == EEXIST) continue;
     if (place->descriptor < 0) return errno;
