@@ -1,5 +1,6 @@
 -- Run files of older releases (tests/files, written by write.lua there): they are read right, go on
 -- and merge. tests/unit/test_store_format.c looks at their tables.
+-- Run once: most of it compares texts.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local content = dofile(here .. "/lib/content.lua")
