@@ -76,6 +76,19 @@ __attribute__((unused)) static void write_bytes(const char *path, const void *by
   assert_int_equal(fclose(file), 0);
 }
 
+/* Copies a file into the test's folder. */
+__attribute__((unused)) static void copy_file(const char *path, const char *name) {
+  size_t count;
+  unsigned char *bytes = bytes_of(path, &count);
+  write_bytes(in_folder(name), bytes, count);
+  free(bytes);
+}
+
+/* The file "good" of the test's folder under another name. */
+__attribute__((unused)) static void copy_good(const char *name) {
+  copy_file(in_folder("good"), name);
+}
+
 __attribute__((unused)) static arc_model *coarse_model(void) {
   arc_error error = {0};
   arc_model_def def = arc_model_default();

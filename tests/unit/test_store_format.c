@@ -1,8 +1,6 @@
 /* Formats of the run file: what its columns are, and that files of older releases (tests/files)
  * become files of today, whole or not at all. tests/lua/formats.lua looks at what they hold. */
-#include "store_shared.h"
-
-#include <sqlite3.h>
+#include "store_sql.h"
 
 /* A line for each column of each table and view, in the order of their names; to be freed. */
 static char *structure_of(const char *path) {
@@ -24,13 +22,6 @@ static char *structure_of(const char *path) {
   return text;
 }
 
-static void run_sql(const char *name, const char *sql) {
-  sqlite3 *db;
-  assert_int_equal(sqlite3_open(in_folder(name), &db), SQLITE_OK);
-  assert_int_equal(sqlite3_exec(db, sql, NULL, NULL, NULL), SQLITE_OK);
-  sqlite3_close(db);
-}
-
 static void make_new(const char *name) {
   arc_store *store = opened(name, ARC_STORE_CREATE);
   arc_store_close(&store);
@@ -39,11 +30,8 @@ static void make_new(const char *name) {
 /* Copies tests/files/format-N.KIND into the test's folder. */
 static void copy_old(int format, const char *kind, const char *name) {
   char path[100];
-  size_t count;
   snprintf(path, sizeof path, "tests/files/format-%d.%s", format, kind);
-  unsigned char *bytes = bytes_of(path, &count);
-  write_bytes(in_folder(name), bytes, count);
-  free(bytes);
+  copy_file(path, name);
 }
 
 static const char *const kinds[] = {"wear", "study", "share"};

@@ -1,11 +1,9 @@
 /* Runs on meshes from outside in run files: the file carries the mesh, runs go on to the same bits,
  * many cases share one text, and a stranger's mesh is read as one from any file. */
-#include "store_shared.h"
+#include "store_sql.h"
 
 #include "archard/export.h"
 #include "store/store.h"
-
-#include <sqlite3.h>
 
 /* --- a run on a given mesh -------------------------------------------------------------------- */
 
@@ -167,29 +165,6 @@ static void test_texts(void **state) {
 
 /* --- strangers -------------------------------------------------------------------------------- */
 
-static void copy_good(const char *name) {
-  size_t count;
-  unsigned char *bytes = bytes_of(in_folder("good"), &count);
-  write_bytes(in_folder(name), bytes, count);
-  free(bytes);
-}
-
-static void run_sql(const char *name, const char *sql) {
-  sqlite3 *db;
-  char *why = NULL;
-  assert_int_equal(sqlite3_open(in_folder(name), &db), SQLITE_OK);
-  if (sqlite3_exec(db, sql, NULL, NULL, &why) != SQLITE_OK) fail_msg("%s: %s", sql, why);
-  sqlite3_close(db);
-}
-
-/* Gives the case a checksum that fits what it is now. */
-static void seal(const char *name) {
-  arc_error error = {0};
-  arc_store *store = opened(name, ARC_STORE_WRITE);
-  must(arc_store_mark(store, 1, ARC_CASE_DONE, NULL, 1, &error), &error);
-  arc_store_close(&store);
-}
-
 static void set_mesh(const char *name, const char *value) {
   sqlite3 *db;
   sqlite3_stmt *s;
@@ -214,33 +189,6 @@ static void change_mesh(const char *name, const char *text) {
   arc_store_close(&store);
   set_mesh(name, of_text[0] ? of_text : text);
   seal(name);
-}
-
-static arc_status read_run(const char *name, arc_error *error) {
-  arc_store *store;
-  arc_stored_run run;
-  arc_model *model = NULL;
-  arc_wear *wear = NULL;
-  arc_status status = arc_store_open(in_folder(name), ARC_STORE_READ, &store, error);
-  if (status != ARC_OK) return status;
-  status = arc_store_definition(store, 1, &run, error);
-  if (status == ARC_OK) {
-    status = arc_stored_run_model(&run, NULL, &model, error);
-    if (status == ARC_OK) status = arc_store_restore(store, 1, model, &run.def, &wear, error);
-    arc_stored_run_free(&run);
-  }
-  arc_wear_destroy(&wear);
-  arc_model_release(&model);
-  arc_store_close(&store);
-  return status;
-}
-
-static void assert_damaged(const char *name, const char *words) {
-  arc_error error = {0};
-  const arc_status status = read_run(name, &error);
-  if (status != ARC_FORMAT || !strstr(error.message, "the file is damaged") ||
-      !strstr(error.message, words))
-    fail_msg("%s: expected '%s', got status %d, %s", name, words, status, error.message);
 }
 
 /* Every kind of broken mesh, as a stranger would put it into a run file. */

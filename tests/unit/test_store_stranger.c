@@ -1,8 +1,6 @@
 /* Run files of strangers, who may write anything and a checksum that fits it: what is not sound is
  * refused in words before any object is made of it. Meant for the sanitizers, too. */
-#include "store_shared.h"
-
-#include <sqlite3.h>
+#include "store_sql.h"
 
 /* --- a good file, and files made of it -------------------------------------------------------- */
 
@@ -10,13 +8,6 @@ static const double distances[3] = {0, 50, 400}, k_at[3] = {2e-8, 1e-8, 1.5e-8};
 static const double to_and_fro[5] = {-0.05, 0, 0.05, 0, -0.05}, loads[5] = {80, 100, 90, 100, 80};
 static const arc_loading blocks[1] = {
     {.count = 5, .x = to_and_fro, .load = loads, .cycles = 1000, .periodic = 1}};
-
-static void finish(const char *name) {
-  arc_error error = {0};
-  arc_store *store = opened(name, ARC_STORE_WRITE);
-  must(arc_store_mark(store, 1, ARC_CASE_DONE, NULL, 1, &error), &error);
-  arc_store_close(&store);
-}
 
 /* A run with a table of k and a loading. */
 static int make_good(void **state) {
@@ -33,32 +24,17 @@ static int make_good(void **state) {
   must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
   must(arc_wear_run(wear, 40, NULL, &error), &error);
   save_as("good", 1, wear);
-  finish("good");
+  seal("good");
   arc_wear_destroy(&wear);
   arc_model_release(&model);
   return 0;
-}
-
-static void run_sql(const char *name, const char *sql) {
-  sqlite3 *db;
-  char *why = NULL;
-  assert_int_equal(sqlite3_open(in_folder(name), &db), SQLITE_OK);
-  if (sqlite3_exec(db, sql, NULL, NULL, &why) != SQLITE_OK) fail_msg("%s: %s", sql, why);
-  sqlite3_close(db);
-}
-
-static void copy_good(const char *name) {
-  size_t count;
-  unsigned char *bytes = bytes_of(in_folder("good"), &count);
-  write_bytes(in_folder(name), bytes, count);
-  free(bytes);
 }
 
 /* A copy of the good file after some SQL, with checksums that fit. */
 static void spoil(const char *name, const char *sql) {
   copy_good(name);
   run_sql(name, sql);
-  finish(name);
+  seal(name);
 }
 
 /* The array that `select` finds gets another number in one place; `update` puts it back. */
@@ -83,49 +59,10 @@ static void set_number(const char *name, const char *column, int at, double valu
   assert_int_equal(sqlite3_step(s), SQLITE_DONE);
   sqlite3_finalize(s);
   sqlite3_close(db);
-  finish(name);
+  seal(name);
 }
 
 /* --- opening ---------------------------------------------------------------------------------- */
-
-/* Reads all there is of case 1, makes its run and goes a step on with it. */
-static arc_status read_run(arc_store *store, arc_error *error) {
-  arc_stored_run run;
-  arc_model *model = NULL;
-  arc_wear *wear = NULL;
-  arc_status status = arc_store_definition(store, 1, &run, error);
-  if (status != ARC_OK) return status;
-  status = arc_stored_run_model(&run, NULL, &model, error);
-  if (status == ARC_OK) status = arc_store_restore(store, 1, model, &run.def, &wear, error);
-  if (status == ARC_OK) status = arc_wear_step(wear, NULL, error);
-  arc_wear_destroy(&wear);
-  arc_model_release(&model);
-  arc_stored_run_free(&run);
-  return status;
-}
-
-static arc_status read_all(const char *name, arc_error *error) {
-  arc_store *store;
-  arc_surface *surfaces = NULL;
-  arc_case *cases = NULL;
-  size_t count;
-  arc_status status = arc_store_open(in_folder(name), ARC_STORE_READ, &store, error);
-  if (status == ARC_OK) status = arc_store_cases(store, &cases, &count, error);
-  if (status == ARC_OK) status = read_run(store, error);
-  if (status == ARC_OK) status = arc_store_surfaces(store, 1, &surfaces, &count, error);
-  free(cases);
-  free(surfaces);
-  arc_store_close(&store);
-  return status;
-}
-
-static void assert_damaged(const char *name, const char *words) {
-  arc_error error = {0};
-  const arc_status status = read_all(name, &error);
-  if (status != ARC_FORMAT) fail_msg("%s: status %d, %s", name, status, error.message);
-  if (!strstr(error.message, "the file is damaged")) fail_msg("%s: %s", name, error.message);
-  if (!strstr(error.message, words)) fail_msg("no '%s' in: %s", words, error.message);
-}
 
 static void test_good(void **state) {
   (void)state;
