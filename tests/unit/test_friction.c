@@ -205,48 +205,68 @@ static void test_random_histories(void **state) {
   assert_true(t.increments > 20 * histories);
 }
 
+typedef struct ways {
+  int most, bracketed;
+} ways;
+
+/* An increment by the sweeps alone, with its force bracketed, beside the same as usual. */
+static void compare_ways(history *quick, history *slow, ways *found) {
+  const friction_step step = random_step(quick);
+  go(quick, &step);
+  go(slow, &step);
+  if (step.line == 0) return;
+  check_increment(slow, &step);
+  assert_false(slow->room.newton);
+  if (slow->room.sweeps > found->most) found->most = slow->room.sweeps;
+  found->bracketed += slow->room.bracketed;
+  assert_int_equal(slow->room.bracketed, step.by_force);
+  for (int c = 0; c < quick->state.nc; c++) {
+    check_near(slow->state.f[c], quick->state.f[c], 1e-7 * step.line);
+    check_near(slow->state.t[c], quick->state.t[c], 1e-7 * step.line);
+  }
+}
+
+static void run_ways(arc_model *model, double worn, ways *found) {
+  history quick, slow;
+  const double mu = exp(random_in(log(0.05), log(1.2)));
+  begin(&quick, model, mu, worn);
+  begin(&slow, model, mu, worn);
+  slow.room.patience = 1 << 20;
+  slow.room.by_force = 0;
+  for (int k = 0; k < length; k++) compare_ways(&quick, &slow, found);
+  end(&slow);
+  end(&quick);
+}
+
 /* Without the coupled iteration the sweeps find the same, and so does bracketing of forces. */
 static void test_ways_to_solve(void **state) {
   (void)state;
   static const double worn[] = {0, 0.2, 1};
-  int most = 0, bracketed = 0;
+  ways found = {0};
   random_start(5);
-  for (int i = 0; i < 90; i++) {
-    arc_model *model = i % 30 ? NULL : random_model(i / 30 % 2);
-    static arc_model *kept;
-    if (model) {
-      arc_model_release(&kept);
-      kept = model;
-    }
-    history quick, slow;
-    const double mu = exp(random_in(log(0.05), log(1.2)));
-    begin(&quick, kept, mu, worn[i % 3]);
-    begin(&slow, kept, mu, worn[i % 3]);
-    slow.room.patience = 1 << 20;
-    slow.room.by_force = 0;
-    for (int k = 0; k < length; k++) {
-      const friction_step step = random_step(&quick);
-      go(&quick, &step);
-      go(&slow, &step);
-      if (step.line == 0) continue;
-      check_increment(&slow, &step);
-      assert_false(slow.room.newton);
-      if (slow.room.sweeps > most) most = slow.room.sweeps;
-      bracketed += slow.room.bracketed;
-      assert_int_equal(slow.room.bracketed, step.by_force);
-      for (int c = 0; c < quick.state.nc; c++) {
-        check_near(slow.state.f[c], quick.state.f[c], 1e-7 * step.line);
-        check_near(slow.state.t[c], quick.state.t[c], 1e-7 * step.line);
-      }
-    }
-    end(&slow);
-    end(&quick);
-    if (i == 89) arc_model_release(&kept);
+  for (int m = 0; m < 3; m++) {
+    arc_model *model = random_model(m % 2);
+    for (int i = 0; i < 30; i++) run_ways(model, worn[i % 3], &found);
+    arc_model_release(&model);
   }
-  printf("# sweeps alone: %d at most, %d increments by bracketing\n", most, bracketed);
+  printf("# sweeps alone: %d at most, %d increments by bracketing\n", found.most, found.bracketed);
 }
 
 /* --- single increments ----------------------------------------------------------------------- */
+
+static arc_model *coarse; /* built once, for all of them */
+
+static int set_up(void **state) {
+  (void)state;
+  const arc_model_def def = coarse_definition();
+  return arc_model_build(&def, &coarse, NULL) == ARC_OK ? 0 : -1;
+}
+
+static int tear_down(void **state) {
+  (void)state;
+  arc_model_release(&coarse);
+  return 0;
+}
 
 /* Pressed, then moved to and fro: ends in partial slip on worn surfaces. */
 static void play(history *h, int first, int last) {
@@ -264,11 +284,10 @@ enum { played = 7 };
 /* Without friction it is the solver without friction, to the same bits. */
 static void test_no_friction(void **state) {
   (void)state;
-  arc_model *model = coarse_model();
   history h;
   pose plain;
-  begin(&h, model, 0, 1);
-  assert_int_equal(arc_pose_create(&plain, model), ARC_OK);
+  begin(&h, coarse, 0, 1);
+  assert_int_equal(arc_pose_create(&plain, coarse), ARC_OK);
   for (int i = 0; i < 4; i++) {
     const friction_step step = {.line = 60 + 20 * i, .x = 0.03 * i};
     go(&h, &step);
@@ -280,7 +299,6 @@ static void test_no_friction(void **state) {
   }
   arc_pose_free(&plain);
   end(&h);
-  arc_model_release(&model);
 }
 
 static void check_same(const friction_state *a, const friction_state *b) {
@@ -292,10 +310,9 @@ static void check_same(const friction_state *a, const friction_state *b) {
 /* A copied state goes on to the same bits on other poses. */
 static void test_copied(void **state) {
   (void)state;
-  arc_model *model = coarse_model();
   history one, two;
-  begin(&one, model, 0.6, 0.5);
-  begin(&two, model, 0.6, 0.5);
+  begin(&one, coarse, 0.6, 0.5);
+  begin(&two, coarse, 0.6, 0.5);
   play(&one, 0, 3);
   arc_friction_copy(&two.state, &one.state);
   check_ok(arc_pose_update(&two.pose, two.shape, one.pose.x, why));
@@ -304,15 +321,13 @@ static void test_copied(void **state) {
   check_same(&one.state, &two.state);
   end(&two);
   end(&one);
-  arc_model_release(&model);
 }
 
 /* What is refused leaves the state as it was. */
 static void test_refused(void **state) {
   (void)state;
-  arc_model *model = coarse_model();
   history h;
-  begin(&h, model, 0.3, 0);
+  begin(&h, coarse, 0.3, 0);
   play(&h, 0, 2);
   arc_friction_copy(&h.before, &h.state);
   const friction_step far[] = {{0.3, 100, 1, 0, 30.001}, {0.3, 0, 1, 0, 1}, {0.3, 1e5, 0, 0, 0}};
@@ -325,15 +340,13 @@ static void test_refused(void **state) {
     check_same(&h.state, &h.before);
   }
   end(&h);
-  arc_model_release(&model);
 }
 
 /* Lifted off and pressed again: the points start anew, what was dissipated stays. */
 static void test_lifted(void **state) {
   (void)state;
-  arc_model *model = coarse_model();
   history h;
-  begin(&h, model, 0.6, 0);
+  begin(&h, coarse, 0.6, 0);
   play(&h, 0, 3);
   const double energy = h.state.energy;
   assert_true(energy > 0);
@@ -345,16 +358,14 @@ static void test_lifted(void **state) {
   check_near(h.state.tangential, 0, 0.05);
   assert_true(h.state.energy >= energy);
   end(&h);
-  arc_model_release(&model);
 }
 
 /* Displacements made from the forces are those that the matrices of the worn shape have: what is
  * held has not slipped. */
 static void test_displaced(void **state) {
   (void)state;
-  arc_model *model = coarse_model();
   history h;
-  begin(&h, model, 0.6, 0.5);
+  begin(&h, coarse, 0.6, 0.5);
   play(&h, 0, 2);
   wear_down(&h, 0.1);
   check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
@@ -372,16 +383,14 @@ static void test_displaced(void **state) {
   }
   free(r);
   end(&h);
-  arc_model_release(&model);
 }
 
 /* Shear that changes from node to node moves the surface as such pressure does: that of the
  * elements alone would by half. Wide loads are left to the elements. */
 static void test_alternating(void **state) {
   (void)state;
-  arc_model *model = coarse_model();
   history h;
-  begin(&h, model, 0.6, 0);
+  begin(&h, coarse, 0.6, 0);
   play(&h, 0, 1);
   const pose *p = &h.pose;
   const compliance *c = shape_compliance(&h.shape->side[ARC_CYLINDER]);
@@ -399,16 +408,14 @@ static void test_alternating(void **state) {
   assert_true(compliance_shear(c, mid, mid + far) == c->xx[dense_at(mid, mid + far, c->n)]);
   assert_true(compliance_shear(c, mid, mid + 3) == compliance_shear(c, mid + 3, mid));
   end(&h);
-  arc_model_release(&model);
 }
 
 /* The force over the plate's way is what nodes dissipate; what they do not see is on top, and is
  * there where none of them slips. */
 static void test_between(void **state) {
   (void)state;
-  arc_model *model = coarse_model();
   history h;
-  begin(&h, model, 0.6, 0);
+  begin(&h, coarse, 0.6, 0);
   go(&h, &(friction_step){.mu = 0, .line = 100});
   double start[2] = {0}, area = 0;
   for (int i = 1; i <= 200; i++) {
@@ -422,16 +429,14 @@ static void test_between(void **state) {
   check_near(energy, 3.2635e-3, 0.04 * 3.2635e-3); /* of half-planes; the nodes have 27 % less */
   check_near(area, energy - between, 1e-3 * energy);
   end(&h);
-  arc_model_release(&model);
 }
 
 /* Bodies alike press without shear; a plate pushed to +x is driven by a positive force and slips
  * along +x at the edges; back from gross slip it is the other way round. */
 static void test_signs(void **state) {
   (void)state;
-  arc_model *model = coarse_model();
   history h;
-  begin(&h, model, 0.6, 0);
+  begin(&h, coarse, 0.6, 0);
   go(&h, &(friction_step){.mu = 0.6, .line = 100});
   for (int i = 0; i < h.state.nc; i++) check_near(h.state.t[i], 0, 0.1);
   go(&h, &(friction_step){.mu = 0.6, .line = 100, .x = 1.5e-3});
@@ -443,7 +448,6 @@ static void test_signs(void **state) {
   go(&h, &(friction_step){.mu = 0.6, .line = 100, .x = -0.01});
   check_near(h.state.tangential, -60, 1e-10);
   end(&h);
-  arc_model_release(&model);
 }
 
 int main(void) {
@@ -454,5 +458,5 @@ int main(void) {
       cmocka_unit_test(test_between),          cmocka_unit_test(test_signs),
       cmocka_unit_test(test_random_histories), cmocka_unit_test(test_ways_to_solve),
   };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return cmocka_run_group_tests(tests, set_up, tear_down);
 }
