@@ -95,6 +95,16 @@ UNUSED static void check_below_at(double got, double limit, const char *what, co
     }                                                                                              \
   } while (0)
 
+/* While one of `count` numbers is wrong the call is refused with ARC_NUMERIC and a message that
+ * holds its part. */
+#define check_spoilt(call, count, numbers, wrong, parts)                                           \
+  for (int spoilt = 0; spoilt < (count); spoilt++) {                                               \
+    const double right = *(numbers)[spoilt];                                                       \
+    *(numbers)[spoilt] = (wrong)[spoilt];                                                          \
+    check_refused(call, ARC_NUMERIC, (parts)[spoilt]);                                             \
+    *(numbers)[spoilt] = right;                                                                    \
+  }
+
 /* --- models ----------------------------------------------------------------------------------- */
 
 /* A coarse model, built in milliseconds; contacts of 100 N fit. */

@@ -30,12 +30,7 @@ static void test_validated(void **state) {
                              &c->room.slip[c->pose.set[middle]], &c->room.slip[c->pose.set[last]]};
   const double wrong[] = {1e3, -1e-4, 1e-4, NAN};
   const char *const named[] = {"shear", "slip", "slip", "slip"};
-  for (int k = 0; k < 4; k++) {
-    const double right = *numbers[k];
-    *numbers[k] = wrong[k];
-    check_refused(arc_contact_validate(c, why), ARC_NUMERIC, named[k]);
-    *numbers[k] = right;
-  }
+  check_spoilt(arc_contact_validate(c, why), 4, numbers, wrong, named);
   arc_contact_destroy(&c);
   arc_contact_destroy(&from);
   arc_model_release(&model);

@@ -24,12 +24,7 @@ static void test_contact(void **state) {
   const double wrong[] = {-1, 1, -1, 0};
   const char *const named[] = {"pressure -1 MPa", "forces on the plate", "at candidate 0",
                                "at candidate"};
-  for (int k = 0; k < 4; k++) {
-    const double right = *numbers[k];
-    *numbers[k] = wrong[k];
-    check_refused(arc_contact_validate(c, why), ARC_NUMERIC, named[k]);
-    *numbers[k] = right;
-  }
+  check_spoilt(arc_contact_validate(c, why), 4, numbers, wrong, named);
   check_ok(arc_contact_validate(c, why));
   arc_contact_destroy(&c);
 }
@@ -91,12 +86,7 @@ static void test_broken_runs(void **state) {
   const char *const named[] = {
       "p_max is nan",       "distance falls by 109", "from the cylinder", "volume_plate falls by",
       "solutions falls by", "depth -0.001 mm",       "in the worn plate", "k L d is"};
-  for (int k = 0; k < 8; k++) {
-    const double right = *numbers[k];
-    *numbers[k] = wrong[k];
-    check_refused(arc_wear_validate(w, why), ARC_NUMERIC, named[k]);
-    *numbers[k] = right;
-  }
+  check_spoilt(arc_wear_validate(w, why), 8, numbers, wrong, named);
   check_ok(arc_wear_validate(w, why));
   arc_wear_destroy(&w);
 }
