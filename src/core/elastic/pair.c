@@ -118,7 +118,13 @@ static arc_status check_profile_turns(const arc_body_def *b, const char *path, a
   return ARC_OK;
 }
 
-static arc_status check_no_hole(const arc_body_def *b, const char *path, arc_error *error) {
+/* What is asked of a body of revolution. */
+typedef arc_status turn_check(const arc_model_def *def, const arc_body_def *b, const char *path,
+                              arc_error *error);
+
+static arc_status check_no_hole(const arc_model_def *def, const arc_body_def *b, const char *path,
+                                arc_error *error) {
+  (void)def;
   if (!arc_body_is_hollow(b)) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'geometry': expected \"plane strain\" or \"plane stress\" for a hole "
@@ -128,7 +134,7 @@ static arc_status check_no_hole(const arc_body_def *b, const char *path, arc_err
 
 static arc_status check_turns(const arc_model_def *def, const arc_body_def *b, const char *path,
                               arc_error *error) {
-  const arc_status status = check_no_hole(b, path, error);
+  const arc_status status = check_no_hole(def, b, path, error);
   if (status != ARC_OK) return status;
   if (def->axis > 0 && reach_of(b) >= def->axis)
     return arc_fail(error, ARC_ARGUMENT,
@@ -165,24 +171,22 @@ static arc_status check_holes(const arc_body_def solid[ARC_BODIES], arc_error *e
   return ARC_OK;
 }
 
-arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error) {
+static arc_status check_pair(const arc_model_def *def, turn_check *check, arc_error *error) {
   static const char *const path[] = {"upper.", "lower."};
   const arc_body_def solid[] = {arc_model_solid(def, ARC_UPPER), arc_model_solid(def, ARC_LOWER)};
   arc_status status = check_each(def, solid, error);
   if (status == ARC_OK && def->geometry != ARC_AXISYMMETRIC) return check_holes(solid, error);
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status = check_turns(def, &solid[b], path[b], error);
+    status = check(def, &solid[b], path[b], error);
   return status;
 }
 
+arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error) {
+  return check_pair(def, check_turns, error);
+}
+
 arc_status arc_model_check_given_pair(const arc_model_def *def, arc_error *error) {
-  static const char *const path[] = {"upper.", "lower."};
-  const arc_body_def solid[] = {arc_model_solid(def, ARC_UPPER), arc_model_solid(def, ARC_LOWER)};
-  arc_status status = check_each(def, solid, error);
-  if (status == ARC_OK && def->geometry != ARC_AXISYMMETRIC) return check_holes(solid, error);
-  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    status = check_no_hole(&solid[b], path[b], error);
-  return status;
+  return check_pair(def, check_no_hole, error);
 }
 
 double arc_model_relative_radius(const arc_model_def *def) {
