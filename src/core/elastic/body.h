@@ -172,14 +172,14 @@ double arc_material_modulus(arc_space space, arc_material material);
 /* That of the half-plane which yields as much as a body with its layers does to a pressure of wave
  * number q [1/mm]; to the bit the material's where there are no layers and no base is near. */
 double arc_body_modulus(arc_space space, const arc_body_def *body, arc_material own, double q);
+/* The contact modulus of two such bodies [MPa]. */
+double arc_pair_modulus(arc_space space, const arc_body_def body[ARC_BODIES],
+                        const arc_material own[ARC_BODIES], double q);
+/* That of a model, with the layers that bodies from outside have. */
+double arc_model_felt_modulus(const arc_model *model, double q);
 
 /* Whether the contact is a spot on the axis of revolution. */
 int arc_model_is_round(const arc_model_def *def);
-
-/* The contact modulus of a pair to waves of number q [MPa]. */
-double arc_model_modulus(const arc_model_def *def, double q);
-/* The same with the layers that bodies from outside have. */
-double arc_model_felt_modulus(const arc_model *model, double q);
 
 /* What unworn bodies come to under a load, estimated. All in mm. */
 typedef struct contact_estimate {

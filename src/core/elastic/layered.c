@@ -90,3 +90,10 @@ double arc_body_modulus(arc_space space, const arc_body_def *b, arc_material own
     climb(space, b->layer[l].material, fmin(q * b->layer[l].thickness, deep), c);
   return -2 / c[dense_at(1, 1, half)];
 }
+
+double arc_pair_modulus(arc_space space, const arc_body_def solid[ARC_BODIES],
+                        const arc_material own[ARC_BODIES], double q) {
+  double yields = 0;
+  for (int b = 0; b < ARC_BODIES; b++) yields += 1 / arc_body_modulus(space, &solid[b], own[b], q);
+  return 1 / yields;
+}

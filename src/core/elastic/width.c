@@ -28,20 +28,6 @@ static double waves_over(const arc_model_def *def) {
   return arc_model_is_round(def) ? 32 / (3 * pi) : 0.75 * pi;
 }
 
-double arc_model_modulus(const arc_model_def *def, double q) {
-  double yields = 0;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
-    yields += 1 / arc_body_modulus(def->geometry, &solid, def->material[b], q);
-  }
-  return 1 / yields;
-}
-
-/* The contact modulus of the pair to a contact of this half width [MPa]. */
-static double modulus_at(const arc_model_def *def, double half_width) {
-  return arc_model_modulus(def, waves_over(def) / half_width);
-}
-
 static arc_hertz hertz_on(const arc_model_def *def, double radius, double load) {
   const arc_hertz_def pair = {
       .radius = radius,
@@ -148,6 +134,11 @@ static gap_of_pair gap_of(const arc_model_def *def) {
 
 /* --- the load that a width takes -------------------------------------------------------------- */
 
+/* The contact modulus of the pair to a contact of this half width [MPa]. */
+static double modulus_at(const arc_model_def *def, const gap_of_pair *g, double half_width) {
+  return arc_pair_modulus(def->geometry, g->solid, def->material, waves_over(def) / half_width);
+}
+
 /* Persson's pin in a hole of equal materials, 2 E* c / P by b = tan(e / 2). */
 static double press_into_hole(const gap_of_pair *g, double half_width) {
   const double b = tan(half_width / g->hole / 2), s = b * b;
@@ -182,7 +173,7 @@ static double width_under(const arc_model_def *def, const gap_of_pair *g, double
   double low = log(smallest), high = 0;
   for (int i = 0; i < halvings; i++) {
     const double middle = (low + high) / 2, wide = exp(middle) * (g->most - g->least);
-    if (press(g, wide) * modulus_at(def, g->least + wide) < load)
+    if (press(g, wide) * modulus_at(def, g, g->least + wide) < load)
       low = middle;
     else
       high = middle;
@@ -223,7 +214,7 @@ static double find_waves(const arc_model_def *def, gap_of_pair *g, double load) 
   for (int b = 0; b < ARC_BODIES; b++) {
     double height;
     const double wave = arc_body_wave(&g->solid[b], &height);
-    const int rough = pi * modulus_at(def, a) * height / 2 > felt * p * wave;
+    const int rough = pi * modulus_at(def, g, a) * height / 2 > felt * p * wave;
     if (rough) shortest = fmin(shortest, wave);
     if (!rough) g->form[b] = 0;
   }
@@ -237,7 +228,7 @@ static int has_profile(const gap_of_pair *g) {
 /* Whether both are arcs or flat, and feel nothing but themselves. */
 static int is_plain(const arc_model_def *def, const gap_of_pair *g, double half_width) {
   return g->hole == 0 && g->least == 0 && !has_profile(g) && half_width > 0 &&
-         modulus_at(def, half_width) == arc_contact_modulus(def->geometry, def->material);
+         modulus_at(def, g, half_width) == arc_contact_modulus(def->geometry, def->material);
 }
 
 contact_estimate arc_model_estimate(const arc_model_def *def, double load) {
