@@ -170,10 +170,11 @@ static double press(const gap_of_pair *g, double wide) {
 static double width_under(const arc_model_def *def, const gap_of_pair *g, double load) {
   enum { halvings = 45 };
   static const double smallest = 1e-9;
+  const double wanted = g->round ? load : load / line_length(def);
   double low = log(smallest), high = 0;
   for (int i = 0; i < halvings; i++) {
     const double middle = (low + high) / 2, wide = exp(middle) * (g->most - g->least);
-    if (press(g, wide) * modulus_at(def, g, g->least + wide) < load)
+    if (press(g, wide) * modulus_at(def, g, g->least + wide) < wanted)
       low = middle;
     else
       high = middle;
@@ -205,11 +206,10 @@ static double mean_pressure(const arc_model_def *def, double half_width, double 
 /* Whose profile is rough under a load, by what its form makes of that: only its form counts for the
  * width then. The length of the shortest waves [mm]. */
 static double find_waves(const arc_model_def *def, gap_of_pair *g, double load) {
-  const double line = arc_model_is_round(def) ? load : load / line_length(def);
   double shortest = INFINITY;
   for (int b = 0; b < ARC_BODIES; b++)
     if (g->solid[b].kind == ARC_SOLID_PROFILE) g->form[b] = arc_body_form_radius(&g->solid[b]);
-  const double wide = width_under(def, g, line), a = g->least + wide;
+  const double wide = width_under(def, g, load), a = g->least + wide;
   const double p = mean_pressure(def, a, load);
   for (int b = 0; b < ARC_BODIES; b++) {
     double height;
@@ -236,10 +236,11 @@ contact_estimate arc_model_estimate(const arc_model_def *def, double load) {
   contact_estimate e = {.half_width = arc_model_hertz(def, load).half_width, .wave = INFINITY};
   e.edge = e.half_width;
   if (is_plain(def, &g, e.half_width)) return e;
-  if (has_profile(&g)) e.wave = find_waves(def, &g, load);
-  if (has_profile(&g)) find_first_touch(&g);
-  const double wide =
-      width_under(def, &g, arc_model_is_round(def) ? load : load / line_length(def));
+  if (has_profile(&g)) {
+    e.wave = find_waves(def, &g, load);
+    find_first_touch(&g);
+  }
+  const double wide = width_under(def, &g, load);
   e.half_width = g.least + wide;
   e.edge = edge_at(&g, wide);
   e.at = g.at;
