@@ -204,9 +204,9 @@ arc_status arc_model_check_given_pair(const arc_model_def *def, arc_error *error
 /* --- given.c: meshes from outside ---------------------------------------------------------------
  */
 
-/* The definition says of a given pair what it says of the program's own; its materials are those of
- * the bulk. */
-arc_model_def arc_given_fit(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]);
+/* Checks a definition and two meshes, and makes of it that of their model. ARC_ARGUMENT. */
+arc_status arc_given_settle(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
+                            arc_model_def *settled, arc_error *error);
 /* Fills in the layer of each element by the names of the body's. ARC_MEMORY. */
 arc_status arc_given_layers(arc_mesh *mesh, const arc_body_def *solid, arc_error *error);
 /* Refuses what belongs to such meshes alone. ARC_ARGUMENT. */

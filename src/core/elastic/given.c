@@ -178,7 +178,9 @@ static arc_status check_arc(const arc_model_def *def, const arc_mesh *mesh, arc_
 
 /* --- the whole -------------------------------------------------------------------------------- */
 
-arc_model_def arc_given_fit(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]) {
+/* The definition says of a given pair what it says of the program's own; its materials are those of
+ * the bulk. */
+static arc_model_def fit_to(const arc_model_def *def, arc_mesh *const given[ARC_BODIES]) {
   arc_model_def fit = *def;
   const arc_mesh_def *upper = &given[ARC_CYLINDER]->def, *lower = &given[ARC_PLATE]->def;
   fit.mesh.size = fit.mesh.height = fmin(upper->size, lower->size);
@@ -191,16 +193,22 @@ arc_model_def arc_given_fit(const arc_model_def *def, arc_mesh *const given[ARC_
   return fit;
 }
 
-arc_status arc_model_check_given(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
-                                 arc_error *error) {
-  const arc_model_def fit = arc_given_fit(def, given);
-  arc_status status = arc_settings_check(arc_model_settings, "", &fit, error);
-  if (status == ARC_OK) status = arc_model_check_given_pair(&fit, error);
+arc_status arc_given_settle(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
+                            arc_model_def *settled, arc_error *error) {
+  *settled = fit_to(def, given);
+  arc_status status = arc_settings_check(arc_model_settings, "", settled, error);
+  if (status == ARC_OK) status = arc_model_check_given_pair(settled, error);
   for (int b = 0; status == ARC_OK && b < ARC_BODIES; b++) {
     status = arc_given_check_shape(def, (arc_body)b, error);
     if (status == ARC_OK) status = check_materials(def, given[b], error);
-    if (status == ARC_OK) status = check_side(&fit, given[b], error);
-    if (status == ARC_OK) status = check_arc(&fit, given[b], error);
+    if (status == ARC_OK) status = check_side(settled, given[b], error);
+    if (status == ARC_OK) status = check_arc(settled, given[b], error);
   }
   return status;
+}
+
+arc_status arc_model_check_given(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
+                                 arc_error *error) {
+  arc_model_def settled;
+  return arc_given_settle(def, given, &settled, error);
 }

@@ -219,9 +219,9 @@ arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_B
                                  const arc_callbacks *callbacks, arc_model **result,
                                  arc_error *error) {
   *result = NULL;
-  arc_status status = arc_model_check_given(def, given, error);
-  const arc_model_def fit = arc_given_fit(def, given);
-  if (status == ARC_OK) status = build_watched(&fit, given, callbacks, result, error);
+  arc_model_def settled;
+  arc_status status = arc_given_settle(def, given, &settled, error);
+  if (status == ARC_OK) status = build_watched(&settled, given, callbacks, result, error);
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
   return status;
 }
