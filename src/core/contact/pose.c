@@ -156,13 +156,9 @@ void arc_pose_transfer(const pose *p, const double *from, double *to) {
 
 /* The cylinder's node under the load. */
 static int lowest(const pose *p) {
-  int best = p->nc / 2;
-  if (p->angle == 0) return best;
   const shape_side *side = &p->shape->side[ARC_CYLINDER];
-  const double at = side->body->chart.radius * p->angle;
-  for (int i = 0; i < p->nc; i++)
-    if (fabs(side->settled[2 * i] - at) < fabs(side->settled[2 * best] - at)) best = i;
-  return best;
+  if (p->angle == 0) return p->nc / 2;
+  return arc_chart_nearest(side->settled, 1, p->nc, side->body->chart.radius * p->angle);
 }
 
 void arc_pose_peaks(const pose *p, double *center, double *largest) {

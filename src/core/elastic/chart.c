@@ -43,6 +43,13 @@ void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy) {
   }
 }
 
+int arc_chart_nearest(const double *sz, int step, int count, double s) {
+  int best = count / 2;
+  for (int i = 0; i < count; i++)
+    if (fabs(sz[2 * step * i] - s) < fabs(sz[2 * step * best] - s)) best = i;
+  return best;
+}
+
 void arc_chart_axes(const chart *c, double s, double along[2], double across[2]) {
   const double angle = c->polar ? s / c->radius : 0;
   along[0] = across[1] = cos(angle);

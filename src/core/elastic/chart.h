@@ -50,6 +50,10 @@ chart arc_chart_of(const arc_model_def *def);
 void arc_chart_from_space(const chart *c, int n, const double *xy, double *sz);
 void arc_chart_to_space(const chart *c, int n, const double *sz, double *xy);
 
+/* The point nearest to s of `count` in the chart, of which every `step`-th is asked; the middle one
+ * where another is as near. */
+int arc_chart_nearest(const double *sz, int step, int count, double s);
+
 /* Directions of s and z at s: along[2], across[2]. */
 void arc_chart_axes(const chart *c, double s, double along[2], double across[2]);
 

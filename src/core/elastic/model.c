@@ -300,9 +300,8 @@ static void warn_edges(const arc_model *m, double load, const arc_callbacks *cal
 
 /* Height of a body's surface at the node next to s [mm]. */
 static double height_at(const elastic_body *body, double s) {
-  int next = 0;
-  for (int i = 1; i < body->mesh->surface; i++)
-    if (fabs(arc_body_top(body, i)[0] - s) < fabs(arc_body_top(body, next)[0] - s)) next = i;
+  const arc_mesh *m = body->mesh;
+  const int next = arc_chart_nearest(body->box_at, m->rows + 1, m->surface, s);
   return arc_body_top(body, next)[1];
 }
 
