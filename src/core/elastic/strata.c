@@ -1,5 +1,6 @@
 /* What lies under the surface of a mesh from outside: along the chart's z through its elements,
  * from each node of the surface on, which layer from where to where. */
+#include "core/base/list.h"
 #include "core/elastic/body.h"
 
 #include <math.h>
@@ -16,8 +17,7 @@ typedef struct search {
   const elastic_body *body;
   double *sz; /* [2 * nodes] in the chart */
   double tiny;
-  piece *list;
-  int count, room;
+  item_list pieces;
 } search;
 
 static int compare_pieces(const void *a, const void *b) {
@@ -25,18 +25,6 @@ static int compare_pieces(const void *a, const void *b) {
   if (p->node != q->node) return p->node < q->node ? -1 : 1;
   if (p->from != q->from) return p->from < q->from ? -1 : 1;
   return (p->layer > q->layer) - (p->layer < q->layer);
-}
-
-static int add(search *f, piece found) {
-  if (f->count == f->room) {
-    const int room = f->room > 0 ? 2 * f->room : 1024;
-    piece *more = realloc(f->list, (size_t)room * sizeof *more);
-    if (!more) return 0;
-    f->list = more;
-    f->room = room;
-  }
-  f->list[f->count++] = found;
-  return 1;
 }
 
 /* --- elements --------------------------------------------------------------------------------- */
@@ -72,7 +60,9 @@ static int cut_element(search *f, int e, int i) {
     cut_edge(corner(f, e, k), corner(f, e, (k + 1) % corners), top[0], &low, &high);
   const double from = up > 0 ? low - top[1] : top[1] - high, to = from + (high - low);
   if (!(high - low > f->tiny) || to <= f->tiny) return 1;
-  return add(f, (piece){.node = i, .layer = m->layer[e], .from = from, .to = to});
+  piece *found = arc_list_add(&f->pieces, sizeof *found);
+  if (found) *found = (piece){.node = i, .layer = m->layer[e], .from = from, .to = to};
+  return found != NULL;
 }
 
 /* The first node of the surface from s on. */
@@ -105,12 +95,13 @@ static int find_pieces(search *f) {
 
 /* Joins the pieces of each node; what lies beside another one on a common edge is left out. */
 static void join_pieces(const search *f, elastic_body *b) {
+  const piece *list = f->pieces.data;
   int at = 0, count = 0;
   for (int i = 0; i < b->mesh->surface; i++) {
     double covered = 0;
     const int first = b->stratum_start[i] = count;
-    for (; at < f->count && f->list[at].node == i; at++) {
-      const piece *p = &f->list[at];
+    for (; at < f->pieces.count && list[at].node == i; at++) {
+      const piece *p = &list[at];
       if (p->to <= covered + f->tiny) continue;
       if (count == first || b->stratum[count - 1].layer != p->layer)
         b->stratum[count++] = (stratum){.layer = p->layer};
@@ -136,13 +127,13 @@ arc_status arc_body_find_strata(elastic_body *b, arc_error *error) {
   search f = {.body = b};
   int whole = prepare(&f);
   if (whole) {
-    if (f.count > 0) qsort(f.list, (size_t)f.count, sizeof *f.list, compare_pieces);
-    b->stratum = malloc((size_t)(f.count + m->surface) * sizeof *b->stratum);
+    arc_list_sort(&f.pieces, sizeof(piece), compare_pieces);
+    b->stratum = malloc((size_t)(f.pieces.count + m->surface) * sizeof *b->stratum);
     b->stratum_start = malloc((size_t)m->surface * sizeof *b->stratum_start);
     whole = b->stratum && b->stratum_start;
   }
   if (whole) join_pieces(&f, b);
-  free(f.list);
+  free(f.pieces.data);
   free(f.sz);
   return whole ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for the layers of a mesh");
 }

@@ -9,6 +9,7 @@
 #define MESH_GMSH_H
 
 #include "archard/mesh.h"
+#include "core/base/list.h"
 
 /* --- text ------------------------------------------------------------------------------------- */
 
@@ -79,16 +80,11 @@ typedef struct msh_element {
 
 enum { MSH_LINE = 1, MSH_TRIANGLE = 2, MSH_QUAD = 3 };
 
-typedef struct msh_list {
-  void *data;
-  int count, capacity;
-} msh_list;
-
 typedef struct msh_file {
   msh_text text;
   int version;                                                  /* 2 or 4 */
-  msh_list groups, members, nodes, elements;                    /* of the structs above */
-  msh_list entities;                                            /* by dimension and number */
+  item_list groups, members, nodes, elements;                   /* of the structs above */
+  item_list entities;                                           /* by dimension and number */
   int materials[ARC_BODIES];                                    /* of each body */
   char material[ARC_BODIES][ARC_MESH_MATERIALS][ARC_TEXT_SIZE]; /* their names */
 } msh_file;
@@ -96,8 +92,6 @@ typedef struct msh_file {
 /* Reads the text of a file that is set up but for that. On failure there is nothing to free. */
 arc_status arc_msh_read(msh_file *file, arc_error *error);
 void arc_msh_free(msh_file *file);
-/* A new item at the end of a list, all zero; NULL: no memory. */
-void *arc_msh_add(msh_list *list, size_t size);
 
 /* --- groups ----------------------------------------------------------------------------------- */
 

@@ -8,18 +8,6 @@
 /* As many as the mesher makes, and four times that: more is a mistake, not a wish. */
 enum { most_items = 4000000 };
 
-void *arc_msh_add(msh_list *list, size_t size) {
-  if (list->count == list->capacity) {
-    const int room = list->capacity > 0 ? 2 * list->capacity : 64;
-    void *more = realloc(list->data, (size_t)room * size);
-    if (!more) return NULL;
-    list->data = more;
-    list->capacity = room;
-  }
-  void *item = (char *)list->data + (size_t)list->count++ * size;
-  return memset(item, 0, size);
-}
-
 static arc_status out_of_memory(const msh_file *f, arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for reading %s", f->text.path);
 }
@@ -95,7 +83,7 @@ static arc_status read_name(msh_file *f, arc_error *error) {
   if (!stop || dim < 0 || dim > 3)
     return bad_item(f, "dimension, number and name of a group, such as 2 1 \"upper\"", error);
   const size_t length = (size_t)(stop - f->text.at - 1);
-  msh_group *group = arc_msh_add(&f->groups, sizeof *group);
+  msh_group *group = arc_list_add(&f->groups, sizeof *group);
   if (!group) return out_of_memory(f, error);
   group->dim = (int)dim;
   group->tag = tag;
@@ -126,7 +114,7 @@ static arc_status read_entity(msh_file *f, int dim, arc_error *error) {
   for (long long i = 0; i < count; i++) {
     if (!arc_msh_whole(&f->text, &group) || group == 0)
       return bad_item(f, "the number of a group of an entity", error);
-    msh_member *member = arc_msh_add(&f->members, sizeof *member);
+    msh_member *member = arc_list_add(&f->members, sizeof *member);
     if (!member) return out_of_memory(f, error);
     *member = (msh_member){.tag = tag, .dim = dim, .group = group < 0 ? -group : group};
   }
@@ -152,7 +140,7 @@ static arc_status read_entities(msh_file *f, arc_error *error) {
 static arc_status add_node(msh_file *f, arc_error *error) {
   long long tag;
   if (!arc_msh_whole(&f->text, &tag) || tag < 1) return bad_item(f, "the number of a node", error);
-  msh_node *node = arc_msh_add(&f->nodes, sizeof *node);
+  msh_node *node = arc_list_add(&f->nodes, sizeof *node);
   if (!node) return out_of_memory(f, error);
   node->tag = tag;
   return ARC_OK;
@@ -245,7 +233,7 @@ static arc_status add_element(msh_file *f, long long tag, long long entity, long
                               arc_error *error) {
   const int dim = dimension_of(type);
   if (dim != 1 && dim != 2) return ARC_OK;
-  msh_element *e = arc_msh_add(&f->elements, sizeof *e);
+  msh_element *e = arc_list_add(&f->elements, sizeof *e);
   if (!e) return out_of_memory(f, error);
   *e = (msh_element){.tag = tag, .entity = entity, .dim = dim, .type = (int)type};
   if (!read_wholes(f, corners_of(e->type), e->corner))

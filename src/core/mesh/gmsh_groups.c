@@ -91,10 +91,6 @@ static int compare_entities(const void *a, const void *b) {
   return compare_numbers(p->dim, p->tag, q->dim, q->tag);
 }
 
-static void sort(msh_list *list, size_t size, int (*compare)(const void *, const void *)) {
-  if (list->count > 0) qsort(list->data, (size_t)list->count, size, compare);
-}
-
 static const msh_group *find_group(const msh_file *f, int dim, long long tag) {
   const msh_group wanted = {.dim = dim, .tag = tag};
   if (f->groups.count == 0) return NULL;
@@ -114,7 +110,7 @@ const msh_entity *arc_msh_entity_of(const msh_file *f, const msh_element *elemen
 static arc_status groups_as_members(msh_file *f) {
   const msh_group *g = f->groups.data;
   for (int i = 0; i < f->groups.count; i++) {
-    msh_member *member = arc_msh_add(&f->members, sizeof *member);
+    msh_member *member = arc_list_add(&f->members, sizeof *member);
     if (!member) return ARC_MEMORY;
     *member = (msh_member){.tag = g[i].tag, .group = g[i].tag, .dim = g[i].dim};
   }
@@ -127,7 +123,7 @@ static arc_status collect_entities(msh_file *f, arc_error *error) {
   msh_entity *entity = NULL;
   for (int i = 0; i < f->members.count; i++) {
     if (i == 0 || compare_members(&m[i - 1], &m[i]) != 0) {
-      entity = arc_msh_add(&f->entities, sizeof *entity);
+      entity = arc_list_add(&f->entities, sizeof *entity);
       if (!entity) return arc_fail(error, ARC_MEMORY, "out of memory for reading %s", f->text.path);
       *entity = (msh_entity){.tag = m[i].tag, .dim = m[i].dim, .material = {-1, -1}};
     }
@@ -169,10 +165,10 @@ static arc_status check_complete(const msh_file *f, arc_error *error) {
 }
 
 arc_status arc_msh_sort_groups(msh_file *f, arc_error *error) {
-  sort(&f->groups, sizeof(msh_group), compare_groups);
+  arc_list_sort(&f->groups, sizeof(msh_group), compare_groups);
   if (f->version == 2 && groups_as_members(f) != ARC_OK)
     return arc_fail(error, ARC_MEMORY, "out of memory for reading %s", f->text.path);
-  sort(&f->members, sizeof(msh_member), compare_members);
+  arc_list_sort(&f->members, sizeof(msh_member), compare_members);
   const arc_status status = collect_entities(f, error);
   return status == ARC_OK ? check_complete(f, error) : status;
 }

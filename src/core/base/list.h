@@ -1,0 +1,17 @@
+/* Lists that grow. */
+#ifndef BASE_LIST_H
+#define BASE_LIST_H
+
+#include <stddef.h>
+
+/* Items of one size; `data` is to be freed. */
+typedef struct item_list {
+  void *data;
+  int count, capacity;
+} item_list;
+
+/* A new item at the end, all zero; NULL: no memory. */
+void *arc_list_add(item_list *list, size_t size);
+void arc_list_sort(item_list *list, size_t size, int (*compare)(const void *, const void *));
+
+#endif
