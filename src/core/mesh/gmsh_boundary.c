@@ -40,10 +40,6 @@ static int compare_edges(const void *a, const void *b) {
   return ends ? ends : (p->element > q->element) - (p->element < q->element);
 }
 
-static int same_edge(const edge *p, const edge *q) {
-  return (p->from == q->from && p->to == q->to) || (p->from == q->to && p->to == q->from);
-}
-
 static int list_edges(const arc_mesh *m, edge *list) {
   int n = 0;
   for (int e = 0; e < m->elements; e++) {
@@ -79,7 +75,7 @@ static arc_status link_boundary(msh_body *b, const edge *list, int n) {
   for (int k = 0; k < b->mesh->nodes; k++) b->next[k] = -1;
   arc_status status = ARC_OK;
   for (int k = 0, end; status == ARC_OK && k < n; k = end) {
-    for (end = k + 1; end < n && same_edge(&list[k], &list[end]);) end++;
+    for (end = k + 1; end < n && compare_ends(&list[k], &list[end]) == 0;) end++;
     const int count = end - k;
     if (count > 2)
       status = refuse_overlap(b, &list[k], &list[k + 2]);
