@@ -17,15 +17,16 @@
 #include <lua.h>
 #include <stddef.h>
 
-/* A class. Things with a `destroy` get :close() and may be emptied; the others are values that live
- * inside the box. */
+/* A class. Things with a `destroy` get :close() and may be emptied. Where `value` tells a size the
+ * thing lives inside the box, and `destroy` ends what it holds alone; things without a `destroy`
+ * do. */
 typedef struct box_class {
   const char *name;             /* as the user writes it, "wear" */
   const luaL_Reg *methods;      /* called as object:method(...); may be NULL */
   const luaL_Reg *fields;       /* called with the object alone, each pushes the field's value */
   lua_CFunction tostring;       /* a few readable lines */
-  void (*destroy)(void *thing); /* NULL: the box holds a value */
-  size_t value;                 /* [bytes] of that value */
+  void (*destroy)(void *thing); /* NULL: the thing holds nothing */
+  size_t value;                 /* [bytes] of the thing; 0: it lives elsewhere */
   const arc_setting *settings;  /* fields too, unless one above has the name; may be NULL */
   const void *(*definition)(lua_State *L); /* of the object at index 1 */
   const char *setter; /* how to change a field instead, "w:set{ ... }"; NULL: not at all */
@@ -40,8 +41,8 @@ typedef struct box {
   call_held held;
 } box;
 
-/* Pushes an empty box with two user values (a parent to keep alive; the class' own use). A value's
- * box comes with `thing` set to zeroed memory. */
+/* Pushes an empty box with two user values (a parent to keep alive; the class' own use). Where the
+ * thing lives inside, `thing` is that, zeroed. */
 box *box_push(lua_State *L, const box_class *class);
 
 /* The box at `index`, or NULL if it is anything else. */

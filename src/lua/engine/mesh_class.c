@@ -263,10 +263,8 @@ static const luaL_Reg methods[] = {
 
 static void destroy_view(void *thing) {
   mesh_view *view = thing;
-  if (!view) return;
   arc_model_release(&view->model);
   free(view->xy);
-  free(view);
 }
 
 const box_class mesh_class = {
@@ -275,13 +273,12 @@ const box_class mesh_class = {
     .fields = fields,
     .tostring = mesh_tostring,
     .destroy = destroy_view,
+    .value = sizeof(mesh_view),
 };
 
 /* Pushes a view of a body's mesh, with the nodes as they are worn where a shape is given. */
 static void push_view(lua_State *L, arc_model *model, arc_body body, const arc_shape *shape) {
-  box *made = box_push(L, &mesh_class);
-  mesh_view *view = made->thing = calloc(1, sizeof *view);
-  if (!view) error_raise(L, ARC_MEMORY, "mesh", "out of memory");
+  mesh_view *view = box_push(L, &mesh_class)->thing;
   view->model = arc_model_retain(model);
   view->mesh = *arc_model_mesh(model, body);
   if (!shape) return;

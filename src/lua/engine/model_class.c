@@ -8,7 +8,6 @@
 #include "lua/base/file_name.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* --- the definition -------------------------------------------------------------------------- */
@@ -104,7 +103,6 @@ int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *me
 static void free_given(void *thing) {
   arc_mesh **given = thing;
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
-  free(given);
 }
 
 static int given_tostring(lua_State *L) {
@@ -112,8 +110,10 @@ static int given_tostring(lua_State *L) {
   return 1;
 }
 
-static const box_class given_class = {
-    .name = "two meshes", .tostring = given_tostring, .destroy = free_given};
+static const box_class given_class = {.name = "two meshes",
+                                      .tostring = given_tostring,
+                                      .destroy = free_given,
+                                      .value = ARC_BODIES * sizeof(arc_mesh *)};
 
 /* Pushes the box of both meshes that the text on top of the stack means: a file's name, or the
  * lines that would stand in it. */
@@ -125,9 +125,7 @@ static arc_mesh **push_meshes(lua_State *L, args_place place) {
   const char *name = lua_pushfstring(L, "%smesh", place.prefix);
   if (!is_mesh) path_argument(L, top, place.where, name, PATH_READ);
   arc_error error = {0};
-  box *held = box_push(L, &given_class);
-  arc_mesh **given = held->thing = calloc(ARC_BODIES, sizeof *given);
-  if (!given) error_raise(L, ARC_MEMORY, place.where, "out of memory");
+  arc_mesh **given = box_push(L, &given_class)->thing;
   const arc_status status = is_mesh ? arc_mesh_parse_msh(name, text, length, given, &error)
                                     : arc_mesh_read_msh(text, given, &error);
   error_check(L, status, &error, place.where, -1);

@@ -160,7 +160,6 @@ int store_surfaces(lua_State *L) {
 
 static void free_stored(void *thing) {
   arc_stored_run_free(thing);
-  free(thing);
 }
 
 static int stored_tostring(lua_State *L) {
@@ -169,14 +168,14 @@ static int stored_tostring(lua_State *L) {
 }
 
 /* thing: arc_stored_run; internal, so that what Lua raises leaks nothing */
-static const box_class stored_class = {
-    .name = "stored run", .tostring = stored_tostring, .destroy = free_stored};
+static const box_class stored_class = {.name = "stored run",
+                                       .tostring = stored_tostring,
+                                       .destroy = free_stored,
+                                       .value = sizeof(arc_stored_run)};
 
 static arc_stored_run *push_stored(lua_State *L, arc_store *store, int id, const char *where) {
   arc_error error = {0};
-  box *made = box_push(L, &stored_class);
-  arc_stored_run *run = made->thing = calloc(1, sizeof *run);
-  if (!run) error_raise(L, ARC_MEMORY, where, "out of memory");
+  arc_stored_run *run = box_push(L, &stored_class)->thing;
   error_check(L, arc_store_definition(store, id, run, &error), &error, where, -1);
   return run;
 }

@@ -100,7 +100,6 @@ static void destroy_pool(void *thing) {
   free(p->workers);
   free_list(p->arguments);
   free_list(p->environment);
-  free(p);
 }
 
 /* --- the pool --------------------------------------------------------------------------------- */
@@ -115,8 +114,11 @@ static int pool_tostring(lua_State *L) {
 
 static const luaL_Reg methods[] = {{"send", pool_send}, {"wait", pool_wait}, {NULL, NULL}};
 
-static const box_class pool_class = {
-    .name = "pool", .methods = methods, .tostring = pool_tostring, .destroy = destroy_pool};
+static const box_class pool_class = {.name = "pool",
+                                     .methods = methods,
+                                     .tostring = pool_tostring,
+                                     .destroy = destroy_pool,
+                                     .value = sizeof(pool)};
 
 /* BLAS, OpenMP and glibc look at these before main. Memory given back after one case would be asked
  * for again, page by page, by the next: a tenth of the time of short ones. */
@@ -182,9 +184,7 @@ static int process_pool(lua_State *L) {
   lua_Integer count = luaL_checkinteger(L, 1);
   luaL_argcheck(L, count >= 1 && count <= MOST_WORKERS, 1, "expected from 1 to 256 workers");
   use_arguments(L, 2);
-  box *made = box_push(L, &pool_class);
-  pool *p = made->thing = calloc(1, sizeof *p);
-  if (!p) luaL_error(L, "out of memory");
+  pool *p = box_push(L, &pool_class)->thing;
   p->workers = calloc((size_t)count, sizeof *p->workers);
   p->arguments = make_arguments(L, 2);
   p->environment = make_environment();
