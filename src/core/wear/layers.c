@@ -30,12 +30,17 @@ double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, dou
   return h - from;
 }
 
-void arc_wear_into_layers(const arc_shape *shape, arc_body body, double *depth) {
+static void into_layers(const arc_shape *shape, arc_body body, double *depth) {
   const arc_model_def *def = arc_model_definition(shape->model);
   const shape_side *side = &shape->side[body];
   if (arc_body_layers(&def->body[body]) == 0) return;
   for (int i = 0; i < side->n; i++)
     if (depth[i] > 0) depth[i] = arc_wear_through_layers(shape, body, i, side->h[i], depth[i]);
+}
+
+void arc_wear_into_layers(const arc_shape *shape, double *depth) {
+  into_layers(shape, ARC_CYLINDER, depth);
+  into_layers(shape, ARC_PLATE, depth + shape->side[ARC_CYLINDER].n);
 }
 
 double arc_wear_layer_share(const arc_shape *shape, arc_body body, int i, double depth) {

@@ -49,8 +49,7 @@ static double k_at(const newton *s, int i) {
 /* The depths that z comes to. */
 static void wear_by_z(newton *s) {
   memcpy(s->worn, s->z, (size_t)s->n * sizeof *s->worn);
-  arc_wear_into_layers(s->window.shape, ARC_CYLINDER, s->worn);
-  arc_wear_into_layers(s->window.shape, ARC_PLATE, s->worn + s->w->nc);
+  arc_wear_into_layers(s->window.shape, s->worn);
 }
 
 double arc_newton_share(const newton *s, int i) {

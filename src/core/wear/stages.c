@@ -60,12 +60,6 @@ static double scale(const staged *s, int i) {
   return s->w->procedure == ARC_NSP ? 0 : s->dose.cycles * s->dose.k[ARC_PLATE];
 }
 
-/* What the coefficients of layers leave of z. */
-static void into_layers(staged *s) {
-  arc_wear_into_layers(s->window.shape, ARC_CYLINDER, s->z);
-  arc_wear_into_layers(s->window.shape, ARC_PLATE, s->z + s->w->nc);
-}
-
 /* Adds the rate at hand, and goes on by Euler's rule. */
 static void add_stage(staged *s, int stage) {
   const double *rate = s->rate->node[0];
@@ -78,7 +72,7 @@ static void add_stage(staged *s, int stage) {
     s->bend[i] += weight * rate[i];
     s->z[i] = scale(s, i) * s->sum[i] / (s->stages - 1);
   }
-  into_layers(s);
+  arc_wear_into_layers(s->window.shape, s->z);
 }
 
 static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
@@ -119,7 +113,7 @@ static double estimate(staged *s, const wear_depths *depth) {
     defect[i] = by_thirds ? scale(s, i) * s->bend[i] * 9 / 4 / s->stages
                           : scale(s, i) * (defect[i] + s->rate->node[0][i]) / 2 - depth->node[0][i];
   memcpy(s->z, depth->node[0], (size_t)s->n * sizeof *s->z);
-  into_layers(s);
+  arc_wear_into_layers(s->window.shape, s->z);
   for (int i = 0; i < s->n; i++)
     if (depth->node[0][i] > 0) defect[i] *= s->z[i] / depth->node[0][i];
   for (int b = 0; b < ARC_BODIES; b++) {

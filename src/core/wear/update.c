@@ -15,8 +15,7 @@ static int any_depth(const double *depth, int n) {
 /* What coefficients of layers leave of depths; a track is as deep as its mean over the contact. */
 static void go_through_layers(const arc_wear *w, const wear_outcome *out, wear_depths *depth) {
   const double wide = w->def.track > 0 ? 2 * out->record.half_width : 1;
-  for (int b = 0; b < ARC_BODIES; b++)
-    arc_wear_into_layers(out->shape, (arc_body)b, depth->node[b]);
+  arc_wear_into_layers(out->shape, depth->node[ARC_CYLINDER]);
   const int middle = out->shape->side[ARC_PLATE].n / 2; /* what wears evenly has even layers */
   if (depth->even > 0)
     depth->even = wide * arc_wear_through_layers(out->shape, ARC_PLATE, middle,
