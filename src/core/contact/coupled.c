@@ -154,12 +154,6 @@ static void spread(coupled *c) {
   arc_dense_add_columns(0, p->count, c->na, p->set, p->a, p->count, c->b, p->open);
 }
 
-static double slip_at(const coupled *c, int at) {
-  const friction_task *k = c->k;
-  return k->dx + k->w->shear.shift + slope_at(c, at) * (k->p->approach - k->approach) +
-         k->w->before[at] - k->w->dragged[at];
-}
-
 /* The way of a node in contact. */
 static int next_way(const coupled *c, int at) {
   friction_room *w = c->k->w;
@@ -195,7 +189,7 @@ static int iterate(coupled *c) {
     if (!solve_on_sets(c)) return 0;
     spread(c);
     for (int s = 0; s < p->active; s++)
-      w->slip[p->set[s]] = c->way[p->set[s]] != 0 ? slip_at(c, p->set[s]) : 0;
+      w->slip[p->set[s]] = c->way[p->set[s]] != 0 ? arc_friction_slip(c->k, p->set[s]) : 0;
     w->iterations++;
     if (!update_sets(c)) return 1;
   }

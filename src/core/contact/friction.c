@@ -204,6 +204,12 @@ static void begin(friction_task *k) {
   w->iterations = w->bracketed = 0;
 }
 
+double arc_friction_slip(const friction_task *k, int candidate) {
+  const pose *p = k->p;
+  const double up = p->slope[p->lo + candidate] * (p->approach - k->approach);
+  return k->dx + k->w->shear.shift + up + k->w->before[candidate] - k->w->dragged[candidate];
+}
+
 /* Slip of the candidates that do not touch. */
 static void slip_of_open(friction_task *k) {
   const pose *p = k->p;
@@ -211,9 +217,8 @@ static void slip_of_open(friction_task *k) {
   arc_grip_drag_all(k->g, p->f, w->t, w->dragged);
   for (int c = 0, s = 0; c < p->count; c++) {
     const int touches = s < p->active && p->set[s] == c;
-    const double up = p->slope[p->lo + c] * (p->approach - k->approach);
     s += touches;
-    if (!touches) w->slip[c] = k->dx + w->shear.shift + up + w->before[c] - w->dragged[c];
+    if (!touches) w->slip[c] = arc_friction_slip(k, c);
   }
 }
 

@@ -189,6 +189,9 @@ void arc_friction_turn(friction_task *k, friction_state *s);
 /* Adds what is dissipated between the nodes. */
 void arc_friction_between(friction_task *k, friction_state *s);
 
+/* ds of a candidate [mm] by the forces that w->dragged belongs to. */
+double arc_friction_slip(const friction_task *k, int candidate);
+
 /* The increment at once by semismooth Newton, from the sets of the last sweep (coupled.c). Returns
  * 1 solved, 0 not; then only p's set and w's ways have changed. */
 int arc_friction_newton(friction_task *k);
