@@ -203,11 +203,10 @@ typedef struct arc_contact_result {
   double normal_force; /* [N] integral of the pressure over the area: the load but in hollow
                           surfaces, where it is up to 4/pi times that */
   double approach;     /* [mm] rigid approach of the plate's base and the cylinder's built-in top */
-  double
-      tangential; /* [N] force that drives the plate along x; without friction what slopes bear */
-  double energy;  /* [N mm] dissipated by friction since the bodies came together, by the slip
-                     between  nodes too */
-  int iterations; /* active-set iterations */
+  double tangential;   /* [N] drives the plate along x; without friction what slopes bear */
+  double energy;       /* [N mm] dissipated by friction since the bodies came together, by the slip
+                          between nodes too */
+  int iterations;      /* active-set iterations */
 } arc_contact_result;
 arc_contact_result arc_contact_get(const arc_contact *contact);
 
@@ -218,7 +217,7 @@ typedef struct arc_pressure {
   const double *x;  /* [mm] */
   const double *p;  /* [MPa] */
   const double *f;  /* [N/mm] nodal force per thickness across the surface, p times tributary width;
-                       of  revolution [N], that of its ring */
+                       of revolution [N], that of its ring */
   const double *fx; /* [N/mm] nodal force along x on the body: pressures act along normals */
 } arc_pressure;
 arc_pressure arc_contact_pressure(const arc_contact *contact, arc_body body);

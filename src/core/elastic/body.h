@@ -23,8 +23,7 @@ typedef struct compliance {
    * gaps to pressures along its normals, yy - m xy - yx m + m xx m. Left to whoever knows the
    * surface; along is yy where the surface is flat. */
   double *slope, *along;
-  double *
-      level; /* [n] yy - xx but for the elements' error, NULL: that is left; arc_compliance_level */
+  double *level; /* [n] yy - xx but for the elements' error; NULL: shear goes by xx */
 } compliance;
 
 /* What of one layer lies under a node of the surface: down to `end` [mm] along the chart's z, the
@@ -149,9 +148,6 @@ element arc_body_element(const elastic_body *body, const double *xy, const int c
 arc_status arc_body_displacements(const elastic_body *body, const double *box_at, const double *f,
                                   double *u, arc_error *error);
 
-/* Refuses a shape that a body has beside a mesh from outside: ARC_ARGUMENT. */
-arc_status arc_given_check_shape(const arc_model_def *def, arc_body body, arc_error *error);
-
 /* The model's body (not public: contact and wear lean on it). */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);
 
@@ -187,7 +183,7 @@ typedef struct contact_estimate {
   double flat;       /* width that touches without load, of it */
   double at;         /* x of its middle: profiles may touch beside x = 0 */
   double edge;       /* half width of the cylinder's, or ball's, contact whose pressure has edges as
-                        sharp:       the half width itself but where rounded edges or kinks touch */
+                        sharp; the half width itself but where rounded edges or kinks touch */
   double wave;       /* length of the shortest waves that are felt; INFINITY: none are */
 } contact_estimate;
 contact_estimate arc_model_estimate(const arc_model_def *def, double load);
@@ -201,19 +197,19 @@ arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error);
 /* Of a pair whose meshes are given, which tell themselves how far they reach. */
 arc_status arc_model_check_given_pair(const arc_model_def *def, arc_error *error);
 
-/* --- given.c: meshes from outside ---------------------------------------------------------------
- */
+/* --- meshes from outside: given.c, given_shape.c ---------------------------------------------- */
 
 /* Checks a definition and two meshes, and makes of it that of their model. ARC_ARGUMENT. */
 arc_status arc_given_settle(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
                             arc_model_def *settled, arc_error *error);
+/* Refuses a shape that a body has beside a mesh from outside. ARC_ARGUMENT. */
+arc_status arc_given_check_shape(const arc_model_def *def, arc_body body, arc_error *error);
 /* Fills in the layer of each element by the names of the body's. ARC_MEMORY. */
 arc_status arc_given_layers(arc_mesh *mesh, const arc_body_def *solid, arc_error *error);
 /* Refuses what belongs to such meshes alone. ARC_ARGUMENT. */
 arc_status arc_given_refuse(const arc_model_def *def, arc_error *error);
 
-/* --- strata.c: what lies under the nodes of a surface -------------------------------------------
- */
+/* --- what lies under the nodes of a surface: strata.c ----------------------------------------- */
 
 /* Finds those of a given mesh whose body has layers; else there is nothing to find. ARC_MEMORY. */
 arc_status arc_body_find_strata(elastic_body *body, arc_error *error);
