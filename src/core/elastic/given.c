@@ -139,11 +139,11 @@ static arc_status check_across(const arc_mesh *mesh, double width, arc_error *er
 /* All of a body of revolution lies on one side of its axis, or about it. */
 static arc_status check_side(const arc_model_def *def, const arc_mesh *mesh, arc_error *error) {
   double least = INFINITY, most = -INFINITY;
+  if (def->geometry != ARC_AXISYMMETRIC) return ARC_OK;
   for (int n = 0; n < mesh->nodes; n++) {
     least = fmin(least, mesh->xy[2 * n]);
     most = fmax(most, mesh->xy[2 * n]);
   }
-  if (def->geometry != ARC_AXISYMMETRIC) return ARC_OK;
   if (def->axis > 0 && least < -def->axis)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'axis': expected at least the %g mm that the mesh of the %s reaches "
