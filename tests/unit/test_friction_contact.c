@@ -5,13 +5,15 @@
 #include "core/contact/friction.h"
 #include "core/contact/solution.h"
 
-static arc_contact *pressed(arc_model *model, double friction) {
+static arc_contact *pressed(arc_model *model, double load, double friction,
+                            const arc_callbacks *callbacks) {
   arc_shape *shape;
   arc_contact *contact;
   arc_contact_def def = arc_contact_default();
+  def.load = load;
   def.friction = friction;
   check_ok(arc_shape_create(model, ARC_MOVING, 0.05, &shape, why));
-  check_ok(arc_contact_solve(shape, &def, NULL, &contact, why));
+  check_ok(arc_contact_solve(shape, &def, callbacks, &contact, why));
   arc_shape_destroy(&shape);
   check_ok(arc_contact_validate(contact, why));
   return contact;
@@ -20,7 +22,7 @@ static arc_contact *pressed(arc_model *model, double friction) {
 static void test_validated(void **state) {
   (void)state;
   arc_model *model = coarse_model();
-  arc_contact *from = pressed(model, 0.6), *c;
+  arc_contact *from = pressed(model, 100, 0.6, NULL), *c;
   arc_motion_def motion = arc_contact_motion(from);
   motion.x = 1.5e-3;
   check_ok(arc_contact_move(from, &motion, NULL, &c, why));
@@ -48,17 +50,9 @@ static void test_uniqueness(void **state) {
   for (int i = 0; i < 2; i++) {
     int warnings = 0;
     const arc_callbacks callbacks = {.warn = warned, .context = &warnings};
-    arc_shape *shape;
-    arc_contact *contact;
-    arc_contact_def rough = arc_contact_default();
-    rough.load = 20;
-    rough.friction = i ? 1.2 : 0.3;
-    check_ok(arc_shape_create(model, ARC_MOVING, 0.05, &shape, why));
-    check_ok(arc_contact_solve(shape, &rough, &callbacks, &contact, why));
-    check_ok(arc_contact_validate(contact, why));
+    arc_contact *contact = pressed(model, 20, i ? 1.2 : 0.3, &callbacks);
     assert_int_equal(warnings, i);
     arc_contact_destroy(&contact);
-    arc_shape_destroy(&shape);
   }
   arc_model_release(&model);
 }
