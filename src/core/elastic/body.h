@@ -177,17 +177,6 @@ double arc_model_felt_modulus(const arc_model *model, double q);
 /* Whether the contact is a spot on the axis of revolution. */
 int arc_model_is_round(const arc_model_def *def);
 
-/* What unworn bodies come to under a load, estimated. All in mm. */
-typedef struct contact_estimate {
-  double half_width; /* see arc_model_half_width */
-  double flat;       /* width that touches without load, of it */
-  double at;         /* x of its middle: profiles may touch beside x = 0 */
-  double edge;       /* half width of the cylinder's, or ball's, contact whose pressure has edges as
-                        sharp; the half width itself but where rounded edges or kinks touch */
-  double wave;       /* length of the shortest waves that are felt; INFINITY: none are */
-} contact_estimate;
-contact_estimate arc_model_estimate(const arc_model_def *def, double load);
-
 /* Dundurs' second constant of a pair: how unlike its bodies are to shear. */
 double arc_contact_mismatch(arc_space space, const arc_material material[ARC_BODIES]);
 

@@ -2,7 +2,7 @@
  * lengths of the paper's mesh are kept in proportion to the half width of the contact, so that its
  * error is the same for every contact. */
 #include "core/elastic/body.h"
-#include "core/mesh/build.h"
+#include "core/elastic/width.h"
 
 #include <math.h>
 
@@ -51,13 +51,12 @@ static double contact_size(const arc_model_def *def, const contact_estimate *e) 
 }
 
 /* Eight elements a wave of a rough profile. */
-static void fit_size(arc_model_def *def, double load) {
+static void fit_size(arc_model_def *def, const contact_estimate *e) {
   enum { a_wave = 8 };
   arc_mesh_def *mesh = &def->mesh;
-  const contact_estimate e = arc_model_estimate(def, load);
   if (mesh->fineness == 0) mesh->fineness = 1;
   mesh->size =
-      fmin(fmin(contact_size(def, &e), e.wave / a_wave) / mesh->fineness, largest_size(def));
+      fmin(fmin(contact_size(def, e), e->wave / a_wave) / mesh->fineness, largest_size(def));
 }
 
 /* Rows so high that two fit into soft layers that hardly change their volume: a single one locks
@@ -79,13 +78,19 @@ static double height_in_layers(const arc_model_def *def, double height) {
   return height;
 }
 
-void arc_model_fit(arc_model_def *def, double load) {
+static void fit_to(arc_model_def *def, const contact_estimate *e) {
   const arc_mesh_def paper = arc_mesh_default();
   arc_mesh_def *mesh = &def->mesh;
-  if (mesh->size == 0) fit_size(def, load);
+  if (mesh->size == 0) fit_size(def, e);
   if (mesh->height == 0)
     mesh->height = height_in_layers(def, paper.height * (mesh->size / paper.size));
   if (mesh->far == 0) mesh->far = fmax(least_measure(def) / 10, fmax(mesh->size, mesh->height));
+}
+
+void arc_model_fit(arc_model_def *def, double load) {
+  contact_estimate e = {0};
+  if (def->mesh.size == 0) e = arc_model_estimate(def, load);
+  fit_to(def, &e);
 }
 
 void arc_zone_for(double reach, double half_width, double size, double zone[ARC_BODIES]) {
@@ -110,7 +115,7 @@ void arc_model_fit_alone(arc_model_def *def) {
   const double load = arc_hertz_default().load;
   const contact_estimate e = arc_model_estimate(def, load);
   double zone[ARC_BODIES];
-  arc_model_fit(def, load);
+  fit_to(def, &e);
   arc_zone_for(0, fabs(e.at) + e.half_width + e.edge, arc_model_size_for(e.edge), zone);
   for (int b = 0; b < ARC_BODIES; b++)
     if (def->mesh.zone[b] == 0)

@@ -4,8 +4,8 @@
  * Persson in holes; of other shapes that touch in one place it is an integral over their gap.
  * Layers, and bases that are near, count by the modulus that the bodies show to a wave of about the
  * contact's length. */
+#include "core/elastic/width.h"
 #include "core/elastic/body.h"
-#include "core/mesh/build.h"
 
 #include <math.h>
 
@@ -47,20 +47,8 @@ arc_hertz arc_model_hertz(const arc_model_def *def, double load) {
 
 /* --- their gap -------------------------------------------------------------------------------- */
 
-/* What the two surfaces are to each other. `least` is the half width [mm] that touches without
- * load, `most` what is taken for the widest contact; of a pair in a hole, the hole's radius. */
-typedef struct gap_of_pair {
-  arc_body_def solid[ARC_BODIES];
-  double crest[ARC_BODIES];
-  double form[ARC_BODIES]; /* [mm] radius that stands for a rough profile; 0: its own heights */
-  double at;               /* [mm] where they touch */
-  double hole, clearance;  /* 0: no hole */
-  double least, most;
-  int round;
-} gap_of_pair;
-
 /* How far a surface lies inside its body at x [mm]. */
-static double inset_at(const gap_of_pair *g, int b, double x) {
+static double inset_at(const contact_pair *g, int b, double x) {
   const arc_body_def *s = &g->solid[b];
   const double radius = g->form[b] != 0 ? g->form[b] : arc_body_radius(s);
   if (isfinite(radius)) {
@@ -70,17 +58,17 @@ static double inset_at(const gap_of_pair *g, int b, double x) {
   return g->form[b] != 0 ? 0 : arc_body_inset(s, g->crest[b], x);
 }
 
-static double gap_at(const gap_of_pair *g, double x) {
+static double gap_at(const contact_pair *g, double x) {
   return inset_at(g, ARC_UPPER, x) + inset_at(g, ARC_LOWER, x);
 }
 
 /* Of both sides of the first point of contact, the mean. */
-static double opening(const gap_of_pair *g, double s) {
+static double opening(const contact_pair *g, double s) {
   return (gap_at(g, g->at + s) + gap_at(g, g->at - s)) / 2;
 }
 
 /* Where smooth profiles come nearest the other body: a point, or a flat; the first of several. */
-static void find_first_touch(gap_of_pair *g) {
+static void find_first_touch(contact_pair *g) {
   const double alike = 1e-12 * g->most;
   double least = INFINITY, first = 0, last = 0;
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -109,7 +97,7 @@ static double reach_of(const arc_body_def *s) {
   return arc_body_is_round(s) ? fabs(arc_body_radius(s)) : 0.4 * s->width;
 }
 
-static void find_limits(gap_of_pair *g) {
+static void find_limits(contact_pair *g) {
   const arc_body_def *s = g->solid;
   g->most = fmin(reach_of(&s[0]), reach_of(&s[1]));
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -122,11 +110,12 @@ static void find_limits(gap_of_pair *g) {
   }
 }
 
-static gap_of_pair gap_of(const arc_model_def *def) {
-  gap_of_pair g = {.round = arc_model_is_round(def)};
+contact_pair arc_model_pair(const arc_model_def *def) {
+  contact_pair g = {.def = def, .round = arc_model_is_round(def), .load = NAN};
   for (int b = 0; b < ARC_BODIES; b++) {
     g.solid[b] = arc_model_solid(def, (arc_body)b);
     g.crest[b] = arc_body_crest(&g.solid[b]);
+    g.waves[b] = arc_body_waves(&g.solid[b]);
   }
   find_limits(&g);
   return g;
@@ -135,12 +124,13 @@ static gap_of_pair gap_of(const arc_model_def *def) {
 /* --- the load that a width takes -------------------------------------------------------------- */
 
 /* The contact modulus of the pair to a contact of this half width [MPa]. */
-static double modulus_at(const arc_model_def *def, const gap_of_pair *g, double half_width) {
+static double modulus_at(const contact_pair *g, double half_width) {
+  const arc_model_def *def = g->def;
   return arc_pair_modulus(def->geometry, g->solid, def->material, waves_over(def) / half_width);
 }
 
 /* Persson's pin in a hole of equal materials, 2 E* c / P by b = tan(e / 2). */
-static double press_into_hole(const gap_of_pair *g, double half_width) {
+static double press_into_hole(const contact_pair *g, double half_width) {
   const double b = tan(half_width / g->hole / 2), s = b * b;
   const double c = (2 - 2 * s * s - log1p(s)) / (pi * s * (1 + s));
   return c > 0 ? 2 * g->clearance / c : INFINITY;
@@ -149,7 +139,7 @@ static double press_into_hole(const gap_of_pair *g, double half_width) {
 /* Half-planes that touch over s < a, P / E* = integral of s g' / sqrt(a^2 - s^2) ds, and round
  * spots, P / E* = twice that of s^2 g' / sqrt(a^2 - s^2). Over t = sqrt(a^2 - s^2) both are smooth.
  * `wide` is what the half width has beyond what touches without load. */
-static double press(const gap_of_pair *g, double wide) {
+static double press(const contact_pair *g, double wide) {
   enum { steps = 100 };
   const double a = g->least + wide, most = sqrt(wide * (wide + 2 * g->least));
   if (g->hole > 0) return press_into_hole(g, a);
@@ -167,14 +157,14 @@ static double press(const gap_of_pair *g, double wide) {
 }
 
 /* The width that a load takes, by halving on a scale of sizes; the widest where that takes less. */
-static double width_under(const arc_model_def *def, const gap_of_pair *g, double load) {
+static double width_under(const contact_pair *g, double load) {
   enum { halvings = 45 };
   static const double smallest = 1e-9;
-  const double wanted = g->round ? load : load / line_length(def);
+  const double wanted = g->round ? load : load / line_length(g->def);
   double low = log(smallest), high = 0;
   for (int i = 0; i < halvings; i++) {
     const double middle = (low + high) / 2, wide = exp(middle) * (g->most - g->least);
-    if (press(g, wide) * modulus_at(def, g, g->least + wide) < wanted)
+    if (press(g, wide) * modulus_at(g, g->least + wide) < wanted)
       low = middle;
     else
       high = middle;
@@ -184,7 +174,7 @@ static double width_under(const arc_model_def *def, const gap_of_pair *g, double
 
 /* The half width of the cylinder, or ball, whose contact grows as fast with the load: as sharp are
  * the pressure's edges. P goes as its square, or cube. */
-static double edge_at(const gap_of_pair *g, double wide) {
+static double edge_at(const contact_pair *g, double wide) {
   static const double step = 1e-3;
   const double a = g->least + wide, p = press(g, wide);
   const double growth = (press(g, wide * (1 + step)) - press(g, wide * (1 - step))) / (2 * step);
@@ -198,54 +188,63 @@ static double edge_at(const gap_of_pair *g, double wide) {
  * does so by less than this share of the mean is none. */
 static const double felt = 1e-3;
 
-static double mean_pressure(const arc_model_def *def, double half_width, double load) {
-  return arc_model_is_round(def) ? load / (pi * half_width * half_width)
-                                 : load / (2 * half_width * line_length(def));
+static double mean_pressure(const contact_pair *g, double half_width, double load) {
+  return g->round ? load / (pi * half_width * half_width)
+                  : load / (2 * half_width * line_length(g->def));
 }
 
 /* Whose profile is rough under a load, by what its form makes of that: only its form counts for the
  * width then. The length of the shortest waves [mm]. */
-static double find_waves(const arc_model_def *def, gap_of_pair *g, double load) {
+static double find_waves(contact_pair *g, double load) {
   double shortest = INFINITY;
   for (int b = 0; b < ARC_BODIES; b++)
-    if (g->solid[b].kind == ARC_SOLID_PROFILE) g->form[b] = arc_body_form_radius(&g->solid[b]);
-  const double wide = width_under(def, g, load), a = g->least + wide;
-  const double p = mean_pressure(def, a, load);
+    if (g->solid[b].kind == ARC_SOLID_PROFILE) g->form[b] = g->waves[b].form;
+  const double wide = width_under(g, load), a = g->least + wide;
+  const double p = mean_pressure(g, a, load);
   for (int b = 0; b < ARC_BODIES; b++) {
-    double height;
-    const double wave = arc_body_wave(&g->solid[b], &height);
-    const int rough = pi * modulus_at(def, g, a) * height / 2 > felt * p * wave;
-    if (rough) shortest = fmin(shortest, wave);
+    const body_waves *w = &g->waves[b];
+    const int rough = pi * modulus_at(g, a) * w->height / 2 > felt * p * w->length;
+    if (rough) shortest = fmin(shortest, w->length);
     if (!rough) g->form[b] = 0;
   }
   return shortest;
 }
 
-static int has_profile(const gap_of_pair *g) {
+static int has_profile(const contact_pair *g) {
   return g->solid[0].kind == ARC_SOLID_PROFILE || g->solid[1].kind == ARC_SOLID_PROFILE;
 }
 
 /* Whether both are arcs or flat, and feel nothing but themselves. */
-static int is_plain(const arc_model_def *def, const gap_of_pair *g, double half_width) {
+static int is_plain(const contact_pair *g, double half_width) {
   return g->hole == 0 && g->least == 0 && !has_profile(g) && half_width > 0 &&
-         modulus_at(def, g, half_width) == arc_contact_modulus(def->geometry, def->material);
+         modulus_at(g, half_width) == arc_contact_modulus(g->def->geometry, g->def->material);
 }
 
-contact_estimate arc_model_estimate(const arc_model_def *def, double load) {
-  gap_of_pair g = gap_of(def);
-  contact_estimate e = {.half_width = arc_model_hertz(def, load).half_width, .wave = INFINITY};
+static contact_estimate estimate(contact_pair g, double load) {
+  contact_estimate e = {.half_width = arc_model_hertz(g.def, load).half_width, .wave = INFINITY};
   e.edge = e.half_width;
-  if (is_plain(def, &g, e.half_width)) return e;
+  if (is_plain(&g, e.half_width)) return e;
   if (has_profile(&g)) {
-    e.wave = find_waves(def, &g, load);
+    e.wave = find_waves(&g, load);
     find_first_touch(&g);
   }
-  const double wide = width_under(def, &g, load);
+  const double wide = width_under(&g, load);
   e.half_width = g.least + wide;
   e.edge = edge_at(&g, wide);
   e.at = g.at;
   e.flat = 2 * g.least;
   return e;
+}
+
+contact_estimate arc_pair_estimate(contact_pair *pair, double load) {
+  if (load != pair->load) pair->answer = estimate(*pair, load);
+  pair->load = load;
+  return pair->answer;
+}
+
+contact_estimate arc_model_estimate(const arc_model_def *def, double load) {
+  contact_pair pair = arc_model_pair(def);
+  return arc_pair_estimate(&pair, load);
 }
 
 double arc_model_half_width(const arc_model_def *def, double load) {

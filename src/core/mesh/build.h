@@ -24,11 +24,14 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
 int arc_body_is_word(const char *name);
 /* Names that are words, and stand for nothing else. */
 arc_status arc_body_check_name(const arc_body_def *body, const char *path, arc_error *error);
-/* Radius of the parabola that fits a profile best, negative where that is hollow, INFINITY where it
- * is flat; length of its waves [mm], INFINITY where there are none, and height [mm] from valleys to
- * peaks. INFINITY and 0 for others. */
-double arc_body_form_radius(const arc_body_def *body);
-double arc_body_wave(const arc_body_def *body, double *height);
+/* What a profile consists of; INFINITY, and no height, for others. */
+typedef struct body_waves {
+  double form;   /* radius of the parabola that fits best [mm]: negative where that is hollow,
+                    INFINITY where it is flat */
+  double length; /* of the waves on it [mm], INFINITY: there are none */
+  double height; /* from valleys to peaks [mm] */
+} body_waves;
+body_waves arc_body_waves(const arc_body_def *body);
 
 /* About how many nodes a mesh will have. */
 double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def *solid);

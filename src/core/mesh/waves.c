@@ -44,32 +44,16 @@ static form form_of(const arc_series *y) {
   return f;
 }
 
-double arc_body_form_radius(const arc_body_def *b) {
-  if (b->kind != ARC_SOLID_PROFILE || b->y_series.count < 3) return INFINITY;
-  const form f = form_of(&b->y_series);
-  return f.c[2] != 0 ? -f.half * f.half / (3 * f.c[2]) : INFINITY;
-}
-
 /* Turns between peaks and valleys that are higher than a tenth of the whole. */
-double arc_body_wave(const arc_body_def *b, double *height) {
+static double length_of_waves(const arc_series *y, const form *f, double height) {
   static const double least = 0.1;
   enum { fewest = 4 };
-  const arc_series *y = &b->y_series;
-  *height = 0;
-  if (b->kind != ARC_SOLID_PROFILE || y->count < 3) return INFINITY;
-  const form f = form_of(y);
-  double low = INFINITY, high = -INFINITY, last = 0;
-  for (int i = 0; i < y->count; i++) {
-    const double r = y->value[i] - form_at(&f, y->distance[i]);
-    low = fmin(low, r);
-    high = fmax(high, r);
-  }
-  *height = high - low;
   int turns = 0, way = 0;
   double from = 0, to = 0, at = 0; /* the first and the last turn; the outermost point since */
+  double last = 0;
   for (int i = 0; i < y->count; i++) {
-    const double x = y->distance[i], r = y->value[i] - form_at(&f, x), step = r - last;
-    const int further = i == 0 || way * step > 0, turned = fabs(step) >= least * (high - low);
+    const double x = y->distance[i], r = y->value[i] - form_at(f, x), step = r - last;
+    const int further = i == 0 || way * step > 0, turned = fabs(step) >= least * height;
     if (!further && !turned) continue;
     if (!further && way != 0) {
       if (turns++ == 0) from = at;
@@ -80,4 +64,19 @@ double arc_body_wave(const arc_body_def *b, double *height) {
     at = x;
   }
   return turns < fewest ? INFINITY : 2 * (to - from) / (turns - 1);
+}
+
+body_waves arc_body_waves(const arc_body_def *b) {
+  const arc_series *y = &b->y_series;
+  if (b->kind != ARC_SOLID_PROFILE || y->count < 3) return (body_waves){INFINITY, INFINITY, 0};
+  const form f = form_of(y);
+  double low = INFINITY, high = -INFINITY;
+  for (int i = 0; i < y->count; i++) {
+    const double r = y->value[i] - form_at(&f, y->distance[i]);
+    low = fmin(low, r);
+    high = fmax(high, r);
+  }
+  return (body_waves){.form = f.c[2] != 0 ? -f.half * f.half / (3 * f.c[2]) : INFINITY,
+                      .length = length_of_waves(y, &f, high - low),
+                      .height = high - low};
 }

@@ -140,34 +140,44 @@ static double angle_of(const arc_wear_def *def, const arc_loading *from, int i) 
   return from->load_angle ? from->load_angle[i] : def->load_angle;
 }
 
+double arc_wear_reach_of(contact_pair *pair, double load) {
+  static const double share = 0.125; /* centre pressures within 1 % for short strokes, too */
+  return share * arc_pair_estimate(pair, load).half_width;
+}
+
+double arc_wear_reach(const arc_model_def *model, double load) {
+  contact_pair pair = arc_model_pair(model);
+  return arc_wear_reach_of(&pair, load);
+}
+
 /* The contact goes with the load; the plate slides under it. */
-double arc_loading_length(const arc_model_def *model, const arc_loading *from, int i) {
+double arc_loading_length(contact_pair *pair, const arc_loading *from, int i) {
+  const arc_model_def *model = pair->def;
   const double load = fmax(from->load[i - 1], from->load[i]);
   double way = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
   if (from->load_angle)
     way += fabs(arc_model_way(model, from->load_angle[i] - from->load_angle[i - 1]));
-  return load > 0 ? way / arc_wear_reach(model, load) : 0;
+  return load > 0 ? way / arc_wear_reach_of(pair, load) : 0;
 }
 
-/* Increments between points i - 1 and i of a loading: as many as follow the contact there, unless
- * the number is the user's. */
-static double parts(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
-                    int i) {
-  if (def->increments > 0 || arc_wear_choose_procedure(def, model) == ARC_NSP) return 1;
-  return fmax(1, ceil(arc_loading_length(model, from, i) * (1 - 1e-9)));
-}
-
+/* As many as follow the contact there, unless the number is the user's. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
-                              const arc_loading *from) {
+                              const arc_loading *from, double *parts) {
+  const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
+  contact_pair pair = arc_model_pair(model);
   double count = 0;
-  for (int i = 1; i < from->count; i++) count += parts(def, model, from, i);
+  for (int i = 1; i < from->count; i++) {
+    const double length = follow ? arc_loading_length(&pair, from, i) : 1;
+    const double here = fmax(1, ceil(length * (1 - 1e-9)));
+    if (parts) parts[i] = here;
+    count += here;
+  }
   return count;
 }
 
-static arc_status given(const arc_wear_def *def, const arc_model_def *model,
-                        const arc_loading *from, wear_block *b) {
-  const arc_status status = block_create(b, 1 + (int)arc_loading_increments(def, model, from));
-  if (status != ARC_OK) return status;
+/* Fills a block with the increments that end at each point. */
+static void fill(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
+                 const double *parts, wear_block *b) {
   int at = 0;
   if (from->tangential) {
     b->tangential = b->angle + b->count;
@@ -177,7 +187,7 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model,
   b->angle[0] = arc_radians(angle_of(def, from, 0));
   b->line[0] = from->load[0] / model->thickness;
   for (int i = 1; i < from->count; i++) {
-    const int n = (int)parts(def, model, from, i);
+    const int n = (int)parts[i];
     for (int j = 1; j <= n; j++) { /* the last is the point itself, to the bit */
       const double left = (double)(n - j) / n, right = (double)j / n;
       b->x[++at] = left * arc_loading_x(from, model, i - 1) + right * arc_loading_x(from, model, i);
@@ -193,7 +203,17 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model,
   b->periodic = from->periodic;
   b->cycles = from->cycles;
   finish(b, def, model);
-  return ARC_OK;
+}
+
+static arc_status given(const arc_wear_def *def, const arc_model_def *model,
+                        const arc_loading *from, wear_block *b) {
+  double *parts = malloc((size_t)from->count * sizeof *parts);
+  if (!parts) return ARC_MEMORY;
+  const double increments = arc_loading_increments(def, model, from, parts);
+  const arc_status status = block_create(b, 1 + (int)increments);
+  if (status == ARC_OK) fill(def, model, from, parts, b);
+  free(parts);
+  return status;
 }
 
 arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,

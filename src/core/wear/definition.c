@@ -51,11 +51,6 @@ double arc_wear_def_stroke(const arc_wear_def *def) {
   return def->track > 0 ? acos(-1) * def->track : def->stroke;
 }
 
-double arc_wear_reach(const arc_model_def *model, double load) {
-  static const double share = 0.125; /* centre pressures within 1 % for short strokes, too */
-  return share * arc_model_half_width(model, load);
-}
-
 /* As many in a stroke as follow the contact. */
 static double half_increments(const arc_wear_def *def, const arc_model_def *model) {
   return ceil(def->stroke / arc_wear_reach(model, def->load) * (1 - 1e-9));
@@ -356,7 +351,7 @@ static arc_status check_start(const arc_wear_def *d, arc_error *error) {
 static arc_status check_way(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   double most = d->blocks == 0 && d->increments == 0 ? 2 * half_increments(d, model) : 0;
   for (int b = 0; b < d->blocks; b++)
-    most = fmax(most, arc_loading_increments(d, model, &d->loading[b]));
+    most = fmax(most, arc_loading_increments(d, model, &d->loading[b], NULL));
   if (most <= most_increments) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field '%s': expected a way of at most %g increments, each shorter than half the "

@@ -5,6 +5,7 @@
 
 #include "archard/wear.h"
 #include "core/contact/friction.h"
+#include "core/elastic/width.h"
 
 /* A block of loading: points, which of them share a pose, how often. */
 typedef struct wear_block {
@@ -30,12 +31,15 @@ typedef struct wear_block {
 arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
                                   wear_block **block, int *count);
 void arc_wear_blocks_free(wear_block **block, int count);
+/* arc_wear_reach of a pair that is asked for more loads than one. */
+double arc_wear_reach_of(contact_pair *pair, double load);
 /* How long the increment that ends at point i of a loading is, over what follows the contact there;
  * 0 where nothing touches. */
-double arc_loading_length(const arc_model_def *model, const arc_loading *from, int i);
-/* How many increments a loading is simulated in, at least one between two of its points. */
+double arc_loading_length(contact_pair *pair, const arc_loading *from, int i);
+/* How many increments a loading is simulated in, at least one between two of its points; into parts
+ * [count] (NULL: not asked) those that end at each point. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
-                              const arc_loading *from);
+                              const arc_loading *from, double *parts);
 /* Where it ends [mm]. */
 double arc_wear_block_end(const wear_block *block);
 

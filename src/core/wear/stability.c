@@ -142,12 +142,12 @@ void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_call
 /* The longest increment, over what follows the contact well. */
 static double longest_increment(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
-  const arc_model_def *model = arc_model_definition(w->model);
+  contact_pair pair = arc_model_pair(arc_model_definition(w->model));
   double longest =
-      d->blocks > 0 ? 0 : 2 * d->stroke / d->increments / arc_wear_reach(model, d->load);
+      d->blocks > 0 ? 0 : 2 * d->stroke / d->increments / arc_wear_reach_of(&pair, d->load);
   for (int b = 0; b < d->blocks; b++)
     for (int i = 1; i < d->loading[b].count; i++)
-      longest = fmax(longest, arc_loading_length(model, &d->loading[b], i));
+      longest = fmax(longest, arc_loading_length(&pair, &d->loading[b], i));
   return longest;
 }
 

@@ -1,0 +1,39 @@
+/* How wide unworn bodies touch, estimated. */
+#ifndef ELASTIC_WIDTH_H
+#define ELASTIC_WIDTH_H
+
+#include "archard/model.h"
+#include "core/mesh/build.h"
+
+/* What a pair comes to under a load. All in mm. */
+typedef struct contact_estimate {
+  double half_width; /* see arc_model_half_width */
+  double flat;       /* width that touches without load, of it */
+  double at;         /* x of its middle: profiles may touch beside x = 0 */
+  double edge;       /* half width of the cylinder's, or ball's, contact whose pressure has edges as
+                        sharp; the half width itself but where rounded edges or kinks touch */
+  double wave;       /* length of the shortest waves that are felt; INFINITY: none are */
+} contact_estimate;
+
+/* What the unworn surfaces of a pair are to each other. Made once, it serves any number of loads;
+ * `at`, `form` and, of profiles, `least` belong to one of them. */
+typedef struct contact_pair {
+  const arc_model_def *def; /* must outlive it */
+  int round;                /* whether the contact is a spot on the axis of revolution */
+  arc_body_def solid[ARC_BODIES];
+  double crest[ARC_BODIES];
+  body_waves waves[ARC_BODIES];
+  double hole, clearance;  /* [mm] radius of the hole, 0: none */
+  double least;            /* [mm] half width that touches without load */
+  double most;             /* [mm] what is taken for the widest contact */
+  double form[ARC_BODIES]; /* [mm] radius that stands for a rough profile; 0: its own heights */
+  double at;               /* [mm] where they touch */
+  double load;             /* [N] asked for last, NAN: none yet; and the answer */
+  contact_estimate answer;
+} contact_pair;
+contact_pair arc_model_pair(const arc_model_def *def);
+/* The same load again is answered at once. */
+contact_estimate arc_pair_estimate(contact_pair *pair, double load);
+contact_estimate arc_model_estimate(const arc_model_def *def, double load);
+
+#endif
