@@ -1,6 +1,9 @@
 -- The slope of a result through many values by least squares. Half widths and pressures jump a little
 -- as the contact's edge goes from node to node: the derivative at one place is then the mesh's, and
--- only a line through runs over several nodes tells how the result answers. Leans on nothing.
+-- only a line through runs over several nodes tells how the result answers. Leans on
+-- lib/statistics.lua.
+
+local statistics = require "archard.lib.statistics"
 
 -- Solves a small symmetric system in place for several right sides, columns n + 1 and on.
 local function eliminate(rows)
@@ -47,12 +50,6 @@ end
 -- Neighbouring runs miss the line to the same side, so that the error is more than they say.
 local doubt = 2
 
-local function largest(values)
-  local most = 0
-  for _, value in ipairs(values) do most = math.max(most, math.abs(value)) end
-  return most
-end
-
 local rounding = 1e-10 -- of a result: less than this is no scatter
 
 -- slope(points, values): values at evenly spaced points, of which some lie on either side of 0 or all on
@@ -64,7 +61,7 @@ return function(points, values)
   local value, err = even, even_error
   if cubic_error < even_error then value, err = cubic, cubic_error end
   local between = scatter * math.sqrt(2) / math.abs(points[2] - points[1])
-  local smooth = scatter <= rounding * largest(values)
+  local smooth = scatter <= rounding * statistics.largest(values)
   return { value = value, error = doubt * err, middle = middle, scatter = scatter,
     ripple = smooth and 0 or between / math.abs(value) }
 end
