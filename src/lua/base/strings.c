@@ -97,8 +97,7 @@ static void replace_shown(lua_State *L) {
   }
 }
 
-/* --- the user's debug.getmetatable and setmetatable; upvalue: Lua's ------------------------------
- */
+/* --- the user's debug.getmetatable and setmetatable; upvalue: Lua's --------------------------- */
 
 static int call_original(lua_State *L) {
   lua_pushvalue(L, lua_upvalueindex(1));
