@@ -7,6 +7,7 @@ local columns = require "archard.settings".columns
 local keys = require "archard.lib.keys"
 local loops = require "archard.fit.loop"
 local merged = require "archard.lib.merged"
+local statistics = require "archard.lib.statistics"
 
 local data = {}
 
@@ -307,12 +308,6 @@ end
 
 -- --- units that cannot be --------------------------------------------------------------------------
 
-local function largest(values)
-  local most = 0
-  for _, value in ipairs(values) do most = math.max(most, math.abs(value)) end
-  return most
-end
-
 local function guess(ratio) -- what the numbers seem to be in, for lengths
   if ratio < 1e-2 then return ratio < 1e-2 and ratio > 1e-4 and "m" or "other units" end
   return ratio < 1e4 and "um" or "nm"
@@ -353,7 +348,8 @@ function data.check_sizes(where, items, looks)
   for number, item in ipairs(items) do
     if item.kind == "profile" then check_place(where, number, item, looks[item.look[1]][item.body]) end
     if item.kind == "loop" then loops.check_place(where, number, item, looks[item.look[1]].loop) end
-    local most, expected = largest(item.value), largest(data.values(item, looks, still))
+    local most = statistics.largest(item.value)
+    local expected = statistics.largest(data.values(item, looks, still))
     if most > 0 and expected > 0 and (most > 150 * expected or most < expected / 150) then
       local name = { profile = "h", loop = item.by_force and "loop.x" or "loop.tangential" }
       refuse_size(where, number, name[item.kind] or "value", item, most, expected)

@@ -3,6 +3,7 @@
 -- forces at the measured places, or, where a force drives the run, places at the measured forces.
 
 local check = require "archard.lib.check"
+local statistics = require "archard.lib.statistics"
 
 local loop = {}
 
@@ -46,11 +47,11 @@ function loop.item(from, errors, by_force)
   local along, value = x, force
   if by_force then along, value = force, x end
   local low, high = ends_of(along)
-  local width, most = math.abs(x[high] - x[low]), 0
-  for _, f in ipairs(force) do most = math.max(most, math.abs(f)) end
+  local width = math.abs(x[high] - x[low])
   return { kind = "loop", distance = from.distance, x = along, value = value, error = errors, by_force = by_force,
     up = way_up(along), unit = by_force and "mm" or "N", fixed = { shift = from.shift, level = from.level },
-    free = { { kind = "shift", span = width / 10, unit = "mm" }, { kind = "level", span = most, unit = "N" } },
+    free = { { kind = "shift", span = width / 10, unit = "mm" },
+      { kind = "level", span = statistics.largest(force), unit = "N" } },
     title = from.title or ("loop at %g mm"):format(from.distance) }
 end
 

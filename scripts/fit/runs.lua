@@ -5,6 +5,7 @@
 local check = require "archard.lib.check"
 local observe = require "archard.fit.observe"
 local settings = require "archard.study.settings"
+local transaction = require "archard.study.transaction"
 local unknown = require "archard.fit.unknown"
 
 local runs = {}
@@ -61,14 +62,12 @@ end
 local function same_fit(self, store)
   local base = observe.text(self.what) .. "\n" .. self.fingerprint
   if #store:cases() == 0 and not store:info("kind") then
-    store:begin()
     store:set_info("kind", "fit")
     store:set_info("task", "fit")
     store:set_info("name", "fit")
     store:set_info("observe", observe.text(self.what))
     store:set_info("fit", base)
     store:set_info("program", "archard " .. require "archard".version)
-    store:commit()
   elseif store:info("kind") ~= "fit" or store:info("fit") ~= base then
     check.fail(self.where, ("%s holds another fit, or none; name another file, or remove it"):format(
       store.path), "ARGUMENT")
@@ -89,7 +88,7 @@ end
 local function open(self)
   local store = check.as(self.where, require "archard.store".open, self.file, "create")
   store:check()
-  same_fit(self, store)
+  transaction(store, same_fit, self, store)
   for _, case in ipairs(store:cases()) do
     self.cases[case.label] = case.id
     self.last = math.max(self.last, case.id)
@@ -99,7 +98,6 @@ end
 
 local function add_cases(self, store, wanted)
   local carried = settings.carrier(self.where)
-  store:begin()
   for _, each in ipairs(wanted) do
     if not self.cases[each.label] then
       self.last = self.last + 1
@@ -108,7 +106,6 @@ local function add_cases(self, store, wanted)
       store:set_values(self.last, "settings", carried(settings.flatten(self.where, self:given(each.values))))
     end
   end
-  store:commit()
 end
 
 local function numbers(list)
@@ -129,7 +126,7 @@ end
 
 local function compute_by_workers(self, wanted)
   local store <close> = open(self)
-  add_cases(self, store, wanted)
+  transaction(store, add_cases, self, store, wanted)
   local failed, _, count = require "archard.study.run"(store, { workers = self.workers,
     progress = self.progress or false })
   self.count = self.count + count

@@ -62,15 +62,21 @@ end
 
 check.count = check.whole(1, 100000)
 
+-- The first item of a list that is not what it should be, and what that is; nil where all are.
+local function wrong_item(list, item, growing)
+  for i = 1, #list do
+    local one = list[i]
+    if not item.test(one) then return i, item.expected end
+    if growing and i > 1 and one <= list[i - 1] then
+      return i, ("more than %g, the one before"):format(list[i - 1])
+    end
+  end
+end
+
 -- A list whose items are all of a kind, one at least; `growing`: each number beyond the one before.
 function check.list_of(item, expected, growing)
   return kind(expected, function(v)
-    if type(v) ~= "table" or #v == 0 then return false end
-    for i = 1, #v do
-      local one = v[i]
-      if not item.test(one) or (growing and i > 1 and one <= v[i - 1]) then return false end
-    end
-    return true
+    return type(v) == "table" and #v > 0 and not wrong_item(v, item, growing)
   end, item, growing)
 end
 
@@ -130,20 +136,12 @@ function check.refuse(where, name, expected, value)
   check.fail(where, ("field '%s': expected %s, got %s"):format(name, expected, check.shown(value)))
 end
 
--- The item of a list that is not what its kind asks for, where there is one.
-local function refuse_item(where, name, wanted, list)
-  for i = 1, type(list) == "table" and wanted.item and #list or 0 do
-    local at, one = ("%s[%d]"):format(name, i), list[i]
-    if not wanted.item.test(one) then check.refuse(where, at, wanted.item.expected, one) end
-    if wanted.growing and i > 1 and one <= list[i - 1] then
-      check.refuse(where, at, ("more than %g, the one before"):format(list[i - 1]), one)
-    end
+-- Raises the error for a value that is not of a kind, or for the item of it that is not.
+local function refuse_kind(where, name, wanted, value)
+  if wanted.item and type(value) == "table" then
+    local i, expected = wrong_item(value, wanted.item, wanted.growing)
+    if i then check.refuse(where, ("%s[%d]"):format(name, i), expected, value[i]) end
   end
-end
-
--- Raises the error for a value that is not of a kind.
-function check.refuse_kind(where, name, wanted, value)
-  refuse_item(where, name, wanted, value)
   check.refuse(where, name, wanted.expected, value)
 end
 
@@ -160,7 +158,7 @@ function check.fields(where, given, fields, prefix)
       if not wanted then
         check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, keys(fields))))
       elseif not wanted.test(value) then
-        check.refuse_kind(where, prefix .. name, wanted, value)
+        refuse_kind(where, prefix .. name, wanted, value)
       end
     end
   end

@@ -1,10 +1,17 @@
--- Means, spreads and confidence of a few measurements.
+-- Means, sizes, spreads and confidence of a few measurements.
 local statistics = {}
 
 function statistics.mean(list)
   local sum = 0
   for _, value in ipairs(list) do sum = sum + value end
   return sum / #list
+end
+
+-- The largest of their sizes, whatever their signs.
+function statistics.largest(list)
+  local most = 0
+  for _, value in ipairs(list) do most = math.max(most, math.abs(value)) end
+  return most
 end
 
 -- Standard deviation of the sample; nil for one measurement.

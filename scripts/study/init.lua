@@ -3,12 +3,10 @@
 -- Leans on archard.store.
 
 local check = require "archard.lib.check"
-local design = require "archard.uncertainty.design"
+local later = require "archard.lib.later"
 local merged = require "archard.lib.merged"
-local report = require "archard.study.report"
-local definitions = require "archard.study.definitions"
+local of_samples = require "archard.uncertainty.fields"
 local settings = require "archard.study.settings"
-local stored = require "archard.study.stored"
 local strict = require "archard.strict"
 local text_file = require "archard.lib.text_file"
 
@@ -19,20 +17,18 @@ local class = { __name = "study", __methods = methods, __fields = { "name", "fil
 -- How often the surfaces of a case are kept on the way, unless `looks` says otherwise.
 local usual_looks = 6
 
-local open_file = definitions.open
+local open_file = later("archard.study.definitions", "open")
 
 -- --- making ------------------------------------------------------------------------------------
 
-local definition_fields = { base = check.table, vary = check.table, cases = check.list_of(check.table, "a list of tables"),
-  name = check.text, looks = check.whole(0), task = check.one_of{ "wear", "converge" }, sample = check.table,
-  n = design.fields.n, design = design.fields.design, seed = design.fields.seed, indices = design.fields.indices }
-
-local of_samples = { "n", "design", "seed", "indices" }
+local definition_fields = merged({ base = check.table, vary = check.table, name = check.text, looks = check.whole(0),
+  cases = check.list_of(check.table, "a list of tables"), task = check.one_of{ "wear", "converge" },
+  sample = check.table }, of_samples)
 
 -- The samples of a study, or nil; what only samples have is refused without them.
 local function read_sample(where, given)
-  if given.sample then return design.read(where, given) end
-  for _, name in ipairs(of_samples) do
+  if given.sample then return require "archard.uncertainty.design".read(where, given) end
+  for _, name in ipairs{ "n", "design", "seed", "indices" } do
     if given[name] ~= nil then
       check.fail(where, ("field '%s': it belongs to samples; give sample={...}"):format(name))
     end
@@ -50,7 +46,8 @@ end
 -- The flat settings of every case; without any list, base is the one case.
 local function expand(where, given, sample)
   refuse_two(where, given)
-  local cases = given.cases or sample and design.cases(sample) or settings.grid(where, given.vary or {})
+  local cases = given.cases or sample and require "archard.uncertainty.design".cases(sample)
+    or settings.grid(where, given.vary or {})
   local flat = {}
   for i, case in ipairs(cases) do flat[i] = settings.join(where, given.base or {}, case) end
   if sample then require "archard.uncertainty.one_mesh"(sample, flat) end
@@ -101,7 +98,7 @@ function study.open(path)
   end
   local store = open_file("study.open", path, "read")
   check.as("study.open", store.check, store)
-  local there = stored("study.open", store)
+  local there = require "archard.study.stored"("study.open", store)
   local self = new("study.open", { name = there.name, cases = { {} }, looks = there.looks, task = there.task })
   self.sample, self.flat, self.varied, self.labels = there.sample, there.flat, settings.varied(there.flat), {}
   for i, case in ipairs(self.flat) do self.labels[i] = settings.label(case, self.varied) end
@@ -157,13 +154,13 @@ function methods:run(options)
   self:close()
   try_first(self, "study:run")
   if self.sample and not text_file.exists(path) then require "archard.uncertainty.trial"(self) end
-  local store = definitions.for_run("study:run", self, path)
+  local store = require "archard.study.definitions".for_run("study:run", self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
   self.failed, self.warned = check.as("study:run", require "archard.study.run", store, { workers = workers,
     keep = options.keep, chosen = read_shard(options.shard), progress = options.progress })
   store:close()
-  report(self.failed, self.warned)
+  require "archard.study.report"(self.failed, self.warned)
   return self
 end
 
@@ -236,7 +233,7 @@ function study.merge(...)
   end
   if #files == 0 then check.fail("study.merge", "expected the names of run files, got none") end
   return check.as("study.merge", require "archard.study.merge", files, options.file or "study.archard", study.open,
-    definitions.write)
+    require "archard.study.definitions".write)
 end
 
 -- --- showing -----------------------------------------------------------------------------------

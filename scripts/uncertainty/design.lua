@@ -5,13 +5,11 @@
 local check = require "archard.lib.check"
 local distributions = require "archard.uncertainty.distributions"
 local number = require "archard.study.number"
+local own = require "archard.uncertainty.fields"
 local random = require "archard.random"
 local settings = require "archard.study.settings"
 
 local design = {}
-
-design.fields = { n = check.whole(2, 1000000), design = check.one_of{ "sobol", "latin", "random" },
-  seed = check.whole(1, 2 ^ 31 - 1), indices = check.flag }
 
 -- --- what is given -------------------------------------------------------------------------------
 
@@ -214,7 +212,7 @@ function design.parse(text)
   local kind, n, seed, indices, lines = text:match "^(%a+) n=(%d+) seed=(%d+) indices=(%a+)(.*)$"
   local sample = { design = kind, n = math.tointeger(tonumber(n)), seed = math.tointeger(tonumber(seed)),
     indices = ({ ["true"] = true, ["false"] = false })[indices], fields = parse_fields(lines or ""), text = text }
-  for name, wanted in pairs(design.fields) do
+  for name, wanted in pairs(own) do
     if not wanted.test(sample[name]) then return nil end
   end
   return sample.fields and sample.fields[1] and sample

@@ -118,7 +118,7 @@ end
 
 -- --- results that jump ---------------------------------------------------------------------------
 
--- Runs on either side of a number, as far as it can be changed, at most by `over` of it.
+-- Runs on either side of a number, as far as it can be changed, usually at most by the widest share of it.
 local widest, side, rippled = 0.24, 8, 0.03
 
 -- The results of all runs, the outermost first: they fail where a range ends.
@@ -142,9 +142,10 @@ local function in_order(points, lists, m)
   return t, y
 end
 
--- A local derivative of what jumps from node to node gives way to the slope over a wide range.
-local function replace_rippled(self, value, set, definition, found)
-  local share, fine, points, lists = 2 * self.widest, false, nil, nil
+-- A local derivative of what jumps from node to node gives way to the slope over a wide range, of `over`
+-- at most.
+local function replace_rippled(self, value, set, definition, found, over)
+  local share, fine, points, lists = 2 * over, false, nil, nil
   while not fine and share > 2 * first_step do
     share = share / 2
     fine, points, lists = pcall(wide_runs, self, value, set, share)
@@ -158,7 +159,6 @@ local function replace_rippled(self, value, set, definition, found)
         error = (one.error + room_of(definition) * math.abs(one.value)) / math.abs(unit) }
     end
   end
-  return found
 end
 
 -- The first change shrinks where a range ends.
@@ -170,10 +170,7 @@ local function derivatives(self, name, value, set, definition)
   while step >= smallest_step do
     local h = step * math.abs(value)
     local fine, found = pcall(derive, differences, h)
-    if fine then
-      found = definition.steps_chosen and refine(self, value, set, h / 25, found) or found
-      return replace_rippled(self, value, set, definition, found)
-    end
+    if fine then return definition.steps_chosen and refine(self, value, set, h / 25, found) or found end
     why, step = found, step / 4
     raise_stop(why)
   end
@@ -237,7 +234,7 @@ end
 
 return function(run, given)
   given = check.definition(where, given or {}, fields)
-  local self = { runs = 1, widest = given.over or widest, distance = distances_of(run), to = names_of("to", given.to, { "k", "alpha", "load" }),
+  local self = { runs = 1, distance = distances_of(run), to = names_of("to", given.to, { "k", "alpha", "load" }),
     of = outcomes.names(where, names_of("of", given.of, { "depth_cylinder", "depth_plate", "p_center" })) }
   local definition = repeated.definition(run)
   local changers = {}
@@ -247,8 +244,9 @@ return function(run, given)
   for _, column in ipairs(self.of) do self[column] = {} end
   for i, name in ipairs(self.to) do
     local value, set = changers[i][1], changers[i][2]
-    into_columns(self, name, value, derivatives(self, name, value, set, definition), there)
+    local found = derivatives(self, name, value, set, definition)
+    replace_rippled(self, value, set, definition, found, given.over or widest)
+    into_columns(self, name, value, found, there)
   end
-  self.widest = nil
   return setmetatable(self, class)
 end

@@ -39,26 +39,24 @@ static const luaL_Reg modules[] = {
 
 #define DISTRIBUTIONS "archard.uncertainty.distributions"
 
-/* Classes in Lua: name of the global, the module of scripts/ that returns its value and, where that
- * is a table with several, the name in it. */
-static const char *const scripted[][3] = {
-    {"help", "archard.help"},
-    {"plot", "archard.plot"},
-    {"study", "archard.study"},
-    {"calibrate", "archard.study.calibrate"},
-    {"fit", "archard.fit"},
-    {"csv", "archard.lib.csv"},
-    {"profile", "archard.profile"},
-    {"export", "archard.export"},
-    {"who", "archard.lib.who"},
-    {"time", "archard.lib.time"},
-    {"session", "archard.lib.session"},
-    {"examples", "archard.lib.examples"},
-    {"uniform", DISTRIBUTIONS, "uniform"},
-    {"normal", DISTRIBUTIONS, "normal"},
-    {"lognormal", DISTRIBUTIONS, "lognormal"},
+/* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
+static const char *const scripted[][2] = {
+    {"help", "archard.help"},           {"plot", "archard.plot"},
+    {"study", "archard.study"},         {"fit", "archard.fit"},
+    {"csv", "archard.lib.csv"},         {"profile", "archard.profile"},
+    {"export", "archard.export"},       {"who", "archard.lib.who"},
+    {"session", "archard.lib.session"}, {"examples", "archard.lib.examples"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
+
+/* Functions in Lua, whose modules are read at the first call: name of the global, the module and,
+ * where that returns a table with several, the name in it. */
+static const char *const functions[][3] = {
+    {"calibrate", "archard.study.calibrate"},  {"time", "archard.lib.time"},
+    {"uniform", DISTRIBUTIONS, "uniform"},     {"normal", DISTRIBUTIONS, "normal"},
+    {"lognormal", DISTRIBUTIONS, "lognormal"},
+};
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
 /* Pops a value and makes it the field and the global `name`, the user's and that of scripts; the
  * module table is on top below it. */
@@ -83,11 +81,17 @@ static void open_classes(lua_State *L) {
 static void open_scripted(lua_State *L) {
   for (int i = 0; i < SCRIPTED; i++) {
     script_require(L, scripted[i][1]);
-    if (scripted[i][2]) {
-      lua_getfield(L, -1, scripted[i][2]);
-      lua_remove(L, -2);
-    }
     publish(L, scripted[i][0]);
+  }
+}
+
+static void open_functions(lua_State *L) {
+  for (int i = 0; i < FUNCTIONS; i++) {
+    script_require(L, "archard.lib.later");
+    lua_pushstring(L, functions[i][1]);
+    lua_pushstring(L, functions[i][2]);
+    lua_call(L, 2, 1);
+    publish(L, functions[i][0]);
   }
 }
 
@@ -110,6 +114,7 @@ int luaopen_archard(lua_State *L) {
 
   open_classes(L);
   open_scripted(L);
+  open_functions(L);
   strict_module(L, "archard");
   return 1;
 }

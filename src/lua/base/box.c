@@ -24,7 +24,8 @@ static int unknown_field(lua_State *L) {
 
 /* Returns the value at index 3. Tables of values are told apart by their field: "wear.depth". */
 static int guarded(lua_State *L) {
-  if (!lua_istable(L, 3) || lua_getmetatable(L, 3)) return lua_settop(L, 3), 1;
+  if (!lua_istable(L, 3)) return 1;
+  if (lua_getmetatable(L, 3)) return lua_settop(L, 3), 1;
   const char *where = lua_pushfstring(L, "%s.%s", class_upvalue(L)->name, lua_tostring(L, 2));
   lua_pushvalue(L, 3);
   strict_table(L, where);
@@ -38,18 +39,19 @@ static int setting_field(lua_State *L) {
   return 1;
 }
 
-/* __index(object, name): a method, or the value of a field. Upvalues: class, methods, fields, names
+/* __index(object, name): the value of a field, or a method. Upvalues: class, methods, fields, names
  * of all. */
 static int class_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
-  if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) return 1;
+  if (lua_rawget(L, lua_upvalueindex(3)) != LUA_TNIL) {
+    lua_pushvalue(L, 1);
+    call_now(L, 1, 1);
+    return guarded(L);
+  }
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
-  if (lua_rawget(L, lua_upvalueindex(3)) == LUA_TNIL) return unknown_field(L);
-  lua_pushvalue(L, 1);
-  lua_call(L, 1, 1);
-  return guarded(L);
+  return lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL ? 1 : unknown_field(L);
 }
 
 static int class_newindex(lua_State *L) {
@@ -139,10 +141,9 @@ static void push_readers(lua_State *L, const box_class *class) {
     lua_pushlightuserdata(L, (void *)(uintptr_t) class);
     lua_pushlightuserdata(L, (void *)(uintptr_t)s);
     lua_pushcclosure(L, setting_field, 2);
-    call_wrap(L);
     lua_setfield(L, -2, s->name);
   }
-  if (class->fields) call_set_functions(L, class->fields);
+  if (class->fields) luaL_setfuncs(L, class->fields, 0);
 }
 
 /* The list of the names of the fields. */
@@ -221,22 +222,20 @@ box *box_push(lua_State *L, const box_class *class) {
   made->held.last = last_use;
   if (class->value) made->thing = (char *)made + head;
   push_metatable(L, class);
+  made->metatable = lua_topointer(L, -1);
   lua_setmetatable(L, -2);
   return made;
 }
 
-/* A script may have given the metatable of a class to another userdata. */
-static int is_box_of(const box *found, size_t size, const box_class *class) {
-  return size >= sizeof *found && found->class == class;
-}
-
+/* A script may have given the metatable of a class to another userdata, or a box another one. */
 box *box_test(lua_State *L, int index, const box_class *class) {
   box *found = lua_touserdata(L, index);
-  if (lua_type(L, index) != LUA_TUSERDATA || !lua_getmetatable(L, index)) return NULL;
-  lua_rawgetp(L, LUA_REGISTRYINDEX, class);
-  const int same = lua_rawequal(L, -1, -2);
-  lua_pop(L, 2);
-  return same && is_box_of(found, lua_rawlen(L, index), class) ? found : NULL;
+  if (!found || lua_rawlen(L, index) < sizeof *found || found->class != class ||
+      !lua_getmetatable(L, index))
+    return NULL;
+  const int same = lua_topointer(L, -1) == found->metatable;
+  lua_pop(L, 1);
+  return same ? found : NULL;
 }
 
 /* What kind of value stands at `index`, in one word. */

@@ -34,9 +34,10 @@ typedef struct box_class {
 
 typedef struct box {
   const box_class *class;
-  void *thing; /* NULL: empty */
-  int tag;     /* the class' own use */
-  int busy;    /* the engine changes it: may be neither closed nor entered again */
+  const void *metatable; /* of the class, which the registry keeps */
+  void *thing;           /* NULL: empty */
+  int tag;               /* the class' own use */
+  int busy;              /* the engine changes it: may be neither closed nor entered again */
   int closing; /* closed for all but the functions that hold it; the last of them empties it */
   call_held held;
 } box;

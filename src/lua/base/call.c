@@ -8,7 +8,8 @@ enum { MOST_HELD = 16 }; /* by one function */
 
 typedef struct frame {
   struct frame *outer;
-  int count, keeps; /* keeps: the registry has a table of values under the frame's address */
+  const void *first; /* the first argument, which lives as long as the frame */
+  int count, keeps;  /* keeps: the registry has a table of values under the frame's address */
   call_held *held[MOST_HELD];
 } frame;
 
@@ -22,13 +23,18 @@ static int is_held(const frame *f, const call_held *held) {
   return 0;
 }
 
-/* The registry keeps it alive meanwhile. */
-void call_hold(lua_State *L, int index, call_held *held) {
-  if (!current || is_held(current, held)) return;
-  if (current->count == MOST_HELD) luaL_error(L, "too many objects in one call");
+/* Until it is held no more. */
+static void keep_alive(lua_State *L, int index, call_held *held) {
   luaL_checkstack(L, 2, "objects");
   lua_pushvalue(L, index);
   lua_rawsetp(L, LUA_REGISTRYINDEX, held);
+  held->kept = 1;
+}
+
+void call_hold(lua_State *L, int index, call_held *held) {
+  if (!current || is_held(current, held)) return;
+  if (current->count == MOST_HELD) luaL_error(L, "too many objects in one call");
+  if (!held->kept && lua_touserdata(L, index) != current->first) keep_alive(L, index, held);
   current->held[current->count++] = held;
   held->count++;
 }
@@ -51,10 +57,12 @@ void call_keep(lua_State *L) {
   lua_pop(L, 1);
 }
 
-static void forget(lua_State *L, const void *key) {
-  if (!lua_checkstack(L, 1)) return; /* it stays alive, no more */
+/* Returns zero where there is no room for it: then the registry's value stays alive, no more. */
+static int forget(lua_State *L, const void *key) {
+  if (!lua_checkstack(L, 1)) return 0;
   lua_pushnil(L);
   lua_rawsetp(L, LUA_REGISTRYINDEX, key);
+  return 1;
 }
 
 static void release(lua_State *L, const frame *f) {
@@ -62,24 +70,36 @@ static void release(lua_State *L, const frame *f) {
     call_held *held = f->held[i];
     if (--held->count > 0) continue;
     held->last(held);
-    forget(L, held);
+    if (held->kept) held->kept = !forget(L, held);
   }
   if (f->keeps) forget(L, f);
 }
 
 /* --- calling ---------------------------------------------------------------------------------- */
 
-/* Upvalue: the function. */
-static int call(lua_State *L) {
-  frame own = {.outer = current};
-  const int arguments = lua_gettop(L);
-  lua_pushvalue(L, lua_upvalueindex(1));
-  lua_insert(L, 1);
+void call_now(lua_State *L, int arguments, int results) {
+  frame own; /* what it holds is not cleared: this comes with every field that is read */
+  own.outer = current;
+  own.first = arguments > 0 ? lua_touserdata(L, -arguments) : NULL;
+  own.count = own.keeps = 0;
   current = &own;
-  const int status = lua_pcall(L, arguments, LUA_MULTRET, 0);
+  const int status = lua_pcall(L, arguments, results, 0);
   current = own.outer;
   release(L, &own);
-  return status == LUA_OK ? lua_gettop(L) : lua_error(L);
+  if (status != LUA_OK) lua_error(L);
+}
+
+/* Upvalue: the function. A copy of the first argument stays below it. */
+static int call(lua_State *L) {
+  const int arguments = lua_gettop(L);
+  if (arguments > 0)
+    lua_pushvalue(L, 1);
+  else
+    lua_pushnil(L);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_rotate(L, 1, 2);
+  call_now(L, arguments, LUA_MULTRET);
+  return lua_gettop(L) - 1;
 }
 
 void call_wrap(lua_State *L) {

@@ -17,13 +17,18 @@ void call_wrap(lua_State *L);
 /* Pushes such a function. */
 void call_push(lua_State *L, lua_CFunction function);
 
+/* lua_call, once, of a function that would be one when wrapped; the first argument must stay on the
+ * stack of whoever calls. */
+void call_now(lua_State *L, int arguments, int results);
+
 /* luaL_setfuncs and luaL_newlib of such functions. */
 void call_set_functions(lua_State *L, const luaL_Reg *list);
 void call_new_library(lua_State *L, const luaL_Reg *list);
 
-/* In a value that can be held: by how many functions it is, and what the last of them calls. */
+/* In a value that can be held: by how many functions it is, whether the registry keeps it alive
+ * meanwhile, and what the last of them calls. */
 typedef struct call_held {
-  int count;
+  int count, kept;
   void (*last)(struct call_held *self);
 } call_held;
 

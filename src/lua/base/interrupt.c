@@ -213,15 +213,12 @@ static int tracked_close(lua_State *L) {
 }
 
 void interrupt_install(lua_State *L) {
+  static const luaL_Reg tracked[] = {
+      {"create", tracked_create}, {"resume", tracked_resume}, {"wrap", tracked_wrap}, {NULL, NULL}};
   lua_getglobal(L, "coroutine");
+  luaL_setfuncs(L, tracked, 0);
   lua_getfield(L, -1, "close");
   lua_pushcclosure(L, tracked_close, 1);
   lua_setfield(L, -2, "close");
-  lua_pushcfunction(L, tracked_create);
-  lua_setfield(L, -2, "create");
-  lua_pushcfunction(L, tracked_resume);
-  lua_setfield(L, -2, "resume");
-  lua_pushcfunction(L, tracked_wrap);
-  lua_setfield(L, -2, "wrap");
   lua_pop(L, 1);
 }

@@ -131,11 +131,9 @@ static int no_global(lua_State *L) {
 
 /* A misspelt name in a script is an error of the script. */
 static void refuse_others(lua_State *L) {
-  lua_createtable(L, 0, 2);
-  lua_pushcfunction(L, no_global);
-  lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, no_global);
-  lua_setfield(L, -2, "__newindex");
+  static const luaL_Reg events[] = {
+      {"__index", no_global}, {"__newindex", no_global}, {NULL, NULL}};
+  luaL_newlib(L, events);
   lua_setmetatable(L, -2);
 }
 

@@ -97,8 +97,7 @@ static void replace_shown(lua_State *L) {
   }
 }
 
-/* --- the user's debug.getmetatable and setmetatable; upvalue: Lua's ------------------------------
- */
+/* --- the user's debug.getmetatable and setmetatable; upvalue: Lua's --------------------------- */
 
 static int call_original(lua_State *L) {
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -142,12 +141,10 @@ static void push_methods(lua_State *L, int index) {
 }
 
 static void push_shown(lua_State *L) {
+  static const luaL_Reg events[] = {
+      {"__index", shown_index}, {"__newindex", shown_newindex}, {NULL, NULL}};
   lua_newtable(L);
-  lua_createtable(L, 0, 2);
-  lua_pushcfunction(L, shown_index);
-  lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, shown_newindex);
-  lua_setfield(L, -2, "__newindex");
+  luaL_newlib(L, events);
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);

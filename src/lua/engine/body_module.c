@@ -91,20 +91,27 @@ static void refuse_both(lua_State *L, int index, args_place place) {
                   place.prefix, s->name);
 }
 
-/* From the field `material`, or from E, nu and k. */
-static void read_material(lua_State *L, int index, args_place place, arc_material *to) {
-  static const arc_setting whole[] = {{.name = "material",
-                                       .kind = ARC_GROUP,
-                                       .group = arc_material_settings,
-                                       .class_name = "material",
-                                       .type = "a material object or a table { E=, nu=, k= }"},
-                                      {.name = NULL}};
-  refuse_both(L, index, place);
+/* From the field `name`, a material as a whole. */
+static void read_whole(lua_State *L, int index, args_place place, const char *name,
+                       arc_material *to) {
+  const arc_setting whole[] = {{.name = name,
+                                .kind = ARC_GROUP,
+                                .group = arc_material_settings,
+                                .class_name = "material",
+                                .type = "a material object or a table { E=, nu=, k= }"},
+                               {.name = NULL}};
   push_part(L, index, whole);
   args_read(L, -1, place, whole, to);
+  lua_pop(L, 1);
+}
+
+/* From the field `material`, or from E, nu and k. */
+static void read_material(lua_State *L, int index, args_place place, arc_material *to) {
+  refuse_both(L, index, place);
+  read_whole(L, index, place, "material", to);
   push_part(L, index, arc_material_settings);
   args_read(L, -1, place, arc_material_settings, to);
-  lua_pop(L, 2);
+  lua_pop(L, 1);
 }
 
 static void read_layer(lua_State *L, args_place place, arc_layer *layer) {
@@ -161,22 +168,7 @@ static void read_layers(lua_State *L, int index, args_place place, arc_body_def 
   lua_pop(L, 1);
 }
 
-/* --- materials of a mesh by name
- * ------------------------------------------------------------------
- */
-
-static void read_named(lua_State *L, int index, args_place place, arc_layer *layer) {
-  const arc_setting one[] = {{.name = layer->name,
-                              .kind = ARC_GROUP,
-                              .group = arc_material_settings,
-                              .class_name = "material",
-                              .type = "a material object or a table { E=, nu=, k= }"},
-                             {.name = NULL}};
-  layer->material = arc_material_default();
-  push_part(L, index, one);
-  args_read(L, -1, place, one, &layer->material);
-  lua_pop(L, 1);
-}
+/* --- materials of a mesh by name -------------------------------------------------------------- */
 
 /* Puts a name among the `count` that are there in order. */
 static void enter_name(arc_body_def *def, int count, const char *name) {
@@ -215,7 +207,10 @@ static void read_materials(lua_State *L, int index, args_place place, arc_body_d
                   place.prefix, place.prefix);
     const args_place inside = {place.where, lua_pushfstring(L, "%smaterials.", place.prefix)};
     const int count = read_names(L, top + 1, inside, def);
-    for (int l = 0; l < count; l++) read_named(L, top + 1, inside, &def->layer[l]);
+    for (int l = 0; l < count; l++) {
+      def->layer[l].material = arc_material_default();
+      read_whole(L, top + 1, inside, def->layer[l].name, &def->layer[l].material);
+    }
   }
   lua_settop(L, top);
 }

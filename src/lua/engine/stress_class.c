@@ -157,6 +157,8 @@ static int stress_index(lua_State *L) {
 
 /* contact:stress() -> { cylinder=, plate= } of nodal arrays */
 int stress_new(lua_State *L) {
+  static const luaL_Reg events[] = {
+      {"__tostring", stress_tostring}, {"__index", stress_index}, {NULL, NULL}};
   const arc_contact *contact = box_self(L, &contact_class, "contact:stress")->thing;
   luaL_checkstack(L, 12, "contact:stress");
   lua_createtable(L, 0, 2);
@@ -170,10 +172,7 @@ int stress_new(lua_State *L) {
   lua_settable(L, -3);
   lua_pop(L, 1);
   if (luaL_newmetatable(L, kind)) {
-    call_push(L, stress_tostring);
-    lua_setfield(L, -2, "__tostring");
-    call_push(L, stress_index);
-    lua_setfield(L, -2, "__index");
+    call_set_functions(L, events);
     lua_newtable(L);
     lua_setfield(L, -2, "__methods");
     lua_createtable(L, 1, 0);

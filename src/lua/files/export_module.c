@@ -153,11 +153,19 @@ static int export_inp(lua_State *L) {
 
 /* --- Gmsh files ------------------------------------------------------------------------------ */
 
-/* msh(model | mesh, path) -> the file written: both bodies of a model */
-/* Arguments: the object, then where the text is put, and how long it is. */
-static int push_msh(lua_State *L) {
-  lua_pushstring(L, *(char **)lua_touserdata(L, 1));
+static int push_text(lua_State *L) {
+  lua_pushlstring(L, lua_touserdata(L, 1), (size_t)lua_tointeger(L, 2));
   return 1;
+}
+
+/* Pushes a text and frees it, even where there is no memory for both. */
+static int push_and_free(lua_State *L, char *text, size_t length) {
+  lua_pushcfunction(L, push_text);
+  lua_pushlightuserdata(L, text);
+  lua_pushinteger(L, (lua_Integer)length);
+  const int failed = lua_pcall(L, 2, 1, 0);
+  free(text);
+  return failed ? lua_error(L) : 1;
 }
 
 /* Pushes the text of a Gmsh file. */
@@ -165,14 +173,10 @@ static int msh_as_text(lua_State *L, const arc_mesh *const mesh[ARC_BODIES], con
   arc_error error = {0};
   char *text;
   error_check(L, arc_export_msh_text(&text, mesh, &error), &error, where, -1);
-  lua_pushcfunction(L, push_msh);
-  lua_pushlightuserdata(L, &text);
-  const int failed = lua_pcall(L, 1, 1, 0);
-  free(text);
-  return failed ? lua_error(L) : 1;
+  return push_and_free(L, text, strlen(text));
 }
 
-/* export.msh(object, path) -> the path; export.msh(object) -> the text */
+/* msh(model | mesh, path) -> the file written: both bodies of a model; without a path its text */
 static int export_msh(lua_State *L) {
   static const char where[] = "export.msh";
   static const char *const endings[] = {".msh", NULL};
@@ -211,11 +215,6 @@ static int files_write(lua_State *L) {
   return 0;
 }
 
-static int push_text(lua_State *L) {
-  lua_pushlstring(L, lua_touserdata(L, 1), (size_t)lua_tointeger(L, 2));
-  return 1;
-}
-
 /* read(where, path) -> the whole text of a file; of anything else an error of `where` */
 static int files_read(lua_State *L) {
   const char *where = luaL_checkstring(L, 1);
@@ -224,12 +223,7 @@ static int files_read(lua_State *L) {
   char *text;
   size_t length;
   error_check(L, arc_file_read(path, &text, &length, &error), &error, where, -1);
-  lua_pushcfunction(L, push_text);
-  lua_pushlightuserdata(L, text);
-  lua_pushinteger(L, (lua_Integer)length);
-  const int failed = lua_pcall(L, 2, 1, 0);
-  free(text);
-  return failed ? lua_error(L) : 1;
+  return push_and_free(L, text, length);
 }
 
 /* is_there(path) -> whether there is a file to read; a pipe or a device is none */

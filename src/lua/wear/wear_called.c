@@ -76,14 +76,13 @@ static void push_columns(lua_State *L) {
 }
 
 static void push_metatable(lua_State *L) {
+  static const luaL_Reg events[] = {
+      {"__newindex", state_newindex}, {"__tostring", state_tostring}, {NULL, NULL}};
   if (!luaL_newmetatable(L, kind)) return;
+  luaL_setfuncs(L, events, 0);
   push_columns(L);
   lua_pushcclosure(L, state_index, 1);
   lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, state_newindex);
-  lua_setfield(L, -2, "__newindex");
-  lua_pushcfunction(L, state_tostring);
-  lua_setfield(L, -2, "__tostring");
 }
 
 called_state *state_push(lua_State *L) {

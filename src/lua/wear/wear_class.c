@@ -207,14 +207,11 @@ static int class_tostring(lua_State *L) {
 
 /* A table that can be called, with room for functions beside the constructor. */
 int luaopen_archard_wear(lua_State *L) {
-  lua_newtable(L);
-  lua_createtable(L, 0, 1);
-  call_push(L, wear_new);
-  lua_setfield(L, -2, "__call");
-  lua_pushcfunction(L, class_tostring);
-  lua_setfield(L, -2, "__tostring");
+  static const luaL_Reg functions[] = {{"open", wear_open}, {NULL, NULL}};
+  static const luaL_Reg events[] = {
+      {"__call", wear_new}, {"__tostring", class_tostring}, {NULL, NULL}};
+  call_new_library(L, functions);
+  call_new_library(L, events);
   lua_setmetatable(L, -2);
-  call_push(L, wear_open);
-  lua_setfield(L, -2, "open");
   return 1;
 }

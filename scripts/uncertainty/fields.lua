@@ -1,0 +1,6 @@
+-- The fields of study{} that samples have and nothing else. Leans on lib/check.lua.
+
+local check = require "archard.lib.check"
+
+return { n = check.whole(2, 1000000), design = check.one_of{ "sobol", "latin", "random" },
+  seed = check.whole(1, 2 ^ 31 - 1), indices = check.flag }
