@@ -128,6 +128,19 @@ ok(not fine, "and the run ends there")
 ok(not pcall(full.step, full), "again")
 ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is what it was")
 
+-- Layers much thinner than the rows, as many as there are rows: worn through, each by its own k, and the
+-- contact rests on what is under them in the end.
+local function on_layers(rows)
+  local layers = {}
+  for i, k in ipairs{ 4e-9, 1e-9, 8e-9 } do layers[i] = { thickness = 1e-4 * i, material = { E = 200e3, nu = 0.3, k = k } } end
+  return wear{ model = { upper = body.cylinder{ k = 0 }, lower = body.block{ k = 2e-8, layers = layers },
+    mesh = { size = 0.04, rows = rows } }, load = 100, stroke = 0.2, distance = 6000, jump = "auto" }
+end
+local few, many = on_layers():run{ depth = { plate = 12e-4 } }, on_layers(10):run{ depth = { plate = 12e-4 } }
+ok(off(few.p_center, many.p_center) < 1e-3 and off(few.distance, many.distance) < 1e-3,
+  ("three thin layers in a box of three rows wear as in one of ten: %.2g, %.2g"):format(off(few.p_center,
+  many.p_center), off(few.distance, many.distance)))
+
 -- Automatic steps that come to the edge of a zone do not creep up to it: the meshes grow before.
 local function pin_in_hole() -- a model that is given was sized before it was known what wears
   return wear{ model = model{ upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000,

@@ -64,6 +64,10 @@ void arc_shape_read_nodes(shape_side *side);
 arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
                               arc_error *error);
 
+/* How deep the wear box reaches under the unworn centre [mm]: rows of the usual height, thinner ones
+ * of layers (wear_box.c). */
+double arc_shape_box_depth(const shape_side *side);
+
 /* The wear box must keep its elements with the surface at xy: every column a share of its height,
  * the nodes their order; ARC_GEOMETRY (wear_box.c). */
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,

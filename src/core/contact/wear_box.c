@@ -9,6 +9,11 @@
  */
 static const double thinnest = 0.1;
 
+double arc_shape_box_depth(const shape_side *side) {
+  const int middle = side->n / 2;
+  return fabs(arc_body_bottom(side->body, middle)[1] - arc_body_top(side->body, middle)[1]);
+}
+
 /* The rows of a deeper wear box, as far as the bodies have room; 0 where there is no deeper one. */
 static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double needed) {
   if (arc_model_is_given(shape->model)) return 0;
@@ -22,20 +27,22 @@ static arc_status refuse_wear(const arc_shape *shape, const shape_side *side, in
                               double box, arc_error *error) {
   const arc_mesh *mesh = side->body->mesh;
   const int rows = deeper_rows(shape, mesh, 1.5 * fmax(box - left, box));
-  char help[64] = "";
+  char help[64] = "", size[64];
+  if (arc_body_layers(&mesh->solid) > 0)
+    snprintf(size, sizeof size, "%d rows, %.4g mm in all", mesh->rows, box);
+  else
+    snprintf(size, sizeof size, "%d rows of %g mm", mesh->rows, mesh->def.height);
   if (rows > 0) snprintf(help, sizeof help, "mesh.rows = %d, higher elements or ", rows);
   return arc_fail(
       error, ARC_GEOMETRY,
-      "the %s's wear at x = %.4g mm leaves %.3g mm of its wear box of %d rows of %g mm%s; "
-      "use %ssmaller steps",
-      arc_body_name(mesh->body), side->x0[i], left, mesh->rows, mesh->def.height,
-      rows > 0 ? "" : ", the most that fit", help);
+      "the %s's wear at x = %.4g mm leaves %.3g mm of its wear box of %s%s; use %ssmaller steps",
+      arc_body_name(mesh->body), side->x0[i], left, size, rows > 0 ? "" : ", the most that fit",
+      help);
 }
 
 arc_status arc_shape_check_box(const arc_shape *shape, const shape_side *side, const double *xy,
                                arc_error *error) {
-  const double *top = arc_body_top(side->body, side->n / 2);
-  const double box = fabs(arc_body_bottom(side->body, side->n / 2)[1] - top[1]);
+  const double box = arc_shape_box_depth(side);
   for (int i = 0; i < side->n; i++) {
     const double *bottom = arc_body_bottom(side->body, i);
     const double left = (bottom[1] - xy[2 * i + 1]) * shape_inward(side);

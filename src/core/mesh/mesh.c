@@ -82,11 +82,21 @@ static double broadest(const arc_body_def *solid) {
   return 0.9 * (half ? solid->radius : arc_body_half_length(solid));
 }
 
+/* Rows of the wear box: those asked for, and more where it would end within layers much thinner
+ * than they, which have rows of their own. */
+static int rows_of_box(const arc_mesh_def *def, const arc_body_def *solid) {
+  int rows = def->rows;
+  while (rows <= arc_body_layers(solid) &&
+         arc_body_interface(solid, rows - 1) < rows * def->height / 2)
+    rows++;
+  return rows;
+}
+
 static partitions partitions_of(const arc_mesh_def *def, arc_body body, const arc_body_def *solid) {
   const double measure = arc_body_measure(solid), z = def->zone[body], c = def->zone[ARC_CYLINDER];
   partitions p = body == ARC_CYLINDER ? (partitions){z / 2, 0.5 * c, 2 * c, c}
                                       : (partitions){z / 2, 0.5 * c, z / 2 + 1.5 * c, 1.5 * c};
-  p.inner_d = fmax(p.inner_d, (def->rows + 1) * def->height);
+  p.inner_d = fmax(p.inner_d, (rows_of_box(def, solid) + 1) * def->height);
   p.outer_s = fmin(p.outer_s, broadest(solid));
   p.outer_d = fmin(fmax(p.outer_d, p.inner_d), 0.5 * measure);
   return p;
@@ -365,7 +375,7 @@ arc_status arc_mesh_build_solid(const arc_mesh_def *def, arc_body body, const ar
   mesh->solid = *solid;
   mesh->radius = arc_body_measure(solid);
   mesh->def = *def;
-  mesh->rows = def->rows;
+  mesh->rows = rows_of_box(def, solid);
   const int half = (int)ceil(def->zone[body] / 2 / def->size - 1e-9);
   status = tile_and_fill(mesh, half);
   if (status == ARC_OK) status = arc_mesh_outline(mesh);

@@ -35,17 +35,14 @@ static int has_grown_into_zone(const arc_wear *w) {
          2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
 }
 
-/* The deepest wear of either body that its wear box has to hold [mm]. */
-static double depth_in_box(const arc_wear *w) {
-  double deepest = 0;
-  for (int b = 0; b < ARC_BODIES; b++)
-    deepest = fmax(deepest, arc_shape_depth(w->shape, (arc_body)b) - w->shape->side[b].even);
-  return deepest;
-}
-
+/* The wear that a box has to hold is what changes the surface. */
 static int has_grown_into_box(const arc_wear *w) {
-  const arc_mesh_def *mesh = &arc_model_definition(w->model)->mesh;
-  return depth_in_box(w) > mesh->rows * mesh->height / 3;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const shape_side *side = &w->shape->side[b];
+    const double depth = arc_shape_depth(w->shape, (arc_body)b) - side->even;
+    if (depth > arc_shape_box_depth(side) / 3) return 1;
+  }
+  return 0;
 }
 
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why) {
