@@ -104,6 +104,7 @@ static int sweep(friction_task *k) {
   double *sheared = w->work;
   set_gaps(k);
   if (arc_lcp_solve(k->p, k->step->line - k->held) != ARC_OK) return -1;
+  if (k->p->active == 0) return -1; /* shear on steep slopes carries more than the load */
   set_shear(k);
   w->shear.iterations = 0;
   if (arc_shear_solve(&w->shear) != 1) return -1;
