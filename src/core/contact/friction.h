@@ -141,10 +141,10 @@ typedef struct friction_step {
   double tangential; /* [N/mm] */
 } friction_step;
 
-/* The load after increment i of n of those in which bodies are pressed to `line` [N/mm]: the width
- * of the contact grows in equal steps. The rest is as x = 0, mu = 0. */
+/* Increment i of n of those in which bodies are pressed to a step: the width of the contact grows
+ * in equal steps. */
 enum { arc_press_increments = 20 }; /* where their number is not the user's */
-friction_step arc_friction_pressing(double line, int i, int n);
+friction_step arc_friction_pressing(const friction_step *to, int i, int n);
 
 /* Goes one increment on from `s`, on a pose just brought up to date and measured at the position
  * where points face each other: step->x, or where the plate's way is small (as under forces) any

@@ -41,9 +41,11 @@ size_t arc_friction_bytes(const friction_state *s) {
   return numbers_of(s) * sizeof *s->f;
 }
 
-friction_step arc_friction_pressing(double line, int i, int n) {
+friction_step arc_friction_pressing(const friction_step *to, int i, int n) {
   const double share = (double)i / n;
-  return (friction_step){.line = share * share * line};
+  friction_step step = *to;
+  step.line *= share * share;
+  return step;
 }
 
 void arc_friction_copy(friction_state *to, const friction_state *from) {

@@ -25,20 +25,17 @@ static arc_status go_to(arc_contact *c, double pairing, const friction_step *ste
   return status;
 }
 
-/* Without friction under the whole load; what it displaced is where friction starts from. */
-static arc_status press_frictionless(arc_contact *c, arc_error *error) {
-  friction_step step = {.mu = 0, .line = contact_line(c), .x = c->def.x};
-  return go_to(c, c->def.x, &step, error);
-}
-
+/* Without friction under the whole load at once; what it displaced is where friction starts from.
+ */
 arc_status arc_contact_press(arc_contact *c, arc_error *error) {
-  if (c->def.press == ARC_PRESS_FRICTIONLESS) return press_frictionless(c, error);
-  const int n = c->def.increments > 0 ? c->def.increments : arc_press_increments;
+  const int rubs = c->def.press == ARC_PRESS_FRICTION;
+  const friction_step to = {
+      .mu = rubs ? c->def.friction : 0, .line = contact_line(c), .x = c->def.x};
+  const int wanted = c->def.increments > 0 ? c->def.increments : arc_press_increments;
+  const int n = rubs ? wanted : 1;
   arc_status status = ARC_OK;
   for (int i = 1; i <= n && status == ARC_OK; i++) {
-    friction_step step = arc_friction_pressing(contact_line(c), i, n);
-    step.mu = c->def.friction;
-    step.x = c->def.x;
+    const friction_step step = arc_friction_pressing(&to, i, n);
     status = go_to(c, c->def.x, &step, error);
   }
   return status;

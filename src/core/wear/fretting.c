@@ -98,11 +98,10 @@ static arc_status press(fretting *r, arc_error *error) {
   const wear_block *b = r->w->path.block;
   const int rubs = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
   const int count = rubs ? arc_press_increments : 1, at = b->press;
+  const friction_step to = {.mu = rubs ? r->window->mu : 0, .line = b->line[at], .x = b->x[at]};
   arc_status status = ARC_OK;
   for (int i = 1; i <= count && status == ARC_OK; i++) {
-    friction_step step = arc_friction_pressing(b->line[at], i, count);
-    step.mu = rubs ? r->window->mu : 0;
-    step.x = b->x[at];
+    const friction_step step = arc_friction_pressing(&to, i, count);
     status = advance(r, at, &step, error);
   }
   return status;
