@@ -164,8 +164,9 @@ double arc_loading_length(contact_pair *pair, const arc_loading *from, int i) {
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
   const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
-  contact_pair pair = arc_model_pair(model);
+  contact_pair pair = {.def = NULL};
   double count = 0;
+  if (follow) pair = arc_model_pair(model);
   for (int i = 1; i < from->count; i++) {
     const double length = follow ? arc_loading_length(&pair, from, i) : 1;
     const double here = fmax(1, ceil(length * (1 - 1e-9)));
