@@ -331,6 +331,7 @@ static void warn_hollow(const arc_model *m, double half_width, const arc_callbac
 
 void arc_model_warn(const arc_model *model, double load, double half_width,
                     const arc_callbacks *callbacks) {
+  if (!callbacks || !callbacks->warn) return;
   warn_edges(model, load, callbacks);
   warn_hollow(model, half_width, callbacks);
   for (int b = 0; b < ARC_BODIES; b++) warn_locking(model, (arc_body)b, callbacks);
