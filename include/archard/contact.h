@@ -51,8 +51,9 @@ arc_model *arc_shape_model(const arc_shape *shape);
 arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error);
 
 /* Wears one body everywhere by the same depth [mm], as a plate under a stroke over its whole width:
- * a flat surface stays flat, the contact does not notice. */
-void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth);
+ * the surface stays as it is, and the contact does not notice but what moving geometry has left of
+ * layers in the wear box. ARC_MEMORY, ARC_NUMERIC: the shape is unchanged. */
+arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, arc_error *error);
 
 /* Takes the worn surfaces of one shape over to an unworn one on another model of the same bodies,
  * whose nodes need not be the same: by splines without kinks inside a scar, with the same area lost

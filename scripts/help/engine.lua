@@ -300,7 +300,8 @@ return {
   { "wear.model", kind = "field", class = "model", text = "The model it runs on." },
   { "wear.mesh", kind = "field", use = "w.mesh.plate:quality()",
     text = "The meshes as they are worn by now, cylinder and plate: objects like those of a model, for "
-      .. "quality, plot.mesh(w) and files. Wear that is the same all over the plate leaves its nodes." },
+      .. "quality, plot.mesh(w) and files. Wear that is the same all over the plate leaves its nodes; layers "
+      .. "under them come up with moving geometry, but under a track." },
   { "wear.distance", kind = "field", unit = "mm", text = "Travelled distance so far." },
   { "wear.cycle", kind = "field", unit = "cycles", text = "Loading cycles so far." },
   { "wear.update", kind = "field", text = "Geometry updates so far." },

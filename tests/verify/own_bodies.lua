@@ -168,6 +168,23 @@ for _, thickness in ipairs{ 1, 1e-4 } do
   end
 end
 
+-- What is left of a layer carries: the pressure on a plate worn evenly is that on one with so thin a layer,
+-- and of the base alone in the end. The soft layer is wholly in rows of its own, of which little is left.
+local function worn_evenly(E, base, load, thickness, depths, tolerance)
+  local function pair(left)
+    return { upper = body.cylinder{ radius = 10, E = base, k = 0 }, lower = body.block{ width = 20, height = 10, E = base, k = 1e-6,
+      layers = left > 0 and { { thickness = left, material = material{ E = E, nu = 0.3, k = 1e-6 } } } or nil } }
+  end
+  local w = wear{ load = load, stroke = 20, distance = 1e6, jump = 100, model = pair(thickness) }
+  for _, depth in ipairs(depths) do
+    w:run{ depth = { plate = depth } }
+    within(w.p_center, contact{ load = load, model = pair(math.max(0, thickness - depth)) }.p_center, tolerance,
+      ("E %g on %g MPa, %g of %g mm worn evenly: pressure [MPa]"):format(E, base, depth, thickness))
+  end
+end
+worn_evenly(1000, 1e9, 10, 0.1, { 0.02, 0.05, 0.085 }, 0.03)
+worn_evenly(20e3, 200e3, 100, 0.01, { 0.0025, 0.0075, 0.02 }, 0.005)
+
 -- A layer that is never worn through wears as a body of its material does, however fast the one beneath would.
 local function under_stroke(lower, scheme)
   return wear{ load = 100, stroke = 0.2, distance = 3000, scheme = scheme, jump = scheme == "explicit" and "auto" or nil,

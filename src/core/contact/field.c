@@ -146,8 +146,9 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
   memcpy(f, c->force[body], 2 * (size_t)side->n * sizeof *f);
   const double sign = body == ARC_CYLINDER ? 1 : -1;
   for (int i = 0; i < side->n && !c->rubs; i++) f[side->n + i] = sign * c->f[body][i];
-  arc_shape_box(side, side->xy, box);
-  const arc_status status = arc_body_displacements(side->body, box, f, u, error);
+  const double even = arc_shape_risen(c->shape, body);
+  arc_shape_box(side, side->xy, even, box);
+  const arc_status status = arc_body_displacements(side->body, box, even, f, u, error);
   if (status != ARC_OK) return status;
   /* what has no wear box has been solved as unworn */
   const arc_mesh *mesh = side->body->mesh;

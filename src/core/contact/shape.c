@@ -123,7 +123,8 @@ arc_model *arc_shape_model(const arc_shape *shape) {
 
 /* Node k of the wear box: its column is pulled along with the surface, fully at the top, not at all
  * at the bottom. Without rows the surface is all there is of it. */
-static void box_node_at(const shape_side *side, const double *surface_xy, int k, double xy[2]) {
+static void box_node_at(const shape_side *side, const double *surface_xy, double even, int k,
+                        double xy[2]) {
   const arc_mesh *mesh = side->body->mesh;
   const int column = k / (mesh->rows + 1), row = k % (mesh->rows + 1);
   const double *top = arc_body_top(side->body, column);
@@ -133,10 +134,12 @@ static void box_node_at(const shape_side *side, const double *surface_xy, int k,
   const double share = side_column ? 0 : pull;
   for (int d = 0; d < 2; d++)
     xy[d] = side->body->box_at[2 * k + d] + share * (surface_xy[2 * column + d] - top[d]);
+  if (!side_column) xy[1] -= shape_inward(side) * arc_shape_rise(side, even, column, row);
 }
 
-void arc_shape_box(const shape_side *side, const double *surface_xy, double *box_xy) {
-  for (int k = 0; k < side->body->box_count; k++) box_node_at(side, surface_xy, k, &box_xy[2 * k]);
+void arc_shape_box(const shape_side *side, const double *surface_xy, double even, double *box_xy) {
+  for (int k = 0; k < side->body->box_count; k++)
+    box_node_at(side, surface_xy, even, k, &box_xy[2 * k]);
 }
 
 /* Whether node i has gone too far since the last condensation: by more than a share of an element's
@@ -204,8 +207,9 @@ arc_status arc_shape_condense(const shape_side *side, const double *xy, complian
   if (status != ARC_OK) {
     out_of_memory(error);
   } else {
-    arc_shape_box(side, xy, box);
-    status = arc_body_condense(side->body, box, result, error);
+    const double even = arc_shape_even_felt(side);
+    arc_shape_box(side, xy, even, box);
+    status = arc_body_condense(side->body, box, even, result, error);
     if (status == ARC_OK) incline(side, xy, result);
     if (status != ARC_OK) arc_compliance_free(result);
   }
@@ -250,7 +254,7 @@ arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, 
 static arc_status compliance_for(const arc_shape *shape, const shape_side *side,
                                  arc_geometry geometry, compliance *renewed, arc_error *error) {
   *renewed = (compliance){0};
-  if (geometry == ARC_FROZEN || is_unworn(side)) return ARC_OK;
+  if (geometry == ARC_FROZEN || (is_unworn(side) && arc_shape_even_felt(side) == 0)) return ARC_OK;
   const arc_status status = arc_shape_check_box(shape, side, side->xy, error);
   return status == ARC_OK ? arc_shape_condense(side, side->xy, renewed, error) : status;
 }
@@ -299,11 +303,24 @@ arc_status arc_shape_put(arc_shape *shape, arc_body body, const double *way_x, c
   return status;
 }
 
-void arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth) {
+/* Layers are followed at once: how much of them was left at the last condensation need not be known
+ * then. */
+arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, arc_error *error) {
   shape_side *side = &shape->side[body];
-  side->even += depth;
+  shape_side worn = *side;
+  compliance renewed = {0};
+  worn.even += depth;
+  const int felt = shape->geometry == ARC_MOVING && arc_shape_even_felt(&worn) > 0;
+  const arc_status status = felt ? arc_shape_condense(&worn, side->xy, &renewed, error) : ARC_OK;
+  if (status != ARC_OK) return status;
+  side->even = worn.even;
   for (int i = 0; i < side->n; i++) side->h[i] += depth;
-  arc_shape_read_nodes(side);
+  if (felt)
+    settle(shape, side, renewed);
+  else
+    arc_shape_read_nodes(side);
+  if (felt) arc_shape_drift(side);
+  return ARC_OK;
 }
 
 arc_profile arc_shape_profile(const arc_shape *shape, arc_body body) {
@@ -325,13 +342,18 @@ double arc_shape_vector_depth(const arc_shape *shape, arc_body body) {
   return depth;
 }
 
+double arc_shape_risen(const arc_shape *shape, arc_body body) {
+  return shape->geometry == ARC_MOVING ? arc_shape_even_felt(&shape->side[body]) : 0;
+}
+
 void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy) {
   const shape_side *side = &shape->side[body];
   const arc_mesh *mesh = side->body->mesh;
+  const double even = arc_shape_risen(shape, body);
   memcpy(xy, mesh->xy, 2 * (size_t)mesh->nodes * sizeof *xy);
   for (int k = 0; k < side->body->box_count; k++) {
     double at[2];
-    box_node_at(side, side->xy, k, at);
+    box_node_at(side, side->xy, even, k, at);
     arc_chart_to_space(&side->body->chart, 1, at, &xy[2 * mesh->box_node[k]]);
   }
 }

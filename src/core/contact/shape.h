@@ -64,9 +64,25 @@ void arc_shape_read_nodes(shape_side *side);
 arc_status arc_shape_condense(const shape_side *side, const double *xy, compliance *result,
                               arc_error *error);
 
-/* How deep the wear box reaches under the unworn centre [mm]: rows of the usual height, thinner ones
- * of layers (wear_box.c). */
+/* How deep the wear box reaches under the unworn centre [mm]: rows of the usual height, thinner
+ * ones of layers (wear_box.c). */
 double arc_shape_box_depth(const shape_side *side);
+
+/* How much nearer to the surface node `row` of column i of the wear box lies [mm] under a surface
+ * that stays where it is although it wore by `even`: rows on interfaces of layers go with these
+ * (wear_box.c). */
+double arc_shape_rise(const shape_side *side, double even, int i, int row);
+
+/* The even wear [mm] that moving geometry feels: that through layers, where the wear box reaches
+ * below them all (wear_box.c). */
+double arc_shape_even_felt(const shape_side *side);
+
+/* A wear box is deepened to so many rows at the most. */
+enum { ARC_SHAPE_MOST_ROWS = 100 };
+
+/* The rows that a wear box needs to reach below layers that have worn evenly by a part that is
+ * felt, or as many as there is room for; 0 where it has them (wear_box.c). */
+int arc_shape_layer_rows(const arc_shape *shape, arc_body body);
 
 /* The wear box must keep its elements with the surface at xy: every column a share of its height,
  * the nodes their order; ARC_GEOMETRY (wear_box.c). */
@@ -100,8 +116,12 @@ void arc_shape_drift(shape_side *side);
 
 /* --- shape.c --- */
 
-/* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n]. */
-void arc_shape_box(const shape_side *side, const double *surface_xy, double *box_xy);
+/* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n], under which so much wore
+ * evenly. */
+void arc_shape_box(const shape_side *side, const double *surface_xy, double even, double *box_xy);
+
+/* The even wear [mm] that the stiffness knows of: none under frozen geometry. */
+double arc_shape_risen(const arc_shape *shape, arc_body body);
 
 /* Goes on with another geometry: frozen takes the unworn compliance, moving that of the present
  * nodes. On failure the shape is as it was. */

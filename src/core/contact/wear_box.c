@@ -23,6 +23,68 @@ static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double need
   return rows > mesh->rows ? (int)rows : 0;
 }
 
+/* --- layers under a surface that stays where it is -------------------------------------------- */
+
+/* Rows down to a depth [mm] in a column of the unworn box. */
+static int rows_above(const elastic_body *body, const double *column, double depth) {
+  int rows = 0;
+  while (rows < body->mesh->rows && fabs(column[2 * rows + 3] - column[1]) <= depth * (1 + 1e-9))
+    rows++;
+  return rows;
+}
+
+double arc_shape_rise(const shape_side *side, double even, int i, int row) {
+  static const double thinnest_row = 0.02; /* of the usual height: what is left of worn layers */
+  const elastic_body *body = side->body;
+  const arc_mesh *mesh = body->mesh;
+  const double *column = arc_body_top(body, i);
+  const double depth = fabs(column[2 * row + 1] - column[1]),
+               bottom = fabs(column[2 * mesh->rows + 1] - column[1]);
+  const int layers = arc_body_layers(&mesh->solid);
+  double above = 0, rise_above = 0;
+  if (even == 0) return 0;
+  for (int l = 0; l < layers; l++) {
+    const double end = arc_body_interface(&mesh->solid, l);
+    const double left = rows_above(body, column, end) * thinnest_row * mesh->def.height;
+    const double rise = fmin(even, fmax(0, end - left));
+    if (depth <= end * (1 + 1e-9))
+      return rise_above + (rise - rise_above) * (depth - above) / (end - above);
+    above = end;
+    rise_above = rise;
+  }
+  return rise_above * (bottom - depth) / (bottom - above);
+}
+
+/* How deep the layers are [mm]. */
+static double depth_of_layers(const arc_mesh *mesh) {
+  const int layers = arc_body_layers(&mesh->solid);
+  return layers > 0 ? arc_body_interface(&mesh->solid, layers - 1) : 0;
+}
+
+static int reaches_below_layers(const shape_side *side) {
+  const arc_mesh *mesh = side->body->mesh;
+  return arc_shape_box_depth(side) > depth_of_layers(mesh) + mesh->def.height / 2;
+}
+
+double arc_shape_even_felt(const shape_side *side) {
+  const arc_mesh *mesh = side->body->mesh;
+  const int moves = mesh->rows > 0 && depth_of_layers(mesh) > 0 && reaches_below_layers(side);
+  return moves ? side->even : 0;
+}
+
+int arc_shape_layer_rows(const arc_shape *shape, arc_body body) {
+  static const double noticed = 0.01; /* of the layers: what they lose before that is not felt */
+  const shape_side *side = &shape->side[body];
+  const arc_mesh *mesh = side->body->mesh;
+  const double deep = depth_of_layers(mesh);
+  if (shape->geometry == ARC_FROZEN || side->even <= noticed * deep || reaches_below_layers(side))
+    return 0;
+  /* rows on interfaces lie up to a tenth off where cells are coarse */
+  const int rows = deeper_rows(shape, mesh, 1.1 * deep + mesh->def.height);
+  const int most = rows < ARC_SHAPE_MOST_ROWS ? rows : ARC_SHAPE_MOST_ROWS;
+  return most > mesh->rows ? most : 0;
+}
+
 static arc_status refuse_wear(const arc_shape *shape, const shape_side *side, int i, double left,
                               double box, arc_error *error) {
   const arc_mesh *mesh = side->body->mesh;

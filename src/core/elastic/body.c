@@ -210,7 +210,7 @@ static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) 
   compliance thinner;
   arc_status status = arc_compliance_create(&thinner, b->mesh->surface);
   if (status != ARC_OK) return out_of_memory(b, error);
-  status = arc_body_condense(b, box, &thinner, error);
+  status = arc_body_condense(b, box, 0, &thinner, error);
   if (status == ARC_OK) take_difference(b, &thinner, share);
   arc_compliance_free(&thinner);
   return status;
@@ -220,7 +220,7 @@ static arc_status condense_unworn(elastic_body *b, work_watch *seen, arc_error *
   double *box = malloc(2 * (size_t)b->box_count * sizeof *box);
   if (!box) return out_of_memory(b, error);
   memcpy(box, b->box_at, 2 * (size_t)b->box_count * sizeof *box);
-  arc_status status = arc_body_condense(b, box, &b->unworn, error);
+  arc_status status = arc_body_condense(b, box, 0, &b->unworn, error);
   if (status == ARC_OK) status = arc_watch_stage(seen);
   if (status == ARC_OK) status = find_thinning(b, box, error);
   free(box);

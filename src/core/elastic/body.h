@@ -131,9 +131,10 @@ static inline elasticity arc_body_elasticity(const elastic_body *body, int e) {
 }
 
 /* The compliance, in the chart's directions, with the wear-box nodes at box_at [2 * box_count] of
- * the chart (order of box_node). ARC_NUMERIC, ARC_MEMORY. */
-arc_status arc_body_condense(const elastic_body *body, const double *box_at, compliance *result,
-                             arc_error *error);
+ * the chart (order of box_node). Under a surface that stays where it is although it wore by `even`
+ * [mm] the layers in the box lie so much higher. ARC_NUMERIC, ARC_MEMORY. */
+arc_status arc_body_condense(const elastic_body *body, const double *box_at, double even,
+                             compliance *result, arc_error *error);
 
 /* Triangles that share one dilatation with triangle e, the first of its cell: e, e + 2, ...; none
  * locks alone then. 1 for elements that stand for themselves, as all of a mesh from outside do, 0
@@ -145,8 +146,8 @@ element arc_body_element(const elastic_body *body, const double *xy, const int c
 
 /* Displacements u [2 * nodes] of the whole body, in space, under surface forces f [2 * surface,
  * N/mm], along s at all nodes first, then along z, by back-substitution. */
-arc_status arc_body_displacements(const elastic_body *body, const double *box_at, const double *f,
-                                  double *u, arc_error *error);
+arc_status arc_body_displacements(const elastic_body *body, const double *box_at, double even,
+                                  const double *f, double *u, arc_error *error);
 
 /* The model's body (not public: contact and wear lean on it). */
 const elastic_body *arc_model_body(const arc_model *model, arc_body which);

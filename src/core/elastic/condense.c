@@ -22,6 +22,7 @@ enum {
 
 typedef struct condensation {
   int ni, nr, ns;     /* inner and rim unknowns, surface nodes */
+  double even;        /* [mm] wear that left the surface where it was */
   double *band;       /* [(band + 1) * ni] factor of K_ii */
   double *side;       /* [(ni + 2 band) x together] right-hand sides of the band, side by side; zero
                          between calls */
@@ -78,10 +79,12 @@ static elasticity mix_layers(const elastic_body *b, double from, double to) {
   return mixed;
 }
 
-/* The surface moves through the layers, which stay where they are. */
-static elasticity box_elasticity(const elastic_body *b, const double *box_at, const int corner[4]) {
+/* The surface moves through the layers, which stay where they are; where it stays although it
+ * wears, `even` [mm], they come to meet it. */
+static elasticity box_elasticity(const elastic_body *b, const double *box_at, double even,
+                                 const int corner[4]) {
   const int rows = b->mesh->rows + 1;
-  double from = 0, to = 0;
+  double from = even, to = even;
   int least = corner[0] % rows;
   if (arc_body_layers(&b->mesh->solid) == 0) return b->d;
   for (int a = 1; a < 4; a++) least = corner[a] % rows < least ? corner[a] % rows : least;
@@ -102,7 +105,7 @@ static arc_status add_box_element(const elastic_body *b, int e, const double *bo
   for (int a = 0; a < 4; a++) corner[a] = b->node_box[b->mesh->element[4 * e + a]];
   const element el = arc_body_element(b, box_xy, corner);
   double k[64];
-  arc_element_stiffness(&el, box_elasticity(b, box_at, corner), k);
+  arc_element_stiffness(&el, box_elasticity(b, box_at, c->even, corner), k);
   for (int r = 0; r < 8; r++) {
     const int at = corner[r / 2];
     inner[r] = b->box_inner[at] < 0 ? -1 : 2 * b->box_inner[at] + r % 2;
@@ -208,10 +211,12 @@ static arc_status factorise(const elastic_body *b, condensation *c, arc_error *e
 }
 
 static arc_status condense_in_space(const elastic_body *b, const double *box_xy,
-                                    const double *box_at, condensation *c, arc_error *error) {
+                                    const double *box_at, double even, condensation *c,
+                                    arc_error *error) {
   const char *name = arc_body_name(b->mesh->body);
   if (condensation_create(b, c) != ARC_OK)
     return arc_fail(error, ARC_MEMORY, "out of memory for the %s's wear box", name);
+  c->even = even;
   memcpy(c->t, b->s_far, (size_t)c->nr * (size_t)c->nr * sizeof(double));
   arc_status status = ARC_OK;
   for (int e = 0; e < b->mesh->box_elements && status == ARC_OK; e++)
@@ -224,15 +229,15 @@ static arc_status condense_in_space(const elastic_body *b, const double *box_xy,
   return status;
 }
 
-static arc_status condense(const elastic_body *b, const double *box_at, condensation *c,
-                           arc_error *error) {
-  if (!b->chart.polar) return condense_in_space(b, box_at, box_at, c, error);
+static arc_status condense(const elastic_body *b, const double *box_at, double even,
+                           condensation *c, arc_error *error) {
+  if (!b->chart.polar) return condense_in_space(b, box_at, box_at, even, c, error);
   double *box_xy = malloc(2 * (size_t)b->box_count * sizeof *box_xy);
   if (!box_xy)
     return arc_fail(error, ARC_MEMORY, "out of memory for the %s's wear box",
                     arc_body_name(b->mesh->body));
   arc_chart_to_space(&b->chart, b->box_count, box_at, box_xy);
-  const arc_status status = condense_in_space(b, box_xy, box_at, c, error);
+  const arc_status status = condense_in_space(b, box_xy, box_at, even, c, error);
   free(box_xy);
   return status;
 }
@@ -332,10 +337,10 @@ static arc_status turn_into_chart(const elastic_body *b, const double *box_at, c
   return ARC_OK;
 }
 
-arc_status arc_body_condense(const elastic_body *b, const double *box_at, compliance *result,
-                             arc_error *error) {
+arc_status arc_body_condense(const elastic_body *b, const double *box_at, double even,
+                             compliance *result, arc_error *error) {
   condensation c;
-  arc_status status = condense(b, box_at, &c, error);
+  arc_status status = condense(b, box_at, even, &c, error);
   if (status != ARC_OK) return status;
   for (int q = 0; q < 2 * c.ns; q += together) add_z(b, &c, q);
   for (int j = 0; j < 2 * c.ns; j += panel) add_panel(&c, j);
@@ -390,10 +395,10 @@ static void turn_forces(const elastic_body *b, const double *box_at, const doubl
   }
 }
 
-arc_status arc_body_displacements(const elastic_body *b, const double *box_at, const double *f,
-                                  double *u, arc_error *error) {
+arc_status arc_body_displacements(const elastic_body *b, const double *box_at, double even,
+                                  const double *f, double *u, arc_error *error) {
   condensation c;
-  arc_status status = condense(b, box_at, &c, error);
+  arc_status status = condense(b, box_at, even, &c, error);
   if (status != ARC_OK) return status;
   double *rim = malloc((size_t)(c.nr + c.ni + 2 * c.ns) * sizeof *rim);
   if (rim) {

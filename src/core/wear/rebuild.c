@@ -9,8 +9,6 @@
 /* So much wider, in shares of the cylinder's zone, and deeper at once. */
 static const double wider = 0.5, deeper = 2;
 
-enum { most_rows = 100 };
-
 /* The element size goes with the contact where nobody chose it: a contact of so many times the
  * elements of a new one may do with half of them. */
 static const double rich = 8;
@@ -45,9 +43,13 @@ static int has_grown_into_box(const arc_wear *w) {
   return 0;
 }
 
+int arc_wear_layer_rows(const arc_wear *w) {
+  return wears_evenly(w) && w->def.track == 0 ? arc_shape_layer_rows(w->shape, ARC_PLATE) : 0;
+}
+
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why) {
   return (why == ARC_ZONE && has_grown_into_zone(w)) ||
-         (why == ARC_GEOMETRY && has_grown_into_box(w));
+         (why == ARC_GEOMETRY && (has_grown_into_box(w) || arc_wear_layer_rows(w) > 0));
 }
 
 int arc_wear_has_room(const arc_wear *w) {
@@ -72,9 +74,10 @@ static void widen(const arc_wear *w, arc_model_def *def) {
   arc_model_fit_zones(def, needed);
 }
 
-static void deepen(arc_model_def *def) {
+static void deepen(const arc_wear *w, arc_model_def *def) {
   const double room = arc_model_deepest_box(def) / def->mesh.height;
-  def->mesh.rows = (int)fmin(fmin(deeper * def->mesh.rows, most_rows), floor(room));
+  const double rows = fmax(deeper * def->mesh.rows, arc_wear_layer_rows(w));
+  def->mesh.rows = (int)fmin(fmin(rows, ARC_SHAPE_MOST_ROWS), floor(room));
 }
 
 static void coarsen(const arc_wear *w, arc_model_def *def) {
@@ -91,7 +94,7 @@ static arc_model_def grown(const arc_wear *w, arc_status why) {
   if (why == ARC_ZONE)
     widen(w, &def);
   else
-    deepen(&def);
+    deepen(w, &def);
   coarsen(w, &def);
   return def;
 }
@@ -159,10 +162,10 @@ void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,
                          const arc_callbacks *callbacks) {
   const arc_mesh_def *old = &arc_model_definition(before->model)->mesh;
   const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
-  const int wider_now = mesh->zone[ARC_PLATE] > old->zone[ARC_PLATE];
-  arc_wear_tell_meshes(before, now,
-                       wider_now ? "the contact outgrows its mesh" : "the wear outgrows its mesh",
-                       callbacks);
+  const char *why = "the wear outgrows its mesh";
+  if (arc_wear_layer_rows(before) > 0) why = "layers that wear evenly are taken into the wear box";
+  if (mesh->zone[ARC_PLATE] > old->zone[ARC_PLATE]) why = "the contact outgrows its mesh";
+  arc_wear_tell_meshes(before, now, why, callbacks);
 }
 
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
@@ -191,7 +194,8 @@ static arc_model_def remeshed(const arc_wear *w, const arc_mesh_def *mesh) {
   def.mesh = *mesh;
   if (mesh->rows == 0) def.mesh.rows = 1; /* what fits is not for want of rows */
   arc_model_fit(&def, w->def.load);
-  if (mesh->rows == 0) def.mesh.rows = (int)fmin(most_rows, ceil(depth / def.mesh.height - 1e-9));
+  if (mesh->rows == 0)
+    def.mesh.rows = (int)fmin(ARC_SHAPE_MOST_ROWS, ceil(depth / def.mesh.height - 1e-9));
   arc_wear_zones(&w->def, &def, needed);
   arc_model_fit_zones(&def, needed);
   return def;

@@ -8,6 +8,10 @@
  * grown into, and not the step itself. */
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why);
 
+/* The rows that a wear box needs for layers that wear evenly, of which only those in the box are
+ * felt as they get thinner; 0 where it has them. */
+int arc_wear_layer_rows(const arc_wear *w);
+
 /* Whether bodies of that radius have room for the zones that the run needs. */
 int arc_wear_has_room(const arc_wear *w);
 

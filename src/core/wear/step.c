@@ -246,7 +246,10 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
   enum { most_tries = 4 };
   arc_error why = {0}, trouble = {0};
   arc_wear *before = NULL, *larger;
-  arc_status status = try_step(w, limit, callbacks, targets, moved, &why);
+  arc_status status =
+      arc_wear_layer_rows(w) > 0
+          ? arc_fail(&why, ARC_GEOMETRY, "the plate's layers end below its wear box")
+          : try_step(w, limit, callbacks, targets, moved, &why);
   const arc_status first = status;
   for (int i = 0; i < most_tries && arc_wear_has_outgrown(w, status); i++) {
     const arc_status built = arc_wear_grow(w, status, callbacks, &larger, &trouble);

@@ -39,7 +39,7 @@ static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out
     if (status != ARC_OK) return status;
   }
   if (depth->even != 0 && w->def.track == 0)
-    arc_shape_wear_evenly(out->shape, ARC_PLATE, depth->even);
+    return arc_shape_wear_evenly(out->shape, ARC_PLATE, depth->even, error);
   return ARC_OK;
 }
 

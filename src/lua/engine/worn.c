@@ -182,7 +182,8 @@ static void wear_body(lua_State *L, int worn, arc_shape *shape, arc_body body, c
   double *depth = array_buffer(L, (size_t)nodes.count);
   if (sample(L, worn, shape, body, depth, where)) {
     double even = body == ARC_PLATE ? split_even(depth, nodes.count) : 0;
-    if (even > 0) arc_shape_wear_evenly(shape, body, even);
+    if (even > 0)
+      error_check(L, arc_shape_wear_evenly(shape, body, even, &error), &error, where, -1);
     error_check(L, arc_shape_wear(shape, body, depth, &error), &error, where, -1);
   }
   lua_settop(L, top);
