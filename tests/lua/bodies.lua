@@ -41,6 +41,8 @@ fails(function() material{ k = -1 } end, "field 'k'", "a material's below zero")
 -- Meshes that follow the contact.
 fails(function() model{ mesh = { size = 0.02, fineness = 2 } } end, { "mesh.size", "mesh.fineness" },
   "a size that is given has no fineness")
+fails(function() model{ radius = 1e14 } end, { "field 'mesh.size': expected at least radius / 5e+08 = 200000 mm" },
+  "elements too many to be counted")
 is(model{ mesh = { size = "auto", fineness = 2 } }.mesh.size, 0.01, "fineness halves the paper's size")
 ok(contact{ model = { radius = 0.5 } }.p_center > 0, "a small radius")
 is(model{ radius = 0.5 }.mesh.far, 0.05, "far goes with the radius")

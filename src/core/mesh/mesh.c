@@ -162,6 +162,9 @@ double arc_mesh_nodes(const arc_mesh_def *def, arc_body body, const arc_body_def
          whole / (def->far * def->far);
 }
 
+/* Elements that whole bodies may be wide and deep: places are counted in them, as integers. */
+static const double most_sizes = 5e8;
+
 arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
                           arc_error *error) {
   const double radius = arc_body_measure(solid);
@@ -170,6 +173,10 @@ arc_status arc_mesh_check(const arc_mesh_def *def, arc_body body, const arc_body
       (status = check_positive("mesh.height", def->height, radius / 10, "radius / 10", error)) ||
       (status = check_positive("mesh.far", def->far, radius, "radius", error)))
     return status;
+  if (radius > most_sizes * def->size)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'mesh.size': expected at least radius / %g = %g mm, got %g mm",
+                    most_sizes, radius / most_sizes, def->size);
   const double aspect = def->height / def->size;
   if (!(aspect > 0.05 && aspect < 20))
     return arc_fail(
