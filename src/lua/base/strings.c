@@ -9,9 +9,9 @@
 #include <lauxlib.h>
 #include <string.h>
 
-/* Their addresses name entries of the registry: the real metatable, the one that is shown, and the
- * user's __index. */
-static const char real_key = 0, shown_key = 0, index_key = 0;
+/* Their addresses name entries of the registry: the real metatable, the one that is shown, the
+ * methods that stay, and the user's __index. */
+static const char real_key = 0, shown_key = 0, methods_key = 0, index_key = 0;
 
 static void push(lua_State *L, const char *key) {
   lua_rawgetp(L, LUA_REGISTRYINDEX, key);
@@ -42,13 +42,25 @@ static int ask_user(lua_State *L) {
   return 1;
 }
 
-/* __index(string, name). Upvalue 1: the methods that stay. */
+/* __index(string or methods, name). Upvalue 1: the methods that stay. */
 static int string_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
   push(L, &index_key);
   return ask_user(L);
+}
+
+/* Pops the user's __index. Lua looks for methods in a table by itself, much faster than it asks us;
+ * a function of the user's alone wants the string, which the table does not tell. */
+static void take_index(lua_State *L) {
+  const int wants_string = lua_isfunction(L, -1);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
+  push(L, &real_key);
+  push(L, &methods_key);
+  if (wants_string) luaL_getmetafield(L, -1, "__index");
+  lua_setfield(L, wants_string ? -3 : -2, "__index");
+  lua_pop(L, wants_string ? 2 : 1);
 }
 
 /* --- the metatable that is shown -------------------------------------------------------------- */
@@ -68,7 +80,7 @@ static int shown_index(lua_State *L) {
 static int shown_newindex(lua_State *L) {
   lua_settop(L, 3);
   if (is_text(L, 2, "__index")) {
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
+    take_index(L);
   } else if (!is_text(L, 2, "__metatable")) {
     push(L, &real_key);
     lua_insert(L, 2);
@@ -87,7 +99,7 @@ static void replace_shown(lua_State *L) {
     lua_rawset(L, 3);
   }
   lua_pushnil(L);
-  lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
+  take_index(L);
   if (!lua_istable(L, 2)) return;
   push(L, &shown_key);
   for (lua_pushnil(L); lua_next(L, 2); lua_settop(L, 5)) {
@@ -129,15 +141,23 @@ static void wrap(lua_State *L, const char *name, lua_CFunction function) {
 
 /* --- setting up ------------------------------------------------------------------------------- */
 
-/* Pushes a copy of the library at `index`, without what a sandbox takes away. */
-static void push_methods(lua_State *L, int index) {
+/* Copies the library on top, without what a sandbox takes away. */
+static void keep_methods(lua_State *L) {
+  const int library = lua_gettop(L);
   lua_newtable(L);
-  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+  for (lua_pushnil(L); lua_next(L, library); lua_pop(L, 1)) {
     if (is_text(L, -2, "dump")) continue;
     lua_pushvalue(L, -2);
     lua_pushvalue(L, -2);
     lua_rawset(L, -5);
   }
+  lua_createtable(L, 0, 1);
+  lua_pushvalue(L, -2);
+  lua_pushvalue(L, library);
+  lua_pushcclosure(L, string_index, 2);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &methods_key);
 }
 
 static void push_shown(lua_State *L) {
@@ -162,15 +182,11 @@ static void hide(lua_State *L) {
 void strings_keep(lua_State *L) {
   const int top = lua_gettop(L);
   lua_pushliteral(L, "");
-  lua_getglobal(L, "string");
   if (lua_getmetatable(L, top + 1)) {
-    lua_pushvalue(L, top + 2);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
-    push_methods(L, top + 2);
-    lua_pushvalue(L, top + 2);
-    lua_pushcclosure(L, string_index, 2);
-    lua_setfield(L, -2, "__index");
     hide(L);
+    lua_getglobal(L, "string");
+    keep_methods(L);
+    take_index(L);
     lua_getglobal(L, "debug");
     wrap(L, "getmetatable", get_metatable);
     wrap(L, "setmetatable", set_metatable);
