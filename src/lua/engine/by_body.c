@@ -65,15 +65,18 @@ static void push_words(lua_State *L, const arc_model_def *def) {
   for (int k = 0; arc_solid_names[k]; k++) add_word(L, def, arc_solid_names[k]);
 }
 
-void by_body_named(lua_State *L, const arc_model_def *def, const char *where) {
+/* Gives the table on top the metatable of such tables of a pair, made once; `push` pushes the words
+ * that their fields answer to. */
+static void set_answering(lua_State *L, const arc_model_def *def, const char *where,
+                          void (*push)(lua_State *L, const arc_model_def *def)) {
   const arc_model_def *pair = def ? def : &usual;
-  luaL_checkstack(L, 8, where);
+  luaL_checkstack(L, 12, where);
   const char *key = lua_pushfstring(L, "archard.by_body %s %s %s %d %d", where,
                                     body_name(def, ARC_UPPER), body_name(def, ARC_LOWER),
                                     pair->body[ARC_UPPER].kind, pair->body[ARC_LOWER].kind);
   if (luaL_getmetatable(L, key) == LUA_TNIL) {
     lua_pop(L, 1);
-    push_words(L, def);
+    push(L, def);
     strict_metatable(L, where, -1);
     lua_remove(L, -2);
     lua_pushvalue(L, -1);
@@ -81,6 +84,10 @@ void by_body_named(lua_State *L, const arc_model_def *def, const char *where) {
   }
   lua_setmetatable(L, -3);
   lua_pop(L, 1);
+}
+
+void by_body_named(lua_State *L, const arc_model_def *def, const char *where) {
+  set_answering(L, def, where, push_words);
 }
 
 /* Adds "depth_WORD" for a column where the word means one body. */
@@ -92,8 +99,7 @@ static void add_column(lua_State *L, const arc_model_def *def, const char *what,
   lua_rawset(L, -3);
 }
 
-void columns_by_body(lua_State *L, const arc_model_def *def, const char *where) {
-  luaL_checkstack(L, 10, where);
+static void push_columns(lua_State *L, const arc_model_def *def) {
   lua_newtable(L);
   const int columns = lua_gettop(L);
   push_words(L, def);
@@ -104,9 +110,11 @@ void columns_by_body(lua_State *L, const arc_model_def *def, const char *where) 
     add_column(L, def, "volume", word);
     lua_pop(L, 1);
   }
-  strict_metatable(L, where, columns);
-  lua_setmetatable(L, columns - 1);
-  lua_settop(L, columns - 1);
+  lua_settop(L, columns);
+}
+
+void columns_by_body(lua_State *L, const arc_model_def *def, const char *where) {
+  set_answering(L, def, where, push_columns);
 }
 
 void set_by_body(lua_State *L, const arc_model_def *def, arc_body body) {
