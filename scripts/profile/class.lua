@@ -235,15 +235,22 @@ function methods:cut(from, to)
   return profile.derived(self, x, z)
 end
 
+-- The items of a list as it stands, whatever its metatable says of it.
+local function copied(given)
+  local list = {}
+  for i, item in ipairs(type(given) == "table" and given or {}) do list[i] = item end
+  return list
+end
+
 -- profile.mean{ p1, p2, ... }: over the stretch they share, at the places of the first
 function profile.mean(given)
   local where = "profile.mean"
-  local from, to = -math.huge, math.huge
-  if type(given) ~= "table" or #given < 2 then
+  local from, to, traces = -math.huge, math.huge, copied(given)
+  if #traces < 2 then
     check.fail(where, "expected a list of at least two profiles, got " .. check.shown(given))
   end
-  local first = given[1]
-  for i, p in ipairs(given) do
+  local first = traces[1]
+  for i, p in ipairs(traces) do
     if not profile.is(p) or (p.z == nil) ~= (first.z == nil) then
       local of = i > 1 and (" of " .. (first.z == nil and "depths" or "heights")) or ""
       check.fail(where, ("item %d: expected a profile%s, got %s"):format(i, of, check.shown(p)))
@@ -251,8 +258,8 @@ function profile.mean(given)
     from, to = math.max(from, p.x[1]), math.min(to, p.x[#p.x])
   end
   if from >= to then check.fail(where, "expected traces that overlap, got none") end
-  local shared, lists, errors = given[1]:cut(from, to), {}, {}
-  for i, p in ipairs(given) do
+  local shared, lists, errors = first:cut(from, to), {}, {}
+  for i, p in ipairs(traces) do
     lists[i], errors[i] = average.at(p.x, profile.heights(p), shared.x), p.error
   end
   local z, sum = nil, 0

@@ -123,6 +123,8 @@ local raised = trace(0, 1, 2000, function(x) return wave(1)(x) + 1e-3 end, 3e-5)
 near(profile.mean{ traces[1], raised }.error, 0.5e-3, 0.02, "traces that differ tell more than their noise")
 fails(function() profile.mean{ traces[1] } end, "expected a list of at least two profiles", "one")
 fails(function() profile.mean{ traces[1], 3 } end, "item 2: expected a profile of heights, got 3", "none")
+fails(function() profile.mean(setmetatable({}, { __len = function() return 2 end })) end,
+  "expected a list of at least two profiles", "a list that is no longer than it is")
 
 -- --- scars --------------------------------------------------------------------------------------------------
 
