@@ -211,20 +211,27 @@ arc_status arc_database_copy(database *db, arc_error *error) {
   return status;
 }
 
-/* The path goes in as a parameter: it may hold any character. A temporary copy has none. */
-arc_status arc_database_attach(database *db, const database *other, arc_error *error) {
-  const char *path = sqlite3_db_filename(other->handle, "main");
-  db->beside = other->bytes;
+/* The path goes in as a parameter: it may hold any character. */
+static arc_status attach(database *db, const char *path, arc_error *error) {
   query *q;
   arc_status status = arc_query_open(db, "ATTACH ?1 AS other", &q, error);
   if (status != ARC_OK) return status;
   arc_query_set_text(q, 1, path);
   status = arc_query_run(q, error);
   arc_query_close(&q);
-  if (status == ARC_OK && !*path) {
-    status = copy(db, "other", other, error);
-    if (status != ARC_OK) arc_database_run(db, "DETACH other", NULL);
-  }
+  return status;
+}
+
+/* A temporary copy has no path. The other file is only read: with a journal of its own a change
+ * here would count as one of two files, and be written down in a third. */
+arc_status arc_database_attach(database *db, const database *other, arc_error *error) {
+  const char *path = sqlite3_db_filename(other->handle, "main");
+  db->beside = other->bytes;
+  arc_status status = attach(db, path, error);
+  if (status != ARC_OK) return status;
+  if (!*path) status = copy(db, "other", other, error);
+  if (status == ARC_OK) status = arc_database_run(db, "PRAGMA other.journal_mode = MEMORY", error);
+  if (status != ARC_OK) arc_database_run(db, "DETACH other", NULL);
   return status;
 }
 
