@@ -1,7 +1,10 @@
-/* The one file that includes SQLite. Turns its codes into statuses with a word on what to do. */
+/* The one file that includes SQLite. Turns its codes into statuses with a word on what to do, and
+ * keeps it from all files but the run file, its journal and what has no name. */
 #include "store/database.h"
+#include "store/journal.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <sqlite3.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,6 +34,7 @@ static arc_status status_of(int code) {
     return ARC_MEMORY;
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
+  case SQLITE_PERM:  /* by open_guarded: nobody else says so */
   case SQLITE_ERROR: /* no such table or column: our statements are right */
   case SQLITE_AUTH:
   case SQLITE_TOOBIG:
@@ -76,6 +80,9 @@ static arc_status fail(const database *db, int code, arc_error *error) {
   case SQLITE_CORRUPT:
   case SQLITE_NOTADB:
     why = "the file is damaged";
+    break;
+  case SQLITE_PERM:
+    why = "the file is damaged: the journal or log beside it is none of archard's";
     break;
   case SQLITE_ERROR:
   case SQLITE_AUTH:
@@ -132,6 +139,45 @@ static void distrust(database *db) {
   sqlite3_progress_handler(db->handle, WATCH, has_worked_enough, db);
 }
 
+/* --- files ------------------------------------------------------------------------------------ */
+
+static const char guarded_name[] = "archard-run-file";
+static sqlite3_vfs guarded;  /* the system as SQLite may use it */
+static sqlite3_vfs *beneath; /* as it is */
+
+/* What stands beside a stranger's file could have SQLite delete any file, write to it, or wait for
+ * ever: journals that name another file, links, pipes, logs. Nothing of that is opened here, and
+ * SQLite deletes only what it could open, and the journal of its own file. */
+static int open_guarded(sqlite3_vfs *self, const char *name, sqlite3_file *file, int flags,
+                        int *given) {
+  (void)self;
+  const int foreign = flags & (SQLITE_OPEN_SUPER_JOURNAL | SQLITE_OPEN_WAL);
+  const int journal = name && flags & SQLITE_OPEN_MAIN_JOURNAL;
+  file->pMethods = NULL;
+  if (foreign || (journal && !arc_journal_is_sound(name))) return SQLITE_PERM;
+  return beneath->xOpen(beneath, name, file, flags, given);
+}
+
+static int register_guarded(void) {
+  if (sqlite3_vfs_find(guarded_name)) return SQLITE_OK;
+  beneath = sqlite3_vfs_find(NULL);
+  if (!beneath) return SQLITE_NOMEM;
+  guarded = *beneath;
+  guarded.pNext = NULL;
+  guarded.zName = guarded_name;
+  guarded.xOpen = open_guarded;
+  return sqlite3_vfs_register(&guarded, 0);
+}
+
+/* Once in a process, whatever its threads do. */
+static int guard(void) {
+  static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+  pthread_mutex_lock(&lock);
+  const int code = register_guarded();
+  pthread_mutex_unlock(&lock);
+  return code;
+}
+
 /* --- databases -------------------------------------------------------------------------------- */
 
 static arc_status configure(database *db, arc_error *error) {
@@ -172,7 +218,8 @@ arc_status arc_database_open(const char *path, const char *name, int writable, i
   /* a store belongs to one thread: locks at every value bound cost a third of storing */
   int flags = SQLITE_OPEN_NOMUTEX | (writable ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY);
   if (create) flags |= SQLITE_OPEN_CREATE;
-  int code = sqlite3_open_v2(path, &db->handle, flags, NULL);
+  int code = guard();
+  if (code == SQLITE_OK) code = sqlite3_open_v2(path, &db->handle, flags, guarded_name);
   arc_status status = code == SQLITE_OK ? configure(db, error) : fail(db, code, error);
   if (status != ARC_OK) arc_database_close(&db);
   *result = db;

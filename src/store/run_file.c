@@ -1,5 +1,6 @@
 /* Run files as files: which are ours, making them, replacing them, transactions, notes. Leans on
  * the database, and on schema.c for what stands in them. */
+#include "store/journal.h"
 #include "store/store.h"
 
 #include <errno.h>
@@ -17,12 +18,8 @@ static long long big_endian(const unsigned char *bytes) {
 
 /* A file that is shorter than it says, unless a journal is there to put it right. */
 static int is_cut_off(const char *path, const unsigned char *header) {
-  struct stat file, journal;
-  char *name = malloc(strlen(path) + sizeof "-journal");
-  if (!name) return 0;
-  sprintf(name, "%s-journal", path);
-  int journalled = stat(name, &journal) == 0;
-  free(name);
+  const int journalled = arc_journal_stands(path);
+  struct stat file;
   long long page = header[16] << 8 | header[17];
   if (page == 1) page = 65536;
   return !journalled && stat(path, &file) == 0 && file.st_size < page * big_endian(header + 28);

@@ -1,0 +1,44 @@
+/* What may stand beside a run file as its journal. Leans on POSIX only.
+ *
+ * A journal that ends in a name and SQLite's magic number belongs to a change of several files at
+ * once: it is played back, and the file of that name is deleted. Archard changes one file at a
+ * time, so such a journal is a stranger's. */
+#include "store/journal.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* The end of such a journal: length of the name, its sum, the magic number. */
+enum { LENGTH = 4, SUM = 4, MAGIC = 8, TAIL = LENGTH + SUM + MAGIC };
+
+static int names_a_file(int journal, off_t size) {
+  static const unsigned char magic[MAGIC] = {0xd9, 0xd5, 0x05, 0xf9, 0x20, 0xa1, 0x63, 0xd7};
+  unsigned char tail[TAIL];
+  if (size < TAIL || pread(journal, tail, TAIL, size - TAIL) != TAIL) return 0;
+  return memcmp(tail + LENGTH + SUM, magic, MAGIC) == 0 && memcmp(tail, "\0\0\0", LENGTH) != 0;
+}
+
+/* What cannot be opened, SQLite cannot open either. */
+int arc_journal_is_sound(const char *journal) {
+  const int file = open(journal, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  struct stat facts;
+  if (file < 0) return errno != ELOOP;
+  const int sound =
+      fstat(file, &facts) == 0 && S_ISREG(facts.st_mode) && !names_a_file(file, facts.st_size);
+  close(file);
+  return sound;
+}
+
+int arc_journal_stands(const char *path) {
+  char name[PATH_MAX + sizeof "-journal"];
+  struct stat facts;
+  if (!realpath(path, name)) snprintf(name, PATH_MAX, "%s", path);
+  strcat(name, "-journal");
+  return lstat(name, &facts) == 0;
+}

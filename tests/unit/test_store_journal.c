@@ -1,0 +1,200 @@
+/* What stands beside a run file: a journal of ours puts right what a killed program left; whatever
+ * a stranger may have laid there has no file deleted, written to or waited for. */
+#include "store_sql.h"
+
+#include <fcntl.h>
+
+enum { PAGE = 4096, SECTOR = 512 };
+
+static int make_good(void **state) {
+  if (make_folder(state) != 0) return -1;
+  arc_model *model = coarse_model();
+  arc_wear *wear = short_run(model, 33);
+  save_as("good", 1, wear);
+  seal("good");
+  arc_wear_destroy(&wear);
+  arc_model_release(&model);
+  return 0;
+}
+
+/* --- journals, byte by byte ------------------------------------------------------------------- */
+
+static void put_number(FILE *to, uint32_t number) {
+  for (int shift = 24; shift >= 0; shift -= 8) fputc((int)(number >> shift & 255), to);
+}
+
+static void put_magic(FILE *to) {
+  fwrite("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 1, 8, to);
+}
+
+/* Begins the journal of a file of `pages`, with room for `records` pages as they were. */
+static FILE *begin_journal(const char *name, uint32_t records, uint32_t pages) {
+  char path[300];
+  snprintf(path, sizeof path, "%s-journal", in_folder(name));
+  FILE *to = fopen(path, "wb");
+  assert_non_null(to);
+  put_magic(to);
+  const uint32_t header[] = {records, 7, pages, SECTOR, PAGE};
+  for (int i = 0; i < 5; i++) put_number(to, header[i]);
+  while (ftell(to) < SECTOR) fputc(0, to);
+  return to;
+}
+
+/* A page as it was, with the number that SQLite checks it by. */
+static void put_page(FILE *to, uint32_t number, const unsigned char *page) {
+  uint32_t sum = 7;
+  for (int i = PAGE - 200; i > 0; i -= 200) sum += page[i];
+  put_number(to, number);
+  fwrite(page, 1, PAGE, to);
+  put_number(to, sum);
+}
+
+/* The end of a journal of several files, of which `names` is the list. */
+static void put_name(FILE *to, const char *names) {
+  uint32_t sum = 0;
+  for (const char *c = names; *c; c++) sum += (unsigned char)*c;
+  put_number(to, 0x40000000 / PAGE + 1);
+  fwrite(names, 1, strlen(names), to);
+  put_number(to, (uint32_t)strlen(names));
+  put_number(to, sum);
+  put_magic(to);
+}
+
+/* --- ours ------------------------------------------------------------------------------------- */
+
+/* A file without its last page, and the journal that has it. */
+static void cut_in_mid_change(const char *name) {
+  size_t count;
+  unsigned char *bytes = bytes_of(in_folder("good"), &count);
+  const size_t pages = count / PAGE;
+  FILE *journal = begin_journal(name, 1, (uint32_t)pages);
+  put_page(journal, (uint32_t)pages, bytes + (pages - 1) * PAGE);
+  fclose(journal);
+  write_bytes(in_folder(name), bytes, count - PAGE);
+  free(bytes);
+}
+
+static void test_put_right(void **state) {
+  (void)state;
+  arc_error error = {0};
+  size_t before, after;
+  unsigned char *good = bytes_of(in_folder("good"), &before);
+  for (int linked = 0; linked < 2; linked++) {
+    cut_in_mid_change("cut");
+    if (linked) assert_int_equal(symlink("cut", in_folder("link")), 0);
+    must(read_all(linked ? "link" : "cut", &error), &error);
+    unsigned char *bytes = bytes_of(in_folder("cut"), &after);
+    assert_int_equal(before, after);
+    assert_memory_equal(good, bytes, before);
+    assert_int_not_equal(access(in_folder("cut-journal"), F_OK), 0);
+    free(bytes);
+  }
+  free(good);
+}
+
+/* --- strangers' ------------------------------------------------------------------------------- */
+
+static void lay_file(const char *name) {
+  write_bytes(in_folder(name), "precious", 8);
+}
+
+static void assert_there(const char *name) {
+  size_t count;
+  unsigned char *bytes = bytes_of(in_folder(name), &count);
+  assert_int_equal(count, 8);
+  assert_memory_equal(bytes, "precious", 8);
+  free(bytes);
+}
+
+/* Refused in all modes, and the file "victim" is as it was. */
+static void assert_none_of_ours(const char *name) {
+  for (int mode = ARC_STORE_READ; mode <= ARC_STORE_CREATE; mode++) {
+    arc_error error = {0};
+    arc_store *store;
+    arc_status status = arc_store_open(in_folder(name), (arc_store_mode)mode, &store, &error);
+    if (status == ARC_OK) status = arc_store_add(store, 9, "another", &error);
+    assert_int_equal(status, ARC_FORMAT);
+    if (!strstr(error.message, "the journal or log beside it")) fail_msg("%s", error.message);
+    arc_store_close(&store);
+    assert_there("victim");
+  }
+  assert_damaged(name, "the journal or log beside it is none of archard's");
+  arc_error error = {0};
+  arc_store *store = NULL;
+  assert_int_equal(arc_store_replace(in_folder(name), "wear", &store, &error), ARC_FORMAT);
+  assert_there("victim");
+}
+
+static void test_names_a_file(void **state) {
+  (void)state;
+  lay_file("victim");
+  copy_good("named");
+  FILE *journal = begin_journal("named", 0, 10);
+  put_name(journal, in_folder("victim"));
+  fclose(journal);
+  assert_none_of_ours("named");
+  /* a name that looks like a journal's */
+  assert_int_equal(rename(in_folder("victim"), in_folder("other-journal")), 0);
+  copy_good("again");
+  journal = begin_journal("again", 0, 10);
+  put_name(journal, in_folder("other-journal"));
+  fclose(journal);
+  assert_damaged("again", "the journal or log beside it");
+  assert_there("other-journal");
+}
+
+/* Of a share that is joined, too. */
+static void test_share(void **state) {
+  (void)state;
+  arc_error error = {0};
+  lay_file("victim");
+  copy_good("share");
+  copy_good("whole");
+  FILE *journal = begin_journal("share", 0, 10);
+  put_name(journal, in_folder("victim"));
+  fclose(journal);
+  arc_store *store = opened("whole", ARC_STORE_WRITE);
+  assert_int_equal(arc_store_merge(store, in_folder("share"), &error), ARC_FORMAT);
+  assert_there("victim");
+  arc_store_close(&store);
+}
+
+static void test_links_and_pipes(void **state) {
+  (void)state;
+  lay_file("victim");
+  copy_good("linked");
+  assert_int_equal(symlink("victim", in_folder("linked-journal")), 0);
+  assert_none_of_ours("linked");
+  cut_in_mid_change("moved");
+  assert_int_equal(rename(in_folder("moved-journal"), in_folder("elsewhere")), 0);
+  assert_int_equal(symlink("elsewhere", in_folder("moved-journal")), 0);
+  assert_none_of_ours("moved");
+  copy_good("piped");
+  assert_int_equal(mkfifo(in_folder("piped-journal"), 0600), 0);
+  assert_none_of_ours("piped");
+}
+
+/* A log holds pages that stand for those of the file; its index may be any file. */
+static void test_logs(void **state) {
+  (void)state;
+  lay_file("victim");
+  copy_good("logged");
+  run_sql("logged", "PRAGMA journal_mode = WAL");
+  assert_int_equal(symlink("victim", in_folder("logged-shm")), 0);
+  assert_none_of_ours("logged");
+  copy_good("beside");
+  lay_file("beside-wal");
+  assert_none_of_ours("beside");
+  assert_there("beside-wal");
+}
+
+int main(void) {
+  arc_single_threaded();
+  alarm(60); /* a pipe would be waited for */
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_put_right), cmocka_unit_test(test_names_a_file),
+      cmocka_unit_test(test_share),     cmocka_unit_test(test_links_and_pipes),
+      cmocka_unit_test(test_logs),
+  };
+  return cmocka_run_group_tests(tests, make_good, remove_folder);
+}
