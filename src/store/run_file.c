@@ -80,9 +80,19 @@ const char *arc_store_path(const arc_store *store) {
   return store->path;
 }
 
+/* What a file that is gone left beside its name would be played into the new one. */
+static arc_status check_left(const char *path, arc_error *error) {
+  if (!arc_journal_stands(path) || access(path, F_OK) == 0) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "%s: not made: a journal is left beside it, %s-journal, of a file that is gone; "
+                  "remove it",
+                  path, path);
+}
+
 /* Makes a whole file in a place of its own. */
 static arc_status make_beside(arc_store *store, arc_error *error) {
-  arc_status status = arc_place_take(store->path, &store->place, error);
+  arc_status status = check_left(store->path, error);
+  if (status == ARC_OK) status = arc_place_take(store->path, &store->place, error);
   if (status == ARC_OK)
     status = arc_database_open(arc_place_path(store->place), store->path, 1, 1, &store->db, error);
   return status == ARC_OK ? arc_schema_make(store, error) : status;

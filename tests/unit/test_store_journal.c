@@ -188,13 +188,30 @@ static void test_logs(void **state) {
   assert_there("beside-wal");
 }
 
+/* A file that is gone left its journal: a new one of that name is not changed back by it. */
+static void test_left_alone(void **state) {
+  (void)state;
+  arc_error error = {0};
+  arc_store *store = NULL;
+  cut_in_mid_change("gone");
+  assert_int_equal(unlink(in_folder("gone")), 0);
+  assert_int_equal(arc_store_open(in_folder("gone"), ARC_STORE_CREATE, &store, &error),
+                   ARC_ARGUMENT);
+  assert_non_null(strstr(error.message, "gone-journal"));
+  assert_int_equal(arc_store_replace(in_folder("gone"), "wear", &store, &error), ARC_ARGUMENT);
+  assert_int_not_equal(access(in_folder("gone"), F_OK), 0);
+  assert_int_equal(unlink(in_folder("gone-journal")), 0);
+  store = opened("gone", ARC_STORE_CREATE);
+  arc_store_close(&store);
+}
+
 int main(void) {
   arc_single_threaded();
   alarm(60); /* a pipe would be waited for */
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_put_right), cmocka_unit_test(test_names_a_file),
       cmocka_unit_test(test_share),     cmocka_unit_test(test_links_and_pipes),
-      cmocka_unit_test(test_logs),
+      cmocka_unit_test(test_logs),      cmocka_unit_test(test_left_alone),
   };
   return cmocka_run_group_tests(tests, make_good, remove_folder);
 }
