@@ -40,6 +40,8 @@ static arc_status status_of(int code) {
   case SQLITE_TOOBIG:
   case SQLITE_INTERRUPT: /* by the limit on work: nobody else interrupts */
     return ARC_FORMAT;
+  case SQLITE_CONSTRAINT:
+    return ARC_ARGUMENT;
   default:
     return ARC_IO;
   }
@@ -93,6 +95,9 @@ static arc_status fail(const database *db, int code, arc_error *error) {
     break;
   case SQLITE_INTERRUPT:
     why = "the file is damaged: its size does not explain the work to read it";
+    break;
+  case SQLITE_CONSTRAINT:
+    why = "it takes no value twice, and none of a case that is not there";
     break;
   case SQLITE_BUSY:
     why = "another program keeps the file locked";

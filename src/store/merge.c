@@ -59,13 +59,16 @@ static arc_status check_same_results(arc_store *store, const char *from, arc_err
   return status;
 }
 
-#define NEW " WHERE status = 'done' AND id NOT IN (SELECT id FROM main.cases WHERE status = 'done')"
+#define NEW                                                                                        \
+  " WHERE case_id IN (SELECT id FROM other.cases WHERE status = 'done' AND id NOT IN "             \
+  "(SELECT id FROM main.cases WHERE status = 'done'))"
 #define COPY(table, columns)                                                                       \
-  "INSERT INTO main." table " (" columns ") SELECT " columns " FROM other." table                  \
-  " WHERE case_id IN (SELECT id FROM other.cases" NEW ")"
+  "DELETE FROM main." table NEW "; INSERT INTO main." table " (" columns ") SELECT " columns       \
+  " FROM other." table NEW
 
-/* Columns may stand in another order in either file: checksums are written anew. */
-static arc_status copy_finished(arc_store *store, arc_error *error) {
+/* A case that was kept halfway here makes room for the finished one. Columns may stand in another
+ * order in either file: checksums are written anew. */
+static arc_status copy_finished(arc_store *store, const char *from, arc_error *error) {
   static const char *const steps[] = {
       "INSERT OR IGNORE INTO main.texts (name, text) SELECT name, text FROM other.texts",
       COPY("definition", VALUES),
@@ -83,7 +86,10 @@ static arc_status copy_finished(arc_store *store, arc_error *error) {
       error);
   for (size_t i = 0; i < sizeof steps / sizeof *steps && status == ARC_OK; i++)
     status = arc_store_script(store, steps[i], error);
-  return status;
+  if (status != ARC_ARGUMENT) return status;
+  return arc_fail(error, ARC_FORMAT,
+                  "%s: the file is damaged: it has a row of a case twice, or one that no case has",
+                  from);
 }
 
 static arc_status merge_attached(arc_store *store, const char *from, arc_error *error) {
@@ -91,7 +97,7 @@ static arc_status merge_attached(arc_store *store, const char *from, arc_error *
   if (status != ARC_OK) return status;
   status = check_same_study(store, from, error);
   if (status == ARC_OK) status = check_same_results(store, from, error);
-  if (status == ARC_OK) status = copy_finished(store, error);
+  if (status == ARC_OK) status = copy_finished(store, from, error);
   return arc_store_leave(store, 1, status, error);
 }
 

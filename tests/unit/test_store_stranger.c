@@ -91,6 +91,27 @@ static void test_values_twice(void **state) {
   assert_damaged("twice", "load");
 }
 
+/* Nor are they joined with a study; a value twice is no word of SQLite's. */
+static void test_share_with_values_twice(void **state) {
+  (void)state;
+  arc_error error = {0};
+  arc_case *cases;
+  size_t count;
+  copy_good("whole");
+  arc_store *store = opened("whole", ARC_STORE_WRITE);
+  must(arc_store_mark(store, 1, ARC_CASE_WAITING, NULL, 1, &error), &error);
+  spoil("share", LOOSE "INSERT INTO definition SELECT * FROM definition WHERE name = 'load'");
+  assert_int_equal(arc_store_merge(store, in_folder("share"), &error), ARC_FORMAT);
+  assert_non_null(
+      strstr(error.message, "share: the file is damaged: it has a row of a case twice"));
+  assert_null(strstr(error.message, "constraint"));
+  must(arc_store_cases(store, &cases, &count, &error), &error);
+  assert_int_equal(cases[0].status, ARC_CASE_WAITING);
+  free(cases);
+  must(read_run(store, &error), &error);
+  arc_store_close(&store);
+}
+
 #define VALUE(name, value) "UPDATE definition SET value = " value " WHERE name = '" name "'"
 
 static void test_arrays(void **state) {
@@ -404,6 +425,7 @@ int main(void) {
       cmocka_unit_test(test_good),
       cmocka_unit_test(test_functions_in_great_number),
       cmocka_unit_test(test_values_twice),
+      cmocka_unit_test(test_share_with_values_twice),
       cmocka_unit_test(test_arrays),
       cmocka_unit_test(test_names),
       cmocka_unit_test(test_loading),
