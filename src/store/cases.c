@@ -269,15 +269,18 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
   query *q = NULL;
   buffers held = {NULL, NULL};
   arc_value value;
-  int row = 0, ended = 0;
-  arc_status status = use == ARC_DEFINITION ? arc_store_verify_run(store, id, error)
-                                            : arc_store_verify(store, id, error);
+  int row = 0, ended = 0, own = 0;
+  arc_status status = arc_store_look(store, &own, error);
+  if (status == ARC_OK)
+    status = use == ARC_DEFINITION ? arc_store_verify_run(store, id, error)
+                                   : arc_store_verify(store, id, error);
   if (status == ARC_OK) status = arc_store_query(store, look_up[use], id, &q, error);
   while (!ended && status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row) {
     status = read_value(store, q, id, &value, &held, error);
     if (status == ARC_OK) ended = see(context, &value);
   }
   arc_query_close(&q);
+  arc_store_look_away(store, own);
   free(held.array);
   free(held.text);
   return status;

@@ -182,8 +182,7 @@ static arc_status expected_digest(arc_store *store, const char *sql, int id, cha
   return status;
 }
 
-static arc_status verify(arc_store *store, const char *sql, int id, arc_error *error) {
-  if (store->verified == id || is_open(store, id)) return ARC_OK;
+static arc_status compare(arc_store *store, const char *sql, int id, arc_error *error) {
   char found[17], expected[17];
   int needed;
   arc_status status = expected_digest(store, sql, id, expected, &needed, error);
@@ -194,6 +193,16 @@ static arc_status verify(arc_store *store, const char *sql, int id, arc_error *e
   if (status == ARC_OK && strcmp(found, expected) != 0)
     return arc_store_damaged(store, error, id, "does not match its checksum");
   if (status == ARC_OK) store->verified = id;
+  return status;
+}
+
+/* Another program may store the case between its checksum and its rows. */
+static arc_status verify(arc_store *store, const char *sql, int id, arc_error *error) {
+  if (store->verified == id || is_open(store, id)) return ARC_OK;
+  int own = 0;
+  arc_status status = arc_store_look(store, &own, error);
+  if (status == ARC_OK) status = compare(store, sql, id, error);
+  arc_store_look_away(store, own);
   return status;
 }
 

@@ -48,6 +48,10 @@ arc_status arc_store_enter(arc_store *store, int *own, arc_error *error);
 /* Ends what arc_store_enter began: commits after ARC_OK, takes back after anything else. Returns
  * the status of the whole. */
 arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_error *error);
+/* The same for whoever only reads: all that is read until arc_store_look_away is of one moment,
+ * whatever other programs store meanwhile. They wait for it: nothing is computed in between. */
+arc_status arc_store_look(arc_store *store, int *own, arc_error *error);
+void arc_store_look_away(arc_store *store, int own);
 
 /* --- columns.c, statement.c: SQL texts with the columns of history and settings -----------------
  */

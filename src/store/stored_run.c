@@ -138,16 +138,18 @@ static arc_status check_history(arc_store *store, int id, const arc_wear_record 
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
                              arc_error *error) {
   query *q = NULL;
-  int row = 0;
+  int row = 0, own = 0;
   *history = NULL;
   *count = 0;
-  arc_status status = arc_store_verify_run(store, id, error);
+  arc_status status = arc_store_look(store, &own, error);
+  if (status == ARC_OK) status = arc_store_verify_run(store, id, error);
   if (status == ARC_OK)
     status = arc_store_query(
         store, "SELECT step@columns FROM history WHERE case_id = ?1 ORDER BY step", id, &q, error);
   while (status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row)
     status = read_record(store, id, q, history, count, error);
   arc_query_close(&q);
+  arc_store_look_away(store, own);
   if (status == ARC_OK) status = check_history(store, id, *history, *count, error);
   if (status == ARC_OK) return ARC_OK;
   free(*history);
@@ -244,10 +246,11 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_surface **surfaces, 
                               arc_error *error) {
   query *q = NULL;
   surface_list list = {0};
-  int row = 0;
+  int row = 0, own = 0;
   *count = 0;
   *surfaces = NULL;
-  arc_status status = arc_store_verify_run(store, id, error);
+  arc_status status = arc_store_look(store, &own, error);
+  if (status == ARC_OK) status = arc_store_verify_run(store, id, error);
   if (status == ARC_OK)
     status = arc_store_query(store,
                              "SELECT updates, distance_mm, body, node, x_mm, h_mm, y_mm, p_MPa "
@@ -256,6 +259,7 @@ arc_status arc_store_surfaces(arc_store *store, int id, arc_surface **surfaces, 
   while (status == ARC_OK && (status = arc_query_step(q, &row, error)) == ARC_OK && row)
     status = read_node(store, id, q, &list, error);
   arc_query_close(&q);
+  arc_store_look_away(store, own);
   if (status == ARC_OK && !(*surfaces = pack(&list))) status = out_of_memory(store, error);
   if (status == ARC_OK) *count = list.surfaces;
   free(list.surface);
@@ -314,31 +318,43 @@ static arc_status read_states(arc_store *store, int id, arc_surface_state state[
   return status;
 }
 
-static arc_status restore_shape(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
-                                arc_shape **shape, arc_error *error) {
-  arc_surface_state state[ARC_BODIES] = {0};
-  double *block[ARC_BODIES] = {NULL, NULL};
-  arc_error why = {0};
-  arc_status status = read_states(store, id, state, block, error);
-  if (status == ARC_OK &&
-      arc_shape_restore(model, def->geometry, def->refresh, state, shape, &why) != ARC_OK)
-    status = arc_store_refused(store, error, id, &why);
-  for (int b = 0; b < ARC_BODIES; b++) free(block[b]);
+/* A run as it is stored: what it went through, and where it stands; block has the arrays of state.
+ */
+typedef struct stored_run {
+  arc_wear_record *history;
+  size_t count;
+  arc_surface_state state[ARC_BODIES];
+  double *block[ARC_BODIES];
+} stored_run;
+
+static void free_stored(stored_run *run) {
+  for (int b = 0; b < ARC_BODIES; b++) free(run->block[b]);
+  free(run->history);
+}
+
+/* History and state of one moment: another program may be keeping the run on its way. */
+static arc_status read_stored(arc_store *store, int id, stored_run *run, arc_error *error) {
+  int own = 0;
+  arc_status status = arc_store_look(store, &own, error);
+  if (status == ARC_OK) status = arc_store_history(store, id, &run->history, &run->count, error);
+  if (status == ARC_OK) status = read_states(store, id, run->state, run->block, error);
+  arc_store_look_away(store, own);
   return status;
 }
 
 arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
                              arc_wear **wear, arc_error *error) {
   arc_shape *shape = NULL;
-  arc_wear_record *history = NULL;
+  stored_run run = {0};
   arc_error why = {0};
-  size_t count = 0;
   *wear = NULL;
-  arc_status status = arc_store_history(store, id, &history, &count, error);
-  if (status == ARC_OK) status = restore_shape(store, id, model, def, &shape, error);
-  if (status == ARC_OK && arc_wear_restore(model, def, shape, history, count, wear, &why) != ARC_OK)
-    status = arc_store_refused(store, error, id, &why);
+  arc_status status = read_stored(store, id, &run, error), made = ARC_OK;
+  if (status == ARC_OK)
+    made = arc_shape_restore(model, def->geometry, def->refresh, run.state, &shape, &why);
+  if (status == ARC_OK && made == ARC_OK)
+    made = arc_wear_restore(model, def, shape, run.history, run.count, wear, &why);
+  if (made != ARC_OK) status = arc_store_refused(store, error, id, &why);
   arc_shape_destroy(&shape);
-  free(history);
+  free_stored(&run);
   return status;
 }

@@ -38,3 +38,14 @@ arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_err
   arc_store_rollback(store);
   return status;
 }
+
+arc_status arc_store_look(arc_store *store, int *own, arc_error *error) {
+  *own = !arc_database_in_transaction(store->db);
+  const arc_status status = *own ? arc_database_run(store->db, "BEGIN", error) : ARC_OK;
+  if (status != ARC_OK) *own = 0;
+  return status;
+}
+
+void arc_store_look_away(arc_store *store, int own) {
+  if (own) arc_store_rollback(store);
+}

@@ -253,6 +253,46 @@ static void test_two_writers(void **state) {
   assert_int_equal(count_of("shared"), WRITERS * EACH);
 }
 
+/* A program that keeps one run and another as case 1, by turns, until it is killed. */
+static pid_t keep_by_turns(const char *name, const arc_wear *one, const arc_wear *two) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  alarm(60); /* its parent may fail */
+  arc_store *store = opened(name, ARC_STORE_WRITE);
+  for (int turn = 0;; turn++) {
+    save_run(store, 1, turn % 2 ? one : two);
+    usleep(5000);
+  }
+}
+
+/* What is read while another program stores it is of one moment, and sound. */
+static void test_reader_beside_writer(void **state) {
+  (void)state;
+  enum { READS = 25 };
+  arc_model *model = coarse_model();
+  arc_wear *one = short_run(model, 33), *two = short_run(model, 66);
+  save_as("kept", 1, one);
+  const pid_t child = keep_by_turns("kept", one, two);
+  for (int i = 0; i < READS; i++) {
+    arc_error error = {0};
+    arc_model *there;
+    arc_store *store = opened("kept", ARC_STORE_READ);
+    must(arc_store_check(store, &error), &error);
+    arc_store_close(&store);
+    arc_wear *wear = restored("kept", 1, &there);
+    const double distance = arc_wear_last(wear)->distance;
+    assert_true(distance == 33 || distance == 66);
+    assert_same_runs(distance == 33 ? one : two, wear);
+    arc_wear_destroy(&wear);
+    arc_model_release(&there);
+  }
+  kill(child, SIGKILL);
+  waitpid(child, NULL, 0);
+  arc_wear_destroy(&one);
+  arc_wear_destroy(&two);
+  arc_model_release(&model);
+}
+
 /* --- shards ----------------------------------------------------------------------------------- */
 
 static void make_share(const char *name, int done, double alpha, const arc_wear *wear) {
@@ -310,10 +350,11 @@ static void test_merge(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_foreign_files), cmocka_unit_test(test_damaged_pages),
-      cmocka_unit_test(test_turned_bits),   cmocka_unit_test(test_replace),
-      cmocka_unit_test(test_full_disk),     cmocka_unit_test(test_killed_writer),
-      cmocka_unit_test(test_two_writers),   cmocka_unit_test(test_merge)};
+      cmocka_unit_test(test_foreign_files),       cmocka_unit_test(test_damaged_pages),
+      cmocka_unit_test(test_turned_bits),         cmocka_unit_test(test_replace),
+      cmocka_unit_test(test_full_disk),           cmocka_unit_test(test_killed_writer),
+      cmocka_unit_test(test_two_writers),         cmocka_unit_test(test_merge),
+      cmocka_unit_test(test_reader_beside_writer)};
   arc_single_threaded();
   return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
