@@ -136,8 +136,13 @@ local function read_shard(text)
   return function(id) return (id - tonumber(i)) % tonumber(n) == 0 end
 end
 
--- A value out of range is told before anything starts: by the first case, made here.
+-- A value out of range is told before anything starts: by the first case, made here. A file that was
+-- left by a program killed as it began has none.
 local function try_first(self, where)
+  if #self.flat == 0 then
+    check.fail(where, ("%s has no cases: make it anew%s"):format(self.file or "the study",
+      self.file and ", and run it with this file" or ""))
+  end
   if self.task then return end
   local made, run = pcall(wear, settings.nest(self.flat[1]))
   if made then return run:close() end

@@ -18,8 +18,20 @@ local function refuse_gaps(path, ids)
     #ids, shown))
 end
 
+-- A share whose program was killed as it began has no cases yet, and none to join.
+local function begun(files)
+  local list = {}
+  for _, file in ipairs(files) do
+    local store <close> = stores.open(file, "read")
+    if store:info "kind" or #store:cases() > 0 then list[#list + 1] = file end
+  end
+  if #list > 0 then return list end
+  check.fail("study.merge", ("%s: it has no cases%s"):format(files[1], files[2] and ", nor have the others" or ""))
+end
+
 -- open(path) reads a study, write(study, store) stores its definitions.
 return function(files, path, open, write)
+  files = begun(files)
   local first = open(files[1])
   first:close()
   local store <close> = stores.replace(path, "study")

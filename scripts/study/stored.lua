@@ -61,7 +61,7 @@ end
 -- A program that was killed as it began leaves a file with nothing in it: a study without cases.
 local function read(where, store)
   local kind = store:info("kind")
-  if not kind and #store:cases() == 0 then return { looks = {}, flat = {} } end
+  if not kind and #store:cases() == 0 then return { flat = {} } end
   if kind ~= "study" then
     check.fail(where, ("%s: expected a run file of kind study, got %s"):format(store.path, tostring(kind)), "FORMAT")
   end

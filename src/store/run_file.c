@@ -145,17 +145,35 @@ arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **res
   return status;
 }
 
+/* Whether no case stands in the file. */
+static arc_status is_empty(arc_store *store, int *empty, arc_error *error) {
+  arc_case *cases;
+  size_t count;
+  const arc_status status = arc_store_cases(store, &cases, &count, error);
+  *empty = count == 0;
+  free(cases);
+  return status;
+}
+
+/* A program that was killed as it began leaves a file without a kind, and with nothing in it. */
+static arc_status check_kind(arc_store *old, const char *kind, arc_error *error) {
+  char *found = NULL;
+  int empty = 0;
+  arc_status status = arc_store_info(old, "kind", &found, error);
+  if (status == ARC_OK && !found) status = is_empty(old, &empty, error);
+  if (status == ARC_OK && !empty && (!found || strcmp(found, kind) != 0))
+    status = arc_fail(error, ARC_ARGUMENT, "%s: not replaced: it holds a %s, expected a %s",
+                      arc_store_path(old), found ? found : "file without a kind", kind);
+  free(found);
+  return status;
+}
+
 /* What stands where a new file is to go: nothing, or a file of the same kind. */
 static arc_status check_replaced(const char *path, const char *kind, arc_error *error) {
   if (access(path, F_OK) != 0) return ARC_OK;
   arc_store *old = NULL;
-  char *found = NULL;
   arc_status status = arc_store_open(path, ARC_STORE_READ, &old, error);
-  if (status == ARC_OK) status = arc_store_info(old, "kind", &found, error);
-  if (status == ARC_OK && (!found || strcmp(found, kind) != 0))
-    status = arc_fail(error, ARC_ARGUMENT, "%s: not replaced: it holds a %s, expected a %s", path,
-                      found ? found : "file without a kind", kind);
-  free(found);
+  if (status == ARC_OK) status = check_kind(old, kind, error);
   arc_store_close(&old);
   return status;
 }

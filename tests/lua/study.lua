@@ -218,6 +218,22 @@ is(content(merged), content(one), "a case that is in two of them is there once")
 fails(function() study.merge(path "share1", path "bad", { file = path "gap" }) end,
   "different studies", "as is another study")
 
+-- --- a file whose program was killed as it began ------------------------------------------------
+local function begun()
+  os.remove(path "begun")
+  require "archard.store".open(path "begun", "create"):close()
+  return path "begun"
+end
+local empty = study.open(begun())
+is(#empty:cases(), 0, "it is a study without cases")
+holds(empty, "0 cases", "and says so")
+fails(function() empty:run() end, { "begun has no cases", "make it anew" }, "which does not run")
+fails(function() study.merge(begun(), { file = path "gap" }) end, "begun: it has no cases", "nor is it joined alone")
+is(content(study.merge(path "share1", begun(), path "merged", { file = path "twice" })), content(one),
+  "as a share it has nothing to add")
+is(content(study.merge(path "merged", { file = begun() })), content(one), "it is replaced by a study of several")
+is(content(new_study():run{ workers = 1, file = begun(), progress = false }), content(one), "and gone on with by a study")
+
 -- --- tables ------------------------------------------------------------------------------------
 holds(one:table(), { "alpha", "stroke", "p_center", "[MPa]", "done" }, "table")
 local csv = one:table{ format = "csv" }
