@@ -2,12 +2,15 @@
 -- engine of study/submit.lua:
 --   program               what has to be in PATH
 --   start(job)            starts the shares; returns the job's name to ask for, or nil and why not
+--   is_name(text)         whether a job can have this name
 --   state(job)            what its shares do, as text; nil when all have ended; false and why when
 --                         nobody can tell
 
 local shell = require "archard.lib.shell"
 
 local array = { program = "sbatch" }
+
+function array.is_name(text) return text:find "^%d+;?[%w_-]*$" ~= nil end
 
 function array.start(job)
   local words = { "sbatch", "--parsable", "--job-name=archard", "--array=1-" .. job.shares,

@@ -6,6 +6,8 @@ local text_file = require "archard.lib.text_file"
 
 local parallel = { program = "parallel" }
 
+function parallel.is_name(text) return text:find "^%d+$" ~= nil end
+
 -- In a session of its own: it outlives this program, and no Ctrl-C reaches it.
 function parallel.start(job)
   local words = { "setsid", "parallel" }

@@ -45,19 +45,28 @@ local function write_note(job)
   files.write(where, job.note, ("%s %d %s\n"):format(job.engine, job.shares, job.name or "-"))
 end
 
--- The job that the folder tells of, or nil.
+-- The job that the folder tells of, or nil. What no engine would have written there tells of none: a
+-- torn note, or a stranger's.
 local function noted(folder)
-  local engine, shares, name = (text_file.read(folder .. "/job") or ""):match("^(%a+) (%d+) (%S+)")
-  if not engines[engine] then return nil end
-  return describe(folder, engine, tonumber(shares), name ~= "-" and name or nil)
+  local word, count, name = (text_file.read(folder .. "/job") or ""):match("^(%a+) (%d+) (%S+)\n$")
+  local engine, shares = engines[word], count and math.tointeger(tonumber(count))
+  if not engine or not submit.fields.shares.test(shares) then return nil end
+  if name ~= "-" and not engine.is_name(name) then return nil end
+  return describe(folder, word, shares, name ~= "-" and name or nil)
+end
+
+-- A killed program may have left its journal beside a run file.
+local function remove_store(path)
+  for _, ending in ipairs{ "", "-journal" } do os.remove(path .. ending) end
 end
 
 local function clear(job)
   for i = 1, job.shares do
-    for _, ending in ipairs{ "", ".part", "-journal", "-wal", "-shm" } do os.remove(job.file(i) .. ending) end
+    remove_store(job.file(i))
     os.remove(job.log(i))
   end
-  for _, path in ipairs{ job.log("parallel"), job.blank, job.script, job.note, job.folder } do os.remove(path) end
+  remove_store(job.blank)
+  for _, path in ipairs{ job.log("parallel"), job.script, job.note, job.folder } do os.remove(path) end
 end
 
 -- --- following -----------------------------------------------------------------------------------
@@ -166,7 +175,7 @@ end
 
 -- The definitions of the study and no results: every share begins with a copy of it.
 local function write_blank(self, path)
-  os.remove(path)
+  remove_store(path)
   local store <close> = definitions.open(where, path, "create")
   definitions.write(self, store)
 end
