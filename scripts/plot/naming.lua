@@ -156,9 +156,9 @@ local function said(object, setting)
   local low, high = span_of(object, name)
   if none_at_zero[name] and get(object, "stroke") and (high or value) == 0 then return nil end
   if low then return (setting[2]:gsub("%%g", "%%s")):format(show_span(low, high)) end
-  if type(value) == "number" and setting[2]:find("%s", 1, true) then value = ("%g"):format(value) end
-  if type(value) ~= "number" and type(value) ~= "string" then return nil end
-  return setting[2]:format(value)
+  local as_word = setting[2]:find("%s", 1, true)
+  if type(value) == "number" then return setting[2]:format(as_word and ("%g"):format(value) or value) end
+  return as_word and type(value) == "string" and setting[2]:format(value) or nil -- in a file anything may stand
 end
 
 -- --- several objects -----------------------------------------------------------------------------

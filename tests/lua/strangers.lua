@@ -88,6 +88,10 @@ for name, ask in pairs{ uncertainty = function() s:uncertainty() end, failure = 
   fails(ask, { "study:" .. name, "the file is damaged: case 1 is done and has no history" }, name .. " of cases without a history")
 end
 
+-- What is no number is left out of names.
+s = study.open(stranger{ cases = { { alpha = "x", stroke = "y", load = "z" } } })
+fails(function() plot.profile(s:cases()[1], { file = path .. ".svg" }) end, "has no stored surface: it is waiting", "plots of words")
+
 -- --- wrong arguments of help ---------------------------------------------------------------------
 
 for _, name in ipairs{ "find", "option", "matches", "fields", "members", "definition", "entry" } do
