@@ -211,8 +211,8 @@ static int pool_send(lua_State *L) {
   char text[1001];
   memcpy(text, line, length);
   text[length] = '\n';
-  ssize_t sent = send(w->input, text, length + 1, MSG_NOSIGNAL); /* fits in one go */
-  (void)sent;
+  /* fits in one go; a worker that did not get it is to end, and wait tells of that */
+  if (send(w->input, text, length + 1, MSG_NOSIGNAL) < 0) arc_child_close(&w->input);
   return 0;
 }
 
