@@ -151,7 +151,7 @@ $(unit_tests): $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(plot_obj) $(static_lib)
 $(BUILD)/tests/test_oom: test_ldflags = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free \
                                         -lsuitesparseconfig
 
-# What tests/cli/test_memory loads into the program.
+# What tests/memory/failing loads into the program.
 $(BUILD)/tests/failing.so: tests/memory/failing.c
 	@mkdir -p $(@D)
 	$(say) LD $@
@@ -241,7 +241,7 @@ man: $(program)
 
 # --- care -------------------------------------------------------------------------------------
 c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] tests/fuzz/*.[ch] tests/memory/*.c examples/c/*.c)
-sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run tests/fuzz/run tests/trust/trials tests/memory/valgrind tests/coverage \
+sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run tests/fuzz/run tests/trust/trials tests/memory/failing tests/memory/valgrind tests/coverage \
            .ci/run tests/tap.bash $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 
 format:
