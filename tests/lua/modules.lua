@@ -6,7 +6,7 @@ local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails = tap.ok, tap.is, tap.fails
 
 local process, gnuplot = require "archard.process", require "archard.gnuplot"
-local random = require "archard.random"
+local random, term = require "archard.random", require "archard.term"
 
 -- --- worker processes ----------------------------------------------------------------------------
 
@@ -55,6 +55,15 @@ ok(event.ended:find("^signal 9 %("), "a signal: " .. event.ended)
 lines = worker("print(('x'):rep(5000)) print 'after' os.exit()")
 is(lines[#lines], "after", "a line that is too long is not the end")
 ok(#lines[1] < 4096, "and is not whole")
+
+do
+  local pool <close> = process.pool(1, { "-e", "io.stderr:close() io.read() print 'closed' io.flush() io.read()" })
+  pool:send(1, "go")
+  while not pool:wait(1)[1] do end
+  local start = term.clock()
+  for _ = 1, 3 do pool:wait(0.1) end
+  ok(term.clock() - start > 0.25, "one that has closed its standard error is still waited for")
+end
 
 do
   local folder = os.tmpname()
