@@ -195,8 +195,8 @@ coverage:
 	  CPPFLAGS="$(CPPFLAGS) -DARC_NARROW -DLUA_NOBUILTIN" test-programs
 	@find build-coverage -name '*.gcda' -delete
 	@BUILD=build-coverage ONCE=1 ARCHARD_POINTS=400 tests/run tests/unit/ tests/fuzz/ tests/lua/ tests/cli/ \
-	  verify/functions verify/geometry verify/hertz verify/revolved verify/waves
-	@tests/coverage build-coverage
+	  verify/functions verify/geometry verify/hertz verify/revolved verify/waves; \
+	status=$$?; tests/coverage build-coverage; exit $$status
 
 # Inputs made to break things, by clang's libFuzzer under its sanitizers: SECONDS of each target, or of
 # the one named by TARGET. What was found, and what reached new code, stays in the folder of the build.
