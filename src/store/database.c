@@ -414,3 +414,22 @@ void arc_query_array(query *q, int column, double *values, size_t count) {
   if (count > there) count = there;
   if (count > 0) memcpy(values, bytes, count * sizeof *values);
 }
+
+/* --- the whole file --------------------------------------------------------------------------- */
+
+/* What the check tells in words may be that the system did not give a page. */
+static arc_status refuse_unsound(const database *db, const char *said, arc_error *error) {
+  if (system_error(db, SQLITE_IOERR)) return fail(db, SQLITE_IOERR, error);
+  return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", db->name, said);
+}
+
+arc_status arc_database_check(database *db, arc_error *error) {
+  query *q;
+  int row;
+  arc_status status = arc_query_open(db, "PRAGMA quick_check(1)", &q, error);
+  if (status == ARC_OK) status = arc_query_step(q, &row, error);
+  if (status == ARC_OK && strcmp(arc_query_text(q, 0), "ok") != 0)
+    status = refuse_unsound(db, arc_query_text(q, 0), error);
+  arc_query_close(&q);
+  return status;
+}

@@ -17,6 +17,9 @@ arc_status arc_database_copy(database *db, arc_error *error);
 /* Makes the tables of another database those of the schema "other" here. */
 arc_status arc_database_attach(database *db, const database *other, arc_error *error);
 
+/* Looks at all pages: ARC_FORMAT where they make no sound file. */
+arc_status arc_database_check(database *db, arc_error *error);
+
 /* Runs statements without results. */
 arc_status arc_database_run(database *db, const char *sql, arc_error *error);
 

@@ -202,14 +202,7 @@ arc_status arc_store_publish(arc_store **store, arc_error *error) {
 }
 
 arc_status arc_store_check(arc_store *store, arc_error *error) {
-  query *q;
-  int row;
-  arc_status status = arc_query_open(store->db, "PRAGMA quick_check(1)", &q, error);
-  if (status == ARC_OK) status = arc_query_step(q, &row, error);
-  if (status == ARC_OK && strcmp(arc_query_text(q, 0), "ok") != 0)
-    status = arc_fail(error, ARC_FORMAT, "%s: the file is damaged: %s", store->path,
-                      arc_query_text(q, 0));
-  arc_query_close(&q);
+  arc_status status = arc_database_check(store->db, error);
   if (status == ARC_OK) status = arc_store_verify_texts(store, error);
   return status == ARC_OK ? arc_store_verify_all(store, error) : status;
 }

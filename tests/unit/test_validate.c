@@ -91,12 +91,37 @@ static void test_broken_runs(void **state) {
   arc_wear_destroy(&w);
 }
 
+/* A number in the last record that is none, or is less than in the one before, is told by name. */
+static void check_record(arc_wear *w, double *number, double wrong, const char *name,
+                         const char *how) {
+  char told[80];
+  const double right = *number;
+  snprintf(told, sizeof told, "history: %s %s", name, how);
+  *number = wrong;
+  check_refused(arc_wear_validate(w, why), ARC_NUMERIC, told);
+  *number = right;
+}
+
+static void test_broken_records(void **state) {
+  (void)state;
+  const arc_wear_def def = quick(0.11, 0.5);
+  arc_wear *w = run(&def);
+  arc_wear_record *last = &w->history[w->records - 1];
+#define BREAK(name, unit, text) check_record(w, &last->name, NAN, #name, "is nan");
+  ARC_WEAR_COLUMNS(BREAK)
+#undef BREAK
+  double *const growing[] = {&last->update, &last->cycle, &last->load_distance};
+  static const char *const names[] = {"update", "cycle", "load_distance"};
+  for (int k = 0; k < 3; k++) check_record(w, growing[k], -1, names[k], "falls by");
+  check_ok(arc_wear_validate(w, why));
+  arc_wear_destroy(&w);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_contact),
-      cmocka_unit_test(test_sound_runs),
-      cmocka_unit_test(test_changed_run),
-      cmocka_unit_test(test_broken_runs),
+      cmocka_unit_test(test_contact),        cmocka_unit_test(test_sound_runs),
+      cmocka_unit_test(test_changed_run),    cmocka_unit_test(test_broken_runs),
+      cmocka_unit_test(test_broken_records),
   };
   return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -211,8 +211,8 @@ static int pool_send(lua_State *L) {
   char text[1001];
   memcpy(text, line, length);
   text[length] = '\n';
-  ssize_t sent = send(w->input, text, length + 1, MSG_NOSIGNAL); /* fits in one go */
-  (void)sent;
+  /* fits in one go; a worker that did not get it is to end, and wait tells of that */
+  if (send(w->input, text, length + 1, MSG_NOSIGNAL) < 0) arc_child_close(&w->input);
   return 0;
 }
 
@@ -225,12 +225,13 @@ static int read_some(int descriptor, char *to, size_t room, size_t *count) {
   return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
-/* The end of what it said on standard error is what tells most. */
+/* The end of what it said on standard error is what tells most. Once that is closed, nobody looks
+ * there any more: poll would tell of it again and again. */
 static void hear(worker *w) {
   char text[WORDS];
-  size_t count;
-  if (w->errors < 0) return;
-  while (read_some(w->errors, text, sizeof text, &count) && count > 0) {
+  size_t count = 1;
+  while (w->errors >= 0 && count > 0) {
+    if (!read_some(w->errors, text, sizeof text, &count)) arc_child_close(&w->errors);
     size_t kept = w->said + count > WORDS ? WORDS - count : w->said;
     memmove(w->words, w->words + (w->said - kept), kept);
     memcpy(w->words + kept, text, count);

@@ -1,0 +1,119 @@
+-- The modules behind the classes, which scripts reach by require: what they refuse, what becomes of
+-- worker processes.
+-- Run once: its work is in other programs, which small steps of the collector only slow.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, fails = tap.ok, tap.is, tap.fails
+
+local process, gnuplot = require "archard.process", require "archard.gnuplot"
+local random, term = require "archard.random", require "archard.term"
+
+-- --- worker processes ----------------------------------------------------------------------------
+
+for _, count in ipairs{ 0, 257 } do
+  fails(function() process.pool(count, {}) end, "expected from 1 to 256 workers", count .. " workers")
+end
+fails(function() process.pool(1, { {} }) end, "argument 1 is no text", "an argument that is a table")
+
+-- What a worker that runs `chunk` says until it has ended: its lines, and how it ended.
+local function worker(chunk, line)
+  local pool <close> = process.pool(1, { "-e", chunk })
+  pool:send(1, line or "go")
+  local lines = {}
+  for _ = 1, 600 do
+    for _, event in ipairs(pool:wait(0.1)) do
+      if event.ended then return lines, event end
+      lines[#lines + 1] = event.line
+    end
+  end
+end
+
+do
+  local pool <close> = process.pool(2, { "-e", "print(io.read())" })
+  is(tostring(pool), "a pool of worker processes", "it says what it is")
+  for _, which in ipairs{ 0, 3 } do
+    fails(function() pool:send(which, "x") end, "no such worker", "worker " .. which .. " of 2")
+  end
+  for _, text in ipairs{ ("x"):rep(1000), "one\ntwo" } do
+    fails(function() pool:send(1, text) end, "expected one short line", #text .. " letters")
+  end
+  for _, seconds in ipairs{ -1, 2e6, 0 / 0 } do
+    fails(function() pool:wait(seconds) end, "expected 0 to 1e6 seconds", seconds .. " seconds")
+    fails(function() process.pause(seconds) end, "expected 0 to 1e6 seconds", "a pause of " .. seconds)
+  end
+  is(#pool:wait(0), 0, "nothing comes from workers that were sent nothing")
+end
+
+local lines, event = worker("print(io.read()) os.exit()", "word")
+is(lines[1], "word", "a line goes there and back")
+is(event.ended, "exit status 0", "it ended by itself")
+_, event = worker("io.stderr:write(('a'):rep(300), ('b'):rep(700), '!') os.exit(3)")
+is(event.ended, "exit status 3", "its exit status")
+is(event.words, ("b"):rep(399) .. "!", "the last 400 letters of what it said")
+_, event = worker("os.execute 'kill -9 $PPID'")
+ok(event.ended:find("^signal 9 %("), "a signal: " .. event.ended)
+lines = worker("print(('x'):rep(5000)) print 'after' os.exit()")
+is(lines[#lines], "after", "a line that is too long is not the end")
+ok(#lines[1] < 4096, "and is not whole")
+
+do
+  local pool <close> = process.pool(1, { "-e", "io.stderr:close() io.read() print 'closed' io.flush() io.read()" })
+  pool:send(1, "go")
+  while not pool:wait(1)[1] do end
+  local start = term.clock()
+  for _ = 1, 3 do pool:wait(0.1) end
+  ok(term.clock() - start > 0.25, "one that has closed its standard error is still waited for")
+end
+
+do
+  local folder = os.tmpname()
+  local made, why = process.make_folder(folder)
+  ok(not made and why == "File exists", "a file is no folder")
+  os.remove(folder)
+  ok(process.make_folder(folder) and process.make_folder(folder), "one that is there is fine")
+  is(#process.files(folder), 2, "nothing but itself and the one above is in it")
+  os.remove(folder)
+  is(process.files(folder), nil, "one that is gone has no files")
+end
+
+-- --- pictures ------------------------------------------------------------------------------------
+
+local function figure(change)
+  local curve = { x = { 1, 2 }, y = { 1, 2 } }
+  local panel = { x = {}, y = {}, curves = { curve } }
+  local whole = { panels = { panel } }
+  change(whole, panel, curve)
+  return function() gnuplot.draw(whole, { medium = "text", width = 60, height = 20 }) end
+end
+for told, change in pairs{
+  ["a figure without panels"] = function(f) f.panels = nil end,
+  ["panel 1 is no table"] = function(f) f.panels = { 7 } end,
+  ["title must be a string, got table"] = function(f) f.title = {} end,
+  ["rows must be a whole number from 0 to 100000"] = function(f) f.rows = 1.5 end,
+  ["columns must be a whole number from 0 to 100000"] = function(f) f.columns = 1e6 end,
+  ["rows must be a number, got string"] = function(f) f.rows = "2" end,
+  ["levels must be a whole number from 0 to 100000"] = function(_, p) p.levels = -1 end,
+  ["key cannot be 'nowhere'"] = function(_, p) p.key = "nowhere" end,
+  ["panel 1: curve 1 is no table"] = function(_, p) p.curves = { 7 } end,
+  ["x must be a list of numbers, got nil"] = function(_, _, c) c.x = nil end,
+  ["y[2] must be a number, got string"] = function(_, _, c) c.y[2] = "2" end,
+  ["x holds 2 numbers and y 1; they must be as many"] = function(_, _, c) c.y = { 1 } end,
+  ["x holds 2 numbers and error 3; they must be as many"] = function(_, _, c) c.error = { 1, 1, 1 } end,
+  ["a field of 3 corners: four each"] = function(_, p)
+    p.field = { x = { 1, 2, 3 }, y = { 1, 2, 3 }, value = { 1, 2, 3 } }
+  end,
+  ["an axis has no words"] = function(_, p) p.x.places = { at = { 1 } } end,
+  ["place 1 of an axis has no words"] = function(_, p) p.x.places = { at = { 1 }, words = { 7 } } end,
+} do fails(figure(change), told, told) end
+fails(function() gnuplot.animate({ 7 }, 0.1, { medium = "file", file = "x.gif" }) end, "frame 1 is no table",
+  "a frame that is none")
+
+-- --- numbers -------------------------------------------------------------------------------------
+
+for _, count in ipairs{ 0, 10000001 } do
+  fails(function() random.points("sobol", count, 1, 1) end, "expected 1 to 10000000", count .. " points")
+end
+for _, dimensions in ipairs{ 0, 41 } do
+  fails(function() random.points("sobol", 1, dimensions, 1) end, "expected 1 to 40", dimensions .. " dimensions")
+end
+fails(function() random.points("grid", 1, 1, 1) end, [["sobol", "latin" or "random"]], "an unknown design")

@@ -1,0 +1,75 @@
+-- What users do, with something that fails at each place that asks for it, the first time and the last
+-- that it does (or at as many as ARCHARD_POINTS says, spread evenly): an error that tells of it, or
+-- success; the program goes on, and the same piece then works. Prints TAP.
+--   failing.lua memory|system [piece]
+
+local what, only = arg[1], arg[2]
+local folder, points = os.getenv "TMPDIR", tonumber(os.getenv "ARCHARD_POINTS")
+warn "@off"
+local counted = folder .. "/count"
+local pieces = assert(loadfile "tests/memory/pieces.lua")(folder)
+
+
+-- What tests/memory/failing.c takes orders by.
+local function order(size) pcall(string.rep, "x", size) end
+local function arm(n) order((what == "memory" and 1 << 30 or 3 << 29) + n * 64) end
+local function disarm() -- more than once: what it takes may itself be among those that fail
+  for _ = 1, 10 do order((1 << 30) - 4096) end
+end
+
+local number = 0
+local function ok(fine, says)
+  number = number + 1
+  print(("%s %d - %s"):format(fine and "ok" or "not ok", number, says))
+end
+
+-- Whether it is told: Lua's own errors are strings, ours tables with a code.
+local told = {}
+
+function told.memory(why)
+  return type(why) == "table" and why.code == "MEMORY" or tostring(why):find("memory", 1, true) ~= nil
+end
+
+function told.system(why) return type(why) == "table" and why.code == "IO" end
+
+-- How often there is something to fail, and which of these times are the first or last of a place.
+local function points_of(work)
+  arm(1 << 22)
+  pcall(work)
+  disarm()
+  local at <close> = assert(io.open(counted))
+  local count, list, seen = at:read "n", {}, {}
+  for n in function() return at:read "n" end do
+    if not seen[n] then list[#list + 1] = n end
+    seen[n] = true
+  end
+  table.sort(list)
+  return count, list
+end
+
+-- The first thing that was wrong with what came of it, or nothing.
+local function try(piece, list, tried)
+  for k = 0, tried - 1 do
+    local n = list[1 + k * #list // tried]
+    collectgarbage()
+    arm(n)
+    local fine, why = pcall(piece[2])
+    disarm()
+    if not fine and not told[what](why) then return ("time %d: %s"):format(n, tostring(why)) end
+    if piece.whole and not pcall(piece.whole) then return ("time %d: what was there is lost"):format(n) end
+  end
+end
+
+for _, piece in ipairs(pieces) do
+  if (not only or piece[1] == only) and (what == "memory" or piece.files) then
+    piece[2]()
+    collectgarbage()
+    local count, list = points_of(piece[2])
+    local tried = math.min(points, #list)
+    local wrong = try(piece, list, tried)
+    ok(not wrong, ("%s: %d times, %d of them the first or last of a place, %d of these fail%s"):format(piece[1], count,
+      #list, tried, wrong and "; " .. wrong or ""))
+    ok(pcall(piece[2]), piece[1] .. " works again")
+  end
+end
+print("1.." .. number)
