@@ -51,8 +51,16 @@ const char *arc_status_text(arc_status status);
 /* The name of a status without its prefix, e.g. "MEMORY". Never NULL. */
 const char *arc_status_name(arc_status status);
 
+/* What a file is for. */
+typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
+
+/* Whether a file of that name may be used so, which whatever opens, makes or replaces files asks:
+ * here it may. A program that keeps to some folders has a function of this name, which takes the
+ * place of this one. ARC_IO: it may not. */
+arc_status arc_file_allowed(const char *path, arc_file_use use, arc_error *error);
+
 /* Opens a file to be read from its beginning. ARC_IO: there is none, or what has the name is a
- * folder, pipe or device. */
+ * folder, pipe or device; or as arc_file_allowed says. */
 arc_status arc_file_open(const char *path, FILE **stream, arc_error *error);
 /* The whole of one, with a zero behind it; *text [*length] is to be freed with free(). ARC_IO,
  * ARC_MEMORY, ARC_FORMAT (above 1 GiB). */

@@ -19,7 +19,8 @@ typedef struct arc_place arc_place;
 /* Takes a place for the file `path`. Symbolic links are followed to what they name; a file that is
  * there gives its permissions and must be one that may be written; a device or a pipe will be
  * written to, never replaced. What killed programs left in the folder is taken away.
- * ARC_ARGUMENT: a control character in the name; ARC_IO with the reason; ARC_MEMORY. */
+ * ARC_ARGUMENT: a control character in the name; ARC_IO with the reason, arc_file_allowed's too;
+ * ARC_MEMORY. */
 arc_status arc_place_take(const char *path, arc_place **place, arc_error *error);
 
 /* A place in a folder for a file that nobody will see, to be dropped. Same errors. */

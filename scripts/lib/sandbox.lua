@@ -4,17 +4,24 @@
 local files = require "archard.files"
 
 local load, loadfile = load, loadfile
-local globals, open = _G, io.open
-
-local elsewhere = "not below the folder of the script or the working folder (sandbox)"
+local globals, open, remove = _G, io.open, os.remove
 
 -- --- for our scripts -----------------------------------------------------------------------------
 
 function io.open(path, mode)
   local use = (mode or "r"):find "^r" and not (mode or ""):find("+", 1, true) and "read" or "write"
-  if not files.allowed(path, use) then return nil, ("%s: %s"):format(path, elsewhere) end
+  local fine, why = files.allowed(path, use)
+  if not fine then return nil, why end
   return open(path, mode)
 end
+
+function os.remove(path)
+  local fine, why = files.allowed(path, "write")
+  if not fine then return nil, why end
+  return remove(path)
+end
+
+os.rename = nil
 
 function io.popen() error("the sandbox starts no other programs", 0) end
 function os.execute() return nil, "the sandbox starts no other programs" end
@@ -31,7 +38,8 @@ end
 -- What fails is raised where it was called.
 local function read_chunk(path, ...)
   if type(path) ~= "string" then error("expected the name of a file, got " .. type(path), 3) end
-  if not files.allowed(path, "read") then return nil, ("%s: %s"):format(path, elsewhere) end
+  local fine, why = files.allowed(path, "read")
+  if not fine then return nil, why end
   return loadfile(path, "t", ...)
 end
 

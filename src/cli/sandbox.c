@@ -3,10 +3,11 @@
 
 #include "archard/base.h"
 #include "cli/signals.h"
-#include "lua/base/file_name.h"
+#include "lua/base/confine.h"
 #include "lua/base/interrupt.h"
 #include "lua/base/scripts.h"
 
+#include <lauxlib.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -81,7 +82,8 @@ static const char *push_folder(lua_State *L, const char *path) {
 
 void sandbox_enter(lua_State *L, const sandbox *self, const char *script) {
   const char *folder = push_folder(L, script);
-  file_name_confine(L, folder);
+  arc_error error;
+  if (confine_files(folder, ".", &error) != ARC_OK) luaL_error(L, "%s", error.message);
   script_require(L, "archard.lib.sandbox");
   lua_pushstring(L, folder);
   lua_call(L, 1, 0);

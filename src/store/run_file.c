@@ -131,9 +131,11 @@ static arc_status open_existing(arc_store *store, arc_store_mode mode, arc_error
 arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **result,
                           arc_error *error) {
   *result = NULL;
+  arc_status status =
+      arc_file_allowed(path, mode == ARC_STORE_READ ? ARC_FILE_READ : ARC_FILE_WRITE, error);
+  if (status != ARC_OK) return status;
   arc_store *store = new_store(path);
   if (!store) return arc_fail(error, ARC_MEMORY, "%s: out of memory", path);
-  arc_status status;
   if (mode == ARC_STORE_CREATE && access(path, F_OK) != 0) {
     status = create(store, error);
   } else {

@@ -13,9 +13,17 @@ static arc_status refuse(const char *path, const char *why, arc_error *error) {
   return arc_fail(error, ARC_IO, "cannot read %s: %s", path, why);
 }
 
+__attribute__((weak)) arc_status arc_file_allowed(const char *path, arc_file_use use,
+                                                  arc_error *error) {
+  (void)path, (void)use, (void)error;
+  return ARC_OK;
+}
+
 arc_status arc_file_open(const char *path, FILE **stream, arc_error *error) {
   struct stat facts;
   *stream = NULL;
+  const arc_status status = arc_file_allowed(path, ARC_FILE_READ, error);
+  if (status != ARC_OK) return status;
   const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return refuse(path, strerror(errno), error);
   const int is_file = fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode);

@@ -234,6 +234,7 @@ arc_status arc_place_take(const char *path, arc_place **result, arc_error *error
   *result = NULL;
   mode_t mode = 0;
   arc_status status = check_name(path, error);
+  if (status == ARC_OK) status = arc_file_allowed(path, ARC_FILE_WRITE, error);
   if (status != ARC_OK) return status;
   arc_place *place = new_place(path);
   if (!place) return arc_fail(error, ARC_MEMORY, "out of memory for writing '%.200s'", path);

@@ -196,7 +196,7 @@ static int mesh_write(lua_State *L) {
   static const char where[] = "mesh:write";
   const arc_mesh *mesh = self(L);
   lua_settop(L, 2);
-  const char *path = path_argument(L, 2, where, "path", PATH_WRITE);
+  const char *path = path_argument(L, 2, where, "path");
   const char *ending = strrchr(path, '.');
   arc_error error = {0};
   arc_status status = ARC_OK;

@@ -123,7 +123,7 @@ static arc_mesh **push_meshes(lua_State *L, args_place place) {
   const char *text = lua_tolstring(L, top, &length);
   const int is_mesh = strchr(text, '\n') != NULL;
   const char *name = lua_pushfstring(L, "%smesh", place.prefix);
-  if (!is_mesh) path_argument(L, top, place.where, name, PATH_READ);
+  if (!is_mesh) path_argument(L, top, place.where, name);
   arc_error error = {0};
   arc_mesh **given = box_push(L, &given_class)->thing;
   const arc_status status = is_mesh ? arc_mesh_parse_msh(name, text, length, given, &error)

@@ -248,7 +248,7 @@ static void write_table(lua_State *L, const char *path, int index, int units) {
 /* The file name at index 2; an ending that is another format's would promise what is not inside. */
 static const char *csv_path(lua_State *L) {
   static const char *const endings[] = {".csv", ".txt", ".dat", ".tsv", NULL};
-  const char *path = path_argument(L, 2, where, "path", PATH_WRITE), *ending = export_ending(path);
+  const char *path = path_argument(L, 2, where, "path"), *ending = export_ending(path);
   for (int i = 0; ending && endings[i]; i++)
     if (strcmp(ending, endings[i]) == 0) return path;
   if (!ending) return path;

@@ -3,6 +3,7 @@
 #include "archard/export.h"
 #include "lua/base/archard.h"
 #include "lua/base/call.h"
+#include "lua/base/confine.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/base/file_name.h"
@@ -29,7 +30,7 @@ const char *export_push_path(lua_State *L, const char *path, const char *body, c
 /* The file name at index 2, with the first of the endings where it has none; it is replaced. */
 static const char *path_ending(lua_State *L, const char *where, const char *const endings[],
                                const char *expected) {
-  const char *path = path_argument(L, 2, where, "path", PATH_WRITE), *ending = export_ending(path);
+  const char *path = path_argument(L, 2, where, "path"), *ending = export_ending(path);
   if (!ending) {
     lua_pushfstring(L, "%s%s", path, endings[0]);
     lua_replace(L, 2);
@@ -208,7 +209,7 @@ static int export_msh(lua_State *L) {
 static int files_write(lua_State *L) {
   size_t length;
   const char *where = luaL_checkstring(L, 1);
-  const char *path = path_argument(L, 2, where, "file", PATH_WRITE);
+  const char *path = path_argument(L, 2, where, "file");
   const char *text = luaL_checklstring(L, 3, &length);
   arc_error error = {0};
   error_check(L, arc_export_text(path, text, length, &error), &error, where, -1);
@@ -218,7 +219,7 @@ static int files_write(lua_State *L) {
 /* read(where, path) -> the whole text of a file; of anything else an error of `where` */
 static int files_read(lua_State *L) {
   const char *where = luaL_checkstring(L, 1);
-  const char *path = path_argument(L, 2, where, "file", PATH_READ);
+  const char *path = path_argument(L, 2, where, "file");
   arc_error error = {0};
   char *text;
   size_t length;
@@ -230,8 +231,7 @@ static int files_read(lua_State *L) {
 static int files_is_there(lua_State *L) {
   FILE *stream;
   const char *path = luaL_checkstring(L, 1);
-  const int found =
-      file_name_is_allowed(L, path, PATH_READ) && arc_file_open(path, &stream, NULL) == ARC_OK;
+  const int found = arc_file_open(path, &stream, NULL) == ARC_OK;
   if (found) fclose(stream);
   lua_pushboolean(L, found);
   return 1;
@@ -243,23 +243,29 @@ static int files_number(lua_State *L) {
   return 1;
 }
 
-/* allowed(path, "read" | "write") -> whether a file of that name may be used so */
+/* allowed(path, "read" | "write") -> whether a file of that name may be used so, and why not */
 static int files_allowed(lua_State *L) {
   static const char *const uses[] = {"read", "write", NULL};
   const char *path = luaL_checkstring(L, 1);
-  lua_pushboolean(L, file_name_is_allowed(L, path, (path_use)luaL_checkoption(L, 2, NULL, uses)));
-  return 1;
+  arc_error error = {0};
+  const arc_file_use use = (arc_file_use)luaL_checkoption(L, 2, NULL, uses);
+  lua_pushboolean(L, arc_file_allowed(path, use, &error) == ARC_OK);
+  error_push_plain(L, error.message);
+  return 2;
 }
 
-/* confine(folder): see file_name.h */
+/* confine(folder): from here on files are read below it and the working folder, and written below
+ * the latter */
 static int files_confine(lua_State *L) {
-  file_name_confine(L, luaL_checkstring(L, 1));
+  arc_error error = {0};
+  const arc_status status = confine_files(luaL_checkstring(L, 1), ".", &error);
+  error_check(L, status, &error, "confine", -1);
   return 0;
 }
 
 /* confined() -> the folder, or nil */
 static int files_confined(lua_State *L) {
-  lua_pushstring(L, file_name_confined(L));
+  lua_pushstring(L, confine_folder());
   return 1;
 }
 

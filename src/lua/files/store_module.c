@@ -45,8 +45,7 @@ arc_store *store_push(lua_State *L, const char *path, arc_store_mode mode, const
 /* store.open(path, mode) */
 static int store_open(lua_State *L) {
   int mode = args_choice(L, 2, (args_place){"store.open", ""}, "mode", mode_names, 0);
-  const char *path =
-      path_argument(L, 1, "store.open", "file", mode == ARC_STORE_READ ? PATH_READ : PATH_WRITE);
+  const char *path = path_argument(L, 1, "store.open", "file");
   store_push(L, path, (arc_store_mode)mode, "store.open");
   return 1;
 }
@@ -64,7 +63,7 @@ static int store_publish(lua_State *L) {
 
 /* store.replace(path, kind) */
 static int store_replace(lua_State *L) {
-  const char *path = path_argument(L, 1, "store.replace", "file", PATH_WRITE);
+  const char *path = path_argument(L, 1, "store.replace", "file");
   const char *kind = luaL_checkstring(L, 2);
   arc_error error = {0};
   arc_store *store = NULL;
@@ -119,7 +118,7 @@ static int store_set_info(lua_State *L) {
 static int store_merge(lua_State *L) {
   arc_error error = {0};
   arc_store *store = self(L, "store:merge");
-  const char *path = path_argument(L, 2, "store:merge", "file", PATH_READ);
+  const char *path = path_argument(L, 2, "store:merge", "file");
   error_check(L, arc_store_merge(store, path, &error), &error, "store:merge", -1);
   return 0;
 }

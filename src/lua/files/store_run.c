@@ -271,7 +271,7 @@ static arc_status write_run(arc_store *store, const arc_wear *wear, arc_error *e
 int wear_save(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:save");
   lua_settop(L, 2);
-  const char *path = path_argument(L, 2, "wear:save", "path", PATH_WRITE);
+  const char *path = path_argument(L, 2, "wear:save", "path");
   arc_error error = {0};
   arc_store *store;
   arc_status status = arc_store_replace(path, "wear", &store, &error);
@@ -315,7 +315,7 @@ static void refuse_session(lua_State *L, arc_store *store) {
  * left out where there is but one, the table where nothing in the definition was a function */
 int wear_open(lua_State *L) {
   lua_settop(L, 3);
-  const char *path = path_argument(L, 1, "wear.open", "path", PATH_READ);
+  const char *path = path_argument(L, 1, "wear.open", "path");
   if (lua_istable(L, 2)) {
     lua_replace(L, 3);
     lua_pushnil(L);

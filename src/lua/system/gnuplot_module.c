@@ -7,7 +7,6 @@
  */
 #include "lua/base/archard.h"
 #include "lua/base/array.h"
-#include "lua/base/file_name.h"
 #include "lua/base/interrupt.h"
 
 #include "plot/plot.h"
@@ -248,9 +247,6 @@ static arc_plot_output read_output(reader *r) {
   static const char *const media[] = {"text", "sixel", "png", "window", "file", NULL};
   arc_plot_output output = {.medium = (arc_plot_medium)read_choice(r, "medium", media)};
   output.file = read_string(r, "file");
-  if (output.file && !file_name_is_allowed(r->L, output.file, PATH_WRITE))
-    luaL_error(r->L, "field 'file': expected a file below the working folder (sandbox), got \"%s\"",
-               output.file);
   output.terminal = read_string(r, "terminal");
   output.width = read_count(r, "width");
   output.height = read_count(r, "height");

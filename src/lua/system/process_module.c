@@ -343,8 +343,11 @@ static int process_pause(lua_State *L) {
 
 /* process.make_folder(path) -> true, or nil and the reason; one that is there already is fine */
 static int process_make_folder(lua_State *L) {
-  const char *path = path_argument(L, 1, "folder", "path", PATH_WRITE);
+  const char *path = path_argument(L, 1, "folder", "path");
   struct stat there;
+  arc_error error = {0};
+  const arc_status status = arc_file_allowed(path, ARC_FILE_WRITE, &error);
+  error_check(L, status, &error, "folder", -1);
   if (mkdir(path, 0777) == 0 ||
       (errno == EEXIST && stat(path, &there) == 0 && S_ISDIR(there.st_mode))) {
     lua_pushboolean(L, 1);

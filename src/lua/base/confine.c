@@ -1,0 +1,62 @@
+/* Where arc_file_allowed of the library would say yes to all, the one of this program asks for the
+ * folders. They are the process' own, as its user and its limits are. */
+#include "lua/base/confine.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* Without links; "" while nothing is confined. */
+static struct { char read[PATH_MAX], write[PATH_MAX]; } confined;
+
+static arc_status no_folder(const char *folder, arc_error *error) {
+  return arc_fail(error, ARC_IO, "%s: no such folder", folder);
+}
+
+arc_status confine_files(const char *read, const char *write, arc_error *error) {
+  char from[PATH_MAX], into[PATH_MAX];
+  if (!realpath(read, from)) return no_folder(read, error);
+  if (!realpath(write, into)) return no_folder(write, error);
+  strcpy(confined.read, from);
+  strcpy(confined.write, into);
+  return ARC_OK;
+}
+
+const char *confine_folder(void) {
+  return confined.read[0] ? confined.read : NULL;
+}
+
+static int is_below(const char *path, const char *folder) {
+  const size_t length = strlen(folder);
+  if (strncmp(path, folder, length) != 0) return 0;
+  return path[length] == '/' || path[length] == '\0' || folder[length - 1] == '/';
+}
+
+/* The folder that a new file of this name would be in, without links; zero where there is none. A
+ * link to nothing is no new file. */
+static int resolve_new(const char *path, char whole[PATH_MAX]) {
+  char folder[PATH_MAX];
+  struct stat there;
+  const char *slash = strrchr(path, '/');
+  const size_t length = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
+  if (lstat(path, &there) == 0 || length >= sizeof folder) return 0;
+  memcpy(folder, slash ? path : ".", length);
+  folder[length] = '\0';
+  return realpath(folder, whole) != NULL;
+}
+
+arc_status arc_file_allowed(const char *path, arc_file_use use, arc_error *error) {
+  char whole[PATH_MAX];
+  if (!confined.read[0]) return ARC_OK;
+  const int known = realpath(path, whole) != NULL || resolve_new(path, whole);
+  if (known && is_below(whole, confined.write)) return ARC_OK;
+  if (use == ARC_FILE_WRITE)
+    return arc_fail(error, ARC_IO,
+                    "cannot write '%.200s': it is not below the working folder (sandbox)", path);
+  if (known && is_below(whole, confined.read)) return ARC_OK;
+  return arc_fail(error, ARC_IO,
+                  "cannot read '%.200s': it is not below the folder of the script or the working "
+                  "folder (sandbox)",
+                  path);
+}
