@@ -90,6 +90,6 @@ void sandbox_enter(lua_State *L, const sandbox *self, const char *script) {
   lua_pop(L, 1);
   arc_reserve_blas();
   limit_memory(self);
-  interrupt_limit(L, self->instructions);
+  interrupt_limit(L, self->instructions, signals_begin_working_grace);
   signals_limit(self->seconds);
 }

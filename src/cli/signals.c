@@ -50,24 +50,36 @@ void signals_install(int stay) {
 
 enum { GRACE = 100000, STATUS_ERROR = 1, STATUS_INTERRUPTED = 130 }; /* [us] */
 
-static void set_alarm(double seconds) {
+static void set_alarm(int clock, double seconds) {
   const double whole = floor(seconds);
   const struct itimerval when = {
       .it_value = {(time_t)whole, (suseconds_t)(1e6 * (seconds - whole))}};
-  setitimer(ITIMER_REAL, &when, NULL);
+  setitimer(clock, &when, NULL);
+}
+
+static void say(const char *text) {
+  const ssize_t written = write(STDERR_FILENO, text, strlen(text));
+  (void)written;
 }
 
 static void on_grace_over(int signal_number) {
-  static const char text[] = "archard: ended: it did not stop within grace\n";
+  const char *reached = interrupt_exceeded();
   (void)signal_number;
-  const ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
-  (void)written;
-  _exit(interrupt_exceeded() ? STATUS_ERROR : STATUS_INTERRUPTED);
+  say("archard: ");
+  if (reached) say(reached);
+  say(reached ? ": ended: it did not stop within grace\n"
+              : "ended: it did not stop within grace\n");
+  _exit(reached ? STATUS_ERROR : STATUS_INTERRUPTED);
 }
 
 static void begin_grace(void) {
   install(SIGALRM, on_grace_over, 0);
-  set_alarm(GRACE / 1e6);
+  set_alarm(ITIMER_REAL, GRACE / 1e6);
+}
+
+void signals_begin_working_grace(void) {
+  install(SIGPROF, on_grace_over, 0);
+  set_alarm(ITIMER_PROF, GRACE / 1e6);
 }
 
 static void on_time_over(int signal_number) {
@@ -85,5 +97,5 @@ static void on_interrupt_sandboxed(int signal_number) {
 void signals_limit(double seconds) {
   install(SIGINT, on_interrupt_sandboxed, (int)SA_RESETHAND);
   install(SIGALRM, on_time_over, 0);
-  if (seconds > 0) set_alarm(seconds);
+  if (seconds > 0) set_alarm(ITIMER_REAL, seconds);
 }

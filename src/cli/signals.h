@@ -10,4 +10,7 @@ void signals_install(int stay);
  * nor Ctrl-C stops within grace is ended: there is no session whose work could be lost. */
 void signals_limit(double seconds);
 
+/* From here on the program is ended when it has worked for longer than grace. */
+void signals_begin_working_grace(void);
+
 #endif

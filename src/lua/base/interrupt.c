@@ -12,6 +12,7 @@ static lua_State *volatile running;
 
 /* Limits: the instructions that are left, and what was reached. */
 static double instructions_left;
+static void (*limit_reached)(void);
 static const char *volatile exceeded;
 enum { PERIOD = 10000 }; /* instructions between two looks */
 
@@ -55,7 +56,9 @@ static void arm(lua_State *L) {
 
 static void charge(void) {
   instructions_left -= PERIOD;
-  if (instructions_left <= 0) interrupt_exceed("more instructions than the sandbox allows");
+  if (instructions_left > 0 || exceeded) return;
+  interrupt_exceed("more instructions than the sandbox allows");
+  if (limit_reached) limit_reached();
 }
 
 /* Counts while nothing is asked for. */
@@ -71,8 +74,9 @@ static void rest(lua_State *L) {
     lua_sethook(L, NULL, 0, 0);
 }
 
-void interrupt_limit(lua_State *L, double instructions) {
+void interrupt_limit(lua_State *L, double instructions, void (*reached)(void)) {
   instructions_left = instructions;
+  limit_reached = reached;
   rest(L);
 }
 
@@ -81,8 +85,8 @@ void interrupt_exceed(const char *text) {
   interrupt_request();
 }
 
-int interrupt_exceeded(void) {
-  return exceeded != NULL;
+const char *interrupt_exceeded(void) {
+  return exceeded;
 }
 
 int interrupt_request(void) {

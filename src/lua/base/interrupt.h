@@ -29,14 +29,16 @@ int interrupt_pending(void *context);
 void interrupt_raise(lua_State *L, const char *stand);
 
 /* From here on Lua runs so many instructions at most (0: any number); costs it speed. What is
- * beyond is stopped as by a request that nothing clears. */
-void interrupt_limit(lua_State *L, double instructions);
+ * beyond is stopped as by a request that nothing clears. No hook stops all of it (Lua calls none in
+ * what a hook's own error runs: handlers, and __close of a coroutine that dies of it): `reached`,
+ * which may be NULL, is called once, when they are used up. */
+void interrupt_limit(lua_State *L, double instructions, void (*reached)(void));
 
 /* Says that a limit was reached; may be called from a signal handler. `text` must stay. */
 void interrupt_exceed(const char *text);
 
-/* Whether a limit was reached. */
-int interrupt_exceeded(void);
+/* The text of the limit that was reached, or NULL. May be called from a signal handler. */
+const char *interrupt_exceeded(void);
 
 /* Forgets the request. Called when nothing of the user's runs. */
 void interrupt_clear(void);
