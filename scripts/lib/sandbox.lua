@@ -60,13 +60,15 @@ local function requirer(folder)
   end
 end
 
--- Metatables of our classes and of strings are not for strangers.
+-- Metatables that strangers have not made are not for them: a finalizer put there would be Lua's to call.
+local theirs = setmetatable({}, { __mode = "k" })
+
 local function hide_metatables()
-  debug.getmetatable "".__metatable = false
   local get = globals.getmetatable
   globals.getmetatable = function(value)
-    if type(value) == "userdata" then return false end
-    return get(value)
+    local metatable = getmetatable(value)
+    if metatable == nil or theirs[metatable] then return get(value) end
+    return false
   end
 end
 
@@ -87,8 +89,9 @@ local function count_finalizers()
   end
 
   globals.setmetatable = function(value, metatable)
-    local finalizer = type(metatable) == "table" and rawget(metatable, "__gc")
-    if not finalizer then return set(value, metatable) end
+    if type(metatable) == "table" then theirs[metatable] = true end
+    local finalizer = theirs[metatable] and rawget(metatable, "__gc")
+    if finalizer == nil then return set(value, metatable) end
     rawset(metatable, "__gc", nil)
     local fine, why = pcall(set, value, metatable)
     rawset(metatable, "__gc", finalizer)
