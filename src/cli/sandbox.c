@@ -65,7 +65,8 @@ static double mapped(void) {
 static void limit_memory(const sandbox *self) {
   struct rlimit limit;
   if (getrlimit(RLIMIT_AS, &limit) != 0) return;
-  const double wanted = mapped() + self->memory * mebi;
+  const double wanted = mapped() + self->memory * mebi, largest = 0x1p63;
+  if (wanted >= largest) return;
   if (limit.rlim_cur != RLIM_INFINITY && (double)limit.rlim_cur < wanted) return;
   limit.rlim_cur = (rlim_t)wanted;
   setrlimit(RLIMIT_AS, &limit);

@@ -50,7 +50,10 @@ void signals_install(int stay) {
 
 enum { GRACE = 100000, STATUS_ERROR = 1, STATUS_INTERRUPTED = 130 }; /* [us] */
 
+/* A clock set to zero never rings, one set to more than it holds neither. */
 static void set_alarm(int clock, double seconds) {
+  static const double shortest = 1e-6, longest = 1e9;
+  seconds = fmin(fmax(seconds, shortest), longest);
   const double whole = floor(seconds);
   const struct itimerval when = {
       .it_value = {(time_t)whole, (suseconds_t)(1e6 * (seconds - whole))}};
