@@ -5,6 +5,7 @@ local debug, math, next, rawequal, rawget, table, tostring, type =
 local globals = _G
 
 local help = require "archard.help"
+local names = require "archard.names"
 local spelling = require "archard.lib.spelling"
 
 local own = {}
@@ -90,11 +91,11 @@ function own.visit(visit)
   for _, each in ipairs(tables) do look({ each.name }, each.value, "table") end
 end
 
--- "runs[1].first" of a path.
+-- "runs[1].first" of a path, for people.
 function own.spoken(path)
   local parts = { path[1] }
   for i = 2, #path do parts[i] = spelling.index(path[i]) end
-  return table.concat(parts)
+  return names.plain(table.concat(parts))
 end
 
 -- Runs that have worn and that no file holds as they stand: a list of { path=, value= }.

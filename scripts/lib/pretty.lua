@@ -4,6 +4,7 @@
 local debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8 =
   debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8
 
+local names = require "archard.names"
 local spelling = require "archard.lib.spelling"
 local term = require "archard.term"
 
@@ -40,7 +41,7 @@ local function quote(text)
   if not utf8.len(text) then
     text = text:gsub("[\128-\255]", function(c) return ("\\%d"):format(c:byte()) end)
   end
-  return '"' .. text .. '"'
+  return '"' .. names.plain(text) .. '"'
 end
 
 -- Text of an object that knows how to show itself, or nil.

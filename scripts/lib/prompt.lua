@@ -6,6 +6,7 @@ local load, print, select, rawset, type = load, print, select, rawset, type
 local table, string, io = table, string, io
 local globals = _G
 
+local names = require "archard.names"
 local term = require "archard.term"
 local pretty = require "archard.lib.pretty"
 local version = require "archard".version
@@ -89,7 +90,9 @@ function prompt.show(...)
   local width = term.size()
   local texts, together = {}, 0
   for i = 1, count do
-    texts[i] = pretty.format((select(i, ...)), { width = width, colour = term.colour() })
+    local value = select(i, ...)
+    texts[i] = type(value) == "string" and names.plain(value)
+      or pretty.format(value, { width = width, colour = term.colour() })
     together = texts[i]:find("\n") and math.huge or together + #texts[i] + 2
   end
   print(table.concat(texts, together <= width and "  " or "\n"))

@@ -101,8 +101,12 @@ function readers.table() return {} end
 
 -- --- paths ---------------------------------------------------------------------------------------
 
+-- Names of globals as people can read them.
+local function is_global(key) return type(key) == "string" and not key:find "%c" and check.plain(key) == key end
+
 -- Keys as a file can hold them: texts and whole numbers.
 local function write_path(given, path)
+  if not is_global(path[1]) then return false end
   for i, key in ipairs(path) do
     if type(key) ~= "string" and math.type(key) ~= "integer" then return false end
     given["key." .. i] = key
@@ -264,7 +268,7 @@ end
 local function described(file, id)
   local given = file:values(id, "settings")
   local path = read_path(given)
-  local name = type(path[1]) == "string" and check.plain(own.spoken(path)) or "?"
+  local name = is_global(path[1]) and own.spoken(path) or "?"
   return { id = id, given = given, path = path, name = name, class = given.kind }
 end
 

@@ -1,5 +1,6 @@
 -- who(): what the session has made, a line for each global.
 
+local names = require "archard.names"
 local own = require "archard.lib.own"
 local pretty = require "archard.lib.pretty"
 local term = require "archard.term"
@@ -45,4 +46,4 @@ local function lines()
   return rows[1] and table.concat(rows, "\n") or "nothing yet: w = wear{} makes a run"
 end
 
-return function() print(lines()) end
+return function() print(names.plain(lines())) end

@@ -173,6 +173,8 @@ for what, settings in pairs{
   ["a name of the program's"] = { kind = "number", is = 5, ["key.1"] = "print" },
   ["no name"] = { kind = "number", is = 5 },
   ["a name that is none"] = { kind = "number", is = 5, ["key.1"] = { 1, 2 } },
+  ["a name that a terminal obeys"] = { kind = "number", is = 5, ["key.1"] = "a\27[2J" },
+  ["a name of two lines"] = { kind = "number", is = 5, ["key.1"] = "a\nb" },
   ["a key that is none"] = { kind = "number", is = 5, ["key.1"] = "t", ["key.2"] = 0.5 },
   ["a table that is not there"] = { kind = "number", is = 5, ["key.1"] = "t", ["key.2"] = "x" },
   ["an unknown kind"] = { kind = "dragon", ["key.1"] = "t" },
@@ -187,8 +189,10 @@ end
 is(print, kept, "and the program's own is not replaced")
 is(rawget(_G, "t"), nil, "nothing was made")
 os.execute("mkfifo " .. path "pipe")
-holds(session.open(stranger{ kind = "study", file = path "pipe", ["key.1"] = "s\27[2J" }),
-  { "left out: ", "s\\x1b[2J: " .. path "pipe" .. " is not there" }, "a pipe is no file, codes are shown")
+holds(session.open(stranger{ kind = "study", file = path "pipe", ["key.1"] = "s" }),
+  { "left out: ", "s: " .. path "pipe" .. " is not there" }, "a pipe is no file")
+holds(session.open(stranger{ kind = "study", file = path "pi\27[2Jpe", ["key.1"] = "s" }),
+  { "left out: ", path "pi\\x1b[2Jpe" .. " is not there" }, "codes are shown")
 fails(function() study.open(path "pipe") end, { "not a file" }, "nor a study")
 fails(function() wear.open(path "pipe") end, { "not a file" }, "nor a run")
 
@@ -201,6 +205,15 @@ w:step()
 local list = printed(who)
 holds(list, { "length  number  0.5\n", "title   string  a title\n", "w       wear    cycle 20 of 6000, 1 update, not saved" }, "who lists names, classes and states")
 ok(not list:find "print" and not list:find "session", "and nothing else")
+rawset(_G, "od\27d", 1)
+title = "a\27[2J\194\155title"
+list = printed(who)
+holds(list, { "od\\x1bd", "a\\x1b[2J\\xc2\\x9btitle" }, "codes that a terminal obeys are shown")
+ok(not list:find "\27" and not list:find "\155", "and nothing of them is left")
+list = printed(require "archard.lib.prompt".show, title, { title })
+holds(list, { "a\\x1b[2J\\xc2\\x9btitle", '"a\\27[2J\\xc2\\x9btitle"' }, "by the prompt too")
+holds(session.save(path "odd"), "not kept: od\\x1bd (number)", "such names are in no file")
+rawset(_G, "od\27d", nil)
 local told, a, b = printed(time, function(...) return ..., 5 end, 4)
 holds(told, { "time: ", " ms, processors " }, "time tells how long")
 is(a + b, 9, "and hands on the results")

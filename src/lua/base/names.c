@@ -105,7 +105,8 @@ static int names_shown(lua_State *L) {
 
 /* plain(text) -> the text with what a terminal would obey as \xNN */
 static int names_plain(lua_State *L) {
-  error_push_plain(L, luaL_checkstring(L, 1));
+  luaL_checkstring(L, 1);
+  error_push_plain(L, names_push_text(L, 1));
   return 1;
 }
 
