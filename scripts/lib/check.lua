@@ -145,6 +145,12 @@ local function refuse_kind(where, name, wanted, value)
   check.refuse(where, name, wanted.expected, value)
 end
 
+-- Lists are as long as they are: one that says its own length would be read on without end.
+local function says_its_length(value)
+  local metatable = type(value) == "table" and getmetatable(value)
+  return type(metatable) == "table" and rawget(metatable, "__len") ~= nil
+end
+
 -- Every named field of `given` must be in `fields` (name = kind). List items are the caller's.
 function check.fields(where, given, fields, prefix)
   prefix = prefix or ""
@@ -157,6 +163,9 @@ function check.fields(where, given, fields, prefix)
       local wanted = fields[name]
       if not wanted then
         check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, keys(fields))))
+      elseif says_its_length(value) then
+        check.fail(where, ("field '%s%s': expected %s, got a table with a __len of its own"):format(prefix, name,
+          wanted.expected))
       elseif not wanted.test(value) then
         refuse_kind(where, prefix .. name, wanted, value)
       end

@@ -109,6 +109,12 @@ for _, length in ipairs{ 2^61, 1 << 61, -1, "10" } do
 end
 fails(function() run_of{ k = { distance = setmetatable({}, { __index = function() return 1 end }), value = { 1 } } } end,
   "expected two arrays of one length", "items are the list's own")
+local endless = setmetatable({}, { __len = function() return 1 << 61 end, __index = function() return 1 end })
+for what, call in pairs{ x = function() profile{ x = endless, z = endless } end,
+  options = function() study{}:submit{ engine = "slurm", options = endless } end,
+  vary = function() study{ vary = { alpha = endless } } end } do
+  fails(call, { "field '" .. (what == "x" and "" or what) }, "a list that says its own length is refused: " .. what)
+end
 
 -- closed by the table that is read: it is held as long as it is needed
 local shape = run_of{}
