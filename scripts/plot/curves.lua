@@ -28,7 +28,7 @@ local function split(where, mark, own, ...)
     local value = select(i, ...)
     if type(value) == "string" then
       words[#words + 1] = value
-    elseif (type(value) == "table" or type(value) == "userdata") and get(value, mark) then
+    elseif naming.part(value, mark) then
       objects[#objects + 1] = value
     elseif type(value) == "table" and not getmetatable(value) and i == select("#", ...) then
       options = value

@@ -143,8 +143,8 @@ local mesh_options = { body = check.text, unrolled = check.flag, zoom = check.on
 -- plot.mesh(model or wear, { zoom="wear box" or { x0, x1, y0, y1 }, body=, ... })
 function mesh.mesh(model, options)
   local where = "plot.mesh"
-  local ok, meshes = pcall(function() return model.mesh end)
-  if not ok or not meshes then
+  local meshes = naming.part(model, "mesh")
+  if not meshes then
     check.fail(where, "expected a model or a wear run as the first argument, got " .. check.shown(model))
   end
   options = draw.options(where, options, mesh_options)
@@ -230,8 +230,7 @@ end
 local function field_of(where, object)
   local run, contact_of = pcall(function() return type(object) == "userdata" and object.contact end)
   if run and contact_of then object = contact_of(object) end
-  local ok, stress = pcall(function() return object.stress end)
-  if ok and stress then return object:stress(), object end
+  if naming.part(object, "stress") then return object:stress(), object end
   local both = type(object) == "table"
   for _, name in ipairs(naming.bodies(object)) do
     both = both and type(object[name]) == "table" and object[name].elements ~= nil

@@ -14,6 +14,16 @@ function naming.get(object, name)
 end
 local get = naming.get
 
+-- What makes an object one that can be drawn: a method, or a table. Nil where it is none of that, as in
+-- tables of options.
+local kinds = { pressure = "function", profile = "function", stress = "function", history = "table", mesh = "table" }
+
+function naming.part(object, name)
+  if type(object) ~= "table" and type(object) ~= "userdata" then return nil end
+  local part, kind = get(object, name), kinds[name]
+  return (not kind or type(part) == kind or type(part) == "userdata") and part or nil
+end
+
 -- --- bodies ------------------------------------------------------------------------------------
 
 local usual = { "cylinder", "plate" }

@@ -124,6 +124,14 @@ do
   has(text, "pressures under 20 N", "with the load of the pressures, where it is another")
 end
 
+for _, name in ipairs{ "pressure", "profile", "history", "stress", "mesh" } do
+  for _, value in ipairs{ 5, "x", true } do
+    refused(function() plot[name]{ [name] = value } end, "plot." .. name .. ": expected ", name .. " is no part of an object")
+  end
+end
+refused(function() plot.profile(one, { titles = setmetatable({}, { __len = function() return 2^61 end }) }) end,
+  "field 'titles': expected a table, got a table with a __len of its own", "a list that says its own length")
+
 -- --- meshes and fields --------------------------------------------------------------------------
 
 -- Two squares, the second cut into triangles; `side` 1 above, -1 below.
