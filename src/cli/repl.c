@@ -26,12 +26,12 @@ static void pending_clear(pending *self) {
 }
 
 /* Adds a line; returns zero without memory. */
-static int pending_add(pending *self, const char *line) {
-  size_t size = strlen(line);
+static int pending_add(pending *self, const char *line, size_t size) {
   char *text = realloc(self->text, self->length + size + 2);
   if (text == NULL) return 0;
   if (self->text) text[self->length++] = '\n';
-  memcpy(text + self->length, line, size + 1);
+  memcpy(text + self->length, line, size);
+  text[self->length + size] = '\0';
   self->text = text;
   self->length += size;
   return 1;
@@ -49,9 +49,9 @@ static void push_module_function(lua_State *L, const char *module, const char *n
 enum { CHUNK_READY, CHUNK_OPEN, CHUNK_WRONG };
 
 /* Compiles the chunk; pushes the function (ready), the message (wrong) or nothing (open). */
-static int compile(lua_State *L, const char *text, const char *name, int line) {
+static int compile(lua_State *L, const pending *chunk, const char *name, int line) {
   push_module_function(L, "archard.lib.prompt", "compile");
-  lua_pushstring(L, text);
+  lua_pushlstring(L, chunk->text, chunk->length);
   lua_pushstring(L, name);
   lua_pushinteger(L, line);
   lua_call(L, 3, 2);
@@ -198,12 +198,12 @@ static int asks_to_leave(const prompt *self, const char *line) {
 
 /* Adds a line to the chunk, and runs the chunk once it is complete. */
 static void take_line(prompt *self, const char *line) {
-  if (!pending_add(&self->chunk, line)) {
+  if (!pending_add(&self->chunk, line, strlen(line))) {
     fputs("archard: out of memory; the input is dropped\n", stderr);
     pending_clear(&self->chunk);
     return;
   }
-  int state = compile(self->L, self->chunk.text, "=prompt", 1);
+  int state = compile(self->L, &self->chunk, "=prompt", 1);
   if (state == CHUNK_OPEN) return;
   edit_remember(self->chunk.text);
   pending_clear(&self->chunk);
@@ -246,7 +246,7 @@ void repl_run(lua_State *L) {
 
 /* A chunk that began at line `first` is complete, wrong, or in want of more lines. */
 static run_status take_piped(lua_State *L, pending *chunk, int first, int last_line) {
-  int state = compile(L, chunk->text, "=stdin", first);
+  int state = compile(L, chunk, "=stdin", first);
   if (state == CHUNK_OPEN && !last_line) return RUN_OK;
   if (state == CHUNK_OPEN) {
     lua_pushfstring(L, "stdin:%d: the input ends within the chunk that begins here", first);
@@ -256,9 +256,11 @@ static run_status take_piped(lua_State *L, pending *chunk, int first, int last_l
   return state == CHUNK_READY ? evaluate(L) : run_refused(L);
 }
 
-static void strip_newline(char *line, ssize_t length) {
-  if (length > 0 && line[length - 1] == '\n') line[--length] = '\0';
-  if (length > 0 && line[length - 1] == '\r') line[length - 1] = '\0';
+/* The length of a line without its end. Zero bytes within it are for Lua to refuse. */
+static size_t line_length(const char *line, size_t length) {
+  if (length > 0 && line[length - 1] == '\n') length--;
+  if (length > 0 && line[length - 1] == '\r') length--;
+  return length;
 }
 
 run_status repl_run_pipe(lua_State *L) {
@@ -270,10 +272,10 @@ run_status repl_run_pipe(lua_State *L) {
   run_status status = RUN_OK;
   while (status == RUN_OK && (length = getline(&line, &capacity, stdin)) != -1) {
     number++;
-    strip_newline(line, length);
-    if (number == 1 && line[0] == '#') line[0] = '\0'; /* as in a script */
+    const int is_note = number == 1 && line[0] == '#'; /* as in a script */
+    const size_t size = is_note ? 0 : line_length(line, (size_t)length);
     if (chunk.text == NULL) first = number;
-    if (!pending_add(&chunk, line)) status = luaL_error(L, "out of memory");
+    if (!pending_add(&chunk, line, size)) status = luaL_error(L, "out of memory");
     status = take_piped(L, &chunk, first, 0);
   }
   if (status == RUN_OK && chunk.text) status = take_piped(L, &chunk, first, 1);
