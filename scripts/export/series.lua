@@ -20,7 +20,7 @@ end
 
 -- The files of the present state, added to `parts`; state numbers count from 0.
 local function add_state(run, stem, parts, number)
-  for i, file in ipairs{ files.vtk(run, ("%s-%05d.vtu"):format(stem, number)) } do
+  for i, file in ipairs{ check.as(where, files.vtk, run, ("%s-%05d.vtu"):format(stem, number)) } do
     parts[#parts + 1] = { file = file, number = i - 1, distance = run.distance, update = run.update }
   end
 end

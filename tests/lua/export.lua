@@ -167,7 +167,7 @@ fails(function() export.pvd(w, at "c.vtu") end, "ends in .pvd", "another ending"
 fails(function() export.pvd(w, at "c.pvd", { every = 0 }) end, "field 'every': expected a whole number >= 1", "never")
 fails(function() export.pvd(w, at "c.pvd", { each = 2 }) end, "unknown field 'each'", "an unknown field")
 ok(not io.open(at "c.pvd"), "nothing was written")
-fails(function() export.pvd(w, at "no/c.pvd") end, "cannot write", "no folder")
+fails(function() export.pvd(w, at "no/c.pvd") end, "export.pvd: cannot write", "no folder")
 
 -- summaries
 w = wear{ model = w.model, increments = 20 }
