@@ -5,6 +5,7 @@
  */
 #include "archard/place.h"
 
+#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -88,26 +89,25 @@ static arc_status check_name(const char *path, arc_error *error) {
              : arc_fail(error, ARC_ARGUMENT, "'%.200s...': the path is too long", path);
 }
 
-/* "/dev/stdout" and its like name a descriptor of this process, not the file that stands behind it;
- * -1 for other names. */
+/* Whether the folder is the one of this process' descriptors, or of a thread's. */
+static int holds_descriptors(const char *folder) {
+  char own[PATH_MAX], whole[PATH_MAX];
+  if (!realpath("/proc/self", own) || !realpath(folder, whole)) return 0;
+  const size_t length = strlen(own), end = strlen(whole);
+  return strncmp(whole, own, length) == 0 && whole[length] == '/' &&
+         strcmp(whole + end - strlen("/fd"), "/fd") == 0;
+}
+
+/* "/proc/self/fd/1", in whatever words, names a descriptor of this process, not the file that
+ * stands behind it; -1 for other names. "/dev/stdout" is a link to it. */
 static int own_descriptor(const char *path) {
-  static const struct {
-    const char *name;
-    int descriptor; /* -1: its number follows */
-  } names[] = {{"/dev/stdin", 0},
-               {"/dev/stdout", 1},
-               {"/dev/stderr", 2},
-               {"/dev/fd/", -1},
-               {"/proc/self/fd/", -1}};
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-    const size_t length = strlen(names[i].name);
-    if (names[i].descriptor >= 0 && strcmp(path, names[i].name) == 0) return names[i].descriptor;
-    if (names[i].descriptor >= 0 || strncmp(path, names[i].name, length) != 0) continue;
-    char *end;
-    const long number = strtol(path + length, &end, 10);
-    if (path[length] && !*end && number >= 0 && number < INT_MAX) return (int)number;
-  }
-  return -1;
+  char folder[PATH_MAX], *end;
+  const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+  if (!isdigit((unsigned char)*name)) return -1;
+  snprintf(folder, sizeof folder, "%.*s", (int)(name - path), path);
+  const long number = strtol(name, &end, 10);
+  if (*end || number >= INT_MAX) return -1;
+  return holds_descriptors(slash ? folder : ".") ? (int)number : -1;
 }
 
 /* Replaces the name in `target` by what the symbolic link says. Returns an errno. */
