@@ -139,6 +139,59 @@ for _, case in ipairs{ { 6, 0.06 }, { 57, 0.005 }, { 59.4, 0.005 } } do
   below(math.abs(energy_off(models[0.01], force, load)), most, ("10 um, %g N: energy of a cycle, error"):format(force))
 end
 
+-- --- forces with a mean ---------------------------------------------------------------------------
+
+-- A way of D after a turn dissipates half of what the cycle of +-D/2 does, whatever the mean force: each half of each cycle,
+-- in one increment or nine, and in the loops of wear. Where a way goes on past an earlier turn, the earlier way goes on.
+local function way_energy(change) return cycle_energy(change / (2 * mu * load)) / 2 end
+
+for _, row in ipairs{ { 0.02, 0.06 }, { 0.01, 0.015 }, { 0.005, 0.001 } } do
+  local size, most = table.unpack(row)
+  for _, case in ipairs{ { 10, 45 }, { -20, 45 }, { 0, 55 } } do
+    local low, high = table.unpack(case)
+    local c, off = contact{ model = models[size], friction = mu }:move{ tangential = high }, {}
+    for cycle = 1, 3 do
+      for _, force in ipairs{ low, high } do
+        local after = c:move{ tangential = force, increments = cycle == 3 and 9 or 1 }
+        off[#off + 1] = math.abs((after.energy - c.energy) / way_energy(high - low) - 1)
+        c = after
+      end
+    end
+    local label = ("%g um, %g to %g N: "):format(1e3 * size, low, high)
+    below(math.max(table.unpack(off)), most, label .. "energy of each half of three cycles, largest error")
+    local w = wear{ model = models[size], friction = mu, load = load, k = 1e-9, cycles = 1, jump = 1,
+      loading = { tangential = function(t) return (low + high + (high - low) * math.sin(2 * math.pi * t)) / 2 end, load = load,
+        increments = 24 } }
+    below(math.abs(w:loop().energy / (2 * way_energy(high - low)) - 1), most, label .. "energy of the loop of wear, error")
+  end
+end
+
+do
+  local c = contact{ model = models[0.005], friction = mu }:move{ tangential = 45 }:move{ tangential = -45 }
+    :move{ tangential = 10 }:move{ tangential = -20 }
+  local worst = 0
+  for _, force in ipairs{ 5, 10, 11, 15, 20, 30, 45 } do
+    local wanted = force <= 10 and way_energy(force + 20) or way_energy(30) + way_energy(force + 45) - way_energy(55)
+    worst = math.max(worst, math.abs((c:move{ tangential = force }.energy - c.energy) / wanted - 1))
+  end
+  below(worst, 0.003, "5 um, 45, -45, 10, -20 N and up again, past the turn at 10 N too: energy, largest error")
+  for i = 1, 100 do c = c:move{ tangential = (-1) ^ i * (40 - 0.3 * i) } end -- more turns than are remembered
+  within(c:move{ tangential = -10 }.energy - c.energy, way_energy(20), 0.005, "after 100 turns, each inside the one before: a way")
+  c = c:move{ tangential = -20 }
+  within(c:move{ tangential = 10 }.energy - c.energy, way_energy(30), 0.002, "and one past many of them")
+end
+
+-- The zone that sticks after a turn: a way of D leaves half of it, a sqrt(1 - D / (2 mu L)) on either side.
+for _, size in ipairs{ 0.02, 0.01, 0.005 } do
+  local c, worst = contact{ model = models[size], friction = mu }:move{ tangential = 48 }, 0
+  for _, force in ipairs{ 40, 30, 20, 10, 0, -10, -20, -30, -40, -45, -48 } do
+    c = c:move{ tangential = force }
+    local edge = a * math.sqrt(1 - (48 - force) / (2 * mu * load))
+    worst = math.max(worst, math.abs(c.stick[1].right - edge), math.abs(c.stick[1].left + edge))
+  end
+  below(worst / size, 0.15, ("%g um, back from 48 N: edges of the zone that sticks, elements off"):format(1e3 * size))
+end
+
 -- Other bodies: a thin pair, one of plastics, another kind of elements.
 do
   local plastic, fine = { E = 1000, nu = 0.46 }, mesh_of(0.02)

@@ -1,21 +1,22 @@
 /* The energy that slip dissipates between the nodes.
  *
- * Where a plate is pushed further and further under one load, nodes come to slip one by one, from
- * the edge of the contact inwards: node j once the force has risen by D_j since the plate turned.
+ * Where a plate is pushed further and further under one load, on surfaces without shear, nodes come
+ * to slip one by one from the edge of the contact inwards: node j once the force has risen by D_j.
  * From then on the plate gives way by C_j more per force. Up to a rise of D they dissipate
  *
- *   sum_j (mu / kappa) D_j C_j (D - D_j)
+ *   sum_j D_j C_j (D - D_j)
  *
- * with kappa f the shear that a node can take from there on, 2 mu f where it had slipped the other
- * way. Surfaces slip steadily: that sum should be an integral, and by Euler's and Maclaurin's
+ * Surfaces slip steadily: that sum should be an integral, and by Euler's and Maclaurin's
  * formula what it is off comes of its two ends alone, the edge of the contact and that of the zone
  * that sticks, and of where between two nodes each of them is. Measured by the force between one
  * node's slip and the next one's, that is known well: the inner node slips once its reserve r is
  * gone, by r / e at a share e of the force, and the outer one slips, by s at a rate of c per force,
- * since s / c. Beyond the edge of the contact kappa times the gap stands for s, as what normal load
+ * since s / c. Beyond the edge of the contact mu times the gap stands for s, as what normal load
  * is to pressures and gaps, force is to shear and slip. What is left are terms of fourth order in
- * the element. Bodies unlike each other have neither one pressure under one load nor shear that was
- * at its bound all around before: there the sum is left as it is. */
+ * the element. A way after a turn is twice one of half its length from surfaces without shear
+ * (turns.c): the ends are always those of such a way, whatever forces were before. Bodies unlike
+ * each other have neither one pressure under one load nor nodes that slip in that order: there the
+ * sum is left as it is. */
 #include "core/contact/friction.h"
 #include "core/base/dense.h"
 
@@ -25,8 +26,6 @@
 /* Ends of the sum, on all sides: those it starts at, or those it has come to. */
 typedef struct sum_ends {
   friction_task *k;
-  const friction_state *s;
-  int start;
   double unit; /* what a unit of motion takes to hold the nodes that stick [N/mm2] */
   friction_terms terms;
 } sum_ends;
@@ -40,28 +39,22 @@ static double slip_rate(const sum_ends *e, int at) {
   return fabs(1 - held) / e->unit;
 }
 
-/* Slip of the node outside since the plate turned, with the gap there in terms of slip [mm]. */
-static double slipped(const sum_ends *e, int out) {
-  const pose *p = e->k->p;
-  const friction_stretch *on = &e->s->stretch;
-  const int at = p->lo + out;
-  const double apart = p->f[out] > 0 ? 0 : on->kappa * p->open[out];
-  return apart + (e->start ? 0 : on->sense * (e->s->way[at] - e->s->stood[at]));
-}
-
-/* Shear that the node inside has left [N/mm]. */
-static double reserve(const sum_ends *e, int in) {
-  const pose *p = e->k->p;
-  const friction_stretch *on = &e->s->stretch;
-  const int at = p->lo + in;
-  const double had = on->kappa * p->f[in];
-  return had - (e->start ? 0 : on->sense * (e->s->t[at] - e->s->held[at]));
+/* Slip of the node beside one of those in contact, with the gap there in terms of slip [mm]. */
+static double slipped(const sum_ends *e, int in, int side) {
+  const shear_problem *h = &e->k->w->shear;
+  const int next = in + side, out = h->at[in] + side;
+  const double *column = &h->a[dense_at(0, out, h->ld)];
+  if (next >= 0 && next < h->n && h->at[next] == out) return h->way[next] * h->slip[next];
+  double slip = h->shift;
+  for (int i = 0; i < h->n; i++) slip -= column[h->at[i]] * h->t[i];
+  return slip + e->k->step->mu * e->k->p->open[out];
 }
 
 /* Force until the q-th of the nodes that stick slips [N/mm]. */
 static double until_slip(const sum_ends *e, int q) {
   const shear_problem *h = &e->k->w->shear;
-  return reserve(e, h->list[q]) * e->unit / h->ones[q];
+  const int in = h->pick[q];
+  return (h->bound[in] - h->t[in]) * e->unit / h->ones[q];
 }
 
 /* Whether nodes follow each other as they do where surfaces meet smoothly, by the steps from here
@@ -78,74 +71,118 @@ static void add_end(sum_ends *e, int q, int side) {
   const int out = h->list[q] + side, before = q - side;
   if (out < 0 || out >= e->k->p->count || before < 0 || before >= h->stuck) return;
   const double share = h->ones[q] / e->unit, rate = slip_rate(e, out);
-  const double since = slipped(e, out) / rate, until = until_slip(e, q), step = since + until;
+  const double since = slipped(e, h->pick[q], side) / rate, until = until_slip(e, q),
+               step = since + until;
   if (!(share > 0 && since >= 0 && until >= 0 && step > 0)) return;
   const double phase = since / step, smooth = is_smooth(step, until_slip(e, before) - until);
-  const double weight = smooth * e->k->step->mu / e->s->stretch.kappa * share * rate * step;
+  const double weight = smooth * share * rate * step;
   e->terms.even += weight * (phase * (phase - 1) + 1.0 / 6) / 2;
   e->terms.odd += weight * step * phase * (phase - 0.5) * (phase - 1) / 3;
 }
 
 /* Both sides of every zone that sticks, by the ways of the shear problem. */
-static friction_terms terms_of(friction_task *k, const friction_state *s, int start) {
+static int find_terms(friction_task *k, friction_terms *terms) {
   shear_problem *h = &k->w->shear;
-  sum_ends e = {.k = k, .s = s, .start = start};
-  if (arc_shear_factorise(h)) return e.terms;
+  sum_ends e = {.k = k};
+  if (arc_shear_factorise(h)) return 0;
   for (int q = 0; q < h->stuck; q++) e.unit += h->ones[q];
   for (int q = 0; q < h->stuck; q++) {
     if (q == 0 || h->list[q - 1] != h->list[q] - 1) add_end(&e, q, -1);
     if (q + 1 == h->stuck || h->list[q + 1] != h->list[q] + 1) add_end(&e, q, 1);
   }
-  return e.terms;
+  *terms = e.terms;
+  return 1;
 }
 
-/* The shear problem's ways: those of the solution, or none before anything slips. */
-static void set_ways(friction_task *k, int start) {
+/* The shear problem of a force along x on surfaces without shear, under the present pressures. The
+ * nodes that slip are looked for from those of the solution. */
+static int shear_unsheared(friction_task *k, double force) {
   shear_problem *h = &k->w->shear;
+  double carried = 0;
   h->n = k->p->active;
   h->at = k->p->set;
-  for (int i = 0; i < h->n; i++) h->way[i] = !start && k->w->slip[h->at[i]] != 0;
+  h->by_force = 1;
+  h->total = force;
+  for (int i = 0; i < h->n; i++) {
+    h->bound[i] = k->step->mu * k->p->f[h->at[i]];
+    h->drive[i] = 0;
+    h->way[i] = force > 0 && k->w->slip[h->at[i]] != 0;
+    carried += h->bound[i];
+  }
+  if (force < (1 - 1e-9) * carried) return arc_shear_solve(h) == 1;
+  for (int i = 0; i < h->n; i++) h->way[i] = 1;
+  return 1;
 }
 
-/* Which way the plate goes under a load that stays; 0: not known. */
-static int sense_of(const friction_task *k, const friction_state *s) {
-  static const double rounding = 1e-12;
-  const double way = k->dx + k->w->shear.shift;
-  if (k->step->mu == 0 || k->step->line != s->line) return 0;
-  if (fabs(way) <= rounding * fabs(k->p->approach)) return s->stretch.sense;
-  return way > 0 ? 1 : -1;
+/* The sum's end where ways begin, which is the same until other nodes touch. */
+static int find_start(friction_task *k, friction_memory *m) {
+  const pose *p = k->p;
+  const int first = p->lo + p->set[0], last = p->lo + p->set[p->active - 1];
+  if (m->first == first && m->last == last && m->x == p->x) return 1;
+  if (!shear_unsheared(k, 0) || !find_terms(k, &m->start)) return 0;
+  m->first = first;
+  m->last = last;
+  m->x = p->x;
+  return 1;
 }
 
-/* Whether the surfaces are not sheared, but for little. */
-static int is_free(const friction_state *s, double mu) {
-  static const double little = 0.1;
-  double sum = 0;
-  for (int i = 0; i < s->nc; i++) sum += fabs(s->t[i]);
-  return sum <= little * mu * s->line;
+/* What the sum up to `rise` is off [N]. */
+static int sum_error(friction_task *k, friction_memory *m, double rise, double *energy) {
+  friction_terms end;
+  if (!find_start(k, m) || !shear_unsheared(k, rise) || !find_terms(k, &end)) return 0;
+  *energy = rise * (m->start.even + end.even) + m->start.odd - end.odd;
+  return 1;
 }
 
-void arc_friction_turn(friction_task *k, friction_state *s) {
+/* Which way the next node slips, from a candidate to one side; 0 where the contact ends first. */
+static int way_beside(const friction_task *k, int from, int side, int *apart) {
+  const double *slip = k->w->slip, *f = k->p->f;
+  int c = from;
+  while (c >= 0 && c < k->p->count && f[c] > 0 && slip[c] == 0) c += side;
+  *apart = side * (c - from);
+  return c < 0 || c >= k->p->count || f[c] == 0 ? 0 : slip[c] > 0 ? 1 : -1;
+}
+
+/* Where nothing is known of the plate's ways: up to the bound on the side to which those slip that
+ * are nearest, or up to the nearer bound. */
+static void guess_reserve(friction_task *k) {
   const double mu = k->step->mu;
-  const int sense = sense_of(k, s), before = s->stretch.sense;
-  if (sense == before) return;
-  s->stretch =
-      (friction_stretch){.sense = sense, .kappa = before ? 2 * mu : mu, .from = s->tangential};
-  if (!k->g->alike || (!before && !is_free(s, mu))) s->stretch.kappa = 0;
-  if (sense == 0 || s->stretch.kappa == 0) return;
-  memcpy(s->held, s->t, (size_t)s->nc * sizeof *s->t);
-  memcpy(s->stood, s->way, (size_t)s->nc * sizeof *s->way);
-  set_ways(k, 1);
-  s->stretch.start = terms_of(k, s, 1);
+  const friction_room *w = k->w;
+  for (int c = 0; c < k->p->count; c++) {
+    int left, right, apart[2];
+    left = way_beside(k, c, -1, &apart[0]);
+    right = way_beside(k, c, 1, &apart[1]);
+    const int way = apart[0] < apart[1] ? left : right;
+    const double against = way != 0 ? way * w->t[c] : fabs(w->t[c]);
+    w->reserve[c] = w->slip[c] == 0 ? fmax(0, mu * k->p->f[c] - against) : 0;
+  }
+}
+
+/* By the shear problem just solved. */
+static void take_reserve(friction_task *k) {
+  const shear_problem *h = &k->w->shear;
+  memset(k->w->reserve, 0, (size_t)k->p->count * sizeof *k->w->reserve);
+  for (int i = 0; i < h->n; i++)
+    if (h->way[i] == 0) k->w->reserve[h->at[i]] = h->bound[i] - h->t[i];
+}
+
+/* The sum's error is that of a way on surfaces without shear, twice after a turn. */
+static void add_way(friction_task *k, friction_state *s) {
+  friction_memory *m = &s->memory;
+  const int first = m->count == 1;
+  double energy;
+  if (!sum_error(k, m, arc_friction_rise(m, s->tangential), &energy)) return;
+  take_reserve(k);
+  if (!(first && m->fresh)) energy *= 2;
+  const double more = first && !m->fresh ? 0 : energy - m->energy;
+  s->between += more;
+  s->energy += more;
+  m->energy = energy;
 }
 
 void arc_friction_between(friction_task *k, friction_state *s) {
-  friction_stretch *on = &s->stretch;
-  if (on->sense == 0 || on->kappa == 0) return;
-  set_ways(k, 0);
-  const friction_terms end = terms_of(k, s, 0);
-  const double rise = on->sense * (s->tangential - on->from);
-  const double energy = rise * (on->start.even + end.even) + on->start.odd - end.odd;
-  s->energy += energy - on->energy;
-  s->between += energy - on->energy;
-  on->energy = energy;
+  guess_reserve(k);
+  if (s->memory.sense == 0 || !k->g->alike) return;
+  arc_friction_close_loops(s, s->tangential);
+  add_way(k, s);
 }

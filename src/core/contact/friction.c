@@ -248,11 +248,11 @@ static void commit(friction_task *k, friction_state *s) {
   slip_of_open(k);
   arc_friction_turn(k, s);
   take_forces(k, s);
-  arc_friction_between(k, s);
   s->x += k->dx + k->w->shear.shift;
   if (!k->step->by_force) s->x = k->step->x;
   s->approach = k->p->approach;
   s->line = k->step->line;
+  arc_friction_between(k, s);
   arc_grip_displace(k->p, k->g->flat, s->f, s->t, s->u, k->w->work);
 }
 
@@ -267,7 +267,7 @@ static void lift(friction_task *k, friction_state *s) {
   memset(s->f, 0, 3 * (size_t)s->nc * sizeof *s->f);
   memset(s->u[ARC_CYLINDER], 0, 2 * (size_t)(s->nc + s->np) * sizeof(double));
   s->line = s->tangential = 0;
-  s->stretch.sense = 0;
+  s->memory = (friction_memory){0};
   s->approach = p->approach;
   if (!k->step->by_force) s->x = k->step->x;
 }

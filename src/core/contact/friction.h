@@ -72,6 +72,8 @@ typedef struct friction_room {
   double *before;  /* [nc] r before the increment, by candidate */
   double *t;       /* [nc] solution: shear forces [N/mm], by candidate */
   double *slip;    /* [nc] solution: ds [mm], by candidate, 0 where it sticks; open ones too */
+  double *reserve; /* [nc] solution: shear until a node slips on the way the plate goes [N/mm],
+                      by candidate; 0 where it slips */
   double *dragged; /* [nc] A_tn f, or r of all forces; by candidate */
   double *work;    /* [4 * (nc + np)] */
   shear_problem shear;
@@ -97,14 +99,24 @@ typedef struct friction_terms {
   double even, odd;
 } friction_terms;
 
-/* A motion one way under one load, since the plate turned. */
-typedef struct friction_stretch {
-  int sense;            /* 1 along x, -1 against it; 0: there is none */
-  double kappa;         /* shear a node takes until it slips, by its force; 0: not known */
-  double from;          /* [N/mm] tangential force where it began */
-  friction_terms start; /* the sum's end there */
-  double energy;        /* [N] what it has added between the nodes */
-} friction_stretch;
+/* Where the force turned [N/mm], and what the way there had added between the nodes [N]. */
+typedef struct friction_turn {
+  double force, energy;
+} friction_turn;
+
+/* What is not yet forgotten of the plate's ways under one load; see turns.c. */
+enum { ARC_FRICTION_TURNS = 64 };
+typedef struct friction_memory {
+  int sense; /* of the present way: 1 along x, -1 against it; 0: load and motion change together */
+  int fresh; /* whether there was no shear where the first way began */
+  int count; /* of turns, each between the two before it */
+  friction_turn turn[ARC_FRICTION_TURNS];
+  double energy; /* [N] of the present way */
+  /* The sum's end where ways begin, of the nodes in contact and the pose it was found for. */
+  friction_terms start;
+  int first, last;
+  double x; /* [mm] */
+} friction_memory;
 
 /* What is carried from increment to increment; nothing else has influence on the next solution. */
 typedef struct friction_state {
@@ -115,11 +127,10 @@ typedef struct friction_state {
   double tangential; /* [N/mm] */
   double energy;     /* [N] dissipated per thickness, all increments */
   double between;    /* [N] part of it that the nodes do not see (between.c) */
-  friction_stretch stretch;
+  friction_memory memory;
   double *f, *t;         /* [nc] forces by cylinder node [N/mm] */
   double *slip;          /* [nc] ds of the last increment [mm] */
   double *way;           /* [nc] sum of ds [mm] */
-  double *held, *stood;  /* [nc] t and way where the stretch began */
   double *u[ARC_BODIES]; /* [2 * surface] displacements of the surfaces, along x, then along y */
 } friction_state;
 
@@ -184,9 +195,14 @@ int arc_friction_sweeps(friction_task *k, int limit);
 /* A given force by the motion that leads to it (bracket.c), where the sweeps do not end. */
 int arc_friction_bracket(friction_task *k);
 
-/* Begins a stretch where the increment turns, before its forces are taken over. */
-void arc_friction_turn(friction_task *k, friction_state *s);
-/* Adds what is dissipated between the nodes. */
+/* Notes where the plate turns, before the increment's forces are taken over. */
+void arc_friction_turn(const friction_task *k, friction_state *s);
+/* Loops that the present way has closed are forgotten, and add what they still had to. */
+void arc_friction_close_loops(friction_state *s, double force);
+/* How far the present way has come, as a force on surfaces without shear [N/mm]. */
+double arc_friction_rise(const friction_memory *m, double force);
+
+/* Adds what is dissipated between the nodes, and finds what they have in reserve. */
 void arc_friction_between(friction_task *k, friction_state *s);
 
 /* ds of a candidate [mm] by the forces that w->dragged belongs to. */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 static size_t numbers_of(const friction_state *s) {
-  return 6 * (size_t)s->nc + 2 * (size_t)(s->nc + s->np);
+  return 4 * (size_t)s->nc + 2 * (size_t)(s->nc + s->np);
 }
 
 arc_status arc_friction_create(friction_state *s, const arc_model *model, double x) {
@@ -18,9 +18,7 @@ arc_status arc_friction_create(friction_state *s, const arc_model *model, double
   s->t = s->f + nc;
   s->slip = s->t + nc;
   s->way = s->slip + nc;
-  s->held = s->way + nc;
-  s->stood = s->held + nc;
-  s->u[ARC_CYLINDER] = s->stood + nc;
+  s->u[ARC_CYLINDER] = s->way + nc;
   s->u[ARC_PLATE] = s->u[ARC_CYLINDER] + 2 * nc;
   return ARC_OK;
 }
@@ -29,7 +27,7 @@ void arc_friction_reset(friction_state *s, double x) {
   memset(s->f, 0, arc_friction_bytes(s));
   s->x = x;
   s->approach = s->line = s->tangential = s->energy = s->between = 0;
-  s->stretch = (friction_stretch){0};
+  s->memory = (friction_memory){0};
 }
 
 void arc_friction_free(friction_state *s) {
@@ -55,6 +53,6 @@ void arc_friction_copy(friction_state *to, const friction_state *from) {
   to->tangential = from->tangential;
   to->energy = from->energy;
   to->between = from->between;
-  to->stretch = from->stretch;
+  to->memory = from->memory;
   memcpy(to->f, from->f, arc_friction_bytes(from));
 }

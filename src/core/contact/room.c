@@ -28,7 +28,7 @@ arc_status arc_friction_room_create(friction_room *w, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
   *w = (friction_room){.nc = (int)nc, .np = (int)np, .patience = 4, .by_force = 50};
-  w->gap = calloc(6 * nc + 4 * (nc + np), sizeof(double));
+  w->gap = calloc(7 * nc + 4 * (nc + np), sizeof(double));
   w->coupled = malloc(coupled_size(nc) * sizeof(double));
   w->pivots = malloc(6 * nc * sizeof(int));
   if (!w->gap || !w->coupled || !w->pivots || create_shear(&w->shear, nc) != ARC_OK) {
@@ -39,7 +39,8 @@ arc_status arc_friction_room_create(friction_room *w, const arc_model *model) {
   w->before = w->sheared + nc;
   w->t = w->before + nc;
   w->slip = w->t + nc;
-  w->dragged = w->slip + nc;
+  w->reserve = w->slip + nc;
+  w->dragged = w->reserve + nc;
   w->work = w->dragged + nc;
   return ARC_OK;
 }
@@ -56,6 +57,6 @@ void arc_friction_room_free(friction_room *w) {
 
 size_t arc_friction_room_bytes(const friction_room *w) {
   const size_t nc = (size_t)w->nc, np = (size_t)w->np;
-  return sizeof *w + (nc * nc + coupled_size(nc) + 18 * nc + 4 * np) * sizeof(double) +
+  return sizeof *w + (nc * nc + coupled_size(nc) + 19 * nc + 4 * np) * sizeof(double) +
          9 * nc * sizeof(int);
 }

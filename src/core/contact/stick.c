@@ -13,7 +13,7 @@ typedef struct stick_zone {
 typedef double stress_at(const arc_contact *c, int set); /* [MPa] */
 
 static int sticks(const arc_contact *c, int set) {
-  return set >= 0 && set < c->pose.active && c->room.slip[c->pose.set[set]] == 0;
+  return set >= 0 && set < c->pose.active && c->room.reserve[c->pose.set[set]] > 0;
 }
 
 /* Whether it sticks together with the one after it. */
@@ -21,10 +21,10 @@ static int goes_on(const arc_contact *c, int set) {
   return sticks(c, set) && sticks(c, set + 1) && c->pose.set[set + 1] == c->pose.set[set] + 1;
 }
 
-/* What friction holds back at a node: mu p - |q| [MPa]. */
+/* What friction holds back at a node on the way that the plate goes [MPa]. */
 static double reserve(const arc_contact *c, int set) {
   const int k = c->pose.set[set];
-  return (c->def.friction * c->pose.f[k] - fabs(c->room.t[k])) / c->pose.wc[c->pose.lo + k];
+  return c->room.reserve[k] / c->pose.wc[c->pose.lo + k];
 }
 
 static double x_of(const arc_contact *c, int set) {
@@ -79,7 +79,7 @@ static double edge_at_end(const stick_zone *z, int right, double other) {
 static void find_edges(stick_zone *z) {
   enum { rounds = 4 }; /* until each edge knows where the other one is */
   const arc_contact *c = z->c;
-  const int moves = c->state.stretch.sense != 0;
+  const int moves = c->state.memory.sense != 0;
   const double ends[2] = {c->result.left, c->result.right};
   z->edge[0] = z->first == 0 ? ends[0] : x_of(c, z->first) - (x_of(c, z->last) - x_of(c, z->first));
   z->edge[1] = ends[1];
