@@ -58,11 +58,12 @@ static double until_slip(const sum_ends *e, int q) {
 }
 
 /* Whether nodes follow each other as they do where surfaces meet smoothly, by the steps from here
- * to the next node and to the one after that: their ratio is 1.2 to 1.8 for contacts of three nodes
- * or forty, wherever between nodes they end. 1, less at kinks of the surfaces, 0 at scars' edges.
- */
+ * to the next node and to the one after that, as it seems from here: their ratio is 1.2 to 1.9 for
+ * contacts of three nodes or forty, wherever between nodes they end, and up to 2.7 where the
+ * plate's nodes are halfway between the cylinder's. 1, less at kinks of the surfaces, 0 at scars'
+ * edges. */
 static double is_smooth(double step, double next) {
-  return fmax(0, fmin(1, fmin(2 * next / step - 1, 3 - next / step)));
+  return fmax(0, fmin(1, fmin(2 * next / step - 1, 4 - next / step)));
 }
 
 /* The end on one side of the q-th of the nodes that stick. */
