@@ -240,17 +240,42 @@ static void find_stick(fretting *r) {
       r->rate->stick += arc_shape_width(cylinder, i);
 }
 
-/* What is dissipated between the nodes wears where the nodes do: all by the same share more. Where
- * none slips nothing wears. */
-static void add_between(fretting *r) {
-  const arc_wear *w = r->w;
-  const size_t n = (size_t)(w->nc + w->np);
-  const double energy = w->path.block->repeat * (w->path.state.between - r->between);
-  if (!(r->rate->energy > 0 && r->rate->energy + energy > 0)) return;
-  const double share = 1 + energy / r->rate->energy;
+/* All nodes by the same share more. */
+static void scale_rate(fretting *r, double share) {
+  const size_t n = (size_t)(r->w->nc + r->w->np);
   for (size_t i = 0; i < n; i++) r->rate->node[ARC_CYLINDER][i] *= share;
   for (size_t i = 0; i < n * n && r->window->jacobian; i++) r->window->jacobian->value[i] *= share;
   r->rate->energy *= share;
+}
+
+/* The outermost nodes in touch slide for all that slips beside them, each for half the energy. */
+static void add_edges(fretting *r, double energy) {
+  const arc_wear *w = r->w;
+  const int at = w->path.block->count - 1;
+  const wear_point *point = &w->path.point[at % 2];
+  const pose *p = &w->path.pose[w->path.block->place[at]];
+  if (p->active == 0) return;
+  memset(r->work, 0, (size_t)w->nc * sizeof *r->work);
+  for (int side = 0; side < 2; side++) {
+    const int i = p->lo + p->set[side ? p->active - 1 : 0];
+    const double pressure = point->p[ARC_CYLINDER][i];
+    if (pressure == 0) continue;
+    const double force = r->window->mu * pressure * p->wc[i];
+    r->work[i] += energy / 2 / force * arc_wear_law_rubbed(w, pressure, r->window->mu);
+    r->rate->energy += energy / 2;
+  }
+  arc_wear_share(w, p, point, r->work, r->on, r->rate);
+}
+
+/* What is dissipated between the nodes wears where the nodes do; at the contact's edges where none
+ * slips. */
+static void add_between(fretting *r) {
+  const double energy = r->w->path.block->repeat * (r->w->path.state.between - r->between);
+  if (r->rate->energy + energy <= 0) return;
+  if (r->rate->energy > 0)
+    scale_rate(r, 1 + energy / r->rate->energy);
+  else
+    add_edges(r, energy);
 }
 
 static arc_status run_cycles(fretting *r, arc_error *error) {
