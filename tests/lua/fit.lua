@@ -170,7 +170,7 @@ refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = { -5, 600
 refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = { 1, 600 }, value = { 1, 0 / 0 } } } },
   { "'data[1].value[2]'", "nan" }, "a value that is none")
 refused({ unknown = { kk = 1 }, data = { one } }, "unknown field 'kk' (did you mean 'k'?)", "a misspelt unknown")
-refused({ unknown = { radius = 1 }, data = { one } }, "it is a field of model{}", "one of the model")
+refused({ base = { radius = 1 }, unknown = unknown, data = { one } }, "it is a field of model{}", "one of the model")
 refused({ unknown = { scheme = 1 }, data = { one } }, { "unknown.scheme", "number" }, "one that is no number")
 refused({ unknown = { alpha = 1 }, data = { one } }, { "unknown.alpha.start", "inside the bounds 0" }, "a start at a bound")
 refused({ unknown = { load = { start = 90, knots = { 0, 1 } } }, data = { one } }, "only k, alpha", "a curve of a number")
