@@ -10,8 +10,9 @@ return {
       .. "bands are those of the problem made linear at the result. Errors: too few data, numbers in units "
       .. "that cannot be, an unknown that does nothing, no convergence (NOT_CONVERGED)." },
   { "fit{unknown}", type = "table of tables",
-    text = "What is looked for, by name: number fields of wear{}, or of a model as [\"model.radius\"], "
-      .. "[\"model.plate.E\"]. A number is the start alone." },
+    text = "What is looked for, by name: numbers of wear{}, or of a model and its bodies as "
+      .. "[\"model.radius\"], [\"lower.E\"], [\"lower.layer1.thickness\"], by the names that vary of study{} "
+      .. "takes. A number is the start alone." },
   { "fit{data}", type = "list of tables",
     text = "What was measured, each a profile { profile= or x=, h=, body=, distance= }, numbers of the history "
       .. "{ of=, distance=, value= }, or a friction loop { loop={ x=, tangential= }, cycle= or distance= }." },

@@ -65,3 +65,36 @@ fails(function() fit{ model = pair(), unknown = { ["lower.E"] = 1e5, ["plate.E"]
 fails(function() fit{ model = pair(), unknown = { ["upper.kind"] = 1 }, data = {} } end, { "unknown.upper.kind", "number" }, "a word")
 fails(function() fit{ model = pair(), unknown = { ["lower.layer1.thicknes"] = 1 }, data = {} } end,
   { "thicknes'", "did you mean 'thickness'" }, "a misspelt unknown of a layer")
+
+-- --- sensitivities -------------------------------------------------------------------------------
+-- Bodies with coefficients of their own: the plate's volume answers to its own, and to the load.
+local function worn(given)
+  given.distance, given.jump = 44, 20
+  return wear(given):run{ progress = false }
+end
+local w = worn{ model = usual }
+local s = w:sensitivity{ of = "volume_plate" }.volume_plate
+near(s["plate.k"].elasticity[1], 1, 1e-10, "to k of the plate")
+near(s["cylinder.k"].elasticity[1], 0, 1e-10, "not to that of the cylinder")
+near(s.load.elasticity[1], 1, 1e-10, "and to the load")
+fails(function() w:sensitivity{ to = "k" } end, { "'to'", "k comes from", "cylinder.k, plate.k" }, "there is no k of the couple")
+w:close()
+w = worn{ model = pair(nil, nil, 1e-8) }
+s = w:sensitivity{ of = { "depth_pin", "volume_lower" }, to = { "lower.layer1.k", "lower.layer1.thickness", "pin.E", "E" } }
+near(s.volume_lower["lower.layer1.k"].elasticity[1], 1, 1e-10, "to k of a layer")
+ok(s.depth_pin.E.elasticity[1] > s.depth_pin["pin.E"].elasticity[1], "to E of both bodies, and of one")
+ok(s.depth_pin["lower.layer1.thickness"].elasticity[1] < 0, "to the thickness of a layer")
+fails(function() w:sensitivity{ of = "depth_pen" } end, { "'of'", "depth_pen" }, "no result")
+w:close()
+w = worn{ k_cylinder = 1e-8, k_plate = 2e-8 }
+s = w:sensitivity{ of = "volume_plate", to = { "k_cylinder", "k_plate", "k" } }.volume_plate
+near(s.k_cylinder.elasticity[1], 0, 1e-10, "k_cylinder leaves the plate alone")
+near(s.k_plate.elasticity[1], 1, 1e-10, "k_plate does not")
+near(s.k.derivative[1], 2 / 3 * s.k_plate.derivative[1], 1e-10, "k changes both")
+-- What was refused is no advice.
+for _, name in ipairs{ "cylinder.G", "upper.layer1.E", "increments", "model.lower.width" } do
+  local refused = fails(function() w:sensitivity{ to = name } end, "'to'", name .. " is no number here")
+  ok(not tostring(refused):find("mean '" .. name .. "'", 1, true), name .. " is not suggested")
+end
+is(require "archard.lib.check".hint("load", { "load" }), " (known: )", "nor by any other list")
+w:close()
