@@ -106,7 +106,9 @@ return {
     use = "d = fit.design{ unknown={ k=1e-8 }, measure={...} }",
     text = "Before a test is made: the standard errors that measurements would leave, from derivatives at the "
       .. "start. Each alone, beside what is known before (the start itself, or the room between both bounds), the "
-      .. "one to begin with and those to add, and all together. Prints a table; plot.fit(d) draws it." },
+      .. "one to begin with and those to add, and all together. Of widths and pressures, which move from node to "
+      .. "node, slopes over 0.6 of a start to both sides. Prints a table; plot.fit(d) "
+      .. "draws it." },
   { "fit.design{unknown}", type = "table of tables", text = "As in fit." },
   { "fit.design{base}", type = "table", takes = "wear", text = "As in fit." },
   { "fit.design{model}", type = "model object or table", takes = "model", text = "As in fit." },
