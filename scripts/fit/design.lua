@@ -241,7 +241,12 @@ strict.class(class)
 
 -- --- making --------------------------------------------------------------------------------------
 
+-- Before there are data an unknown may be anywhere in what is known of it: slopes of what jumps from node
+-- to node are those over about the standard deviation of that, to both sides.
+local widest, intervals = 0.6, 16
+
 local function sensitivities(problem)
+  problem.widest, problem.many = widest, intervals
   local values = {}
   for i, one in ipairs(problem.parameters) do values[i] = one.start end
   local looks = problem:runs_at(values)

@@ -96,10 +96,12 @@ local function position_column(self, looks, values, i)
 end
 
 -- What jumps from node to node answers to a parameter over a wide range only: values around one, evenly
--- spaced, all on the inner side where it is close to a bound.
-local widest, closest = 0.24, 0.05
+-- spaced, all on the inner side where it is close to a bound. Its half, as a share of the value, and its
+-- intervals for errors and on the way; who has no data takes a wider one.
+problem.widest, problem.many = 0.24, 8
+local few, closest = 4, 0.05
 
-local function wide_range(one, value)
+local function wide_range(one, value, widest)
   local reach = widest * math.min(one.span, math.max(math.abs(value), one.span / 4))
   local down = math.min(reach, one.low and 0.9 * (value - one.low) or reach)
   local up = math.min(reach, one.high and 0.9 * (one.high - value) or reach)
@@ -114,13 +116,11 @@ local function spread(low, high, intervals)
   return list
 end
 
-local few, many = 4, 8 -- intervals of a wide range: on the way, and for errors
-
 -- The rows of what jumps, in column i: slopes over the range. What the lines through it say in the middle
 -- is added up over the unknowns.
 local function fill_rippled(self, column, values, i, central)
-  local low, high = wide_range(self.unknowns[i], values[i])
-  local points, wanted, rows = spread(low, high, central and many or few), {}, {}
+  local low, high = wide_range(self.unknowns[i], values[i], self.widest)
+  local points, wanted, rows = spread(low, high, central and self.many or few), {}, {}
   for p, by in ipairs(points) do wanted[p] = changed(table.move(values, 1, #self.unknowns, 1, {}), i, by) end
   for p, looks in ipairs(self.runs:many(wanted)) do rows[p] = self:predict(looks, values) end
   local unit = high - low
@@ -204,11 +204,11 @@ local jumps_above, counts = 0.03, 0.2 -- of the slope, between neighbours; of th
 
 -- What runs over a wide range of all unknowns at once say in place of the data, and where they lie.
 local function wide_rows(self, values)
-  local points, wanted, rows = spread(-0.5, 0.5, 2 * many), {}, {}
+  local points, wanted, rows = spread(-0.5, 0.5, 2 * self.many), {}, {}
   for p, t in ipairs(points) do
     wanted[p] = table.move(values, 1, #self.unknowns, 1, {})
     for i, one in ipairs(self.unknowns) do
-      local low, high = wide_range(one, values[i])
+      local low, high = wide_range(one, values[i], self.widest)
       wanted[p][i] = values[i] + low + (high - low) * (t + 0.5)
     end
   end

@@ -67,9 +67,15 @@ local function motion_of(name, given, unknowns)
   return { way = way, by_force = is_by_force(base) }
 end
 
+-- The bodies of all runs, as they are given.
+local function model_of(given)
+  if given.model ~= nil then return given.model end
+  return type(given.base) == "table" and given.base.model or nil
+end
+
 -- The parts that a fit and a design have in common.
 local function prepare(name, given, items)
-  local unknowns = unknown.read(name, given.unknown)
+  local unknowns = unknown.read(name, given.unknown, model_of(given))
   local what = data.wanted(items)
   local all = runs.new(name, base_of(name, given, what), unknowns, what, given)
   return problems.new(name, unknowns, items, all)
@@ -94,7 +100,7 @@ end
 local function run(given)
   check.definition(where, given, fields)
   need(where, given, { "unknown", "data" })
-  local unknowns = unknown.read(where, given.unknown)
+  local unknowns = unknown.read(where, given.unknown, model_of(given))
   local items, told = data.read(where, given.data, motion_of(where, given, unknowns))
   local problem = prepare(where, given, items)
   refuse_few(problem, told)

@@ -165,7 +165,7 @@ end
 -- What is changed inside a model must be there as a table.
 local function open_model(where, base, unknowns)
   for _, one in ipairs(unknowns) do
-    if one.path:match("^model%.") and base.model ~= nil then
+    if one.paths[1]:match("^model%.") and base.model ~= nil then
       base.model = settings.nest(settings.flatten(where, { model = base.model })).model
       return
     end

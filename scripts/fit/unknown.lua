@@ -1,10 +1,12 @@
--- The unknowns of a fit: any number field of wear{}, model{} and material{}, or k and alpha as
--- curves over the distance. Each number that is looked for is a parameter; bounds are kept by a
+-- The unknowns of a fit: any number of wear{}, model{} and bodies, or k and alpha as curves over
+-- the distance. Each number that is looked for is a parameter; bounds are kept by a
 -- change of variables. Leans on the lists of settings for names, ranges and units.
 
 local check = require "archard.lib.check"
 local check_names = require "archard.study.names"
+local merged = require "archard.lib.merged"
 local numbers = require "archard.study.number"
+local settings = require "archard.study.settings"
 local spline = require "archard.fit.spline"
 
 local unknown = {}
@@ -47,9 +49,10 @@ local function check_bounds(where, field, setting, given)
   end
 end
 
-local function parameter(where, field, path, setting, given, start, distance)
-  local one = { path = path, unit = setting.unit or "", start = start, distance = distance,
-    name = distance and ("%s at %g mm"):format(path, distance) or path,
+-- name: as the user has it; its paths: where the numbers stand in wear{}.
+local function parameter(where, field, name, setting, given, start, distance)
+  local one = { path = name, paths = given.paths, unit = setting.unit or "", start = start, distance = distance,
+    name = distance and ("%s at %g mm"):format(name, distance) or name,
     low = given.low or setting.low, high = given.high or setting.high }
   if (one.low and start <= one.low) or (one.high and start >= one.high) then
     check.fail(where, ("field '%s.start': expected a number inside the bounds %s and %s, got %g")
@@ -73,13 +76,14 @@ local function check_one(where, field, setting, given)
   end
 end
 
-local function add(self, where, name, given)
+local function add(self, where, name, given, paths)
   local field = "unknown." .. name
-  local setting = numbers.setting(name)
+  local setting = numbers.setting(paths[1])
   numbers.check(where, field, setting)
   if type(given) == "number" then given = { start = given } end
   if type(given) ~= "table" then check.refuse(where, field, "a table { start= }", given) end
   check_one(where, field, setting, given)
+  given = merged(given, { paths = paths })
   local starts = type(given.start) == "table" and given.start or nil
   if not given.knots then
     self[#self + 1] = parameter(where, field, name, setting, given, starts and starts[1] or given.start)
@@ -94,17 +98,35 @@ local function add(self, where, name, given)
   end
 end
 
--- -> list of parameters { name=, path=, unit=, start=, low=, high=, span= }, with `curves`.
-function unknown.read(where, given)
-  local names, flat, self = {}, {}, { curves = {} }
+-- By name the paths, each of one name only; the model is looked into where names ask for it.
+local function paths_of(where, names, model)
+  local by_name, flat, there, beneath = {}, {}, {}, nil
+  for _, name in ipairs(names) do
+    if not numbers.of_run(name) then beneath = beneath or settings.flatten(where, { model = model }) end
+    by_name[name] = numbers.paths(name, beneath or {})
+    for _, path in ipairs(by_name[name]) do
+      if there[path] then
+        check.fail(where, ("fields 'unknown.%s' and 'unknown.%s': both are %s"):format(there[path], name, path))
+      end
+      flat[path], there[path] = 0, name
+    end
+  end
+  check_names(where, { flat })
+  return by_name
+end
+
+-- model: that of the runs, as far as one is given. -> list of parameters { name=, path=, paths=, unit=, start=,
+-- low=, high=, span= }, with `curves`.
+function unknown.read(where, given, model)
+  local names, self = {}, { curves = {} }
   for name in pairs(given) do
     if type(name) ~= "string" then check.fail(where, "field 'unknown': fields are given by name") end
-    names[#names + 1], flat[name] = name, 0
+    names[#names + 1] = name
   end
   if #names == 0 then check.fail(where, "field 'unknown': expected at least one field, got none") end
-  check_names(where, { flat })
   table.sort(names)
-  for _, name in ipairs(names) do add(self, where, name, given[name]) end
+  local paths = paths_of(where, names, model)
+  for _, name in ipairs(names) do add(self, where, name, given[name], paths[name]) end
   return self
 end
 
@@ -117,10 +139,12 @@ end
 -- The curve that values of all parameters make: { distance=, value= }
 function unknown.series(curve, values) return spline.series(curve.knots, slice(values, curve)) end
 
--- The settings that values stand for, by flat name.
+-- The settings that values stand for, by path.
 function unknown.settings(self, values)
   local flat = {}
-  for i, one in ipairs(self) do flat[one.path] = values[i] end
+  for i, one in ipairs(self) do
+    for _, path in ipairs(one.paths) do flat[path] = values[i] end
+  end
   for _, curve in ipairs(self.curves) do
     local series = unknown.series(curve, values)
     flat[curve.path] = nil

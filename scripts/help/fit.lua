@@ -10,8 +10,9 @@ return {
       .. "bands are those of the problem made linear at the result. Errors: too few data, numbers in units "
       .. "that cannot be, an unknown that does nothing, no convergence (NOT_CONVERGED)." },
   { "fit{unknown}", type = "table of tables",
-    text = "What is looked for, by name: number fields of wear{}, or of a model as [\"model.radius\"], "
-      .. "[\"model.plate.E\"]. A number is the start alone." },
+    text = "What is looked for, by name: numbers of wear{}, or of a model and its bodies as "
+      .. "[\"model.radius\"], [\"lower.E\"], [\"lower.layer1.thickness\"], by the names that vary of study{} "
+      .. "takes. A number is the start alone." },
   { "fit{data}", type = "list of tables",
     text = "What was measured, each a profile { profile= or x=, h=, body=, distance= }, numbers of the history "
       .. "{ of=, distance=, value= }, or a friction loop { loop={ x=, tangential= }, cycle= or distance= }." },
@@ -105,7 +106,9 @@ return {
     use = "d = fit.design{ unknown={ k=1e-8 }, measure={...} }",
     text = "Before a test is made: the standard errors that measurements would leave, from derivatives at the "
       .. "start. Each alone, beside what is known before (the start itself, or the room between both bounds), the "
-      .. "one to begin with and those to add, and all together. Prints a table; plot.fit(d) draws it." },
+      .. "one to begin with and those to add, and all together. Of widths and pressures, which move from node to "
+      .. "node, slopes over 0.6 of a start to both sides. Prints a table; plot.fit(d) "
+      .. "draws it." },
   { "fit.design{unknown}", type = "table of tables", text = "As in fit." },
   { "fit.design{base}", type = "table", takes = "wear", text = "As in fit." },
   { "fit.design{model}", type = "model object or table", takes = "model", text = "As in fit." },

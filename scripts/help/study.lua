@@ -14,7 +14,9 @@ return {
   { "study{vary}", type = "table of lists", takes = "wear",
     text = "Fields of wear{} and the values each takes; the cases are all combinations, the last "
       .. "name by the alphabet changing fastest. Fields within fields are written nested or as "
-      .. '["model.mesh.size"].' },
+      .. '["model.mesh.size"]. Numbers of the model go without its name as well, ["lower.E"] or '
+      .. '["pin.radius"] of a body by role, name or kind, ["lower.layer1.thickness"] of a layer, E and nu of '
+      .. "both bodies: so in cases, samples, fits and sensitivities too." },
   { "study{cases}", type = "list of tables", takes = "wear",
     text = "The cases one by one, instead of vary; each holds fields of wear{}." },
   { "study{name}", type = "string", default = '"study"',

@@ -8,7 +8,7 @@ return {
   { "study{sample}", type = "table of distributions", takes = "wear",
     text = "Uncertain fields of wear{} instead of vary: sample={ k=lognormal{ mean=1e-8, variation=0.4 }, "
       .. "alpha=uniform{ 0.3, 0.7 }, load=normal{ 100, 5 } }; fields within fields nested or as "
-      .. '["model.radius"]. correlated={ {"k", "alpha", -0.5}, ... } joins fields by the correlation of '
+      .. '["model.radius"], ["lower.E"], as in vary, but one number each. correlated={ {"k", "alpha", -0.5}, ... } joins fields by the correlation of '
       .. "their normal scores; each keeps its own distribution. Before it starts, the least and the greatest "
       .. "value of every field are tried: one that cannot run, or that does nothing, is refused." },
   { "study{n}", type = "whole number >= 2", default = 1024,
@@ -109,7 +109,9 @@ return {
   { "wear.sensitivity{of}", type = "name or list of names", values = columns,
     default = '{ "depth_cylinder", "depth_plate", "p_center" }', text = "Columns of the history." },
   { "wear.sensitivity{to}", type = "name or list of names", default = '{ "k", "alpha", "load" }',
-    text = "Numbers of wear{} or model{}; \"E\" and \"nu\" stand for both bodies, \"cylinder.E\" for one." },
+    text = "Numbers of wear{} or model{}, by the names that vary of study{} takes: \"cylinder.E\", "
+      .. "\"lower.layer1.k\"; \"E\" and \"nu\" stand for both bodies. Where bodies have coefficients of their "
+      .. "own, these stand in place of k and alpha." },
   { "wear.sensitivity{over}", type = "a share of the number from 0 to 0.5", default = "0.24",
     text = "Half the wide range, less where a number cannot go so far. 0: local derivatives, even of "
       .. "results that jump." },

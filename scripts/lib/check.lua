@@ -12,9 +12,13 @@ function check.fail(where, message, code)
   names.raise(where, code or "ARGUMENT", (message:gsub("%z", " ")))
 end
 
--- " (did you mean 'title'?)", or the list of what is known.
+-- " (did you mean 'title'?)", or the list of what is known. The name itself, which has been refused, is no
+-- advice.
 function check.hint(name, known)
-  local sorted = table.move(known, 1, #known, 1, {})
+  local sorted = {}
+  for _, each in ipairs(known) do
+    if each ~= name then sorted[#sorted + 1] = each end
+  end
   table.sort(sorted)
   local best = names.nearest(name, sorted)
   if best then return (" (did you mean '%s'?)"):format(best) end

@@ -1,8 +1,9 @@
--- The names that settings of a case may have: those of wear{}, model{} and material{} as the help
+-- The names that settings of a case may have: those of wear{}, model{}, bodies and material{} as the help
 -- entries have them. A misspelt one is told before anything runs. Leans on check's hints.
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
+local merged = require "archard.lib.merged"
 
 local tree -- by name: a table of the names inside, empty where those are not ours to check
 
@@ -14,13 +15,25 @@ local function plant(at, path)
   end
 end
 
+-- What bodies take beside their settings, in which layers are counted.
+local function grow_body(body, material)
+  for name in pairs(body) do
+    if name:match "^layer%d" then body[name] = nil end
+  end
+  body.layers = merged({ thickness = {}, material = material }, material)
+  body.x, body.material, body.materials = {}, material, {}
+  return merged(body, material)
+end
+
 local function grow()
-  local grown = { wear = {}, model = {}, material = {} }
+  local grown = { wear = {}, model = {}, material = {}, body = {} }
   for _, entry in ipairs(require "archard.help".all()) do
-    local class, path = entry.address:match("^(%a+){([%a_.]+)}$")
+    local class, path = entry.address:match("^(%a+){([%w_.]+)}$")
     if grown[class] then plant(grown[class], path) end
   end
   grown.model.cylinder, grown.model.plate = grown.material, grown.material
+  local body = grow_body(grown.body, grown.material)
+  grown.model.upper, grown.model.lower = body, body
   grown.wear.model = grown.model
   return grown.wear
 end

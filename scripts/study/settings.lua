@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local files = require "archard.files"
 local known = require "archard.settings"
 local merged = require "archard.lib.merged"
+local number = require "archard.study.number"
 
 local settings = {}
 
@@ -196,12 +197,12 @@ local function lay_over(where, base, over)
   end
 end
 
--- Flat settings of `over` before those of `base`.
+-- Flat settings of `over`, whose numbers may go by any of their names, before those of `base`.
 function settings.join(where, base, over)
-  settings.flatten(where, over) -- names what is wrong by its full name
+  local names = settings.flatten(where, over) -- names what is wrong by its full name
   local joined = settings.nest(settings.flatten(where, base))
   lay_over(where, joined, over)
-  return settings.flatten(where, joined)
+  return number.rename(settings.flatten(where, joined), names)
 end
 
 -- --- comparing and naming ----------------------------------------------------------------------

@@ -13,17 +13,24 @@ local design = {}
 
 -- --- what is given -------------------------------------------------------------------------------
 
--- The uncertain fields { name=, distribution= } in the order of names, nested ones with points.
-local function fields_of(where, given)
-  local list = {}
+-- The uncertain fields { name=, distribution= } in the order of their paths; flat: the settings beneath.
+local function fields_of(where, given, flat)
+  local list, there = {}, {}
+  local function add(name, distribution)
+    local path = number.path(where, "sample." .. name, name, flat)
+    local setting = number.setting(path)
+    if setting then number.check(where, "sample." .. name, setting) end
+    if there[path] then
+      check.fail(where, ("fields 'sample.%s' and 'sample.%s': both are %s"):format(there[path], name, path))
+    end
+    list[#list + 1], there[path] = { name = path, distribution = distribution }, name
+  end
   local function visit(prefix, inside)
     check.depth(where, "sample." .. prefix)
     for key, value in pairs(inside) do
       local name = prefix .. tostring(key)
       if distributions.is(value) then
-        local setting = number.setting(name)
-        if setting then number.check(where, "sample." .. name, setting) end
-        list[#list + 1] = { name = name, distribution = value }
+        add(name, value)
       elseif type(value) == "table" and getmetatable(value) == nil and next(value) ~= nil
         and #value == 0 then
         visit(name .. ".", value)
@@ -40,10 +47,10 @@ local function fields_of(where, given)
   return list
 end
 
-local function position(where, fields, name)
-  local known = {}
+local function position(where, fields, name, flat)
+  local known, paths = {}, type(name) == "string" and number.paths(name, flat) or {}
   for i, field in ipairs(fields) do
-    if field.name == name then return i end
+    if field.name == paths[1] then return i end
     known[i] = field.name
   end
   check.fail(where, ("field 'sample.correlated': '%s' is not sampled%s"):format(tostring(name),
@@ -51,7 +58,7 @@ local function position(where, fields, name)
 end
 
 -- { {"k", "alpha", -0.5}, ... } as a matrix; nil where nothing is correlated.
-local function correlation_of(where, fields, given)
+local function correlation_of(where, fields, given, flat)
   if given == nil then return nil end
   if type(given) ~= "table" then
     check.refuse(where, "sample.correlated", "a list of { field, field, number }", given)
@@ -66,7 +73,7 @@ local function correlation_of(where, fields, given)
       check.refuse(where, ("sample.correlated[%d]"):format(i),
         '{ "field", "field", a number in (-1, 1) }', item)
     end
-    local a, b = position(where, fields, item[1]), position(where, fields, item[2])
+    local a, b = position(where, fields, item[1], flat), position(where, fields, item[2], flat)
     if a == b then
       check.refuse(where, ("sample.correlated[%d]"):format(i), "two different fields", item[1])
     end
@@ -126,12 +133,13 @@ local function check_design(where, sample, given)
   end
 end
 
--- read(where, given): given has sample, n, design, seed, indices. Returns what the study keeps.
+-- read(where, given): given has base, sample, n, design, seed, indices. Returns what the study keeps.
 function design.read(where, given)
+  local flat = settings.flatten(where, given.base or {})
   local sample = { n = given.n or 1024, design = given.design or "sobol", seed = given.seed or 1,
-    indices = given.indices or false, fields = fields_of(where, given.sample) }
+    indices = given.indices or false, fields = fields_of(where, given.sample, flat) }
   check_design(where, sample, given.sample)
-  local matrix = correlation_of(where, sample.fields, given.sample.correlated)
+  local matrix = correlation_of(where, sample.fields, given.sample.correlated, flat)
   sample.lower = matrix and cholesky(where, matrix)
   return sample
 end

@@ -17,13 +17,18 @@ function outcomes.unit(name)
   end
 end
 
--- One name of a column or several, as a list.
-function outcomes.names(where, of)
+-- Whether a history has a column of that name: it calls bodies by their names too.
+local function has(history, name)
+  local fine, column = pcall(function() return history and history[name] end)
+  return fine and column ~= nil
+end
+
+-- One name of a column or several, as a list; history: one that has them, as far as it is known.
+function outcomes.names(where, of, history)
   local list = type(of) == "table" and of or { of }
   for _, name in ipairs(list) do
     if type(name) ~= "string" then check.refuse(where, "of", "the name of a column or a list of them", name) end
-    local unit = outcomes.unit(name)
-    if not unit then
+    if not outcomes.unit(name) and not has(history, name) then
       check.fail(where, ("field 'of': no column '%s' in the history%s"):format(name,
         check.hint(name, outcomes.columns)))
     end

@@ -1,5 +1,5 @@
--- A finished run once more, with a number of its definition changed: what sensitivities compare.
--- Leans on archard.store, which knows the whole definition of a run.
+-- A finished run once more, from its definition as it is or with a number changed: what sensitivities
+-- compare. Leans on archard.store, which knows the whole definition of a run.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -32,10 +32,18 @@ local function loading_of(blocks)
   return blocks
 end
 
--- The definition that wear{} takes: words and loading as a run file has them, all else (numbers,
+-- The definition that wear{} takes, beside it `flat`, the settings of its model: words and loading as a run file has them, all else (numbers,
 -- tables, functions, the model) as the run tells. 0 stands for what was not given, where it is not a
 -- choice of its own.
 local zeros = { alpha = true, friction = true, refresh = true }
+
+-- Bodies with coefficients of their own make those of the couple: that has none in its definition.
+local function take_coefficients(definition)
+  definition.flat = settings.flatten(where, { model = definition.model })
+  for path, value in pairs(definition.flat) do
+    if path:match("%.k$") and value > 0 then definition.k, definition.alpha = nil, nil end
+  end
+end
 
 function repeated.definition(run)
   local there = stored(run)
@@ -50,6 +58,7 @@ function repeated.definition(run)
   end
   local has, local_factor = pcall(function() return run.local_factor end)
   definition.local_factor = has and local_factor or nil
+  take_coefficients(definition)
   return repeated.with_steps(run, definition)
 end
 
@@ -74,67 +83,6 @@ function repeated.in_parts(definition, parts)
   return merged(definition, { jump = function(state) return step_from(history, state.distance) / parts end })
 end
 
--- --- the numbers that can be changed -------------------------------------------------------------
-
-local bodies = { "cylinder", "plate" }
-
--- "E" stands for that of both bodies, where it is the same; the model may go without its name.
-local function paths_of(model, name)
-  name = name:gsub("^model%.", "")
-  local flat = settings.flatten(where, { model = model })
-  if flat["model." .. name] then return flat, { "model." .. name } end
-  local both = { "model.cylinder." .. name, "model.plate." .. name }
-  if not flat[both[1]] then return flat, nil end
-  if flat[both[1]] ~= flat[both[2]] then
-    check.fail(where, ("field 'to': %s is %g of the cylinder and %g of the plate; name one: "
-      .. "\"cylinder.%s\" or \"plate.%s\""):format(name, flat[both[1]], flat[both[2]], name, name))
-  end
-  return flat, both
-end
-
-local function refuse(run, name)
-  local names = {}
-  for _, setting in ipairs(known.wear) do
-    if setting.name == name and setting.plain and run[name] == 0 then
-      check.fail(where, ("field 'to': %s is 0, where no percent can be changed"):format(name))
-    end
-    if type(run[setting.name]) == "number" and setting.name ~= "update" then names[#names + 1] = setting.name end
-  end
-  for _, body in ipairs(bodies) do
-    names[#names + 1], names[#names + 2] = body .. ".E", body .. ".nu"
-  end
-  check.fail(where, ("field 'to': \"%s\" is no number of this run's definition%s"):format(name,
-    check.hint(name, names)))
-end
-
--- They say how long the run is, and what it shows on its way does not answer to them.
-local ends = { distance = true, cycles = true }
-
--- changer(run, name, definition) -> the number's value, and set(value) -> a changed definition
-function repeated.changer(run, name, definition)
-  if ends[name] then
-    check.fail(where, ("field 'to': %s is where the run ends; how results go on with the distance is what "
-      .. "w.history and plot.history show"):format(name))
-  end
-  local function changed(field, value)
-    return merged(definition, { [field] = value })
-  end
-  if type(definition[name]) == "number" then
-    return definition[name], function(value) return changed(name, value) end
-  end
-  if definition[name] ~= nil and name ~= "model" then
-    check.fail(where, ("field 'to': expected the name of a number, but %s is %s here"):format(name,
-      check.shown(definition[name])))
-  end
-  local flat, paths = paths_of(run.model, name)
-  if not paths or type(flat[paths[1]]) ~= "number" then refuse(run, name) end
-  return flat[paths[1]], function(value)
-    local copy = merged(flat)
-    for _, path in ipairs(paths) do copy[path] = value end
-    return changed("model", settings.nest(copy).model)
-  end
-end
-
 -- --- running -------------------------------------------------------------------------------------
 
 -- The rows of a history at the distances, all of which it has.
@@ -150,7 +98,7 @@ end
 -- What wear{} knows of it.
 local function taken(definition)
   local copy = merged(definition)
-  copy.steps_chosen = nil
+  copy.steps_chosen, copy.flat = nil, nil
   return copy
 end
 

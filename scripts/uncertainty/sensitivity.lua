@@ -1,9 +1,10 @@
 -- w:sensitivity{ of=, to= }: how results answer to numbers of the definition over the whole history,
 -- as derivatives and as elasticities (percent by percent), each with its own error. Leans on
--- uncertainty/repeated.lua for runs with a number changed, on uncertainty/plateau.lua for derivatives
+-- uncertainty/repeated.lua and uncertainty/changer.lua for runs with a number changed, on uncertainty/plateau.lua for derivatives
 -- of smooth results and uncertainty/slope.lua for those of results that jump from node to node.
 
 local aligned = require "archard.lib.aligned"
+local changer = require "archard.uncertainty.changer"
 local check = require "archard.lib.check"
 local derive = require "archard.uncertainty.plateau"
 local outcomes = require "archard.uncertainty.outcomes"
@@ -234,11 +235,12 @@ end
 
 return function(run, given)
   given = check.definition(where, given or {}, fields)
-  local self = { runs = 1, distance = distances_of(run), to = names_of("to", given.to, { "k", "alpha", "load" }),
-    of = outcomes.names(where, names_of("of", given.of, { "depth_cylinder", "depth_plate", "p_center" })) }
+  local self = { runs = 1, distance = distances_of(run),
+    of = outcomes.names(where, names_of("of", given.of, { "depth_cylinder", "depth_plate", "p_center" }), run.history) }
   local definition = repeated.definition(run)
+  self.to = names_of("to", given.to, changer.usual(definition))
   local changers = {}
-  for i, name in ipairs(self.to) do changers[i] = { repeated.changer(run, name, definition) } end
+  for i, name in ipairs(self.to) do changers[i] = { changer.of(run, name, definition) } end
   check_repeats(run, definition, self.distance)
   local there = results_of(self, run, definition)
   for _, column in ipairs(self.of) do self[column] = {} end

@@ -68,7 +68,7 @@ fails(function() study.paper{ model = { plate = { G = 1 } } } end,
   { "study.paper: ", "'model.plate.G' (did you mean 'E'?)" }, "or a material")
 fails(function() study{ base = { loading = { { x = { 0, 1, 0 }, lode = 1 } } } } end,
   "unknown field 'loading.lode' (did you mean 'load'?)", "or a block of loading")
-fails(function() study{ vary = { radius = { 8, 9 } } } end, "'radius': it is a field of model{}",
+fails(function() study{ base = { radius = 8 } } end, "'radius': it is a field of model{}",
   "or one of the model in the wrong place")
 fails(function() study{ base = { alpha = 3 } }:run{ file = path "never" } end,
   { "study.lua:", "study:run: case 1: ", "'alpha'" },

@@ -1,0 +1,120 @@
+-- The numbers of a run's definition that sensitivities can change, by name. Leans on study/number.lua for
+-- names.
+
+local check = require "archard.lib.check"
+local known = require "archard.settings"
+local merged = require "archard.lib.merged"
+local number = require "archard.study.number"
+local settings = require "archard.study.settings"
+
+local changer = {}
+
+local where = "wear:sensitivity"
+
+local function short(path) return (path:gsub("^model%.", "")) end
+
+-- They say how long the run is, and what it shows on its way does not answer to them.
+local ends = { distance = true, cycles = true }
+
+-- --- what there is -------------------------------------------------------------------------------
+
+-- Names of the numbers of wear{} and of the bodies, of the mesh none.
+local function names_of(definition)
+  local names = {}
+  for name, value in pairs(definition) do
+    if type(value) == "number" and not ends[name] then names[#names + 1] = name end
+  end
+  for path, value in pairs(definition.flat) do
+    if type(value) == "number" and not path:match("^model%.mesh%.") then names[#names + 1] = short(path) end
+  end
+  return names
+end
+
+-- Names of the coefficients that bodies have of their own.
+local function coefficients(definition)
+  local names = {}
+  for path, value in pairs(definition.flat) do
+    if path:match("%.k$") and value > 0 then names[#names + 1] = short(path) end
+  end
+  table.sort(names)
+  return names
+end
+
+-- What is looked at where nothing is named.
+function changer.usual(definition)
+  local names = coefficients(definition)
+  if #names == 0 then names = { "k", "alpha" } end
+  names[#names + 1] = "load"
+  return names
+end
+
+local couple = { k = true, alpha = true, k_cylinder = true, k_plate = true }
+
+local function refuse(run, name, definition)
+  local own = coefficients(definition)
+  if couple[name] and #own > 0 then
+    check.fail(where, ("field 'to': %s comes from the coefficients of the bodies here; name these: %s"):format(name,
+      table.concat(own, ", ")))
+  end
+  for _, setting in ipairs(known.wear) do
+    if setting.name == name and setting.plain and run[name] == 0 then
+      check.fail(where, ("field 'to': %s is 0, where no percent can be changed"):format(name))
+    end
+  end
+  check.fail(where, ("field 'to': \"%s\" is no number of this run's definition%s"):format(name,
+    check.hint(name, names_of(definition))))
+end
+
+-- --- changing it ---------------------------------------------------------------------------------
+
+-- The coefficients of both bodies, which stand for k and alpha.
+local function of_couple(run, name, definition)
+  local there = { k_cylinder = run.k_cylinder, k_plate = run.k_plate }
+  return there[name], function(value)
+    local changed = merged(definition, there, { [name] = value })
+    changed.k, changed.alpha = nil, nil
+    return changed
+  end
+end
+
+-- A radius that a body leaves out is the model's.
+local function value_at(flat, path)
+  return flat[path] or path:match("%.radius$") and flat["model.radius"]
+end
+
+-- Of the model; of both bodies where it is the same.
+local function of_model(run, name, definition)
+  local flat, paths = definition.flat, number.paths(name, definition.flat)
+  local there = value_at(flat, paths[1])
+  if type(there) ~= "number" then refuse(run, name, definition) end
+  if paths[2] and flat[paths[2]] ~= there then
+    check.fail(where, ("field 'to': %s is %g of one body and %g of the other; name one: \"%s\" or \"%s\""):format(
+      name, there, flat[paths[2]], short(paths[1]), short(paths[2])))
+  end
+  return there, function(value)
+    local copy = merged(flat)
+    for _, path in ipairs(paths) do copy[path] = value end
+    return merged(definition, { model = settings.nest(copy).model })
+  end
+end
+
+-- changer.of(run, name, definition) -> the number's value, and set(value) -> a changed definition
+function changer.of(run, name, definition)
+  if ends[name] then
+    check.fail(where, ("field 'to': %s is where the run ends; how results go on with the distance is what "
+      .. "w.history and plot.history show"):format(name))
+  end
+  if type(definition[name]) == "number" then
+    return definition[name], function(value) return merged(definition, { [name] = value }) end
+  end
+  if couple[name] and type(definition.k) == "number" and type(definition.alpha) == "number" then
+    return of_couple(run, name, definition)
+  end
+  if definition[name] ~= nil and number.of_run(name) then
+    check.fail(where, ("field 'to': expected the name of a number, but %s is %s here"):format(name,
+      check.shown(definition[name])))
+  end
+  return of_model(run, name, definition)
+end
+
+return changer

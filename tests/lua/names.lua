@@ -1,0 +1,101 @@
+-- Names of numbers of definitions: the same for studies, samples, fits and sensitivities.
+-- Run once: its work is in Lua alone, which small steps of the collector only slow.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
+
+local mesh = { size = 0.03, height = 0.03, zone = { cylinder = 0.6, plate = 0.6 } }
+
+-- A pair of one's own with a layer, whose bodies have coefficients of their own where `k` is one.
+local function pair(E, thickness, k)
+  return { mesh = mesh, upper = body.cylinder{ name = "pin", k = k },
+    lower = body.block{ E = E or 2e5, k = k and 2 * k, layers = { { thickness = thickness or 0.05,
+      material = material{ E = 5e4, k = k } } } } }
+end
+local usual = { cylinder = { k = 1e-8 }, plate = { k = 2e-8 }, mesh = mesh }
+
+-- What they stand for.
+local function varied(given) return tostring(study(given)):match("varied: (.*)$") end
+for _, case in ipairs{
+  { "lower.E", "model.lower.E" }, { "plate.E", "model.lower.E" }, { "block.nu", "model.lower.nu" },
+  { "pin.E", "model.upper.E" }, { "cylinder.E", "model.upper.E" }, { "model.upper.radius", "model.upper.radius" },
+  { "lower.layer1.E", "model.lower.layers.1.material.E" }, { "lower.layers.1.E", "model.lower.layers.1.material.E" },
+  { "model.lower.layer1.thickness", "model.lower.layers.1.thickness" }, { "radius", "model.radius" },
+  { "E", "model.lower.E, model.upper.E" }, { "load", "load" },
+} do
+  is(varied{ base = { model = pair() }, vary = { [case[1]] = { 11, 12 } } }, case[2], case[1] .. " in a study")
+  if case[1] ~= "E" then
+    is(varied{ base = { model = pair() }, sample = { [case[1]] = uniform{ 11, 12 } }, n = 2 }, case[2],
+      case[1] .. " in a sample")
+  end
+end
+is(varied{ vary = { ["upper.E"] = { 1e5, 2e5 } } }, "model.cylinder.E", "the usual pair has its own names")
+is(varied{ cases = { {}, { model = { plate = { E = 1e5 } }, E = 2e5 } } }, "model.cylinder.E, model.plate.E", "one behind another takes its place")
+fails(function() study{ sample = { E = uniform{ 1e5, 2e5 } } } end, { "'sample.E'", "model.cylinder.E and model.plate.E" },
+  "a sampled number is one")
+fails(function() study{ sample = { ["plate.E"] = uniform{ 1, 2 }, ["lower.E"] = uniform{ 1, 2 } } } end,
+  { "'sample.lower.E'", "'sample.plate.E'", "model.plate.E" }, "and there once")
+for _, given in ipairs{ { vary = { ["lower.EE"] = { 1, 2 } } }, { sample = { ["lower.EE"] = uniform{ 1, 2 } } } } do
+  given.base = { model = pair() }
+  fails(function() study(given) end, { "'model.lower.EE'", "did you mean 'E'" }, "a misspelt number of a body")
+end
+
+-- --- fits ----------------------------------------------------------------------------------------
+local base = { jump = 20, geometry = "frozen", k = 1e-8, distance = 100 }
+local function with(model)
+  local given = { model = model }
+  for name, value in pairs(base) do given[name] = value end
+  return given
+end
+local function depths(model)
+  local run <close> = wear(with(model)):run{ progress = false }
+  local x, y = {}, {}
+  for i = 2, #run.history.distance do x[i - 1], y[i - 1] = run.history.distance[i], run.history.depth_plate[i] end
+  return { { of = "depth_plate", distance = x, value = y, relative = 0.01 } }
+end
+for name, found in pairs{ ["model.lower.E"] = { 2e5, 1.5e5, pair(1.5e5) }, ["lower.layer1.thickness"] = { 0.05, 0.06, pair(nil, 0.06) } } do
+  local f = fit{ base = with(pair()), unknown = { [name] = found[1] }, data = depths(found[3]) }
+  near(f.value[name], found[2], 1e-6, name .. " is fitted")
+  f.wear:close()
+end
+local d = fit.design{ base = with(pair()), unknown = { E = 2e5, ["upper.radius"] = 10, ["lower.layers.1.material.nu"] = 0.3 },
+  measure = { { of = "depth_plate", distance = 100, relative = 0.001 } } }
+ok(d.all["upper.radius"] < d.prior_error["upper.radius"], "a design takes them")
+fails(function() fit{ model = pair(), unknown = { ["lower.E"] = 1e5, ["plate.E"] = 1e5 }, data = {} } end,
+  { "'unknown.lower.E'", "'unknown.plate.E'", "model.lower.E" }, "an unknown is one number")
+fails(function() fit{ model = pair(), unknown = { ["upper.kind"] = 1 }, data = {} } end, { "unknown.upper.kind", "number" }, "a word")
+fails(function() fit{ model = pair(), unknown = { ["lower.layer1.thicknes"] = 1 }, data = {} } end,
+  { "thicknes'", "did you mean 'thickness'" }, "a misspelt unknown of a layer")
+
+-- --- sensitivities -------------------------------------------------------------------------------
+-- Bodies with coefficients of their own: the plate's volume answers to its own, and to the load.
+local function worn(given)
+  given.distance, given.jump = 22, 50
+  return wear(given):run{ progress = false }
+end
+local w = worn{ model = usual }
+local s = w:sensitivity{ of = "volume_plate" }.volume_plate
+near(s["plate.k"].elasticity[1], 1, 1e-10, "to k of the plate")
+near(s["cylinder.k"].elasticity[1], 0, 1e-10, "not to that of the cylinder")
+near(s.load.elasticity[1], 1, 1e-10, "and to the load")
+fails(function() w:sensitivity{ to = "k" } end, { "'to'", "k comes from", "cylinder.k, plate.k" }, "there is no k of the couple")
+w:close()
+w = worn{ model = pair(nil, nil, 1e-8) }
+s = w:sensitivity{ of = { "depth_pin", "volume_lower" }, to = { "lower.layer1.k", "lower.layer1.thickness", "pin.E", "E" } }
+near(s.volume_lower["lower.layer1.k"].elasticity[1], 1, 1e-10, "to k of a layer")
+ok(s.depth_pin.E.elasticity[1] > s.depth_pin["pin.E"].elasticity[1], "to E of both bodies, and of one")
+ok(s.depth_pin["lower.layer1.thickness"].elasticity[1] < 0, "to the thickness of a layer")
+fails(function() w:sensitivity{ of = "depth_pen" } end, { "'of'", "depth_pen" }, "no result")
+w:close()
+w = worn{ k_cylinder = 1e-8, k_plate = 2e-8 }
+s = w:sensitivity{ of = "volume_plate", to = { "k_cylinder", "k_plate", "k" } }.volume_plate
+near(s.k_cylinder.elasticity[1], 0, 1e-10, "k_cylinder leaves the plate alone")
+near(s.k_plate.elasticity[1], 1, 1e-10, "k_plate does not")
+near(s.k.derivative[1], 2 / 3 * s.k_plate.derivative[1], 1e-10, "k changes both")
+-- What was refused is no advice.
+for _, name in ipairs{ "cylinder.G", "upper.layer1.E", "increments", "model.lower.width" } do
+  local refused = fails(function() w:sensitivity{ to = name } end, "'to'", name .. " is no number here")
+  ok(not tostring(refused):find("mean '" .. name .. "'", 1, true), name .. " is not suggested")
+end
+is(require "archard.lib.check".hint("load", { "load" }), " (known: )", "nor by any other list")
+w:close()
