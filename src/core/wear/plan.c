@@ -62,12 +62,13 @@ int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan) {
 }
 
 /* Updates of a single stage: neither ripples may grow nor too much wear at once. */
-static arc_status plan_plain(arc_wear *w, wear_plan *plan, arc_error *error) {
+static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
+                             arc_error *error) {
   double k[ARC_BODIES], eigenvalue = 0;
   plan->most = dose_for(w, bite(w));
   if (arc_wear_closed_form(w)) return ARC_OK;
   arc_status status = arc_wear_coefficients_now(w, k, error);
-  if (status == ARC_OK) status = arc_wear_stability(w, &eigenvalue, error);
+  if (status == ARC_OK) status = arc_wear_stability(w, callbacks, &eigenvalue, error);
   if (status == ARC_OK && eigenvalue > 0)
     plan->most = fmin(plan->most, safe_share * 2 / eigenvalue * (k[ARC_CYLINDER] + k[ARC_PLATE]) *
                                       plan->block->sliding);
@@ -87,8 +88,9 @@ static void plan_staged(const arc_wear *w, wear_plan *plan) {
 }
 
 /* Explicit updates that choose themselves. */
-static arc_status plan_automatic(arc_wear *w, wear_plan *plan, arc_error *error) {
-  if (splits_cycles(w) || arc_wear_closed_form(w)) return plan_plain(w, plan, error);
+static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
+                                 arc_error *error) {
+  if (splits_cycles(w) || arc_wear_closed_form(w)) return plan_plain(w, callbacks, plan, error);
   plan_staged(w, plan);
   return ARC_OK;
 }
@@ -121,9 +123,10 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
   return status;
 }
 
-static arc_status choose_jump(arc_wear *w, wear_plan *plan, double *jump, arc_error *error) {
+static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
+                              double *jump, arc_error *error) {
   *jump = INFINITY;
-  if (w->def.jump_auto) return plan_automatic(w, plan, error);
+  if (w->def.jump_auto) return plan_automatic(w, callbacks, plan, error);
   if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
     return adaptive_jump(w, plan->block, jump, error);
   *jump = w->def.jump;
@@ -182,8 +185,8 @@ static arc_status check_progress(const arc_wear *w, const wear_plan *plan, doubl
                   many, now->distance, gone, left);
 }
 
-arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
-                              arc_error *error) {
+arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
+                              wear_plan *plan, int *moved, arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
   plan->block = arc_wear_block_at(w, now->cycle);
   plan->most = INFINITY;
@@ -202,7 +205,7 @@ arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *m
     return ARC_OK;
   }
   double jump;
-  if ((status = choose_jump(w, plan, &jump, error)) != ARC_OK) return status;
+  if ((status = choose_jump(w, callbacks, plan, &jump, error)) != ARC_OK) return status;
   const int to_end = left <= jump * (1 + whole);
   plan->cycles = plan->times = left < jump * (1 - whole) ? left : jump;
   plan->end = to_end ? end : now->distance + plan->cycles * plan->block->sliding;

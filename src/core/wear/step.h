@@ -34,8 +34,8 @@ typedef struct wear_dose {
 /* --- plan.c --- */
 /* The next step towards `limit` [mm]; enters its block. *moved: whether there is anything left to
  * do. */
-arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
-                              arc_error *error);
+arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
+                              wear_plan *plan, int *moved, arc_error *error);
 /* Fewer cycles. */
 void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
 /* Whether it is to wear next to nothing, beside what automatic updates do. */
