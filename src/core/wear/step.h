@@ -42,6 +42,9 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan);
 
 /* --- ahead.c --- */
+/* What wears evenly [MPa]: the load over the plate, or a track. The depth is as much per dose,
+ * where Archard's law holds. */
+double arc_wear_even_pressure(const arc_wear *w);
 /* What a rate takes in a dose. */
 void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_dose *dose,
                              wear_depths *depth);
