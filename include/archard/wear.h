@@ -224,8 +224,9 @@ typedef struct arc_loading {
         "and widths that a run tells are those under load, which by default is the largest of "    \
         "the loading. \n\nIn a hole rotation (degrees, as x) turns the lower body instead of x, "  \
         "and "                                                                                     \
-        "load_angle (degrees; a number, or as load) is the load's direction. \n\ncsv.read(path) "  \
-        "reads measured lists.")                                                                   \
+        "load_angle (degrees; a number, or as load) is the load's direction. Meshes reach 80 "     \
+        "degrees to either side: a narrow contact may turn by about 70, a wide one by less, and "  \
+        "none all round. \n\ncsv.read(path) reads measured lists.")                                \
   FUNCTION(                                                                                        \
       local_factor, "a function(body, x, p, state) or { vector = function }", arc_local_fn, 0,     \
       "Factor on k at each node, for cross-shear and the like. body is \"cylinder\" or "           \
