@@ -224,8 +224,9 @@ typedef struct arc_loading {
         "and widths that a run tells are those under load, which by default is the largest of "    \
         "the loading. \n\nIn a hole rotation (degrees, as x) turns the lower body instead of x, "  \
         "and "                                                                                     \
-        "load_angle (degrees; a number, or as load) is the load's direction. \n\ncsv.read(path) "  \
-        "reads measured lists.")                                                                   \
+        "load_angle (degrees; a number, or as load) is the load's direction. Meshes reach 80 "     \
+        "degrees to either side: a narrow contact may turn by about 70, a wide one by less, and "  \
+        "none all round. \n\ncsv.read(path) reads measured lists.")                                \
   FUNCTION(                                                                                        \
       local_factor, "a function(body, x, p, state) or { vector = function }", arc_local_fn, 0,     \
       "Factor on k at each node, for cross-shear and the like. body is \"cylinder\" or "           \
@@ -442,13 +443,16 @@ typedef struct arc_loop {
 } arc_loop;
 
 /* The loop on the present surfaces; *loop is one block, to be freed with free(). ARC_ARGUMENT: the
- * run has no friction; also what a step may fail of. */
-arc_status arc_wear_loop(arc_wear *wear, arc_loop **loop, arc_error *error);
+ * run has no friction; also what a step may fail of, ARC_STOPPED where the callbacks (NULL: none)
+ * asked for it. */
+arc_status arc_wear_loop(arc_wear *wear, const arc_callbacks *callbacks, arc_loop **loop,
+                         arc_error *error);
 
 /* Growth rate of ripples: largest eigenvalue of the wear of one cycle per unit of depth, linearised
  * about the present state [1/cycle], by power iteration. Explicit updates are stable while jump *
- * eigenvalue < 2. */
-arc_status arc_wear_stability(arc_wear *wear, double *eigenvalue, arc_error *error);
+ * eigenvalue < 2. ARC_STOPPED where the callbacks (NULL: none) asked for it. */
+arc_status arc_wear_stability(arc_wear *wear, const arc_callbacks *callbacks, double *eigenvalue,
+                              arc_error *error);
 
 /* Roughness of a profile [-]: its sawtooth part (arc_measure_sawtooth) over the middle of the
  * contact, as a share of the largest depth; smooth profiles stay under 1e-4 at the default mesh. */

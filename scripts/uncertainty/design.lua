@@ -57,6 +57,16 @@ local function position(where, fields, name, flat)
     check.hint(tostring(name), known)))
 end
 
+local function check_correlation(where, i, item)
+  if type(item) ~= "table" or #item ~= 3 then
+    check.refuse(where, ("sample.correlated[%d]"):format(i), '{ "field", "field", number }', item)
+  end
+  local value = item[3]
+  if type(value) ~= "number" or not (math.abs(value) < 1) then
+    check.refuse(where, ("sample.correlated[%d][3]"):format(i), "a number in (-1, 1)", value)
+  end
+end
+
 -- { {"k", "alpha", -0.5}, ... } as a matrix; nil where nothing is correlated.
 local function correlation_of(where, fields, given, flat)
   if given == nil then return nil end
@@ -69,10 +79,7 @@ local function correlation_of(where, fields, given, flat)
     for j = 1, #fields do matrix[i][j] = i == j and 1 or 0 end
   end
   for i, item in ipairs(given) do
-    if type(item) ~= "table" or #item ~= 3 or type(item[3]) ~= "number" or math.abs(item[3]) >= 1 then
-      check.refuse(where, ("sample.correlated[%d]"):format(i),
-        '{ "field", "field", a number in (-1, 1) }', item)
-    end
+    check_correlation(where, i, item)
     local a, b = position(where, fields, item[1], flat), position(where, fields, item[2], flat)
     if a == b then
       check.refuse(where, ("sample.correlated[%d]"):format(i), "two different fields", item[1])

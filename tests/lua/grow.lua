@@ -169,3 +169,22 @@ local endless = wear{ jump = function() return 1e-14 end, distance = 2000 }
 local ended, because = pcall(endless.run, endless)
 ok(not ended and endless.update < 50, "steps without end are refused")
 tap.holds(because, { "field 'jump'", "the last 30 steps", "are left: this would not end", "take longer ones" }, "by what they went")
+
+-- What wears evenly, over the whole plate, changes no contact but where layers get thinner: automatic steps go by that.
+local function over_plate(fields)
+  fields.stroke, fields.distance = 20, 1e5
+  return wear(fields):run()
+end
+for what, steps in pairs{ ["automatic steps"] = { jump = "auto" }, ["implicit ones"] = { scheme = "implicit", tolerance = 1e-3 } } do
+  steps.load, steps.alpha, steps.k = 100, 0, 1e-8
+  local even = over_plate(steps)
+  ok(even.done and even.update < 60, ("%s of what wears evenly and alone are long: %d"):format(what, even.update))
+  ok(off(even.depth.plate, 1e-8 * 100 * 1e5 / 20) < 1e-12, "its depth is that of the load over the plate")
+end
+local soft = over_plate{ load = 10, jump = "auto", model = { upper = body.cylinder{ radius = 10, E = 1e9, k = 0 },
+  lower = body.block{ width = 20, height = 10, E = 1e9, k = 0, layers = { { thickness = 0.1, material = material{ E = 1000, k = 1e-6 } } } } } }
+ok(soft.done and soft.update < 150, ("a soft layer on rigid bodies: %d steps"):format(soft.update))
+local rise, depth, pressure = 0, soft.history.depth_plate, soft.history.p_center
+for i = 2, #pressure do rise = math.max(rise, pressure[i] / pressure[i - 1]) end
+ok(rise < 1.05 and pressure[#pressure] > 1.1 * pressure[1], "its pressure rises in steps of less than 5 %")
+ok(off(depth[#depth], 0.05) < 1e-12, "half of it is gone")

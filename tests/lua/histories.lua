@@ -215,6 +215,20 @@ is(even.loading[1].load[2], 100.5, "times are scaled to 0 ... 1")
 local finer = run_of{ loading = { t = { 0, 1, 4 }, x = { -0.05, 0.05, -0.05 }, increments = 4 } }
 near(finer.loading[1].x[3], 0.05 - 0.1 / 3, 1e-12, "increments: interpolated at even times")
 
+-- next to no load makes a contact as narrow as one likes: what wears there is nothing
+local function swing(t) return 0.1 * math.sin(2 * math.pi * t) end
+local function lifting(least)
+  return run_of{ load = 100, distance = 2, jump = 5, loading = { x = swing,
+    load = function(t) return math.max(least, 100 * math.cos(2 * math.pi * t)) end } }:run()
+end
+local lifted, nearly = lifting(0), lifting(1e-9) -- cos(pi / 2) is 6e-17
+near(lifted.volume.total, 1e-8 * lifted.load_distance, 1e-12, "a load that lifts off by a function")
+ok(lifted.solutions < 5000, ("in few increments: %d solutions"):format(lifted.solutions))
+near(nearly.volume.total, lifted.volume.total, 1e-9, "and one that does so nearly")
+local out = run_of{ slide = "z", geometry = "frozen", jump = 1, distance = 2000, loading = { x = { 0, 1000, 0 }, load = { 100, 50, 100 } } }:run()
+near(out.volume.total, 1e-8 * 75 * 2000, 1e-12, "a long way out of the plane")
+ok(out.solutions < 1000, ("has only its load to follow: %d solutions"):format(out.solutions))
+
 local function bad(loading, parts, what) fails(function() run_of{ loading = loading } end, parts, what) end
 bad({ x = { 0, 0.1, "a" } }, [[field 'loading.x[3]': expected a finite number, got "a"]], "a text among numbers")
 bad({ x = { 0, 0 / 0 } }, "field 'loading.x[2]': expected a finite number", "NaN in x")

@@ -172,6 +172,16 @@ end)
 refused({ "inner", "outer", "12 and 10" }, "a ring inside out", function() body.ring{ inner = 12, outer = 10 } end)
 refused({ "'flat'" }, "a punch without a flat", function() body.punch{ radius = 1 } end)
 refused({ "'height'", "radius / 0.9" }, "a punch too low", function() body.punch{ flat = 1, radius = 2, height = 1 } end)
+local sharp = contact{ load = 500, model = { upper = body.punch{ flat = 10, radius = 1, height = 10 }, lower = body.block{ width = 30, height = 15 },
+  mesh = { size = 0.1 } } }
+ok(sharp.half_width > 5 and sharp.half_width < 5.11, "a punch with edges much shorter than its flat touches all over it")
+near(sharp.p_center, 39.24, 5e-3, "its pressure is that of elements seven times as fine")
+local zoned, why = pcall(model, { upper = body.punch{ flat = 10, radius = 0.5, height = 10 }, mesh = { size = 0.1, zone = { cylinder = 11, plate = 12 } } })
+ok(not zoned and tostring(why):find("flat + 1.6 radius = 10.8 mm", 1, true), "whose zones end in the edges")
+refused({ "more than the bodies have room for", "28.00 mm", "80 degrees to either side" }, "a pin that turns too far", function()
+  wear{ model = { upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000, k = 1e-7,
+    distance = 20, jump = "auto", loading = { rotation = function(t) return 75 * math.sin(2 * math.pi * t) end } }
+end)
 refused({ "'y'" }, "a profile without heights", function() body.profile{ width = 3 } end)
 refused({ "'x'" }, "heights without places", function() body.profile{ y = { 1, 2 } } end)
 refused({ "x", "increasing", "1 after 1" }, "places that stand still", function() body.profile{ x = { 1, 1 }, y = { 0, 0 } } end)

@@ -252,7 +252,7 @@ static arc_status step(arc_wear *run) {
 }
 static arc_status stability(arc_wear *run) {
   double eigenvalue;
-  return arc_wear_stability(run, &eigenvalue, NULL);
+  return arc_wear_stability(run, NULL, &eigenvalue, NULL);
 }
 
 /* A run whose step failed is as it was, and then goes on to the same bits. */

@@ -226,7 +226,7 @@ static void test_stability(void **state) {
   arc_wear *wear = NULL;
   check_ok(arc_wear_create(model, &def, NULL, &wear, why));
   double eigenvalue = 0, rough[2];
-  check_ok(arc_wear_stability(wear, &eigenvalue, why));
+  check_ok(arc_wear_stability(wear, NULL, &eigenvalue, why));
   arc_wear_destroy(&wear);
   for (int k = 0; k < 2; k++) {
     def.jump = (k ? 1.3 : 0.9) * 2 / eigenvalue;
@@ -249,7 +249,7 @@ static void test_stability_is_a_question(void **state) {
   arc_wear *whole = run(&def), *wear = start(&def);
   double eigenvalue;
   while (arc_wear_last(wear)->distance < def.distance) {
-    check_ok(arc_wear_stability(wear, &eigenvalue, why));
+    check_ok(arc_wear_stability(wear, NULL, &eigenvalue, why));
     check_ok(arc_wear_step(wear, NULL, why));
   }
   check_same(wear, whole);
@@ -298,7 +298,7 @@ static void test_warnings(void **state) {
   arc_wear_def def = quick(0.11, 0.5);
   double eigenvalue;
   arc_wear *wear = start(&def);
-  check_ok(arc_wear_stability(wear, &eigenvalue, why));
+  check_ok(arc_wear_stability(wear, NULL, &eigenvalue, why));
   arc_wear_destroy(&wear);
   def.jump = 1.01 * 2 / eigenvalue;
   def.distance = 5 * def.jump * 2 * def.stroke;

@@ -305,6 +305,8 @@ ok(jumping.volume_plate.k.over[1] == 0, "what does not jump has its derivative")
 local pair = { k = uniform{ 1e-8, 2e-8 }, alpha = uniform{ 0.3, 0.7 } }
 pair.correlated = { { "k", "alpha", 0.9 }, { "alpha", "k", -0.9 } }
 fails(function() study{ sample = pair } end, { "'sample.correlated[2]'", "already, 0.9" }, "a correlation given twice")
+pair.correlated = { { "k", "alpha", 2 } }
+fails(function() study{ sample = pair } end, { "'sample.correlated[1][3]'", "a number in (-1, 1), got 2" }, "a correlation of 2")
 fails(function() study{ sample = { increments = uniform{ 10, 100 } } } end, { "'sample.increments'", "an even number" },
   "what is no number of a range")
 fails(function() lognormal{ 1e-8, 0.4 } end, { "'deviation'", "variation=" }, "a variation in the deviation's place")

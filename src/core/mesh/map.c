@@ -70,6 +70,8 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
   const double unit = ldexp(1, m.root_level), deep = m.core ? 1.9 * m.radius : m.depth;
   m.columns = (int)fmax(1, round(m.half_s / (unit * def->size)));
   m.lines = (int)fmax(1, round(deep / (unit * def->height)));
+  const double beside = m.half_s - near_s; /* coarse columns that end in here are pressed into it */
+  if (m.columns * unit * def->size < near_s + beside / 2) m.columns++;
   m.units_s = m.columns * unit * def->size;
   m.units_d = m.lines * unit * def->height;
   lay_layers(&m);

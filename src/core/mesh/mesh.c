@@ -78,6 +78,7 @@ typedef struct partitions {
 
 /* Half of the surface that the outer partition may take. */
 static double broadest(const arc_body_def *solid) {
+  if (solid->kind == ARC_SOLID_PUNCH) return solid->flat / 2 + 0.9 * solid->radius;
   const int half = solid->kind == ARC_SOLID_CYLINDER;
   return 0.9 * (half ? solid->radius : arc_body_half_length(solid));
 }
@@ -130,6 +131,7 @@ static int coarsest_level(const void *context, const quad_cell *c) {
 }
 
 static const char *widest_text(const arc_body_def *solid) {
+  if (solid->kind == ARC_SOLID_PUNCH) return "flat + 1.6 radius";
   if (solid->kind == ARC_SOLID_CYLINDER || solid->width == 2 * solid->radius) return "1.6 radius";
   return arc_body_is_round(solid) ? "2.8 radius" : "0.8 of the width";
 }

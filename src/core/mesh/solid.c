@@ -96,8 +96,10 @@ double arc_body_measure(const arc_body_def *b) {
   return arc_body_is_round(b) ? arc_body_depth(b) : fmin(b->width / 2, b->height);
 }
 
+/* Over the flat of a punch, and as far into its edges as into a cylinder. */
 double arc_body_widest_zone(const arc_body_def *b) {
   if (b->kind == ARC_SOLID_DISC || b->kind == ARC_SOLID_RING) return 2.8 * fabs(arc_body_radius(b));
+  if (b->kind == ARC_SOLID_PUNCH) return b->flat + 1.6 * b->radius;
   return b->kind == ARC_SOLID_CYLINDER ? 1.6 * b->radius : 0.8 * b->width;
 }
 

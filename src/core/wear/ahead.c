@@ -16,6 +16,12 @@ double arc_wear_plate_depth(const arc_wear *w, const arc_shape *shape,
   return record->volume_plate / (even_width(w) * 2 * record->half_width);
 }
 
+double arc_wear_even_pressure(const arc_wear *w) {
+  const arc_model_def *def = arc_model_definition(w->model);
+  const double across = w->def.track > 0 ? 2 * arc_wear_last(w)->half_width : def->thickness;
+  return w->def.load / (even_width(w) * across);
+}
+
 void arc_wear_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
                           arc_wear_record *record) {
   const arc_model_def *md = arc_model_definition(w->model);

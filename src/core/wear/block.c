@@ -150,26 +150,46 @@ double arc_wear_reach(const arc_model_def *model, double load) {
   return arc_wear_reach_of(&pair, load);
 }
 
-/* The contact goes with the load; the plate slides under it. */
-double arc_loading_length(contact_pair *pair, const arc_loading *from, int i) {
-  const arc_model_def *model = pair->def;
+/* The contact goes with the load; the plate slides under it. [mm] */
+static double way_to(const arc_loading *from, const arc_model_def *model, int i) {
+  const double way = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
+  if (!from->load_angle) return way;
+  return way + fabs(arc_model_way(model, from->load_angle[i] - from->load_angle[i - 1]));
+}
+
+/* Of a load that lifts off contact gets as narrow as one likes: below this share of the mean over
+ * the way all loads together wear less than that share of all. */
+double arc_loading_least(const arc_loading *from, const arc_model_def *model) {
+  static const double share = 0.01;
+  double sum = 0, whole = 0;
+  for (int i = 1; i < from->count; i++) {
+    const double way = way_to(from, model, i);
+    sum += way * (from->load[i] + from->load[i - 1]) / 2;
+    whole += way;
+  }
+  return whole > 0 ? share * sum / whole : 0;
+}
+
+double arc_loading_length(contact_pair *pair, const arc_loading *from, double least, int i) {
   const double load = fmax(from->load[i - 1], from->load[i]);
-  double way = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
-  if (from->load_angle)
-    way += fabs(arc_model_way(model, from->load_angle[i] - from->load_angle[i - 1]));
-  return load > 0 ? way / arc_wear_reach_of(pair, load) : 0;
+  if (!(load > 0)) return 0;
+  return way_to(from, pair->def, i) / arc_wear_reach_of(pair, fmax(load, least));
 }
 
 /* As many as follow the contact there, unless the number is the user's. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
                               const arc_loading *from, double *parts) {
+  enum { of_load = 100 }; /* a contact that stays where it is: only its load has to be followed */
+  const int stays = def->slide == ARC_SLIDE_Z && !from->load_angle;
   const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
+  const double least = follow ? arc_loading_least(from, model) : 0;
   contact_pair pair = {.def = NULL};
   double count = 0;
   if (follow) pair = arc_model_pair(model);
   for (int i = 1; i < from->count; i++) {
-    const double length = follow ? arc_loading_length(&pair, from, i) : 1;
-    const double here = fmax(1, ceil(length * (1 - 1e-9)));
+    const double length = follow ? arc_loading_length(&pair, from, least, i) : 1;
+    double here = fmax(1, ceil(length * (1 - 1e-9)));
+    if (stays) here = fmin(here, of_load);
     if (parts) parts[i] = here;
     count += here;
   }

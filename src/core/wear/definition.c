@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double most_increments = 1e7; /* of a block of loading */
+/* So many increments may be made for a cycle, all of which every update takes, and for a history
+ * that goes by once. */
+static const double most_of_cycle = 1e5, most_of_history = 1e6;
 
 const char *const arc_procedure_names[] = {ARC_PROCEDURE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_scheme_names[] = {ARC_SCHEME_LIST(ARC_CHOICE_NAME) NULL};
@@ -58,7 +60,8 @@ static double half_increments(const arc_wear_def *def, const arc_model_def *mode
 
 int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model) {
   enum { usual = 100 };
-  const int stays = arc_wear_choose_procedure(def, model) == ARC_NSP || def->tangential > 0;
+  const int stays = arc_wear_choose_procedure(def, model) == ARC_NSP || def->tangential > 0 ||
+                    def->slide == ARC_SLIDE_Z;
   if (def->increments > 0 || stays) return def->increments > 0 ? def->increments : usual;
   const double half = half_increments(def, model);
   return half > usual / 2 ? 2 * (int)half : usual;
@@ -215,6 +218,10 @@ static arc_status check_block(const arc_wear_def *d, const arc_model_def *model,
                     "field 'loading[%d].tangential': expected a force that changes, got %g N all "
                     "the time",
                     number, l->tangential[0]);
+  if (!isfinite(sliding))
+    return arc_fail(error, ARC_ARGUMENT, "field 'loading[%d].%s': expected a finite way, got %g %s",
+                    number, l->rotation ? "rotation" : "x", sliding,
+                    l->rotation ? "degrees" : "mm");
   if (!(sliding > 0))
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'loading[%d].%s': expected a plate that moves, got %g %s all the time",
@@ -348,15 +355,25 @@ static arc_status check_start(const arc_wear_def *d, arc_error *error) {
                   d->start_distance, d->start_cycle);
 }
 
-static arc_status check_way(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
-  double most = d->blocks == 0 && d->increments == 0 ? 2 * half_increments(d, model) : 0;
-  for (int b = 0; b < d->blocks; b++)
-    most = fmax(most, arc_loading_increments(d, model, &d->loading[b], NULL));
-  if (most <= most_increments) return ARC_OK;
+static arc_status refuse_way(const char *field, double most, double got, arc_error *error) {
   return arc_fail(error, ARC_ARGUMENT,
-                  "field '%s': expected a way of at most %g increments, each shorter than half the "
-                  "contact, got %g",
-                  d->blocks > 0 ? "loading" : "stroke", most_increments, most);
+                  "field '%s': expected a way of at most %g increments, each an eighth of the "
+                  "contact's half width, got %g; give increments, or a shorter way",
+                  field, most, got);
+}
+
+/* Points of a loading that the user gave are as many as they are. */
+static arc_status check_way(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
+  const int strokes = d->blocks == 0 && d->increments == 0 && d->slide == ARC_SLIDE_X;
+  const double stroke = strokes ? 2 * half_increments(d, model) : 0;
+  if (stroke > most_of_cycle) return refuse_way("stroke", most_of_cycle, stroke, error);
+  for (int b = 0; b < d->blocks; b++) {
+    const arc_loading *l = &d->loading[b];
+    const double made = arc_loading_increments(d, model, l, NULL) - (l->count - 1);
+    const double most = l->periodic ? most_of_cycle : most_of_history;
+    if (made > most) return refuse_way("loading", most, made, error);
+  }
+  return ARC_OK;
 }
 
 arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
@@ -441,55 +458,4 @@ void arc_wear_def_free(arc_wear_def *def) {
   for (int b = 0; b < def->blocks; b++) free((void *)(size_t)def->loading[b].x);
   free((void *)(size_t)def->loading);
   *def = (arc_wear_def){0};
-}
-
-/* --- zones --- */
-
-/* Travelled distance of the whole run [mm]; blocks of loading may be all that tells. */
-static double whole_distance(const arc_wear_def *def, const arc_model_def *model) {
-  double sum = def->distance;
-  for (int b = 0; b < def->blocks && def->distance == 0; b++) {
-    const arc_loading *l = &def->loading[b];
-    for (int i = 1; i < l->count; i++)
-      sum += l->cycles * fabs(arc_loading_x(l, model, i) - arc_loading_x(l, model, i - 1));
-  }
-  return sum;
-}
-
-static double largest_k(const arc_wear_def *def) {
-  double k = def->k_series.count > 0 ? 0 : def->k;
-  for (int i = 0; i < def->k_series.count; i++) k = fmax(k, def->k_series.value[i]);
-  return k;
-}
-
-/* Half width of the widest contact: Hertz' at first, and a flat scar of the whole volume on the
- * cylinder at the most. */
-static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
-  const double half = arc_model_half_width(model, load);
-  const double relative = arc_model_relative_radius(model);
-  const double radius = isfinite(relative) ? relative : arc_model_solid(model, ARC_UPPER).radius;
-  const double volume = largest_k(def) * load * whole_distance(def, model);
-  const double scar = arc_wear_scar(def, model, radius, volume);
-  const double widest = fmax(half, half / 2 + scar);
-  /* on coarse meshes the room beside it is counted in elements: one under the edge, two that stay
-   * open */
-  return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_ROOM);
-}
-
-void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {
-  const int slides = def->slide == ARC_SLIDE_X && arc_wear_choose_procedure(def, model) == ARC_SP;
-  const int strokes = slides && def->blocks == 0 && !(def->tangential > 0);
-  const double aside = fabs(arc_model_way(model, def->load_angle));
-  double load = def->load, turn = aside, reach = aside + (strokes ? def->stroke / 2 : 0);
-  for (int b = 0; b < def->blocks; b++)
-    for (int i = 0; i < def->loading[b].count; i++) {
-      const arc_loading *l = &def->loading[b];
-      const double x = slides ? arc_loading_x(l, model, i) : 0;
-      const double under = arc_model_way(model, l->load_angle ? l->load_angle[i] : def->load_angle);
-      turn = fmax(turn, fabs(under));
-      reach = fmax(reach, fabs(under - x));
-      load = fmax(load, l->load[i]);
-    }
-  arc_zone_for(reach, widest_contact(def, model, load), model->mesh.size, zone);
-  zone[ARC_UPPER] += 2 * turn;
 }

@@ -331,10 +331,11 @@ static void finish_loop(arc_loop *loop, double repeat, double thickness, const w
   loop->gross = rate->gross != 0;
 }
 
-arc_status arc_wear_loop(arc_wear *w, arc_loop **loop, arc_error *error) {
+arc_status arc_wear_loop(arc_wear *w, const arc_callbacks *callbacks, arc_loop **loop,
+                         arc_error *error) {
   const wear_block *block = arc_wear_block_at(w, arc_wear_last(w)->cycle);
   wear_window cycle = {.shape = w->shape, .state = arc_wear_last(w)};
-  wear_watch nobody = {0};
+  wear_watch watch = {.callbacks = callbacks};
   *loop = NULL;
   if (!arc_wear_rubs(&w->def))
     return arc_fail(error, ARC_ARGUMENT, "field 'friction': a run without friction has no loop");
@@ -343,7 +344,7 @@ arc_status arc_wear_loop(arc_wear *w, arc_loop **loop, arc_error *error) {
   if (status != ARC_OK) return status;
   fretting r = {.w = w,
                 .window = &cycle,
-                .watch = &nobody,
+                .watch = &watch,
                 .rate = &w->work.rate,
                 .loop = make_loop((size_t)block->count)};
   if (!r.loop) return arc_fail(error, ARC_MEMORY, "out of memory for a loop");

@@ -33,9 +33,11 @@ arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *
 void arc_wear_blocks_free(wear_block **block, int count);
 /* arc_wear_reach of a pair that is asked for more loads than one. */
 double arc_wear_reach_of(contact_pair *pair, double load);
-/* How long the increment that ends at point i of a loading is, over what follows the contact there;
- * 0 where nothing touches. */
-double arc_loading_length(contact_pair *pair, const arc_loading *from, int i);
+/* Load below which contact is followed no closer [N]: what wears there is next to nothing. */
+double arc_loading_least(const arc_loading *from, const arc_model_def *model);
+/* How long the increment that ends at point i of a loading is, over what follows the contact there,
+ * or that of the least load; 0 where nothing touches. */
+double arc_loading_length(contact_pair *pair, const arc_loading *from, double least, int i);
 /* How many increments a loading is simulated in, at least one between two of its points; into parts
  * [count] (NULL: not asked) those that end at each point. */
 double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,

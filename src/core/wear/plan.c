@@ -1,4 +1,5 @@
 /* How far a step goes: to the end of its jump, its block or its limit, whichever comes first. */
+#include "core/wear/layers.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -10,13 +11,23 @@ static const double whole = 1e-9;
 
 /* --- how far --- */
 
+static int has_layers(const arc_model_def *d) {
+  return arc_body_layers(&d->body[ARC_CYLINDER]) > 0 || arc_body_layers(&d->body[ARC_PLATE]) > 0;
+}
+
+/* E* as the unworn contact feels it [MPa]. */
+static double felt_modulus(const arc_wear *w) {
+  const arc_model_def *d = arc_model_definition(w->model);
+  if (!has_layers(d)) return arc_contact_modulus(d->geometry, d->material);
+  return arc_model_felt_modulus(w->model, 1 / w->history[0].half_width);
+}
+
 /* Scale of wear [mm]: the drop of the cylinder at the edge of the unworn contact, a^2 / 2R. It is 2
  * L / (pi t E*), whatever R: what elasticity gives way by, in other pairs too. */
 static double natural_depth(const arc_wear *w) {
   const arc_model_def *d = arc_model_definition(w->model);
-  if (d->geometry != ARC_PLANE_STRAIN)
-    return 2 * arc_model_line(d, w->def.load) /
-           (acos(-1) * arc_contact_modulus(d->geometry, d->material));
+  if (d->geometry != ARC_PLANE_STRAIN || has_layers(d))
+    return 2 * arc_model_line(d, w->def.load) / (acos(-1) * felt_modulus(w));
   const double radius = arc_model_relative_radius(d);
   arc_hertz hertz = {0};
   arc_hertz_solve(isfinite(radius) ? radius : d->radius, d->thickness, w->def.load, d->material,
@@ -31,11 +42,10 @@ static double dose_for(const arc_wear *w, double depth) {
   return p > 0 ? depth / p : INFINITY;
 }
 
-/* Cycles until the deepest node of either body has gained `depth` [mm] at the present pressure. */
-static double cycles_for(const arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
-                         double depth) {
+/* Cycles that a dose takes at these coefficients. */
+static double cycles_for(const wear_block *block, const double k[ARC_BODIES], double dose) {
   const double per_cycle = (k[ARC_CYLINDER] + k[ARC_PLATE]) * block->sliding;
-  return per_cycle > 0 ? dose_for(w, depth) / per_cycle : INFINITY;
+  return per_cycle > 0 ? dose / per_cycle : INFINITY;
 }
 
 /* An update may wear this share of the natural depth, or of what is worn already. */
@@ -55,6 +65,40 @@ static double bite(const arc_wear *w) {
   return fmax(first_bite * natural_depth(w), later_bite * total_depth(w));
 }
 
+/* --- what wears evenly --- */
+
+/* The contact does not change by it, but where layers get thinner. */
+static int only_evenly(const arc_wear *w) {
+  return wears_evenly(w) && arc_wear_last(w)->alpha == 0;
+}
+
+/* Dose that takes `depth` [mm] off there; layers may wear by less than the largest coefficient. */
+static double even_dose(const arc_wear *w, double depth) {
+  const int middle = w->np / 2;
+  const double gone = arc_wear_last(w)->depth_plate - w->shape->side[ARC_PLATE].h[middle];
+  const double share = arc_wear_layer_share(w->shape, ARC_PLATE, middle, fmax(0, gone));
+  return share > 0 ? depth / (share * arc_wear_even_pressure(w)) : INFINITY;
+}
+
+/* An update may take this share of a layer, whose thickness the contact feels. */
+static const double layer_bite = 0.05;
+
+static double even_layer_dose(const arc_wear *w) {
+  const elastic_body *plate = w->shape->side[ARC_PLATE].body;
+  if (!wears_evenly(w) || w->def.geometry == ARC_FROZEN) return INFINITY;
+  double from = 0, end = 0;
+  for (int n = 0; end <= arc_wear_last(w)->depth_plate; n++) {
+    from = end;
+    end = arc_body_stratum(plate, w->np / 2, n).end;
+  }
+  return isfinite(end) ? even_dose(w, layer_bite * (end - from)) : INFINITY;
+}
+
+/* The same where nothing else wears: as the wear goes, whatever the pressure in the contact is. */
+static double most_evenly(const arc_wear *w) {
+  return fmin(even_dose(w, bite(w)), even_layer_dose(w));
+}
+
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan) {
   static const double little = 0.01;
   const arc_wear_record *now = arc_wear_last(w);
@@ -62,12 +106,13 @@ int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan) {
 }
 
 /* Updates of a single stage: neither ripples may grow nor too much wear at once. */
-static arc_status plan_plain(arc_wear *w, wear_plan *plan, arc_error *error) {
+static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
+                             arc_error *error) {
   double k[ARC_BODIES], eigenvalue = 0;
-  plan->most = dose_for(w, bite(w));
+  plan->most = only_evenly(w) ? most_evenly(w) : dose_for(w, bite(w));
   if (arc_wear_closed_form(w)) return ARC_OK;
   arc_status status = arc_wear_coefficients_now(w, k, error);
-  if (status == ARC_OK) status = arc_wear_stability(w, &eigenvalue, error);
+  if (status == ARC_OK) status = arc_wear_stability(w, callbacks, &eigenvalue, error);
   if (status == ARC_OK && eigenvalue > 0)
     plan->most = fmin(plan->most, safe_share * 2 / eigenvalue * (k[ARC_CYLINDER] + k[ARC_PLATE]) *
                                       plan->block->sliding);
@@ -76,20 +121,20 @@ static arc_status plan_plain(arc_wear *w, wear_plan *plan, arc_error *error) {
 
 /* Updates in stages: as long as the last one's estimated error allows; history alone decides, so
  * that a stored run goes on alike. */
-static void plan_staged(const arc_wear *w, wear_plan *plan) {
+static double most_staged(const arc_wear *w) {
   static const double growth = 3, fall = 0.2, safety = 0.9;
   const arc_wear_record *now = arc_wear_last(w);
-  plan->staged = 1;
-  plan->most = dose_for(w, first_bite * natural_depth(w));
-  if (w->records < 2 || !(now->error > 0)) return;
+  if (w->records < 2 || !(now->error > 0)) return dose_for(w, first_bite * natural_depth(w));
   const double last = now->k * (now->distance - now[-1].distance);
-  plan->most = last * fmin(growth, fmax(fall, safety / cbrt(now->error)));
+  return last * fmin(growth, fmax(fall, safety / cbrt(now->error)));
 }
 
 /* Explicit updates that choose themselves. */
-static arc_status plan_automatic(arc_wear *w, wear_plan *plan, arc_error *error) {
-  if (splits_cycles(w) || arc_wear_closed_form(w)) return plan_plain(w, plan, error);
-  plan_staged(w, plan);
+static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
+                                 arc_error *error) {
+  if (splits_cycles(w) || arc_wear_closed_form(w)) return plan_plain(w, callbacks, plan, error);
+  plan->staged = 1;
+  plan->most = only_evenly(w) ? most_evenly(w) : fmin(most_staged(w), even_layer_dose(w));
   return ARC_OK;
 }
 
@@ -117,13 +162,16 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
   }
   double k[ARC_BODIES];
   const arc_status status = arc_wear_coefficients_now(w, k, error);
-  *jump = cycles_for(w, block, k, first_implicit_bite * natural_depth(w));
+  const double dose =
+      only_evenly(w) ? most_evenly(w) : dose_for(w, first_implicit_bite * natural_depth(w));
+  *jump = cycles_for(block, k, dose);
   return status;
 }
 
-static arc_status choose_jump(arc_wear *w, wear_plan *plan, double *jump, arc_error *error) {
+static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
+                              double *jump, arc_error *error) {
   *jump = INFINITY;
-  if (w->def.jump_auto) return plan_automatic(w, plan, error);
+  if (w->def.jump_auto) return plan_automatic(w, callbacks, plan, error);
   if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
     return adaptive_jump(w, plan->block, jump, error);
   *jump = w->def.jump;
@@ -182,8 +230,8 @@ static arc_status check_progress(const arc_wear *w, const wear_plan *plan, doubl
                   many, now->distance, gone, left);
 }
 
-arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
-                              arc_error *error) {
+arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
+                              wear_plan *plan, int *moved, arc_error *error) {
   const arc_wear_record *now = arc_wear_last(w);
   plan->block = arc_wear_block_at(w, now->cycle);
   plan->most = INFINITY;
@@ -202,7 +250,7 @@ arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *m
     return ARC_OK;
   }
   double jump;
-  if ((status = choose_jump(w, plan, &jump, error)) != ARC_OK) return status;
+  if ((status = choose_jump(w, callbacks, plan, &jump, error)) != ARC_OK) return status;
   const int to_end = left <= jump * (1 + whole);
   plan->cycles = plan->times = left < jump * (1 - whole) ? left : jump;
   plan->end = to_end ? end : now->distance + plan->cycles * plan->block->sliding;

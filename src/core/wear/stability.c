@@ -42,7 +42,8 @@ double arc_wear_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
 
 /* Of a cycle of a block on the present surfaces, at these coefficients. */
 static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const double k[ARC_BODIES],
-                                  double *eigenvalue, arc_error *error) {
+                                  const arc_callbacks *callbacks, double *eigenvalue,
+                                  arc_error *error) {
   *eigenvalue = 0;
   if (k[ARC_CYLINDER] == 0 && k[ARC_PLATE] == 0) return ARC_OK;
   arc_status status = arc_path_enter(&w->path, block, w->model, error);
@@ -58,20 +59,21 @@ static arc_status find_eigenvalue(arc_wear *w, const wear_block *block, const do
                        .last = block->count - 1,
                        .state = arc_wear_last(w),
                        .jacobian = &jacobian};
-  wear_watch nobody = {0};
+  wear_watch watch = {.callbacks = callbacks};
   status = arc_wear_friction(w, cycle.state, &cycle.mu, error);
-  if (status == ARC_OK) status = arc_wear_evaluate(w, &cycle, &nobody, &w->work.rate, error);
+  if (status == ARC_OK) status = arc_wear_evaluate(w, &cycle, &watch, &w->work.rate, error);
   if (status == ARC_OK) *eigenvalue = arc_wear_eigenvalue(w, k, jacobian.value, work);
   arc_wear_jacobian_free(&jacobian);
   free(work);
   return status;
 }
 
-arc_status arc_wear_stability(arc_wear *w, double *eigenvalue, arc_error *error) {
+arc_status arc_wear_stability(arc_wear *w, const arc_callbacks *callbacks, double *eigenvalue,
+                              arc_error *error) {
   const wear_block *block = arc_wear_block_at(w, arc_wear_last(w)->cycle);
   double k[ARC_BODIES];
   const arc_status status = arc_wear_coefficients_now(w, k, error);
-  return status == ARC_OK ? find_eigenvalue(w, block, k, eigenvalue, error) : status;
+  return status == ARC_OK ? find_eigenvalue(w, block, k, callbacks, eigenvalue, error) : status;
 }
 
 /* --- warnings --- */
@@ -110,7 +112,8 @@ static void judge(arc_wear *w, const wear_block *block, const double k[ARC_BODIE
   wear_judged *j = &w->judged;
   const arc_wear_record *now = arc_wear_last(w);
   if (!may_be_past(w, block, k, cycles)) return;
-  if (find_eigenvalue(w, block, k, &j->eigenvalue, NULL) != ARC_OK) return; /* the step will tell */
+  if (find_eigenvalue(w, block, k, callbacks, &j->eigenvalue, NULL) != ARC_OK)
+    return; /* the step will tell */
   j->block = block;
   j->p_center = now->p_center;
   for (int b = 0; b < ARC_BODIES; b++) j->k[b] = k[b];
@@ -145,9 +148,12 @@ static double longest_increment(const arc_wear *w) {
   contact_pair pair = arc_model_pair(arc_model_definition(w->model));
   double longest =
       d->blocks > 0 ? 0 : 2 * d->stroke / d->increments / arc_wear_reach_of(&pair, d->load);
-  for (int b = 0; b < d->blocks; b++)
-    for (int i = 1; i < d->loading[b].count; i++)
-      longest = fmax(longest, arc_loading_length(&pair, &d->loading[b], i));
+  for (int b = 0; b < d->blocks; b++) {
+    const arc_loading *from = &d->loading[b];
+    const double least = arc_loading_least(from, pair.def);
+    for (int i = 1; i < from->count; i++)
+      longest = fmax(longest, arc_loading_length(&pair, from, least, i));
+  }
   return longest;
 }
 

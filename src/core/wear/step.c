@@ -97,9 +97,10 @@ static arc_status attempt(arc_wear *w, wear_plan *plan, wear_watch *watch, wear_
 
 /* A law with a jump in it may have no implicit solution for any step: then the plan is an explicit
  * one, at half the length at which ripples would grow. */
-static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, arc_error *error) {
+static arc_status give_up_implicit(arc_wear *w, wear_plan *plan, const wear_watch *watch,
+                                   arc_error *error) {
   double eigenvalue;
-  const arc_status status = arc_wear_stability(w, &eigenvalue, error);
+  const arc_status status = arc_wear_stability(w, watch->callbacks, &eigenvalue, error);
   plan->explicit = 1;
   if (status == ARC_OK && plan->block->periodic && eigenvalue * plan->cycles > 1)
     arc_wear_plan_shorten(w, plan, 1 / eigenvalue);
@@ -140,7 +141,7 @@ static arc_status attempt_with_cuts(arc_wear *w, wear_plan *plan, wear_watch *wa
     if (is_at_edge(w, plan, status)) return status;
     if (!plan->staged && !plan->explicit && (failures == most_failures || cut == patience)) {
       *plan = whole_plan;
-      if ((status = give_up_implicit(w, plan, error)) != ARC_OK) return status;
+      if ((status = give_up_implicit(w, plan, watch, error)) != ARC_OK) return status;
     } else if (status != ARC_OK) {
       arc_wear_plan_shorten(w, plan, plan->cycles / 4);
     } else {
@@ -217,7 +218,7 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   wear_plan plan = {0};
   wear_outcome out = {0};
   wear_watch watch = {.callbacks = callbacks}; /* counts what is spent on attempts, too */
-  arc_status status = arc_wear_plan_step(w, limit, &plan, moved, error);
+  arc_status status = arc_wear_plan_step(w, limit, callbacks, &plan, moved, error);
   if (status != ARC_OK || !*moved) return status;
   status = attempt_with_cuts(w, &plan, &watch, &out, error);
   if (status == ARC_OK) status = meet_targets(w, &plan, &watch, targets, &out, error);

@@ -34,14 +34,17 @@ typedef struct wear_dose {
 /* --- plan.c --- */
 /* The next step towards `limit` [mm]; enters its block. *moved: whether there is anything left to
  * do. */
-arc_status arc_wear_plan_step(arc_wear *w, double limit, wear_plan *plan, int *moved,
-                              arc_error *error);
+arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
+                              wear_plan *plan, int *moved, arc_error *error);
 /* Fewer cycles. */
 void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
 /* Whether it is to wear next to nothing, beside what automatic updates do. */
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan);
 
 /* --- ahead.c --- */
+/* What wears evenly [MPa]: the load over the plate, or a track. The depth is as much per dose,
+ * where Archard's law holds. */
+double arc_wear_even_pressure(const arc_wear *w);
 /* What a rate takes in a dose. */
 void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_dose *dose,
                              wear_depths *depth);

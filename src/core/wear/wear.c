@@ -3,6 +3,7 @@
 #include "core/wear/rebuild.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -57,11 +58,30 @@ static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
   return turns ? ENDS : 2;
 }
 
+/* Zones that the bodies have no room for. */
+static arc_status refuse_way(const arc_model_def *def, const double zone[ARC_BODIES],
+                             const arc_error *why, arc_error *error) {
+  const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_way(def, 1);
+  char angle[100] = "";
+  if (arc_model_is_hole(def))
+    snprintf(angle, sizeof angle,
+             ": %.0f degrees to either side, within which the contact stays as they turn", degrees);
+  return arc_fail(
+      error, ARC_ZONE,
+      "%s (this run needs zones of %.2f and %.2f mm, more than the bodies have room for, "
+      "%.2f and %.2f mm%s)",
+      why->message, zone[ARC_CYLINDER], zone[ARC_PLATE], arc_model_widest_zone(def, ARC_CYLINDER),
+      arc_model_widest_zone(def, ARC_PLATE), angle);
+}
+
 /* What went wrong at an end of a path; for want of room, with the zones that would do. */
 static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_error *error) {
   if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
+  const arc_model_def *def = arc_model_definition(w->model);
   double zone[ARC_BODIES];
-  arc_wear_zones(&w->def, arc_model_definition(w->model), zone);
+  arc_wear_zones(&w->def, def, zone);
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (zone[b] > arc_model_widest_zone(def, (arc_body)b)) return refuse_way(def, zone, why, error);
   return arc_fail(error, ARC_ZONE,
                   "%s (this run needs mesh.zone = {cylinder = %.2f, plate = %.2f} mm)",
                   why->message, zone[ARC_CYLINDER], zone[ARC_PLATE]);

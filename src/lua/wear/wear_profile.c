@@ -1,6 +1,7 @@
 /* Class wear: profiles, pressures and what is computed from them. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/base/interrupt.h"
 #include "lua/base/strict.h"
 #include "lua/engine/measure_module.h"
 #include "lua/wear/wear_class.h"
@@ -101,10 +102,11 @@ int wear_stability(lua_State *L) {
   arc_wear *wear = made->thing;
   arc_error error = {0};
   double eigenvalue = 0;
+  const arc_callbacks callbacks = {.stop = interrupt_pending};
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   functions_call call = functions_enter(L, 2, made);
   made->busy = RUN_BUSY;
-  arc_status status = arc_wear_stability(wear, &eigenvalue, &error);
+  arc_status status = arc_wear_stability(wear, &callbacks, &eigenvalue, &error);
   made->busy = RUN_IDLE;
   functions_leave(L, &call, where);
   error_check(L, status, &error, where, (lua_Number)arc_wear_last(wear)->update);

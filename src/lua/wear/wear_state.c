@@ -1,6 +1,7 @@
 /* Class wear: its fields (state, measures, definition) and its summary in words. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
+#include "lua/base/interrupt.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
@@ -136,11 +137,12 @@ int wear_loop(lua_State *L) {
   box *made = box_self_idle(L, &wear_class, "wear:loop");
   arc_error error = {0};
   arc_loop *loop = NULL;
+  const arc_callbacks callbacks = {.stop = interrupt_pending};
   lua_settop(L, 1);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
   functions_call call = functions_enter(L, lua_gettop(L), made);
   made->busy = RUN_BUSY;
-  const arc_status status = arc_wear_loop(made->thing, &loop, &error);
+  const arc_status status = arc_wear_loop(made->thing, &callbacks, &loop, &error);
   made->busy = RUN_IDLE;
   functions_leave(L, &call, "wear:loop");
   error_check(L, status, &error, "wear:loop", -1);

@@ -1,0 +1,53 @@
+/* How wide the zones of a run have to be, by its way and by the contact it wears. */
+#include "core/wear/run.h"
+
+#include <math.h>
+
+/* Travelled distance of the whole run [mm]; blocks of loading may be all that tells. */
+static double whole_distance(const arc_wear_def *def, const arc_model_def *model) {
+  double sum = def->distance;
+  for (int b = 0; b < def->blocks && def->distance == 0; b++) {
+    const arc_loading *l = &def->loading[b];
+    for (int i = 1; i < l->count; i++)
+      sum += l->cycles * fabs(arc_loading_x(l, model, i) - arc_loading_x(l, model, i - 1));
+  }
+  return sum;
+}
+
+static double largest_k(const arc_wear_def *def) {
+  double k = def->k_series.count > 0 ? 0 : def->k;
+  for (int i = 0; i < def->k_series.count; i++) k = fmax(k, def->k_series.value[i]);
+  return k;
+}
+
+/* Half width of the widest contact: Hertz' at first, and a flat scar of the whole volume on the
+ * cylinder at the most. */
+static double widest_contact(const arc_wear_def *def, const arc_model_def *model, double load) {
+  const double half = arc_model_half_width(model, load);
+  const double relative = arc_model_relative_radius(model);
+  const double radius = isfinite(relative) ? relative : arc_model_solid(model, ARC_UPPER).radius;
+  const double volume = largest_k(def) * load * whole_distance(def, model);
+  const double scar = arc_wear_scar(def, model, radius, volume);
+  const double widest = fmax(half, half / 2 + scar);
+  /* on coarse meshes the room beside it is counted in elements: one under the edge, two that stay
+   * open */
+  return fmax(widest, (widest + 3 * model->mesh.size) / ARC_CONTACT_ROOM);
+}
+
+void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]) {
+  const int slides = def->slide == ARC_SLIDE_X && arc_wear_choose_procedure(def, model) == ARC_SP;
+  const int strokes = slides && def->blocks == 0 && !(def->tangential > 0);
+  const double aside = fabs(arc_model_way(model, def->load_angle));
+  double load = def->load, turn = aside, reach = aside + (strokes ? def->stroke / 2 : 0);
+  for (int b = 0; b < def->blocks; b++)
+    for (int i = 0; i < def->loading[b].count; i++) {
+      const arc_loading *l = &def->loading[b];
+      const double x = slides ? arc_loading_x(l, model, i) : 0;
+      const double under = arc_model_way(model, l->load_angle ? l->load_angle[i] : def->load_angle);
+      turn = fmax(turn, fabs(under));
+      reach = fmax(reach, fabs(under - x));
+      load = fmax(load, l->load[i]);
+    }
+  arc_zone_for(reach, widest_contact(def, model, load), model->mesh.size, zone);
+  zone[ARC_UPPER] += 2 * turn;
+}
