@@ -164,8 +164,10 @@ typedef struct arc_loading {
            "Coefficient of friction of the couple; 0: none. With it slip is the real one, that "   \
            "of each point: increments of the cycle are solved with stick and slip, on both "       \
            "strokes, from bodies pressed anew, until the cycle is steady; that one counts. "       \
-           "k p ds and the energy are those of that slip. An update takes the "                    \
-           "coefficient in its middle. For updates of whole cycles.")                              \
+           "k p ds and the energy are those of that slip. Updates in stages and "                  \
+           "implicit ones follow a coefficient that changes, and their errors tell of it; one of " \
+           "a given jump takes its mean. A jump in it ends an update, as one in k does. For "      \
+           "updates of whole cycles.")                                                             \
   CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
          "Whether friction acts while the bodies are pressed together, as in contact{}, or only "  \
          "from then on. It matters where a part never slips and materials differ; between like "   \

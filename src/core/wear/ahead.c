@@ -122,3 +122,13 @@ arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double s
   state.depth_partition = arc_depth_partition(state.depth_cylinder, state.depth_plate);
   return state;
 }
+
+arc_status arc_wear_friction_on_the_way(arc_wear *w, const wear_dose *dose, double share,
+                                        double *mu, arc_error *error) {
+  static const double last = 1 - 1e-7; /* what jumps at the end is the next update's */
+  if (!dose->plan) return ARC_OK;
+  const wear_rate *rate = w->def.friction_function ? &w->start.rate : NULL;
+  const wear_dose gone = {share * dose->cycles, {dose->k[0], dose->k[1]}, {0}, NULL, 0, 0};
+  const arc_wear_record state = arc_wear_on_the_way(w, dose->plan, fmin(share, last), rate, &gone);
+  return arc_wear_friction(w, &state, mu, error);
+}

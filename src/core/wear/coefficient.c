@@ -72,7 +72,7 @@ arc_status arc_wear_ask(const arc_wear *w, const arc_setting *what, arc_state_fn
 }
 
 int arc_wear_has_state_functions(const arc_wear *w) {
-  return w->def.k_function || w->def.alpha_function;
+  return w->def.k_function || w->def.alpha_function || w->def.friction_function;
 }
 
 arc_status arc_wear_coefficients(const arc_wear *w, double from, double to,

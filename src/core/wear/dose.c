@@ -1,8 +1,8 @@
-/* The wear coefficients over an update, integrated before it is taken: by a Runge-Kutta pair of
- * orders 3 and 2 (Bogacki and Shampine) whose steps end at the points of tables, between which
- * coefficients are linear and their product is met exactly. Functions of the state are asked along
- * the way that the rate at the start predicts. Where a step would shrink to nothing, a coefficient
- * jumps, and there the update ends. Leans on coefficient.c and ahead.c. */
+/* The coefficients over an update, of wear and of friction, integrated before it is taken: by a
+ * Runge-Kutta pair of orders 3 and 2 (Bogacki and Shampine) whose steps end at the points of
+ * tables, between which coefficients are linear and their product is met exactly. Functions of the
+ * state are asked along the way that the rate at the start predicts. Where a step would shrink to
+ * nothing, a coefficient jumps, and there the update ends. Leans on coefficient.c and ahead.c. */
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -34,59 +34,66 @@ typedef struct dose_way {
   const wear_plan *plan;
   const wear_rate *rate;
   arc_error *error;
-  double length;        /* of the plan [mm] */
-  double at;            /* share of the way */
-  double y[ARC_BODIES]; /* integral of k over the share so far [mm2/N] */
-  double k[ARC_BODIES]; /* at `at` */
-  double only[ARC_BODIES];
-  int calls, constant; /* constant: all of them gave `only` */
-  int refused;         /* steps, more than were taken */
-  int sampled;         /* no step could follow */
+  double length;               /* of the plan [mm] */
+  double at;                   /* share of the way */
+  double y[WEAR_COEFFICIENTS]; /* integral of k over the share so far [mm2/N]; of friction */
+  double k[WEAR_COEFFICIENTS]; /* at `at` */
+  double only[WEAR_COEFFICIENTS];
+  int calls, changed[WEAR_COEFFICIENTS]; /* whether any gave another one than `only` */
+  int refused;                           /* steps, more than were taken */
+  int sampled;                           /* no step could follow */
 } dose_way;
 
-static double larger(const double k[ARC_BODIES]) {
-  return fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
+/* What a change of coefficient b is held against. */
+static double size_of(int b, const double k[WEAR_COEFFICIENTS]) {
+  return b == WEAR_FRICTION ? k[b] : fmax(k[ARC_CYLINDER], k[ARC_PLATE]);
 }
 
-static double total(const double k[ARC_BODIES]) {
+static double total(const double k[WEAR_COEFFICIENTS]) {
   return k[ARC_CYLINDER] + k[ARC_PLATE];
 }
 
 /* The coefficients a share of the way, with integrals y so far. */
-static arc_status ask(dose_way *s, double share, const double y[ARC_BODIES], double k[ARC_BODIES]) {
-  const wear_dose gone = {s->plan->times, {y[ARC_CYLINDER], y[ARC_PLATE]}, {0}};
+static arc_status ask(dose_way *s, double share, const double y[WEAR_COEFFICIENTS],
+                      double k[WEAR_COEFFICIENTS]) {
+  const wear_dose gone = {s->plan->times, {y[ARC_CYLINDER], y[ARC_PLATE]}, {0}, NULL, 0, 0};
   const double inside = fmin(fmax(share, margin), 1 - margin);
   const arc_wear_record state = arc_wear_on_the_way(s->w, s->plan, inside, s->rate, &gone);
-  const arc_status status =
+  arc_status status =
       arc_wear_coefficients(s->w, state.distance, state.distance, &state, k, s->error);
+  if (status == ARC_OK) status = arc_wear_friction_of(s->w, &state, &k[WEAR_FRICTION], s->error);
+  if (status != ARC_OK) return status;
   if (s->calls++ == 0) memcpy(s->only, k, sizeof s->only);
-  s->constant &= memcmp(s->only, k, sizeof s->only) == 0;
-  return status;
+  for (int b = 0; b < WEAR_COEFFICIENTS; b++) s->changed[b] |= k[b] != s->only[b];
+  return ARC_OK;
 }
 
 /* One step of the pair to `next`: integrals, coefficients there, and the error over that allowed.
  */
-static arc_status try_step(dose_way *s, double h, double y[ARC_BODIES], double k[ARC_BODIES],
-                           double *error) {
+static arc_status try_step(dose_way *s, double h, double y[WEAR_COEFFICIENTS],
+                           double k[WEAR_COEFFICIENTS], double *error) {
   const double *k1 = s->k;
-  double k2[ARC_BODIES], k3[ARC_BODIES], on[ARC_BODIES];
-  for (int b = 0; b < ARC_BODIES; b++) on[b] = s->y[b] + h / 2 * k1[b];
+  double k2[WEAR_COEFFICIENTS], k3[WEAR_COEFFICIENTS], on[WEAR_COEFFICIENTS];
+  for (int b = 0; b < WEAR_COEFFICIENTS; b++) on[b] = s->y[b] + h / 2 * k1[b];
   arc_status status = ask(s, s->at + h / 2, on, k2);
   if (status != ARC_OK) return status;
-  for (int b = 0; b < ARC_BODIES; b++) on[b] = s->y[b] + 3 * h / 4 * k2[b];
+  for (int b = 0; b < WEAR_COEFFICIENTS; b++) on[b] = s->y[b] + 3 * h / 4 * k2[b];
   if ((status = ask(s, s->at + 3 * h / 4, on, k3)) != ARC_OK) return status;
-  for (int b = 0; b < ARC_BODIES; b++) y[b] = s->y[b] + h * (2 * k1[b] + 3 * k2[b] + 4 * k3[b]) / 9;
+  for (int b = 0; b < WEAR_COEFFICIENTS; b++)
+    y[b] = s->y[b] + h * (2 * k1[b] + 3 * k2[b] + 4 * k3[b]) / 9;
   if ((status = ask(s, s->at + h * before_point, y, k)) != ARC_OK) return status;
-  const double scale = fmax(fmax(larger(k1), larger(k2)), fmax(larger(k3), larger(k)));
-  double off = 0;
-  for (int b = 0; b < ARC_BODIES; b++)
-    off = fmax(off, fabs(-5 * k1[b] / 72 + k2[b] / 12 + k3[b] / 9 - k[b] / 8));
-  *error = scale > 0 ? off / (tolerance * scale) : 0;
+  *error = 0;
+  for (int b = 0; b < WEAR_COEFFICIENTS; b++) {
+    const double scale =
+        fmax(fmax(size_of(b, k1), size_of(b, k2)), fmax(size_of(b, k3), size_of(b, k)));
+    const double off = fabs(-5 * k1[b] / 72 + k2[b] / 12 + k3[b] / 9 - k[b] / 8);
+    if (scale > 0) *error = fmax(*error, off / (tolerance * scale));
+  }
   return ARC_OK;
 }
 
-static void take_step(dose_way *s, double at, const double y[ARC_BODIES],
-                      const double k[ARC_BODIES]) {
+static void take_step(dose_way *s, double at, const double y[WEAR_COEFFICIENTS],
+                      const double k[WEAR_COEFFICIENTS]) {
   s->at = at;
   memcpy(s->y, y, sizeof s->y);
   if (k != s->k) memcpy(s->k, k, sizeof s->k);
@@ -113,6 +120,7 @@ static double next_end(const dose_way *s) {
   double end = 1;
   if (!d->k_function) end = fmin(end, next_point(s, &d->k_series));
   if (!d->alpha_function) end = fmin(end, next_point(s, &d->alpha_series));
+  if (!d->friction_function) end = fmin(end, next_point(s, &d->friction_series));
   return end;
 }
 
@@ -132,16 +140,23 @@ static int table_jumps(const dose_way *s, const arc_series *t, double share, dou
   return 0;
 }
 
-static int ends_jump(const dose_way *s, double share, double from, const double k[ARC_BODIES]) {
+static double range_of(int b, const double k[WEAR_COEFFICIENTS]) {
+  return b == WEAR_FRICTION ? k[b] : total(k);
+}
+
+static int ends_jump(const dose_way *s, double share, double from,
+                     const double k[WEAR_COEFFICIENTS]) {
   const arc_wear_def *d = &s->w->def;
   if (share < margin * 10 || share > 1 - margin * 10) return 0;
   if (share - from <= 3 * shortest) { /* of a function */
-    for (int b = 0; b < ARC_BODIES; b++)
-      if (fabs(k[b] - s->k[b]) > large * fmax(total(k), total(s->k))) return 1;
+    for (int b = 0; b < WEAR_COEFFICIENTS; b++)
+      if (fabs(k[b] - s->k[b]) > large * fmax(range_of(b, k), range_of(b, s->k))) return 1;
     return 0;
   }
   return (!d->k_function && table_jumps(s, &d->k_series, share, fmax(total(k), total(s->k)))) ||
-         (!d->alpha_function && table_jumps(s, &d->alpha_series, share, 1));
+         (!d->alpha_function && table_jumps(s, &d->alpha_series, share, 1)) ||
+         (!d->friction_function &&
+          table_jumps(s, &d->friction_series, share, fmax(k[WEAR_FRICTION], s->k[WEAR_FRICTION])));
 }
 
 /* --- along the way ---------------------------------------------------------------------------- */
@@ -167,12 +182,12 @@ static arc_status sample_rest(dose_way *s) {
   const double most = s->plan->most / s->length, h = (1 - s->at) / steps;
   s->sampled = 1;
   for (int i = 1; i <= steps; i++) {
-    double y[ARC_BODIES], k[ARC_BODIES], error;
+    double y[WEAR_COEFFICIENTS], k[WEAR_COEFFICIENTS], error;
     const arc_status status = try_step(s, h, y, k, &error);
     if (status != ARC_OK) return status;
     const double added = total(y) - total(s->y), left = most - total(s->y);
     const double share = added > left ? left / added : 1;
-    for (int b = 0; b < ARC_BODIES; b++) y[b] = s->y[b] + share * (y[b] - s->y[b]);
+    for (int b = 0; b < WEAR_COEFFICIENTS; b++) y[b] = s->y[b] + share * (y[b] - s->y[b]);
     take_step(s, i == steps && share == 1 ? 1 : s->at + share * h, y, k);
     if (share < 1) break;
   }
@@ -186,7 +201,7 @@ static arc_status go(dose_way *s) {
   arc_status status = ask(s, 0, s->y, s->k);
   double h = status == ARC_OK ? first_length(s, longest) : 0;
   while (status == ARC_OK && s->at < 1) {
-    double y[ARC_BODIES], k[ARC_BODIES], error, end = next_end(s);
+    double y[WEAR_COEFFICIENTS], k[WEAR_COEFFICIENTS], error, end = next_end(s);
     if (s->refused > most_refused) return sample_rest(s);
     h = fmax(fmin(h, longest), shortest);
     if (s->at + h * (1 + 1e-6) < end) end = s->at + h;
@@ -211,8 +226,10 @@ static arc_status go(dose_way *s) {
   return status;
 }
 
-static int varies(const arc_wear_def *d) {
-  return d->k_function || d->alpha_function || d->k_series.count > 0 || d->alpha_series.count > 0;
+static int varies(const arc_wear *w) {
+  const arc_wear_def *d = &w->def;
+  return d->k_function || d->alpha_function || d->k_series.count > 0 || d->alpha_series.count > 0 ||
+         arc_wear_friction_changes(w);
 }
 
 /* What never changes needs no way; the last two steps are alike. */
@@ -225,14 +242,19 @@ static arc_status go_straight(dose_way *s) {
 
 arc_status arc_wear_dose(arc_wear *w, wear_plan *plan, const wear_rate *rate, wear_dose *dose,
                          arc_error *error) {
-  dose_way s = {.w = w, .plan = plan, .rate = rate, .error = error, .constant = 1};
+  dose_way s = {.w = w, .plan = plan, .rate = rate, .error = error};
   s.length = plan->end - arc_wear_last(w)->distance;
-  const arc_status status = varies(&w->def) ? go(&s) : go_straight(&s);
+  const arc_status status = varies(w) ? go(&s) : go_straight(&s);
   if (status != ARC_OK) return status;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    dose->k[b] = s.constant ? s.only[b] : s.y[b] / s.at;
+  double mean[WEAR_COEFFICIENTS];
+  for (int b = 0; b < WEAR_COEFFICIENTS; b++) {
+    mean[b] = s.changed[b] ? s.y[b] / s.at : s.only[b];
     dose->last[b] = s.sampled ? NAN : s.k[b]; /* which tells nothing */
   }
+  memcpy(dose->k, mean, sizeof dose->k);
+  dose->begin = s.only[WEAR_FRICTION];
+  dose->friction = mean[WEAR_FRICTION];
+  dose->plan = s.changed[WEAR_FRICTION] ? plan : NULL;
   if (s.at < 1) arc_wear_plan_shorten(w, plan, s.at * plan->cycles);
   dose->cycles = plan->times;
   return ARC_OK;

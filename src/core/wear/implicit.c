@@ -17,12 +17,20 @@ static const double share_per_step = 0.5;
 static const double pressure_share = 30;
 static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
+/* A stage's coefficient of friction; it is asked for before any stage, as what is asked leaves no
+ * depths. */
+static arc_status friction_at(newton *s, double share, double *mu) {
+  *mu = s->window.mu;
+  return arc_wear_friction_on_the_way(s->w, &s->dose, share, mu, &s->error);
+}
+
 /* Backward Euler; its error, to s->residual, by comparison with the trapezoid. */
 static arc_status first_order(newton *s, double cycles, wear_depths *depth) {
   double *defect = s->residual;
   memset(s->known, 0, (size_t)s->n * sizeof(double));
   memcpy(s->rate[2], s->rate[0], (size_t)s->n * sizeof(double));
-  const arc_status status = arc_newton_solve(s, cycles, s->rate[2]);
+  arc_status status = friction_at(s, 1, &s->window.mu);
+  if (status == ARC_OK) status = arc_newton_solve(s, cycles, s->rate[2]);
   for (int i = 0; i < s->n && status == ARC_OK; i++)
     defect[i] = cycles * (s->rate[2][i] - s->rate[0][i]) / 2;
   depth->energy = cycles * s->energy;
@@ -35,15 +43,20 @@ static arc_status second_order(newton *s, double cycles, wear_depths *depth) {
   const double g = gamma2, h = g * cycles, c = 2 * g, part = (1 - g) / 2;
   const double b1 = 1 / (6 * c * (1 - c)), b2 = (1 / 3.0 - c / 2) / (1 - c), b0 = 1 - b1 - b2;
   const size_t bytes = (size_t)s->n * sizeof(double);
-  double *defect = s->residual;
+  double *defect = s->residual, mu[2];
+  arc_status status = friction_at(s, c, &mu[0]);
+  if (status == ARC_OK) status = friction_at(s, 1, &mu[1]);
+  if (status != ARC_OK) return status;
   depth->energy = cycles * part * s->energy;
   for (int i = 0; i < s->n; i++) s->known[i] = h * s->rate[0][i];
   memcpy(s->rate[1], s->rate[0], bytes);
-  arc_status status = arc_newton_solve(s, h, s->rate[1]);
+  s->window.mu = mu[0];
+  status = arc_newton_solve(s, h, s->rate[1]);
   if (status != ARC_OK) return status;
   depth->energy += cycles * part * s->energy;
   for (int i = 0; i < s->n; i++) s->known[i] = cycles * part * (s->rate[0][i] + s->rate[1][i]);
   memcpy(s->rate[2], s->rate[1], bytes);
+  s->window.mu = mu[1];
   status = arc_newton_solve(s, h, s->rate[2]);
   for (int i = 0; i < s->n && status == ARC_OK; i++)
     defect[i] = cycles * ((b0 - part) * s->rate[0][i] + (b1 - part) * s->rate[1][i] +

@@ -68,8 +68,15 @@ void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wea
                          wear_rate *rate);
 
 /* --- rubbing.c --- */
-/* The coefficient of friction of a state. ARC_ARGUMENT where it does not carry the force that
- * drives the plate there; also what a function fails of. */
+/* Whether the coefficient of friction is a table or a function. */
+int arc_wear_friction_changes(const arc_wear *w);
+/* The coefficient of friction of a state; what a function fails of. */
+arc_status arc_wear_friction_of(const arc_wear *w, const arc_wear_record *state, double *mu,
+                                arc_error *error);
+/* ARC_ARGUMENT where it does not carry the force that drives the plate at a state. */
+arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *state, double mu,
+                                     arc_error *error);
+/* Both. */
 arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
                              arc_error *error);
 

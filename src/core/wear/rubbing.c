@@ -17,8 +17,8 @@ static int worst_point(const wear_block *b, double *needed) {
 }
 
 /* A number is checked with the definition; tables and functions may fall below it on the way. */
-static arc_status check_carried(const arc_wear *w, const arc_wear_record *state, double mu,
-                                arc_error *error) {
+arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *state, double mu,
+                                     arc_error *error) {
   const wear_block *b = arc_wear_block_at(w, state->cycle);
   double needed;
   if (!b->tangential) return ARC_OK;
@@ -32,14 +32,22 @@ static arc_status check_carried(const arc_wear *w, const arc_wear_record *state,
                   state->distance);
 }
 
-arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
-                             arc_error *error) {
+int arc_wear_friction_changes(const arc_wear *w) {
+  return w->def.friction_function || w->def.friction_series.count > 0;
+}
+
+arc_status arc_wear_friction_of(const arc_wear *w, const arc_wear_record *state, double *mu,
+                                arc_error *error) {
   const arc_wear_def *d = &w->def;
-  arc_status status = ARC_OK;
   *mu = d->friction;
   if (d->friction_series.count > 0) *mu = arc_wear_series(&d->friction_series, state->distance);
-  if (d->friction_function)
-    status = arc_wear_ask(w, &arc_wear_settings[ARC_AT_friction], d->friction_function, state, mu,
-                          error);
-  return status == ARC_OK ? check_carried(w, state, *mu, error) : status;
+  if (!d->friction_function) return ARC_OK;
+  return arc_wear_ask(w, &arc_wear_settings[ARC_AT_friction], d->friction_function, state, mu,
+                      error);
+}
+
+arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
+                             arc_error *error) {
+  const arc_status status = arc_wear_friction_of(w, state, mu, error);
+  return status == ARC_OK ? arc_wear_friction_carries(w, state, *mu, error) : status;
 }

@@ -80,7 +80,9 @@ static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
   s->peak = s->rate->peak;
   add_stage(s, 0);
   for (int j = 1; j < s->stages; j++) {
-    const arc_status status = arc_wear_evaluate(s->w, &s->window, watch, s->rate, error);
+    const double share = (double)j / (s->stages - 1);
+    arc_status status = arc_wear_friction_on_the_way(s->w, &s->dose, share, &s->window.mu, error);
+    if (status == ARC_OK) status = arc_wear_evaluate(s->w, &s->window, watch, s->rate, error);
     if (status != ARC_OK) return status;
     add_stage(s, j);
   }

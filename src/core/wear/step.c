@@ -17,16 +17,18 @@ static arc_status find_surprise(arc_wear *w, const wear_outcome *out, double *su
   static const double margin = 1e-6; /* of the step: what jumps at its end is not its own */
   const arc_wear_record *before = arc_wear_last(w);
   arc_wear_record end = out->record;
-  double k[ARC_BODIES];
+  double k[WEAR_COEFFICIENTS];
   *surprise = 0;
   end.distance -= margin * (end.distance - before->distance);
   end.cycle -= margin * (end.cycle - before->cycle);
-  const arc_status status = arc_wear_coefficients(w, end.distance, end.distance, &end, k, error);
+  arc_status status = arc_wear_coefficients(w, end.distance, end.distance, &end, k, error);
+  if (status == ARC_OK) status = arc_wear_friction_of(w, &end, &k[WEAR_FRICTION], error);
   const double largest = fmax(out->record.k, k[ARC_CYLINDER] + k[ARC_PLATE]);
-  if (status != ARC_OK || !(largest > 0)) return status;
-  for (int b = 0; b < ARC_BODIES; b++)
-    *surprise = fmax(*surprise, fabs(k[b] - out->foreseen[b]) / largest); /* NaN says nothing */
-  return ARC_OK;
+  for (int b = 0; b < WEAR_COEFFICIENTS && status == ARC_OK; b++) {
+    const double size = b == WEAR_FRICTION ? k[b] : largest;
+    if (size > 0) *surprise = fmax(*surprise, fabs(k[b] - out->foreseen[b]) / size);
+  } /* NaN says nothing */
+  return status;
 }
 
 /* Change of both bodies' coefficients between two records, over the larger k. */

@@ -17,18 +17,23 @@ typedef struct wear_plan {
   const arc_wear_record *ahead; /* the state at the end, by an attempt; NULL: none yet */
 } wear_plan;
 
+/* What may change on the way: the wear coefficients of both bodies [mm2/N], that of friction. */
+enum { WEAR_FRICTION = ARC_BODIES, WEAR_COEFFICIENTS };
+
 /* What it leads to. */
 typedef struct wear_outcome {
   arc_shape *shape;
   arc_wear_record record;
-  double foreseen[ARC_BODIES]; /* coefficients expected at the end [mm2/N] */
+  double foreseen[WEAR_COEFFICIENTS]; /* those expected at the end */
 } wear_outcome;
 
 /* So many cycles at these wear coefficients [mm2/N]. */
 typedef struct wear_dose {
   double cycles;
   double k[ARC_BODIES];
-  double last[ARC_BODIES]; /* as foreseen for the end of an update; NaN: unforeseeable */
+  double last[WEAR_COEFFICIENTS]; /* as foreseen for the end of an update; NaN: unforeseeable */
+  const wear_plan *plan;          /* on which friction changes; NULL: it does not */
+  double begin, friction;         /* coefficient it begins with, and its mean */
 } wear_dose;
 
 /* --- plan.c --- */
@@ -57,9 +62,13 @@ int arc_wear_follows(const arc_wear *w, const wear_plan *plan);
 /* The state a share of the way through an update; with a rate, also what it takes in a dose. */
 arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double share,
                                     const wear_rate *rate, const wear_dose *dose);
+/* The coefficient of friction a share of the way through a dose, where it changes; else *mu stays.
+ */
+arc_status arc_wear_friction_on_the_way(arc_wear *w, const wear_dose *dose, double share,
+                                        double *mu, arc_error *error);
 
 /* --- dose.c --- */
-/* The wear coefficients over a planned update, integrated: tables exactly, functions along the way
+/* The coefficients over a planned update, integrated: tables exactly, functions along the way
  * that `rate` predicts (NULL: distance and cycles only). Shortens the plan to where a coefficient
  * jumps, or to where `most` is reached. */
 arc_status arc_wear_dose(arc_wear *w, wear_plan *plan, const wear_rate *rate, wear_dose *dose,

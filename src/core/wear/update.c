@@ -109,7 +109,7 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
     record->depth_cylinder = arc_shape_depth(out->shape, ARC_CYLINDER);
     record->depth_plate = arc_shape_depth(out->shape, ARC_PLATE);
     arc_wear_note_coefficients(dose.k, record);
-    memcpy(out->foreseen, dose.k, sizeof out->foreseen);
+    memcpy(out->foreseen, dose.k, sizeof dose.k);
   }
   return ARC_OK;
 }
@@ -237,12 +237,17 @@ static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
   return status;
 }
 
-/* The coefficient of friction in the middle of the update, once its length is known. */
+/* What goes by the rate of its start takes the mean coefficient of friction, once its length is
+ * known; the others, which ask for it on the way, that behind a jump right at their start. */
 static arc_status find_friction(whole *u, arc_error *error) {
+  static const double slight = 1e-6;
+  const int asks = u->work || !is_explicit(u->w, u->plan);
+  const double mu = asks ? u->dose.begin : u->dose.friction;
+  if (fabs(mu - u->window.mu) <= slight * mu) return ARC_OK;
   const arc_wear_record middle = arc_wear_on_the_way(u->w, u->plan, 0.5, NULL, NULL);
-  const double start = u->window.mu;
-  const arc_status status = arc_wear_friction(u->w, &middle, &u->window.mu, error);
-  return status == ARC_OK && u->window.mu != start ? find_start(u, error) : status;
+  u->window.mu = mu;
+  const arc_status status = arc_wear_friction_carries(u->w, &middle, mu, error);
+  return status == ARC_OK ? find_start(u, error) : status;
 }
 
 static arc_status depths_of_update(whole *u, wear_depths *depth, arc_error *error) {
@@ -259,7 +264,7 @@ static arc_status depths_of_update(whole *u, wear_depths *depth, arc_error *erro
     arc_wear_depths_of_rate(w, u->rate, &u->dose, depth);
     return ARC_OK;
   }
-  const wear_dose half = {u->dose.cycles / 2, {u->dose.k[0], u->dose.k[1]}, {0}};
+  const wear_dose half = {u->dose.cycles / 2, {u->dose.k[0], u->dose.k[1]}, {0}, NULL, 0, 0};
   const arc_wear_record middle = arc_wear_on_the_way(w, u->plan, 0.5, u->rate, &half);
   u->window.state = &middle;
   return find_depths(w, u->plan, &u->window, &u->dose, u->watch, depth, error);
