@@ -163,6 +163,18 @@ is(run{ stroke = false }:loop().energy, run{ stroke = false, press = "frictionle
   "like bodies are pressed without it: the same bits")
 is(run{ stroke = false }.press, "friction", "pressed as contacts are")
 
+-- by motion as by force: points that stick keep their partners, and a cut in a motion changes nothing
+local still = contact{ model = { mesh = { size = 0.01 } }, friction = 0.6 }
+local out = still:move{ x = 1e-3, increments = 10 }
+local back = out:move{ x = -1e-3, increments = 20 }
+local again = back:move{ x = 0, increments = 10 }:move{ x = 1e-3, increments = 10 }
+local pulled = still:move{ tangential = out.tangential, increments = 10 }
+near(pulled.x, 1e-3, 1e-6, "the force found leads to the motion given")
+near(out.energy, pulled.energy, 1e-5, "energy of the first way, 2 % more where partners change")
+near(again.energy - back.energy, back.energy - out.energy, 1e-4, "to and fro alike")
+pulled = pulled:move{ tangential = back.tangential, increments = 20 }
+near(back.energy, pulled.energy, 1e-5, "and of the way back")
+
 -- friction that hardly is: the wear of the plain run, which slides rigidly
 local plain, slight = run{ friction = 0, stroke = 0.2 }, run{ friction = 1e-6, stroke = 0.2 }
 plain:run{ progress = false } slight:run{ progress = false }

@@ -70,11 +70,20 @@ static double between(double from, double to, double share) {
   return share < 1 ? from + share * (to - from) : to;
 }
 
-/* Nodes stay paired as they are under a force, as the plate's way is small; they go along with a
- * given motion. */
+/* So far about the place where points were paired [mm] they keep their partners: about as far as
+ * elasticity takes those that stick, half of the way over which wear's cycles keep theirs. */
+static double slack_of(const arc_contact *c, double load) {
+  static const double share = 1 / 16.0;
+  return share * arc_model_half_width(arc_model_definition(c->shape->model), load);
+}
+
+/* Nodes stay paired as they are under a force, as the plate's way is small, and on short ways; they
+ * go along with others. */
 static arc_status travel(arc_contact *c, const arc_contact *from, const arc_motion_def *motion,
                          arc_error *error) {
   const double thickness = thickness_of(c);
+  const double way = motion->by_force ? 0 : motion->x - from->pose.x;
+  const int stay = fabs(way) <= slack_of(from, motion->load);
   arc_status status = ARC_OK;
   for (int i = 1; i <= motion->increments && status == ARC_OK; i++) {
     const double share = (double)i / motion->increments;
@@ -82,8 +91,7 @@ static arc_status travel(arc_contact *c, const arc_contact *from, const arc_moti
     step.line = between(from->def.load, motion->load, share) / thickness;
     step.x = between(from->def.x, motion->x, share);
     step.tangential = between(from->result.tangential, motion->tangential, share) / thickness;
-    const double way = motion->by_force ? 0 : step.x - from->def.x;
-    status = go_to(c, from->pose.x + way, &step, error);
+    status = go_to(c, stay ? from->pose.x : step.x, &step, error);
   }
   c->def.x = c->state.x;
   return status;
