@@ -150,10 +150,10 @@ return {
     text = "Force that drives the plate along x. Without friction that which slopes bear." },
   { "contact.energy", kind = "field", unit = "N mm",
     text = "Energy dissipated by friction since the bodies came together: shear force times slip, "
-      .. "that between the nodes included. In partial slip of bodies of one material under a load that stays, "
-      .. "whatever the forces before, good to 1.6 % where one element slips on either side, to 0.3 % where three do. "
-      .. "Unlike bodies, loads that change and edges of scars have the nodes' sum alone, up to 45, 15 and 6 % off "
-      .. "where one, one and a half and two elements slip." },
+      .. "that between the nodes included. In partial slip of like bodies (Dundurs' beta up to 0.01, as of steels) under a load that "
+      .. "stays, whatever the forces before, good to 1.6 % where one element slips on either side, to 0.3 % where three do. Up to beta "
+      .. "0.1 one that slips may leave 12 %, three 1.5 %. Beta above 0.1, loads that change and edges of scars have the nodes' sum "
+      .. "alone, up to 45, 15 and 6 % off where one, one and a half and two elements slip." },
   { "contact.stick", kind = "field", unit = "mm",
     text = "The zones that stuck in the last increment, a list of { left=, right= }; empty in gross "
       .. "slip. Between nodes to 0.15 of an element, to 0.3 where fewer than six stick." },

@@ -170,10 +170,21 @@ local back = out:move{ x = -1e-3, increments = 20 }
 local again = back:move{ x = 0, increments = 10 }:move{ x = 1e-3, increments = 10 }
 local pulled = still:move{ tangential = out.tangential, increments = 10 }
 near(pulled.x, 1e-3, 1e-6, "the force found leads to the motion given")
-near(out.energy, pulled.energy, 1e-5, "energy of the first way, 2 % more where partners change")
+near(out.energy, pulled.energy, 1e-4, "energy of the first way, 2 % more where partners change")
 near(again.energy - back.energy, back.energy - out.energy, 1e-4, "to and fro alike")
 pulled = pulled:move{ tangential = back.tangential, increments = 20 }
-near(back.energy, pulled.energy, 1e-5, "and of the way back")
+near(back.energy, pulled.energy, 1e-4, "and of the way back")
+
+-- bodies nearly alike: as like ones, where nodes alone gave up to 44 % less
+local cycle_of = {}
+for _, E in ipairs{ 200e3, 200e3 * (1 + 1e-6), 202e3 } do
+  local pair = hertz{ plate = { E = E } }
+  local pressed = contact{ model = { plate = { E = E }, mesh = { size = 0.01 } }, friction = 0.6 }:move{ tangential = 12 }
+  local exact = 4 * 0.36 * 1e4 / (math.pi * pair.E_star) * (0.8 * math.log(0.8) + 0.2 - 0.02)
+  cycle_of[#cycle_of + 1] = pressed:move{ tangential = -12 }:move{ tangential = 12 }.energy - pressed.energy
+  near(cycle_of[#cycle_of], exact, 0.01, ("energy of a cycle, E %.9g on 200 GPa"):format(E / 1e3))
+end
+near(cycle_of[2], cycle_of[1], 1e-4, "nothing jumps where bodies are nearly alike")
 
 -- friction that hardly is: the wear of the plain run, which slides rigidly
 local plain, slight = run{ friction = 0, stroke = 0.2 }, run{ friction = 1e-6, stroke = 0.2 }
