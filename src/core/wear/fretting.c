@@ -229,8 +229,10 @@ static int has_closed(const fretting *r) {
   return off * arc_model_definition(r->w->model)->thickness <= steady * b->load;
 }
 
-/* Where the force only comes back to where it slipped once, rounding slips. */
+/* Where the force only comes back to where it slipped once, rounding slips. No more sticks than
+ * touches: nodes at the edge are as wide as others. */
 static void find_stick(fretting *r) {
+  const wear_block *b = r->w->path.block;
   static const double rounding = 1e-9;
   const shape_side *cylinder = &r->w->shape->side[ARC_CYLINDER];
   double most = 0;
@@ -238,6 +240,9 @@ static void find_stick(fretting *r) {
   for (int i = 0; i < r->w->nc; i++)
     if (r->least[i] > 0 && r->slid[i] <= rounding * most)
       r->rate->stick += arc_shape_width(cylinder, i);
+  double edges[2];
+  arc_pose_edges(&r->w->path.pose[b->place[b->count - 1]], r->window->shape, edges);
+  r->rate->stick = fmin(r->rate->stick, edges[1] - edges[0]);
 }
 
 /* All nodes by the same share more. */
