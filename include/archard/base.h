@@ -82,8 +82,9 @@ typedef int (*arc_stop_fn)(void *context);
  * all of them. They must return, and leave alone what is being computed. */
 struct arc_wear;
 typedef struct arc_callbacks {
-  /* Asked between contact solutions, and while a model is built; non-zero stops with ARC_STOPPED.
-   */
+  /* Asked between contact solutions, and while a model is built; non-zero stops with ARC_STOPPED. A
+   * model that is given up is computed on to the end of a stage, on a thread of its own: a process
+   * that ends before then does so by _exit, as BLAS does not survive exit meanwhile. */
   arc_stop_fn stop;
   /* Told, in one line, why results may mean little; the computation goes on. */
   void (*warn)(void *context, const char *text);

@@ -243,7 +243,17 @@ static int close_output(int status) {
   return status == EXIT_DONE ? EXIT_ERROR : status;
 }
 
+/* What was stopped may go on for a moment on a thread of its own, which does not survive that the
+ * libraries it computes with take their leave. */
+static void leave_at_once(int status, void *unused) {
+  (void)unused;
+  if (!interrupt_ever()) return;
+  fflush(NULL);
+  _exit(status);
+}
+
 int main(int argc, char **argv) {
+  on_exit(leave_at_once, NULL);
   setlocale(LC_CTYPE, "");
   command self = {.argc = argc, .argv = argv};
   self.steps = calloc((size_t)argc + 1, sizeof *self.steps);

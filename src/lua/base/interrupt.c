@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 /* A signal handler has no other way to reach the state than file scope. */
-static volatile sig_atomic_t requests;
+static volatile sig_atomic_t requests, ever;
 static lua_State *volatile running;
 
 /* Limits: the instructions that are left, and what was reached. */
@@ -92,8 +92,13 @@ const char *interrupt_exceeded(void) {
 int interrupt_request(void) {
   int before = (int)requests;
   requests = before + 1;
+  ever = 1;
   if (running) arm(running);
   return before;
+}
+
+int interrupt_ever(void) {
+  return ever;
 }
 
 int interrupt_pending(void *context) {

@@ -21,6 +21,9 @@ void interrupt_detach(lua_State *L);
 /* Asks for a stop; may be called from a signal handler. Returns how many requests were pending. */
 int interrupt_request(void);
 
+/* Whether a stop was ever asked for in this process. */
+int interrupt_ever(void);
+
 /* Non-zero when a stop was asked for: an arc_stop_fn for the engine; `context` is not used. */
 int interrupt_pending(void *context);
 
