@@ -21,10 +21,13 @@ arc_status arc_store_commit(arc_store *store, arc_error *error) {
   return status;
 }
 
-/* SQLite has rolled back by itself after some failures. */
+/* SQLite has rolled back by itself after some failures. Without memory for the word it cannot: what
+ * stays open would lock the file, so it is said again. */
 void arc_store_rollback(arc_store *store) {
+  enum { most_tries = 10 };
   store->opened = 0;
-  if (arc_database_in_transaction(store->db)) arc_database_run(store->db, "ROLLBACK", NULL);
+  for (int i = 0; i < most_tries && arc_database_in_transaction(store->db); i++)
+    arc_database_run(store->db, "ROLLBACK", NULL);
 }
 
 arc_status arc_store_enter(arc_store *store, int *own, arc_error *error) {
