@@ -11,6 +11,7 @@ static const long interval = 50000000; /* [ns] between two questions */
 
 /* What both threads know; whoever leaves last frees it. */
 typedef struct meeting {
+  pthread_t thread;
   pthread_mutex_t lock;
   pthread_cond_t changed;
   int done, alone; /* alone: nobody waits */
@@ -51,16 +52,11 @@ static void *run(void *context) {
 
 /* A thread that hears no signals: they are for the caller. */
 static int start(meeting *m) {
-  pthread_attr_t attributes;
-  pthread_t thread;
   sigset_t all, before;
   sigfillset(&all);
-  if (pthread_attr_init(&attributes)) return 0;
-  pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
   pthread_sigmask(SIG_SETMASK, &all, &before);
-  const int started = pthread_create(&thread, &attributes, run, m) == 0;
+  const int started = pthread_create(&m->thread, NULL, run, m) == 0;
   pthread_sigmask(SIG_SETMASK, &before, NULL);
-  pthread_attr_destroy(&attributes);
   return started;
 }
 
@@ -86,11 +82,13 @@ static int wait_a_while(meeting *m) {
 
 /* Leaves the work alone; 0: it was done meanwhile. */
 static int leave(meeting *m) {
+  const pthread_t thread = m->thread;
   pthread_mutex_lock(&m->lock);
   m->alone = !m->done;
   if (m->alone) m->work.progress->unwanted = 1;
   const int left = m->alone;
   pthread_mutex_unlock(&m->lock);
+  if (left) pthread_detach(thread);
   return left;
 }
 
@@ -120,8 +118,7 @@ arc_status arc_watched(const watched_work *work, void *job, const char *what,
     }
   }
   const arc_status status = m->status;
-  pthread_mutex_lock(&m->lock); /* the other thread has let go of it */
-  pthread_mutex_unlock(&m->lock);
+  pthread_join(m->thread, NULL);
   end_meeting(m);
   return status;
 }
