@@ -116,8 +116,8 @@ double arc_body_crest(const arc_body_def *def);
  * arcs. */
 double arc_body_inset(const arc_body_def *def, double crest, double x);
 
-/* Layers; the lower end of one [mm] that goes by its thickness; the material of one, of `layers`
- * and beyond the body's own. */
+/* Layers; the lower end of one [mm] that goes by its thickness, 0 of layer -1; the material of one,
+ * of `layers` and beyond the body's own. */
 int arc_body_layers(const arc_body_def *def);
 double arc_body_interface(const arc_body_def *def, int layer);
 arc_material arc_body_layer_material(const arc_body_def *def, int layer, arc_material own);

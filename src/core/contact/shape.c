@@ -315,11 +315,12 @@ arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, 
   if (status != ARC_OK) return status;
   side->even = worn.even;
   for (int i = 0; i < side->n; i++) side->h[i] += depth;
-  if (felt)
+  if (felt) {
     settle(shape, side, renewed);
-  else
+    arc_shape_drift(side);
+  } else {
     arc_shape_read_nodes(side);
-  if (felt) arc_shape_drift(side);
+  }
   return ARC_OK;
 }
 

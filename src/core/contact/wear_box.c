@@ -57,8 +57,7 @@ double arc_shape_rise(const shape_side *side, double even, int i, int row) {
 
 /* How deep the layers are [mm]. */
 static double depth_of_layers(const arc_mesh *mesh) {
-  const int layers = arc_body_layers(&mesh->solid);
-  return layers > 0 ? arc_body_interface(&mesh->solid, layers - 1) : 0;
+  return arc_body_interface(&mesh->solid, arc_body_layers(&mesh->solid) - 1);
 }
 
 static int reaches_below_layers(const shape_side *side) {

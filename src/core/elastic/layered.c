@@ -82,7 +82,7 @@ static double depth_of(const arc_body_def *b) {
 
 double arc_body_modulus(arc_space space, const arc_body_def *b, arc_material own, double q) {
   const int layers = arc_body_layers(b);
-  const double base = depth_of(b) - (layers > 0 ? arc_body_interface(b, layers - 1) : 0);
+  const double base = depth_of(b) - arc_body_interface(b, layers - 1);
   double c[half * half] = {0};
   if (layers == 0 && q * base > deep) return arc_material_modulus(space, own);
   climb(space, own, fmin(q * base, deep), c);
