@@ -5,6 +5,7 @@ local check = require "archard.lib.check"
 local files = require "archard.files"
 local json = require "archard.export.json"
 local known = require "archard.settings"
+local role_of = require "archard.study.number".role_of
 
 local where = "export.json"
 
@@ -58,9 +59,6 @@ local function body_of(given, units, prefix)
   return body
 end
 
--- A body of one's own tells its material itself.
-local told_by = { cylinder = "upper", plate = "lower" }
-
 -- The settings of a class as the object has them.
 local function definition(class, object, units, prefix)
   local into = {}
@@ -68,7 +66,7 @@ local function definition(class, object, units, prefix)
     local path = setting.path
     if setting.class == "body" then
       into[path] = body_of(object[path], units, prefix .. path .. ".")
-    elseif class == "model" and told_by[path] and object[told_by[path]] then
+    elseif class == "model" and role_of[path] and object[role_of[path]] then -- which tells its material itself
       into[path] = json.null
     elseif setting.class == "material" then
       into[path] = definition("material", object[path], units, prefix .. path .. ".")

@@ -18,6 +18,7 @@ end
 
 local field_of = { upper = "cylinder", lower = "plate" } -- what the usual pair has in their place
 local role_of = { cylinder = "upper", plate = "lower" }
+number.role_of = role_of
 
 -- Of a body: its own, or those of one of its materials. Heights of a profile are a list.
 local function in_body(rest)

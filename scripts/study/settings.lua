@@ -27,9 +27,6 @@ end
 -- What the size of a model that is there has come of; the size tells all.
 local implied = { ["mesh.fineness"] = true }
 
--- Bodies tell their materials themselves.
-local told_by = { cylinder = "upper", plate = "lower" }
-
 -- Objects as the flat settings that would make them again.
 local function as_table(where, name, value)
   local class = (getmetatable(value) or {}).__name
@@ -40,7 +37,7 @@ local function as_table(where, name, value)
   local flat, outside = {}, class == "model" and value.mesh.upper.rows == 0
   for _, setting in ipairs(known[class]) do
     local own = (not setting.group or setting.class) and not implied[setting.path]
-    local body = class == "model" and told_by[setting.path:match("^%l+")]
+    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- which tells its material itself
     local left = outside and setting.path:match("^mesh%.") or body and value[body]
     if own and not left then flat[setting.path] = value_at(value, setting.path) end
   end
