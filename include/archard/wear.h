@@ -44,15 +44,25 @@ extern "C" {
 #define ARC_UPDATE_LIST(X)                                                                         \
   X(UPDATE_CYCLE, "cycle")                                                                         \
   X(UPDATE_INCREMENT, "increment")
-/* Wear laws, each a factor on k at a node under the pressure p [MPa], and the growth d ln(p factor)
- * / d ln p that implicit steps ask for; d is the arc_wear_def, law_pressure is p0. The energy law
- * takes k q ds: with friction, its coefficient times Archard's. */
+/* Wear laws: X(name, "name", properties, text for users, factor, growth). A law is a factor on k at
+ * a node under the pressure p [MPa]; growth is d ln(p factor) / d ln p, which implicit steps need;
+ * d is the arc_wear_def. The program knows a law by its row alone. */
 #define ARC_LAW_LIST(X)                                                                            \
-  X(LAW_ARCHARD, "archard", 1, 1)                                                                  \
-  X(LAW_POWER, "power", p > 0 ? pow(p / d->law_pressure, d->law_exponent) : 0,                     \
-    1 + d->law_exponent)                                                                           \
-  X(LAW_THRESHOLD, "threshold", p > d->law_pressure, 1)                                            \
-  X(LAW_ENERGY, "energy", 1, 1)
+  X(LAW_ARCHARD, "archard", ARC_LAW_LINEAR, "1", 1, 1)                                             \
+  X(LAW_POWER, "power", 0, "(p / law_pressure)^law_exponent",                                      \
+    p > 0 ? pow(p / d->law_pressure, d->law_exponent) : 0, 1 + d->law_exponent)                    \
+  X(LAW_THRESHOLD, "threshold", ARC_LAW_JUMPS, "1 where p > law_pressure, 0 elsewhere",            \
+    p > d->law_pressure, 1)                                                                        \
+  X(LAW_ENERGY, "energy", ARC_LAW_OF_SHEAR, "q / p, so that k takes the energy q ds", 1, 1)
+
+#define ARC_LAW_TEXT(name, word, properties, text, ...) " \"" word "\": " text "."
+
+/* Properties of laws. */
+enum {
+  ARC_LAW_LINEAR = 1,  /* Archard's: the wear is k p ds, at every pressure */
+  ARC_LAW_JUMPS = 2,   /* the factor is not a continuous function of p */
+  ARC_LAW_OF_SHEAR = 4 /* the factor stands on the shear q in place of p; needs friction */
+};
 
 typedef enum arc_procedure { ARC_PROCEDURE_LIST(ARC_CHOICE_ENUM) } arc_procedure;
 typedef enum arc_scheme { ARC_SCHEME_LIST(ARC_CHOICE_ENUM) } arc_scheme;
@@ -68,6 +78,7 @@ extern const char *const arc_slip_names[];
 extern const char *const arc_rule_names[];
 extern const char *const arc_update_names[];
 extern const char *const arc_law_names[];
+extern const unsigned arc_law_properties[]; /* by arc_law */
 
 typedef struct arc_wear_record arc_wear_record;
 
@@ -199,10 +210,10 @@ typedef struct arc_loading {
          "When the geometry is updated: after jump cycles together, or at every increment "        \
          "(quasi-continuous).")                                                                    \
   CHOICE(law, law, ARC_LAW_ARCHARD, 0,                                                             \
-         "Wear law, as a factor on k: 1; (p / p0)^m; 1 where p > p0 and 0 elsewhere; or, with "    \
-         "friction, q / p: k takes the energy q ds that is dissipated.")                           \
-  NUMBER(law_pressure, "MPa", 100, ABOVE(0), 0, "Pressure p0 of the law.")                         \
-  NUMBER(law_exponent, "", 1, ABOVE_TO(-1, 10), 0, "Exponent m of the power law.")                 \
+         "Wear law: a factor on k that depends on the pressure p or, with friction, on the "       \
+         "shear q." ARC_LAW_LIST(ARC_LAW_TEXT))                                                    \
+  NUMBER(law_pressure, "MPa", 100, ABOVE(0), 0, "Pressure in the law.")                            \
+  NUMBER(law_exponent, "", 1, ABOVE_TO(-1, 10), 0, "Exponent of the power law.")                   \
   WHOLE(order, "", 2, WITHIN(1, 2), 0,                                                             \
         "Order of the implicit scheme: pressures of the end of the update, or of its start, a "    \
         "stage on the way and its end (TR-BDF2).")                                                 \

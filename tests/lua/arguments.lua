@@ -71,7 +71,7 @@ fails(function() wear{ alpha = { distanc = {} } } end,
   "unknown field 'alpha.distanc' (did you mean 'distance'?)", "names in a series")
 fails(function() wear{ tolerance = 1e-3 } end, { "tolerance", "implicit" }, "a tolerance is for the implicit scheme")
 fails(function() wear{ order = 3 } end, "field 'order': expected a whole number in [1, 2], got 3", "order")
-fails(function() wear{ law = "coulomb" } end, [["archard", "power", "threshold" or "energy"]], "law")
+fails(function() wear{ law = "coulomb" } end, [[expected "archard", "power", ]], "law")
 
 -- error objects
 local err = fails(function() wear{ alpha = 2 } end, "arguments.lua:", "position of the caller")

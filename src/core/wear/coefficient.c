@@ -106,7 +106,7 @@ void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *rec
 /* The laws as the list has them: a factor on k, and how p times it grows with p. */
 static double law_factor(const arc_wear_def *d, double p) {
   switch (d->law) {
-#define LAW_FACTOR(name, text, factor, growth)                                                     \
+#define LAW_FACTOR(name, word, properties, text, factor, growth)                                   \
   case ARC_##name:                                                                                 \
     return factor;
     ARC_LAW_LIST(LAW_FACTOR)
@@ -117,7 +117,7 @@ static double law_factor(const arc_wear_def *d, double p) {
 static double law_growth(const arc_wear_def *d, double p) {
   (void)p; /* not every list has a law whose growth depends on it */
   switch (d->law) {
-#define LAW_GROWTH(name, text, factor, growth)                                                     \
+#define LAW_GROWTH(name, word, properties, text, factor, growth)                                   \
   case ARC_##name:                                                                                 \
     return growth;
     ARC_LAW_LIST(LAW_GROWTH)
@@ -135,7 +135,7 @@ double arc_wear_law(const arc_wear *w, double p) {
 }
 
 double arc_wear_law_rubbed(const arc_wear *w, double p, double mu) {
-  return w->def.law == ARC_LAW_ENERGY ? mu * p : arc_wear_law(w, p);
+  return (arc_law_properties[w->def.law] & ARC_LAW_OF_SHEAR ? mu : 1) * arc_wear_law(w, p);
 }
 
 static arc_status ask_factors(const arc_wear *w, const arc_wear_record *state, arc_body body,

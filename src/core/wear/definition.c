@@ -16,6 +16,8 @@ const char *const arc_slip_names[] = {ARC_SLIP_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_rule_names[] = {ARC_RULE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_update_names[] = {ARC_UPDATE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_law_names[] = {ARC_LAW_LIST(ARC_CHOICE_NAME) NULL};
+#define LAW_PROPERTIES(name, text, properties, ...) properties,
+const unsigned arc_law_properties[] = {ARC_LAW_LIST(LAW_PROPERTIES)};
 
 /* Choices that are decided by comparison: a new one would quietly run as an old one. Whoever adds
  * one decides it in the places named, then counts it here. (Laws are formulas in their list.) */
@@ -258,11 +260,11 @@ static arc_status check_loading(const arc_wear_def *d, const arc_model_def *mode
 static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
   if (d->tolerance > 0 && d->scheme != ARC_IMPLICIT)
     return arc_fail(error, ARC_ARGUMENT, "field 'tolerance': needs scheme = \"implicit\"");
-  if (d->tolerance > 0 && d->law == ARC_LAW_THRESHOLD)
-    return arc_fail(
-        error, ARC_ARGUMENT,
-        "field 'tolerance': no step is short enough for law = \"threshold\", which jumps; use "
-        "scheme = \"explicit\" with jump = \"auto\"");
+  if (d->tolerance > 0 && (arc_law_properties[d->law] & ARC_LAW_JUMPS))
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'tolerance': no step is short enough for law = \"%s\", which jumps; use "
+                    "scheme = \"explicit\" with jump = \"auto\"",
+                    arc_law_names[d->law]);
   if (d->jump_auto && d->scheme == ARC_IMPLICIT)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'jump': \"auto\" is for scheme = \"explicit\"; give the implicit scheme "
@@ -310,9 +312,9 @@ static arc_status check_friction(const arc_wear_def *d, const arc_model_def *mod
   if (!arc_wear_rubs(d) && d->tangential > 0)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': a force drives the plate by friction only; give friction");
-  if (!arc_wear_rubs(d) && d->law == ARC_LAW_ENERGY)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'law': \"energy\" is that of friction; give friction");
+  if (!arc_wear_rubs(d) && (arc_law_properties[d->law] & ARC_LAW_OF_SHEAR))
+    return arc_fail(error, ARC_ARGUMENT, "field 'law': \"%s\" is that of friction; give friction",
+                    arc_law_names[d->law]);
   if (!arc_wear_rubs(d)) return ARC_OK;
   if (d->procedure == ARC_NSP && !arc_wear_over_plate(d, model))
     return refuse_with_friction("procedure", "expected \"SP\": slip needs the way of the plate",

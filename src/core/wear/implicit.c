@@ -142,7 +142,7 @@ static arc_status run(newton *s, wear_depths *depth) {
 static double pressed_of(const newton *s, const wear_depths *depth) {
   const arc_wear_def *d = &s->w->def;
   const int b = s->dose.k[ARC_CYLINDER] > 0 ? ARC_CYLINDER : ARC_PLATE;
-  if (d->law != ARC_LAW_ARCHARD || d->local_factor || !(s->dose.k[b] > 0))
+  if (!(arc_law_properties[d->law] & ARC_LAW_LINEAR) || d->local_factor || !(s->dose.k[b] > 0))
     return s->dose.cycles * s->pressed;
   double sum = 0;
   for (int i = 0; i < s->window.shape->side[b].n; i++)

@@ -47,7 +47,7 @@ static void deepen(pose *p, const wear_trial *trial) {
 static void apply_law(const arc_wear *w, const wear_window *window, const pose *p,
                       wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
-  if (w->def.law == ARC_LAW_ARCHARD && w->def.spin == 0) {
+  if ((arc_law_properties[w->def.law] & ARC_LAW_LINEAR) && w->def.spin == 0) {
     memcpy(qc, point->p[ARC_CYLINDER], (size_t)w->path.nodes * sizeof *qc);
     return;
   }

@@ -8,8 +8,9 @@
 static int stays_as_it_is(const arc_wear *w) {
   const arc_wear_def *d = &w->def;
   return d->alpha == 0 && !d->alpha_function && d->alpha_series.count == 0 &&
-         arc_model_is_hertzian(arc_model_definition(w->model)) && d->law == ARC_LAW_ARCHARD &&
-         !d->local_factor && w->over_plate && w->procedure == ARC_NSP;
+         arc_model_is_hertzian(arc_model_definition(w->model)) &&
+         (arc_law_properties[d->law] & ARC_LAW_LINEAR) && !d->local_factor && w->over_plate &&
+         w->procedure == ARC_NSP;
 }
 
 int arc_wear_closed_form(const arc_wear *w) {

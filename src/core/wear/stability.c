@@ -100,7 +100,7 @@ static int may_be_past(const arc_wear *w, const wear_block *block, const double 
   static const double fallen = 0.8;
   const wear_judged *j = &w->judged;
   if (j->block != block) return 1;
-  if ((w->def.law != ARC_LAW_ARCHARD || w->def.local_factor) &&
+  if ((!(arc_law_properties[w->def.law] & ARC_LAW_LINEAR) || w->def.local_factor) &&
       arc_wear_last(w)->p_center < fallen * j->p_center)
     return 1; /* the coefficients may grow at other pressures */
   return cycles * eigenvalue_at_most(j, k) > 2;

@@ -21,7 +21,7 @@ typedef struct staging {
  * stages are. */
 static staging staging_of(const arc_wear *w) {
   static const staging smooth = {3, 14, 0.85, 0}, jumping = {30, 1200, 0.01, 1};
-  return w->def.law == ARC_LAW_THRESHOLD ? jumping : smooth;
+  return arc_law_properties[w->def.law] & ARC_LAW_JUMPS ? jumping : smooth;
 }
 
 /* Nodes shallower than this share of the deepest do not speak in the error. */

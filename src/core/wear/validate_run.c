@@ -49,8 +49,8 @@ static int volume_is_known(const arc_wear *w) {
       d->k_function || d->alpha_function || d->k_series.count > 0 || d->alpha_series.count > 0;
   return d->blocks == 0 && d->spin == 0 &&
          !(d->friction > 0 || d->friction_function || d->friction_series.count > 0) &&
-         d->slip == ARC_SLIP_RIGID && d->law == ARC_LAW_ARCHARD && !d->local_factor &&
-         !(varies && d->update == ARC_UPDATE_INCREMENT);
+         d->slip == ARC_SLIP_RIGID && (arc_law_properties[d->law] & ARC_LAW_LINEAR) &&
+         !d->local_factor && !(varies && d->update == ARC_UPDATE_INCREMENT);
 }
 
 static arc_status check_volume(const arc_wear_def *d, const arc_wear_record *before,
