@@ -4,8 +4,8 @@
 #include "check.h"
 
 #include "core/base/dense.h"
-#include "core/contact/friction.h"
-#include "core/contact/solution.h"
+#include "core/friction/friction.h"
+#include "core/plane/solution.h"
 
 /* --- a history ------------------------------------------------------------------------------- */
 

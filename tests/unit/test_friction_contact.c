@@ -2,8 +2,8 @@
  * solutions may not be unique. Reaches into contact to spoil its numbers. */
 #include "check.h"
 
-#include "core/contact/friction.h"
-#include "core/contact/solution.h"
+#include "core/friction/friction.h"
+#include "core/plane/solution.h"
 
 static arc_contact *pressed(arc_model *model, double load, double friction,
                             const arc_callbacks *callbacks) {

@@ -3,7 +3,7 @@
 #include "check.h"
 
 #include "core/contact/pose.h"
-#include "core/contact/recovery.h"
+#include "core/plane/recovery.h"
 
 typedef struct recovered {
   const elastic_body *body;

@@ -1,7 +1,7 @@
 /* The validators: sound contacts and runs pass, each kind of damage is found and named. */
 #include "runs.h"
 
-#include "core/contact/solution.h"
+#include "core/plane/solution.h"
 #include "core/wear/run.h"
 
 /* --- contacts --- */

@@ -4,7 +4,7 @@
 #define WEAR_PATH_H
 
 #include "archard/wear.h"
-#include "core/contact/friction.h"
+#include "core/friction/friction.h"
 #include "core/elastic/width.h"
 
 /* A block of loading: points, which of them share a pose, how often. */

@@ -1,8 +1,8 @@
 /* Inside of arc_contact, for contact.c, motion.c, field.c and stick.c. */
-#ifndef CONTACT_SOLUTION_H
-#define CONTACT_SOLUTION_H
+#ifndef PLANE_SOLUTION_H
+#define PLANE_SOLUTION_H
 
-#include "core/contact/friction.h"
+#include "core/friction/friction.h"
 
 struct arc_contact {
   arc_shape *shape; /* own copy: fields come from the shape that was solved */

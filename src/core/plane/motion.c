@@ -1,5 +1,5 @@
 /* Contacts with friction: pressed together, and moved from there. Leans on friction.c. */
-#include "core/contact/solution.h"
+#include "core/plane/solution.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Whether a contact solution is one: balance of forces, and complementarity recomputed from the
  * contact matrix. Leans on pose.h for the matrix. */
 #include "core/base/dense.h"
-#include "core/contact/solution.h"
+#include "core/plane/solution.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,7 +1,8 @@
 /* One increment of Coulomb friction: pressures with shear held, shear with its bounds held, by
  * turns until gaps no longer change; each is a symmetric problem with a solver that always ends.
- * For similar bodies that is quick; where the coupling is strong coupled.c is tried in between. */
-#include "core/contact/friction.h"
+ * For similar bodies that is quick; where the coupling is strong friction_newton.c is tried in
+ * between. */
+#include "core/friction/friction.h"
 #include "core/base/dense.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Where a contact with friction sticks. */
-#include "core/contact/solution.h"
+#include "core/plane/solution.h"
 
 #include <math.h>
 

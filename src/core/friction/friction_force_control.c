@@ -2,7 +2,7 @@
  * to either side, under one force and a whole range of motions; slopes make one of them right,
  * through the pressures. The force grows with the motion, so that it can be bracketed. */
 #include "core/base/dense.h"
-#include "core/contact/friction.h"
+#include "core/friction/friction.h"
 
 #include <math.h>
 

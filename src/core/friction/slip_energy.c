@@ -14,10 +14,10 @@
  * since s / c. Beyond the edge of the contact mu times the gap stands for s, as what normal load
  * is to pressures and gaps, force is to shear and slip. What is left are terms of fourth order in
  * the element. A way after a turn is twice one of half its length from surfaces without shear
- * (turns.c): the ends are always those of such a way, whatever forces were before. Bodies unlike
- * each other have neither one pressure under one load nor nodes that slip in that order: there the
- * sum is left as it is. */
-#include "core/contact/friction.h"
+ * (friction_hysteresis.c): the ends are always those of such a way, whatever forces were before.
+ * Bodies unlike each other have neither one pressure under one load nor nodes that slip in that
+ * order: there the sum is left as it is. */
+#include "core/friction/friction.h"
 #include "core/base/dense.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
  * strain along it, which the nodes' displacements give to second order. Inside, quadratic
  * polynomials are fitted to both around each node (patch recovery after Zienkiewicz and Zhu, with
  * the boundary's values among the data). */
-#include "core/contact/recovery.h"
+#include "core/plane/recovery.h"
 #include "core/base/dense.h"
 
 #include <math.h>

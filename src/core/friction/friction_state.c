@@ -1,5 +1,5 @@
 /* What friction remembers: room and copies; how it begins. */
-#include "core/contact/friction.h"
+#include "core/friction/friction.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -14,8 +14,8 @@
  * the increment (backward Euler); r before it is made from the displacements that the points of
  * both surfaces had, whichever points face each other now.
  */
-#ifndef CONTACT_FRICTION_H
-#define CONTACT_FRICTION_H
+#ifndef FRICTION_FRICTION_H
+#define FRICTION_FRICTION_H
 
 #include "core/contact/pose.h"
 
@@ -80,7 +80,7 @@ typedef struct friction_room {
   const grip *grip; /* the shear problem's factor belongs to */
   long version;
   double x;
-  double *coupled; /* [(2 nc) x (2 nc + 3)] of coupled.c */
+  double *coupled; /* [(2 nc) x (2 nc + 3)] of friction_newton.c */
   int *pivots;     /* [6 * nc] as well */
   int patience;    /* sweeps before the coupled iteration is tried: 4, tests take more */
   int by_force;    /* sweeps before a given force is bracketed: 50, tests take none */
@@ -94,7 +94,7 @@ arc_status arc_friction_room_create(friction_room *w, const arc_model *model);
 void arc_friction_room_free(friction_room *w);
 size_t arc_friction_room_bytes(const friction_room *w);
 
-/* What the ends of a sum over nodes are off [mm, N], of each order; see between.c. */
+/* What the ends of a sum over nodes are off [mm, N], of each order; see slip_energy.c. */
 typedef struct friction_terms {
   double even, odd;
 } friction_terms;
@@ -104,7 +104,7 @@ typedef struct friction_turn {
   double force, energy;
 } friction_turn;
 
-/* What is not yet forgotten of the plate's ways under one load; see turns.c. */
+/* What is not yet forgotten of the plate's ways under one load; see friction_hysteresis.c. */
 enum { ARC_FRICTION_TURNS = 64 };
 typedef struct friction_memory {
   int sense; /* of the present way: 1 along x, -1 against it; 0: load and motion change together */
@@ -126,7 +126,7 @@ typedef struct friction_state {
   double line;       /* [N/mm] */
   double tangential; /* [N/mm] */
   double energy;     /* [N] dissipated per thickness, all increments */
-  double between;    /* [N] part of it that the nodes do not see (between.c) */
+  double between;    /* [N] part of it that the nodes do not see (slip_energy.c) */
   friction_memory memory;
   double *f, *t;         /* [nc] forces by cylinder node [N/mm] */
   double *slip;          /* [nc] ds of the last increment [mm] */
@@ -192,7 +192,8 @@ typedef struct friction_task {
 
 /* Pressures and shear by turns, for a given force or motion. 1 solved, 0 not, -1 broke down. */
 int arc_friction_sweeps(friction_task *k, int limit);
-/* A given force by the motion that leads to it (bracket.c), where the sweeps do not end. */
+/* A given force by the motion that leads to it (friction_force_control.c), where the sweeps do not
+ * end. */
 int arc_friction_bracket(friction_task *k);
 
 /* Notes where the plate turns, before the increment's forces are taken over. */
@@ -208,8 +209,8 @@ void arc_friction_between(friction_task *k, friction_state *s);
 /* ds of a candidate [mm] by the forces that w->dragged belongs to. */
 double arc_friction_slip(const friction_task *k, int candidate);
 
-/* The increment at once by semismooth Newton, from the sets of the last sweep (coupled.c). Returns
- * 1 solved, 0 not; then only p's set and w's ways have changed. */
+/* The increment at once by semismooth Newton, from the sets of the last sweep (friction_newton.c).
+ * Returns 1 solved, 0 not; then only p's set and w's ways have changed. */
 int arc_friction_newton(friction_task *k);
 
 /* result [count] := A_nt t, by candidate. */

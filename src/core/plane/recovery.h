@@ -1,6 +1,6 @@
 /* Stresses at nodes from the displacements of a loaded body. */
-#ifndef CONTACT_RECOVERY_H
-#define CONTACT_RECOVERY_H
+#ifndef PLANE_RECOVERY_H
+#define PLANE_RECOVERY_H
 
 #include "core/elastic/body.h"
 

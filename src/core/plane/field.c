@@ -1,6 +1,6 @@
 /* Displacements and stresses inside a body, by back-substitution from a contact solution. */
-#include "core/contact/recovery.h"
-#include "core/contact/solution.h"
+#include "core/plane/recovery.h"
+#include "core/plane/solution.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,14 +3,14 @@
  */
 #include "core/base/dense.h"
 #include "core/base/wide.h"
-#include "core/contact/friction.h"
+#include "core/friction/friction.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Bodies count as alike up to this Dundurs' beta: sums over nodes with their ends (between.c) are
- * nearer to finer meshes' than without. Beyond, increments begin to tell in the ends. */
+/* Bodies count as alike up to this Dundurs' beta: sums over nodes with their ends (slip_energy.c)
+ * are nearer to finer meshes' than without. Beyond, increments begin to tell in the ends. */
 static const double coupled = 0.1;
 
 arc_status arc_grip_create(grip *g, const arc_model *model) {

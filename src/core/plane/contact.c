@@ -1,6 +1,6 @@
 /* One contact solution as an object: a pose, solved, and what users ask of it. */
 #include "core/base/callbacks.h"
-#include "core/contact/solution.h"
+#include "core/plane/solution.h"
 #include "core/elastic/width.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
  * and that no later way has passed. The first way, on surfaces without shear, is half such a way
  * from the other side. Where there was shear that another load has left, nothing is known of the
  * first way; of those after it, as long as the force stays where it was since. */
-#include "core/contact/friction.h"
+#include "core/friction/friction.h"
 
 #include <math.h>
 #include <string.h>

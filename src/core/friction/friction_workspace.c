@@ -1,5 +1,5 @@
 /* Room for increments with friction. */
-#include "core/contact/friction.h"
+#include "core/friction/friction.h"
 
 #include <stdlib.h>
 

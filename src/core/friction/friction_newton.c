@@ -6,7 +6,7 @@
  * Unknowns: forces f in contact, then shear t of the nodes that stick; approach and the plate's
  * motion under a given tangential force come out of the resultants. */
 #include "core/base/dense.h"
-#include "core/contact/friction.h"
+#include "core/friction/friction.h"
 
 #include <math.h>
 #include <string.h>

@@ -5,7 +5,7 @@
  * method takes over: its objective falls with every set, so no set comes back.
  */
 #include "core/base/dense.h"
-#include "core/contact/friction.h"
+#include "core/friction/friction.h"
 
 #include <math.h>
 #include <string.h>
