@@ -13,7 +13,7 @@ typedef struct history {
   arc_shape *shape;
   pose pose;
   grip grip;
-  friction_room room;
+  friction_workspace room;
   friction_state state, before;
   double mu, slope; /* steepest of the surfaces */
 } history;
@@ -67,7 +67,7 @@ static void go(history *h, const friction_step *step) {
 static void check_gaps(const history *h) {
   const pose *p = &h->pose;
   const grip *g = &h->grip;
-  const friction_room *w = &h->room;
+  const friction_workspace *w = &h->room;
   pose plain;
   assert_int_equal(arc_pose_create(&plain, h->shape->model), ARC_OK);
   check_ok(arc_pose_update(&plain, h->shape, p->x, why));

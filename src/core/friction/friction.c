@@ -53,7 +53,7 @@ static void set_shear(friction_task *k) {
 /* Its solution to w->t and w->slip, by candidate. */
 static void take_shear(friction_task *k) {
   grip *g = k->g;
-  friction_room *w = k->w;
+  friction_workspace *w = k->w;
   memset(w->t, 0, (size_t)g->count * sizeof *w->t);
   memset(w->slip, 0, (size_t)g->count * sizeof *w->slip);
   for (int i = 0; i < w->shear.n; i++) {
@@ -101,7 +101,7 @@ static void take_over(friction_task *k, const double *sheared, double held) {
 /* One sweep. Returns 1 where nothing changed any more, 0 where something did, -1 on breakdown. */
 static int sweep(friction_task *k) {
   grip *g = k->g;
-  friction_room *w = k->w;
+  friction_workspace *w = k->w;
   double *sheared = w->work;
   set_gaps(k);
   if (arc_lcp_solve(k->p, k->step->line - k->held) != ARC_OK) return -1;
@@ -178,7 +178,7 @@ static void set_of(pose *p, const friction_state *s) {
 }
 
 /* The factor of the shear problem stays while increments stay on one pose. */
-static void take_grip(grip *g, const pose *p, friction_room *w) {
+static void take_grip(grip *g, const pose *p, friction_workspace *w) {
   arc_grip_update(g, p, w->work);
   if (w->grip != g || w->version != g->version || w->x != g->x) w->shear.factored = 0;
   w->grip = g;
@@ -189,7 +189,7 @@ static void take_grip(grip *g, const pose *p, friction_room *w) {
 static void begin(friction_task *k) {
   pose *p = k->p;
   grip *g = k->g;
-  friction_room *w = k->w;
+  friction_workspace *w = k->w;
   const double at = k->step->by_force ? k->from->x : k->step->x;
   take_grip(g, p, w);
   if (p->active == 0) set_of(p, k->from);
@@ -215,7 +215,7 @@ double arc_friction_slip(const friction_task *k, int candidate) {
 /* Slip of the candidates that do not touch. */
 static void slip_of_open(friction_task *k) {
   const pose *p = k->p;
-  friction_room *w = k->w;
+  friction_workspace *w = k->w;
   arc_grip_drag_all(k->g, p->f, w->t, w->dragged);
   for (int c = 0, s = 0; c < p->count; c++) {
     const int touches = s < p->active && p->set[s] == c;
@@ -226,7 +226,7 @@ static void slip_of_open(friction_task *k) {
 
 static void take_forces(const friction_task *k, friction_state *s) {
   const pose *p = k->p;
-  friction_room *w = k->w;
+  friction_workspace *w = k->w;
   const size_t bytes = (size_t)s->nc * sizeof *s->f;
   double *before = k->w->work;
   memcpy(before, s->f, bytes);
@@ -280,7 +280,7 @@ static arc_status slides(const friction_task *k, arc_error *error) {
                   k->step->tangential, k->step->line, k->step->mu);
 }
 
-arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction_step *step,
+arc_status arc_friction_solve(pose *p, grip *g, friction_workspace *w, const friction_step *step,
                               friction_state *s, arc_error *error) {
   friction_task k = {.p = p, .g = g, .w = w, .step = step, .from = s};
   if (step->line == 0 && (!step->by_force || step->tangential == 0)) {
@@ -299,7 +299,7 @@ arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction
   return status;
 }
 
-void arc_friction_forces_on(const pose *p, friction_room *w, arc_body body, double *force) {
+void arc_friction_forces_on(const pose *p, friction_workspace *w, arc_body body, double *force) {
   double *fx = w->work, *fy = fx + p->nc;
   memset(fx, 0, 2 * (size_t)p->nc * sizeof *fx);
   for (int k = 0; k < p->count; k++) {

@@ -65,7 +65,7 @@ size_t arc_grip_bytes(const grip *g);
 void arc_grip_update(grip *g, const pose *p, double *work);
 
 /* Room for an increment, and its solution until the next one; one serves any number of poses. */
-typedef struct friction_room {
+typedef struct friction_workspace {
   int nc, np;
   double *gap;     /* [nc] gaps with the plate at the increment's x, without those of shear */
   double *sheared; /* [nc] A_nt t */
@@ -88,11 +88,11 @@ typedef struct friction_room {
   int iterations;  /* sets it went through, all of them */
   int newton;      /* whether the coupled iteration found it */
   int bracketed;   /* whether the motion under a given force had to be bracketed */
-} friction_room;
+} friction_workspace;
 
-arc_status arc_friction_room_create(friction_room *w, const arc_model *model);
-void arc_friction_room_free(friction_room *w);
-size_t arc_friction_room_bytes(const friction_room *w);
+arc_status arc_friction_room_create(friction_workspace *w, const arc_model *model);
+void arc_friction_room_free(friction_workspace *w);
+size_t arc_friction_room_bytes(const friction_workspace *w);
 
 /* What the ends of a sum over nodes are off [mm, N], of each order; see slip_energy.c. */
 typedef struct friction_terms {
@@ -162,7 +162,7 @@ friction_step arc_friction_pressing(const friction_step *to, int i, int n);
  * near it. p->f, p->approach, w->t and w->slip hold the solution, p->gap the gaps with what shear
  * does to them. ARC_ARGUMENT (friction does not carry the tangential force), ARC_ZONE,
  * ARC_NUMERIC: the state is unchanged. */
-arc_status arc_friction_solve(pose *p, grip *g, friction_room *w, const friction_step *step,
+arc_status arc_friction_solve(pose *p, grip *g, friction_workspace *w, const friction_step *step,
                               friction_state *s, arc_error *error);
 
 /* Says where friction and the difference of the materials are so large that the solution may not be
@@ -171,7 +171,7 @@ void arc_friction_warn(const arc_model *model, double mu, const char *who,
                        const arc_callbacks *callbacks);
 
 /* Forces of the solution on a body's surface [N/mm], as arc_pose_forces_on. */
-void arc_friction_forces_on(const pose *p, friction_room *w, arc_body body, double *force);
+void arc_friction_forces_on(const pose *p, friction_workspace *w, arc_body body, double *force);
 
 /* --- between its files ------------------------------------------------------------------------ */
 
@@ -179,7 +179,7 @@ void arc_friction_forces_on(const pose *p, friction_room *w, arc_body body, doub
 typedef struct friction_task {
   pose *p;
   grip *g;
-  friction_room *w;
+  friction_workspace *w;
   const friction_step *step;
   const friction_state *from;
   double approach;    /* [mm] before the increment; from nothing, where it first touches */

@@ -21,7 +21,7 @@ typedef struct coupled {
 } coupled;
 
 static void take_room(coupled *c) {
-  friction_room *w = c->k->w;
+  friction_workspace *w = c->k->w;
   const size_t n = 2 * (size_t)w->nc;
   c->a = w->coupled;
   c->b = w->coupled + n * n;
@@ -117,7 +117,7 @@ static int find_rigid(coupled *c, double rigid[2]) {
 static int solve_on_sets(coupled *c) {
   friction_task *k = c->k;
   pose *p = k->p;
-  friction_room *w = k->w;
+  friction_workspace *w = k->w;
   double rigid[2];
   if (c->na == 0) return 0;
   for (int i = 0; i < c->na; i++) fill_force(c, i, p->set[i]);
@@ -137,7 +137,7 @@ static int solve_on_sets(coupled *c) {
 static void spread(coupled *c) {
   const pose *p = c->k->p;
   grip *g = c->k->g;
-  friction_room *w = c->k->w;
+  friction_workspace *w = c->k->w;
   memset(p->f, 0, (size_t)p->count * sizeof *p->f);
   memset(w->t, 0, (size_t)p->count * sizeof *w->t);
   for (int i = 0; i < c->na; i++) {
@@ -156,7 +156,7 @@ static void spread(coupled *c) {
 
 /* The way of a node in contact. */
 static int next_way(const coupled *c, int at) {
-  friction_room *w = c->k->w;
+  friction_workspace *w = c->k->w;
   const int way = c->way[at];
   if (way != 0) return way * w->slip[at] < 0 ? 0 : way;
   if (fabs(w->t[at]) <= c->k->step->mu * c->k->p->f[at]) return 0;
@@ -183,7 +183,7 @@ static int update_sets(coupled *c) {
 
 static int iterate(coupled *c) {
   const pose *p = c->k->p;
-  friction_room *w = c->k->w;
+  friction_workspace *w = c->k->w;
   for (int i = 0; i < newton_limit; i++) {
     list_sets(c);
     if (!solve_on_sets(c)) return 0;
@@ -205,7 +205,7 @@ static void save(const coupled *c, double *t, double *slip, int *set) {
 
 int arc_friction_newton(friction_task *k) {
   grip *g = k->g;
-  friction_room *w = k->w;
+  friction_workspace *w = k->w;
   pose *p = k->p;
   coupled c = {.k = k};
   double *t = w->work, *slip = t + g->nc, *sheared = slip + g->nc;

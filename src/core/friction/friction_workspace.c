@@ -24,10 +24,10 @@ static size_t coupled_size(size_t nc) {
   return 2 * nc * (2 * nc + 3);
 }
 
-arc_status arc_friction_room_create(friction_room *w, const arc_model *model) {
+arc_status arc_friction_room_create(friction_workspace *w, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
-  *w = (friction_room){.nc = (int)nc, .np = (int)np, .patience = 4, .by_force = 50};
+  *w = (friction_workspace){.nc = (int)nc, .np = (int)np, .patience = 4, .by_force = 50};
   w->gap = calloc(7 * nc + 4 * (nc + np), sizeof(double));
   w->coupled = malloc(coupled_size(nc) * sizeof(double));
   w->pivots = malloc(6 * nc * sizeof(int));
@@ -45,17 +45,17 @@ arc_status arc_friction_room_create(friction_room *w, const arc_model *model) {
   return ARC_OK;
 }
 
-void arc_friction_room_free(friction_room *w) {
+void arc_friction_room_free(friction_workspace *w) {
   free(w->gap);
   free(w->coupled);
   free(w->pivots);
   free(w->shear.bound);
   free(w->shear.factor);
   free(w->shear.way);
-  *w = (friction_room){0};
+  *w = (friction_workspace){0};
 }
 
-size_t arc_friction_room_bytes(const friction_room *w) {
+size_t arc_friction_room_bytes(const friction_workspace *w) {
   const size_t nc = (size_t)w->nc, np = (size_t)w->np;
   return sizeof *w + (nc * nc + coupled_size(nc) + 19 * nc + 4 * np) * sizeof(double) +
          9 * nc * sizeof(int);

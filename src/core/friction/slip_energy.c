@@ -148,7 +148,7 @@ static int way_beside(const friction_task *k, int from, int side, int *apart) {
  * are nearest, or up to the nearer bound. */
 static void guess_reserve(friction_task *k) {
   const double mu = k->step->mu;
-  const friction_room *w = k->w;
+  const friction_workspace *w = k->w;
   for (int c = 0; c < k->p->count; c++) {
     int left, right, apart[2];
     left = way_beside(k, c, -1, &apart[0]);

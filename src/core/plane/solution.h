@@ -17,7 +17,7 @@ struct arc_contact {
   int rubs;       /* whether there is friction, and what is below */
   double mu;      /* coefficient of the last increment */
   grip grip;
-  friction_room room;
+  friction_workspace room;
   friction_state state;
 };
 

@@ -66,7 +66,7 @@ typedef struct wear_path {
   /* with friction */
   int rubs;
   grip *grip; /* [poses] */
-  friction_room room;
+  friction_workspace room;
   friction_state state;
 } wear_path;
 
