@@ -40,7 +40,7 @@ static void begin(history *h, arc_model *model, double mu, double worn) {
   if (worn > 0) wear_down(h, worn);
   assert_int_equal(arc_pose_create(&h->pose, model), ARC_OK);
   assert_int_equal(arc_grip_create(&h->grip, model), ARC_OK);
-  assert_int_equal(arc_friction_room_create(&h->room, model), ARC_OK);
+  assert_int_equal(arc_friction_workspace_create(&h->room, model), ARC_OK);
   assert_int_equal(arc_friction_create(&h->state, model, 0), ARC_OK);
   assert_int_equal(arc_friction_create(&h->before, model, 0), ARC_OK);
 }
@@ -48,7 +48,7 @@ static void begin(history *h, arc_model *model, double mu, double worn) {
 static void end(history *h) {
   arc_friction_free(&h->before);
   arc_friction_free(&h->state);
-  arc_friction_room_free(&h->room);
+  arc_friction_workspace_free(&h->room);
   arc_grip_free(&h->grip);
   arc_pose_free(&h->pose);
   arc_shape_destroy(&h->shape);

@@ -90,9 +90,9 @@ typedef struct friction_workspace {
   int bracketed;   /* whether the motion under a given force had to be bracketed */
 } friction_workspace;
 
-arc_status arc_friction_room_create(friction_workspace *w, const arc_model *model);
-void arc_friction_room_free(friction_workspace *w);
-size_t arc_friction_room_bytes(const friction_workspace *w);
+arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model *model);
+void arc_friction_workspace_free(friction_workspace *w);
+size_t arc_friction_workspace_bytes(const friction_workspace *w);
 
 /* What the ends of a sum over nodes are off [mm, N], of each order; see slip_energy.c. */
 typedef struct friction_terms {

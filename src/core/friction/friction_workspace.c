@@ -24,7 +24,7 @@ static size_t coupled_size(size_t nc) {
   return 2 * nc * (2 * nc + 3);
 }
 
-arc_status arc_friction_room_create(friction_workspace *w, const arc_model *model) {
+arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
   *w = (friction_workspace){.nc = (int)nc, .np = (int)np, .patience = 4, .by_force = 50};
@@ -32,7 +32,7 @@ arc_status arc_friction_room_create(friction_workspace *w, const arc_model *mode
   w->coupled = malloc(coupled_size(nc) * sizeof(double));
   w->pivots = malloc(6 * nc * sizeof(int));
   if (!w->gap || !w->coupled || !w->pivots || create_shear(&w->shear, nc) != ARC_OK) {
-    arc_friction_room_free(w);
+    arc_friction_workspace_free(w);
     return ARC_MEMORY;
   }
   w->sheared = w->gap + nc;
@@ -45,7 +45,7 @@ arc_status arc_friction_room_create(friction_workspace *w, const arc_model *mode
   return ARC_OK;
 }
 
-void arc_friction_room_free(friction_workspace *w) {
+void arc_friction_workspace_free(friction_workspace *w) {
   free(w->gap);
   free(w->coupled);
   free(w->pivots);
@@ -55,7 +55,7 @@ void arc_friction_room_free(friction_workspace *w) {
   *w = (friction_workspace){0};
 }
 
-size_t arc_friction_room_bytes(const friction_workspace *w) {
+size_t arc_friction_workspace_bytes(const friction_workspace *w) {
   const size_t nc = (size_t)w->nc, np = (size_t)w->np;
   return sizeof *w + (nc * nc + coupled_size(nc) + 19 * nc + 4 * np) * sizeof(double) +
          9 * nc * sizeof(int);

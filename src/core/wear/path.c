@@ -20,7 +20,7 @@ arc_status arc_path_create(wear_path *path, const arc_model *model, int rubs) {
     }
   }
   if (!rubs) return ARC_OK;
-  const arc_status status = arc_friction_room_create(&path->room, model);
+  const arc_status status = arc_friction_workspace_create(&path->room, model);
   return status == ARC_OK ? arc_friction_create(&path->state, model, 0) : status;
 }
 
@@ -38,7 +38,7 @@ static void leave(wear_path *path) {
 void arc_path_free(wear_path *path) {
   leave(path);
   if (path->rubs) {
-    arc_friction_room_free(&path->room);
+    arc_friction_workspace_free(&path->room);
     arc_friction_free(&path->state);
   }
   free(path->point[0].p[0]);
