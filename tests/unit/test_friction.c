@@ -39,7 +39,7 @@ static void begin(history *h, arc_model *model, double mu, double worn) {
   check_ok(arc_shape_create(model, ARC_MOVING, 0, &h->shape, why));
   if (worn > 0) wear_down(h, worn);
   assert_int_equal(arc_pose_create(&h->pose, model), ARC_OK);
-  assert_int_equal(arc_grip_create(&h->grip, model), ARC_OK);
+  assert_int_equal(arc_tangential_create(&h->grip, model), ARC_OK);
   assert_int_equal(arc_friction_workspace_create(&h->room, model), ARC_OK);
   assert_int_equal(arc_friction_create(&h->state, model, 0), ARC_OK);
   assert_int_equal(arc_friction_create(&h->before, model, 0), ARC_OK);
@@ -49,7 +49,7 @@ static void end(history *h) {
   arc_friction_free(&h->before);
   arc_friction_free(&h->state);
   arc_friction_workspace_free(&h->room);
-  arc_grip_free(&h->grip);
+  arc_tangential_free(&h->grip);
   arc_pose_free(&h->pose);
   arc_shape_destroy(&h->shape);
 }
@@ -87,8 +87,8 @@ static void check_gaps(const history *h) {
 static void check_slip(history *h, double p0) {
   const pose *p = &h->pose;
   double *room = calloc((size_t)(2 * p->nc + p->np), sizeof *room), *was = room, *is = was + p->nc;
-  arc_grip_relative(p, h->before.u, is + p->nc, was);
-  arc_grip_relative(p, h->state.u, is + p->nc, is);
+  arc_tangential_relative(p, h->before.u, is + p->nc, was);
+  arc_tangential_relative(p, h->state.u, is + p->nc, is);
   for (int c = 0; c < p->count; c++) {
     const int i = p->lo + c;
     const double t = h->state.t[i], bound = h->mu * h->state.f[i];
@@ -369,11 +369,11 @@ static void test_displaced(void **state) {
   play(&h, 0, 2);
   wear_down(&h, 0.1);
   check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
-  arc_grip_update(&h.grip, &h.pose, h.room.work);
-  arc_grip_displace(&h.pose, h.grip.flat, h.state.f, h.state.t, h.state.u, h.room.work);
+  arc_tangential_update(&h.grip, &h.pose, h.room.work);
+  arc_tangential_displace(&h.pose, h.grip.flat, h.state.f, h.state.t, h.state.u, h.room.work);
   const pose *p = &h.pose;
   double *r = calloc((size_t)(p->nc + p->np), sizeof *r);
-  arc_grip_relative(p, h.state.u, r + p->nc, r);
+  arc_tangential_relative(p, h.state.u, r + p->nc, r);
   for (int c = 0; c < p->count; c++) {
     double wanted = 0;
     for (int k = 0; k < p->count; k++)

@@ -38,7 +38,7 @@ static void set_shear(friction_task *k) {
   s->a = k->g->tt;
   s->ld = p->count;
   s->by_force = k->by_force;
-  arc_grip_drag(k->g, p->f, p->set[0], p->set[p->active - 1] + 1, k->w->dragged);
+  arc_tangential_drag(k->g, p->f, p->set[0], p->set[p->active - 1] + 1, k->w->dragged);
   for (int i = 0; i < s->n; i++) {
     const int at = p->set[i];
     const double up = p->slope[p->lo + at] * (p->approach - k->approach);
@@ -111,7 +111,7 @@ static int sweep(friction_task *k) {
   if (arc_shear_solve(&w->shear) != 1) return -1;
   w->iterations += k->p->iterations + w->shear.iterations;
   take_shear(k);
-  arc_grip_gaps(g, w->t, sheared);
+  arc_tangential_gaps(g, w->t, sheared);
   const double held = carried_by_shear(k);
   k->change = changed(k, sheared);
   if (k->change <= settled && fabs(held - k->held) <= settled * k->step->line) return 1;
@@ -128,7 +128,7 @@ static int is_closing_in(const friction_task *k, double before) {
 int arc_friction_sweeps(friction_task *k, int limit) {
   int trial = k->w->patience;
   k->w->newton = k->w->sweeps = 0;
-  arc_grip_gaps(k->g, k->w->t, k->w->sheared);
+  arc_tangential_gaps(k->g, k->w->t, k->w->sheared);
   k->held = carried_by_shear(k);
   k->shift = k->w->shear.shift;
   k->change = 0;
@@ -179,7 +179,7 @@ static void set_of(pose *p, const friction_state *s) {
 
 /* The factor of the shear problem stays while increments stay on one pose. */
 static void take_grip(grip *g, const pose *p, friction_workspace *w) {
-  arc_grip_update(g, p, w->work);
+  arc_tangential_update(g, p, w->work);
   if (w->grip != g || w->version != g->version || w->x != g->x) w->shear.factored = 0;
   w->grip = g;
   w->version = g->version;
@@ -193,7 +193,7 @@ static void begin(friction_task *k) {
   const double at = k->step->by_force ? k->from->x : k->step->x;
   take_grip(g, p, w);
   if (p->active == 0) set_of(p, k->from);
-  arc_grip_relative(p, k->from->u, w->work, w->before);
+  arc_tangential_relative(p, k->from->u, w->work, w->before);
   for (int i = 0; i < p->count; i++) {
     w->gap[i] = p->gap[i] + p->slope[p->lo + i] * (at - p->x);
     w->t[i] = k->from->t[p->lo + i];
@@ -216,7 +216,7 @@ double arc_friction_slip(const friction_task *k, int candidate) {
 static void slip_of_open(friction_task *k) {
   const pose *p = k->p;
   friction_workspace *w = k->w;
-  arc_grip_drag_all(k->g, p->f, w->t, w->dragged);
+  arc_tangential_drag_all(k->g, p->f, w->t, w->dragged);
   for (int c = 0, s = 0; c < p->count; c++) {
     const int touches = s < p->active && p->set[s] == c;
     s += touches;
@@ -254,7 +254,7 @@ static void commit(friction_task *k, friction_state *s) {
   s->approach = k->p->approach;
   s->line = k->step->line;
   arc_friction_between(k, s);
-  arc_grip_displace(k->p, k->g->flat, s->f, s->t, s->u, k->w->work);
+  arc_tangential_displace(k->p, k->g->flat, s->f, s->t, s->u, k->w->work);
 }
 
 /* Nothing touches any more. */
@@ -284,7 +284,7 @@ arc_status arc_friction_solve(pose *p, grip *g, friction_workspace *w, const fri
                               friction_state *s, arc_error *error) {
   friction_task k = {.p = p, .g = g, .w = w, .step = step, .from = s};
   if (step->line == 0 && (!step->by_force || step->tangential == 0)) {
-    arc_grip_update(g, p, w->work);
+    arc_tangential_update(g, p, w->work);
     lift(&k, s);
     return ARC_OK;
   }

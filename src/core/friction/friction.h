@@ -58,11 +58,11 @@ typedef struct grip {
   double *tt; /* [count x count] */
 } grip;
 
-arc_status arc_grip_create(grip *g, const arc_model *model);
-void arc_grip_free(grip *g);
-size_t arc_grip_bytes(const grip *g);
+arc_status arc_tangential_create(grip *g, const arc_model *model);
+void arc_tangential_free(grip *g);
+size_t arc_tangential_bytes(const grip *g);
 /* Brings the matrices up to date with a pose that is; work [2 * (nc + np)]. */
-void arc_grip_update(grip *g, const pose *p, double *work);
+void arc_tangential_update(grip *g, const pose *p, double *work);
 
 /* Room for an increment, and its solution until the next one; one serves any number of poses. */
 typedef struct friction_workspace {
@@ -214,14 +214,14 @@ double arc_friction_slip(const friction_task *k, int candidate);
 int arc_friction_newton(friction_task *k);
 
 /* result [count] := A_nt t, by candidate. */
-void arc_grip_gaps(const grip *g, const double *t, double *result);
+void arc_tangential_gaps(const grip *g, const double *t, double *result);
 /* r := A_tn f at candidates first .. last - 1; A_tn f + A_tt t at all of them. */
-void arc_grip_drag(const grip *g, const double *f, int first, int last, double *r);
-void arc_grip_drag_all(const grip *g, const double *f, const double *t, double *r);
+void arc_tangential_drag(const grip *g, const double *f, int first, int last, double *r);
+void arc_tangential_drag_all(const grip *g, const double *f, const double *t, double *r);
 /* r of displacements u on a pose, by candidate; work [np]. */
-void arc_grip_relative(const pose *p, double *const u[ARC_BODIES], double *work, double *r);
+void arc_tangential_relative(const pose *p, double *const u[ARC_BODIES], double *work, double *r);
 /* Displacements of both surfaces under forces f, t [nc] by cylinder node; work [4 * (nc + np)]. */
-void arc_grip_displace(const pose *p, int flat, const double *f, const double *t,
-                       double *const u[ARC_BODIES], double *work);
+void arc_tangential_displace(const pose *p, int flat, const double *f, const double *t,
+                             double *const u[ARC_BODIES], double *work);
 
 #endif

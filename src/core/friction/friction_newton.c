@@ -145,8 +145,8 @@ static void spread(coupled *c) {
     w->t[p->set[i]] = pull_at(c, p->set[i]) * c->b[i];
   }
   for (int i = 0; i < c->ns; i++) w->t[c->stuck[i]] = c->b[c->na + i];
-  arc_grip_gaps(g, w->t, w->sheared);
-  arc_grip_drag_all(g, p->f, w->t, w->dragged);
+  arc_tangential_gaps(g, w->t, w->sheared);
+  arc_tangential_drag_all(g, p->f, w->t, w->dragged);
   for (int i = 0; i < p->count; i++) {
     p->gap[i] = w->gap[i] + slope_at(c, i) * w->shear.shift + w->sheared[i];
     p->open[i] = p->gap[i] - p->approach;

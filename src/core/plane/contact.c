@@ -38,7 +38,7 @@ static arc_status allocate(arc_contact *c) {
     c->q[b] = c->force[b] + 2 * n;
   }
   if (!c->rubs) return ARC_OK;
-  if (arc_grip_create(&c->grip, c->shape->model) != ARC_OK) return ARC_MEMORY;
+  if (arc_tangential_create(&c->grip, c->shape->model) != ARC_OK) return ARC_MEMORY;
   if (arc_friction_workspace_create(&c->room, c->shape->model) != ARC_OK) return ARC_MEMORY;
   return arc_friction_create(&c->state, c->shape->model, c->def.x);
 }
@@ -273,7 +273,7 @@ void arc_contact_destroy(arc_contact **contact) {
   if (!contact || !*contact) return;
   arc_contact *c = *contact;
   arc_pose_free(&c->pose);
-  arc_grip_free(&c->grip);
+  arc_tangential_free(&c->grip);
   arc_friction_workspace_free(&c->room);
   arc_friction_free(&c->state);
   for (int b = 0; b < ARC_BODIES; b++) free(c->x[b]);
@@ -286,7 +286,7 @@ size_t arc_contact_bytes(const arc_contact *c) {
   const size_t nodes = (size_t)(c->count[ARC_CYLINDER] + c->count[ARC_PLATE]);
   return sizeof *c + arc_shape_bytes(c->shape) + arc_pose_bytes(&c->pose) +
          6 * nodes * sizeof(double) +
-         (c->rubs ? arc_grip_bytes(&c->grip) + arc_friction_workspace_bytes(&c->room) : 0) +
+         (c->rubs ? arc_tangential_bytes(&c->grip) + arc_friction_workspace_bytes(&c->room) : 0) +
          (c->rubs ? arc_friction_bytes(&c->state) : 0);
 }
 

@@ -26,7 +26,7 @@ arc_status arc_path_create(wear_path *path, const arc_model *model, int rubs) {
 
 static void leave(wear_path *path) {
   for (int i = 0; i < path->poses; i++) arc_pose_free(&path->pose[i]);
-  for (int i = 0; i < path->poses && path->grip; i++) arc_grip_free(&path->grip[i]);
+  for (int i = 0; i < path->poses && path->grip; i++) arc_tangential_free(&path->grip[i]);
   free(path->pose);
   free(path->grip);
   path->grip = NULL;
@@ -49,7 +49,7 @@ static arc_status make_grips(wear_path *path, const wear_block *block, const arc
   arc_status status = ARC_OK;
   path->grip = calloc((size_t)block->poses, sizeof *path->grip);
   for (int i = 0; i < block->poses && path->grip && status == ARC_OK; i++)
-    status = arc_grip_create(&path->grip[i], model);
+    status = arc_tangential_create(&path->grip[i], model);
   return path->grip ? status : ARC_MEMORY;
 }
 
