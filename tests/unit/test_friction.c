@@ -66,7 +66,7 @@ static void go(history *h, const friction_step *step) {
 /* Gaps by the matrices and the gaps of the shape alone. */
 static void check_gaps(const history *h) {
   const pose *p = &h->pose;
-  const grip *g = &h->grip;
+  const tangential_compliance *g = &h->grip;
   const friction_workspace *w = &h->room;
   pose plain;
   assert_int_equal(arc_pose_create(&plain, h->shape->model), ARC_OK);

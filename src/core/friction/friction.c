@@ -52,7 +52,7 @@ static void set_shear(friction_task *k) {
 
 /* Its solution to w->t and w->slip, by candidate. */
 static void take_shear(friction_task *k) {
-  grip *g = k->g;
+  tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
   memset(w->t, 0, (size_t)g->count * sizeof *w->t);
   memset(w->slip, 0, (size_t)g->count * sizeof *w->slip);
@@ -100,7 +100,7 @@ static void take_over(friction_task *k, const double *sheared, double held) {
 
 /* One sweep. Returns 1 where nothing changed any more, 0 where something did, -1 on breakdown. */
 static int sweep(friction_task *k) {
-  grip *g = k->g;
+  tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
   double *sheared = w->work;
   set_gaps(k);
@@ -178,7 +178,7 @@ static void set_of(pose *p, const friction_state *s) {
 }
 
 /* The factor of the shear problem stays while increments stay on one pose. */
-static void take_grip(grip *g, const pose *p, friction_workspace *w) {
+static void take_grip(tangential_compliance *g, const pose *p, friction_workspace *w) {
   arc_tangential_update(g, p, w->work);
   if (w->grip != g || w->version != g->version || w->x != g->x) w->shear.factored = 0;
   w->grip = g;
@@ -188,7 +188,7 @@ static void take_grip(grip *g, const pose *p, friction_workspace *w) {
 
 static void begin(friction_task *k) {
   pose *p = k->p;
-  grip *g = k->g;
+  tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
   const double at = k->step->by_force ? k->from->x : k->step->x;
   take_grip(g, p, w);
@@ -280,8 +280,8 @@ static arc_status slides(const friction_task *k, arc_error *error) {
                   k->step->tangential, k->step->line, k->step->mu);
 }
 
-arc_status arc_friction_solve(pose *p, grip *g, friction_workspace *w, const friction_step *step,
-                              friction_state *s, arc_error *error) {
+arc_status arc_friction_solve(pose *p, tangential_compliance *g, friction_workspace *w,
+                              const friction_step *step, friction_state *s, arc_error *error) {
   friction_task k = {.p = p, .g = g, .w = w, .step = step, .from = s};
   if (step->line == 0 && (!step->by_force || step->tangential == 0)) {
     arc_tangential_update(g, p, w->work);

@@ -58,11 +58,11 @@ typedef struct grip {
   double *tt; /* [count x count] */
 } grip;
 
-arc_status arc_tangential_create(grip *g, const arc_model *model);
-void arc_tangential_free(grip *g);
-size_t arc_tangential_bytes(const grip *g);
+arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model);
+void arc_tangential_free(tangential_compliance *g);
+size_t arc_tangential_bytes(const tangential_compliance *g);
 /* Brings the matrices up to date with a pose that is; work [2 * (nc + np)]. */
-void arc_tangential_update(grip *g, const pose *p, double *work);
+void arc_tangential_update(tangential_compliance *g, const pose *p, double *work);
 
 /* Room for an increment, and its solution until the next one; one serves any number of poses. */
 typedef struct friction_workspace {
@@ -162,8 +162,8 @@ friction_step arc_friction_pressing(const friction_step *to, int i, int n);
  * near it. p->f, p->approach, w->t and w->slip hold the solution, p->gap the gaps with what shear
  * does to them. ARC_ARGUMENT (friction does not carry the tangential force), ARC_ZONE,
  * ARC_NUMERIC: the state is unchanged. */
-arc_status arc_friction_solve(pose *p, grip *g, friction_workspace *w, const friction_step *step,
-                              friction_state *s, arc_error *error);
+arc_status arc_friction_solve(pose *p, tangential_compliance *g, friction_workspace *w,
+                              const friction_step *step, friction_state *s, arc_error *error);
 
 /* Says where friction and the difference of the materials are so large that the solution may not be
  * the only one. */
@@ -178,7 +178,7 @@ void arc_friction_forces_on(const pose *p, friction_workspace *w, arc_body body,
 /* One increment on its way. */
 typedef struct friction_task {
   pose *p;
-  grip *g;
+  tangential_compliance *g;
   friction_workspace *w;
   const friction_step *step;
   const friction_state *from;
@@ -214,10 +214,12 @@ double arc_friction_slip(const friction_task *k, int candidate);
 int arc_friction_newton(friction_task *k);
 
 /* result [count] := A_nt t, by candidate. */
-void arc_tangential_gaps(const grip *g, const double *t, double *result);
+void arc_tangential_gaps(const tangential_compliance *g, const double *t, double *result);
 /* r := A_tn f at candidates first .. last - 1; A_tn f + A_tt t at all of them. */
-void arc_tangential_drag(const grip *g, const double *f, int first, int last, double *r);
-void arc_tangential_drag_all(const grip *g, const double *f, const double *t, double *r);
+void arc_tangential_drag(const tangential_compliance *g, const double *f, int first, int last,
+                         double *r);
+void arc_tangential_drag_all(const tangential_compliance *g, const double *f, const double *t,
+                             double *r);
 /* r of displacements u on a pose, by candidate; work [np]. */
 void arc_tangential_relative(const pose *p, double *const u[ARC_BODIES], double *work, double *r);
 /* Displacements of both surfaces under forces f, t [nc] by cylinder node; work [4 * (nc + np)]. */

@@ -50,7 +50,7 @@ static double pull_at(const coupled *c, int candidate) {
 /* Column of the force at `from`: gaps of the nodes in contact, then r of those that stick. */
 static void fill_force(coupled *c, int column, int from) {
   const pose *p = c->k->p;
-  const grip *g = c->k->g;
+  const tangential_compliance *g = c->k->g;
   const double pull = pull_at(c, from);
   double *a = &c->a[dense_at(0, column, c->n)];
   for (int i = 0; i < c->na; i++)
@@ -63,7 +63,7 @@ static void fill_force(coupled *c, int column, int from) {
 
 static void fill_shear(coupled *c, int column, int from) {
   const pose *p = c->k->p;
-  const grip *g = c->k->g;
+  const tangential_compliance *g = c->k->g;
   double *a = &c->a[dense_at(0, column, c->n)];
   for (int i = 0; i < c->na; i++) a[i] = g->nt[dense_at(p->set[i], from, p->count)];
   for (int i = 0; i < c->ns; i++) a[c->na + i] = g->tt[dense_at(c->stuck[i], from, p->count)];
@@ -136,7 +136,7 @@ static int solve_on_sets(coupled *c) {
 /* Forces, gaps and slip of all candidates. */
 static void spread(coupled *c) {
   const pose *p = c->k->p;
-  grip *g = c->k->g;
+  tangential_compliance *g = c->k->g;
   friction_workspace *w = c->k->w;
   memset(p->f, 0, (size_t)p->count * sizeof *p->f);
   memset(w->t, 0, (size_t)p->count * sizeof *w->t);
@@ -204,7 +204,7 @@ static void save(const coupled *c, double *t, double *slip, int *set) {
 }
 
 int arc_friction_newton(friction_task *k) {
-  grip *g = k->g;
+  tangential_compliance *g = k->g;
   friction_workspace *w = k->w;
   pose *p = k->p;
   coupled c = {.k = k};

@@ -13,7 +13,7 @@
  * are nearer to finer meshes' than without. Beyond, increments begin to tell in the ends. */
 static const double coupled = 0.1;
 
-arc_status arc_tangential_create(grip *g, const arc_model *model) {
+arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const arc_model_def *def = arc_model_definition(model);
   *g = (grip){.nc = (int)nc,
@@ -26,12 +26,12 @@ arc_status arc_tangential_create(grip *g, const arc_model *model) {
   return ARC_OK;
 }
 
-void arc_tangential_free(grip *g) {
+void arc_tangential_free(tangential_compliance *g) {
   free(g->nt);
   *g = (grip){0};
 }
 
-size_t arc_tangential_bytes(const grip *g) {
+size_t arc_tangential_bytes(const tangential_compliance *g) {
   return sizeof *g + 3 * (size_t)g->nc * (size_t)g->nc * sizeof(double);
 }
 
@@ -82,7 +82,7 @@ static void pull_at(const pose *p, int k, double *const plate[2], double *const 
           cylinder[0], cylinder[1]);
 }
 
-static void fill_column(grip *g, const pose *p, int k, double *work) {
+static void fill_column(tangential_compliance *g, const pose *p, int k, double *work) {
   double *plate[2] = {work, work + p->np}, *cylinder[2] = {plate[1] + p->np, NULL};
   cylinder[1] = cylinder[0] + p->nc;
   pull_at(p, k, plate, cylinder);
@@ -98,7 +98,7 @@ static void fill_column(grip *g, const pose *p, int k, double *work) {
   }
 }
 
-void arc_tangential_update(grip *g, const pose *p, double *work) {
+void arc_tangential_update(tangential_compliance *g, const pose *p, double *work) {
   if (g->version == p->version && g->x == p->x) return;
   const compliance *plate = shape_compliance(&p->shape->side[ARC_PLATE]);
   g->count = p->count;
@@ -117,17 +117,19 @@ static void add_middle(int n, int from, int to, const double *a, const double *x
   arc_dense_add_columns(from, to, last - first, NULL, &a[dense_at(0, first, n)], n, &x[first], y);
 }
 
-void arc_tangential_gaps(const grip *g, const double *t, double *result) {
+void arc_tangential_gaps(const tangential_compliance *g, const double *t, double *result) {
   memset(result, 0, (size_t)g->count * sizeof *result);
   add_middle(g->count, 0, g->count, g->nt, t, result);
 }
 
-void arc_tangential_drag(const grip *g, const double *f, int first, int last, double *r) {
+void arc_tangential_drag(const tangential_compliance *g, const double *f, int first, int last,
+                         double *r) {
   memset(&r[first], 0, (size_t)(last - first) * sizeof *r);
   add_middle(g->count, first, last, g->tn, f, r);
 }
 
-void arc_tangential_drag_all(const grip *g, const double *f, const double *t, double *r) {
+void arc_tangential_drag_all(const tangential_compliance *g, const double *f, const double *t,
+                             double *r) {
   arc_tangential_drag(g, f, 0, g->count, r);
   add_middle(g->count, 0, g->count, g->tt, t, r);
 }
