@@ -12,8 +12,8 @@
 typedef struct history {
   arc_shape *shape;
   pose pose;
-  grip grip;
-  friction_workspace room;
+  tangential_compliance compliance;
+  friction_workspace workspace;
   friction_state state, before;
   double mu, slope; /* steepest of the surfaces */
 } history;
@@ -39,8 +39,8 @@ static void begin(history *h, arc_model *model, double mu, double worn) {
   check_ok(arc_shape_create(model, ARC_MOVING, 0, &h->shape, why));
   if (worn > 0) wear_down(h, worn);
   assert_int_equal(arc_pose_create(&h->pose, model), ARC_OK);
-  assert_int_equal(arc_tangential_create(&h->grip, model), ARC_OK);
-  assert_int_equal(arc_friction_workspace_create(&h->room, model), ARC_OK);
+  assert_int_equal(arc_tangential_create(&h->compliance, model), ARC_OK);
+  assert_int_equal(arc_friction_workspace_create(&h->workspace, model), ARC_OK);
   assert_int_equal(arc_friction_create(&h->state, model, 0), ARC_OK);
   assert_int_equal(arc_friction_create(&h->before, model, 0), ARC_OK);
 }
@@ -48,8 +48,8 @@ static void begin(history *h, arc_model *model, double mu, double worn) {
 static void end(history *h) {
   arc_friction_free(&h->before);
   arc_friction_free(&h->state);
-  arc_friction_workspace_free(&h->room);
-  arc_tangential_free(&h->grip);
+  arc_friction_workspace_free(&h->workspace);
+  arc_tangential_free(&h->compliance);
   arc_pose_free(&h->pose);
   arc_shape_destroy(&h->shape);
 }
@@ -58,7 +58,7 @@ static void go(history *h, const friction_step *step) {
   const double pairing = step->by_force ? h->pose.x : step->x;
   arc_friction_copy(&h->before, &h->state);
   check_ok(arc_pose_update(&h->pose, h->shape, pairing, why));
-  check_ok(arc_friction_solve(&h->pose, &h->grip, &h->room, step, &h->state, why));
+  check_ok(arc_friction_solve(&h->pose, &h->compliance, &h->workspace, step, &h->state, why));
 }
 
 /* --- its conditions -------------------------------------------------------------------------- */
@@ -66,8 +66,8 @@ static void go(history *h, const friction_step *step) {
 /* Gaps by the matrices and the gaps of the shape alone. */
 static void check_gaps(const history *h) {
   const pose *p = &h->pose;
-  const tangential_compliance *g = &h->grip;
-  const friction_workspace *w = &h->room;
+  const tangential_compliance *g = &h->compliance;
+  const friction_workspace *w = &h->workspace;
   pose plain;
   assert_int_equal(arc_pose_create(&plain, h->shape->model), ARC_OK);
   check_ok(arc_pose_update(&plain, h->shape, p->x, why));
@@ -108,7 +108,7 @@ static void check_resultants(history *h, const friction_step *step) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const int n = b == ARC_CYLINDER ? h->pose.nc : h->pose.np;
     double *force = calloc(2 * (size_t)n, sizeof *force);
-    arc_friction_forces_on(&h->pose, &h->room, (arc_body)b, force);
+    arc_friction_forces_on(&h->pose, &h->workspace, (arc_body)b, force);
     for (int i = 0; i < 2 * n; i++) sum[b][i / n] += force[i];
     free(force);
   }
@@ -142,11 +142,11 @@ typedef struct tally {
 
 static void count(tally *t, const history *h) {
   t->increments++;
-  t->sweeps += h->room.sweeps;
-  t->sets += h->room.iterations;
-  t->newton += h->room.newton;
-  t->over_10 += h->room.sweeps > 10;
-  if (h->room.sweeps > t->most) t->most = h->room.sweeps;
+  t->sweeps += h->workspace.sweeps;
+  t->sets += h->workspace.iterations;
+  t->newton += h->workspace.newton;
+  t->over_10 += h->workspace.sweeps > 10;
+  if (h->workspace.sweeps > t->most) t->most = h->workspace.sweeps;
 }
 
 /* Small and large motions, forces up to what friction carries, other loads, lifting off. */
@@ -216,10 +216,10 @@ static void compare_ways(history *quick, history *slow, ways *found) {
   go(slow, &step);
   if (step.line == 0) return;
   check_increment(slow, &step);
-  assert_false(slow->room.newton);
-  if (slow->room.sweeps > found->most) found->most = slow->room.sweeps;
-  found->bracketed += slow->room.bracketed;
-  assert_int_equal(slow->room.bracketed, step.by_force);
+  assert_false(slow->workspace.newton);
+  if (slow->workspace.sweeps > found->most) found->most = slow->workspace.sweeps;
+  found->bracketed += slow->workspace.bracketed;
+  assert_int_equal(slow->workspace.bracketed, step.by_force);
   for (int c = 0; c < quick->state.nc; c++) {
     check_near(slow->state.f[c], quick->state.f[c], 1e-7 * step.line);
     check_near(slow->state.t[c], quick->state.t[c], 1e-7 * step.line);
@@ -231,8 +231,8 @@ static void run_ways(arc_model *model, double worn, ways *found) {
   const double mu = exp(random_in(log(0.05), log(1.2)));
   begin(&quick, model, mu, worn);
   begin(&slow, model, mu, worn);
-  slow.room.patience = 1 << 20;
-  slow.room.by_force = 0;
+  slow.workspace.patience = 1 << 20;
+  slow.workspace.by_force = 0;
   for (int k = 0; k < length; k++) compare_ways(&quick, &slow, found);
   end(&slow);
   end(&quick);
@@ -295,7 +295,7 @@ static void test_no_friction(void **state) {
     check_ok(arc_pose_solve(&plain, step.line, why));
     assert_memory_equal(h.pose.f, plain.f, (size_t)plain.count * sizeof(double));
     assert_true(h.pose.approach == plain.approach);
-    for (int k = 0; k < plain.count; k++) assert_true(h.room.t[k] == 0);
+    for (int k = 0; k < plain.count; k++) assert_true(h.workspace.t[k] == 0);
   }
   arc_pose_free(&plain);
   end(&h);
@@ -335,8 +335,8 @@ static void test_refused(void **state) {
   const char *const words[] = {"friction does not carry", "friction does not carry", "zone"};
   for (int i = 0; i < 3; i++) {
     check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
-    check_refused(arc_friction_solve(&h.pose, &h.grip, &h.room, &far[i], &h.state, why), wanted[i],
-                  words[i]);
+    check_refused(arc_friction_solve(&h.pose, &h.compliance, &h.workspace, &far[i], &h.state, why),
+                  wanted[i], words[i]);
     check_same(&h.state, &h.before);
   }
   end(&h);
@@ -369,16 +369,17 @@ static void test_displaced(void **state) {
   play(&h, 0, 2);
   wear_down(&h, 0.1);
   check_ok(arc_pose_update(&h.pose, h.shape, h.pose.x, why));
-  arc_tangential_update(&h.grip, &h.pose, h.room.work);
-  arc_tangential_displace(&h.pose, h.grip.flat, h.state.f, h.state.t, h.state.u, h.room.work);
+  arc_tangential_update(&h.compliance, &h.pose, h.workspace.work);
+  arc_tangential_displace(&h.pose, h.compliance.flat, h.state.f, h.state.t, h.state.u,
+                          h.workspace.work);
   const pose *p = &h.pose;
   double *r = calloc((size_t)(p->nc + p->np), sizeof *r);
   arc_tangential_relative(p, h.state.u, r + p->nc, r);
   for (int c = 0; c < p->count; c++) {
     double wanted = 0;
     for (int k = 0; k < p->count; k++)
-      wanted += h.grip.nt[dense_at(k, c, p->count)] * h.state.f[p->lo + k] +
-                h.grip.tt[dense_at(k, c, p->count)] * h.state.t[p->lo + k];
+      wanted += h.compliance.nt[dense_at(k, c, p->count)] * h.state.f[p->lo + k] +
+                h.compliance.tt[dense_at(k, c, p->count)] * h.state.t[p->lo + k];
     check_near(r[c], wanted, 1e-15);
   }
   free(r);
@@ -399,7 +400,7 @@ static void test_alternating(void **state) {
   static const double force[] = {1, -4, 6, -4, 1};
   for (int k = 0; k < 5; k++) {
     const int at = mid - 2 + k;
-    shear += force[k] * h.grip.tt[dense_at(mid, at, p->count)];
+    shear += force[k] * h.compliance.tt[dense_at(mid, at, p->count)];
     press += force[k] * p->a[dense_at(mid, at, p->count)];
     elements += force[k] * c->xx[dense_at(p->lo + mid, p->lo + at, c->n)];
   }

@@ -180,8 +180,8 @@ static void set_of(pose *p, const friction_state *s) {
 /* The factor of the shear problem stays while increments stay on one pose. */
 static void take_grip(tangential_compliance *g, const pose *p, friction_workspace *w) {
   arc_tangential_update(g, p, w->work);
-  if (w->grip != g || w->version != g->version || w->x != g->x) w->shear.factored = 0;
-  w->grip = g;
+  if (w->compliance != g || w->version != g->version || w->x != g->x) w->shear.factored = 0;
+  w->compliance = g;
   w->version = g->version;
   w->x = g->x;
 }

@@ -47,7 +47,7 @@ int arc_shear_solve(shear_problem *s);
 int arc_shear_factorise(shear_problem *s);
 
 /* What a pose needs besides: the tangential part of its contact matrix. */
-typedef struct grip {
+typedef struct tangential_compliance {
   int nc, np, count;
   long version; /* of the pose it was made for; 0: none */
   double x;
@@ -56,7 +56,7 @@ typedef struct grip {
   double *nt; /* [count x count] gaps under shear forces */
   double *tn; /* [count x count] its transpose */
   double *tt; /* [count x count] */
-} grip;
+} tangential_compliance;
 
 arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model);
 void arc_tangential_free(tangential_compliance *g);
@@ -77,7 +77,7 @@ typedef struct friction_workspace {
   double *dragged; /* [nc] A_tn f, or r of all forces; by candidate */
   double *work;    /* [4 * (nc + np)] */
   shear_problem shear;
-  const grip *grip; /* the shear problem's factor belongs to */
+  const tangential_compliance *compliance; /* the shear problem's factor belongs to */
   long version;
   double x;
   double *coupled; /* [(2 nc) x (2 nc + 3)] of friction_newton.c */

@@ -16,9 +16,10 @@ static const double coupled = 0.1;
 arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const arc_model_def *def = arc_model_definition(model);
-  *g = (grip){.nc = (int)nc,
-              .np = arc_model_mesh(model, ARC_PLATE)->surface,
-              .alike = fabs(arc_contact_mismatch(def->geometry, def->material)) <= coupled};
+  *g = (tangential_compliance){.nc = (int)nc,
+                               .np = arc_model_mesh(model, ARC_PLATE)->surface,
+                               .alike = fabs(arc_contact_mismatch(def->geometry, def->material)) <=
+                                        coupled};
   g->nt = malloc(3 * nc * nc * sizeof(double));
   if (!g->nt) return ARC_MEMORY;
   g->tn = g->nt + nc * nc;
@@ -28,7 +29,7 @@ arc_status arc_tangential_create(tangential_compliance *g, const arc_model *mode
 
 void arc_tangential_free(tangential_compliance *g) {
   free(g->nt);
-  *g = (grip){0};
+  *g = (tangential_compliance){0};
 }
 
 size_t arc_tangential_bytes(const tangential_compliance *g) {

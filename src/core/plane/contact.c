@@ -38,8 +38,8 @@ static arc_status allocate(arc_contact *c) {
     c->q[b] = c->force[b] + 2 * n;
   }
   if (!c->rubs) return ARC_OK;
-  if (arc_tangential_create(&c->grip, c->shape->model) != ARC_OK) return ARC_MEMORY;
-  if (arc_friction_workspace_create(&c->room, c->shape->model) != ARC_OK) return ARC_MEMORY;
+  if (arc_tangential_create(&c->compliance, c->shape->model) != ARC_OK) return ARC_MEMORY;
+  if (arc_friction_workspace_create(&c->workspace, c->shape->model) != ARC_OK) return ARC_MEMORY;
   return arc_friction_create(&c->state, c->shape->model, c->def.x);
 }
 
@@ -63,7 +63,7 @@ static void read_shear(arc_contact *c) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const double *width = b == ARC_CYLINDER ? c->pose.wc : c->pose.wp;
     for (int i = 0; i < c->count[b]; i++) c->q[b][i] /= width[i];
-    arc_friction_forces_on(&c->pose, &c->room, (arc_body)b, c->force[b]);
+    arc_friction_forces_on(&c->pose, &c->workspace, (arc_body)b, c->force[b]);
   }
 }
 
@@ -273,8 +273,8 @@ void arc_contact_destroy(arc_contact **contact) {
   if (!contact || !*contact) return;
   arc_contact *c = *contact;
   arc_pose_free(&c->pose);
-  arc_tangential_free(&c->grip);
-  arc_friction_workspace_free(&c->room);
+  arc_tangential_free(&c->compliance);
+  arc_friction_workspace_free(&c->workspace);
   arc_friction_free(&c->state);
   for (int b = 0; b < ARC_BODIES; b++) free(c->x[b]);
   arc_shape_destroy(&c->shape);
@@ -286,7 +286,9 @@ size_t arc_contact_bytes(const arc_contact *c) {
   const size_t nodes = (size_t)(c->count[ARC_CYLINDER] + c->count[ARC_PLATE]);
   return sizeof *c + arc_shape_bytes(c->shape) + arc_pose_bytes(&c->pose) +
          6 * nodes * sizeof(double) +
-         (c->rubs ? arc_tangential_bytes(&c->grip) + arc_friction_workspace_bytes(&c->room) : 0) +
+         (c->rubs
+              ? arc_tangential_bytes(&c->compliance) + arc_friction_workspace_bytes(&c->workspace)
+              : 0) +
          (c->rubs ? arc_friction_bytes(&c->state) : 0);
 }
 

@@ -19,8 +19,8 @@ static arc_status go_to(arc_contact *c, double pairing, const friction_step *ste
                         arc_error *error) {
   arc_status status = arc_pose_update(&c->pose, c->shape, pairing, error);
   if (status == ARC_OK)
-    status = arc_friction_solve(&c->pose, &c->grip, &c->room, step, &c->state, error);
-  c->iterations += c->room.iterations;
+    status = arc_friction_solve(&c->pose, &c->compliance, &c->workspace, step, &c->state, error);
+  c->iterations += c->workspace.iterations;
   c->mu = step->mu;
   return status;
 }

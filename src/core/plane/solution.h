@@ -16,8 +16,8 @@ struct arc_contact {
   int iterations; /* of all increments */
   int rubs;       /* whether there is friction, and what is below */
   double mu;      /* coefficient of the last increment */
-  grip grip;
-  friction_workspace room;
+  tangential_compliance compliance;
+  friction_workspace workspace;
   friction_state state;
 };
 

@@ -13,7 +13,7 @@ typedef struct stick_zone {
 typedef double stress_at(const arc_contact *c, int set); /* [MPa] */
 
 static int sticks(const arc_contact *c, int set) {
-  return set >= 0 && set < c->pose.active && c->room.reserve[c->pose.set[set]] > 0;
+  return set >= 0 && set < c->pose.active && c->workspace.reserve[c->pose.set[set]] > 0;
 }
 
 /* Whether it sticks together with the one after it. */
@@ -24,7 +24,7 @@ static int goes_on(const arc_contact *c, int set) {
 /* What friction holds back at a node on the way that the plate goes [MPa]. */
 static double reserve(const arc_contact *c, int set) {
   const int k = c->pose.set[set];
-  return c->room.reserve[k] / c->pose.wc[c->pose.lo + k];
+  return c->workspace.reserve[k] / c->pose.wc[c->pose.lo + k];
 }
 
 static double x_of(const arc_contact *c, int set) {

@@ -75,7 +75,7 @@ static arc_status check_friction(const arc_contact *c, arc_error *error) {
   const double mu = c->mu;
   for (int s = 0; s < p->active; s++) {
     const int k = p->set[s];
-    const double t = c->room.t[k], bound = mu * p->f[k], slip = c->room.slip[k];
+    const double t = c->workspace.t[k], bound = mu * p->f[k], slip = c->workspace.slip[k];
     if (!(fabs(t) <= bound * (1 + rounding)))
       return arc_fail(error, ARC_NUMERIC,
                       "contact: shear %g N/mm where friction carries %g N/mm, at candidate %d", t,

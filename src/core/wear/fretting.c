@@ -58,8 +58,8 @@ static arc_status advance(fretting *r, int at, const friction_step *step, arc_er
   const arc_status status = arc_wear_prepare(r->w, r->window, at, error);
   if (status != ARC_OK) return status;
   r->watch->solutions++;
-  return arc_friction_solve(&path->pose[place], &path->grip[place], &path->room, step, &path->state,
-                            error);
+  return arc_friction_solve(&path->pose[place], &path->compliance[place], &path->workspace, step,
+                            &path->state, error);
 }
 
 /* The contact after an increment to point `at`, with all that wears there. */
@@ -113,7 +113,7 @@ static arc_status approach(fretting *r, arc_error *error) {
   friction_state *s = &path->state;
   const wear_block *b = path->block;
   for (int i = 0; i < path->poses; i++) path->pose[i].active = 0;
-  path->room.shear.factored = 0;
+  path->workspace.shear.factored = 0;
   arc_friction_reset(s, b->x[b->press]);
   arc_status status = press(r, error);
   for (int at = b->press; at < b->count && b->press > 0 && status == ARC_OK; at++)

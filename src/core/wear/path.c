@@ -20,16 +20,17 @@ arc_status arc_path_create(wear_path *path, const arc_model *model, int rubs) {
     }
   }
   if (!rubs) return ARC_OK;
-  const arc_status status = arc_friction_workspace_create(&path->room, model);
+  const arc_status status = arc_friction_workspace_create(&path->workspace, model);
   return status == ARC_OK ? arc_friction_create(&path->state, model, 0) : status;
 }
 
 static void leave(wear_path *path) {
   for (int i = 0; i < path->poses; i++) arc_pose_free(&path->pose[i]);
-  for (int i = 0; i < path->poses && path->grip; i++) arc_tangential_free(&path->grip[i]);
+  for (int i = 0; i < path->poses && path->compliance; i++)
+    arc_tangential_free(&path->compliance[i]);
   free(path->pose);
-  free(path->grip);
-  path->grip = NULL;
+  free(path->compliance);
+  path->compliance = NULL;
   path->pose = NULL;
   path->poses = 0;
   path->block = NULL;
@@ -38,7 +39,7 @@ static void leave(wear_path *path) {
 void arc_path_free(wear_path *path) {
   leave(path);
   if (path->rubs) {
-    arc_friction_workspace_free(&path->room);
+    arc_friction_workspace_free(&path->workspace);
     arc_friction_free(&path->state);
   }
   free(path->point[0].p[0]);
@@ -47,10 +48,10 @@ void arc_path_free(wear_path *path) {
 
 static arc_status make_grips(wear_path *path, const wear_block *block, const arc_model *model) {
   arc_status status = ARC_OK;
-  path->grip = calloc((size_t)block->poses, sizeof *path->grip);
-  for (int i = 0; i < block->poses && path->grip && status == ARC_OK; i++)
-    status = arc_tangential_create(&path->grip[i], model);
-  return path->grip ? status : ARC_MEMORY;
+  path->compliance = calloc((size_t)block->poses, sizeof *path->compliance);
+  for (int i = 0; i < block->poses && path->compliance && status == ARC_OK; i++)
+    status = arc_tangential_create(&path->compliance[i], model);
+  return path->compliance ? status : ARC_MEMORY;
 }
 
 arc_status arc_path_enter(wear_path *path, const wear_block *block, const arc_model *model,

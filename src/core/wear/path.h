@@ -65,8 +65,8 @@ typedef struct wear_path {
 
   /* with friction */
   int rubs;
-  grip *grip; /* [poses] */
-  friction_workspace room;
+  tangential_compliance *compliance; /* [poses] */
+  friction_workspace workspace;
   friction_state state;
 } wear_path;
 

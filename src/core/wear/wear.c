@@ -285,10 +285,11 @@ size_t arc_wear_bytes(const arc_wear *w) {
   const size_t n = (size_t)(w->nc + w->np), linear = w->start.jacobian ? n * n : 0;
   const size_t rubs = w->path.rubs ? 1 : 0;
   const size_t grips =
-      w->path.grip ? (size_t)w->path.poses * arc_tangential_bytes(&w->path.grip[0]) : 0;
+      w->path.compliance ? (size_t)w->path.poses * arc_tangential_bytes(&w->path.compliance[0]) : 0;
   return (size_t)(w->path.poses + 1) * arc_pose_bytes(&w->reference) + grips +
-         rubs * arc_friction_workspace_bytes(&w->path.room) + (15 * n + linear) * sizeof(double) +
-         2 * arc_shape_bytes(w->shape) + w->capacity * sizeof(arc_wear_record);
+         rubs * arc_friction_workspace_bytes(&w->path.workspace) +
+         (15 * n + linear) * sizeof(double) + 2 * arc_shape_bytes(w->shape) +
+         w->capacity * sizeof(arc_wear_record);
 }
 
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {
