@@ -234,7 +234,7 @@ peer: $(program)
 study figures: $(program)
 	@for file in $(BUILD)/study.archard $(BUILD)/study-*.archard; do \
 	  [ ! $$file -ot $(program) ] || rm -f $$file; done
-	$(program) scripts/tools/study20.lua --file $(BUILD)/study.archard --figures $(BUILD)/figures \
+	$(program) examples/paper/study20.lua --file $(BUILD)/study.archard --figures $(BUILD)/figures \
 	  $(if $(filter figures,$@),--fine --converge)
 
 # The reference comes from the help entries inside the program, the format of run files from their header.
@@ -274,7 +274,7 @@ documents   = README.md CHANGELOG.md LICENSE man/theory.md
 below       = $(subst $(PREFIX)/,$${prefix}/,$(1))
 install-files:
 	install -d $(call to,$(BINDIR)) $(call to,$(LIBDIR)/pkgconfig) $(call to,$(INCLUDEDIR)/archard) $(call to,$(LUADIR)) \
-	  $(call to,$(BASHDIR)) $(call to,$(ZSHDIR)) $(call to,$(DATADIR)/archard/examples/c) $(call to,$(DOCDIR)) \
+	  $(call to,$(BASHDIR)) $(call to,$(ZSHDIR)) $(call to,$(DATADIR)/archard/examples/c) $(call to,$(DATADIR)/archard/examples/paper) $(call to,$(DOCDIR)) \
 	  $(foreach m,$(man_pages),$(call to,$(call man_folder,$(m))))
 	install -m 755 $(program) $(call to,$(BINDIR)/archard)
 	install -m 644 $(static_lib) $(call to,$(LIBDIR)/libarchard.a)
@@ -288,6 +288,7 @@ install-files:
 	install -m 644 scripts/completion/archard.zsh $(call to,$(ZSHDIR)/_archard)
 	install -m 644 examples/*.lua examples/*.csv examples/*.geo examples/*.msh $(call to,$(DATADIR)/archard/examples/)
 	install -m 644 examples/c/*.c $(call to,$(DATADIR)/archard/examples/c/)
+	install -m 644 examples/paper/*.lua $(call to,$(DATADIR)/archard/examples/paper/)
 	install -m 644 $(documents) $(call to,$(DOCDIR)/)
 	printf '%s\n' $(call quoted,prefix=$(PREFIX)) $(call quoted,libdir=$(call below,$(LIBDIR))) \
 	  $(call quoted,includedir=$(call below,$(INCLUDEDIR))) '' \

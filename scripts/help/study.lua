@@ -149,9 +149,9 @@ return {
     text = "Form of the table; by the file's ending where one is named." },
   { "study.table{file}", type = "string", text = "File to write it to: .txt, .csv or .md." },
   { "study.figures", kind = "method", use = 's:figures{ dir="figures" }',
-    text = "Draws from the stored results: the paper's figures for study.paper and study.trials, "
-      .. "final shapes, pressures and histories of up to eight cases for others. Returns a list of "
-      .. "what was drawn." },
+    text = "Draws from the stored results: the paper's figures (of examples/paper) for study.paper, "
+      .. "study.trials and study.meshes, final shapes, pressures and histories of up to eight cases for "
+      .. "others. Returns a list of what was drawn." },
   { "study.figures{dir}", type = "string", default = '"figures"', text = "Folder to write them to." },
   { "study.figures{term}", values = { "svg", "png", "pdf", "dumb" }, default = '"svg"',
     text = "Kind of the pictures, or a list of kinds; dumb draws them in the terminal." },

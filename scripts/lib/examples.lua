@@ -1,32 +1,12 @@
 -- examples(): the course of programs that came with this one, to read and to run.
 
 local check = require "archard.lib.check"
-local itself = require "archard.lib.itself"
+local folder = require "archard.lib.examples_folder".find
 local pager = require "archard.lib.pager"
 local process = require "archard.process"
 local text_file = require "archard.lib.text_file"
 
 local examples = {}
-
--- Where they are, seen from the program and from the module for the stock interpreter: as installed,
--- and as just built.
-local beside_program = { "/../share/archard/examples", "/../examples", "/../../examples" }
-local beside_module = { "/../../../share/archard/examples", "/../../../../share/archard/examples", "/../../examples" }
-
-local function find(path, places)
-  local here = (path or ""):match("^(.*)/[^/]*$") or "."
-  for _, place in ipairs(places) do
-    if process.files(here .. place) then return here .. place end
-  end
-  return nil, here
-end
-
-local function folder()
-  local found, bin = find(process.program(), beside_program)
-  local module = not found and itself.module()
-  found = found or module and find(module, beside_module)
-  return found or check.fail("examples", "they are not there: looked in share/archard/examples beside " .. bin, "MISSING")
-end
 
 -- examples.names(): as the files are called, in the order of the course: "01_contact", ...
 function examples.names()

@@ -23,6 +23,9 @@ end
 
 os.rename = nil
 
+-- Code beside the program, which a script of the user could have written.
+function _ENV.loadfile() return nil, "the sandbox reads no examples" end
+
 function io.popen() error("the sandbox starts no other programs", 0) end
 function os.execute() return nil, "the sandbox starts no other programs" end
 

@@ -199,7 +199,7 @@ end
 
 function methods:table(options) return require "archard.study.table".make(self, options) end
 
-function methods:figures(options) return require "archard.figures".draw(self, options) end
+function methods:figures(options) return require "archard.study.figures".draw(self, options) end
 
 function methods:uncertainty(options) return require "archard.uncertainty.result"(self, options) end
 

@@ -3,16 +3,29 @@
 
 local measure = require "archard.measure"
 
-local independent = require "archard.figures.independent"
+local part = ...
+local independent = part "independent"
 local paper = require "archard.study.paper"
-local parts = require "archard.figures.parts"
 
 local findings = {}
 
 findings.between = { 0.25, 0.5, 0.75 } -- alpha, where both bodies wear
 
+-- The finished case whose settings are these; nil: there is none.
+function findings.find(cases, wanted)
+  for _, case in ipairs(cases) do
+    local held = case.status == "done"
+    for name, value in pairs(wanted) do
+      local is = held and case[name]
+      held = held and (is == value or type(is) == "number" and type(value) == "number"
+        and math.abs(is - value) <= 1e-9 * math.max(1, math.abs(value)))
+    end
+    if held then return case end
+  end
+end
+
 function findings.case(cases, alpha, column)
-  return parts.find(cases, { alpha = alpha, stroke = paper.strokes[column] })
+  return findings.find(cases, { alpha = alpha, stroke = paper.strokes[column] })
 end
 
 -- --- one case ------------------------------------------------------------------------------------

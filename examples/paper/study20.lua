@@ -1,5 +1,5 @@
 -- The paper's study: twenty cases and the trials of its convergence example, table and figures.
---   archard scripts/tools/study20.lua [--file F] [--workers N] [--figures DIR] [--converge]
+--   archard examples/paper/study20.lua [--file F] [--workers N] [--figures DIR] [--converge]
 --     [--fine] [--shard I/N] [--merge F...] [--no-figures] [--no-trials]
 -- Results are kept in the run file; a second start goes on where the first one ended. With --shard
 -- only that share is computed, and nothing drawn; --merge joins the files of the shares.
@@ -15,6 +15,8 @@ usage: archard study20.lua [options]
   --no-trials      leave out the runs of Figure 8
   --shard I/N      compute only the share I of N into the run file
   --merge FILE...  join the run files of all shares first]]
+
+local part = require "archard.lib.examples_folder".parts("study20", "paper")
 
 local function stop(message)
   io.stderr:write(message, "\n", usage, "\n")
@@ -86,7 +88,7 @@ end
 
 -- What the page has in tables: list of { title=, text=, rows=, file= }.
 local function page_tables(runs, found)
-  local tables, findings = require "archard.study.table", require "archard.figures.findings"
+  local tables, findings = require "archard.study.table", part "findings"
   local sets = { { title = "archard, 20 µm", cases = runs.study20:cases() } }
   if runs.fine then
     sets[2] = { title = ("archard, %g µm"):format(1e3 * fine_size), cases = runs.fine:cases() }
@@ -123,14 +125,14 @@ local function page_tables(runs, found)
     .. "time, until two in a row are within 1 % of Hertz'.", unworn_meshes())
   if runs.meshes then
     add("Meshes, worn", "Stroke a at the end of the distance, on ever smaller elements.",
-      require "archard.figures.trials".mesh_rows(runs.meshes:cases()))
+      part "trials".mesh_rows(runs.meshes:cases()))
   end
   return list
 end
 
 local function write_page(dir, runs, found, drawn)
   runs.study20:table{ file = dir .. "/results.csv" }
-  require "archard.figures.page".write(dir .. "/index.html", {
+  part "page".write(dir .. "/index.html", {
     title = "Wear of a cylinder sliding on a plate: twenty cases",
     lead = "Five wear partition factors by four strokes, each over 1320 mm of sliding under 100 N "
       .. "per mm (R = 10 mm, steel on steel, k = 1e-8 mm²/N). Lengths along the surface are in "

@@ -1,16 +1,17 @@
 -- Figure 8: how cycles per update, increments and the rule of integration show in the profiles, and
 -- the study of meshes, which the paper leaves to a sentence.
 
-local findings = require "archard.figures.findings"
-local independent = require "archard.figures.independent"
+local part = ...
+local findings = part "findings"
+local independent = part "independent"
 local paper = require "archard.study.paper"
-local parts = require "archard.figures.parts"
+local parts = require "archard.study.panels"
 
 local rules = { { "trapezoid", "Eq. (4)" }, { "simple", "Eq. (5)" } }
 local bodies = { "cylinder", "plate" }
 
 local function trial_case(cases, trial, rule)
-  return parts.find(cases, { increments = trial[1], jump = trial[2], cycles = 1000, rule = rule })
+  return findings.find(cases, { increments = trial[1], jump = trial[2], cycles = 1000, rule = rule })
 end
 
 -- Asymmetry as a reader takes it in.

@@ -1,8 +1,8 @@
 -- Figures 5 and 6b: the meshes and the way of the plate, from the cases of the paper's study.
 
-local findings = require "archard.figures.findings"
+local part = ...
+local findings = part "findings"
 local paper = require "archard.study.paper"
-local parts = require "archard.figures.parts"
 
 -- --- Fig. 5 --------------------------------------------------------------------------------------
 

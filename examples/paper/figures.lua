@@ -1,13 +1,14 @@
--- The paper's figures from the stored results of its cases: 8 from the trials (figures/trials.lua), 5
--- and 6 (figures/setup.lua) and 9 to 14 from the twenty cases. Each entry: its number, a title, a
+-- The paper's figures from the stored results of its cases: 8 from the trials (trials.lua), 5
+-- and 6 (setup.lua) and 9 to 14 from the twenty cases. Each entry: its number, a title, a
 -- caption in our own words, what there is to see, and a function(cases) -> options of plot{}, or nil
 -- where cases are missing. Caption and what there is to see may be functions of the cases: whatever
--- they tell in numbers is measured there and then (figures/findings.lua).
+-- they tell in numbers is measured there and then (findings.lua).
 
-local findings = require "archard.figures.findings"
-local independent = require "archard.figures.independent"
+local part = ...
+local findings = part "findings"
+local independent = part "independent"
 local paper = require "archard.study.paper"
-local parts = require "archard.figures.parts"
+local parts = require "archard.study.panels"
 
 local stroke_titles = {}
 for i, name in ipairs(paper.stroke_names) do stroke_titles[i] = "s = " .. name end
@@ -137,8 +138,9 @@ local function depth_partition(cases)
   panels[5] = { title = "s = a, along the surface", xlabel = "x / a", ylabel = "α̃_x",
     xrange = { -3, 3 }, yrange = { 0, 1 } }
   for i, curve in ipairs(by_alpha(cases, 1, between)) do
-    panels[5][i] = parts.local_partition(curve.case)
-    panels[5][i].title, panels[5][i].series = curve.title, curve.series
+    local share = curve.case:local_partition()
+    panels[5][i] = { x = parts.over_a(curve.case, share.x), y = share.value, title = curve.title,
+      series = curve.series }
   end
   return { panels = panels, layout = { 2, 3 }, size = { 1260, 800 } }
 end
@@ -149,8 +151,9 @@ local function sums(cases)
     local panel = { title = title, xlabel = "x / a", ylabel = "h_c + h_p / µm",
       xrange = { -5, 5 }, yrange = { 0, 4 }, ydown = nil }
     for i, curve in ipairs(by_alpha(cases, column)) do
-      panel[i] = parts.sum(curve.case)
-      panel[i].title, panel[i].series = curve.title, curve.series
+      local sum, um = curve.case:combined(), {}
+      for k, h in ipairs(sum.h) do um[k] = 1e3 * h end
+      panel[i] = { x = parts.over_a(curve.case, sum.x), y = um, title = curve.title, series = curve.series }
     end
     if #panel == 0 then return nil end
     panels[column] = panel
@@ -259,7 +262,7 @@ end
 
 -- --- the list ------------------------------------------------------------------------------------
 
-local setup, trials = require "archard.figures.setup", require "archard.figures.trials"
+local setup, trials = part "setup", part "trials"
 local list = { trials = trials.trials, ["meshes of the paper"] = trials.meshes }
 
 list.paper = {

@@ -1,11 +1,12 @@
--- study:figures: a study's results as pictures. The paper's studies have the paper's figures
--- (figures/paper.lua); any other gets final shapes and pressures, and histories. Leans on plot.
+-- study:figures: a study's results as pictures. The paper's studies have the paper's figures, which
+-- come with the examples (examples/paper/figures.lua); any other gets final shapes and pressures, and
+-- histories. Leans on plot.
 
 local archard = require "archard"
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
-local parts = require "archard.figures.parts"
 local naming = require "archard.plot.naming"
+local panels = require "archard.study.panels"
 local style = require "archard.plot.style"
 
 local figures = {}
@@ -57,9 +58,9 @@ local function final_state(cases)
   if #curves == 0 then return nil end
   local reach, share = reach_of(curves), share_of(curves, cases)
   return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
-    parts.panel("cylinder", curves, { title = "cylinder", reach = reach, mm = true }),
-    parts.panel("plate", curves, { title = "plate", reach = reach_of(curves, true), mm = true }),
-    parts.panel("pressure", curves, { title = "pressure", reach = reach, mm = true }) } }, share
+    panels.panel("cylinder", curves, { title = "cylinder", reach = reach, mm = true }),
+    panels.panel("plate", curves, { title = "plate", reach = reach_of(curves, true), mm = true }),
+    panels.panel("pressure", curves, { title = "pressure", reach = reach, mm = true }) } }, share
 end
 
 local function histories(cases)
@@ -67,9 +68,9 @@ local function histories(cases)
   if #curves == 0 then return nil end
   local share = share_of(curves, cases)
   return { title = share, layout = { 1, 3 }, size = { 1260, 460 }, panels = {
-    parts.course("depth_cylinder", 1e3, "depth of cylinder / µm", curves, {}),
-    parts.course("depth_plate", 1e3, "depth of plate / µm", curves, {}),
-    parts.course("p_center", 1, "pressure at the centre / MPa", curves, { yrange = { 0 } }) } }, share
+    panels.course("depth_cylinder", 1e3, "depth of cylinder / µm", curves, {}),
+    panels.course("depth_plate", 1e3, "depth of plate / µm", curves, {}),
+    panels.course("p_center", 1, "pressure at the centre / MPa", curves, { yrange = { 0 } }) } }, share
 end
 
 -- draw(cases) -> the figure or nil, and which share of the cases is in it, if not all.
@@ -92,9 +93,11 @@ local fields = {
   end),
 }
 
+local of_the_paper = { paper = true, trials = true, ["meshes of the paper"] = true }
+
 local function set_of(study)
-  local list = require "archard.figures.paper"
-  return list[study.name] or general
+  if not of_the_paper[study.name] then return general end
+  return require "archard.lib.examples_folder".parts("study:figures", "paper")("figures")[study.name]
 end
 
 -- A caption is a text, or a function of the cases that are in the picture.
