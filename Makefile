@@ -23,7 +23,7 @@ comma := ,
 BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),-checks)
 OBJ   = $(BUILD)/obj
 
-.PHONY: all demo check coverage fuzz fuzz-programs golden study figures test-programs bench peer gallery man format lint install \
+.PHONY: all demo check coverage fuzz fuzz-programs golden study figures test-programs bench peer gallery format lint install \
         install-files uninstall clean setup dist dist-check deb deb-check slurm-check
 .DELETE_ON_ERROR:
 
@@ -52,6 +52,7 @@ shared_lib = $(BUILD)/libarchard.so.$(version)
 static_lib = $(BUILD)/libarchard.a
 program    = $(BUILD)/archard
 lua_module = $(BUILD)/lua/archard.so
+made_pages = $(BUILD)/man/archard-lua.7 $(BUILD)/man/archard-file.5
 
 # --- with what --------------------------------------------------------------------------------
 # Plain `make` never installs: scripts/probe names what is missing. `make demo` and `make check`
@@ -97,7 +98,7 @@ quiet = $(if $(V),,@)
 say   = @$(if $(V),:,echo " ")
 
 # --- build ------------------------------------------------------------------------------------
-all: $(program) $(static_lib) $(shared_lib) $(lua_module)
+all: $(program) $(static_lib) $(shared_lib) $(lua_module) $(made_pages)
 
 # The shared library exports what the public headers declare and nothing else.
 $(lib_obj): all_cflags += -fPIC -fvisibility=hidden -fno-semantic-interposition
@@ -140,6 +141,14 @@ $(lua_module): $(module_obj) $(static_lib) $(BUILD)/sources
 	$(say) LD $@
 	$(quiet)$(CC) $(all_ldflags) -shared -Wl,-z,nodelete,--version-script=$(OBJ)/module.map \
 	  $(module_obj) $(static_lib) $(gsl_libs) $(lib_libs) -o $@
+
+# The reference comes from the help entries inside the program, the format of run files from their header.
+$(BUILD)/man/archard-lua.7: scripts/tools/manpage.lua $(program)
+$(BUILD)/man/archard-file.5: scripts/tools/manfile.lua include/archard/store.h $(program)
+$(made_pages):
+	@mkdir -p $(@D)
+	$(say) MAN $@
+	$(quiet)$(program) $(filter-out $(program),$^) > $@
 
 # A unit test links the library and plot, never Lua or readline: that it links is a test.
 $(unit_tests): $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(plot_obj) $(static_lib)
@@ -237,11 +246,6 @@ study figures: $(program)
 	$(program) examples/paper/study20.lua --file $(BUILD)/study.archard --figures $(BUILD)/figures \
 	  $(if $(filter figures,$@),--fine --converge)
 
-# The reference comes from the help entries inside the program, the format of run files from their header.
-man: $(program)
-	$(program) scripts/tools/manpage.lua > man/archard-lua.7
-	$(program) scripts/tools/manfile.lua include/archard/store.h > man/archard-file.5
-
 # --- care -------------------------------------------------------------------------------------
 c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] tests/fuzz/*.[ch] tests/memory/*.c examples/c/*.c)
 sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run tests/fuzz/run tests/trust/trials tests/memory/failing tests/memory/valgrind tests/coverage \
@@ -255,7 +259,7 @@ lint:
 	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --error-exitcode=1 --suppress=missingIncludeSystem -Iinclude -Isrc src $(filter examples/%,$(c_files))
 	@shellcheck -S warning $(sh_files)
-	@mandoc -T lint -W warning $(man_pages)
+	@mandoc -T lint -W warning man/archard.1
 
 # What stands behind the library, for archard.pc: by .pc file where there is one.
 private      = cholmod blas sqlite omp
@@ -268,7 +272,7 @@ install: all
 # What is there, without building it. Folders may have spaces and quotes in their names.
 quoted = '$(subst ','\'',$(1))'
 to     = $(call quoted,$(DESTDIR)$(1))
-man_pages  := $(wildcard man/*.[1-9])
+man_pages   = man/archard.1 $(made_pages)
 man_folder  = $(MANDIR)/man$(subst .,,$(suffix $(1)))
 documents   = README.md CHANGELOG.md LICENSE man/theory.md
 below       = $(subst $(PREFIX)/,$${prefix}/,$(1))

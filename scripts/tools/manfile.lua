@@ -1,6 +1,6 @@
 -- Writes the manual page archard-file(5) to standard output. The number of the format comes from the header
 -- of run files, the columns from the help entry of histories:
---   archard scripts/tools/manfile.lua include/archard/store.h > man/archard-file.5
+--   archard scripts/tools/manfile.lua include/archard/store.h > build/man/archard-file.5
 
 local help = require "archard.help"
 
@@ -21,7 +21,7 @@ local function columns()
 end
 
 local page = [[
-.\" Written by scripts/tools/manfile.lua: change that, then "make man".
+.\" Written by scripts/tools/manfile.lua.
 .Dd November 22, 2026
 .Dt ARCHARD-FILE 5
 .Os

@@ -1,5 +1,5 @@
 -- Writes the manual page archard-lua(7), made of the help entries, to standard output:
---   archard scripts/tools/manpage.lua > man/archard-lua.7
+--   archard scripts/tools/manpage.lua > build/man/archard-lua.7
 
 local help = require "archard.help"
 local show = require "archard.help.show"
@@ -112,7 +112,7 @@ local function put_object(entry)
 end
 
 local head = [[
-.\" Written by scripts/tools/manpage.lua from the help entries: change those, then "make man".
+.\" Written by scripts/tools/manpage.lua from the help entries.
 .Dd November 22, 2026
 .Dt ARCHARD-LUA 7
 .Os
