@@ -37,18 +37,19 @@ void arc_writer_words(arc_writer *w, const char *before, const char *words, cons
 /* Words without marks stay out of gnuplot's reach. A long title is broken by a line break of ours.
  */
 static void add_label(arc_writer *w, const char *words, double columns, int marked) {
-  arc_text quoted = {0};
+  arc_text shown = {0};
   size_t count = arc_text_line(words, columns);
   char *line = strndup(words, count);
-  if (line) arc_text_quoted(&quoted, line, w->canvas->ascii);
-  if (!line || quoted.failed)
+  if (line && marked)
+    arc_text_enhanced(&shown, line);
+  else if (line)
+    arc_text_word(&shown, line);
+  if (!line || shown.failed)
     w->out->failed = 1;
-  else if (marked)
-    arc_text_enhanced(w->out, quoted.data);
   else
-    arc_text_word(w->out, quoted.data);
+    arc_text_quoted(w->out, shown.data ? shown.data : "", w->canvas->ascii);
   free(line);
-  arc_text_free(&quoted);
+  arc_text_free(&shown);
   while (words[count] == ' ') count++;
   if (!words[count] || count == 0) return;
   arc_text_word(w->out, ".\"\\n\".");

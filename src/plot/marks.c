@@ -44,7 +44,6 @@ int arc_text_marked(const char *words) {
   return 0;
 }
 
-/* `words` may begin anywhere in a quoted text; the quotes around it are not ours to escape. */
 void arc_text_enhanced(arc_text *text, const char *words) {
   for (const char *at = words; *at; at++) {
     size_t count = *at == '_' || *at == '^' ? marked(words, at) : 0;

@@ -61,9 +61,10 @@ long arc_gnuplot_process(const arc_gnuplot *session);
 arc_status arc_gnuplot_run(arc_gnuplot *session, const char *commands, size_t count, char **reply,
                            size_t *length, arc_error *error);
 
-/* A text as a gnuplot string that runs nothing: in single quotes, these doubled, control characters
- * as blanks, bytes that are no UTF-8 as '?'. With `ascii` non-zero other characters are written in
- * ASCII (the Greek of this field by name). To be freed with free(); NULL when memory is out. */
+/* A text as a gnuplot string that runs nothing: in double quotes, those in it and backslashes
+ * behind a backslash, backquotes by their number, control characters as blanks, bytes that are no
+ * UTF-8 as '?'. With `ascii` non-zero other characters are written in ASCII (the Greek of this
+ * field by name). To be freed with free(); NULL when memory is out. */
 char *arc_plot_quote(const char *text, int ascii);
 
 /* --- a figure --------------------------------------------------------------------------------- */

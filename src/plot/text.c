@@ -1,7 +1,8 @@
 /* Growing texts and the quoting of a user's words. Leans on nothing.
  *
  * In gnuplot a text in double quotes runs shell commands between backquotes, and a line break ends
- * the command; a text in single quotes does neither, and its only special character is the quote.
+ * the command: both go in by their numbers. In single quotes gnuplot 5.4 takes some pairs of quotes
+ * for the end of one text and the beginning of the next.
  */
 #include "plot/text.h"
 
@@ -93,9 +94,21 @@ static const char *spelled(long code) {
   return "?";
 }
 
-/* C0, DEL and C1: a terminal could obey them. */
+/* C0, DEL and C1: a terminal could obey them. The others end a line, or turn the order of what is
+ * shown (the Bidi_Control of Unicode). */
 static int is_control(long code) {
-  return code < 0x20 || (code >= 0x7f && code < 0xa0);
+  return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e ||
+         code == 0x200f || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+/* A byte within double quotes. */
+static void add_byte(arc_text *text, char byte) {
+  if (byte == '"' || byte == '\\')
+    arc_text_add(text, (char[]){'\\', byte}, 2);
+  else if (byte == '`' || (unsigned char)byte < 0x20 || byte == 0x7f)
+    arc_text_format(text, "\\%03o", (unsigned)byte);
+  else
+    arc_text_add(text, &byte, 1);
 }
 
 static void add_character(arc_text *text, const char *bytes, size_t length, long code, int ascii) {
@@ -103,49 +116,27 @@ static void add_character(arc_text *text, const char *bytes, size_t length, long
     arc_text_word(text, "?");
   else if (is_control(code))
     arc_text_word(text, " ");
-  else if (code == '\'')
-    arc_text_word(text, "''");
   else if (code < 0x80 || !ascii)
-    arc_text_add(text, bytes, length);
+    for (size_t i = 0; i < length; i++) add_byte(text, bytes[i]);
   else
-    for (const char *c = spelled(code); *c; c++)
-      arc_text_word(text, *c == '\'' ? "''" : (char[]){*c, 0});
-}
-
-/* Whether the character is, or is spelled as, an apostrophe. */
-static int is_apostrophe(long code, int ascii) {
-  return code == '\'' || (ascii && code >= 0x80 && spelled(code)[0] == '\'');
-}
-
-/* gnuplot takes two quotes at the very beginning for an empty text: apostrophes there stand in
- * double quotes. Returns what comes behind them. */
-static const char *leading_apostrophes(arc_text *text, const char *words, int ascii) {
-  const char *first = words;
-  size_t length;
-  while (is_apostrophe(code_point((const unsigned char *)words, &length), ascii)) {
-    arc_text_word(text, words == first ? "\"'" : "'");
-    words += length;
-  }
-  if (words != first) arc_text_word(text, "\".");
-  return words;
+    for (const char *c = spelled(code); *c; c++) add_byte(text, *c);
 }
 
 void arc_text_quoted(arc_text *text, const char *words, int ascii) {
-  words = leading_apostrophes(text, words, ascii);
-  arc_text_word(text, "'");
+  arc_text_word(text, "\"");
   while (*words) {
     size_t length;
     long code = code_point((const unsigned char *)words, &length);
     add_character(text, words, length, code, ascii);
     words += length;
   }
-  arc_text_word(text, "'");
+  arc_text_word(text, "\"");
 }
 
 void arc_text_path(arc_text *text, const char *path) {
-  arc_text_word(text, "'");
-  for (; *path; path++) arc_text_add(text, *path == '\'' ? "''" : path, *path == '\'' ? 2 : 1);
-  arc_text_word(text, "'");
+  arc_text_word(text, "\"");
+  for (; *path; path++) add_byte(text, *path);
+  arc_text_word(text, "\"");
 }
 
 size_t arc_text_characters(const char *words) {

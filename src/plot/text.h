@@ -27,8 +27,8 @@ int arc_text_marked(const char *words);
 /* The words with \alpha and its like as Greek letters. */
 void arc_text_greek(arc_text *text, const char *words);
 
-/* Quoted for gnuplot's enhanced text, in which the marks of archard/plot.h are its own and all
- * else is shown as it stands. */
+/* As gnuplot's enhanced text, yet to be quoted, in which the marks of archard/plot.h are its own
+ * and all else is shown as it stands. */
 void arc_text_enhanced(arc_text *text, const char *words);
 
 /* Characters (not bytes) of a UTF-8 text; 0 for NULL. */

@@ -94,13 +94,13 @@ do
   for i = 9, 12 do curves[i] = { x = { 0, 1 }, y = { 0, i }, title = "curve " .. i } end
   script = script_of(function(file) curves.file = file plot(curves) end)
   has(script, "unset key", "more than eight have no key")
-  has(script, "set label 12 'curve 12' noenhanced at graph 1.015, graph 1", "but names at their ends")
-  ok(not script:find("title 'curve"), "and nowhere else")
+  has(script, 'set label 12 "curve 12" noenhanced at graph 1.015, graph 1', "but names at their ends")
+  ok(not script:find("title \"curve"), "and nowhere else")
   for i = 1, 12 do curves[i].value = i end
   curves.vlabel = "\\alpha"
   script = script_of(function(file) curves.file = file plot(curves) end)
   has(script, "linecolor palette cb 7", "or a scale of colours")
-  has(script, "set cblabel 'α'", "that says of what")
+  has(script, 'set cblabel "α"', "that says of what")
   curves.file, curves.size = folder .. "/s.txt", { 100, 40 }
   plot(curves)
   local named = select(2, (read("s.txt") or ""):gsub("curve %d", ""))
@@ -111,16 +111,16 @@ do
   local script = script_of(function(file)
     plot { panels = { { line, title = "left" }, { line } }, file = file }
   end)
-  has(script, "set title '(a) left'", "panels have letters")
-  has(script, "set title '(b)'", "without a title too")
+  has(script, 'set title "(a) left"', "panels have letters")
+  has(script, 'set title "(b)"', "without a title too")
   script = script_of(function(file)
     plot { panels = { { line, title = "left" }, { line } }, letters = false, file = file }
   end)
-  has(script, "set title 'left'", "or have not")
+  has(script, 'set title "left"', "or have not")
   script = script_of(function(file)
     plot { line, title = ("a long title of many words, "):rep(6), file = file }
   end)
-  ok(script:match("set title '[^\n]+,'%.\"\\n\"%.'a long"), "a long title has lines")
+  ok(script:match('set title "[^\n]+,"%."\\n"%."a long'), "a long title has lines")
   script = script_of(function(file) plot { x = { 0, 1 }, y = { 0, 7e-4 }, file = file } end)
   has(script, "set format y '%.0t×10^{%T}'", "small numbers as powers of ten")
   script = script_of(function(file) plot { x = { 0, 1 }, y = { 0, 0.7 }, file = file } end)

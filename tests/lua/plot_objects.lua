@@ -89,7 +89,7 @@ do
   many[11] = { file = folder .. "/s.gp" }
   plot.pressure(table.unpack(many))
   has(read("s.gp"), "linecolor palette cb 0.5 ", "many runs that differ in alpha: its scale")
-  has(read("s.gp"), "set cblabel 'α'", "named")
+  has(read("s.gp"), 'set cblabel "α"', "named")
   local sp = stand_in { stroke = 0.11, procedure = "SP", cycle = 9 }
   local nsp = stand_in { stroke = 20, procedure = "NSP", cycle = 7 }
   local text = picture_of(function(file) plot.pressure(sp, nsp, { file = file }) end)

@@ -13,22 +13,17 @@ static void assert_quoted(const char *text, int ascii, const char *expected) {
 
 static void test_quote(void **state) {
   (void)state;
-  assert_quoted("plain p_max", 0, "'plain p_max'");
-  assert_quoted("it's `date` \"x\" \\", 0, "'it''s `date` \"x\" \\'");
-  assert_quoted("a\nb\rc\033[31m\177", 0, "'a b c [31m '");
-  assert_quoted("\302\233A", 0, "' A'");        /* a control character of two bytes */
-  assert_quoted("\302\265m", 0, "'\302\265m'"); /* micro */
-  assert_quoted("\302\265m \316\261", 1, "'um alpha'");
-  assert_quoted("a\342\200\231", 1, "'a'''"); /* an apostrophe from ASCII's point of view */
-  /* gnuplot reads two quotes at the beginning as an empty text */
-  assert_quoted("'tis 'so'", 0, "\"'\".'tis ''so'''");
-  assert_quoted("\342\200\231'", 1, "\"''\".''");
-  assert_quoted("\377\302", 0,
-                "'?"
-                "?'"); /* no UTF-8 */
-  assert_quoted("\300\247", 0,
-                "'?"
-                "?'"); /* a quote in too many bytes */
+  assert_quoted("plain p_max", 0, "\"plain p_max\"");
+  assert_quoted("it's `date` \"x\" \\", 0, "\"it's \\140date\\140 \\\"x\\\" \\\\\"");
+  assert_quoted("a\nb\rc\033[31m\177", 0, "\"a b c [31m \"");
+  assert_quoted("\302\233A", 0, "\" A\"");        /* a control character of two bytes */
+  assert_quoted("\342\200\256A", 0, "\" A\"");    /* one that turns the order of the rest */
+  assert_quoted("\302\265m", 0, "\"\302\265m\""); /* micro */
+  assert_quoted("\302\265m \316\261", 1, "\"um alpha\"");
+  assert_quoted("a\342\200\231\342\200\235", 1,
+                "\"a'\\\"\"");            /* quotes from ASCII's point of view */
+  assert_quoted("\377\302", 0, "\"??\""); /* no UTF-8 */
+  assert_quoted("\300\247", 0, "\"??\""); /* a quote in too many bytes */
 }
 
 /* Whatever bytes a text has, gnuplot must read the quoted text as one string. */
@@ -41,20 +36,15 @@ static void test_quote_is_one_string(void **state) {
       seed = seed * 1103515245u + 12345u;
       text[i] = (char)(1 + (seed >> 16) % 255);
     }
-    char *whole = arc_plot_quote(text, round % 2);
-    char *quoted = whole[0] == '"' ? whole + 1 + strspn(whole + 1, "'") : whole;
-    if (quoted > whole) {
-      assert_memory_equal(quoted, "\".", 2);
-      quoted += 2;
-    }
+    char *quoted = arc_plot_quote(text, round % 2);
     size_t length = strlen(quoted);
-    assert_true(quoted[0] == '\'' && quoted[length - 1] == '\'');
+    assert_true(length > 1 && quoted[0] == '"' && quoted[length - 1] == '"');
     for (size_t i = 1; i + 1 < length; i++) {
-      assert_true((unsigned char)quoted[i] >= 0x20);
-      if (quoted[i] == '\'') assert_int_equal(quoted[++i], '\'');
+      assert_true((unsigned char)quoted[i] >= 0x20 && !strchr("\"`", quoted[i]));
+      if (quoted[i] == '\\') i += strchr("\"\\", quoted[i + 1]) ? 1 : 3;
       assert_true(i + 1 < length);
     }
-    free(whole);
+    free(quoted);
   }
 }
 
@@ -76,26 +66,28 @@ static void assert_label(const char *label, const char *expected) {
 
 static void test_marks(void **state) {
   (void)state;
-  assert_label("p / p_H", "'p / p_{H}' enhanced");
-  assert_label("\\alpha_c in mm^2", "'\316\261_{c} in mm^{2}' enhanced");
-  assert_label("10^-8 {x} a\\b @ & ~", "'10^{-8} \\{x\\} a\\\\b \\@ \\& \\~' enhanced");
-  assert_label("file_name, p_max_of_all, _H, x_", "'file_name, p_max_of_all, _H, x_' noenhanced");
-  assert_label("{/Symbol a} \\alphabet ^2", "'{/Symbol a} \\alphabet ^2' noenhanced");
-  assert_label("it's p_H'", "'it''s p_{H}''' enhanced");
+  assert_label("p / p_H", "\"p / p_{H}\" enhanced");
+  assert_label("\\alpha_c in mm^2", "\"\316\261_{c} in mm^{2}\" enhanced");
+  assert_label("10^-8 {x} a\\b @ & ~",
+               "\"10^{-8} \\\\{x\\\\} a\\\\\\\\b \\\\@ \\\\& \\\\~\" enhanced");
+  assert_label("file_name, p_max_of_all, _H, x_", "\"file_name, p_max_of_all, _H, x_\" noenhanced");
+  assert_label("{/Symbol a} \\alphabet ^2", "\"{/Symbol a} \\\\alphabet ^2\" noenhanced");
+  assert_label("it's p_H'", "\"it's p_{H}'\" enhanced");
 }
 
-/* Titles that begin with an apostrophe are shown, in each place that words can stand in. */
-static void test_leading_apostrophe(void **state) {
+/* Quotes of every kind are shown, in each place that words can stand in. */
+static void test_quotes_are_shown(void **state) {
   double at[2] = {1, 3};
   const char *words[2] = {"'low", "''high"};
-  arc_plot_curve c = curve("'quoted'");
+  arc_plot_curve c = curve("''quoted'' \"and\" `more`");
   arc_plot_panel panel = panel_of(&c, 1);
   panel.x.label = "'p_H'";
   panel.x.places = at, panel.x.words = words, panel.x.place_count = 2;
-  arc_plot_figure figure = {.title = "'tis", .panels = &panel, .panel_count = 1};
+  arc_plot_figure figure = {.title = "''tis'' not", .panels = &panel, .panel_count = 1};
   char *picture;
   assert_int_equal(arc_plot_draw(*state, &figure, &as_text, &picture, NULL, NULL), ARC_OK);
-  static const char *const shown[] = {"'tis", "'quoted'", "'low", "''high", "'p_H'"};
+  static const char *const shown[] = {"''tis'' not", "''quoted'' \"and\" `more`", "'low", "''high",
+                                      "'p_H'"};
   for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
     assert_non_null(strstr(picture, shown[i]));
   free(picture);
@@ -434,7 +426,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_quote),
       cmocka_unit_test(test_marks),
-      cmocka_unit_test(test_leading_apostrophe),
+      cmocka_unit_test(test_quotes_are_shown),
       cmocka_unit_test(test_refusal_is_told),
       cmocka_unit_test(test_dots),
       cmocka_unit_test(test_quote_is_one_string),
