@@ -160,8 +160,9 @@ $(unit_tests): $(BUILD)/tests/%: $(OBJ)/tests/unit/%.o $(plot_obj) $(static_lib)
 $(BUILD)/tests/test_oom: test_ldflags = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free \
                                         -lsuitesparseconfig
 
-# What tests/memory/failing loads into the program.
-$(BUILD)/tests/failing.so: tests/memory/failing.c
+# What tests load into the program.
+preloaded = $(patsubst %,$(BUILD)/tests/%.so,failing locks)
+$(preloaded): $(BUILD)/tests/%.so: tests/memory/%.c
 	@mkdir -p $(@D)
 	$(say) LD $@
 	$(quiet)$(CC) -O1 -std=gnu11 $(WARNINGS) -shared -fPIC $< -o $@
@@ -179,7 +180,7 @@ $(fuzzers): $(BUILD)/fuzz/%: $(OBJ)/tests/fuzz/%.o $(fuzzed)
 	$(say) LD $@
 	$(quiet)$(CC) $(all_ldflags) -fsanitize=fuzzer $^ $(fuzz_libs) -o $@
 
-test-programs: all $(unit_tests) $(replays) $(BUILD)/tests/failing.so
+test-programs: all $(unit_tests) $(replays) $(preloaded)
 fuzz-programs: $(fuzzers)
 
 -include $(patsubst %.o,%.d,$(lib_obj) $(plot_obj) $(front_obj) $(call obj_of,$(unit_src) $(wildcard tests/fuzz/*.c)))

@@ -1,6 +1,7 @@
 /* The one file that includes SQLite. Turns its codes into statuses with a word on what to do, and
  * keeps it from all files but the run file, its journal and what has no name. */
 #include "store/database.h"
+#include "archard/lock.h"
 #include "store/journal.h"
 
 #include <math.h>
@@ -15,6 +16,7 @@ struct database {
   char *path, *name; /* where it is, and what the user calls it */
   long long bytes;   /* of the file when the present query was opened, and of the one attached */
   long long beside;
+  arc_lock_kind locks;
   long long work; /* instructions that it may still take, in units of WATCH */
 };
 
@@ -67,6 +69,10 @@ static const char *read_only(int code) {
   }
 }
 
+static const char lock_remedy[] =
+    ": the disk has no locks, and the name of the file with .lock behind it says so; if no program "
+    "on any machine uses it, remove that";
+
 static arc_status fail(const database *db, int code, arc_error *error) {
   const char *why = db->handle ? sqlite3_errmsg(db->handle) : sqlite3_errstr(code);
   const char *remedy = "", *what = "";
@@ -101,6 +107,7 @@ static arc_status fail(const database *db, int code, arc_error *error) {
     break;
   case SQLITE_BUSY:
     why = "another program keeps the file locked";
+    if (db->locks == ARC_LOCK_BY_NAME) remedy = lock_remedy;
     break;
   case SQLITE_READONLY:
     why = read_only(code);
@@ -146,39 +153,47 @@ static void distrust(database *db) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-static const char guarded_name[] = "archard-run-file";
-static sqlite3_vfs guarded;  /* the system as SQLite may use it */
-static sqlite3_vfs *beneath; /* as it is */
+/* The system as SQLite may use it, for each kind of lock. */
+enum { KINDS = ARC_LOCK_NONE + 1 };
+static const char *const guarded_names[KINDS] = {"archard", "archard-by-name", "archard-alone"};
+static const char *const beneath_names[KINDS] = {"unix", "unix-dotfile", "unix-none"};
+static sqlite3_vfs guarded[KINDS];
+static int (*open_beneath)(sqlite3_vfs *, const char *, sqlite3_file *, int, int *);
 
 /* What stands beside a stranger's file could have SQLite delete any file, write to it, or wait for
  * ever: journals that name another file, links, pipes, logs. Nothing of that is opened here, and
  * SQLite deletes only what it could open, and the journal of its own file. */
 static int open_guarded(sqlite3_vfs *self, const char *name, sqlite3_file *file, int flags,
                         int *given) {
-  (void)self;
   const int foreign = flags & (SQLITE_OPEN_SUPER_JOURNAL | SQLITE_OPEN_WAL);
   const int journal = name && flags & SQLITE_OPEN_MAIN_JOURNAL;
   file->pMethods = NULL;
   if (foreign || (journal && !arc_journal_is_sound(name))) return SQLITE_PERM;
-  return beneath->xOpen(beneath, name, file, flags, given);
+  return open_beneath(self, name, file, flags, given);
 }
 
-static int register_guarded(void) {
-  if (sqlite3_vfs_find(guarded_name)) return SQLITE_OK;
-  beneath = sqlite3_vfs_find(NULL);
+static int register_guarded(int kind) {
+  sqlite3_vfs *beneath = sqlite3_vfs_find(beneath_names[kind]), *own = &guarded[kind];
+  if (sqlite3_vfs_find(guarded_names[kind])) return SQLITE_OK;
   if (!beneath) return SQLITE_NOMEM;
-  guarded = *beneath;
-  guarded.pNext = NULL;
-  guarded.zName = guarded_name;
-  guarded.xOpen = open_guarded;
-  return sqlite3_vfs_register(&guarded, 0);
+  open_beneath = beneath->xOpen; /* one function for all: how they lock is in what they hold */
+  *own = *beneath;
+  own->pNext = NULL;
+  own->zName = guarded_names[kind];
+  own->xOpen = open_guarded;
+  if (kind == ARC_LOCK_BY_NAME) { /* SQLite's locks are folders, which cannot tell whose they are */
+    own->xSetSystemCall(own, "mkdir", (sqlite3_syscall_ptr)arc_lock_take);
+    own->xSetSystemCall(own, "rmdir", (sqlite3_syscall_ptr)arc_lock_leave);
+  }
+  return sqlite3_vfs_register(own, 0);
 }
 
 /* Once in a process, whatever its threads do. */
 static int guard(void) {
   static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
   pthread_mutex_lock(&lock);
-  const int code = register_guarded();
+  int code = SQLITE_OK;
+  for (int kind = 0; kind < KINDS && code == SQLITE_OK; kind++) code = register_guarded(kind);
   pthread_mutex_unlock(&lock);
   return code;
 }
@@ -218,14 +233,18 @@ static database *new_database(const char *path, const char *name) {
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **result, arc_error *error) {
   *result = NULL;
+  arc_lock_kind locks = ARC_LOCK_NONE; /* nobody else knows of a new file */
+  arc_status status = create ? ARC_OK : arc_lock_look(path, name, &locks, error);
+  if (status != ARC_OK) return status;
   database *db = new_database(path, name);
   if (!db) return arc_fail(error, ARC_MEMORY, "%s: out of memory", name);
+  db->locks = locks;
   /* a store belongs to one thread: locks at every value bound cost a third of storing */
   int flags = SQLITE_OPEN_NOMUTEX | (writable ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY);
   if (create) flags |= SQLITE_OPEN_CREATE;
   int code = guard();
-  if (code == SQLITE_OK) code = sqlite3_open_v2(path, &db->handle, flags, guarded_name);
-  arc_status status = code == SQLITE_OK ? configure(db, error) : fail(db, code, error);
+  if (code == SQLITE_OK) code = sqlite3_open_v2(path, &db->handle, flags, guarded_names[locks]);
+  status = code == SQLITE_OK ? configure(db, error) : fail(db, code, error);
   if (status != ARC_OK) arc_database_close(&db);
   *result = db;
   return status;

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "archard/lock.h"
 #include "archard/place.h"
 
 static char folder[] = "/tmp/archard-place-XXXXXX";
@@ -126,10 +127,13 @@ static void test_refused(void **state) {
                {"far", ARC_IO, "Is a directory"},
                {"new/file", ARC_IO, "Not a directory"},
                {"a\nb", ARC_ARGUMENT, "control character"},
+               {"through/x.png", ARC_IO, "control character in its folder's name"},
                {"", ARC_ARGUMENT, "without a name"},
                {long_name, ARC_ARGUMENT, "too long"},
                {"read-only", ARC_IO, "Permission denied"},
                {"locked/file", ARC_IO, "Permission denied"}};
+  mkdir("d\nsystem 'x'\n#", 0700);
+  assert_int_equal(symlink("d\nsystem 'x'\n#", "through"), 0);
   write_to("read-only", "kept");
   chmod("read-only", 0444);
   mkdir("locked", 0500);
@@ -209,6 +213,28 @@ static void test_strays(void **state) {
   arc_place_sweep("nowhere");
 }
 
+/* A lock by its name is its program's, and anybody's once that is gone; one of a program on another
+ * system stays. */
+static void test_locks_by_name(void **state) {
+  (void)state;
+  char text[60] = "";
+  pid_t child = fork();
+  if (child == 0) {
+    arc_lock_take("file.lock", 0);
+    raise(SIGKILL);
+  }
+  waitpid(child, NULL, 0);
+  assert_true(readlink("file.lock", text, sizeof text) > 0);
+  assert_int_equal(arc_lock_take("file.lock", 0), 0);
+  assert_int_equal(arc_lock_take("file.lock", 0), -1);
+  assert_int_equal(errno, EEXIST);
+  assert_int_equal(arc_lock_leave("file.lock"), 0);
+  assert_int_equal(symlink("0123456789abcdef-1", "file.lock"), 0);
+  assert_int_equal(arc_lock_take("file.lock", 0), -1);
+  assert_int_equal(arc_lock_leave("file.lock"), 0);
+  assert_int_equal(arc_lock_leave("file.lock"), -1);
+}
+
 /* Many programs on one name: the first stays, or the last; always one that is whole. */
 static void test_together(void **state) {
   (void)state;
@@ -257,6 +283,7 @@ int main(void) {
       cmocka_unit_test(test_devices_are_written_to),
       cmocka_unit_test(test_no_room),
       cmocka_unit_test(test_strays),
+      cmocka_unit_test(test_locks_by_name),
       cmocka_unit_test(test_together),
       cmocka_unit_test(test_scratch),
   };

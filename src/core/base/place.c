@@ -1,9 +1,10 @@
-/* Files that appear whole or not at all. Leans on POSIX only.
+/* Files that appear whole or not at all. Leans on POSIX.
  *
- * A place is a file ".archard-part-PID-TIME" that its writer holds a lock on: one that nobody holds
- * was left by a program that was killed.
+ * A place is a file ".archard-part-SYSTEM-PID-TIME": one whose program is not there any more was
+ * left by it. Nobody asks for locks, which disks on a network may not have, or wait for.
  */
 #include "archard/place.h"
+#include "core/base/owner.h"
 
 #include <ctype.h>
 #include <dirent.h>
@@ -13,7 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@
 static const char prefix[] = ".archard-part-";
 
 struct arc_place {
-  int descriptor;        /* of the place, locked */
+  int descriptor;        /* of the place */
   char asked[PATH_MAX];  /* as the user wrote it, for messages */
   char target[PATH_MAX]; /* the file itself, behind symbolic links; "" for scratch */
   char path[PATH_MAX];   /* of the place */
@@ -31,7 +31,14 @@ struct arc_place {
 };
 
 static arc_status failed(const char *path, int why, arc_error *error) {
-  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", path, strerror(why));
+  const char *reason = why == EILSEQ ? "a control character in its folder's name" : strerror(why);
+  return arc_fail(error, ARC_IO, "cannot write '%.200s': %s", path, reason);
+}
+
+static int has_control(const char *path) {
+  for (const char *c = path; *c; c++)
+    if ((unsigned char)*c < 0x20 || *c == 0x7f) return 1;
+  return 0;
 }
 
 static int is_part(const char *name) {
@@ -50,22 +57,21 @@ static void remove_part(int folder, const char *name) {
   unlinkat(folder, name, 0);
 }
 
-/* Whether the file still has the name: its holder may have published it, and let go. */
-static int is_named(int folder, const char *name, const struct stat *file) {
-  struct stat there;
-  return fstatat(folder, name, &there, AT_SYMLINK_NOFOLLOW) == 0 && there.st_ino == file->st_ino &&
-         there.st_dev == file->st_dev;
+/* Of programs of other systems nobody knows whether they live: after ten days, as long as systemd
+ * leaves files in /tmp (tmpfiles.d), it is taken that they do not. */
+static const double longest = 10 * 86400.0;
+
+static int is_left(const char *name, const struct stat *facts) {
+  const arc_owner_state owner = arc_owner_look(name + sizeof prefix - 1);
+  if (owner != ARC_OWNER_ELSEWHERE) return owner == ARC_OWNER_GONE;
+  return difftime(time(NULL), facts->st_mtime) > longest;
 }
 
-/* One that nobody holds, and is ours, is taken away. */
 static void sweep_part(int folder, const char *name) {
-  int descriptor = openat(folder, name, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   struct stat facts;
-  if (descriptor < 0) return;
-  if (fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) && facts.st_uid == geteuid() &&
-      flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_named(folder, name, &facts))
+  if (fstatat(folder, name, &facts, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(facts.st_mode) &&
+      facts.st_uid == geteuid() && is_left(name, &facts))
     remove_part(folder, name);
-  close(descriptor);
 }
 
 void arc_place_sweep(const char *folder) {
@@ -81,9 +87,8 @@ void arc_place_sweep(const char *folder) {
 
 static arc_status check_name(const char *path, arc_error *error) {
   if (!path[0]) return arc_fail(error, ARC_ARGUMENT, "a file without a name");
-  for (const char *c = path; *c; c++)
-    if ((unsigned char)*c < 0x20 || *c == 0x7f)
-      return arc_fail(error, ARC_ARGUMENT, "a file name with a control character in it");
+  if (has_control(path))
+    return arc_fail(error, ARC_ARGUMENT, "a file name with a control character in it");
   return strlen(path) < PATH_MAX - NAME_MAX
              ? ARC_OK
              : arc_fail(error, ARC_ARGUMENT, "'%.200s...': the path is too long", path);
@@ -164,6 +169,7 @@ static int set_folder(arc_place *place, const char *folder) {
   char whole[PATH_MAX];
   if (!realpath(folder, whole)) return errno;
   if (strlen(whole) + 1 >= PATH_MAX - NAME_MAX) return ENAMETOOLONG;
+  if (has_control(whole)) return EILSEQ;
   place->folder = (size_t)snprintf(place->path, PATH_MAX, "%s%s", whole, whole[1] ? "/" : "");
   return 0;
 }
@@ -180,27 +186,19 @@ static int set_folder_of_target(arc_place *place) {
 
 /* --- taking ----------------------------------------------------------------------------------- */
 
-/* Holds the file just made, unless somebody who swept was quicker. */
-static int hold(int descriptor) {
-  struct stat facts;
-  return flock(descriptor, LOCK_EX | LOCK_NB) == 0 && fstat(descriptor, &facts) == 0 &&
-         facts.st_nlink > 0;
-}
-
 /* Makes a file that nobody has in the folder, of a name that this process has never had: whoever
  * sweeps may still be about to take the last one away. Returns an errno. */
 static int make_part(arc_place *place) {
-  for (int n = 0; n < 10000; n++) {
+  char owner[ARC_OWNER];
+  arc_owner_name(owner);
+  for (int tried = 0; tried < 100; tried++) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
-    snprintf(place->path + place->folder, PATH_MAX - place->folder, "%s%ld-%lld%09ld", prefix,
-             (long)getpid(), (long long)now.tv_sec, now.tv_nsec);
+    snprintf(place->path + place->folder, PATH_MAX - place->folder, "%s%s-%lld%09ld", prefix, owner,
+             (long long)now.tv_sec, now.tv_nsec);
     place->descriptor = open(place->path, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (place->descriptor < 0 && errno == EEXIST) continue;
-    if (place->descriptor < 0) return errno;
-    if (hold(place->descriptor)) return 0;
-    close(place->descriptor);
-    place->descriptor = -1;
+    if (place->descriptor >= 0) return 0;
+    if (errno != EEXIST) return errno;
   }
   return EEXIST;
 }
@@ -281,21 +279,27 @@ static int open_stream(const arc_place *place) {
   return fcntl(place->own, F_DUPFD_CLOEXEC, 0);
 }
 
+/* Returns an errno. */
+static int write_all(int to, const char *bytes, size_t count) {
+  while (count > 0) {
+    const ssize_t written = write(to, bytes, count);
+    if (written < 0 && errno != EINTR) return errno;
+    if (written > 0) bytes += written, count -= (size_t)written;
+  }
+  return 0;
+}
+
 /* Writes all that stands in the place to a device, a pipe or what is open. Returns an errno. */
 static int pour(const arc_place *place) {
   char block[1 << 16];
   const int from = place->descriptor, to = open_stream(place);
-  int why = 0;
   if (to < 0) return errno;
-  ssize_t got = 0;
-  if (lseek(from, 0, SEEK_SET) < 0) why = errno;
-  while (!why && (got = read(from, block, sizeof block)) > 0)
-    for (ssize_t done = 0; !why && done < got;) {
-      ssize_t written = write(to, block + done, (size_t)(got - done));
-      if (written < 0) why = errno;
-      done += written;
-    }
-  if (got < 0 && !why) why = errno;
+  int why = lseek(from, 0, SEEK_SET) < 0 ? errno : 0;
+  ssize_t got = 1;
+  while (!why && got > 0) {
+    got = read(from, block, sizeof block);
+    why = got < 0 ? errno : write_all(to, block, (size_t)got);
+  }
   if (close(to) != 0 && !why) why = errno;
   return why;
 }

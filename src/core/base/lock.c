@@ -1,0 +1,122 @@
+/* Locks, where a disk may have none, or not answer. Leans on POSIX only. */
+#include "archard/lock.h"
+
+#include "core/base/owner.h"
+#include "core/base/watch.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+/* --- what there is ---------------------------------------------------------------------------- */
+
+/* A question to the disk, on a thread of its own: where the lock daemon of a server is gone, the
+ * system waits for it without an end. */
+typedef struct question {
+  work_watch progress;
+  int file, answer; /* answer: an errno */
+} question;
+
+/* Asks whether anybody has locked a byte that SQLite locks. */
+static arc_status ask(void *job) {
+  question *q = job;
+  struct flock lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET, .l_start = 1 << 30, .l_len = 1};
+  q->answer = fcntl(q->file, F_GETLK, &lock) == 0 ? 0 : errno;
+  return ARC_OK;
+}
+
+static void discard(void *job) {
+  question *q = job;
+  if (q->file >= 0) close(q->file);
+  free(q);
+}
+
+/* A disk that needs longer for one answer will not store a run either [s]. */
+enum { PATIENCE = 10 };
+
+static int has_waited(void *context) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec >= *(const time_t *)context;
+}
+
+/* Returns 0, an errno, or ETIMEDOUT. */
+static int locks_of(const char *path) {
+  struct timespec now;
+  question *q = calloc(1, sizeof *q);
+  if (!q) return ENOMEM;
+  q->file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  time_t until = now.tv_sec + PATIENCE;
+  const arc_callbacks patience = {.stop = has_waited, .context = &until};
+  const watched_work work = {ask, discard, &q->progress};
+  int left = 0;
+  if (arc_watched(&work, q, "", &patience, &left) == ARC_STOPPED) return ETIMEDOUT;
+  const int answer = q->answer;
+  discard(q);
+  return answer;
+}
+
+/* Whether a file can be made beside it. */
+static int has_room_beside(const char *path) {
+  char folder[PATH_MAX];
+  const char *slash = strrchr(path, '/');
+  snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path + 1) : 1, slash ? path : ".");
+  return access(folder, W_OK) == 0;
+}
+
+arc_status arc_lock_look(const char *path, const char *name, arc_lock_kind *kind,
+                         arc_error *error) {
+  const int why = locks_of(path);
+  *kind = ARC_LOCK_SYSTEM;
+  if (why == ETIMEDOUT)
+    return arc_fail(error, ARC_IO,
+                    "%s: the disk was asked for a lock and has not answered for %d s", name,
+                    PATIENCE);
+  if (why == ENOLCK || why == ENOSYS || why == EOPNOTSUPP)
+    *kind = has_room_beside(path) ? ARC_LOCK_BY_NAME : ARC_LOCK_NONE;
+  return ARC_OK;
+}
+
+/* --- by name ---------------------------------------------------------------------------------- */
+
+static int is_left(const char *lock) {
+  char text[ARC_OWNER];
+  const ssize_t length = readlink(lock, text, sizeof text - 1);
+  if (length < 0) return 0;
+  text[length] = '\0';
+  return arc_owner_look(text) == ARC_OWNER_GONE;
+}
+
+static int make(const char *lock) {
+  char owner[ARC_OWNER];
+  arc_owner_name(owner);
+  return symlink(owner, lock);
+}
+
+/* Of several that find it left, one looks again and takes it away: what it looks at then is what it
+ * removes. */
+static void remove_left(const char *lock) {
+  char turn[PATH_MAX];
+  if ((size_t)snprintf(turn, sizeof turn, "%s-turn", lock) >= sizeof turn || make(turn) != 0)
+    return;
+  if (is_left(lock)) unlink(lock);
+  unlink(turn);
+}
+
+int arc_lock_take(const char *lock, mode_t ignored) {
+  (void)ignored;
+  if (make(lock) == 0) return 0;
+  if (errno != EEXIST || !is_left(lock)) return -1;
+  remove_left(lock);
+  return make(lock);
+}
+
+int arc_lock_leave(const char *lock) {
+  return unlink(lock);
+}

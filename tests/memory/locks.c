@@ -1,0 +1,44 @@
+/* A disk without locks, for a program that this is loaded into (LD_PRELOAD): ARCHARD_LOCKS is the
+ * number that every request for a lock fails with, or "hang": then it never ends, as where the lock
+ * daemon of a server is gone. */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+static int refuse(void) {
+  const char *how = getenv("ARCHARD_LOCKS");
+  if (!how) abort();
+  while (strcmp(how, "hang") == 0) pause();
+  errno = atoi(how);
+  return -1;
+}
+
+int flock(int file, int how) {
+  (void)file, (void)how;
+  return refuse();
+}
+
+static int is_lock(int what) {
+  return what == F_GETLK || what == F_SETLK || what == F_SETLKW || what == F_OFD_GETLK ||
+         what == F_OFD_SETLK || what == F_OFD_SETLKW;
+}
+
+#define CONTROL(name)                                                                              \
+  int name(int file, int what, ...) {                                                              \
+    static int (*system_s)(int, int, ...);                                                         \
+    va_list rest;                                                                                  \
+    va_start(rest, what);                                                                          \
+    void *argument = va_arg(rest, void *);                                                         \
+    va_end(rest);                                                                                  \
+    if (!system_s) *(void **)&system_s = dlsym(RTLD_NEXT, #name);                                  \
+    return is_lock(what) ? refuse() : system_s(file, what, argument);                              \
+  }
+
+CONTROL(fcntl)
+CONTROL(fcntl64)
