@@ -1,4 +1,7 @@
--- Means, sizes, spreads and confidence of a few measurements.
+-- Means, sizes, spreads and confidence of a few measurements. Leans on archard.random.
+
+local random = require "archard.random"
+
 local statistics = {}
 
 function statistics.mean(list)
@@ -22,29 +25,11 @@ function statistics.deviation(list)
   return math.sqrt(sum / (#list - 1))
 end
 
--- Student's distribution: the probability to be within +-t at a number of degrees of freedom, with t
--- as the angle whose tangent is t / sqrt(freedom) (a finite series).
-local function within(angle, freedom)
-  local c, s, term, sum = math.cos(angle), math.sin(angle), 1, 0
-  local odd = freedom % 2
-  for i = 1, (freedom - odd) // 2 do
-    sum = sum + term
-    term = term * c * c * (2 * i - 1 + odd) / (2 * i + odd)
-  end
-  if odd == 0 then return s * sum end
-  return 2 / math.pi * (angle + s * c * sum)
-end
-
 statistics.known = 10000 -- degrees of freedom that stand for a known deviation: the normal curve
 
--- How many standard deviations of the mean are within a confidence.
+-- How many standard deviations of the mean are within a confidence, by Student's distribution.
 function statistics.student(confidence, freedom)
-  local low, high = 0, math.pi / 2
-  for _ = 1, 60 do
-    local middle = (low + high) / 2
-    if within(middle, freedom) < confidence then low = middle else high = middle end
-  end
-  return math.tan(low) * math.sqrt(freedom)
+  return random.student_quantile((1 + confidence) / 2, freedom)
 end
 
 return statistics

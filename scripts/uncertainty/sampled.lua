@@ -45,33 +45,10 @@ function sampled.share_range(count, n, confidence)
   return low, high
 end
 
--- Ranks, those of equal values their middle.
-local function ranks(list)
-  local order, rank = {}, {}
-  for i = 1, #list do order[i] = i end
-  table.sort(order, function(a, b)
-    if list[a] ~= list[b] then return list[a] < list[b] end
-    return a < b
-  end)
-  local i = 1
-  while i <= #order do
-    local last = i
-    while last < #order and list[order[last + 1]] == list[order[i]] do last = last + 1 end
-    for j = i, last do rank[order[j]] = (i + last) / 2 end
-    i = last + 1
-  end
-  return rank
-end
-
--- Spearman's: the correlation of ranks; nil where one of both does not vary.
+-- Spearman's correlation of ranks; nil where one of both does not vary.
 function sampled.rank_correlation(a, b)
-  local x, y = ranks(a), ranks(b)
-  local middle, xy, xx, yy = (#a + 1) / 2, 0, 0, 0
-  for i = 1, #a do
-    local dx, dy = x[i] - middle, y[i] - middle
-    xy, xx, yy = xy + dx * dy, xx + dx * dx, yy + dy * dy
-  end
-  return xx > 0 and yy > 0 and xy / math.sqrt(xx * yy) or nil
+  local value = random.rank_correlation(a, b)
+  return value == value and value or nil
 end
 
 return sampled

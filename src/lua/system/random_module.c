@@ -1,6 +1,6 @@
-/* The module `archard.random`: points that fill a cube, by design and seed, and the quantiles that
- * uncertainties need. The one file that includes GSL's generators and distributions. All of it
- * depends on its arguments alone: the same seed gives the same bits. */
+/* The module `archard.random`: points that fill a cube, by design and seed, and the quantiles and
+ * correlations that uncertainties need. The one file that includes GSL's generators, distributions
+ * and statistics. All of it depends on its arguments alone: the same seed gives the same bits. */
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
 #include "lua/base/args.h"
@@ -10,6 +10,7 @@
 #include <gsl/gsl_qrng.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
+#include <gsl/gsl_statistics_double.h>
 #include <lauxlib.h>
 #include <stdlib.h>
 
@@ -119,11 +120,32 @@ static int beta_quantile(lua_State *L) {
   return 1;
 }
 
+/* student_quantile(p, freedom): where Student's distribution reaches p */
+static int student_quantile(lua_State *L) {
+  lua_pushnumber(L, gsl_cdf_tdist_Pinv(luaL_checknumber(L, 1), luaL_checknumber(L, 2)));
+  return 1;
+}
+
+/* rank_correlation(a, b): Spearman's, of two lists of one length; NaN where one does not vary */
+static int rank_correlation(lua_State *L) {
+  const args_place place = {"random.rank_correlation", ""};
+  size_t count = 0, other = 0;
+  lua_settop(L, 2);
+  const double *b = array_read(L, place, "b", &count);
+  lua_pushvalue(L, 1);
+  const double *a = array_read(L, place, "a", &other);
+  luaL_argcheck(L, other == count, 2, "expected as many numbers as in the first list");
+  lua_pushnumber(L, gsl_stats_spearman(a, 1, b, 1, count, array_buffer(L, 2 * count)));
+  return 1;
+}
+
 int luaopen_archard_random(lua_State *L) {
   static const luaL_Reg functions[] = {{"points", random_points},
                                        {"normal_quantile", normal_quantile},
                                        {"normal_share", normal_share},
                                        {"beta_quantile", beta_quantile},
+                                       {"student_quantile", student_quantile},
+                                       {"rank_correlation", rank_correlation},
                                        {NULL, NULL}};
   luaL_newlib(L, functions);
   lua_pushinteger(L, SOBOL_MOST);
