@@ -46,12 +46,18 @@ extern const char *const arc_rim_names[];
 
 /* A layer on a body's surface, with a material of its own: as thick everywhere, or, in a mesh from
  * outside, what the mesh has under that name. */
+#define ARC_LAYER_SETTINGS(NUMBER, TEXT)                                                           \
+  TEXT(name, "a name in the mesh from outside", ARC_OPTIONAL,                                      \
+       "What a mesh from outside calls it, in place of its thickness.")                            \
+  NUMBER(thickness, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Thickness of the layer.")
+
 typedef struct arc_layer {
-  char name[ARC_TEXT_SIZE]; /* "": it goes by its thickness */
-  double thickness;         /* [mm]; 0: by its name; without one there is none */
+  ARC_LAYER_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_TEXT) /* one of both, or there is no layer */
   arc_material material;
 } arc_layer;
 enum { ARC_MOST_LAYERS = 4 };
+
+extern const arc_setting arc_layer_settings[]; /* and the material, a group */
 
 /* What a body's name is. */
 #define ARC_BODY_NAME "a word of letters, digits and _ that begins with a letter, up to 31 long"

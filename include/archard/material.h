@@ -23,13 +23,14 @@ typedef struct arc_material {
 
 extern const arc_setting arc_material_settings[];
 
-/* A material as a setting of another definition, whose member `material` is by body. */
-#define ARC_MATERIAL_SETTING(owner, body, name_, text_)                                            \
+/* A material as a setting of another definition: a row of its list by the name `name_`, for its
+ * member at `offset_`. */
+#define ARC_MATERIAL_TABLE "{ E=, nu=, k= }"
+#define ARC_MATERIAL_SETTING(offset_, name_, text_)                                                \
   {                                                                                                \
     .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_material_settings,                  \
-    .offset = offsetof(owner, material[body]), .class_name = "material",                           \
-    .usual_text = "material{}", .type = "a material object or a table { E=, nu=, k= }",            \
-    .text = text_                                                                                  \
+    .offset = offset_, .class_name = "material", .usual_text = "material{}",                       \
+    .type = "a material object or a table " ARC_MATERIAL_TABLE, .text = text_                      \
   }
 
 /* Steel of the reference case: 200e3 MPa, 0.3. */

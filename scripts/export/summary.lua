@@ -40,7 +40,8 @@ end
 local function complete(part, units, prefix)
   for _, class in ipairs{ "body", "material" } do
     for _, setting in ipairs(known[class]) do
-      if part[setting.path] then units[prefix .. setting.path] = setting.unit end
+      local name = setting.path:gsub("^layer1%.", "")
+      if part[name] then units[prefix .. name] = setting.unit end
     end
   end
   if part.k == 0 then part.k = json.null end
@@ -51,10 +52,7 @@ local function body_of(given, units, prefix)
   if rawequal(given, nil) then return json.null end
   local body = plain(given)
   complete(body, units, prefix)
-  for _, layer in ipairs(body.layers or {}) do
-    complete(layer, units, prefix .. "layers.")
-    units[prefix .. "layers.thickness"] = "mm"
-  end
+  for _, layer in ipairs(body.layers or {}) do complete(layer, units, prefix .. "layers.") end
   if body.x then units[prefix .. "x"] = "mm" end
   return body
 end

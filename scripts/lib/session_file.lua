@@ -7,6 +7,7 @@
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
+local lists = require "archard.settings"
 local own = require "archard.lib.own"
 local settings = require "archard.study.settings"
 local spelling = require "archard.lib.spelling"
@@ -44,7 +45,9 @@ function readers.model(given, _, _, _, values)
   return model(settings.nest(given).is)
 end
 
-function writers.material(value, given) given["is.E"], given["is.nu"] = value.E, value.nu end
+function writers.material(value, given)
+  for _, setting in ipairs(lists.material) do given["is." .. setting.name] = value[setting.name] end
+end
 
 function readers.material(given) return material(settings.nest(given).is) end
 

@@ -5,9 +5,10 @@
 
 #define ARC_SETTING_OF arc_hertz_def
 const arc_setting arc_hertz_settings[] = {
-    ARC_HERTZ_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_CHOICE)
-        ARC_MATERIAL_SETTING(arc_hertz_def, ARC_CYLINDER, "cylinder", "Material of the cylinder."),
-    ARC_MATERIAL_SETTING(arc_hertz_def, ARC_PLATE, "plate", "Material of the plate."),
+    ARC_HERTZ_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_CHOICE) ARC_MATERIAL_SETTING(
+        offsetof(arc_hertz_def, material[ARC_CYLINDER]), "cylinder", "Material of the cylinder."),
+    ARC_MATERIAL_SETTING(offsetof(arc_hertz_def, material[ARC_PLATE]), "plate",
+                         "Material of the plate."),
     {.name = NULL},
 };
 #undef ARC_SETTING_OF

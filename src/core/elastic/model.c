@@ -32,9 +32,10 @@ const arc_setting arc_material_settings[] = {
 
 #define ARC_SETTING_OF arc_model_def
 const arc_setting arc_model_settings[] = {
-    ARC_MODEL_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_CHOICE)
-        ARC_MATERIAL_SETTING(arc_model_def, ARC_CYLINDER, "cylinder", "Material of the cylinder."),
-    ARC_MATERIAL_SETTING(arc_model_def, ARC_PLATE, "plate", "Material of the plate."),
+    ARC_MODEL_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_CHOICE) ARC_MATERIAL_SETTING(
+        offsetof(arc_model_def, material[ARC_CYLINDER]), "cylinder", "Material of the cylinder."),
+    ARC_MATERIAL_SETTING(offsetof(arc_model_def, material[ARC_PLATE]), "plate",
+                         "Material of the plate."),
     ARC_BODY_SETTING(ARC_UPPER, "upper",
                      "The upper body, which carries the load: body.cylinder{}, body.punch{}, ..."),
     ARC_BODY_SETTING(ARC_LOWER, "lower",

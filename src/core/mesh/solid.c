@@ -13,26 +13,16 @@ _Static_assert(0 ARC_SOLID_LIST(ARC_CHOICE_ONE) == 8,
                "a new body: decide it in mesh/solid.c and mesh/map.c");
 
 #define ARC_SETTING_OF arc_layer
-static const arc_setting layer_settings[] = {
-    ARC_SETTING_TEXT(name, "a name in the mesh from outside", ARC_OPTIONAL,
-                     "What a mesh from outside calls it, in place of its thickness.")
-        ARC_SETTING_NUMBER(thickness, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Thickness of the layer."){
-            .name = "material",
-            .unit = "",
-            .kind = ARC_GROUP,
-            .group = arc_material_settings,
-            .offset = offsetof(arc_layer, material),
-            .class_name = "material",
-            .usual_text = "material{}",
-            .type = "a material object or a table { E=, nu=, k= }",
-            .text = "Material of the layer."},
+const arc_setting arc_layer_settings[] = {
+    ARC_LAYER_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_TEXT)
+        ARC_MATERIAL_SETTING(offsetof(arc_layer, material), "material", "Material of the layer."),
     {.name = NULL},
 };
 #undef ARC_SETTING_OF
 
 #define LAYER(number)                                                                              \
   {                                                                                                \
-    .name = "layer" #number, .unit = "", .kind = ARC_GROUP, .group = layer_settings,               \
+    .name = "layer" #number, .unit = "", .kind = ARC_GROUP, .group = arc_layer_settings,           \
     .offset = offsetof(arc_body_def, layer) + ((number)-1) * sizeof(arc_layer),                    \
     .type = "a table { thickness=, material= }",                                                   \
     .text = "Layer " #number ", counted from the surface."                                         \

@@ -11,10 +11,9 @@ static void push_series(lua_State *L, arc_series series) {
   array_set(L, "value", series.value, (size_t)series.count);
 }
 
-static void push_group(lua_State *L, const arc_setting *group, const void *member) {
-  lua_newtable(L);
-  for (const arc_setting *s = group; s->name; s++) {
-    settings_push(L, s, member);
+void settings_set(lua_State *L, const arc_setting *list, const void *definition) {
+  for (const arc_setting *s = list; s->name; s++) {
+    settings_push(L, s, definition);
     if (s->kind == ARC_GROUP) strict_table(L, s->name);
     lua_setfield(L, -2, s->name);
   }
@@ -36,7 +35,7 @@ void settings_push(lua_State *L, const arc_setting *s, const void *definition) {
   else if (s->kind == ARC_TEXT && *(const char *)member)
     lua_pushstring(L, member);
   else if (s->kind == ARC_GROUP)
-    push_group(L, s->group, member);
+    lua_newtable(L), settings_set(L, s->group, member);
   else
     lua_pushnil(L);
 }

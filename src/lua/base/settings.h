@@ -10,4 +10,7 @@
  * or a table of a group's values. */
 void settings_push(lua_State *L, const arc_setting *setting, const void *definition);
 
+/* Sets the values of a whole list as fields of the table on top of the stack. */
+void settings_set(lua_State *L, const arc_setting *list, const void *definition);
+
 #endif

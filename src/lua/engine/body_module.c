@@ -27,12 +27,6 @@ static const arc_setting common[] = {
     ARGS_OTHER("layers"), ARGS_OTHER("materials"), {.name = NULL},
 };
 
-static const arc_setting layer_fields[] = {
-    {.name = "thickness", .unit = "mm", .kind = ARC_NUMBER, ARC_RANGE_ABOVE(0)},
-    ARGS_OTHER("material"),
-    {.name = NULL},
-};
-
 static int is_own(arc_solid kind, const char *name) {
   for (int i = 0; i < 4 && own[kind][i]; i++)
     if (strcmp(own[kind][i], name) == 0) return 1;
@@ -42,6 +36,14 @@ static int is_own(arc_solid kind, const char *name) {
 static int is_known(arc_solid kind, const char *name) {
   return is_own(kind, name) || arc_setting_find(common, name) ||
          arc_setting_find(arc_material_settings, name);
+}
+
+/* "E, nu, k" */
+static void add_material_names(luaL_Buffer *text) {
+  for (const arc_setting *s = arc_material_settings; s->name; s++) {
+    if (s != arc_material_settings) luaL_addstring(text, ", ");
+    luaL_addstring(text, s->name);
+  }
 }
 
 static void refuse_name(lua_State *L, args_place place, arc_solid kind, const char *name)
@@ -54,7 +56,9 @@ static void refuse_name(lua_State *L, args_place place, arc_solid kind, const ch
     luaL_addstring(&known, own[kind][i]);
     luaL_addstring(&known, ", ");
   }
-  luaL_addstring(&known, "name, E, nu, k, material, layers, materials");
+  luaL_addstring(&known, "name, ");
+  add_material_names(&known);
+  luaL_addstring(&known, ", material, layers, materials");
   luaL_pushresult(&known);
   error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' of a %s (known: %s)",
               place.prefix, name, arc_solid_names[kind], lua_tostring(L, -1));
@@ -69,14 +73,18 @@ static void check_names(lua_State *L, int index, args_place place, arc_solid kin
   }
 }
 
-/* Pushes a table with those fields of the one at `index` that the list has. */
-static void push_part(lua_State *L, int index, const arc_setting *list) {
+/* Reads those fields of the table at `index` that the list has, but for what is read on its own:
+ * materials and layers, and lists. */
+static void read_part(lua_State *L, int index, args_place place, const arc_setting *list,
+                      void *definition) {
   lua_newtable(L);
   for (const arc_setting *s = list; s->name; s++) {
-    if (strcmp(s->name, "y") == 0) continue;
+    if (s->kind == ARC_GROUP || s->forms & ARC_SERIES) continue;
     lua_getfield(L, index, s->name);
     lua_setfield(L, -2, s->name);
   }
+  args_read(L, -1, place, list, definition);
+  lua_pop(L, 1);
 }
 
 /* --- materials and layers --------------------------------------------------------------------- */
@@ -94,13 +102,10 @@ static void refuse_both(lua_State *L, int index, args_place place) {
 /* From the field `name`, a material as a whole. */
 static void read_whole(lua_State *L, int index, args_place place, const char *name,
                        arc_material *to) {
-  const arc_setting whole[] = {{.name = name,
-                                .kind = ARC_GROUP,
-                                .group = arc_material_settings,
-                                .class_name = "material",
-                                .type = "a material object or a table { E=, nu=, k= }"},
-                               {.name = NULL}};
-  push_part(L, index, whole);
+  const arc_setting whole[] = {ARC_MATERIAL_SETTING(0, name, ""), {.name = NULL}};
+  lua_newtable(L);
+  lua_getfield(L, index, name);
+  lua_setfield(L, -2, name);
   args_read(L, -1, place, whole, to);
   lua_pop(L, 1);
 }
@@ -109,9 +114,23 @@ static void read_whole(lua_State *L, int index, args_place place, const char *na
 static void read_material(lua_State *L, int index, args_place place, arc_material *to) {
   refuse_both(L, index, place);
   read_whole(L, index, place, "material", to);
-  push_part(L, index, arc_material_settings);
-  args_read(L, -1, place, arc_material_settings, to);
-  lua_pop(L, 1);
+  read_part(L, index, place, arc_material_settings, to);
+}
+
+/* What a layer of a list has of its own: it goes by its thickness, not by a name. */
+static int is_of_layer(const arc_setting *s) {
+  return s->kind != ARC_TEXT && s->kind != ARC_GROUP;
+}
+
+static void refuse_layer_name(lua_State *L, args_place place, const char *name) {
+  luaL_Buffer known;
+  luaL_buffinit(L, &known);
+  for (const arc_setting *s = arc_layer_settings; s->name; s++)
+    if (s->kind != ARC_TEXT) luaL_addstring(&known, s->name), luaL_addstring(&known, ", ");
+  add_material_names(&known);
+  luaL_pushresult(&known);
+  error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (known: %s)", place.prefix, name,
+              lua_tostring(L, -1));
 }
 
 static void read_layer(lua_State *L, args_place place, arc_layer *layer) {
@@ -121,17 +140,20 @@ static void read_layer(lua_State *L, args_place place, arc_layer *layer) {
   for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 3)) {
     luaL_tolstring(L, -2, NULL);
     const char *name = names_push_text(L, -1);
-    if (!arc_setting_find(layer_fields, name) && !arc_setting_find(arc_material_settings, name))
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "unknown field '%s%s' (known: thickness, material, E, nu, k)", place.prefix,
-                  name);
+    const arc_setting *s = arc_setting_find(arc_layer_settings, name);
+    if ((!s || s->kind == ARC_TEXT) && !arc_setting_find(arc_material_settings, name))
+      refuse_layer_name(L, place, name);
   }
-  lua_getfield(L, at, "thickness");
-  layer->thickness = args_number(L, place, &layer_fields[0]);
-  lua_pop(L, 1);
+  for (const arc_setting *s = arc_layer_settings; s->name; s++)
+    if (is_of_layer(s)) read_part(L, at, place, (const arc_setting[]){*s, {.name = NULL}}, layer);
+  if (layer->thickness == 0) {
+    lua_pushnil(L);
+    args_refuse(L, place, "thickness", "a number > 0 mm");
+  }
   if (!args_given(L, at, "material") && !args_given(L, at, "E")) {
     lua_pushnil(L);
-    args_refuse(L, place, "material", "a material object or a table { E=, nu=, k= }, or E= here");
+    args_refuse(L, place, "material",
+                "a material object or a table " ARC_MATERIAL_TABLE ", or E= here");
   }
   read_material(L, at, place, &layer->material);
 }
@@ -287,9 +309,7 @@ static void read_at(lua_State *L, int index, args_place place, double radius, ar
   check_names(L, index, place, kind);
   *def = (arc_body_def){0};
   arc_settings_default(arc_body_settings, def);
-  push_part(L, index, arc_body_settings);
-  args_read(L, -1, place, arc_body_settings, def);
-  lua_pop(L, 1);
+  read_part(L, index, place, arc_body_settings, def);
   read_material(L, index, place, material);
   read_layers(L, index, place, def);
   read_materials(L, index, place, def);
@@ -340,16 +360,18 @@ void body_read_names(lua_State *L, int index, arc_model_def *def) {
 
 /* --- pushing ---------------------------------------------------------------------------------- */
 
-static void set_material(lua_State *L, arc_material m) {
-  array_set_number(L, "E", m.E);
-  array_set_number(L, "nu", m.nu);
-  array_set_number(L, "k", m.k);
+/* Sets a setting as a field of the table on top of the stack, if it was given. */
+static void set_given(lua_State *L, const arc_setting *s, const void *definition) {
+  if (s->forms & ARC_OPTIONAL && arc_setting_number(s, definition) == 0) return;
+  settings_push(L, s, definition);
+  lua_setfield(L, -2, s->name);
 }
 
 static void push_layer(lua_State *L, const arc_layer *layer) {
   lua_newtable(L);
-  if (layer->thickness > 0) array_set_number(L, "thickness", layer->thickness);
-  set_material(L, layer->material);
+  for (const arc_setting *s = arc_layer_settings; s->name; s++)
+    if (is_of_layer(s)) set_given(L, s, layer);
+  settings_set(L, arc_material_settings, &layer->material);
 }
 
 static void set_layers(lua_State *L, const arc_body_def *def) {
@@ -366,18 +388,13 @@ static void set_layers(lua_State *L, const arc_body_def *def) {
   lua_setfield(L, -2, named ? "materials" : "layers");
 }
 
-/* What it has of its own, as far as it was given. */
+/* Its kind, its name if it has one, and what it has of its own, as far as it was given. */
 static void set_shape(lua_State *L, const arc_body_def *def) {
-  for (const arc_setting *s = arc_body_settings; s->name; s++) {
-    const int given = s->kind == ARC_CHOICE || arc_setting_number(s, def) != 0;
-    if (s->kind == ARC_TEXT && def->name[0]) {
-      lua_pushstring(L, def->name);
-      lua_setfield(L, -2, s->name);
-    }
-    if (!is_own(def->kind, s->name) || !given || s->kind == ARC_GROUP) continue;
-    settings_push(L, s, def);
-    lua_setfield(L, -2, s->name);
-  }
+  lua_pushstring(L, arc_solid_names[def->kind]);
+  lua_setfield(L, -2, "kind");
+  if (def->name[0]) lua_pushstring(L, def->name), lua_setfield(L, -2, "name");
+  for (const arc_setting *s = arc_body_settings; s->name; s++)
+    if (is_own(def->kind, s->name)) set_given(L, s, def);
   const arc_series y = def->y_series;
   if (def->kind != ARC_SOLID_PROFILE) return;
   array_set(L, "x", y.distance, (size_t)y.count);
@@ -391,10 +408,8 @@ void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
     return;
   }
   lua_newtable(L);
-  lua_pushstring(L, arc_solid_names[def->kind]);
-  lua_setfield(L, -2, "kind");
   set_shape(L, def);
-  set_material(L, model->material[body]);
+  settings_set(L, arc_material_settings, &model->material[body]);
   set_layers(L, def);
 }
 

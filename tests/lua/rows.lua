@@ -1,0 +1,252 @@
+-- Run once. Every row of every list comes back: what can be set is set to another value than the default, in all
+-- that has it, and read back from the object, from a copy, from a run file, from a session and from export.json.
+-- A row that is added to a list is tried without a change here, unless it needs something beside it.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok = tap.ok
+local known = require "archard.settings"
+local json = require "archard.export.json"
+local settings = require "archard.study.settings"
+warn "@off"
+
+local folder = os.tmpname()
+os.remove(folder)
+assert(os.execute("mkdir " .. folder))
+local function path(name) return folder .. "/" .. name end
+
+local function merged(...)
+  local all = {}
+  for _, part in ipairs{ ... } do for name, value in pairs(part) do all[name] = value end end
+  return all
+end
+
+local function text_of(name)
+  local file <close> = assert(io.open(name))
+  return file:read "a"
+end
+
+-- Values that a row may take besides its default, most likely ones first.
+local function others(row)
+  local list, usual = {}, tonumber(row.default)
+  for _, value in ipairs(row.choice and row.values or {}) do
+    if value ~= row.default then list[#list + 1] = value end
+  end
+  if row.choice then return list end
+  if row.type:find "^a word" or row.type:find "^a name" then return { "another" } end
+  for _, value in ipairs{ usual and usual * 0.9 or false, usual and usual // 1 - 1 or false, 0.4, 2, 7 } do
+    if value and value ~= usual then list[#list + 1] = value end
+  end
+  return list
+end
+
+-- The first of them with which `make` makes something: object, value.
+local function tried(row, make)
+  local why
+  for _, value in ipairs(others(row)) do
+    local made, object = pcall(make, value)
+    if made then return object, value end
+    why = object
+  end
+  error(("no value of '%s' is taken: %s; give what it needs beside it"):format(row.path, why))
+end
+
+local function alike(value, expected)
+  return value == expected or (math.type(value) and math.type(expected) ~= nil and math.abs(value - expected) <= 1e-15 * math.abs(expected))
+end
+
+local function same(value, expected, what)
+  ok(alike(value, expected), ("%s: %s for %s"):format(what, value, expected))
+end
+
+local function at(object, name)
+  for part in name:gmatch "[^.]+" do object = object[math.tointeger(part) or part] end
+  return object
+end
+
+local function saved(w)
+  w:save(path "run.archard")
+  return path "run.archard"
+end
+
+-- Reads a value from all that an object can become: `places` are where it stands. Of a run and of a model.
+local function reads_back_run(w, places, value, what, held_as)
+  local function look(run, where)
+    for _, place in ipairs(places) do same(at(run, held_as or place), value, what .. ", " .. where .. " as " .. place) end
+  end
+  look(w, "the run")
+  look(w:clone(), "a copy")
+  local opened <close> = wear.open(saved(w))
+  look(opened, "a run file")
+  rows_run, rows_model = w, w.model
+  session.save(path "session.archard")
+  rows_run, rows_model = nil, nil
+  session.open(path "session.archard")
+  look(rows_run, "a session")
+  for _, place in ipairs(places) do
+    local within = place:match "^model%.(.*)"
+    if within then same(at(rows_model, within), value, what .. ", the model of a session as " .. place) end
+  end
+  rows_run, rows_model = nil, nil
+  local name, written = places[1]:match "[^.]+$", json.encode(value):gsub("\n", "")
+  export.json(w, path "run.json")
+  ok(text_of(path "run.json"):find(('"%s": %s'):format(name, written), 1, true),
+    ("%s: export.json has \"%s\": %s"):format(what, name, written))
+end
+
+local coarse = { size = 0.2, height = 0.2, far = 2, zone = { cylinder = 10, plate = 12 } }
+
+local function reads_back_model(given, places, value, what)
+  local m = model(given)
+  for _, place in ipairs(places) do same(at(m, place), value, what .. ", the model as " .. place) end
+  local again = model(settings.nest(settings.flatten("rows", { is = m })).is)
+  for _, place in ipairs(places) do
+    local found = place == "mesh.fineness" -- stands for a size, which is told
+    if not found then same(at(again, place), value, what .. ", a model like it as " .. place) end
+  end
+  local in_run = {}
+  for i, place in ipairs(places) do in_run[i] = "model." .. place end
+  local w <close> = wear{ model = m, distance = 1, increments = 4, slide = m.geometry == "axisymmetric" and "z" or "x" }
+  reads_back_run(w, in_run, value, what)
+end
+
+-- --- materials -----------------------------------------------------------------------------------
+
+for _, row in ipairs(known.material) do
+  local name = row.name
+  local m, value = tried(row, function(v) return material{ [name] = v } end)
+  same(m[name], value, "material." .. name)
+  rows_material = m
+  session.save(path "session.archard")
+  rows_material = nil
+  session.open(path "session.archard")
+  same(rows_material[name], value, "material." .. name .. " of a session")
+  rows_material = nil
+  same(hertz{ cylinder = m }.cylinder[name], value, "hertz.cylinder." .. name)
+  local function a_pair(given) return merged({ mesh = coarse }, given) end
+  reads_back_model(a_pair{ cylinder = m }, { "cylinder." .. name }, value, "of the usual pair")
+  reads_back_model(a_pair{ lower = body.block{ [name] = value } }, { "lower." .. name, "plate." .. name }, value, "of a body")
+  reads_back_model(a_pair{ upper = body.cylinder{ material = m } }, { "upper." .. name, "cylinder." .. name }, value,
+    "of a body as an object")
+  local layer = merged({ thickness = 0.4, E = 1e5 }, { [name] = value })
+  reads_back_model(a_pair{ lower = body.block{ layers = { layer } } }, { "lower.layers.1." .. name }, value, "of a layer")
+  reads_back_model(a_pair{ lower = body.block{ layers = { { thickness = 0.4, material = m }, layer } } },
+    { "lower.layers.1." .. name, "lower.layers.2." .. name }, value, "of layers")
+  local coated = body.gmsh{ materials = { coat = m } }
+  local given <close> = wear{ model = { mesh = here .. "/../files/gmsh/coat.msh", upper = coated },
+    geometry = "frozen", distance = 1 }
+  same(given.model.upper.materials.coat[name], value, "of a mesh from outside")
+  local opened <close> = wear.open(saved(given))
+  same(opened.model.upper.materials.coat[name], value, "of a mesh from outside, opened")
+  tap.fails(function() hertz{ cylinder = 1 } end, name .. "=", "the message names material." .. name)
+end
+
+-- --- layers --------------------------------------------------------------------------------------
+
+for _, row in ipairs(known.body) do
+  local name = row.path:match "^layer1%.(.*)"
+  if name and not row.group and name ~= "name" then
+    local function given(v)
+      return { mesh = coarse, lower = body.block{ layers = { merged({ thickness = 0.4, E = 1e5 }, { [name] = v }) } } }
+    end
+    local _, value = tried(row, function(v) return given(v) end)
+    reads_back_model(given(value), { "lower.layers.1." .. name }, value, "layer." .. name)
+  end
+end
+
+-- --- bodies --------------------------------------------------------------------------------------
+
+-- What makes one of each kind.
+local kinds = {
+  cylinder = { radius = 8 }, block = { width = 18, height = 9 }, disc = { radius = 8 },
+  ring = { inner = 8, outer = 12, fixed = "inner" }, punch = { flat = 2, radius = 6, height = 9 },
+  profile = { width = 18, height = 9, x = {}, y = {} }, gmsh = {},
+}
+for i = -9, 9 do table.insert(kinds.profile.x, i); table.insert(kinds.profile.y, -i * i / 20) end
+local rows_of_bodies, tried_rows = {}, {}
+for _, row in ipairs(known.body) do
+  if not row.path:find "^layer%d" and row.path ~= "kind" then rows_of_bodies[row.path] = row end
+end
+for kind in pairs(body) do ok(kinds[kind], "body." .. kind .. " is tried here") end
+for kind, fields in pairs(kinds) do
+  local role = kind == "block" and "lower" or "upper"
+  for field in pairs(fields) do
+    tried_rows[field] = true
+    if field ~= "x" and field ~= "y" then
+      local value = fields[field]
+      reads_back_model({ mesh = coarse, [role] = body[kind](fields) }, { role .. "." .. field }, value,
+        ("body.%s.%s"):format(kind, field))
+    elseif field == "y" then
+      local m = model(settings.nest(settings.flatten("rows", { is = model{ mesh = coarse, upper = body[kind](fields) } })).is)
+      ok(#m.upper.y == 19 and m.upper.y[3] == fields.y[3] and m.upper.x[1] == fields.x[1], "points of a profile")
+    end
+  end
+end
+reads_back_model({ mesh = coarse, upper = body.cylinder{ name = "pin" } }, { "upper.name" }, "pin", "a body's name")
+tried_rows.name = true
+for name in pairs(rows_of_bodies) do ok(tried_rows[name], "body." .. name .. " is tried with some kind") end
+
+-- --- models --------------------------------------------------------------------------------------
+
+local beside = { -- what a row needs, or what is in its way
+  model = { axis = { geometry = "axisymmetric", axis = 40 } },
+  wear = {
+    load_angle = { model = { mesh = coarse, lower = body.ring{ inner = 10.2, outer = 14 } }, stroke = 1 },
+    press = { friction = 0.3 }, tangential = { friction = 0.3 }, order = { scheme = "implicit" },
+    tolerance = { scheme = "implicit" }, procedure = { alpha = 1 }, spin = { slide = "z", model = { mesh = coarse, geometry = "axisymmetric" } },
+    track = { slide = "z", model = { mesh = coarse, geometry = "axisymmetric" } },
+  },
+  contact = {
+    load_angle = { model = { mesh = coarse, lower = body.ring{ inner = 10.2, outer = 14 } } }, press = { friction = 0.3 },
+  },
+}
+
+for _, row in ipairs(known.model) do
+  local group, name = row.path:match "^(.*)%.([^.]+)$"
+  if not row.group and row.plain then
+    local function given(v)
+      local mesh = row.path == "mesh.fineness" and { fineness = v } or merged(coarse)
+      local fields = merged({ mesh = mesh }, beside.model[row.path] or {})
+      if row.path == "axis" then v = 40 * v end
+      if group == "mesh" then mesh[name] = v elseif group then mesh.zone = { [name] = 5 * v } else fields[row.path] = v end
+      model(fields)
+      return fields
+    end
+    local fields, value = tried(row, given)
+    if row.path == "axis" then value = 40 * value end
+    if group == "mesh.zone" then value = 5 * value end
+    reads_back_model(fields, { row.path }, value, "model." .. row.path)
+  end
+end
+
+-- --- contacts and runs ---------------------------------------------------------------------------
+
+local plain_model = model{ mesh = coarse }
+
+for _, row in ipairs(known.contact) do
+  if row.plain then
+    local c, value = tried(row, function(v)
+      return contact(merged({ model = plain_model }, beside.contact[row.path] or {}, { [row.path] = v }))
+    end)
+    same(c[row.path], value, "contact." .. row.path)
+  end
+end
+
+for _, row in ipairs(known.hertz) do
+  if not row.group then
+    local h, value = tried(row, function(v) return hertz{ [row.path] = v } end)
+    same(h[row.path], value, "hertz." .. row.path)
+  end
+end
+
+local held_as = { distance = "total_distance", update = "update_at" }
+for _, row in ipairs(known.wear) do
+  if row.plain then
+    local w, value = tried(row, function(v)
+      return wear(merged({ model = plain_model }, beside.wear[row.path] or {}, { [row.path] = v }))
+    end)
+    reads_back_run(w, { row.path }, value, "wear." .. row.path, held_as[row.path])
+    w:close()
+  end
+end
+
+os.execute("rm -r " .. folder)
