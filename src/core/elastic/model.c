@@ -18,11 +18,6 @@ struct arc_model {
   long version; /* the last number given to a compliance */
 };
 
-#define ARC_SETTING_OF arc_material
-const arc_setting arc_material_settings[] = {
-    ARC_MATERIAL_SETTINGS(ARC_SETTING_NUMBER){.name = NULL}};
-#undef ARC_SETTING_OF
-
 #define ARC_BODY_SETTING(role, name_, text_)                                                       \
   {                                                                                                \
     .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_body_settings,                      \
@@ -51,16 +46,6 @@ const arc_setting arc_model_settings[] = {
 };
 #undef ARC_SETTING_OF
 
-arc_material arc_material_default(void) {
-  arc_material material;
-  arc_settings_default(arc_material_settings, &material);
-  return material;
-}
-
-double arc_material_E_star(arc_material m) {
-  return m.E / (1 - m.nu * m.nu);
-}
-
 double arc_material_modulus(arc_space space, arc_material m) {
   return space == ARC_PLANE_STRESS ? m.E : arc_material_E_star(m);
 }
@@ -68,10 +53,6 @@ double arc_material_modulus(arc_space space, arc_material m) {
 double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]) {
   return 1 / (1 / arc_material_modulus(space, material[ARC_CYLINDER]) +
               1 / arc_material_modulus(space, material[ARC_PLATE]));
-}
-
-arc_status arc_material_check(arc_material m, arc_error *error) {
-  return arc_settings_check(arc_material_settings, "", &m, error);
 }
 
 arc_model_def arc_model_default(void) {
