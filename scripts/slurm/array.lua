@@ -12,9 +12,12 @@ local array = { program = "sbatch" }
 
 function array.is_name(text) return text:find "^%d+;?[%w_-]*$" ~= nil end
 
+-- Within --output % is Slurm's, and a backslash anywhere makes it everybody else's.
 function array.start(job)
+  if job.folder:find("\\", 1, true) then return nil, "it writes no logs where a folder has a backslash in its name" end
+  local log = ("%s/%%a-of-%d.log"):format(job.folder:gsub("%%", "%%%%"), job.shares)
   local words = { "sbatch", "--parsable", "--job-name=archard", "--array=1-" .. job.shares,
-    "--cpus-per-task=" .. job.workers, "--output=" .. job.log("%a"), "--open-mode=truncate" }
+    "--cpus-per-task=" .. job.workers, "--output=" .. log, "--open-mode=truncate" }
   table.move(job.options, 1, #job.options, #words + 1, words)
   words[#words + 1] = job.script
   local said, fine = shell.ask(shell.line(words))

@@ -8,13 +8,15 @@ local parallel = { program = "parallel" }
 
 function parallel.is_name(text) return text:find "^%d+$" ~= nil end
 
+-- A path within a command, where parallel replaces {}, {#}, {= Perl =} and the like (and \xAF<, which it
+-- makes of the latter): an empty text in between makes them none.
+local function literal(path) return (shell.quote(path):gsub("[{\xAF]", "%0''")) end
+
 -- In a session of its own: it outlives this program, and no Ctrl-C reaches it.
 function parallel.start(job)
   local words = { "setsid", "parallel" }
   table.move(job.options, 1, #job.options, 3, words)
-  local share = ("sh %s {} >%s 2>&1"):format(shell.quote(job.script),
-    shell.quote(job.log("{}")):gsub("{}", "'{}'"))
-  words[#words + 1] = share
+  words[#words + 1] = ("sh %s {} >%s/{}-of-%d.log 2>&1"):format(literal(job.script), literal(job.folder), job.shares)
   words[#words + 1] = ":::"
   for i = 1, job.shares do words[#words + 1] = i end
   local said, fine = shell.ask(("%s </dev/null >%s 2>&1 & echo $!"):format(shell.line(words),

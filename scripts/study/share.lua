@@ -21,11 +21,11 @@ local function chosen(whole, i, n)
   return function(id) return ids[id] end
 end
 
--- whole: the run file of the study; blank: one with its definitions and no results; path: that of a
--- share, with {} for its number. One that was begun, by a task that Slurm starts again, is gone on with.
-return function(whole, blank, path, shares, workers)
+-- whole: the run file of the study; folder: that of the job, where a run file with its definitions and
+-- no results is, and a share's comes. One that was begun, by a task that Slurm starts again, is gone on with.
+return function(whole, folder, shares, workers)
   local i = assert(math.tointeger(tonumber(os.getenv "ARCHARD_SHARE")), "ARCHARD_SHARE: no number")
-  local mine = path:gsub("{}", i)
+  local mine, blank = ("%s/%d-of-%d.archard"):format(folder, i, shares), folder .. "/blank.archard"
   if not text_file.exists(mine) then files.write(where, mine, assert(text_file.read(blank))) end
   local store <close> = definitions.open(where, mine, "write")
   require "archard.study.run"(store, { workers = workers, chosen = chosen(whole, i, shares),

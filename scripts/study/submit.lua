@@ -60,13 +60,14 @@ local function remove_store(path)
   for _, ending in ipairs{ "", "-journal" } do os.remove(path .. ending) end
 end
 
+-- What this and earlier jobs left in the folder, but nothing that is somebody else's.
 local function clear(job)
-  for i = 1, job.shares do
-    remove_store(job.file(i))
-    os.remove(job.log(i))
+  local names = process.files(job.folder) or {}
+  for _, name in ipairs(names) do
+    if name:find "^%w+%-of%-%d+%.log$" or name:find "^%d+%-of%-%d+%.archard$" then remove_store(job.folder .. "/" .. name) end
   end
   remove_store(job.blank)
-  for _, path in ipairs{ job.log("parallel"), job.script, job.note, job.folder } do os.remove(path) end
+  for _, path in ipairs{ job.script, job.note, job.folder } do os.remove(path) end
 end
 
 -- --- following -----------------------------------------------------------------------------------
@@ -159,8 +160,9 @@ end
 -- --- starting ------------------------------------------------------------------------------------
 
 local function absolute(path)
-  local text, fine = shell.ask("realpath -m -- " .. shell.quote(path))
-  if fine then return text end
+  local text, fine = shell.ask(('whole=$(realpath -m -- %s) && printf %%s/ "$whole"'):format(shell.quote(path)))
+  if fine and text:find "%c" then check.fail(where, "field 'file': a control character in the file's folder") end
+  if fine then return text:sub(1, -2) end
   check.fail(where, ("%s: the shell cannot tell where it is: %s"):format(path,
     text ~= "" and text or "it says nothing, as where it has too few files that may be open"), "IO")
 end
@@ -168,9 +170,9 @@ end
 -- What every share runs: its number comes from Slurm, or as an argument.
 local function script_of(job, whole)
   local program = process.program() or check.fail(where, "nobody knows where this program is", "IO")
-  local chunk = itself.chunk("study.share", whole, job.blank, job.file("{}"), job.shares, job.workers)
-  return ("#!/bin/sh\n# One share of %s; written by s:submit{}.\nARCHARD_SHARE=${SLURM_ARRAY_TASK_ID:-$1}\n"
-    .. "export ARCHARD_SHARE\nexec %s\n"):format(whole, shell.line{ program, "-e", chunk })
+  local chunk = itself.chunk("study.share", whole, job.folder, job.shares, job.workers)
+  return ("#!/bin/sh\n# One share of a study; written by s:submit{}.\nARCHARD_SHARE=${SLURM_ARRAY_TASK_ID:-$1}\n"
+    .. "export ARCHARD_SHARE\nexec %s\n"):format(shell.line{ program, "-e", chunk })
 end
 
 -- The definitions of the study and no results: every share begins with a copy of it.
