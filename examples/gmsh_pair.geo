@@ -2,7 +2,7 @@
 //   gmsh -2 -order 1 -format msh41 -o gmsh_pair.msh gmsh_pair.geo
 // Units are mm. The bodies have points of their own where they touch, and physical groups name
 // what is what: surfaces upper and lower, curves upper.contact, upper.fixed and so on.
-R = 10; fine = 0.02; coarse = 1;
+R = 10; fine = 0.02; coarse = 2;
 half = 0.5;   // half the candidate contact zone of the cylinder
 reach = 0.6;  // and of the plate
 dip = R - Sqrt(R^2 - half^2);
@@ -44,7 +44,7 @@ Plane Surface(2) = {2};
 Transfinite Curve {2, 3} = Round(half / fine) + 1;
 Transfinite Curve {14, 15} = Round(reach / fine) + 1;
 
-// Fine down to half the zone's width below the contact, then ever coarser.
+// Fine down to half the contact's width below the surface, then ever coarser.
 Field[1] = Distance;
 Field[1].CurvesList = {2, 3, 14, 15};
 Field[1].NumPointsPerCurve = 200;
@@ -52,8 +52,8 @@ Field[2] = Threshold;
 Field[2].InField = 1;
 Field[2].SizeMin = fine;
 Field[2].SizeMax = coarse;
-Field[2].DistMin = 0.3;
-Field[2].DistMax = 5;
+Field[2].DistMin = 0.1;
+Field[2].DistMax = 10;
 Background Field = 2;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.MeshSizeExtendFromBoundary = 0;

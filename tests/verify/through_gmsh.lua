@@ -15,14 +15,14 @@ local shapes = {
     wear = { stroke = 0.1, cycles = 600, jump = 100 } },
   { name = "bush", load = 1000, upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 },
     outside = { upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } },
-    mesh = { size = 0.12, zone = { cylinder = 14, plate = 14 } }, wear = { stroke = 1, cycles = 300, jump = 60, k = 1e-7 } },
+    mesh = { size = 0.2, zone = { cylinder = 14, plate = 14 } }, wear = { stroke = 1, cycles = 300, jump = 60, k = 1e-7 } },
   { name = "coat", load = 100, upper = body.cylinder{ radius = 10, E = 210e3, layers = { { thickness = 0.1, E = 400e3 } } },
     lower = body.block{ E = 1e9 }, outside = { upper = body.gmsh{ E = 210e3, materials = { coat = { E = 400e3 } } },
       lower = body.gmsh{ E = 1e9 } }, inside = body.gmsh{ E = 210e3, materials = { layer1 = { E = 400e3 } } },
-    fields = { radius = 10 }, mesh = { size = 0.01 }, wear = { stroke = 0.05, cycles = 300, jump = 60 } },
+    fields = { radius = 10 }, mesh = { size = 0.015 }, wear = { stroke = 0.05, cycles = 300, jump = 60 } },
   { name = "waves", load = 70, upper = body.profile{ width = 2, height = 1, y = wave }, lower = body.block{ width = 2, height = 1 },
-    outside = {}, mesh = { size = 0.00625, zone = { cylinder = 0.7, plate = 0.9 } }, wear = { stroke = 0.02, cycles = 50, jump = 10 } },
-  { name = "ball", load = 50, outside = {}, fields = { geometry = "axisymmetric", radius = 10 }, mesh = { size = 0.0125 },
+    outside = {}, mesh = { size = 0.01, zone = { cylinder = 0.7, plate = 0.9 } }, wear = { stroke = 0.02, cycles = 50, jump = 10 } },
+  { name = "ball", load = 50, outside = {}, fields = { geometry = "axisymmetric", radius = 10 }, mesh = { size = 0.02 },
     wear = { slide = "z", track = 2, cycles = 8, jump = 2, alpha = 1 } },
 }
 

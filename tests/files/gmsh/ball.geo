@@ -1,7 +1,7 @@
 // A ball of 10 mm radius, its upper half left out, on a disc of 10 mm radius and height: both halves
 // of the section, with mesh lines on the axis x = 0 between them, for
 //   gmsh -2 -order 1 -format msh41 -o ball.msh ball.geo
-R = 10; fine = 0.0125; coarse = 2.5; half = 0.25;
+R = 10; fine = 0.02; coarse = 3; half = 0.25;
 dip = R - Sqrt(R^2 - half^2);
 Point(1) = {0, R, 0};
 Point(2) = {-R, R, 0};
@@ -51,7 +51,7 @@ Field[2] = Threshold;
 Field[2].InField = 1;
 Field[2].SizeMin = fine;
 Field[2].SizeMax = coarse;
-Field[2].DistMin = 0.1;
+Field[2].DistMin = 0.06;
 Field[2].DistMax = 7;
 Background Field = 2;
 Mesh.MeshSizeFromPoints = 0;

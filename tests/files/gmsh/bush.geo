@@ -1,7 +1,7 @@
 // A pin of 9.95 mm, held by a hub, in a bush of 10 to 20 mm, for
 //   gmsh -2 -order 1 -format msh41 -o bush.msh bush.geo
-// Contact curves reach 45 degrees to either side; model{} is told the radii by body.disc and body.ring.
-r = 9.95; R = 10; outer = 20; hub = 1.5; reach = 45 * Pi / 180; fine = 0.12; coarse = 2.5;
+// Contact curves reach 40 degrees to either side; model{} is told the radii by body.disc and body.ring.
+r = 9.95; R = 10; outer = 20; hub = 1.5; reach = 40 * Pi / 180; fine = 0.2; coarse = 4;
 
 // The pin's centre is at (0, r), the bush's at (0, R): they touch at the origin.
 Point(1) = {0, r, 0};
@@ -54,8 +54,8 @@ Field[2] = Threshold;
 Field[2].InField = 1;
 Field[2].SizeMin = fine;
 Field[2].SizeMax = coarse;
-Field[2].DistMin = 0.3;
-Field[2].DistMax = 8;
+Field[2].DistMin = 0.4;
+Field[2].DistMax = 9.3;
 Background Field = 2;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.MeshSizeExtendFromBoundary = 0;

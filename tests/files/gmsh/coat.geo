@@ -2,7 +2,7 @@
 //   gmsh -2 -order 1 -format msh41 -o coat.msh coat.geo
 // The coat, upper.coat, goes round as far as half an arc of 1.2 mm to either side; what is beyond is
 // far from the contact and of the body's own material.
-R = 10; thick = 0.1; high = 10; wide = 10; fine = 0.01; coarse = 2.5; reach = 0.25;
+R = 10; thick = 0.1; high = 10; wide = 10; fine = 0.015; coarse = 3; reach = 0.25;
 half = 0.25 / R; end = 1.2 / R; // angles
 in = R - thick;
 Point(1) = {0, R, 0};
@@ -65,8 +65,8 @@ Field[2] = Threshold;
 Field[2].InField = 1;
 Field[2].SizeMin = fine;
 Field[2].SizeMax = coarse;
-Field[2].DistMin = 0.02;
-Field[2].DistMax = 7;
+Field[2].DistMin = 0.06;
+Field[2].DistMax = 6.7;
 Background Field = 2;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.MeshSizeExtendFromBoundary = 0;

@@ -1,7 +1,7 @@
 // A punch with a flat of 1 mm and edges of 2 mm radius on a block of 20 x 10 mm, for
 //   gmsh -2 -order 1 -format msh41 -o punch.msh punch.geo
-flat = 0.5; R = 2; high = 10; wide = 10; fine = 0.02; coarse = 2.5; reach = 0.8;
-half = 0.8; // of the contact curves; beyond it the edges go on to flat + R
+flat = 0.5; R = 2; high = 10; wide = 10; fine = 0.02; coarse = 3; reach = 0.68;
+half = 0.66; // of the contact curves; beyond it the edges go on to flat + R
 dip = R - Sqrt(R^2 - (half - flat)^2);
 Point(1) = {-flat, 0, 0};
 Point(2) = {0, 0, 0};
@@ -60,8 +60,8 @@ Field[2] = Threshold;
 Field[2].InField = 1;
 Field[2].SizeMin = fine;
 Field[2].SizeMax = coarse;
-Field[2].DistMin = 0.1;
-Field[2].DistMax = 7;
+Field[2].DistMin = 0.04;
+Field[2].DistMax = 6.7;
 Background Field = 2;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.MeshSizeExtendFromBoundary = 0;

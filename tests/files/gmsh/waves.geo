@@ -1,7 +1,7 @@
 // A block of 2 x 1 mm with waves, 0.1 mm long and 0.1 um high to either side, on a flat one, for
 //   gmsh -2 -order 1 -format msh41 -o waves.msh waves.geo
-length = 0.1; height = 1e-4; high = 1; wide = 1; coarse = 0.25; reach = 0.45;
-crests = 7; each = 16; // waves in contact, elements a wave
+length = 0.1; height = 1e-4; high = 1; wide = 1; coarse = 0.5; reach = 0.45;
+crests = 7; each = 10; // waves in contact, elements a wave
 fine = length / each;
 n = crests * each;
 For i In {0 : n}
@@ -57,7 +57,7 @@ Field[2].InField = 1;
 Field[2].SizeMin = fine;
 Field[2].SizeMax = coarse;
 Field[2].DistMin = 0.02;
-Field[2].DistMax = 0.8;
+Field[2].DistMax = 1.2;
 Background Field = 2;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.MeshSizeExtendFromBoundary = 0;
