@@ -37,11 +37,12 @@ static arc_status advance(arc_wear *wear, double distance, arc_error *why) {
 /* A new file with one case, the run in it, and its surfaces for those who plot them. */
 static arc_status save(const char *path, const arc_wear *wear, arc_error *why) {
   arc_store *store = NULL;
-  arc_surface *surfaces = NULL;
-  arc_status status = arc_wear_surfaces(wear, &surfaces, why);
+  arc_array *surfaces;
+  size_t count;
+  arc_status status = arc_wear_surfaces(wear, &surfaces, &count, why);
   if (status == ARC_OK) status = arc_store_replace(path, "example", &store, why);
   if (status == ARC_OK) status = arc_store_add(store, 1, "running in", why);
-  if (status == ARC_OK) status = arc_store_save(store, 1, wear, surfaces, ARC_BODIES, why);
+  if (status == ARC_OK) status = arc_store_save(store, 1, wear, surfaces, count, why);
   if (status == ARC_OK) status = arc_store_publish(&store, why);
   arc_store_close(&store);
   free(surfaces);

@@ -15,6 +15,7 @@
 #ifndef ARCHARD_CONTACT_H
 #define ARCHARD_CONTACT_H
 
+#include "archard/array.h"
 #include "archard/measure.h"
 #include "archard/model.h"
 
@@ -87,23 +88,19 @@ double arc_shape_vector_depth(const arc_shape *shape, arc_body body);
 /* Present nodes of a body [2 * nodes] (wear box moved), written to xy. */
 void arc_shape_nodes(const arc_shape *shape, arc_body body, double *xy);
 
-/* All that makes one body's worn surface, to be stored; arrays of `count` nodes owned by the shape.
- */
-typedef struct arc_surface_state {
-  int count;
-  int condensed;         /* whether the wear box has been condensed again since it was unworn */
-  double even;           /* [mm] wear that left the surface as it was */
-  const double *h;       /* [count] wear depth, even wear included [mm] */
-  const double *xy;      /* [2 * count] present nodes, even wear left out [mm] */
-  const double *settled; /* [2 * count] nodes at the last condensation [mm] */
-} arc_surface_state;
-arc_surface_state arc_shape_state(const arc_shape *shape, arc_body body);
+/* All that makes the worn surfaces, to be stored: of each body the wear depth h [nodes, 1] (even
+ * wear included), the present nodes xy and those at the last condensation, settled [nodes, 2] (even
+ * wear left out), all in mm; the even wear that left the surface as it was, even [1, 1] [mm], and
+ * whether the wear box has been condensed again since it was unworn, condensed [1, 1]. Names and
+ * values are the shape's; update and distance are 0. */
+#define ARC_SHAPE_STATE 10
+void arc_shape_state(const arc_shape *shape, arc_array state[ARC_SHAPE_STATE]);
 
-/* The shape with these states: the same bits as the one they came from. ARC_ARGUMENT (counts are
- * not the model's; depths, places, order that no worn surface has), ARC_GEOMETRY, ARC_MEMORY,
- * ARC_NUMERIC. */
+/* The shape with this state: the same bits as the one it came from. ARC_ARGUMENT (an array is
+ * missing, too many or not of the model's size; depths, places, order that no worn surface has),
+ * ARC_GEOMETRY, ARC_MEMORY, ARC_NUMERIC. */
 arc_status arc_shape_restore(arc_model *model, arc_geometry geometry, double refresh,
-                             const arc_surface_state state[ARC_BODIES], arc_shape **shape,
+                             const arc_array *state, size_t count, arc_shape **shape,
                              arc_error *error);
 
 /* How a contact with friction comes about. */

@@ -28,7 +28,7 @@ extern "C" {
 #pragma GCC visibility push(default)
 
 /* The file's user_version. One more whenever a table changes; see src/store/schema.c. */
-#define ARC_STORE_FORMAT 4
+#define ARC_STORE_FORMAT 5
 
 typedef struct arc_store arc_store;
 
@@ -141,12 +141,13 @@ arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_val
 /* --- runs ------------------------------------------------------------------------------------- */
 
 /* Stores a run under a case that is there, in place of what was stored of it: definition, history,
- * state, and `count` surfaces, the present ones (arc_wear_surfaces) among them; of two of one body
- * and update the later counts. Meshes from outside are stored as the text of a Gmsh file. One
- * transaction (its own, or the one begun). Of a field that is a
- * function only that is stored: it must be given again to go on. */
-arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear,
-                          const arc_surface *surfaces, size_t count, arc_error *error);
+ * state, and the `count` arrays of surfaces (arc_wear_check_surfaces), the present ones
+ * (arc_wear_surfaces) among them; of two of one body and update the later counts. What could not be
+ * read back is refused: ARC_ARGUMENT. Meshes from outside are stored as the text of a Gmsh file.
+ * One transaction (its own, or the one begun). Of a field that is a function only that is stored:
+ * it must be given again to go on. */
+arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const arc_array *surfaces,
+                          size_t count, arc_error *error);
 
 /* The definition of a stored run. */
 typedef struct arc_stored_run {
@@ -170,7 +171,7 @@ arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callba
 
 /* The run itself, on a model of the stored definition and meshes, with `def` the stored one and its
  * functions set: goes on to the same bits as the run that was stored. Errors: ARC_FORMAT (the state
- * is not complete) and those of arc_wear_restore. */
+ * is not complete) and those of arc_wear_resume. */
 arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
                              arc_wear **wear, arc_error *error);
 
@@ -178,9 +179,9 @@ arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const a
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
                              arc_error *error);
 
-/* The stored surfaces in the order of updates, cylinder before plate; *surfaces [*count], one block
- * with all its arrays, is to be freed with free(). */
-arc_status arc_store_surfaces(arc_store *store, int id, arc_surface **surfaces, size_t *count,
+/* The arrays of the stored surfaces in the order of updates, cylinder before plate, by name;
+ * *surfaces [*count], one block, is to be freed with free(). */
+arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, size_t *count,
                               arc_error *error);
 
 /* --- shards ----------------------------------------------------------------------------------- */

@@ -376,6 +376,16 @@ arc_status arc_wear_restore(arc_model *model, const arc_wear_def *def, const arc
                             const arc_wear_record *history, size_t count, arc_wear **wear,
                             arc_error *error);
 
+/* The arrays that a run goes on from, with its history; *state [*count] is one block, to be freed
+ * with free(). ARC_MEMORY. */
+arc_status arc_wear_state(const arc_wear *wear, arc_array **state, size_t *count, arc_error *error);
+
+/* arc_wear_restore from such arrays, which may be anybody's numbers. Errors also of
+ * arc_shape_restore. */
+arc_status arc_wear_resume(arc_model *model, const arc_wear_def *def, const arc_array *state,
+                           size_t arrays, const arc_wear_record *history, size_t count,
+                           arc_wear **wear, arc_error *error);
+
 /* The zones a model needs for this run, to build one that suits (see arc_mesh_def.zone). */
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]);
 
@@ -428,21 +438,20 @@ size_t arc_wear_bytes(const arc_wear *wear);
 /* The contact in the reference configuration on the present shape; a new object each call. */
 arc_status arc_wear_contact(const arc_wear *wear, arc_contact **contact, arc_error *error);
 
-/* The surface of one body after an update: wear and pressure in the reference configuration. */
-typedef struct arc_surface {
-  arc_body body;
-  double update;
-  double distance; /* [mm] */
-  size_t count;    /* nodes */
-  const double *x; /* [count] unworn position [mm] */
-  const double *h; /* [count] wear depth [mm] */
-  const double *y; /* [count] present height [mm] */
-  const double *p; /* [count] pressure [MPa] */
-} arc_surface;
+/* The names of the arrays that show a surface after an update, [nodes, 1] each: the unworn position
+ * x [mm], the wear depth h [mm], the present height y [mm], and the pressure p [MPa] in the
+ * reference configuration. The last is NULL. */
+extern const char *const arc_surface_names[];
 
-/* The present surfaces, cylinder before plate; *surfaces [ARC_BODIES], one block with all its
- * arrays, is to be freed with free(). Errors: those of arc_wear_contact. */
-arc_status arc_wear_surfaces(const arc_wear *wear, arc_surface **surfaces, arc_error *error);
+/* The present surfaces, cylinder before plate, in the order of the names; *surfaces [*count] is one
+ * block, to be freed with free(). Errors: those of arc_wear_contact. */
+arc_status arc_wear_surfaces(const arc_wear *wear, arc_array **surfaces, size_t *count,
+                             arc_error *error);
+
+/* Whether arrays can be surfaces of a run: those of one body and update stand together, all names
+ * and no others, with as many finite numbers, x in order, no pressure below zero. ARC_ARGUMENT says
+ * what is not so. */
+arc_status arc_wear_check_surfaces(const arc_array *surfaces, size_t count, arc_error *error);
 
 /* The fretting loop of the steady cycle that an update begins with. */
 typedef struct arc_loop {

@@ -114,9 +114,11 @@ Likewise all fields of the run and its model, as the engine had them.
 Likewise what another task than a run has found.
 .It Li history
 case_id, step and the columns of history_of.
-.It Li state
-case_id, body, condensed, even, h, xy, settled: what a run needs to go on to the
-same bits.
+.It Li arrays
+case_id, part, updates, distance_mm, body, name, rows, columns, numbers: rows times
+columns numbers, row by row, in a BLOB.
+Part is surface: the arrays x, h, y and p that the view surfaces shows, or state:
+what a run needs to go on to the same bits.
 .It Li texts
 name, text: long texts, each once; values have the name, which is the checksum of
 what it says.
@@ -137,6 +139,9 @@ $ sqlite3 -box study.archard "select label, p_center_MPa, depth_plate_mm
 $ sqlite3 -csv study.archard "select x_mm, h_mm from surfaces
     where case_id = 9 and body = 'plate' and updates = 60"
 .Ed
+.Pp
+In Python an array is
+.Li numpy.frombuffer(numbers).reshape(rows, columns) .
 .Sh SEE ALSO
 .Xr archard 1 ,
 .Xr sqlite3 1 ,

@@ -148,6 +148,45 @@ static void put_settings(FILE *to) {
   put_all(to, put_setting);
 }
 
+/* Each byte once, in order. */
+static void put_bytes(FILE *to) {
+  for (unsigned b = 0; b < 256; b++) fprintf(to, "%02x", b);
+}
+
+/* What a double is, bit by bit, as SQL has no word for it, with the place of each byte in `bytes`.
+ * Each LIMIT keeps SQLite from computing anew for every use what stands inside. What is less than
+ * the smallest normal number is 0. */
+static void put_number(FILE *to, const char *array) {
+  const int least_first = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
+  fputs("(SELECT CASE WHEN e = 0 THEN f * 0.0 WHEN e = 2047 THEN NULL WHEN e < 1023 THEN f / power"
+        "  ELSE f * power END FROM (SELECT e, f, (1 << (n & 31)) * iif(n & 32, 4294967296.0, 1.0)"
+        "  * iif(n & 64, 18446744073709551616.0, 1.0) * iif(n & 128, 3.4028236692093846e38, 1.0)"
+        "  * iif(n & 256, 1.157920892373162e77, 1.0) * iif(n & 512, 1.3407807929942597e154, 1.0)"
+        "  AS power FROM (SELECT bits >> 52 & 2047 AS e, abs((bits >> 52 & 2047) - 1023) AS n,"
+        "  iif(bits < 0, -1, 1) * (1 + (bits & 4503599627370495) / 4503599627370496.0) AS f FROM"
+        "  (SELECT 0",
+        to);
+  for (int i = 0; i < 8; i++)
+    fprintf(to, " | (instr(bytes, substr(b, %d, 1)) - 1 << %d)", least_first ? i + 1 : 8 - i,
+            8 * i);
+  fprintf(
+      to,
+      " AS bits FROM (SELECT substr(%s.numbers, 8 * node + 1, 8) AS b LIMIT 1) LIMIT 1) LIMIT 1)"
+      " LIMIT 1))",
+      array);
+}
+
+/* The columns of a surface, each of the array of its name. */
+static void put_numbers(FILE *to) {
+  for (const char *const *name = arc_surface_names; *name; name++) {
+    fputs(", ", to);
+    put_number(to, *name);
+    fputs(" AS ", to);
+    for (size_t c = 0; c < COUNT(others); c++)
+      if (strcmp(others[c].name, *name) == 0) put_name(to, &others[c]);
+  }
+}
+
 static void put_unit(FILE *to, const column *c, int first) {
   fputs(first ? "('" : ", ('", to);
   put_name(to, c);
@@ -174,10 +213,8 @@ static void put_units(FILE *to) {
 static const struct {
   const char *word;
   void (*put)(FILE *to);
-} parts[] = {{"@columns", put_columns},
-             {"@values", put_values},
-             {"@results", put_results},
-             {"@settings", put_settings},
+} parts[] = {{"@columns", put_columns},   {"@values", put_values}, {"@results", put_results},
+             {"@settings", put_settings}, {"@bytes", put_bytes},   {"@numbers", put_numbers},
              {"@units", put_units}};
 
 /* Puts the part that a text begins with; how long its word is. */

@@ -198,6 +198,47 @@ static int guard(void) {
   return code;
 }
 
+/* --- lists of numbers --------------------------------------------------------------------------
+ */
+
+/* The numbers of a group so far. */
+typedef struct number_list {
+  double *number;
+  size_t count, room;
+} number_list;
+
+static int make_room(number_list *list) {
+  if (list->count < list->room) return 1;
+  const size_t room = 2 * list->room + 64;
+  double *grown = realloc(list->number, room * sizeof *grown);
+  if (!grown) return 0;
+  list->number = grown;
+  list->room = room;
+  return 1;
+}
+
+static void add_number(sqlite3_context *context, int count, sqlite3_value **value) {
+  number_list *list = sqlite3_aggregate_context(context, sizeof *list);
+  (void)count;
+  if (!list || !make_room(list))
+    sqlite3_result_error_nomem(context);
+  else
+    list->number[list->count++] =
+        sqlite3_value_type(value[0]) == SQLITE_NULL ? (double)NAN : sqlite3_value_double(value[0]);
+}
+
+static void give_numbers(sqlite3_context *context) {
+  const number_list *list = sqlite3_aggregate_context(context, 0);
+  if (list && list->number)
+    sqlite3_result_blob64(context, list->number, list->count * sizeof *list->number, free);
+}
+
+/* array_of(number), the array of a group's numbers in the order of its rows. */
+static int define_arrays(sqlite3 *handle) {
+  return sqlite3_create_function(handle, "array_of", 1, SQLITE_UTF8 | SQLITE_DIRECTONLY, NULL, NULL,
+                                 add_number, give_numbers);
+}
+
 /* --- databases -------------------------------------------------------------------------------- */
 
 static arc_status configure(database *db, arc_error *error) {
@@ -207,6 +248,7 @@ static arc_status configure(database *db, arc_error *error) {
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DDL, 0, NULL);
   sqlite3_db_config(db->handle, SQLITE_DBCONFIG_DQS_DML, 0, NULL);
   distrust(db);
+  if (define_arrays(db->handle) != SQLITE_OK) return fail(db, SQLITE_NOMEM, error);
   /* a rollback journal rather than a log: one file when idle, and network file systems manage */
   return arc_database_run(
       db, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA cell_size_check = ON",

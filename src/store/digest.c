@@ -7,14 +7,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
 static const char *const parts[] = {
     "SELECT label, status, message, seconds FROM cases WHERE id = ?1",
     "SELECT name, value FROM settings WHERE case_id = ?1 ORDER BY name",
     "SELECT name, value FROM definition WHERE case_id = ?1 ORDER BY name",
     "SELECT name, value FROM results WHERE case_id = ?1 ORDER BY name",
     "SELECT * FROM history WHERE case_id = ?1 ORDER BY step",
-    "SELECT * FROM surfaces WHERE case_id = ?1 ORDER BY updates, body, node",
-    "SELECT * FROM state WHERE case_id = ?1 ORDER BY body"};
+    "SELECT * FROM arrays WHERE case_id = ?1 ORDER BY part, updates, body, name"};
+
+/* What files before format 5 had in place of the last. */
+static const char *const older_parts[] = {
+    "SELECT * FROM older_surfaces WHERE case_id = ?1 ORDER BY updates, body, node",
+    "SELECT * FROM older_state WHERE case_id = ?1 ORDER BY body"};
 
 uint64_t arc_store_checksum(uint64_t sum, const void *bytes, size_t count) {
   const unsigned char *at = bytes;
@@ -64,8 +70,10 @@ static arc_status add_part(arc_store *store, const char *sql, int id, uint64_t *
 static arc_status digest_of(arc_store *store, int id, char text[17], arc_error *error) {
   uint64_t sum = ARC_STORE_CHECKSUM;
   arc_status status = ARC_OK;
-  for (size_t p = 0; p < sizeof parts / sizeof *parts && status == ARC_OK; p++)
+  for (size_t p = 0; p < COUNT(parts) && status == ARC_OK; p++)
     status = add_part(store, parts[p], id, &sum, error);
+  for (size_t p = 0; store->older && p < COUNT(older_parts) && status == ARC_OK; p++)
+    status = add_part(store, older_parts[p], id, &sum, error);
   snprintf(text, 17, "%016llx", (unsigned long long)sum);
   return status;
 }
@@ -103,8 +111,7 @@ static arc_status first_case(arc_store *store, const char *sql, int after, int *
 /* Of cases in SQL: whether one needs a checksum. */
 #define NEEDS_ONE                                                                                  \
   "(status = 'done' OR EXISTS (SELECT 1 FROM definition WHERE case_id = id) OR EXISTS (SELECT 1 "  \
-  "FROM history WHERE case_id = id) OR EXISTS (SELECT 1 FROM surfaces WHERE case_id = id) OR "     \
-  "EXISTS (SELECT 1 FROM state WHERE case_id = id))"
+  "FROM history WHERE case_id = id) OR EXISTS (SELECT 1 FROM arrays WHERE case_id = id))"
 
 static int is_open(const arc_store *store, int id) {
   size_t i = 0;
@@ -167,7 +174,7 @@ static const char of_case[] = "SELECT checksum, status = 'done' FROM cases WHERE
 static const char of_run[] =
     "SELECT checksum, " NEEDS_ONE " FROM cases WHERE id = ?1 UNION ALL SELECT NULL, 1 FROM "
     "(SELECT case_id FROM definition UNION ALL SELECT case_id FROM history UNION ALL SELECT "
-    "case_id FROM surfaces UNION ALL SELECT case_id FROM state) WHERE case_id = ?1";
+    "case_id FROM arrays) WHERE case_id = ?1";
 
 /* The checksum as it stands in the file, "" for none. */
 static arc_status expected_digest(arc_store *store, const char *sql, int id, char text[17],

@@ -20,10 +20,9 @@ static arc_status expect_none(arc_store *store, const char *sql, const char *fro
   return status;
 }
 
-#define VALUES   "case_id, name, value"
-#define HISTORY  "case_id, step@columns"
-#define SURFACES "case_id, updates, distance_mm, body, node, x_mm, h_mm, y_mm, p_MPa"
-#define STATE    "case_id, body, condensed, even, h, xy, settled"
+#define VALUES  "case_id, name, value"
+#define HISTORY "case_id, step@columns"
+#define ARRAYS  "case_id, " ARC_ARRAYS
 
 /* The first case whose rows (columns c of table t, where w) are not the same in both files. */
 #define ROWS(f, t, c, w)    "SELECT " c " FROM " f "." t w
@@ -50,9 +49,9 @@ static arc_status check_same_study(arc_store *store, const char *from, arc_error
 
 /* The same case gives the same bits wherever it runs: one that was computed twice does no harm. */
 static arc_status check_same_results(arc_store *store, const char *from, arc_error *error) {
-  static const char *const parts[] = {
-      DIFFERS("results", VALUES, IN_BOTH), DIFFERS("history", HISTORY, IN_BOTH),
-      DIFFERS("surfaces", SURFACES, IN_BOTH), DIFFERS("state", STATE, IN_BOTH)};
+  static const char *const parts[] = {DIFFERS("results", VALUES, IN_BOTH),
+                                      DIFFERS("history", HISTORY, IN_BOTH),
+                                      DIFFERS("arrays", ARRAYS, IN_BOTH)};
   arc_status status = ARC_OK;
   for (size_t i = 0; i < sizeof parts / sizeof *parts && status == ARC_OK; i++)
     status = expect_none(store, parts[i], from, "is finished in both, with other results", error);
@@ -74,8 +73,7 @@ static arc_status copy_finished(arc_store *store, const char *from, arc_error *e
       COPY("definition", VALUES),
       COPY("results", VALUES),
       COPY("history", HISTORY),
-      COPY("surfaces", SURFACES),
-      COPY("state", STATE),
+      COPY("arrays", ARRAYS),
       "UPDATE main.cases SET (status, message, seconds, finished, checksum) ="
       "  (SELECT status, message, seconds, finished, NULL FROM other.cases o WHERE o.id = cases.id)"
       "  WHERE status <> 'done' AND id IN (SELECT id FROM other.cases WHERE status <> 'waiting')"};

@@ -16,6 +16,10 @@
 #define CASE_ID      "case_id INTEGER NOT NULL REFERENCES cases"
 #define NAMED_VALUES "(" CASE_ID ", name TEXT NOT NULL, value, PRIMARY KEY (case_id, name))"
 #define MAKE_TEXTS   "CREATE TABLE texts (name TEXT PRIMARY KEY, text TEXT NOT NULL);"
+#define MAKE_ARRAYS                                                                                \
+  "CREATE TABLE arrays (" CASE_ID ", part TEXT NOT NULL, updates NOT NULL, distance_mm,"           \
+  "  body TEXT NOT NULL, name TEXT NOT NULL, rows INTEGER NOT NULL, columns INTEGER NOT NULL,"     \
+  "  numbers BLOB NOT NULL, PRIMARY KEY (case_id, part, updates, body, name));"
 static const char tables[] =
     "CREATE TABLE info (name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;"
     "CREATE TABLE cases (id INTEGER PRIMARY KEY, label TEXT NOT NULL,"
@@ -25,13 +29,7 @@ static const char tables[] =
     "CREATE TABLE definition " NAMED_VALUES " WITHOUT ROWID;"
     "CREATE TABLE results " NAMED_VALUES " WITHOUT ROWID;"
     "CREATE TABLE history (" CASE_ID ", step INTEGER NOT NULL@columns,"
-    "  PRIMARY KEY (case_id, step)) WITHOUT ROWID;"
-    "CREATE TABLE surfaces (" CASE_ID ", updates, distance_mm, body TEXT NOT NULL,"
-    "  node INTEGER NOT NULL, x_mm, h_mm, y_mm, p_MPa,"
-    "  PRIMARY KEY (case_id, updates, body, node)) WITHOUT ROWID;"
-    "CREATE TABLE state (" CASE_ID ", body TEXT NOT NULL, condensed INTEGER NOT NULL, even,"
-    "  h BLOB NOT NULL, xy BLOB NOT NULL, settled BLOB NOT NULL,"
-    "  PRIMARY KEY (case_id, body)) WITHOUT ROWID;";
+    "  PRIMARY KEY (case_id, step)) WITHOUT ROWID;" MAKE_ARRAYS;
 
 /* Views hold nothing: they are made anew whenever the tables change. */
 static const char drop_views[] = "DROP VIEW IF EXISTS case_results;"
@@ -44,10 +42,45 @@ static const char case_results[] =
     "  h.volume_cylinder_mm3 + h.volume_plate_mm3 AS volume_total_mm3"
     "  FROM cases c LEFT JOIN history h ON h.case_id = c.id AND"
     "  h.step = (SELECT max(step) FROM history WHERE case_id = c.id)";
+
+#define OTHER(name)                                                                                \
+  " JOIN arrays " name " ON " name ".case_id = x.case_id AND " name ".part = x.part AND " name     \
+  ".updates = x.updates AND " name ".body = x.body AND " name ".name = '" name "' AND " name       \
+  ".rows = x.rows"
+static const char surfaces[] =
+    "CREATE VIEW surfaces AS WITH RECURSIVE byte(bytes) AS (VALUES (x'@bytes')),"
+    "  site(node) AS (SELECT 0 UNION ALL SELECT node + 1 FROM site"
+    "  WHERE node + 1 < (SELECT max(rows) FROM arrays WHERE part = 'surface'))"
+    "  SELECT x.case_id, x.updates, x.distance_mm, x.body, node@numbers"
+    "  FROM arrays x" OTHER("h") OTHER("y")
+        OTHER("p") " JOIN site ON node < x.rows JOIN byte"
+                   "  WHERE x.part = 'surface' AND x.name = 'x' AND x.columns = 1";
 static const char views[] = "CREATE VIEW history_of AS SELECT case_id, label, step@columns"
                             "  FROM history JOIN cases ON case_id = id;"
                             "CREATE VIEW units (name, unit, text) AS VALUES @units;"
                             "PRAGMA user_version = " TEXT_OF(ARC_STORE_FORMAT) ";";
+
+/* To format 5: of a table with a row for each node, and of one with the state of a body. */
+#define PACKED(name, column)                                                                       \
+  "INSERT INTO arrays SELECT case_id, 'surface', updates, max(distance_mm), body, '" name          \
+  "', count(*), 1, array_of(" column ") FROM older_surfaces GROUP BY case_id, updates, body;"
+#define LAST(column) "(SELECT max(" column ") FROM history h WHERE h.case_id = s.case_id)"
+#define MOVED(name, array)                                                                         \
+  "INSERT INTO arrays SELECT case_id, 'state', " LAST("updates") ", " LAST(                        \
+      "distance_mm") ", body, '" name "', " array " FROM older_state s GROUP BY case_id, body;"
+/* clang-format off */
+static const char to_arrays[] =
+    PACKED("x", "x_mm")
+    PACKED("h", "h_mm")
+    PACKED("y", "y_mm")
+    PACKED("p", "p_MPa")
+    MOVED("h", "length(h) / 8, 1, h")
+    MOVED("xy", "length(h) / 8, 2, xy")
+    MOVED("settled", "length(h) / 8, 2, settled")
+    MOVED("even", "1, 1, array_of(even)")
+    MOVED("condensed", "1, 1, array_of(condensed)")
+    "DROP TABLE older_surfaces; DROP TABLE older_state;";
+/* clang-format on */
 
 /* From the format before, in order; never changed once released. `names` renames, so that the SQL
  * of today finds its tables and columns, `values` adds what the checksums are then taken of. */
@@ -89,13 +122,18 @@ static const struct migration {
      "ALTER TABLE history ADD COLUMN largest_shear_N;"
      "ALTER TABLE history ADD COLUMN stick_width_mm;"
      "ALTER TABLE history ADD COLUMN gross;" MAKE_TEXTS},
+    {4,
+     "ALTER TABLE surfaces RENAME TO older_surfaces;"
+     "ALTER TABLE state RENAME TO older_state;" MAKE_ARRAYS,
+     to_arrays},
 };
 
 enum { MIGRATIONS = sizeof migrations / sizeof *migrations };
 _Static_assert(MIGRATIONS == ARC_STORE_FORMAT - 1, "a new format needs a line in migrations");
 
 static arc_status make_views(arc_store *store, arc_error *error) {
-  const arc_status status = arc_store_script(store, case_results, error);
+  arc_status status = arc_store_script(store, case_results, error);
+  if (status == ARC_OK) status = arc_store_script(store, surfaces, error);
   return status == ARC_OK ? arc_store_script(store, views, error) : status;
 }
 
@@ -110,14 +148,26 @@ arc_status arc_schema_make(arc_store *store, arc_error *error) {
   return status == ARC_OK ? arc_database_run(store->db, "COMMIT", error) : status;
 }
 
+/* Before format 5 the surfaces were a table. */
+static arc_status forget_views(arc_store *store, long long format, arc_error *error) {
+  const arc_status status = arc_database_run(store->db, drop_views, error);
+  if (status != ARC_OK || format < 5) return status;
+  return arc_database_run(store->db, "DROP VIEW IF EXISTS surfaces", error);
+}
+
 /* Cases whose checksum is right get a new one with the commit; of damaged ones it stays wrong. */
 static arc_status migrate(arc_store *store, long long format, arc_error *error) {
-  arc_status status = arc_database_run(store->db, drop_views, error);
+  arc_status status = forget_views(store, format, error);
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].names, error);
+  store->older = 1;
   if (status == ARC_OK) status = arc_store_unseal_sound(store, error);
+  store->older = 0;
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].values, error);
+  if (status == ARC_ARGUMENT) /* rows that no program of ours wrote */
+    return arc_fail(error, ARC_FORMAT, "%s: the file is damaged: its rows contradict each other",
+                    store->path);
   return status == ARC_OK ? make_views(store, error) : status;
 }
 
@@ -134,7 +184,7 @@ static arc_status renew_views(arc_store *store, arc_error *error) {
   arc_query_close(&q);
   free(wanted);
   if (status != ARC_OK || row) return status;
-  status = arc_database_run(store->db, drop_views, error);
+  status = forget_views(store, ARC_STORE_FORMAT, error);
   return status == ARC_OK ? make_views(store, error) : status;
 }
 

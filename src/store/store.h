@@ -18,6 +18,7 @@ struct arc_store {
   database *db;
   char *path;       /* the file's name for the user */
   arc_place *place; /* where a new file is written until it is published; NULL: none */
+  int older;        /* whether the tables are still those of an older format */
   int verified;     /* the case whose checksum was compared last; 0: none */
   int *open; /* [opened] cases changed in this transaction: their checksums are ours to write */
   size_t opened;
@@ -53,12 +54,16 @@ arc_status arc_store_leave(arc_store *store, int own, arc_status status, arc_err
 arc_status arc_store_look(arc_store *store, int *own, arc_error *error);
 void arc_store_look_away(arc_store *store, int own);
 
+/* The columns of the table of arrays behind the case's id. */
+#define ARC_ARRAYS "part, updates, distance_mm, body, name, rows, columns, numbers"
+
 /* --- columns.c, statement.c: SQL texts with the columns of history and settings -----------------
  */
 
 /* The pattern with these words replaced: @columns by ", NAME" for each column of the history,
  * @values by as many ", ?", @results by the columns that are results, @settings by the expressions
- * of the settings, @units by the rows of `units`. To be freed; NULL: out of memory. */
+ * of the settings, @bytes by all bytes in hexadecimal, @numbers by the columns of `surfaces`,
+ * @units by the rows of `units`. To be freed; NULL: out of memory. */
 char *arc_columns_sql(const char *pattern);
 
 /* Runs statements without results; `sql` is a pattern here and below. */

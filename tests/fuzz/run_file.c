@@ -25,14 +25,15 @@ static void make_sound(const char *path) {
   arc_model *model;
   arc_wear *wear;
   arc_store *store;
-  arc_surface *present;
+  arc_array *present;
+  size_t arrays;
   must(arc_model_build(&of_model, &model, &error), &error);
   must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
   must(arc_wear_run(wear, 66, NULL, &error), &error);
   must(arc_store_open(path, ARC_STORE_CREATE, &store, &error), &error);
   must(arc_store_add(store, 1, "sound", &error), &error);
-  must(arc_wear_surfaces(wear, &present, &error), &error);
-  must(arc_store_save(store, 1, wear, present, ARC_BODIES, &error), &error);
+  must(arc_wear_surfaces(wear, &present, &arrays, &error), &error);
+  must(arc_store_save(store, 1, wear, present, arrays, &error), &error);
   must(arc_store_mark(store, 1, ARC_CASE_DONE, NULL, 1, &error), &error);
   free(present);
   arc_store_close(&store);
@@ -109,22 +110,21 @@ static const char *const changes[] = {
     "UPDATE definition SET name = ?1 WHERE name = (SELECT name FROM definition LIMIT 1 OFFSET ?2)",
     "DELETE FROM definition WHERE name = (SELECT name FROM definition LIMIT 1 OFFSET ?2)",
     "INSERT OR REPLACE INTO definition VALUES (1, ?1, ?2)",
-    "UPDATE state SET h = ?1 WHERE ?2 % 2 = (body = 'plate')",
-    "UPDATE state SET xy = ?1 WHERE ?2 % 2 = (body = 'plate')",
-    "UPDATE state SET settled = ?1 WHERE ?2 % 2 = (body = 'plate')",
-    "UPDATE state SET condensed = ?1 WHERE ?2 % 2 = (body = 'plate')",
-    "UPDATE state SET even = ?1 WHERE ?2 % 2 = (body = 'plate')",
-    "UPDATE state SET body = ?1 WHERE ?2 % 2 = (body = 'plate')",
-    "UPDATE state SET xy = settled, settled = xy WHERE ?2 % 2 = (body = 'plate')",
+    "UPDATE arrays SET numbers = ?1 WHERE rowid = ?2",
+    "UPDATE arrays SET rows = ?1 WHERE rowid = ?2",
+    "UPDATE arrays SET columns = ?1 WHERE rowid = ?2",
+    "UPDATE arrays SET name = ?1 WHERE rowid = ?2",
+    "UPDATE arrays SET part = ?1 WHERE rowid = ?2",
+    "UPDATE arrays SET updates = ?1 WHERE rowid = ?2",
+    "UPDATE arrays SET distance_mm = ?1 WHERE rowid = ?2",
+    "UPDATE arrays SET body = ?1 WHERE rowid = ?2",
+    "DELETE FROM arrays WHERE rowid = ?2",
+    "UPDATE OR REPLACE arrays SET name = iif(name = 'xy', 'settled', 'xy') WHERE columns = 2",
     "UPDATE history SET step = ?1 WHERE step = ?2",
     "UPDATE history SET updates = ?1 WHERE step = ?2",
     "UPDATE history SET distance_mm = ?1 WHERE step = ?2",
     "UPDATE history SET p_center_MPa = ?1 WHERE step = ?2",
     "DELETE FROM history WHERE step = ?2",
-    "UPDATE surfaces SET node = ?1 WHERE node = ?2",
-    "UPDATE surfaces SET x_mm = ?1 WHERE node = ?2",
-    "UPDATE surfaces SET body = ?1 WHERE node = ?2",
-    "DELETE FROM surfaces WHERE node = ?2",
     "UPDATE cases SET status = ?1",
     "UPDATE cases SET label = ?1",
     "UPDATE cases SET id = ?1",
@@ -132,12 +132,15 @@ static const char *const changes[] = {
     "INSERT OR REPLACE INTO settings VALUES (1, ?1, ?2)",
     "INSERT OR REPLACE INTO results VALUES (1, ?1, ?2)",
     /* one number of an array among others */
-    "UPDATE state SET h = CAST(substr(h, 1, 8 * (?2 % 30)) || substr(CAST(?1 AS BLOB) || "
-    "x'0000000000000000', 1, 8) || "
-    "substr(h, 8 * (?2 % 30) + 9) AS BLOB)",
-    "UPDATE state SET settled = CAST(substr(settled, 1, 8 * (?2 % 99)) || substr(CAST(?1 AS BLOB) "
-    "|| x'0000000000000000', "
-    "1, 8) || substr(settled, 8 * (?2 % 99) + 9) AS BLOB)",
+    "UPDATE arrays SET numbers = CAST(substr(numbers, 1, 8 * (?2 % 30)) || substr(CAST(?1 AS BLOB) "
+    "|| x'0000000000000000', 1, 8) || substr(numbers, 8 * (?2 % 30) + 9) AS BLOB) WHERE part = "
+    "'state' AND name = 'h'",
+    "UPDATE arrays SET numbers = CAST(substr(numbers, 1, 8 * (?2 % 99)) || substr(CAST(?1 AS BLOB) "
+    "|| x'0000000000000000', 1, 8) || substr(numbers, 8 * (?2 % 99) + 9) AS BLOB) WHERE name = "
+    "'settled'",
+    "UPDATE arrays SET numbers = CAST(substr(numbers, 1, 8 * (?2 % 30)) || substr(CAST(?1 AS BLOB) "
+    "|| x'0000000000000000', 1, 8) || substr(numbers, 8 * (?2 % 30) + 9) AS BLOB) WHERE part = "
+    "'surface'",
     "UPDATE definition SET value = substr(value, 1, 8) WHERE name LIKE 'k.%' AND ?2 % 2",
 };
 
@@ -215,7 +218,7 @@ static void read_case(arc_store *store, int id) {
   for (int use = 0; use <= ARC_RESULTS; use++)
     arc_store_values(store, id, (arc_value_use)use, see, &seen, NULL);
   arc_wear_record *history = NULL;
-  arc_surface *surfaces = NULL;
+  arc_array *surfaces = NULL;
   arc_stored_run run;
   if (arc_store_history(store, id, &history, &count, NULL) == ARC_OK) free(history);
   if (arc_store_surfaces(store, id, &surfaces, &count, NULL) == ARC_OK) free(surfaces);

@@ -45,16 +45,12 @@ UNUSED static arc_wear *run(const arc_wear_def *def) {
 /* --- the same bits ---------------------------------------------------------------------------- */
 
 UNUSED static void check_same_shape(const arc_shape *one, const arc_shape *two) {
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const arc_surface_state s = arc_shape_state(one, (arc_body)b);
-    const arc_surface_state t = arc_shape_state(two, (arc_body)b);
-    const size_t n = (size_t)s.count * sizeof(double);
-    assert_int_equal(s.count, t.count);
-    assert_int_equal(s.condensed, t.condensed);
-    assert_true(s.even == t.even);
-    assert_memory_equal(s.h, t.h, n);
-    assert_memory_equal(s.xy, t.xy, 2 * n);
-    assert_memory_equal(s.settled, t.settled, 2 * n);
+  arc_array s[ARC_SHAPE_STATE], t[ARC_SHAPE_STATE];
+  arc_shape_state(one, s);
+  arc_shape_state(two, t);
+  for (int i = 0; i < ARC_SHAPE_STATE; i++) {
+    assert_int_equal(arc_array_count(&s[i]), arc_array_count(&t[i]));
+    assert_memory_equal(s[i].values, t[i].values, arc_array_count(&s[i]) * sizeof(double));
   }
 }
 

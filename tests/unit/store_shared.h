@@ -126,24 +126,22 @@ __attribute__((unused)) static void assert_same_runs(const arc_wear *a, const ar
   assert_int_equal(rows, others);
   assert_same_doubles((const double *)(const void *)history, (const double *)(const void *)other,
                       rows * sizeof *history / sizeof(double));
-  for (int body = 0; body < ARC_BODIES; body++) {
-    arc_surface_state one = arc_shape_state(arc_wear_shape(a), (arc_body)body);
-    arc_surface_state two = arc_shape_state(arc_wear_shape(b), (arc_body)body);
-    assert_int_equal(one.count, two.count);
-    assert_int_equal(one.condensed, two.condensed);
-    assert_same_doubles(&one.even, &two.even, 1);
-    assert_same_doubles(one.h, two.h, (size_t)one.count);
-    assert_same_doubles(one.xy, two.xy, 2 * (size_t)one.count);
-    assert_same_doubles(one.settled, two.settled, 2 * (size_t)one.count);
+  arc_array one[ARC_SHAPE_STATE], two[ARC_SHAPE_STATE];
+  arc_shape_state(arc_wear_shape(a), one);
+  arc_shape_state(arc_wear_shape(b), two);
+  for (int i = 0; i < ARC_SHAPE_STATE; i++) {
+    assert_int_equal(arc_array_count(&one[i]), arc_array_count(&two[i]));
+    assert_same_doubles(one[i].values, two[i].values, arc_array_count(&one[i]));
   }
 }
 
 /* Stores a run with its present surfaces. */
 __attribute__((unused)) static void save_run(arc_store *store, int id, const arc_wear *wear) {
   arc_error error = {0};
-  arc_surface *present;
-  must(arc_wear_surfaces(wear, &present, &error), &error);
-  must(arc_store_save(store, id, wear, present, ARC_BODIES, &error), &error);
+  arc_array *present;
+  size_t count;
+  must(arc_wear_surfaces(wear, &present, &count, &error), &error);
+  must(arc_store_save(store, id, wear, present, count, &error), &error);
   free(present);
 }
 

@@ -40,7 +40,7 @@ __attribute__((unused)) static arc_status read_run(arc_store *store, arc_error *
 
 __attribute__((unused)) static arc_status read_all(const char *name, arc_error *error) {
   arc_store *store;
-  arc_surface *surfaces = NULL;
+  arc_array *surfaces = NULL;
   arc_case *cases = NULL;
   size_t count;
   arc_status status = arc_store_open(in_folder(name), ARC_STORE_READ, &store, error);

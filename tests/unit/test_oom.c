@@ -130,9 +130,9 @@ static arc_status make_copy(void **made, arc_error *error) {
   return arc_shape_clone(shape, (arc_shape **)made, error);
 }
 static arc_status make_restored(void **made, arc_error *error) {
-  const arc_surface_state state[ARC_BODIES] = {arc_shape_state(shape, ARC_CYLINDER),
-                                               arc_shape_state(shape, ARC_PLATE)};
-  return arc_shape_restore(model, ARC_MOVING, 0, state, (arc_shape **)made, error);
+  arc_array state[ARC_SHAPE_STATE];
+  arc_shape_state(shape, state);
+  return arc_shape_restore(model, ARC_MOVING, 0, state, ARC_SHAPE_STATE, (arc_shape **)made, error);
 }
 static void unmake_shape(void **made) {
   arc_shape_destroy((arc_shape **)made);

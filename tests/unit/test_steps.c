@@ -181,15 +181,12 @@ static void check_goes_on(const arc_wear_def *def) {
   for (int step = 0; step < 3; step++) check_ok(arc_wear_step(wear, NULL, why));
   check_ok(arc_wear_clone(wear, &copy, why));
   check_same(wear, copy);
-  arc_surface_state surface[ARC_BODIES];
-  for (int b = 0; b < ARC_BODIES; b++)
-    surface[b] = arc_shape_state(arc_wear_shape(wear), (arc_body)b);
-  arc_shape *shape = NULL;
-  check_ok(arc_shape_restore(coarse, def->geometry, def->refresh, surface, &shape, why));
-  size_t count;
+  arc_array *state;
+  size_t arrays, count;
+  check_ok(arc_wear_state(wear, &state, &arrays, why));
   const arc_wear_record *history = arc_wear_history(wear, &count);
-  check_ok(arc_wear_restore(coarse, def, shape, history, count, &stored, why));
-  arc_shape_destroy(&shape);
+  check_ok(arc_wear_resume(coarse, def, state, arrays, history, count, &stored, why));
+  free(state);
   arc_wear_destroy(&wear);
   check_ok(arc_wear_run(copy, def->distance, NULL, why));
   check_ok(arc_wear_run(stored, def->distance, NULL, why));

@@ -304,39 +304,74 @@ static void test_unknown_fields(void **state) {
   arc_store_close(&store);
 }
 
+static const double *values_of(const arc_array *arrays, size_t count, arc_body body,
+                               const char *name) {
+  const arc_array *found = arc_array_find(arrays, count, body, name);
+  assert_non_null(found);
+  return found->values;
+}
+
+/* What could not be read back is not stored, and leaves what was there. */
+static void check_refused(arc_store *store, const arc_wear *wear, const arc_array *surfaces,
+                          size_t count, const char *word) {
+  arc_error error = {0};
+  assert_int_equal(arc_store_save(store, 1, wear, surfaces, count, &error), ARC_ARGUMENT);
+  if (!strstr(error.message, word)) fail_msg("no '%s' in: %s", word, error.message);
+}
+
 static void test_surfaces(void **state) {
   (void)state;
   arc_error error = {0};
   arc_model *model = coarse_model();
   arc_wear *wear = short_run(model, 110);
   double x[3] = {-1, -0.0, 1}, h[3] = {0, 0.5, 0}, y[3] = {1, 2, 3}, p[3] = {0, 1.0 / 3, 0};
-  arc_surface given[3] = {{ARC_PLATE, 2, 44, 3, x, h, y, p}}, *present;
-  must(arc_wear_surfaces(wear, &present, &error), &error);
-  memcpy(given + 1, present, 2 * sizeof *present);
+  arc_array given[12] = {{"x", ARC_PLATE, 2, 44, {3, 1}, x},
+                         {"h", ARC_PLATE, 2, 44, {3, 1}, h},
+                         {"y", ARC_PLATE, 2, 44, {3, 1}, y},
+                         {"p", ARC_PLATE, 2, 44, {3, 1}, p}},
+            *present;
+  size_t count;
+  must(arc_wear_surfaces(wear, &present, &count, &error), &error);
+  assert_int_equal(count, 8);
+  memcpy(given + 4, present, 8 * sizeof *present);
   arc_store *store = opened("surfaces", ARC_STORE_CREATE);
   must(arc_store_add(store, 1, "run", &error), &error);
-  must(arc_store_save(store, 1, wear, given, 3, &error), &error);
-  must(arc_store_save(store, 1, wear, given, 3, &error), &error); /* replaces */
+  must(arc_store_save(store, 1, wear, given, 12, &error), &error);
+  must(arc_store_save(store, 1, wear, given, 12, &error), &error); /* replaces */
 
-  arc_surface *surfaces;
-  size_t count;
+  arc_array *surfaces;
   must(arc_store_surfaces(store, 1, &surfaces, &count, &error), &error);
-  assert_int_equal(count, 3);
+  assert_int_equal(count, 12);
   assert_int_equal(surfaces[0].body, ARC_PLATE);
-  assert_int_equal(surfaces[0].count, 3);
+  assert_int_equal(arc_array_count(&surfaces[0]), 3);
   assert_true(surfaces[0].update == 2 && surfaces[0].distance == 44);
-  assert_memory_equal(surfaces[0].x, x, sizeof x);
-  assert_memory_equal(surfaces[0].p, p, sizeof p);
+  assert_memory_equal(values_of(surfaces, 4, ARC_PLATE, "x"), x, sizeof x);
+  assert_memory_equal(values_of(surfaces, 4, ARC_PLATE, "p"), p, sizeof p);
   arc_profile profile = arc_shape_profile(arc_wear_shape(wear), ARC_CYLINDER);
-  assert_int_equal(surfaces[1].body, ARC_CYLINDER);
-  assert_int_equal(surfaces[1].count, profile.count);
-  assert_memory_equal(surfaces[1].h, profile.h, (size_t)profile.count * sizeof(double));
+  assert_int_equal(surfaces[4].body, ARC_CYLINDER);
+  assert_int_equal(arc_array_count(&surfaces[4]), profile.count);
+  assert_memory_equal(values_of(surfaces + 4, 8, ARC_CYLINDER, "h"), profile.h,
+                      (size_t)profile.count * sizeof(double));
   arc_contact *contact;
   must(arc_wear_contact(wear, &contact, &error), &error);
   arc_pressure pressure = arc_contact_pressure(contact, ARC_PLATE);
-  assert_int_equal(surfaces[2].count, pressure.count);
-  assert_memory_equal(surfaces[2].p, pressure.p, (size_t)pressure.count * sizeof(double));
+  assert_int_equal(arc_array_count(&surfaces[8]), pressure.count);
+  assert_memory_equal(values_of(surfaces + 4, 8, ARC_PLATE, "p"), pressure.p,
+                      (size_t)pressure.count * sizeof(double));
   arc_contact_destroy(&contact);
+  free(surfaces);
+
+  check_refused(store, wear, given, 11, "expected p");
+  p[1] = -1;
+  check_refused(store, wear, given, 12, "expected for p[1]");
+  p[1] = 1, x[2] = x[1];
+  check_refused(store, wear, given, 12, "expected for x[2]");
+  x[2] = 1, h[0] = NAN;
+  check_refused(store, wear, given, 12, "expected for h[0]");
+  h[0] = 0, given[2].size[0] = 2;
+  check_refused(store, wear, given, 12, "expected y of 3 numbers");
+  must(arc_store_surfaces(store, 1, &surfaces, &count, &error), &error);
+  assert_int_equal(count, 12);
   free(surfaces);
   free(present);
 

@@ -181,6 +181,92 @@ static void test_newer_meanwhile(void **state) {
   arc_store_close(&store);
 }
 
+/* --- surfaces for those who look with SQL ------------------------------------------------------
+ */
+
+enum { MOST_NUMBERS = 20000 };
+
+/* All numbers of the surfaces, in the order of rows; how many. */
+static int numbers_of(const char *name, double *number) {
+  sqlite3 *db;
+  sqlite3_stmt *s;
+  int count = 0;
+  assert_int_equal(sqlite3_open(in_folder(name), &db), SQLITE_OK);
+  assert_int_equal(sqlite3_prepare_v2(db,
+                                      "SELECT case_id, updates, distance_mm, body = 'plate', node, "
+                                      "x_mm, h_mm, y_mm, p_MPa FROM surfaces ORDER BY case_id, "
+                                      "updates, body, node",
+                                      -1, &s, NULL),
+                   SQLITE_OK);
+  while (sqlite3_step(s) == SQLITE_ROW)
+    for (int c = 0; c < sqlite3_column_count(s); c++) {
+      assert_true(count < MOST_NUMBERS);
+      number[count++] = sqlite3_column_double(s, c);
+    }
+  sqlite3_finalize(s);
+  sqlite3_close(db);
+  return count;
+}
+
+/* The view shows what the table had that it stands for. */
+static void test_surfaces_stay(void **state) {
+  (void)state;
+  static double table[MOST_NUMBERS], view[MOST_NUMBERS];
+  copy_old(4, "study", "shown");
+  const int count = numbers_of("shown", table);
+  assert_true(count > 1000);
+  arc_store *store = opened("shown", ARC_STORE_WRITE);
+  arc_store_close(&store);
+  assert_int_equal(numbers_of("shown", view), count);
+  assert_memory_equal(view, table, (size_t)count * sizeof *view);
+}
+
+/* A finite number of any size, from a sequence that repeats; none too small to be normal. */
+static double any_number(uint64_t *seed) {
+  double number;
+  do {
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    const uint64_t bits = *seed ^ *seed >> 29;
+    memcpy(&number, &bits, sizeof number);
+  } while (!isnormal(number));
+  return number;
+}
+
+/* Numbers of all sizes are shown to the bit. */
+static void test_any_number_is_shown(void **state) {
+  (void)state;
+  enum { NODES = 2000, PLACES = 9, AT_H = 6, AT_Y = 7 };
+  static double x[NODES], h[NODES], y[NODES], zero[NODES], shown[MOST_NUMBERS];
+  static const double special[] = {
+      0,      -0.0, 1, -1, 0.1, 2.2250738585072014e-308, 1.7976931348623157e308, 4503599627370497,
+      1.0 / 3};
+  enum { SPECIALS = sizeof special / sizeof *special };
+  arc_error error = {0};
+  arc_model *model = coarse_model();
+  arc_wear *wear = short_run(model, 44);
+  uint64_t seed = 1;
+  for (int i = 0; i < NODES; i++) {
+    x[i] = i;
+    h[i] = i < SPECIALS ? special[i] : any_number(&seed);
+    y[i] = any_number(&seed);
+  }
+  const arc_array arrays[] = {{"x", ARC_PLATE, 2, 44, {NODES, 1}, x},
+                              {"h", ARC_PLATE, 2, 44, {NODES, 1}, h},
+                              {"y", ARC_PLATE, 2, 44, {NODES, 1}, y},
+                              {"p", ARC_PLATE, 2, 44, {NODES, 1}, zero}};
+  arc_store *store = opened("any number", ARC_STORE_CREATE);
+  must(arc_store_add(store, 1, "run", &error), &error);
+  must(arc_store_save(store, 1, wear, arrays, 4, &error), &error);
+  arc_store_close(&store);
+  assert_int_equal(numbers_of("any number", shown), PLACES * NODES);
+  for (int i = 0; i < NODES; i++) {
+    assert_memory_equal(&shown[PLACES * i + AT_H], &h[i], sizeof *h);
+    assert_memory_equal(&shown[PLACES * i + AT_Y], &y[i], sizeof *y);
+  }
+  arc_wear_destroy(&wear);
+  arc_model_release(&model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(test_structure),
                                      cmocka_unit_test(test_older_files_get_it),
@@ -188,7 +274,9 @@ int main(void) {
                                      cmocka_unit_test(test_damage_stays),
                                      cmocka_unit_test(test_whole_or_not_at_all),
                                      cmocka_unit_test(test_many_open_at_once),
-                                     cmocka_unit_test(test_newer_meanwhile)};
+                                     cmocka_unit_test(test_newer_meanwhile),
+                                     cmocka_unit_test(test_surfaces_stay),
+                                     cmocka_unit_test(test_any_number_is_shown)};
   arc_single_threaded();
   return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

@@ -237,7 +237,7 @@ static void test_other_surface(void **state) {
   memcpy(one, "upper\"     ", strlen("upper.steel"));
   memcpy(two, "upper.layer1", strlen("upper.bronze"));
   change_mesh("other", (const char *)text);
-  assert_damaged("other", "nodes");
+  assert_damaged("other", "numbers 'h'");
   free(text);
 }
 

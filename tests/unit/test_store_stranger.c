@@ -38,14 +38,16 @@ static void spoil(const char *name, const char *sql) {
 }
 
 /* The array that `select` finds gets another number in one place; `update` puts it back. */
-static void set_number(const char *name, const char *column, int at, double value) {
+static void set_number(const char *name, const char *name_of, int at, double value) {
   sqlite3 *db;
   sqlite3_stmt *s;
   char sql[200];
   double array[1000];
   copy_good(name);
   assert_int_equal(sqlite3_open(in_folder(name), &db), SQLITE_OK);
-  snprintf(sql, sizeof sql, "SELECT %s FROM state WHERE body = 'plate'", column);
+  snprintf(sql, sizeof sql,
+           "SELECT numbers FROM arrays WHERE part = 'state' AND body = 'plate' AND name = '%s'",
+           name_of);
   assert_int_equal(sqlite3_prepare_v2(db, sql, -1, &s, NULL), SQLITE_OK);
   assert_int_equal(sqlite3_step(s), SQLITE_ROW);
   const int bytes = sqlite3_column_bytes(s, 0);
@@ -53,7 +55,9 @@ static void set_number(const char *name, const char *column, int at, double valu
   memcpy(array, sqlite3_column_blob(s, 0), (size_t)bytes);
   sqlite3_finalize(s);
   array[at] = value;
-  snprintf(sql, sizeof sql, "UPDATE state SET %s = ?1 WHERE body = 'plate'", column);
+  snprintf(sql, sizeof sql,
+           "UPDATE arrays SET numbers = ?1 WHERE part = 'state' AND body = 'plate' AND name = '%s'",
+           name_of);
   assert_int_equal(sqlite3_prepare_v2(db, sql, -1, &s, NULL), SQLITE_OK);
   sqlite3_bind_blob(s, 1, array, bytes, SQLITE_STATIC);
   assert_int_equal(sqlite3_step(s), SQLITE_DONE);
@@ -209,17 +213,32 @@ static void test_states(void **state) {
     set_number("state", wrong[i].column, wrong[i].at, wrong[i].value);
     assert_damaged("state", "plate");
   }
-  spoil("even", "UPDATE state SET even = 1e300");
+  set_number("even", "even", 0, 1e300);
   assert_damaged("even", "case 1");
-  spoil("uneven", "UPDATE state SET even = -1");
+  set_number("uneven", "even", 0, -1);
   assert_damaged("uneven", "case 1");
-  spoil("few", "UPDATE state SET h = substr(h, 1, 80), xy = substr(xy, 1, 160), "
-               "settled = substr(settled, 1, 160)");
-  assert_damaged("few", "nodes");
-  spoil("body", "UPDATE state SET body = 'ball' WHERE body = 'plate'");
+  spoil("few", "UPDATE arrays SET numbers = substr(numbers, 1, 80 * columns), rows = 10 WHERE "
+               "name IN ('h', 'xy', 'settled') AND part = 'state'");
+  assert_damaged("few", "numbers 'h', got 10");
+  spoil("long", "UPDATE arrays SET rows = 10 WHERE name = 'h' AND part = 'state'");
+  assert_damaged("long", "array 'h'");
+  spoil("wide", "UPDATE arrays SET rows = 2 * rows, columns = 1 WHERE part = 'state'");
+  assert_damaged("wide", "case 1");
+  spoil("flat", "UPDATE arrays SET columns = 0 WHERE part = 'state'");
+  assert_damaged("flat", "array");
+  spoil("empty", "UPDATE arrays SET rows = 0, numbers = x'' WHERE part = 'state'");
+  assert_damaged("empty", "case 1");
+  spoil("back", "UPDATE arrays SET rows = -1, columns = -1 WHERE part = 'state'");
+  assert_damaged("back", "array");
+  spoil("bytes", "UPDATE arrays SET numbers = x'000102' WHERE part = 'state'");
+  assert_damaged("bytes", "array");
+  spoil("body", "UPDATE arrays SET body = 'ball' WHERE body = 'plate' AND part = 'state'");
   assert_damaged("body", "ball");
-  spoil("alone", "DELETE FROM state WHERE body = 'plate'");
-  assert_damaged("alone", "plate");
+  spoil("alone", "DELETE FROM arrays WHERE body = 'plate' AND part = 'state'");
+  assert_damaged("alone", "state");
+  spoil("more", "INSERT INTO arrays SELECT case_id, part, updates, distance_mm, body, 'odd', rows, "
+                "columns, numbers FROM arrays WHERE part = 'state' AND name = 'h'");
+  assert_damaged("more", "expected a state of 10 arrays");
 }
 
 /* --- histories and surfaces ------------------------------------------------------------------- */
@@ -243,17 +262,27 @@ static void test_histories(void **state) {
 
 static void test_surfaces(void **state) {
   (void)state;
-  static const char *const wrong[] = {"x_mm = NULL WHERE node = 3",
-                                      "x_mm = 9 WHERE node = 3",
-                                      "h_mm = 9e999",
-                                      "y_mm = 'low'",
-                                      "p_MPa = -1e300",
-                                      "distance_mm = NULL",
-                                      "node = 999 WHERE node = 3",
-                                      "body = 'ball'"};
+  static const char *const wrong[] = {
+      "numbers = zeroblob(8 * rows) WHERE name = 'x'", /* none after the other */
+      "numbers = CAST(substr(numbers, 1, 16) || x'000000000000f07f' || substr(numbers, 25) AS "
+      "BLOB) "
+      "WHERE name = 'h'", /* infinite */
+      "numbers = CAST(substr(numbers, 1, 16) || x'000000000000f8ff' || substr(numbers, 25) AS "
+      "BLOB) "
+      "WHERE name = 'y'", /* no number */
+      "numbers = CAST(substr(numbers, 1, 16) || x'000000000000f0bf' || substr(numbers, 25) AS "
+      "BLOB) "
+      "WHERE name = 'p'", /* -1 */
+      "numbers = substr(numbers, 1, 80), rows = 10 WHERE name = 'y'",
+      "name = 'z' WHERE name = 'y'",
+      "distance_mm = NULL",
+      "distance_mm = 1 WHERE name = 'p'",
+      "updates = 9e999",
+      "rows = rows / 2, columns = 2",
+      "body = 'ball'"};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-    char sql[100];
-    snprintf(sql, sizeof sql, "UPDATE OR IGNORE surfaces SET %s", wrong[i]);
+    char sql[200];
+    snprintf(sql, sizeof sql, "UPDATE OR IGNORE arrays SET %s", wrong[i]);
     spoil("surfaces", sql);
     assert_damaged("surfaces", "case 1");
   }
@@ -318,16 +347,16 @@ static void test_structure(void **state) {
   assert_damaged("view", "history");
   copy_good("endless");
   run_sql("endless",
-          "DROP TABLE surfaces; CREATE VIEW surfaces (case_id, updates, distance_mm, body, node, "
-          "x_mm, h_mm, y_mm, p_MPa) AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 "
-          "FROM n) SELECT 1, 1, 1, 'plate', i, 1, 1, 1, 1 FROM n");
+          "DROP VIEW surfaces; DROP TABLE arrays; CREATE VIEW arrays (case_id, part, updates, "
+          "distance_mm, body, name, rows, columns, numbers) AS WITH RECURSIVE n(i) AS (SELECT 1 "
+          "UNION ALL SELECT i + 1 FROM n) SELECT 1, 'state', 1, 1, 'plate', i, 1, 1, x'' FROM n");
   assert_damaged("endless", "");
   copy_good("column");
   run_sql("column", "ALTER TABLE history RENAME COLUMN p_max_MPa TO p");
   assert_damaged("column", "p_max_MPa");
   copy_good("table");
-  run_sql("table", "PRAGMA foreign_keys = OFF; DROP TABLE state");
-  assert_damaged("table", "state");
+  run_sql("table", "PRAGMA foreign_keys = OFF; DROP VIEW surfaces; DROP TABLE arrays");
+  assert_damaged("table", "arrays");
 }
 
 /* A stranger's trigger does nothing. */

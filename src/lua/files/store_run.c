@@ -18,15 +18,6 @@ static arc_store *self(lua_State *L, const char *where) {
 
 /* --- saving ----------------------------------------------------------------------------------- */
 
-/* A column of the surface table on top of the stack; its numbers go to the list of anchors. */
-static const double *read_column(lua_State *L, int anchors, const char *name, size_t *count) {
-  lua_getfield(L, -1, name);
-  double *values = array_read(L, (args_place){"store:save", "surfaces."}, name, count);
-  lua_rawseti(L, anchors, (lua_Integer)lua_rawlen(L, anchors) + 1);
-  lua_pop(L, 1);
-  return values;
-}
-
 static double read_number(lua_State *L, const char *name) {
   lua_getfield(L, -1, name);
   double value = luaL_checknumber(L, -1);
@@ -34,36 +25,68 @@ static double read_number(lua_State *L, const char *name) {
   return value;
 }
 
-/* Reads the table { body=, update=, distance=, x=, h=, y=, p= } on top of the stack. */
-static arc_surface read_surface(lua_State *L, int anchors) {
-  arc_surface surface = {.update = read_number(L, "update"),
-                         .distance = read_number(L, "distance")};
-  const double **column[] = {&surface.x, &surface.h, &surface.y, &surface.p};
-  static const char *const names[] = {"x", "h", "y", "p"};
-  for (int c = 0; c < 4; c++) {
-    size_t count;
-    *column[c] = read_column(L, anchors, names[c], &count);
-    if (c > 0 && count != surface.count)
-      error_raise(L, ARC_ARGUMENT, "store:save", "surfaces.%s: expected %d numbers, got %d",
-                  names[c], (int)surface.count, (int)count);
-    surface.count = count;
-  }
-  lua_getfield(L, -1, "body");
-  surface.body = body_argument(L, lua_gettop(L), "store:save", NULL, -1);
+/* An array of the surface table on top of the stack; its numbers go to the list of anchors. */
+static void read_array(lua_State *L, int anchors, arc_array *array) {
+  lua_getfield(L, -1, array->name);
+  array->values =
+      array_read(L, (args_place){"store:save", "surfaces."}, array->name, &array->size[0]);
+  lua_rawseti(L, anchors, (lua_Integer)lua_rawlen(L, anchors) + 1);
   lua_pop(L, 1);
-  return surface;
 }
 
-/* Stores a run with `count` earlier surfaces, which leave room for the present ones behind them. */
-static arc_status save(arc_store *store, int id, const arc_wear *wear, arc_surface *surfaces,
+/* Reads the table { body=, update=, distance=, x=, h=, y=, p= } on top of the stack; how many
+ * arrays it has. */
+static size_t read_surface(lua_State *L, int anchors, arc_array *arrays) {
+  arc_array array = {
+      .update = read_number(L, "update"), .distance = read_number(L, "distance"), .size = {0, 1}};
+  size_t count = 0;
+  lua_getfield(L, -1, "body");
+  array.body = body_argument(L, lua_gettop(L), "store:save", NULL, -1);
+  lua_pop(L, 1);
+  for (const char *const *name = arc_surface_names; *name; name++) {
+    array.name = *name;
+    read_array(L, anchors, &array);
+    arrays[count++] = array;
+  }
+  return count;
+}
+
+/* Stores a run with `count` arrays of earlier surfaces and the present ones. */
+static arc_status save(arc_store *store, int id, const arc_wear *wear, const arc_array *earlier,
                        size_t count, arc_error *error) {
-  arc_surface *present;
-  arc_status status = arc_wear_surfaces(wear, &present, error);
-  if (status != ARC_OK) return status;
-  memcpy(surfaces + count, present, ARC_BODIES * sizeof *present);
-  status = arc_store_save(store, id, wear, surfaces, count + ARC_BODIES, error);
+  arc_array *present;
+  size_t more;
+  arc_status status = arc_wear_surfaces(wear, &present, &more, error);
+  arc_array *all = status == ARC_OK ? malloc((count + more) * sizeof *all) : NULL;
+  if (all) {
+    if (count > 0) memcpy(all, earlier, count * sizeof *all);
+    memcpy(all + count, present, more * sizeof *all);
+    status = arc_store_save(store, id, wear, all, count + more, error);
+  } else if (status == ARC_OK) {
+    status = arc_fail(error, ARC_MEMORY, "out of memory for the surfaces of a run");
+  }
+  free(all);
   free(present);
   return status;
+}
+
+/* The arrays of the list of surfaces at 4, their numbers anchored in the table behind them. Pushes
+ * both. */
+static arc_array *read_surfaces(lua_State *L, const char *where, size_t *arrays) {
+  enum { most_names = 16 };
+  const size_t count =
+      lua_istable(L, 4) ? array_length(L, (args_place){where, ""}, "surfaces", most_surfaces) : 0;
+  arc_array *list = lua_newuserdatauv(L, (most_names * count + 1) * sizeof *list, 0);
+  lua_newtable(L);
+  const int anchors = lua_gettop(L);
+  *arrays = 0;
+  for (size_t i = 0; i < count; i++) {
+    if (lua_rawgeti(L, 4, (lua_Integer)i + 1) != LUA_TTABLE)
+      args_refuse(L, (args_place){where, ""}, "surfaces", "a list of tables");
+    *arrays += read_surface(L, anchors, list + *arrays);
+    lua_pop(L, 1);
+  }
+  return list;
 }
 
 /* store:save(id, wear, surfaces) */
@@ -72,20 +95,10 @@ int store_save(lua_State *L) {
   lua_settop(L, 4);
   arc_store *store = self(L, where);
   const arc_wear *wear = box_check(L, 3, &wear_class, where)->thing;
-  const size_t count =
-      lua_istable(L, 4) ? array_length(L, (args_place){where, ""}, "surfaces", most_surfaces) : 0;
-  arc_surface *surfaces = lua_newuserdatauv(L, (count + ARC_BODIES) * sizeof *surfaces, 0);
-  lua_newtable(L);
-  int anchors = lua_gettop(L);
-  for (size_t i = 0; i < count; i++) {
-    if (lua_rawgeti(L, 4, (lua_Integer)i + 1) != LUA_TTABLE)
-      args_refuse(L, (args_place){where, ""}, "surfaces", "a list of tables");
-    surfaces[i] = read_surface(L, anchors);
-    lua_pop(L, 1);
-  }
+  size_t count;
+  const arc_array *surfaces = read_surfaces(L, where, &count);
   arc_error error = {0};
-  arc_status status =
-      save(store, store_id_argument(L, 2, "store:save"), wear, surfaces, count, &error);
+  arc_status status = save(store, store_id_argument(L, 2, where), wear, surfaces, count, &error);
   error_check(L, status, &error, where, -1);
   return 0;
 }
@@ -121,25 +134,27 @@ int store_history(lua_State *L) {
   return 0;
 }
 
-static void push_surface(lua_State *L, const arc_surface *surface) {
+/* The list gets one table more, of the body and update of an array. */
+static void begin_surface(lua_State *L, const arc_array *array) {
   lua_createtable(L, 0, 7);
-  lua_pushstring(L, arc_body_name(surface->body));
+  lua_pushstring(L, arc_body_name(array->body));
   lua_setfield(L, -2, "body");
-  array_set_number(L, "update", surface->update);
-  array_set_number(L, "distance", surface->distance);
-  array_set(L, "x", surface->x, surface->count);
-  array_set(L, "h", surface->h, surface->count);
-  array_set(L, "y", surface->y, surface->count);
-  array_set(L, "p", surface->p, surface->count);
+  array_set_number(L, "update", array->update);
+  array_set_number(L, "distance", array->distance);
 }
 
 static int push_surfaces(lua_State *L) {
-  const arc_surface *surfaces = lua_touserdata(L, 1);
-  size_t count = (size_t)lua_tointeger(L, 2);
-  lua_createtable(L, (int)count, 0);
+  const arc_array *array = lua_touserdata(L, 1);
+  const size_t count = (size_t)lua_tointeger(L, 2);
+  lua_newtable(L);
   for (size_t i = 0; i < count; i++) {
-    push_surface(L, &surfaces[i]);
-    lua_rawseti(L, -2, (lua_Integer)i + 1);
+    if (i == 0 || array[i].body != array[i - 1].body || array[i].update != array[i - 1].update) {
+      begin_surface(L, &array[i]);
+      lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+    }
+    lua_rawgeti(L, -1, (lua_Integer)lua_rawlen(L, -1));
+    array_set(L, array[i].name, array[i].values, arc_array_count(&array[i]));
+    lua_pop(L, 1);
   }
   return 1;
 }
@@ -147,7 +162,7 @@ static int push_surfaces(lua_State *L) {
 /* store:surfaces(id) -> list of { body=, update=, distance=, x=, h=, y=, p= } */
 int store_surfaces(lua_State *L) {
   arc_error error = {0};
-  arc_surface *surfaces;
+  arc_array *surfaces;
   size_t count;
   arc_status status =
       arc_store_surfaces(self(L, "store:surfaces"), store_id_argument(L, 2, "store:surfaces"),
@@ -258,10 +273,9 @@ static arc_status write_results(arc_store *store, const arc_wear_record *last, a
 }
 
 static arc_status write_run(arc_store *store, const arc_wear *wear, arc_error *error) {
-  arc_surface surfaces[ARC_BODIES];
   arc_status status = arc_store_begin(store, error);
   if (status == ARC_OK) status = arc_store_add(store, 1, "wear", error);
-  if (status == ARC_OK) status = save(store, 1, wear, surfaces, 0, error);
+  if (status == ARC_OK) status = save(store, 1, wear, NULL, 0, error);
   if (status == ARC_OK) status = write_results(store, arc_wear_last(wear), error);
   if (status == ARC_OK) status = arc_store_mark(store, 1, ARC_CASE_DONE, NULL, (double)NAN, error);
   return status == ARC_OK ? arc_store_commit(store, error) : status;
