@@ -36,9 +36,9 @@ extern const char *const arc_geometry_names[];
 typedef struct arc_shape arc_shape;
 
 /* Unworn surfaces. `refresh`: the wear box is condensed again once a surface node has moved by more
- * than this share of an element's present height since the last time [-], or along x by a hundredth
- * of it in elements' widths; 0: whenever it moved. In between, the compliance is followed to first
- * order. */
+ * than this share of an element's present height since the last time [-], by a fifth of it of what
+ * is left of its layer, or along x by a hundredth of it in elements' widths; 0: whenever it moved.
+ * In between, the compliance of a body without layers is followed to first order. */
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
                             arc_shape **shape, arc_error *error);
 arc_status arc_shape_clone(const arc_shape *shape, arc_shape **copy, arc_error *error);

@@ -160,8 +160,9 @@ typedef struct arc_loading {
   NUMBER(                                                                                          \
       refresh, "", 0.05, FROM(0), 0,                                                               \
       "With moving geometry: the stiffness is computed anew once a node has moved by more than "   \
-      "this share of an element's present height, or along the surface by a hundredth of it in "   \
-      "elements' widths, and followed to first order in between; 0: anew at every update.")        \
+      "this share of an element's present height, by a fifth of it of what is left of its layer, " \
+      "or along the surface by a hundredth of it in elements' widths, and, without layers, "       \
+      "followed to first order in between; 0: anew at every update.")                              \
   CHOICE(procedure, procedure, ARC_AUTO, 0,                                                        \
          "SP simulates the sliding plate (Eq. 22); NSP solves one contact an update, right where " \
          "the plate stays flat: alpha = 1, or a stroke of 2 radius (Eqs. 24-27). \"auto\" "        \

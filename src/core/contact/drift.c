@@ -36,8 +36,10 @@ static void add_column(shape_side *side, int at, double share) {
   }
 }
 
+/* What layers lose changes more than elements' errors: they are condensed again all the sooner. */
 void arc_shape_drift(shape_side *side) {
   side->drifted = 0;
+  if (arc_body_layers(&side->body->mesh->solid) > 0) return;
   memset(side->drift, 0, (size_t)(side->n * span) * sizeof(double));
   for (int i = 1; i < side->n - 1; i++) {
     const double share = thinned(side, i);

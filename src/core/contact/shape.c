@@ -134,7 +134,10 @@ static void box_node_at(const shape_side *side, const double *surface_xy, double
   const double share = side_column ? 0 : pull;
   for (int d = 0; d < 2; d++)
     xy[d] = side->body->box_at[2 * k + d] + share * (surface_xy[2 * column + d] - top[d]);
-  if (!side_column) xy[1] -= shape_inward(side) * arc_shape_rise(side, even, column, row);
+  if (!side_column && mesh->rows > 0 && arc_body_layers(&mesh->solid) > 0) {
+    const double in = shape_inward(side), sunk = in * (surface_xy[2 * column + 1] - top[1]);
+    xy[1] = side->body->box_at[2 * k + 1] + in * arc_shape_sink(side, sunk, even, column, row);
+  }
 }
 
 void arc_shape_box(const shape_side *side, const double *surface_xy, double even, double *box_xy) {
@@ -142,13 +145,21 @@ void arc_shape_box(const shape_side *side, const double *surface_xy, double even
     box_node_at(side, surface_xy, even, k, &box_xy[2 * k]);
 }
 
+/* What is left of the layer that lies open at node i [mm]. */
+static double left_of_layer(const shape_side *side, int i) {
+  double end = 0;
+  for (int n = 0; end <= side->h[i]; n++) end = arc_body_stratum(side->body, i, n).end;
+  return end - side->h[i];
+}
+
 /* Whether node i has gone too far since the last condensation: by more than a share of an element's
- * height as it is now; or, in elements' widths, by a hundredth of that along the surface, which
- * shows in the pressure at a scar's edge as much. */
+ * height as it is now, or by a fifth of that of the layer it lies in; or, in elements' widths, by a
+ * hundredth of that along the surface, which shows in the pressure at a scar's edge as much. */
 static int gone_too_far(const shape_side *side, const double *xy, int i, double share) {
   const arc_mesh *mesh = side->body->mesh;
   const double *bottom = arc_body_bottom(side->body, i);
-  const double height = fabs(bottom[1] - xy[2 * i + 1]) / mesh->rows;
+  const double height =
+      fmin(fabs(bottom[1] - xy[2 * i + 1]) / mesh->rows, left_of_layer(side, i) / 5);
   const double along = fabs(xy[2 * i] - side->settled[2 * i]),
                across = fabs(xy[2 * i + 1] - side->settled[2 * i + 1]);
   return across > share * height || along > share / 100 * mesh->def.size;

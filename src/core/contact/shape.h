@@ -68,10 +68,10 @@ arc_status arc_shape_condense(const shape_side *side, const double *xy, complian
  * ones of layers (wear_box.c). */
 double arc_shape_box_depth(const shape_side *side);
 
-/* How much nearer to the surface node `row` of column i of the wear box lies [mm] under a surface
- * that stays where it is although it wore by `even`: rows on interfaces of layers go with these
- * (wear_box.c). */
-double arc_shape_rise(const shape_side *side, double even, int i, int row);
+/* How far node `row` of column i of the wear box sinks [mm] with a surface that has sunk so far,
+ * and worn evenly besides: rows on interfaces of layers stay with these, which `even` brings
+ * nearer, until the surface has come to them; between them nodes go linearly (wear_box.c). */
+double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row);
 
 /* The even wear [mm] that moving geometry feels: that through layers, where the wear box reaches
  * below them all (wear_box.c). */

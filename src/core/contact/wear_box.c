@@ -33,7 +33,7 @@ static int rows_above(const elastic_body *body, const double *column, double dep
   return rows;
 }
 
-double arc_shape_rise(const shape_side *side, double even, int i, int row) {
+double arc_shape_sink(const shape_side *side, double sunk, double even, int i, int row) {
   static const double thinnest_row = 0.02; /* of the usual height: what is left of worn layers */
   const elastic_body *body = side->body;
   const arc_mesh *mesh = body->mesh;
@@ -41,18 +41,18 @@ double arc_shape_rise(const shape_side *side, double even, int i, int row) {
   const double depth = fabs(column[2 * row + 1] - column[1]),
                bottom = fabs(column[2 * mesh->rows + 1] - column[1]);
   const int layers = arc_body_layers(&mesh->solid);
-  double above = 0, rise_above = 0;
-  if (even == 0) return 0;
+  double above = 0, sunk_above = sunk;
   for (int l = 0; l < layers; l++) {
     const double end = arc_body_interface(&mesh->solid, l);
+    if (end > bottom - mesh->def.height / 2) break;
     const double left = rows_above(body, column, end) * thinnest_row * mesh->def.height;
-    const double rise = fmin(even, fmax(0, end - left));
+    const double here = sunk - fmin(sunk + even, fmax(0, end - left));
     if (depth <= end * (1 + 1e-9))
-      return rise_above + (rise - rise_above) * (depth - above) / (end - above);
+      return sunk_above + (here - sunk_above) * (depth - above) / (end - above);
     above = end;
-    rise_above = rise;
+    sunk_above = here;
   }
-  return rise_above * (bottom - depth) / (bottom - above);
+  return sunk_above * (bottom - depth) / (bottom - above);
 }
 
 /* How deep the layers are [mm]. */

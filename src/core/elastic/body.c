@@ -201,7 +201,8 @@ static void take_difference(elastic_body *b, const compliance *thinner, double s
 }
 
 static arc_status find_thinning(elastic_body *b, double *box, arc_error *error) {
-  if (b->mesh->rows == 0) return ARC_OK; /* no box that could get thinner */
+  /* no box that could get thinner, or not without layers that do */
+  if (b->mesh->rows == 0 || arc_body_layers(&b->mesh->solid) > 0) return ARC_OK;
   static const double share = 0.01;
   const int rows = b->mesh->rows, column = usual_column(b), first = column * (rows + 1);
   const double *bottom = &box[2 * (first + rows)], top = box[2 * first + 1];

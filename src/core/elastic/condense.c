@@ -63,20 +63,29 @@ static double depth_of(const elastic_body *b, const double *box_at, int k) {
   return up * (box_at[2 * k + 1] - arc_body_top(b, k / (b->mesh->rows + 1))[1]);
 }
 
-/* Elasticity of a wear-box element between two depths: that of the layers it lies in now, by their
- * shares. */
+/* Elasticity of a wear-box element between two depths: that of the layers it lies in now, which lie
+ * in series across it and side by side along it. With the shares s of the layers' constants c,
+ *
+ *   1/c22 = sum s/c22   1/c33 = sum s/c33   c12 = c22 sum s c12/c22
+ *   c11 = sum s (c11 - c12 c12/c22) + c12 c12/c22                                                */
 static elasticity mix_layers(const elastic_body *b, double from, double to) {
   const int layers = arc_body_layers(&b->mesh->solid);
-  elasticity mixed = {.nu = b->d.nu};
+  double yields = 0, shears = 0, widens = 0, along = 0;
   for (int l = 0; l <= layers; l++) {
     const double top = l > 0 ? arc_body_interface(&b->mesh->solid, l - 1) : -INFINITY;
     const double end = l < layers ? arc_body_interface(&b->mesh->solid, l) : INFINITY;
     const double share = fmax(0, fmin(to, end) - fmax(from, top)) / (to - from);
-    mixed.c11 += share * b->layer[l].c11;
-    mixed.c12 += share * b->layer[l].c12;
-    mixed.c33 += share * b->layer[l].c33;
+    const elasticity *d = &b->layer[l];
+    yields += share / d->c22;
+    shears += share / d->c33;
+    widens += share * d->c12 / d->c22;
+    along += share * (d->c11 - d->c12 * d->c12 / d->c22);
   }
-  return mixed;
+  return (elasticity){.c11 = along + widens * widens / yields,
+                      .c12 = widens / yields,
+                      .c33 = 1 / shears,
+                      .c22 = 1 / yields,
+                      .nu = b->d.nu};
 }
 
 /* The surface moves through the layers, which stay where they are; where it stays although it

@@ -10,13 +10,14 @@ static const double corner_xi[4] = {-1, 1, 1, -1}, corner_eta[4] = {-1, -1, 1, 1
 
 elasticity arc_elasticity_of(arc_material m) {
   const double scale = m.E / ((1 + m.nu) * (1 - 2 * m.nu));
-  return (elasticity){scale * (1 - m.nu), scale * m.nu, scale * (1 - 2 * m.nu) / 2, m.nu};
+  const double c11 = scale * (1 - m.nu);
+  return (elasticity){c11, scale * m.nu, scale * (1 - 2 * m.nu) / 2, c11, m.nu};
 }
 
 elasticity arc_elasticity_in(arc_space space, arc_material m) {
   if (space != ARC_PLANE_STRESS) return arc_elasticity_of(m);
   const double scale = m.E / (1 - m.nu * m.nu);
-  return (elasticity){scale, scale * m.nu, m.E / (2 * (1 + m.nu)), m.nu};
+  return (elasticity){scale, scale * m.nu, m.E / (2 * (1 + m.nu)), scale, m.nu};
 }
 
 arc_element arc_element_for(arc_element kind, double nu) {
@@ -30,7 +31,7 @@ double arc_elasticity_bulk(elasticity d) {
 
 elasticity arc_elasticity_deviatoric(elasticity d) {
   const double bulk = arc_elasticity_bulk(d);
-  return (elasticity){d.c11 - bulk, d.c12 - bulk, d.c33, d.nu};
+  return (elasticity){d.c11 - bulk, d.c12 - bulk, d.c33, d.c22 - bulk, d.nu};
 }
 
 element arc_element_at(const double *xy, const int corner[4], arc_element kind) {
@@ -113,7 +114,7 @@ static void add_product(int modes, double g[][2], elasticity d, double weight, d
       at[0] += weight * (d.c11 * g[a][0] * g[b][0] + d.c33 * g[a][1] * g[b][1]);
       at[1] += weight * (d.c12 * g[a][0] * g[b][1] + d.c33 * g[a][1] * g[b][0]);
       at[n] += weight * (d.c12 * g[a][1] * g[b][0] + d.c33 * g[a][0] * g[b][1]);
-      at[n + 1] += weight * (d.c11 * g[a][1] * g[b][1] + d.c33 * g[a][0] * g[b][0]);
+      at[n + 1] += weight * (d.c22 * g[a][1] * g[b][1] + d.c33 * g[a][0] * g[b][0]);
     }
   }
 }
@@ -174,6 +175,6 @@ void arc_element_stress(const element *e, elasticity d, const double *u, double 
     gxy += g[c][1] * u[2 * c] + g[c][0] * u[2 * c + 1];
   }
   stress[0] = d.c11 * exx + d.c12 * eyy;
-  stress[1] = d.c12 * exx + d.c11 * eyy;
+  stress[1] = d.c12 * exx + d.c22 * eyy;
   stress[2] = d.c33 * gxy;
 }

@@ -7,9 +7,9 @@
 #include "core/elastic/chart.h"
 
 /* D [MPa]: sigma = D epsilon; c11 and c12 of all normal strains, in plane stress of those in the
- * plane. */
+ * plane; c22 of that along y, which is c11 but where materials lie above each other. */
 typedef struct elasticity {
-  double c11, c12, c33;
+  double c11, c12, c33, c22;
   double nu;
 } elasticity;
 

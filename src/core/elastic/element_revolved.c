@@ -139,6 +139,7 @@ static void take_mean(int n, const double mean[8], point *p) {
 static void stress_of(elasticity d, const double strain[components], double stress[components]) {
   const double volume = d.c12 * dilatation(strain);
   for (int s = 0; s < 3; s++) stress[s] = (d.c11 - d.c12) * strain[s] + volume;
+  stress[1] += (d.c22 - d.c11) * strain[1];
   stress[3] = d.c33 * strain[3];
 }
 

@@ -80,10 +80,10 @@ static double even_dose(const arc_wear *w, double depth) {
   return share > 0 ? depth / (share * arc_wear_even_pressure(w)) : INFINITY;
 }
 
-/* An update may take this share of a layer, whose thickness the contact feels. */
-static const double layer_bite = 0.05;
+/* --- layers --- */
 
 static double even_layer_dose(const arc_wear *w) {
+  static const double layer_bite = 0.05; /* share of a layer that an update may take */
   const elastic_body *plate = w->shape->side[ARC_PLATE].body;
   if (!wears_evenly(w) || w->def.geometry == ARC_FROZEN) return INFINITY;
   double from = 0, end = 0;
@@ -92,6 +92,39 @@ static double even_layer_dose(const arc_wear *w) {
     end = arc_body_stratum(plate, w->np / 2, n).end;
   }
   return isfinite(end) ? even_dose(w, layer_bite * (end - from)) : INFINITY;
+}
+
+/* The layer that lies open at a node. */
+static int open_layer(const shape_side *side, int i) {
+  int n = 0;
+  while (arc_body_stratum(side->body, i, n).end <= side->h[i]) n++;
+  return arc_body_stratum(side->body, i, n).layer;
+}
+
+/* What a mm of an open layer yields by more than one of the body under all layers does, over the
+ * pressure [1/MPa]: the most of all nodes that have worn, at first of any. */
+static double softness(const arc_wear *w, arc_body body) {
+  const shape_side *side = &w->shape->side[body];
+  const elastic_body *b = side->body;
+  double most = 0;
+  if (arc_body_layers(&b->mesh->solid) == 0) return most;
+  for (int i = 0; i < side->n; i++)
+    if (side->h[i] > 0 || w->records == 1)
+      most = fmax(most, fabs(1 / b->layer[open_layer(side, i)].c22 - 1 / b->d.c22));
+  return most;
+}
+
+/* An update goes on with the stiffness of its start, which changes as layers get thinner: half of
+ * the change is missing on the mean. */
+static double scar_layer_dose(const arc_wear *w) {
+  static const double felt = 0.01; /* the change that an update may make, as a share of pressure */
+  const double soft = fmax(softness(w, ARC_CYLINDER), softness(w, ARC_PLATE));
+  if (w->def.geometry == ARC_FROZEN || soft == 0) return INFINITY;
+  return dose_for(w, felt * w->history[0].half_width / (felt_modulus(w) * soft));
+}
+
+static double layer_dose(const arc_wear *w) {
+  return fmin(even_layer_dose(w), scar_layer_dose(w));
 }
 
 /* The same where nothing else wears: as the wear goes, whatever the pressure in the contact is. */
@@ -134,7 +167,7 @@ static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, we
                                  arc_error *error) {
   if (splits_cycles(w) || arc_wear_closed_form(w)) return plan_plain(w, callbacks, plan, error);
   plan->staged = 1;
-  plan->most = only_evenly(w) ? most_evenly(w) : fmin(most_staged(w), even_layer_dose(w));
+  plan->most = only_evenly(w) ? most_evenly(w) : fmin(most_staged(w), layer_dose(w));
   return ARC_OK;
 }
 
@@ -152,20 +185,22 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
                                 arc_error *error) {
   static const double most_growth = 1.5, least_growth = 0.2, safety = 0.85;
   const arc_wear_record *now = arc_wear_last(w);
+  double k[ARC_BODIES];
+  const arc_status status = arc_wear_coefficients_now(w, k, error);
+  if (status != ARC_OK) return status;
   if (now->error > 0) {
     const double order = w->def.order == 1 ? 2 : 3;
     const double growth = safety * pow(error_of_last(w, order), -1 / order);
     const double before =
         w->records > 2 ? now[-1].jump : 0; /* a last step may have been cut short */
     *jump = fmin(most_growth * fmax(now->jump, before), now->jump * fmax(least_growth, growth));
-    return ARC_OK;
+  } else {
+    *jump = cycles_for(block, k,
+                       only_evenly(w) ? most_evenly(w)
+                                      : dose_for(w, first_implicit_bite * natural_depth(w)));
   }
-  double k[ARC_BODIES];
-  const arc_status status = arc_wear_coefficients_now(w, k, error);
-  const double dose =
-      only_evenly(w) ? most_evenly(w) : dose_for(w, first_implicit_bite * natural_depth(w));
-  *jump = cycles_for(block, k, dose);
-  return status;
+  *jump = fmin(*jump, cycles_for(block, k, layer_dose(w)));
+  return ARC_OK;
 }
 
 static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
