@@ -85,12 +85,12 @@ hardening   = -fstack-protector-strong -fPIE \
 # One set of flags for every file: -std=c11 with POSIX; contraction off, so that results do not
 # depend on what the compiler fuses; loops marked for it are vectorised, which changes no bit.
 all_cflags = -std=c11 -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc -MMD -MP -ffp-contract=off -fopenmp-simd \
-             $(lua_cflags) $(cholmod_cflags) $(readline_cflags) $(sqlite_cflags) $(gsl_cflags) $(omp_cflags) \
+             $(lua_cflags) $(cholmod_cflags) $(readline_cflags) $(sqlite_cflags) $(gsl_cflags) $(fftw_cflags) $(omp_cflags) \
              $(hardening) $(WARNINGS) $(if $(WERROR),-Werror) $(if $(CHECKS),-DARC_CHECKS) \
              $(if $(SANITIZER),-fsanitize=$(SANITIZER) -fno-omit-frame-pointer -fno-sanitize-recover=all) \
              $(CPPFLAGS) $(CFLAGS)
 all_ldflags = -Wl,-z,relro,-z,now,-z,noexecstack $(if $(SANITIZER),-fsanitize=$(SANITIZER)) $(LDFLAGS)
-lib_libs    = $(sqlite_libs) $(cholmod_libs) $(blas_libs) $(omp_libs) -lm
+lib_libs    = $(sqlite_libs) $(fftw_libs) $(cholmod_libs) $(blas_libs) $(omp_libs) -lm
 
 jobs  = $(shell nproc 2>/dev/null || echo 2)
 # `make V=1` shows whole commands.
@@ -263,7 +263,7 @@ lint:
 	@mandoc -T lint -W warning man/archard.1
 
 # What stands behind the library, for archard.pc: by .pc file where there is one.
-private      = cholmod blas sqlite omp
+private      = cholmod blas sqlite fftw omp
 requires     = $(strip $(foreach p,$(private),$($(p)_pc)))
 private_libs = $(strip $(foreach p,$(private),$(if $($(p)_pc),,$($(p)_libs)))) -lm
 

@@ -80,15 +80,20 @@ static double depth_of(const arc_body_def *b) {
   return solid ? INFINITY : arc_body_depth(b);
 }
 
-double arc_body_modulus(arc_space space, const arc_body_def *b, arc_material own, double q) {
-  const int layers = arc_body_layers(b);
-  const double base = depth_of(b) - arc_body_interface(b, layers - 1);
+double arc_layers_modulus(arc_space space, const arc_layer *layer, int layers, double base,
+                          arc_material own, double q) {
   double c[half * half] = {0};
   if (layers == 0 && q * base > deep) return arc_material_modulus(space, own);
   climb(space, own, fmin(q * base, deep), c);
   for (int l = layers - 1; l >= 0; l--)
-    climb(space, b->layer[l].material, fmin(q * b->layer[l].thickness, deep), c);
+    climb(space, layer[l].material, fmin(q * layer[l].thickness, deep), c);
   return -2 / c[dense_at(1, 1, half)];
+}
+
+double arc_body_modulus(arc_space space, const arc_body_def *b, arc_material own, double q) {
+  const int layers = arc_body_layers(b);
+  const double base = depth_of(b) - arc_body_interface(b, layers - 1);
+  return arc_layers_modulus(space, b->layer, layers, base, own, q);
 }
 
 double arc_pair_modulus(arc_space space, const arc_body_def solid[ARC_BODIES],

@@ -1,0 +1,137 @@
+/* Threads that wait for loops and share their tasks. */
+#include "core/base/team.h"
+
+#include <pthread.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+struct work_team {
+  pthread_mutex_t lock;
+  pthread_cond_t begun, ended;
+  pthread_t *thread;
+  pid_t process; /* that the threads belong to */
+  int threads;   /* besides the caller */
+  int loop;      /* counts the loops */
+  int busy;      /* threads still in the loop */
+  int closing;
+  team_task task;
+  void *context;
+  int tasks;
+  atomic_int next;
+};
+
+/* What a thread is started with. */
+typedef struct member {
+  work_team *team;
+  int worker;
+} member;
+
+static void share(work_team *t, int worker) {
+  for (int k = atomic_fetch_add(&t->next, 1); k < t->tasks; k = atomic_fetch_add(&t->next, 1))
+    t->task(t->context, k, worker);
+}
+
+static void *work(void *context) {
+  const member m = *(member *)context;
+  work_team *t = m.team;
+  free(context);
+  int loop = 0;
+  pthread_mutex_lock(&t->lock);
+  for (;;) {
+    while (t->loop == loop && !t->closing) pthread_cond_wait(&t->begun, &t->lock);
+    if (t->closing) break;
+    loop = t->loop;
+    pthread_mutex_unlock(&t->lock);
+    share(t, m.worker);
+    pthread_mutex_lock(&t->lock);
+    if (--t->busy == 0) pthread_cond_signal(&t->ended);
+  }
+  pthread_mutex_unlock(&t->lock);
+  return NULL;
+}
+
+/* Signals are for the caller's thread. */
+static int start(work_team *t) {
+  member *m = malloc(sizeof *m);
+  if (!m) return 0;
+  *m = (member){t, t->threads + 1};
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const int started = pthread_create(&t->thread[t->threads], NULL, work, m) == 0;
+  pthread_sigmask(SIG_SETMASK, &before, NULL);
+  if (!started) free(m);
+  t->threads += started;
+  return started;
+}
+
+arc_status arc_team_create(int workers, work_team **team, arc_error *error) {
+  *team = NULL;
+  if (workers <= 1) return ARC_OK;
+  work_team *t = calloc(1, sizeof *t);
+  if (t) t->thread = calloc((size_t)workers - 1, sizeof *t->thread);
+  if (!t || !t->thread) {
+    free(t);
+    return arc_fail(error, ARC_MEMORY, "out of memory for %d workers", workers);
+  }
+  pthread_mutex_init(&t->lock, NULL);
+  pthread_cond_init(&t->begun, NULL);
+  pthread_cond_init(&t->ended, NULL);
+  t->process = getpid();
+  int complete = 1;
+  for (int k = 1; k < workers && complete; k++) complete = start(t);
+  if (!complete) {
+    arc_team_destroy(&t);
+    return arc_fail(error, ARC_MEMORY, "the system has no more threads for %d workers", workers);
+  }
+  *team = t;
+  return ARC_OK;
+}
+
+void arc_team_destroy(work_team **team) {
+  work_team *t = *team;
+  *team = NULL;
+  if (!t) return;
+  if (t->process == getpid()) {
+    pthread_mutex_lock(&t->lock);
+    t->closing = 1;
+    pthread_cond_broadcast(&t->begun);
+    pthread_mutex_unlock(&t->lock);
+    for (int k = 0; k < t->threads; k++) pthread_join(t->thread[k], NULL);
+    pthread_cond_destroy(&t->begun);
+    pthread_cond_destroy(&t->ended);
+    pthread_mutex_destroy(&t->lock);
+  }
+  free(t->thread);
+  free(t);
+}
+
+int arc_team_workers(const work_team *team) {
+  return team ? team->threads + 1 : 1;
+}
+
+static void run_alone(int tasks, team_task task, void *context) {
+  for (int k = 0; k < tasks; k++) task(context, k, 0);
+}
+
+void arc_team_run(work_team *t, int tasks, team_task task, void *context) {
+  if (!t || tasks < 2 || t->process != getpid()) {
+    run_alone(tasks, task, context);
+    return;
+  }
+  pthread_mutex_lock(&t->lock);
+  t->task = task;
+  t->context = context;
+  t->tasks = tasks;
+  atomic_store(&t->next, 0);
+  t->busy = t->threads;
+  t->loop++;
+  pthread_cond_broadcast(&t->begun);
+  pthread_mutex_unlock(&t->lock);
+  share(t, 0);
+  pthread_mutex_lock(&t->lock);
+  while (t->busy > 0) pthread_cond_wait(&t->ended, &t->lock);
+  pthread_mutex_unlock(&t->lock);
+}

@@ -1,0 +1,25 @@
+/* A team of threads that share the tasks of a loop. Which worker does which task is left to chance,
+ * so that tasks must write to memory of their own; results then do not depend on the number of
+ * workers. */
+#ifndef BASE_TEAM_H
+#define BASE_TEAM_H
+
+#include "archard/base.h"
+
+typedef struct work_team work_team;
+
+/* One task; `worker` is 0 .. workers - 1, for workspaces that each thread has one of. */
+typedef void (*team_task)(void *context, int task, int worker);
+
+/* A team of `workers` threads, the caller among them. With one worker *team is NULL, which all
+ * functions below take. ARC_MEMORY: no memory, or no threads. */
+arc_status arc_team_create(int workers, work_team **team, arc_error *error);
+/* Ends its threads and nulls the handle. */
+void arc_team_destroy(work_team **team);
+int arc_team_workers(const work_team *team);
+
+/* Does tasks 0 .. tasks - 1 and returns when all are done. In a forked child, which has no
+ * threads but its own, the caller does them all. Not for two callers at once. */
+void arc_team_run(work_team *team, int tasks, team_task task, void *context);
+
+#endif

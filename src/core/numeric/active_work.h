@@ -1,0 +1,79 @@
+/* Inside the active set: its workspace, and the steps that both methods take. */
+#ifndef NUMERIC_ACTIVE_WORK_H
+#define NUMERIC_ACTIVE_WORK_H
+
+#include "core/numeric/active_set.h"
+#include "core/numeric/cells.h"
+
+#include <stddef.h>
+
+struct active_work {
+  int blocks, cells, modes; /* the largest problem */
+  double *g;                /* A p + gap, and at the end the gaps */
+  double *r;                /* residual on the set */
+  double *d;                /* direction */
+  double *q;                /* A d */
+  double *area;             /* of cells in the set, 0 elsewhere */
+  double *z;                /* preconditioned residual; r itself without */
+  double *y;                /* [blocks][modes][cells] preconditioned modes; NULL without */
+  double *mode, *whole;     /* N and areas where the problem leaves them out */
+  double *gram, *oblique;   /* [blocks][modes][modes] inverses of N' N and N' y on the set */
+  double *delta;            /* [blocks][modes] */
+  double *sum;              /* [blocks] of a pass over the blocks */
+  double *largest;          /* [blocks] displacement or overlap */
+  int *changes;             /* [blocks] cells that enter or leave */
+  int *singular;            /* [blocks] whether the set cannot hold the rigid unknowns */
+  unsigned long long *hash; /* [blocks] of the set */
+};
+
+/* What a task on a block sees. */
+typedef struct pass {
+  const active_problem *problem;
+  active_work *w;
+  double *p;
+  double factor; /* step length, or share of the last direction */
+  double limit;  /* of gaps */
+} pass;
+
+static inline size_t active_at(const pass *s, int block) {
+  return (size_t)block * (size_t)s->problem->cells;
+}
+
+void arc_active_run(const pass *s, team_task task);
+/* N of mode j, and the cells' areas. */
+const double *arc_active_mode(const pass *s, int j);
+const double *arc_active_areas(const pass *s);
+double arc_active_weight(const active_problem *p, int block);
+/* Sums over the blocks, in a fixed order, of w->sum and of w->changes. */
+double arc_active_total(const pass *s);
+int arc_active_changes(const pass *s);
+/* g - N delta of a cell. */
+double arc_active_gap(const pass *s, int block, int cell);
+
+/* Tasks for arc_active_run: the set becomes {p > 0}; Gram matrices of the set; residual on the set,
+ * its square in w->sum; d A d in w->sum. */
+void arc_active_mark(void *context, int block, int worker);
+void arc_active_factor(void *context, int block, int worker);
+void arc_active_residual(void *context, int block, int worker);
+void arc_active_curvature(void *context, int block, int worker);
+
+/* Takes the modes out of x [cells] on the set of a block, and zeroes it elsewhere. */
+void arc_active_project(const pass *s, int block, double *x);
+/* ARC_NUMERIC where a block's set cannot hold the rigid unknowns. */
+arc_status arc_active_check(const pass *s, arc_error *error);
+arc_status arc_active_apply(const pass *s, const double *from, double *to, active_count *count);
+/* Restores the loads; g = A p + gap. *limit: what gaps are judged by. */
+arc_status arc_active_gaps(const pass *s, double *limit, active_count *count, arc_error *error);
+/* After a change of the set: what belongs to it, and the residual. */
+arc_status arc_active_begin(const pass *s, arc_error *error);
+/* Root mean square of the residual whose squares are in w->sum. */
+double arc_active_rms(const pass *s);
+/* Conjugate gradients on the set until the residual is `wanted`. *product: of the residual and the
+ * preconditioned one, kept between calls on one set; 0 for a new set. */
+arc_status arc_active_relax(pass *s, double wanted, double *product, active_count *count,
+                            arc_error *error);
+
+/* Polonsky and Keer's steps from p. */
+arc_status arc_active_guard(pass *s, active_count *count, arc_error *error);
+
+#endif

@@ -1,0 +1,316 @@
+/* Convolutions by FFTW. Rows are transformed first, those of the window alone; then blocks of
+ * columns go through transform, kernel and back, so that the padded box never exists as a whole.
+ * Plans are estimated: they depend on sizes and the processor only, never on timing. */
+#include "core/numeric/convolution.h"
+
+#include "core/base/wide.h"
+
+#include <fftw3.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { block = 8 }; /* columns that are transformed together */
+
+struct convolution {
+  int rows, columns, box_rows, box_columns;
+  int half;               /* complex columns: box_columns / 2 + 1 */
+  int stride;             /* complex numbers from row to row of the spectrum */
+  double *symbol;         /* by blocks of columns, [box_rows][columns of the block] each, scaled */
+  fftw_plan into, out_of; /* rows, in place */
+  fftw_plan down[2], up[2]; /* columns: of whole blocks, of the last one */
+};
+
+struct convolution_work {
+  fftw_complex *spectrum, *columns;
+};
+
+int arc_transform_length(int n) {
+  for (int length = n + n % 2;; length += 2) {
+    int rest = length;
+    while (rest % 2 == 0) rest /= 2;
+    while (rest % 3 == 0) rest /= 3;
+    while (rest % 5 == 0) rest /= 5;
+    if (rest == 1) return length;
+  }
+}
+
+static int last_block(const convolution *c) {
+  return c->half % block;
+}
+
+static size_t spectrum_size(const convolution *c) {
+  return (size_t)c->rows * (size_t)c->stride;
+}
+
+static void free_work(convolution_work *w) {
+  fftw_free(w->spectrum);
+  fftw_free(w->columns);
+  free(w);
+}
+
+convolution_work *arc_convolution_work(const convolution *c) {
+  convolution_work *w = calloc(1, sizeof *w);
+  if (!w) return NULL;
+  w->spectrum = fftw_malloc(spectrum_size(c) * sizeof *w->spectrum);
+  w->columns = fftw_malloc((size_t)c->box_rows * block * sizeof *w->columns);
+  if (w->spectrum && w->columns) return w;
+  free_work(w);
+  return NULL;
+}
+
+void arc_convolution_work_free(convolution_work **work) {
+  if (*work) free_work(*work);
+  *work = NULL;
+}
+
+/* --- plans ------------------------------------------------------------------------------------ */
+
+static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_complex *at) {
+  const int n = c->box_rows;
+  return fftw_plan_many_dft(1, &n, width, at, NULL, width, 1, at, NULL, width, 1, sign,
+                            FFTW_ESTIMATE);
+}
+
+/* Planning shares memory among all plans of the process; FFTW's own lock guards it. */
+static int plan(convolution *c, convolution_work *w) {
+  const int n = c->box_columns, widths[2] = {block, last_block(c)};
+  fftw_make_planner_thread_safe();
+  c->into = fftw_plan_many_dft_r2c(1, &n, c->rows, (double *)w->spectrum, NULL, 1, 2 * c->stride,
+                                   w->spectrum, NULL, 1, c->stride, FFTW_ESTIMATE);
+  c->out_of = fftw_plan_many_dft_c2r(1, &n, c->rows, w->spectrum, NULL, 1, c->stride,
+                                     (double *)w->spectrum, NULL, 1, 2 * c->stride, FFTW_ESTIMATE);
+  int complete = c->into && c->out_of;
+  for (int k = 0; k < 2 && complete; k++) {
+    if (widths[k] == 0) continue;
+    c->down[k] = plan_columns(c, widths[k], FFTW_FORWARD, w->columns);
+    c->up[k] = plan_columns(c, widths[k], FFTW_BACKWARD, w->columns);
+    complete = c->down[k] && c->up[k];
+  }
+  return complete;
+}
+
+static void destroy_plan(fftw_plan p) {
+  if (p) fftw_destroy_plan(p);
+}
+
+void arc_convolution_destroy(convolution **made) {
+  convolution *c = *made;
+  *made = NULL;
+  if (!c) return;
+  destroy_plan(c->into);
+  destroy_plan(c->out_of);
+  for (int k = 0; k < 2; k++) {
+    destroy_plan(c->down[k]);
+    destroy_plan(c->up[k]);
+  }
+  free(c->symbol);
+  free(c);
+}
+
+size_t arc_convolution_bytes(const convolution *c) {
+  return sizeof *c + (size_t)c->box_rows * (size_t)c->half * sizeof(double);
+}
+
+/* --- the symbol ------------------------------------------------------------------------------- */
+
+/* Row i of the box has the symbol of row min(i, box_rows - i). */
+static void store_symbol(convolution *c, const double *symbol) {
+  const double scale = 1 / ((double)c->box_rows * c->box_columns);
+  double *to = c->symbol;
+  for (int first = 0; first < c->half; first += block)
+    for (int i = 0; i < c->box_rows; i++) {
+      const int row = i <= c->box_rows / 2 ? i : c->box_rows - i;
+      for (int j = first; j < c->half && j < first + block; j++)
+        *to++ = scale * symbol[(size_t)row * (size_t)c->half + (size_t)j];
+    }
+}
+
+arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int box_columns,
+                                       const double *symbol, convolution **made, arc_error *error) {
+  *made = NULL;
+  convolution_work *work = NULL;
+  convolution *c = calloc(1, sizeof *c);
+  int complete = c != NULL;
+  if (complete) {
+    *c = (convolution){.rows = rows, .columns = columns, .box_rows = box_rows};
+    c->box_columns = box_columns;
+    c->half = box_columns / 2 + 1;
+    c->stride = c->half + c->half % 2;
+    c->symbol = malloc((size_t)box_rows * (size_t)c->half * sizeof *c->symbol);
+    work = arc_convolution_work(c);
+    complete = c->symbol && work && plan(c, work);
+  }
+  if (complete)
+    store_symbol(c, symbol);
+  else
+    arc_convolution_destroy(&c);
+  arc_convolution_work_free(&work);
+  *made = c;
+  return complete ? ARC_OK
+                  : arc_fail(error, ARC_MEMORY, "out of memory for a window of %d x %d cells", rows,
+                             columns);
+}
+
+/* Wraps the kernel on the box, transforms it, and keeps its real part: it is even. */
+arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, const void *context,
+                                  double *symbol, arc_error *error) {
+  const size_t rows = (size_t)box_rows, columns = (size_t)box_columns, half = columns / 2 + 1;
+  double *values = malloc(rows * columns * sizeof *values);
+  double *spectrum = malloc(rows * half * 2 * sizeof *spectrum);
+  arc_status status = ARC_MEMORY;
+  if (values && spectrum) {
+    for (size_t i = 0; i <= rows / 2; i++)
+      for (size_t j = 0; j < half; j++) {
+        const double k = kernel(context, (int)i, (int)j);
+        const size_t across = (rows - i) % rows, along = (columns - j) % columns;
+        values[i * columns + j] = values[across * columns + j] = k;
+        values[i * columns + along] = values[across * columns + along] = k;
+      }
+    status = arc_transform_forward(box_rows, box_columns, values, spectrum, error);
+  } else {
+    arc_fail(error, ARC_MEMORY, "out of memory for a kernel of %d x %d", box_rows, box_columns);
+  }
+  if (status == ARC_OK)
+    for (size_t k = 0; k < (rows / 2 + 1) * half; k++) symbol[k] = spectrum[2 * k];
+  free(values);
+  free(spectrum);
+  return status;
+}
+
+/* A kernel that is zero beyond the window's lags, which nothing asks for. */
+typedef struct limited {
+  lag_fn kernel;
+  const void *context;
+  int rows, columns;
+} limited;
+
+static double within(const void *context, int row, int column) {
+  const limited *l = context;
+  return row < l->rows && column < l->columns ? l->kernel(l->context, row, column) : 0;
+}
+
+arc_status arc_convolution_create(int rows, int columns, lag_fn kernel, const void *context,
+                                  convolution **made, arc_error *error) {
+  const limited l = {kernel, context, rows, columns};
+  const int box_rows = arc_transform_length(2 * rows - 1),
+            box_columns = arc_transform_length(2 * columns - 1);
+  const size_t size = ((size_t)box_rows / 2 + 1) * ((size_t)box_columns / 2 + 1);
+  double *symbol = malloc(size * sizeof *symbol);
+  *made = NULL;
+  if (!symbol)
+    return arc_fail(error, ARC_MEMORY, "out of memory for a window of %d x %d cells", rows,
+                    columns);
+  arc_status status = arc_convolution_symbol(box_rows, box_columns, within, &l, symbol, error);
+  if (status == ARC_OK)
+    status = arc_convolution_from_symbol(rows, columns, box_rows, box_columns, symbol, made, error);
+  free(symbol);
+  return status;
+}
+
+/* --- application ------------------------------------------------------------------------------ */
+
+static void load_rows(const convolution *c, double *rows, const double *p) {
+  const size_t n = (size_t)c->columns, stride = 2 * (size_t)c->stride;
+  for (int i = 0; i < c->rows; i++) {
+    memcpy(rows + (size_t)i * stride, p + (size_t)i * n, n * sizeof *p);
+    memset(rows + (size_t)i * stride + n, 0, (stride - n) * sizeof *p);
+  }
+}
+
+static void store_rows(const convolution *c, const double *rows, double *u) {
+  const size_t n = (size_t)c->columns, stride = 2 * (size_t)c->stride;
+  for (int i = 0; i < c->rows; i++)
+    memcpy(u + (size_t)i * n, rows + (size_t)i * stride, n * sizeof *u);
+}
+
+ARC_WIDE static void multiply(size_t count, const double *symbol, double *restrict pairs) {
+  for (size_t k = 0; k < count; k++) {
+    pairs[2 * k] *= symbol[k];
+    pairs[2 * k + 1] *= symbol[k];
+  }
+}
+
+/* Columns first .. first + width - 1 through transform, symbol and back. */
+static void pass_block(const convolution *c, convolution_work *w, int first, int width,
+                       const double *symbol) {
+  const int kind = width == block ? 0 : 1;
+  const size_t bytes = (size_t)width * sizeof *w->columns, n = (size_t)width;
+  for (size_t i = 0; i < (size_t)c->rows; i++)
+    memcpy(w->columns + i * n, w->spectrum + i * (size_t)c->stride + first, bytes);
+  memset(w->columns + (size_t)c->rows * n, 0, (size_t)(c->box_rows - c->rows) * bytes);
+  fftw_execute_dft(c->down[kind], w->columns, w->columns);
+  multiply((size_t)c->box_rows * n, symbol, (double *)w->columns);
+  fftw_execute_dft(c->up[kind], w->columns, w->columns);
+  for (size_t i = 0; i < (size_t)c->rows; i++)
+    memcpy(w->spectrum + i * (size_t)c->stride + first, w->columns + i * n, bytes);
+}
+
+void arc_convolution_apply(const convolution *c, convolution_work *w, const double *p, double *u) {
+  double *rows = (double *)w->spectrum;
+  load_rows(c, rows, p);
+  fftw_execute_dft_r2c(c->into, rows, w->spectrum);
+  const double *symbol = c->symbol;
+  for (int first = 0; first < c->half; first += block) {
+    const int width = c->half - first < block ? c->half - first : block;
+    pass_block(c, w, first, width, symbol);
+    symbol += (size_t)c->box_rows * (size_t)width;
+  }
+  fftw_execute_dft_c2r(c->out_of, w->spectrum, rows);
+  store_rows(c, rows, u);
+}
+
+/* --- whole boxes ------------------------------------------------------------------------------ */
+
+static arc_status no_memory(int rows, int columns, arc_error *error) {
+  return arc_fail(error, ARC_MEMORY, "out of memory for a transform of %d x %d", rows, columns);
+}
+
+/* Arrays of FFTW's alignment, so that the plan does not depend on where the caller's lie. */
+static int begin_box(int rows, int columns, double **values, fftw_complex **spectrum) {
+  fftw_make_planner_thread_safe();
+  *values = fftw_malloc((size_t)rows * (size_t)columns * sizeof **values);
+  *spectrum = fftw_malloc((size_t)rows * ((size_t)columns / 2 + 1) * sizeof **spectrum);
+  return *values && *spectrum;
+}
+
+static void end_box(fftw_plan p, double *values, fftw_complex *spectrum) {
+  destroy_plan(p);
+  fftw_free(values);
+  fftw_free(spectrum);
+}
+
+arc_status arc_transform_forward(int rows, int columns, const double *values, double *spectrum,
+                                 arc_error *error) {
+  double *from;
+  fftw_complex *to;
+  fftw_plan p = NULL;
+  if (begin_box(rows, columns, &from, &to))
+    p = fftw_plan_dft_r2c_2d(rows, columns, from, to, FFTW_ESTIMATE);
+  if (p) {
+    memcpy(from, values, (size_t)rows * (size_t)columns * sizeof *from);
+    fftw_execute(p);
+    memcpy(spectrum, to, (size_t)rows * ((size_t)columns / 2 + 1) * sizeof *to);
+  }
+  const int done = p != NULL;
+  end_box(p, from, to);
+  return done ? ARC_OK : no_memory(rows, columns, error);
+}
+
+arc_status arc_transform_back(int rows, int columns, double *spectrum, double *values,
+                              arc_error *error) {
+  double *to;
+  fftw_complex *from;
+  fftw_plan p = NULL;
+  if (begin_box(rows, columns, &to, &from))
+    p = fftw_plan_dft_c2r_2d(rows, columns, from, to, FFTW_ESTIMATE);
+  if (p) {
+    const size_t count = (size_t)rows * (size_t)columns;
+    memcpy(from, spectrum, (size_t)rows * ((size_t)columns / 2 + 1) * sizeof *from);
+    fftw_execute(p);
+    for (size_t k = 0; k < count; k++) values[k] = to[k] / (double)count;
+  }
+  const int done = p != NULL;
+  end_box(p, to, from);
+  return done ? ARC_OK : no_memory(rows, columns, error);
+}

@@ -1,0 +1,432 @@
+/* From positions to a problem of the active set, on a box, and back to the window. */
+#include "core/space/positions.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { margin = 4 /* cells around the contact */ };
+
+/* --- symmetry
+ * ------------------------------------------------------------------------------------- */
+
+static int is_even(const double *value, int rows, int columns) {
+  for (int i = 0; value && i < rows / 2; i++)
+    if (memcmp(value + (size_t)i * (size_t)columns,
+               value + (size_t)(rows - 1 - i) * (size_t)columns,
+               (size_t)columns * sizeof *value) != 0)
+      return 0;
+  return 1;
+}
+
+static int body_is_even(const arc_halfspace *h, const double *const depth[ARC_BODIES],
+                        const arc_halfspace_wear *wear, int body) {
+  const int rows = body == ARC_UPPER ? h->def.nx : h->rows;
+  return is_even(h->recess[body], rows, h->def.nz) &&
+         is_even(depth ? depth[body] : NULL, rows, h->def.nz) &&
+         is_even(wear ? wear->factor[body] : NULL, rows, h->def.nz);
+}
+
+static int positions_are_even(const arc_halfspace_position *p, int count) {
+  for (int j = 0; j < (count + 1) / 2; j++) {
+    const arc_halfspace_position *q = &p[count - 1 - j];
+    if (p[j].x != -q->x || p[j].load != q->load || p[j].weight != q->weight) return 0;
+  }
+  return 1;
+}
+
+/* --- creation
+ * ------------------------------------------------------------------------------------- */
+
+static arc_status check_position(const arc_halfspace_position *p, int weighted, arc_error *error) {
+  if (!(p->load > 0) || !isfinite(p->load))
+    return arc_fail(error, ARC_ARGUMENT, "field 'load': expected a number above 0, got %g",
+                    p->load);
+  if (!isfinite(p->x))
+    return arc_fail(error, ARC_ARGUMENT, "field 'x': expected a finite number, got %g", p->x);
+  if (weighted && (!(p->weight > 0) || !isfinite(p->weight)))
+    return arc_fail(error, ARC_ARGUMENT, "field 'weight': expected a number above 0, got %g",
+                    p->weight);
+  return ARC_OK;
+}
+
+void arc_positions_free(positions *p) {
+  free(p->s.place);
+  free(p->s.weight);
+  free(p->pressure);
+  p->s.place = NULL;
+  p->s.weight = p->pressure = NULL;
+}
+
+static int allocate(positions *p) {
+  const size_t n = (size_t)p->s.count;
+  p->s.place = malloc(n * sizeof *p->s.place);
+  p->s.weight = malloc(3 * n * sizeof *p->s.weight);
+  p->pressure = malloc(n * (size_t)p->s.h->cells * sizeof *p->pressure);
+  if (!p->s.place || !p->s.weight || !p->pressure) return 0;
+  p->load = p->s.weight + n;
+  p->approach = p->load + n;
+  return 1;
+}
+
+static arc_status fill_position(positions *p, const arc_halfspace_position *position, int j,
+                                int middle, int weighted, arc_error *error) {
+  const arc_halfspace_def *d = &p->s.h->def;
+  const arc_status status = check_position(position, weighted, error);
+  p->s.weight[j] = position->weight * (middle ? 0.5 : 1);
+  p->load[j] = position->load / (d->size_x * d->size_z);
+  return status == ARC_OK ? arc_stroke_place(p->s.h, position->x, &p->s.place[j], error) : status;
+}
+
+arc_status arc_positions_create(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                                const arc_halfspace_wear *wear,
+                                const arc_halfspace_position *position, int count, int mirror,
+                                const arc_halfspace_options *options, const double *pressure,
+                                positions *p, arc_error *error) {
+  const int mirrored = mirror && count > 1 && positions_are_even(position, count) &&
+                       body_is_even(h, depth, wear, ARC_UPPER) &&
+                       body_is_even(h, depth, wear, ARC_LOWER);
+  *p = (positions){.s = {.h = h, .count = mirrored ? (count + 1) / 2 : count}, .depth = depth};
+  p->s.mirrored = mirrored;
+  if (wear)
+    for (int b = 0; b < ARC_BODIES; b++) {
+      p->s.c[b] = wear->c[b];
+      p->s.factor[b] = wear->factor[b];
+    }
+  p->s.callbacks = options ? options->callbacks : NULL;
+  p->tolerance = options && options->tolerance > 0 ? options->tolerance : 1e-5;
+  p->warm = options && options->warm && pressure;
+  if (!allocate(p)) {
+    arc_positions_free(p);
+    return arc_fail(error, ARC_MEMORY, "out of memory for %d positions of %d cells", count,
+                    h->cells);
+  }
+  arc_status status = ARC_OK;
+  for (int j = 0; j < p->s.count && status == ARC_OK; j++)
+    status = fill_position(p, &position[j], j, mirrored && j == count - 1 - j, wear != NULL, error);
+  if (p->warm && status == ARC_OK)
+    memcpy(p->pressure, pressure, (size_t)p->s.count * (size_t)h->cells * sizeof *pressure);
+  if (status != ARC_OK) arc_positions_free(p);
+  return status;
+}
+
+/* --- boxes
+ * ---------------------------------------------------------------------------------------- */
+
+space_box arc_space_window(const arc_halfspace *h) {
+  return (space_box){.nx = h->def.nx, .nz = h->def.nz};
+}
+
+/* Rows and columns of cells. */
+typedef struct range {
+  int low, high; /* high < low: none */
+} range;
+
+static void hold(range *r, int k) {
+  if (r->high < r->low) r->low = r->high = k;
+  if (k < r->low) r->low = k;
+  if (k > r->high) r->high = k;
+}
+
+/* The smallest size that holds a range with its margin; where it begins. */
+static int fit_level(const int level[SPACE_LEVELS], range r, int symmetric, int *from) {
+  const int n = level[0];
+  if (symmetric && r.high < n - 1 - r.low) r.high = n - 1 - r.low;
+  if (symmetric) r.low = n - 1 - r.high;
+  const int low = r.low > margin ? r.low - margin : 0,
+            high = r.high + margin < n ? r.high + margin : n - 1;
+  int best = 0;
+  for (int k = 1; k < SPACE_LEVELS; k++)
+    if (level[k] >= high - low + 1 && level[k] < level[best]) best = k;
+  const int first = symmetric ? (n - level[best]) / 2 : (low + high + 1 - level[best]) / 2;
+  *from = first < 0 ? 0 : first + level[best] > n ? n - level[best] : first;
+  return best;
+}
+
+static space_box box_of(const positions *p, range x, range z) {
+  const arc_halfspace *h = p->s.h;
+  space_box box = arc_space_window(h);
+  if (h->def.periodic) return box;
+  box.level_x = fit_level(h->level_x, x, p->s.mirrored, &box.x);
+  box.level_z = fit_level(h->level_z, z, 0, &box.z);
+  box.nx = h->level_x[box.level_x];
+  box.nz = h->level_z[box.level_z];
+  return box;
+}
+
+/* What is in contact at any position. */
+static void find_ranges(const positions *p, range *x, range *z) {
+  const arc_halfspace_def *d = &p->s.h->def;
+  *x = *z = (range){0, -1};
+  for (int j = 0; j < p->s.count; j++)
+    for (int i = 0; i < d->nx; i++)
+      for (int k = 0; k < d->nz; k++)
+        if (p->pressure[((size_t)j * (size_t)d->nx + (size_t)i) * (size_t)d->nz + (size_t)k] > 0) {
+          hold(x, i);
+          hold(z, k);
+        }
+}
+
+/* Rows between window and box; into: of the window. */
+static void copy_box(const positions *p, const space_box *box, int position, double *window,
+                     double *boxed, int into) {
+  const arc_halfspace *h = p->s.h;
+  const size_t nz = (size_t)box->nz;
+  double *w = window + (size_t)position * (size_t)h->cells,
+         *b = boxed + (size_t)position * (size_t)box->nx * nz;
+  if (into) memset(w, 0, (size_t)h->cells * sizeof *w);
+  for (int i = 0; i < box->nx; i++) {
+    double *from = b + (size_t)i * nz,
+           *to = w + (size_t)(box->x + i) * (size_t)h->def.nz + (size_t)box->z;
+    memcpy(into ? to : from, into ? from : to, nz * sizeof *w);
+  }
+}
+
+/* --- solution
+ * ------------------------------------------------------------------------------------- */
+
+/* Guesses where there is no pressure to start from. */
+static void start_one(void *context, int position, int worker) {
+  positions *p = context;
+  const arc_halfspace *h = p->s.h;
+  const int w = p->s.count > 1 ? worker : p->s.worker;
+  double *pressure = p->pressure + (size_t)position * (size_t)h->cells,
+         *gap = h->scratch + (size_t)w * 2 * (size_t)h->cells;
+  int positive = 0;
+  for (int k = 0; p->warm && k < h->cells && !positive; k++) positive = pressure[k] > 0;
+  if (positive) return;
+  arc_stroke_gap(&p->s, p->depth, position, gap);
+  arc_space_guess(h, gap, p->load[position] * h->def.size_x * h->def.size_z, pressure);
+}
+
+/* Whether cells outside the box overlap: they widen the ranges. */
+typedef struct outside {
+  positions *p;
+  space_box box;
+  range *x, *z; /* [count] */
+} outside;
+
+static int in_box(const space_box *b, int i, int k) {
+  return i >= b->x && i < b->x + b->nx && k >= b->z && k < b->z + b->nz;
+}
+
+static void look_outside(void *context, int position, int worker) {
+  const outside *o = context;
+  const positions *p = o->p;
+  const arc_halfspace *h = p->s.h;
+  const int w = p->s.count > 1 ? worker : p->s.worker;
+  double *u = h->scratch + (size_t)w * 2 * (size_t)h->cells, *gap = u + h->cells, largest = 0;
+  arc_convolution_apply(h->convolution[0][0], h->work[w],
+                        p->pressure + (size_t)position * (size_t)h->cells, u);
+  arc_stroke_gap(&p->s, p->depth, position, gap);
+  for (int k = 0; k < h->cells; k++) largest = fmax(largest, u[k]);
+  o->x[position] = o->z[position] = (range){0, -1};
+  for (int i = 0; i < h->def.nx; i++)
+    for (int k = 0; k < h->def.nz; k++) {
+      const int c = i * h->def.nz + k;
+      if (in_box(&o->box, i, k)) continue;
+      if (u[c] + gap[c] - p->approach[position] > -2 * p->tolerance * largest) continue;
+      hold(&o->x[position], i);
+      hold(&o->z[position], k);
+    }
+}
+
+/* Widens the ranges by overlaps outside the box: *wider. */
+static arc_status check_outside(positions *p, const space_box *box, range *x, range *z, int *wider,
+                                arc_error *error) {
+  const int n = p->s.count;
+  *wider = 0;
+  if (box->level_x == 0 && box->level_z == 0) return ARC_OK;
+  outside o = {.p = p, .box = *box, .x = malloc(2 * (size_t)n * sizeof(range))};
+  if (!o.x) return arc_fail(error, ARC_MEMORY, "out of memory for %d positions", n);
+  o.z = o.x + n;
+  p->s.box = arc_space_window(p->s.h);
+  arc_team_run(n > 1 ? p->s.h->team : NULL, n, look_outside, &o);
+  p->s.box = o.box;
+  for (int j = 0; j < n; j++)
+    if (o.x[j].high >= o.x[j].low) {
+      *wider = 1;
+      hold(x, o.x[j].low), hold(x, o.x[j].high);
+      hold(z, o.z[j].low), hold(z, o.z[j].high);
+    }
+  free(o.x);
+  return ARC_OK;
+}
+
+/* Preconditioning pays for single contacts of many cells. */
+static int is_preconditioned(const positions *p) {
+  const stroke *s = &p->s;
+  const int worn = s->c[ARC_UPPER] > 0 || s->c[ARC_LOWER] > 0, many = 96 * 96;
+  return s->count == 1 && !worn && !s->h->def.periodic && s->box.nx * s->box.nz >= many;
+}
+
+/* Memory of a box: its arrays, and the active set's. */
+typedef struct box_memory {
+  double *gap, *pressure;
+  active_work *work;
+} box_memory;
+
+static void free_box(positions *p, box_memory *m) {
+  free(m->gap);
+  free(p->s.upper);
+  arc_active_work_destroy(&m->work);
+  p->s.upper = p->s.lower = NULL;
+}
+
+static arc_status take_box(positions *p, box_memory *m, int preconditioned, arc_error *error) {
+  const size_t n = (size_t)p->s.box.nx * (size_t)p->s.box.nz, all = n * (size_t)p->s.count;
+  m->gap = malloc(2 * all * sizeof *m->gap);
+  m->work = arc_active_work_create(p->s.count, (int)n, 1, preconditioned);
+  p->s.upper = malloc((n + (size_t)p->s.h->rows * (size_t)p->s.box.nz) * sizeof *p->s.upper);
+  if (m->gap && m->work && p->s.upper) {
+    m->pressure = m->gap + all;
+    p->s.lower = p->s.upper + n;
+    return ARC_OK;
+  }
+  free_box(p, m);
+  return arc_fail(error, ARC_MEMORY, "out of memory for %d positions of %zu cells", p->s.count, n);
+}
+
+static arc_status find_kernels(positions *p, int preconditioned, arc_error *error) {
+  const space_box *b = &p->s.box;
+  arc_status status = arc_space_convolution(p->s.h, b->level_x, b->level_z, &p->s.kernel, error);
+  if (status == ARC_OK && preconditioned)
+    status = arc_space_inverse(p->s.h, b->level_x, b->level_z, &p->s.inverse, error);
+  return status;
+}
+
+static arc_status solve_in_box(positions *p, arc_error *error) {
+  stroke *s = &p->s;
+  const int pre = is_preconditioned(p);
+  box_memory m = {NULL, NULL, NULL};
+  arc_status status = find_kernels(p, pre, error);
+  if (status == ARC_OK) status = take_box(p, &m, pre, error);
+  if (status != ARC_OK) return status;
+  for (int j = 0; j < s->count; j++) {
+    arc_stroke_gap(s, p->depth, j, m.gap + (size_t)j * (size_t)s->box.nx * (size_t)s->box.nz);
+    copy_box(p, &s->box, j, p->pressure, m.pressure, 0);
+  }
+  const active_problem problem = {.blocks = s->count,
+                                  .cells = s->box.nx * s->box.nz,
+                                  .modes = 1,
+                                  .gap = m.gap,
+                                  .load = p->load,
+                                  .weight = s->weight,
+                                  .apply = arc_stroke_apply,
+                                  .precondition = pre ? arc_stroke_precondition : NULL,
+                                  .context = s,
+                                  .tolerance = p->tolerance,
+                                  .team = s->count > 1 ? s->h->team : NULL};
+  status = arc_active_set_solve(&problem, m.work, m.pressure, p->approach, &p->used, error);
+  if (status == ARC_STOPPED) arc_fail(error, ARC_STOPPED, "stopped on request");
+  for (int j = 0; j < s->count && status == ARC_OK; j++)
+    copy_box(p, &s->box, j, p->pressure, m.pressure, 1);
+  free_box(p, &m);
+  return status;
+}
+
+/* ARC_ZONE where the contact reaches the window's edge. */
+static arc_status check_edge(const positions *p, arc_error *error) {
+  const arc_halfspace_def *d = &p->s.h->def;
+  range x, z;
+  if (d->periodic) return ARC_OK;
+  find_ranges(p, &x, &z);
+  if (x.low > 0 && z.low > 0 && x.high < d->nx - 1 && z.high < d->nz - 1) return ARC_OK;
+  return arc_fail(error, ARC_ZONE,
+                  "the contact reaches the edge of the window of %g x %g mm: it needs a larger one",
+                  d->nx * d->size_x, d->nz * d->size_z);
+}
+
+arc_status arc_positions_solve(positions *p, arc_error *error) {
+  range x, z;
+  int wider = 1;
+  p->s.box = arc_space_window(p->s.h);
+  arc_team_run(p->s.count > 1 ? p->s.h->team : NULL, p->s.count, start_one, p);
+  find_ranges(p, &x, &z);
+  arc_status status = ARC_OK;
+  while (wider && status == ARC_OK) {
+    p->s.box = box_of(p, x, z);
+    status = solve_in_box(p, error);
+    if (status == ARC_OK) status = check_outside(p, &p->s.box, &x, &z, &wider, error);
+  }
+  return status == ARC_OK ? check_edge(p, error) : status;
+}
+
+/* --- one by one
+ * ----------------------------------------------------------------------------------- */
+
+/* Positions that do not feel each other. */
+typedef struct singles {
+  positions *all;
+  arc_status *status; /* [count] */
+  arc_error *error;   /* [workers] of the first that failed there */
+  active_count *used; /* [count] */
+  int *failed;        /* [workers] position of the error + 1 */
+} singles;
+
+static void solve_single(void *context, int position, int worker) {
+  const singles *g = context;
+  const positions *all = g->all;
+  double weight = 1;
+  if (g->failed[worker]) return;
+  positions one = {.s = all->s,
+                   .load = all->load + position,
+                   .pressure = all->pressure + (size_t)position * (size_t)all->s.h->cells,
+                   .approach = all->approach + position,
+                   .depth = all->depth,
+                   .tolerance = all->tolerance,
+                   .warm = all->warm};
+  one.s.count = 1;
+  one.s.mirrored = 0;
+  one.s.worker = worker;
+  one.s.place = all->s.place + position;
+  one.s.weight = &weight;
+  one.s.c[ARC_UPPER] = one.s.c[ARC_LOWER] = 0;
+  g->status[position] = arc_positions_solve(&one, &g->error[worker]);
+  g->used[position] = one.used;
+  if (g->status[position] != ARC_OK) g->failed[worker] = position + 1;
+}
+
+/* The status of the first position that failed; what all of them took. */
+static arc_status settle(const singles *g, int workers, arc_error *error) {
+  const int n = g->all->s.count;
+  active_count *sum = &g->all->used;
+  for (int j = 0; j < n; j++) {
+    sum->iterations += g->used[j].iterations;
+    sum->applications += g->used[j].applications;
+    sum->sets += g->used[j].sets;
+    sum->guarded += g->used[j].guarded;
+  }
+  for (int j = 0; j < n; j++)
+    for (int w = 0; w < workers; w++)
+      if (g->failed[w] == j + 1) return arc_fail(error, g->status[j], "%s", g->error[w].message);
+  return ARC_OK;
+}
+
+arc_status arc_positions_solve_each(positions *p, arc_error *error) {
+  const size_t n = (size_t)p->s.count;
+  const int workers = arc_team_workers(p->s.h->team);
+  singles g = {.all = p, .status = calloc(n, sizeof *g.status), .used = calloc(n, sizeof *g.used)};
+  g.error = calloc((size_t)workers, sizeof *g.error);
+  g.failed = calloc((size_t)workers, sizeof *g.failed);
+  arc_status status;
+  if (g.status && g.used && g.error && g.failed) {
+    arc_team_run(n > 1 ? p->s.h->team : NULL, (int)n, solve_single, &g);
+    status = settle(&g, workers, error);
+  } else {
+    status = arc_fail(error, ARC_MEMORY, "out of memory for %zu positions", n);
+  }
+  free(g.status);
+  free(g.used);
+  free(g.error);
+  free(g.failed);
+  return status;
+}
+
+void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]) {
+  p->s.box = arc_space_window(p->s.h);
+  p->s.upper = rate[ARC_UPPER];
+  p->s.lower = rate[ARC_LOWER];
+  arc_stroke_gather(&p->s, p->pressure, 1);
+  p->s.upper = p->s.lower = NULL;
+}

@@ -1,0 +1,255 @@
+/* Contact and wear on given depths, and the implicit stage. */
+#include "core/space/positions.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void fill_report(const positions *p, arc_halfspace_report *report) {
+  const size_t all = (size_t)p->s.count * (size_t)p->s.h->cells;
+  if (!report) return;
+  *report = (arc_halfspace_report){.iterations = p->used.iterations,
+                                   .applications = p->used.applications,
+                                   .sets = p->used.sets,
+                                   .guarded = p->used.guarded};
+  for (size_t k = 0; k < all; k++) report->p_max = fmax(report->p_max, p->pressure[k]);
+}
+
+/* Pressures of all `count` positions: those that were solved for, then their mirror images. */
+static void store_pressures(const positions *p, int count, double *pressure) {
+  const arc_halfspace *h = p->s.h;
+  const size_t cells = (size_t)h->cells, nz = (size_t)h->def.nz;
+  if (!pressure) return;
+  memcpy(pressure, p->pressure, (size_t)p->s.count * cells * sizeof *pressure);
+  for (int j = p->s.count; j < count; j++)
+    for (int i = 0; i < h->def.nx; i++)
+      memcpy(pressure + (size_t)j * cells + (size_t)i * nz,
+             pressure + (size_t)(count - 1 - j) * cells + (size_t)(h->def.nx - 1 - i) * nz,
+             nz * sizeof *pressure);
+}
+
+/* Arrays of both bodies' sites, in one piece of memory. */
+static int take_sites(const arc_halfspace *h, double *sites[ARC_BODIES]) {
+  const size_t upper = (size_t)arc_halfspace_sites(h, ARC_UPPER),
+               lower = (size_t)arc_halfspace_sites(h, ARC_LOWER);
+  sites[ARC_UPPER] = calloc(upper + lower, sizeof(double));
+  sites[ARC_LOWER] = sites[ARC_UPPER] ? sites[ARC_UPPER] + upper : NULL;
+  return sites[ARC_UPPER] != NULL;
+}
+
+static arc_status no_memory(const arc_halfspace *h, arc_error *error) {
+  return arc_fail(error, ARC_MEMORY, "out of memory for the depths of %d sites",
+                  arc_halfspace_sites(h, ARC_UPPER) + arc_halfspace_sites(h, ARC_LOWER));
+}
+
+arc_status arc_halfspace_solve(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                               const arc_halfspace_position *position,
+                               const arc_halfspace_options *options, double *pressure,
+                               double *approach, arc_halfspace_report *report, arc_error *error) {
+  positions p;
+  arc_status status =
+      arc_positions_create(h, depth, NULL, position, 1, 0, options, pressure, &p, error);
+  if (status != ARC_OK) return status;
+  p.s.weight[0] = 1;
+  status = arc_positions_solve(&p, error);
+  if (status == ARC_OK) {
+    store_pressures(&p, 1, pressure);
+    *approach = p.approach[0];
+    fill_report(&p, report);
+  }
+  arc_positions_free(&p);
+  return status;
+}
+
+arc_status arc_halfspace_gaps(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                              const arc_halfspace_position *position, const double *pressure,
+                              double approach, double *gap, arc_error *error) {
+  stroke_place place;
+  const arc_status status = arc_stroke_place(h, position->x, &place, error);
+  if (status != ARC_OK) return status;
+  const stroke s = {.h = h, .count = 1, .place = &place, .box = arc_space_window(h)};
+  double *u = h->scratch;
+  arc_convolution_apply(h->convolution[0][0], h->work[0], pressure, u);
+  arc_stroke_gap(&s, depth, 0, gap);
+  for (int k = 0; k < h->cells; k++) gap[k] += u[k] - approach;
+  return ARC_OK;
+}
+
+arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                              const arc_halfspace_position *position, int count,
+                              const arc_halfspace_options *options, double *pressure,
+                              double *const rate[ARC_BODIES], arc_halfspace_report *report,
+                              arc_error *error) {
+  positions p;
+  arc_status status =
+      arc_positions_create(h, depth, NULL, position, count, 1, options, pressure, &p, error);
+  if (status != ARC_OK) return status;
+  status = arc_positions_solve_each(&p, error);
+  if (status == ARC_OK) {
+    arc_positions_rate(&p, rate);
+    store_pressures(&p, count, pressure);
+    fill_report(&p, report);
+  }
+  arc_positions_free(&p);
+  return status;
+}
+
+/* depth := known + c factor rate */
+static void wear(const arc_halfspace *h, const arc_halfspace_wear *w,
+                 const double *const known[ARC_BODIES], double *const rate[ARC_BODIES],
+                 double *const depth[ARC_BODIES]) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int k = 0, n = arc_halfspace_sites(h, (arc_body)b); k < n; k++) {
+      const double factor = w->factor[b] ? w->factor[b][k] : 1;
+      depth[b][k] = (known ? known[b][k] : 0) + w->c[b] * factor * rate[b][k];
+    }
+}
+
+static arc_status check_wear(const arc_halfspace_wear *w, arc_error *error) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (!(w->c[b] >= 0) || !isfinite(w->c[b]))
+      return arc_fail(error, ARC_ARGUMENT, "field 'c': expected a number from 0, got %g", w->c[b]);
+  return ARC_OK;
+}
+
+arc_status arc_halfspace_stage(arc_halfspace *h, const double *const known[ARC_BODIES],
+                               const arc_halfspace_wear *w, const arc_halfspace_position *position,
+                               int count, const arc_halfspace_options *options, double *pressure,
+                               double *const depth[ARC_BODIES], arc_halfspace_report *report,
+                               arc_error *error) {
+  positions p;
+  double *rate[ARC_BODIES];
+  arc_status status = check_wear(w, error);
+  if (status == ARC_OK)
+    status = arc_positions_create(h, known, w, position, count, 1, options, pressure, &p, error);
+  if (status != ARC_OK) return status;
+  const int wears = w->c[ARC_UPPER] > 0 || w->c[ARC_LOWER] > 0;
+  if (!take_sites(h, rate))
+    status = no_memory(h, error);
+  else
+    status = wears ? arc_positions_solve(&p, error) : arc_positions_solve_each(&p, error);
+  if (status == ARC_OK) {
+    arc_positions_rate(&p, rate);
+    wear(h, w, known, rate, depth);
+    store_pressures(&p, count, pressure);
+    fill_report(&p, report);
+  }
+  free(rate[ARC_UPPER]);
+  arc_positions_free(&p);
+  return status;
+}
+
+/* --- largest eigenvalue
+ * ----------------------------------------------------------------------------- */
+
+enum { most_powers = 60 };
+static const double settled = 0.005; /* change of the eigenvalue between iterations */
+
+/* What one iteration works with. */
+typedef struct tangent {
+  positions *p;
+  const arc_halfspace_wear *wear;
+  active_work *work;
+  double *gap, *dp; /* [count][window] */
+  double *depth[ARC_BODIES], *rate[ARC_BODIES];
+} tangent;
+
+static void free_tangent(tangent *t) {
+  arc_active_work_destroy(&t->work);
+  free(t->gap);
+  free(t->depth[ARC_UPPER]);
+  free(t->rate[ARC_UPPER]);
+}
+
+static int take_tangent(tangent *t) {
+  const arc_halfspace *h = t->p->s.h;
+  const size_t all = (size_t)t->p->s.count * (size_t)h->cells;
+  t->work = arc_active_work_create(t->p->s.count, h->cells, 1, 0);
+  t->gap = malloc(2 * all * sizeof *t->gap);
+  t->dp = t->gap ? t->gap + all : NULL;
+  const int depths = take_sites(h, t->depth), rates = take_sites(h, t->rate);
+  return t->work && t->gap && depths && rates;
+}
+
+static double length_of(const tangent *t, double *const value[ARC_BODIES]) {
+  double sum = 0;
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int k = 0, n = arc_halfspace_sites(t->p->s.h, (arc_body)b); k < n; k++)
+      sum += value[b][k] * value[b][k];
+  return sqrt(sum);
+}
+
+/* depth := a chessboard, which elasticity resists least. */
+static void start(const tangent *t) {
+  const arc_halfspace *h = t->p->s.h;
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int k = 0, n = arc_halfspace_sites(h, (arc_body)b); k < n; k++)
+      t->depth[b][k] = (k / h->def.nz + k % h->def.nz) % 2 ? 1 : -1;
+}
+
+/* rate := - d (c factor rate) of the depth, divided by its length. */
+static arc_status multiply(tangent *t, arc_error *error) {
+  stroke *s = &t->p->s;
+  active_count used = {0};
+  const double length = length_of(t, t->depth);
+  const double *const depth[ARC_BODIES] = {t->depth[ARC_UPPER], t->depth[ARC_LOWER]};
+  for (int j = 0; j < s->count; j++)
+    arc_stroke_read(s, depth, j, t->gap + (size_t)j * (size_t)s->h->cells);
+  const active_problem problem = {.blocks = s->count,
+                                  .cells = s->h->cells,
+                                  .modes = 1,
+                                  .gap = t->gap,
+                                  .weight = s->weight,
+                                  .apply = arc_stroke_apply,
+                                  .context = s,
+                                  .tolerance = 1e-3,
+                                  .team = s->h->team};
+  const arc_status status =
+      arc_active_set_tangent(&problem, t->work, t->p->pressure, t->dp, &used, error);
+  if (status != ARC_OK) return status;
+  s->upper = t->rate[ARC_UPPER];
+  s->lower = t->rate[ARC_LOWER];
+  arc_stroke_gather(s, t->dp, 1);
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int k = 0, n = arc_halfspace_sites(s->h, (arc_body)b); k < n; k++) {
+      const double factor = t->wear->factor[b] ? t->wear->factor[b][k] : 1;
+      t->rate[b][k] *= -t->wear->c[b] * factor / length;
+    }
+  return ARC_OK;
+}
+
+static arc_status iterate(tangent *t, double *eigenvalue, arc_error *error) {
+  double before = 0;
+  const size_t sites = (size_t)arc_halfspace_sites(t->p->s.h, ARC_UPPER) +
+                       (size_t)arc_halfspace_sites(t->p->s.h, ARC_LOWER);
+  start(t);
+  for (int k = 0; k < most_powers; k++) {
+    const arc_status status = multiply(t, error);
+    if (status != ARC_OK) return status;
+    *eigenvalue = length_of(t, t->rate);
+    if (*eigenvalue == 0 || (k > 2 && fabs(*eigenvalue - before) < settled * *eigenvalue)) break;
+    before = *eigenvalue;
+    memcpy(t->depth[ARC_UPPER], t->rate[ARC_UPPER], sites * sizeof(double));
+  }
+  return ARC_OK;
+}
+
+arc_status arc_halfspace_eigenvalue(arc_halfspace *h, const arc_halfspace_wear *w,
+                                    const arc_halfspace_position *position, int count,
+                                    const double *pressure, double *eigenvalue, arc_error *error) {
+  const arc_halfspace_options options = {.warm = 1};
+  positions p;
+  arc_status status = check_wear(w, error);
+  if (status == ARC_OK)
+    status = arc_positions_create(h, NULL, w, position, count, 0, &options, pressure, &p, error);
+  if (status != ARC_OK) return status;
+  tangent t = {.p = &p, .wear = w};
+  p.s.c[ARC_UPPER] = p.s.c[ARC_LOWER] = 0;
+  p.s.box = arc_space_window(h);
+  p.s.kernel = h->convolution[0][0];
+  status = take_tangent(&t) ? iterate(&t, eigenvalue, error) : no_memory(h, error);
+  p.s.upper = p.s.lower = NULL;
+  free_tangent(&t);
+  arc_positions_free(&p);
+  return status;
+}
