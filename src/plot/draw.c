@@ -1,5 +1,5 @@
 /* Draws figures: into characters for the caller, into windows, into files. Leans on script.c for
- * the commands, on gnuplot.c to run them, on tidy.c for pictures in characters.
+ * the commands, on gnuplot.c to run them, on characters.c for pictures in characters.
  *
  * A file is drawn in a place of ours and published there when it is whole, and gnuplot never sees a
  * name that could mean something else to it.
@@ -11,10 +11,9 @@
 
 #include "archard/place.h"
 #include "plot/plot.h"
-#include "plot/braille.h"
+#include "plot/characters.h"
 #include "plot/figure.h"
 #include "plot/picture.h"
-#include "plot/tidy.h"
 
 static const char at_rest[] = "unset multiplot\nset output\nreset\nundefine $*\n";
 /* `reset` forgets that something failed: that is noted before. */
@@ -140,11 +139,7 @@ static arc_status refine(drawing *d, const char *words, size_t length, arc_text 
   size_t count = 0;
   dots.fine = 0, dots.dots = 1;
   arc_status status = ask(d, &dots, NULL, &reply, &count, error);
-  arc_text both = {0};
-  if (status == ARC_OK) arc_braille(words, length, reply, count, &both);
-  if (status == ARC_OK && !both.failed && both.data) arc_tidy(both.data, both.length, picture);
-  picture->failed |= both.failed;
-  arc_text_free(&both);
+  if (status == ARC_OK) arc_characters(words, length, reply ? reply : "", count, picture);
   free(reply);
   return status;
 }
@@ -157,7 +152,7 @@ static arc_status run(drawing *d, const char *place, arc_text *picture, arc_erro
   if (status == ARC_OK && d->canvas.fine)
     status = refine(d, reply, length, picture, error);
   else if (status == ARC_OK && d->canvas.text)
-    arc_tidy(reply, length, picture);
+    arc_characters(reply, length, NULL, 0, picture);
   else if (status == ARC_OK && length > 0)
     arc_text_add(picture, reply, length);
   free(reply);

@@ -1,0 +1,188 @@
+/* Pictures in characters: read into cells, curves laid over them as Braille dots, written tidily.
+ * Leans on text.c.
+ *
+ * gnuplot draws twice where there are dots: the axes and words on the surface of the characters,
+ * the curves alone on one where each character is a dot. Clipping, steps, logarithms stay
+ * gnuplot's. The only escape sequences of its character terminal are colours, ESC [ ... m.
+ */
+#include "plot/characters.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "plot/figure.h"
+
+static const char point[] = "\342\227\217"; /* a filled circle */
+static const char dash[] = "\342\240\222";  /* two dots in the middle: a line in the key */
+
+enum { BLACK = 0, NO_COLOUR = -1, BYTES = 4 };
+
+typedef struct cell {
+  char bytes[BYTES]; /* of one character of UTF-8 */
+  int length;        /* of the bytes; 0: blank */
+  int colour;        /* 0 to 7, or none */
+} cell;
+
+typedef struct screen {
+  cell *cells;
+  size_t columns, rows;
+} screen;
+
+/* --- reading a picture ------------------------------------------------------------------------ */
+
+/* Length of the colour sequence at `bytes`, 0 when there is none. */
+static size_t sequence(const char *bytes, size_t left, int *colour) {
+  if (left < 3 || bytes[0] != '\033' || bytes[1] != '[') return 0;
+  const char *end = memchr(bytes, 'm', left);
+  if (!end) return 0;
+  *colour = NO_COLOUR;
+  for (const char *c = bytes + 2; c + 1 < end; c++)
+    if (*c == '3' && (c[-1] == ';' || c[-1] == '[') && c[1] <= '7') *colour = c[1] - '0';
+  return (size_t)(end - bytes) + 1;
+}
+
+static int utf8_length(unsigned char first) {
+  return first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+}
+
+static void set_cell(cell *c, const char *bytes, int length, int colour) {
+  memcpy(c->bytes, bytes, (size_t)length);
+  c->length = length;
+  c->colour = colour;
+}
+
+/* Puts each character into its cell; with no cells only counts rows and columns. */
+static void scan(const char *picture, size_t length, screen *s) {
+  size_t row = 0, column = 0, rows = 0, columns = 0;
+  int colour = NO_COLOUR;
+  for (size_t i = 0; i < length;) {
+    size_t skip = sequence(picture + i, length - i, &colour);
+    int bytes = skip ? (int)skip : utf8_length((unsigned char)picture[i]);
+    if (!skip && picture[i] == '\n') {
+      row++, column = 0;
+    } else if (!skip && picture[i] != '\f' && picture[i] != '\r') {
+      if (s->cells && picture[i] != ' ' && row < s->rows && column < s->columns &&
+          i + (size_t)bytes <= length)
+        set_cell(&s->cells[row * s->columns + column], picture + i, bytes, colour);
+      column++;
+      columns = column > columns ? column : columns;
+      rows = row + 1;
+    }
+    i += (size_t)bytes;
+  }
+  if (!s->cells) s->rows = rows, s->columns = columns;
+}
+
+static int read_screen(const char *picture, size_t length, screen *s) {
+  *s = (screen){NULL, 0, 0};
+  scan(picture, length, s);
+  s->cells = calloc(s->rows * s->columns + 1, sizeof *s->cells);
+  if (s->cells) scan(picture, length, s);
+  return s->cells != NULL;
+}
+
+/* --- laying dots over it ---------------------------------------------------------------------- */
+
+static const cell *dot_at(const screen *s, size_t row, size_t column) {
+  static const cell blank = {.colour = NO_COLOUR};
+  return row < s->rows && column < s->columns ? &s->cells[row * s->columns + column] : &blank;
+}
+
+/* The eight dots of a character, in the colour most of them have; a mark takes its place whole. */
+static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
+  static const int bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
+  int pattern = 0, mark = 0, count[9] = {0}, colour = NO_COLOUR;
+  for (size_t r = 0; r < 4; r++)
+    for (size_t c = 0; c < 2; c++) {
+      const cell *dot = dot_at(dots, 4 * row + r, 2 * column + c);
+      if (!dot->length) continue;
+      pattern |= bits[r][c];
+      int is_mark = *dot->bytes == ARC_DOT_MARK;
+      if (++count[dot->colour + 1] > count[colour + 1] || (is_mark && !mark)) colour = dot->colour;
+      mark |= is_mark;
+    }
+  const char braille[] = {(char)0xe2, (char)(0xa0 | pattern >> 6), (char)(0x80 | (pattern & 0x3f))};
+  set_cell(to, mark ? point : braille, pattern ? 3 : 0, colour);
+}
+
+/* A point on the frame is seen; of a line there the frame itself. */
+static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size_t column) {
+  int found = 0;
+  if (c->colour != NO_COLOUR || !strchr("|+-", *c->bytes)) return 0;
+  for (size_t i = 0; i < 8; i++) {
+    const cell *dot = dot_at(dots, 4 * row + i / 2, 2 * column + i % 2);
+    found |= dot->length && *dot->bytes == ARC_DOT_MARK;
+  }
+  return found;
+}
+
+/* Lines in colour are the samples of the key: the curves themselves are black here. */
+static void lay_over(const screen *dots, size_t row, size_t column, cell *c) {
+  if (!c->length || c->colour == BLACK || is_point_on_frame(dots, c, row, column))
+    set_dots(dots, row, column, c);
+  else if (c->colour != NO_COLOUR && *c->bytes == ARC_DOT_MARK)
+    set_cell(c, point, 3, c->colour);
+  else if (c->colour != NO_COLOUR && strchr("+-", *c->bytes))
+    set_cell(c, dash, 3, c->colour);
+}
+
+/* --- writing ---------------------------------------------------------------------------------- */
+
+typedef struct writer {
+  arc_text *out;
+  int colour;    /* the output is in */
+  size_t lines;  /* line breaks not yet written */
+  int something; /* a line with something in it was written */
+} writer;
+
+static void write_colour(writer *w, int colour) {
+  if (w->colour == colour) return;
+  if (colour == NO_COLOUR)
+    arc_text_word(w->out, "\033[0m");
+  else
+    arc_text_format(w->out, "\033[1;3%dm", colour);
+  w->colour = colour;
+}
+
+static void write_cell(writer *w, const cell *c) {
+  static const char marks[] =
+      "=*#&$%@="; /* black, red, green, yellow, blue, magenta, cyan, white */
+  write_colour(w, c->colour);
+  if (c->colour != NO_COLOUR && strchr("+-|", *c->bytes))
+    arc_text_add(w->out, &marks[c->colour], 1);
+  else
+    arc_text_add(w->out, c->bytes, (size_t)c->length);
+}
+
+static void write_row(writer *w, const cell *cells, size_t columns) {
+  size_t blanks = 0;
+  for (size_t i = 0; i < columns; i++) {
+    if (!cells[i].length) {
+      blanks++;
+      continue;
+    }
+    for (; w->lines > 0; w->lines--) arc_text_word(w->out, "\n");
+    for (; blanks > 0; blanks--) arc_text_word(w->out, " ");
+    write_cell(w, &cells[i]);
+    w->something = 1;
+  }
+  write_colour(w, NO_COLOUR);
+  if (w->something) w->lines++;
+}
+
+void arc_characters(const char *picture, size_t length, const char *dots, size_t dots_length,
+                    arc_text *out) {
+  screen words, curves = {NULL, 0, 0};
+  writer w = {.out = out, .colour = NO_COLOUR};
+  if (!read_screen(picture, length, &words) || (dots && !read_screen(dots, dots_length, &curves)))
+    out->failed = 1;
+  for (size_t row = 0; !out->failed && row < words.rows; row++) {
+    cell *cells = words.cells + row * words.columns;
+    for (size_t column = 0; dots && column < words.columns; column++)
+      lay_over(&curves, row, column, &cells[column]);
+    write_row(&w, cells, words.columns);
+  }
+  if (w.something) arc_text_word(out, "\n");
+  free(words.cells);
+  free(curves.cells);
+}
