@@ -5,17 +5,13 @@ local check = require "archard.lib.check"
 local files = require "archard.files"
 local json = require "archard.export.json"
 local known = require "archard.settings"
-local role_of = require "archard.study.number".role_of
+local role_of = require "archard.definition.number".role_of
+local value_at = require "archard.definition.settings".value_at
 
 local where = "export.json"
 
 -- Settings that a run holds under another name: the plain one says how far it is.
 local held_as = { distance = "total_distance", update = "update_at" }
-
-local function value_at(object, path)
-  for name in path:gmatch("[^.]+") do object = object[name] end
-  return object
-end
 
 -- A value as JSON can hold it: no program can read a function.
 local function plain(value)

@@ -1,10 +1,10 @@
 -- The runs of a fit: one for each set of values that is tried, in this process, or by the workers of
 -- studies with a run file that keeps them. What has been computed is not computed again, by a later
--- call with the same file neither. Leans on fit/observe.lua, study/run.lua and archard.store.
+-- call with the same file neither. Leans on study/observe.lua, study/run.lua and archard.store.
 
 local check = require "archard.lib.check"
-local observe = require "archard.fit.observe"
-local settings = require "archard.study.settings"
+local observe = require "archard.study.observe"
+local settings = require "archard.definition.settings"
 local transaction = require "archard.study.transaction"
 local unknown = require "archard.fit.unknown"
 

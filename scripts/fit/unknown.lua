@@ -5,8 +5,8 @@
 local check = require "archard.lib.check"
 local check_names = require "archard.study.names"
 local merged = require "archard.lib.merged"
-local numbers = require "archard.study.number"
-local settings = require "archard.study.settings"
+local numbers = require "archard.definition.number"
+local settings = require "archard.definition.settings"
 local spline = require "archard.fit.spline"
 
 local unknown = {}

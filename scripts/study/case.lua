@@ -7,7 +7,7 @@ local keys = require "archard.lib.keys"
 local measure = require "archard.measure"
 local naming = require "archard.plot.naming"
 local merged = require "archard.lib.merged"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 local strict = require "archard.strict"
 local settable = require "archard.settings".wear
 

@@ -5,7 +5,7 @@ local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
 local search = require "archard.study.search"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 local strict = require "archard.strict"
 
 local where = "study.converge"

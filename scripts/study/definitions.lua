@@ -3,7 +3,7 @@
 
 local check = require "archard.lib.check"
 local design = require "archard.uncertainty.design"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 local transaction = require "archard.study.transaction"
 
 local definitions = {}

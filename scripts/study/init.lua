@@ -6,7 +6,7 @@ local check = require "archard.lib.check"
 local later = require "archard.lib.later"
 local merged = require "archard.lib.merged"
 local of_samples = require "archard.uncertainty.fields"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 local strict = require "archard.strict"
 local text_file = require "archard.lib.text_file"
 

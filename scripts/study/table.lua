@@ -4,7 +4,7 @@ local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
 local csv_text = require "archard.lib.csv_text"
 local files = require "archard.files"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 local term = require "archard.term"
 
 local tables = {}

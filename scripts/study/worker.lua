@@ -7,7 +7,7 @@
 local stores = require "archard.store"
 local columns = require "archard.settings".columns
 local files = require "archard.files"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 local term = require "archard.term"
 local transaction = require "archard.study.transaction"
 local warnings = require "archard.warnings"
@@ -59,7 +59,7 @@ end
 
 -- A trial of a fit: what the fit looks at are its results.
 function tasks.fit(store, id, on_progress)
-  local observe = require "archard.fit.observe"
+  local observe = require "archard.study.observe"
   local looks, run = observe.run(settings.nest(store:values(id, "settings")),
     observe.read(store:info("observe")), on_progress)
   run:close()

@@ -39,7 +39,7 @@ local file = os.tmpname()
 os.remove(file)
 local s, sum = study.paper(), -3750763034362895579
 if not broken then s:run{ file = file, workers = workers, progress = false } end
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 for i, case in ipairs(broken and s.flat or s:cases()) do
   sum = of_run(sum, broken and in_two(settings.nest(case), file) or case:wear())
   if broken then os.remove(file) end

@@ -1,11 +1,11 @@
--- The numbers of a run's definition that sensitivities can change, by name. Leans on study/number.lua for
+-- The numbers of a run's definition that sensitivities can change, by name. Leans on definition/number.lua for
 -- names.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
 local merged = require "archard.lib.merged"
-local number = require "archard.study.number"
-local settings = require "archard.study.settings"
+local number = require "archard.definition.number"
+local settings = require "archard.definition.settings"
 
 local changer = {}
 

@@ -4,10 +4,10 @@
 
 local check = require "archard.lib.check"
 local distributions = require "archard.uncertainty.distributions"
-local number = require "archard.study.number"
+local number = require "archard.definition.number"
 local own = require "archard.uncertainty.fields"
 local random = require "archard.random"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 
 local design = {}
 

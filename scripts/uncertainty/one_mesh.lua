@@ -2,7 +2,7 @@
 -- Meshes of their own, finer or coarser with the contact, would make every sample condense two bodies
 -- anew, for twice the time of the run itself, and add what meshes differ by to what samples differ by.
 
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 
 -- What the size of a mesh depends on; and how far contacts may differ from the middle one, as a factor.
 local largest_change = 1.5

@@ -4,7 +4,7 @@
 local check = require "archard.lib.check"
 local known = require "archard.settings"
 local merged = require "archard.lib.merged"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 local stores = require "archard.store"
 
 local repeated = {}

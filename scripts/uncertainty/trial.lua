@@ -4,7 +4,7 @@
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
 local merged = require "archard.lib.merged"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 
 local where = "study:run"
 

@@ -1,5 +1,5 @@
 /* Reads chunks, runs them, shows their values. What is a complete chunk and how a value looks is
- * decided by scripts/lib/prompt.lua, what may be completed by scripts/lib/complete.lua; lines come
+ * decided by scripts/lib/prompt.lua, what may be completed by scripts/session/complete.lua; lines come
  * from the line editor or from standard input. */
 #include "cli/repl.h"
 
@@ -91,7 +91,7 @@ typedef struct prompt {
 /* (prompt, before) -> a list of words or "files", what follows a word that is the only one */
 static int find_words(lua_State *L) {
   prompt *self = lua_touserdata(L, 1);
-  push_module_function(L, "archard.lib.complete", "words");
+  push_module_function(L, "archard.session.complete", "words");
   lua_pushfstring(L, "%s\n%s", self->chunk.text ? self->chunk.text : "", lua_tostring(L, 2));
   lua_call(L, 1, 2);
   return 2;
@@ -137,10 +137,10 @@ static void push_text(lua_State *L, const char *which) {
 
 /* --- leaving ---------------------------------------------------------------------------------- */
 
-/* Calls a function of scripts/lib/leave.lua with the text on top of the stack; its answer takes
+/* Calls a function of scripts/session/leave.lua with the text on top of the stack; its answer takes
  * that place, nil where it fails. */
 static run_status ask(lua_State *L, const char *name) {
-  push_module_function(L, "archard.lib.leave", name);
+  push_module_function(L, "archard.session.leave", name);
   lua_insert(L, -2);
   const run_status status = run_call(L, 1, 1);
   if (status != RUN_OK) lua_pushnil(L);

@@ -8,7 +8,7 @@
 #include "lua/base/archard.h"
 
 static const char script[] =
-    "local csv, complete, prompt = require'archard.lib.csv', require'archard.lib.complete',\n"
+    "local csv, complete, prompt = require'archard.lib.csv', require'archard.session.complete',\n"
     "  require'archard.lib.prompt'\n"
     "local profile = require'archard.profile'\n"
     "local function read(with) return function(path, text)\n"

@@ -3,7 +3,7 @@ package.path = arg[0]:gsub("[^/]*$", "") .. "lib/?.lua;" .. package.path
 local tap = require "tap"
 local pretty = require "archard.lib.pretty"
 local prompt = require "archard.lib.prompt"
-local complete = require "archard.lib.complete"
+local complete = require "archard.session.complete"
 local help = require "archard.help"
 
 -- --- chunks ------------------------------------------------------------------------------------

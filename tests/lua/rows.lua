@@ -6,7 +6,7 @@ local tap = dofile(here .. "/lib/tap.lua")
 local ok = tap.ok
 local known = require "archard.settings"
 local json = require "archard.export.json"
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 warn "@off"
 
 local folder = os.tmpname()

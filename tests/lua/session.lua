@@ -3,9 +3,9 @@
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
-local own = require "archard.lib.own"
-local leave = require "archard.lib.leave"
-local file_module = require "archard.lib.session_file"
+local own = require "archard.session.own"
+local leave = require "archard.session.leave"
+local file_module = require "archard.session.file"
 
 local folder = os.tmpname()
 os.remove(folder)

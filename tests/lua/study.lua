@@ -16,7 +16,7 @@ local function small(given)
 end
 
 -- --- settings ----------------------------------------------------------------------------------
-local settings = require "archard.study.settings"
+local settings = require "archard.definition.settings"
 local nested = { alpha = 0.5, model = { mesh = { size = 0.04 }, plate = material{ E = 1e5 } },
   loading = { { x = { 0, 1 }, cycles = 3 }, { x = { 2 } } }, scheme = "explicit", flag = true }
 local flat = settings.flatten("test", nested)

@@ -94,7 +94,7 @@ local pieces = {
   { "a session", function() session.save(file .. ".session") session.open(file .. ".session") end, files = true,
     whole = function() session.open(file .. ".session") end },
   { "a study's uncertainty", function() return tostring(samples:uncertainty()) end, files = true },
-  { "what may follow", function() return require "archard.lib.complete".words("wear{ mod") end },
+  { "what may follow", function() return require "archard.session.complete".words("wear{ mod") end },
   { "a study that is read", function() return s:table() end, files = true },
   { "a file of an older release", function() wear.open("tests/files/format-1.wear"):step() end, files = true },
   { "shares joined", function() study.merge(file .. ".1", file .. ".2", { file = file .. ".merged" }) end, files = true },

@@ -41,11 +41,11 @@ static const luaL_Reg modules[] = {
 
 /* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
 static const char *const scripted[][2] = {
-    {"help", "archard.help"},           {"plot", "archard.plot"},
-    {"study", "archard.study"},         {"fit", "archard.fit"},
-    {"csv", "archard.lib.csv"},         {"profile", "archard.profile"},
-    {"export", "archard.export"},       {"who", "archard.lib.who"},
-    {"session", "archard.lib.session"}, {"examples", "archard.lib.examples"},
+    {"help", "archard.help"},       {"plot", "archard.plot"},
+    {"study", "archard.study"},     {"fit", "archard.fit"},
+    {"csv", "archard.lib.csv"},     {"profile", "archard.profile"},
+    {"export", "archard.export"},   {"who", "archard.session.who"},
+    {"session", "archard.session"}, {"examples", "archard.session.examples"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 

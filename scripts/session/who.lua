@@ -1,7 +1,7 @@
 -- who(): what the session has made, a line for each global.
 
 local names = require "archard.names"
-local own = require "archard.lib.own"
+local own = require "archard.session.own"
 local pretty = require "archard.lib.pretty"
 local term = require "archard.term"
 

@@ -1,7 +1,7 @@
 -- The question on leaving the prompt while runs are in no file. cli/repl.c asks it.
 
-local own = require "archard.lib.own"
-local session = require "archard.lib.session_file"
+local own = require "archard.session.own"
+local session = require "archard.session.file"
 
 local leave = {}
 

@@ -5,7 +5,7 @@ local check = require "archard.lib.check"
 local files = require "archard.files"
 local known = require "archard.settings"
 local merged = require "archard.lib.merged"
-local number = require "archard.study.number"
+local number = require "archard.definition.number"
 
 local settings = {}
 
@@ -19,7 +19,7 @@ local function is_numbers(value)
 end
 
 -- The value at "mesh.zone.plate" in an object.
-local function value_at(object, path)
+function settings.value_at(object, path)
   for name in path:gmatch("[^.]+") do object = object[name] end
   return object
 end
@@ -39,7 +39,7 @@ local function as_table(where, name, value)
     local own = (not setting.group or setting.class) and not implied[setting.path]
     local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- which tells its material itself
     local left = outside and setting.path:match("^mesh%.") or body and value[body]
-    if own and not left then flat[setting.path] = value_at(value, setting.path) end
+    if own and not left then flat[setting.path] = settings.value_at(value, setting.path) end
   end
   if outside then flat.mesh = files.msh(value) end -- no settings make that one again
   return flat

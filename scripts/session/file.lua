@@ -1,6 +1,6 @@
 -- What session.save and session.open do: what the session has made, by name, in one run file: runs
 -- with all they need to go on, models, studies, and plain values. Leans on archard.store; who made
--- what is the business of lib/own.lua.
+-- what is the business of session/own.lua.
 --
 -- Every value is a case of the file; its settings tell what it is (kind), where it belongs (key.1,
 -- key.2, ... as in runs[1].first) and what it takes to make it again.
@@ -8,8 +8,8 @@
 local check = require "archard.lib.check"
 local files = require "archard.files"
 local lists = require "archard.settings"
-local own = require "archard.lib.own"
-local settings = require "archard.study.settings"
+local own = require "archard.session.own"
+local settings = require "archard.definition.settings"
 local spelling = require "archard.lib.spelling"
 local store = require "archard.store"
 local text_file = require "archard.lib.text_file"
