@@ -223,7 +223,7 @@ local width = fit{ base = base, unknown = { k = 1e-8 }, data = { { of = "width",
 plot.fit(width, { file = file .. ".gp" })
 local script = io.open(file .. ".gp")
 local commands = script:read "a"
-holds(commands, "'width / mm'", "a picture of what is no column of the history")
+holds(commands, '"width / mm"', "a picture of what is no column of the history")
 holds(commands, "filledcurves closed", "its band is an area of its own, not one down to zero")
 script:close()
 os.remove(file .. ".gp")
