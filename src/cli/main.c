@@ -46,9 +46,10 @@ static void print_usage(FILE *stream) {
         "  --sandbox       for a script of a stranger: no other programs, no files but those below "
         "its\n"
         "                  folder and the working folder, and limits:\n"
-        "  --memory MIB    of Lua and the engine, 1024 where it is left out\n"
+        "  --memory MIB    of Lua, the engine and what they start, 1024 where it is left out\n"
         "  --seconds S     on the clock, 3600\n"
         "  --instructions N  of Lua, 1e11\n"
+        "  --sandbox=strict  the same, but only where the system itself ensures all of it\n"
         "  -v, --version   print the version\n"
         "  -h, --help      print this help\n"
         "  -               run standard input as a script\n"
@@ -63,7 +64,7 @@ static void read_options(command *self) {
       {"version", no_argument, NULL, 'v'},
       {"help", no_argument, NULL, 'h'},
       {"lax", no_argument, NULL, 'x'},
-      {"sandbox", no_argument, NULL, 's'},
+      {"sandbox", optional_argument, NULL, 's'},
       {"memory", required_argument, NULL, 'L'},
       {"seconds", required_argument, NULL, 'L'},
       {"instructions", required_argument, NULL, 'L'},
@@ -86,6 +87,8 @@ static void read_options(command *self) {
       break;
     case 's':
       self->sandbox.wanted = 1;
+      self->sandbox.strict = optarg && strcmp(optarg, "strict") == 0;
+      if (optarg && !self->sandbox.strict) self->wrong = 1;
       break;
     case 'L':
       limits = 1;
@@ -268,8 +271,10 @@ int main(int argc, char **argv) {
     status = EXIT_USAGE;
   } else if (self.help) {
     print_usage(stdout);
-  } else {
+  } else if (!self.sandbox.wanted || sandbox_confine(&self.sandbox, script_path(&self), argv)) {
     status = run_state(&self);
+  } else {
+    status = EXIT_ERROR;
   }
   free(self.steps);
   return close_output(status);

@@ -6,13 +6,17 @@
 #include "lua/base/confine.h"
 #include "lua/base/interrupt.h"
 #include "lua/base/scripts.h"
+#include "system/child.h"
+#include "system/jail.h"
+#include "system/room.h"
 
+#include <errno.h>
 #include <lauxlib.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 static const double mebi = 1048576;
@@ -52,45 +56,86 @@ lua_State *sandbox_new_state(sandbox *self) {
   return lua_newstate(allocate, self);
 }
 
-/* Pages that the process has mapped so far. */
-static double mapped(void) {
-  double pages = 0;
-  FILE *file = fopen("/proc/self/statm", "r");
-  if (file && fscanf(file, "%lf", &pages) != 1) pages = 0;
-  if (file) fclose(file);
-  return pages * (double)sysconf(_SC_PAGESIZE);
-}
-
-/* What the engine and other programs take, too. */
-static void limit_memory(const sandbox *self) {
-  struct rlimit limit;
-  if (getrlimit(RLIMIT_AS, &limit) != 0) return;
-  const double wanted = mapped() + self->memory * mebi, largest = 0x1p63;
-  if (wanted >= largest) return;
-  if (limit.rlim_cur != RLIM_INFINITY && (double)limit.rlim_cur < wanted) return;
-  limit.rlim_cur = (rlim_t)wanted;
-  setrlimit(RLIMIT_AS, &limit);
-}
-
 /* --- entering --------------------------------------------------------------------------------- */
 
-/* Pushes the folder of a path, "." where it names none. */
-static const char *push_folder(lua_State *L, const char *path) {
+/* The folder of a path, "." where it names none. */
+static void folder_of(const char *path, char folder[PATH_MAX]) {
   const char *slash = path ? strrchr(path, '/') : NULL;
-  if (!slash) return lua_pushliteral(L, ".");
-  return lua_pushlstring(L, path, slash == path ? 1 : (size_t)(slash - path));
+  const size_t length = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
+  snprintf(folder, PATH_MAX, "%.*s", (int)length, slash ? path : ".");
+}
+
+/* Where the system finds a program; the name itself where there is none. */
+static const char *find(const char *name, char path[PATH_MAX]) {
+  const char *folders = getenv("PATH");
+  while (folders && *folders && !strchr(name, '/')) {
+    const size_t length = strcspn(folders, ":");
+    const int fits = snprintf(path, PATH_MAX, "%.*s/%s", (int)length, folders, name) < PATH_MAX;
+    if (length > 0 && fits && access(path, X_OK) == 0) return path;
+    folders += length + (folders[length] == ':');
+  }
+  return name;
+}
+
+static void tell_missing(int missing) {
+  static const char *const what[] = {
+      "that no other files are opened and no other programs run (it has no Landlock of version 3)",
+      "that no connections are made (it has no filter for system calls)",
+      "how many processes there are (it does not count those of root)"};
+  for (int i = 0; i < 3; i++)
+    if (missing & 1 << i)
+      fprintf(stderr, "archard: --sandbox: this system does not ensure %s\n", what[i]);
+}
+
+/* The mark of a program that has closed the jail around itself and begun anew. */
+static const char mark[] = "ARCHARD_CONFINED";
+
+static int is_confined(void) {
+  const char *who = getenv(mark);
+  const int confined = who && atol(who) == (long)getpid();
+  unsetenv(mark);
+  return confined;
+}
+
+/* What is not given a name is made in the working folder; the next program knows that it is one. */
+static void set_environment(const char *folder) {
+  char number[24];
+  snprintf(number, sizeof number, "%ld", (long)getpid());
+  setenv(mark, number, 1);
+  setenv("TMPDIR", folder, 1);
+  setenv("SQLITE_TMPDIR", folder, 1);
+}
+
+int sandbox_confine(const sandbox *self, const char *script, char **argv) {
+  char folder[PATH_MAX], here[PATH_MAX], path[PATH_MAX];
+  const char *gnuplot = getenv("ARCHARD_GNUPLOT");
+  if (is_confined()) return 1;
+  folder_of(script, folder);
+  if (!realpath(".", here)) {
+    perror("archard: the working folder");
+    return 0;
+  }
+  const arc_jail jail = {folder, here, find(gnuplot && *gnuplot ? gnuplot : "gnuplot", path),
+                         self->memory * mebi};
+  set_environment(here);
+  int missing = arc_jail_enter(&jail);
+  if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* the pool of workers is small as it is */
+  tell_missing(missing);
+  if (missing && self->strict) return 0;
+  fprintf(stderr, "archard: it cannot begin anew: %s\n", strerror(arc_child_again(argv)));
+  return 0;
 }
 
 void sandbox_enter(lua_State *L, const sandbox *self, const char *script) {
-  const char *folder = push_folder(L, script);
+  char folder[PATH_MAX];
   arc_error error;
+  folder_of(script, folder);
   if (confine_files(folder, ".", &error) != ARC_OK) luaL_error(L, "%s", error.message);
   script_require(L, "archard.lib.sandbox");
   lua_pushstring(L, folder);
   lua_call(L, 1, 0);
-  lua_pop(L, 1);
   arc_reserve_blas();
-  limit_memory(self);
+  arc_room_limit(self->memory * mebi);
   interrupt_limit(L, self->instructions, signals_begin_working_grace);
   signals_limit(self->seconds);
 }

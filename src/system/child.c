@@ -6,11 +6,13 @@
  */
 #define _GNU_SOURCE /* vfork, execvpe */
 #include "system/child.h"
+#include "system/room.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -49,12 +51,26 @@ static int use_own_ends(const int ends[3]) {
   return 0;
 }
 
+/* Its data is limited, not what it maps, since libraries of other programs have other sizes.
+ * Returns an errno. */
+static int use_own_memory(rlim_t bytes) {
+  struct rlimit all, data;
+  if (bytes == 0) return 0;
+  if (getrlimit(RLIMIT_AS, &all) != 0 || getrlimit(RLIMIT_DATA, &data) != 0) return errno;
+  all.rlim_cur = all.rlim_max;
+  bytes += ARC_CHILD_OWN_MEMORY;
+  if (data.rlim_max == RLIM_INFINITY || data.rlim_max > bytes) data.rlim_max = bytes;
+  data.rlim_cur = data.rlim_max;
+  return setrlimit(RLIMIT_AS, &all) == 0 && setrlimit(RLIMIT_DATA, &data) == 0 ? 0 : errno;
+}
+
 /* Returns an errno where it returns. */
-static int become(const arc_child_def *def, pid_t parent) {
+static int become(const arc_child_def *def, pid_t parent, rlim_t memory) {
   if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return errno;
   if (getppid() != parent) return ESRCH; /* it was killed before */
   int failed = use_own_ends(def->ends);
   if (!failed) failed = use_own_signals();
+  if (!failed) failed = use_own_memory(memory);
   if (failed) return failed;
   execvpe(def->program, def->arguments, def->environment ? def->environment : environ);
   return errno;
@@ -63,12 +79,12 @@ static int become(const arc_child_def *def, pid_t parent) {
 /* --- here ------------------------------------------------------------------------------------- */
 
 /* The child tells why it failed in the memory that it has in common with us. Returns an errno. */
-static int begin(const arc_child_def *def, pid_t *process) {
+static int begin(const arc_child_def *def, rlim_t memory, pid_t *process) {
   volatile int failed = 0;
   const pid_t parent = getpid(), child = vfork();
   if (child < 0) return errno;
   if (child == 0) {
-    failed = become(def, parent);
+    failed = become(def, parent, memory);
     _exit(127);
   }
   *process = child;
@@ -80,15 +96,27 @@ int arc_child_start(const arc_child_def *def, pid_t *process) {
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
-  const int failed = begin(def, process);
+  const rlim_t memory = arc_room_take(def->part);
+  const int failed = begin(def, memory, process);
+  arc_room_lend(memory, failed ? 0 : *process);
   pthread_sigmask(SIG_SETMASK, &before, NULL);
   return failed;
+}
+
+int arc_child_again(char *const argv[]) {
+  execv("/proc/self/exe", argv);
+  return errno;
 }
 
 int arc_child_kill(pid_t process) {
   int how = -1;
   kill(-process, SIGKILL);
   while (waitpid(process, &how, 0) < 0)
-    if (errno != EINTR) return -1; /* somebody else has waited for it */
+    if (errno != EINTR) break; /* somebody else has waited for it */
+  arc_child_ended(process);
   return how;
+}
+
+void arc_child_ended(pid_t process) {
+  arc_room_return(process);
 }

@@ -6,6 +6,7 @@
 #include "lua/base/array.h"
 #include "lua/base/call.h"
 #include "lua/base/box.h"
+#include "lua/base/confine.h"
 #include "lua/base/error.h"
 #include "lua/base/file_name.h"
 #include "lua/base/interrupt.h"
@@ -37,8 +38,8 @@ typedef struct worker {
 } worker;
 
 typedef struct pool {
-  int count;
-  char **arguments; /* as execv wants them */
+  int count, counted; /* counted: among the pools of this process */
+  char **arguments;   /* as execv wants them */
   char **environment;
   worker *workers;
 } pool;
@@ -50,8 +51,13 @@ static int connect_and_start(const pool *p, int ends[3][2], pid_t *process) {
   int failed = 0;
   for (int i = 0; i < 3 && !failed; i++) failed = arc_child_channel(ends[i], i == 0);
   if (failed) return failed;
-  arc_child_def def = {
-      "/proc/self/exe", p->arguments, p->environment, {ends[0][0], ends[1][1], ends[2][1]}};
+  int idle = 0; /* they and we get the same of what is left */
+  for (int i = 0; i < p->count; i++) idle += p->workers[i].process == 0;
+  arc_child_def def = {"/proc/self/exe",
+                       p->arguments,
+                       p->environment,
+                       {ends[0][0], ends[1][1], ends[2][1]},
+                       1.0 / (idle + 1)};
   return arc_child_start(&def, process);
 }
 
@@ -94,9 +100,12 @@ static void free_list(char **list) {
   free(list);
 }
 
+static int pools; /* of this process, as its workers are */
+
 static void destroy_pool(void *thing) {
   pool *p = thing;
   end_all(p);
+  pools -= p->counted;
   free(p->workers);
   free_list(p->arguments);
   free_list(p->environment);
@@ -112,7 +121,10 @@ static int pool_tostring(lua_State *L) {
   return 1;
 }
 
-static const luaL_Reg methods[] = {{"send", pool_send}, {"wait", pool_wait}, {NULL, NULL}};
+static int pool_count(lua_State *L);
+
+static const luaL_Reg methods[] = {
+    {"send", pool_send}, {"wait", pool_wait}, {"count", pool_count}, {NULL, NULL}};
 
 static const box_class pool_class = {.name = "pool",
                                      .methods = methods,
@@ -179,10 +191,23 @@ static char **make_arguments(lua_State *L, int index) {
   return NULL;
 }
 
+static int processors(void) {
+  const long count = sysconf(_SC_NPROCESSORS_ONLN);
+  return count > 0 ? (int)count : 1;
+}
+
+/* In a sandbox no more than can work at once. */
+static int most_workers(void) {
+  return confine_folder() && processors() < MOST_WORKERS ? processors() : MOST_WORKERS;
+}
+
 /* process.pool(count, arguments): the program will run with these arguments, `count` times */
 static int process_pool(lua_State *L) {
   lua_Integer count = luaL_checkinteger(L, 1);
   luaL_argcheck(L, count >= 1 && count <= MOST_WORKERS, 1, "expected from 1 to 256 workers");
+  if (count > most_workers()) count = most_workers();
+  if (pools > 0 && confine_folder())
+    error_raise(L, ARC_ARGUMENT, "sandbox", "workers are at work already: one study at a time");
   use_arguments(L, 2);
   pool *p = box_push(L, &pool_class)->thing;
   p->workers = calloc((size_t)count, sizeof *p->workers);
@@ -190,8 +215,15 @@ static int process_pool(lua_State *L) {
   p->environment = make_environment();
   if (!p->workers || !p->arguments || !p->environment) luaL_error(L, "out of memory");
   p->count = (int)count;
+  pools += p->counted = 1;
   for (int i = 0; i < p->count; i++)
     p->workers[i].input = p->workers[i].output = p->workers[i].errors = -1;
+  return 1;
+}
+
+/* pool:count() -> how many workers it has: fewer than asked for in a sandbox of few processors */
+static int pool_count(lua_State *L) {
+  lua_pushinteger(L, ((pool *)box_self_idle(L, &pool_class, "pool:count")->thing)->count);
   return 1;
 }
 
@@ -325,8 +357,7 @@ static int pool_wait(lua_State *L) {
 
 /* process.processors() -> how many processors this machine has ready */
 static int process_processors(lua_State *L) {
-  long count = sysconf(_SC_NPROCESSORS_ONLN);
-  lua_pushinteger(L, count > 0 ? count : 1);
+  lua_pushinteger(L, processors());
   return 1;
 }
 

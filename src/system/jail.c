@@ -1,0 +1,379 @@
+/* Landlock for files, a filter for calls of the system, limits. Leans on Linux, whose numbers that
+ * are newer than the headers of Debian 12 stand here; a kernel that lacks something is asked, not
+ * guessed. */
+#define _GNU_SOURCE /* O_PATH, dl_iterate_phdr, syscall */
+#include "system/jail.h"
+
+#include <dirent.h>
+#include <elf.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <link.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sched.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+/* --- files ------------------------------------------------------------------------------------ */
+
+#if __has_include(<linux/landlock.h>)
+
+#include <linux/landlock.h>
+
+/* The rights of Landlock, in the order in which its versions brought them. */
+enum {
+  EXECUTE = 1 << 0,
+  WRITE_FILE = 1 << 1,
+  READ_FILE = 1 << 2,
+  READ_DIR = 1 << 3,
+  REMOVE_DIR = 1 << 4,
+  REMOVE_FILE = 1 << 5,
+  MAKE_DIR = 1 << 7,
+  MAKE_REG = 1 << 8,
+  MAKE_SYM = 1 << 12,
+  VERSION_1 = (1 << 13) - 1,
+  REFER = 1 << 13,     /* version 2 */
+  TRUNCATE = 1 << 14,  /* version 3 */
+  IOCTL_DEV = 1 << 15, /* version 5 */
+  LOOK = READ_FILE | READ_DIR,
+  CHANGE =
+      WRITE_FILE | REMOVE_DIR | REMOVE_FILE | MAKE_DIR | MAKE_REG | MAKE_SYM | REFER | TRUNCATE,
+  OF_A_FILE = EXECUTE | WRITE_FILE | READ_FILE | TRUNCATE | IOCTL_DEV
+};
+
+typedef struct rules {
+  int set, failed;
+  uint64_t handled;
+} rules;
+
+/* What the kernel is told of files, of connections (version 4), of signals and abstract sockets
+ * outside (version 6). */
+typedef struct ruleset {
+  uint64_t files, net, scoped;
+} ruleset;
+
+static rules begin_rules(void) {
+  const int version =
+      (int)syscall(SYS_landlock_create_ruleset, NULL, 0, LANDLOCK_CREATE_RULESET_VERSION);
+  rules r = {.set = -1, .failed = 1};
+  if (version < 3) return r; /* nothing would keep files outside from being cut off */
+  r.handled = VERSION_1 | REFER | TRUNCATE | (version < 5 ? 0u : (unsigned)IOCTL_DEV);
+  const ruleset all = {r.handled, version < 4 ? 0 : 3, version < 6 ? 0 : 3};
+  const size_t known = version < 4 ? 8 : version < 6 ? 16 : 24;
+  r.set = (int)syscall(SYS_landlock_create_ruleset, &all, known, 0);
+  r.failed = r.set < 0;
+  return r;
+}
+
+/* What is not there needs no rule. */
+static void allow(rules *r, const char *path, uint64_t rights) {
+  struct stat facts;
+  const int file = path && !r->failed ? open(path, O_PATH | O_CLOEXEC) : -1;
+  if (file < 0) return;
+  if (fstat(file, &facts) == 0 && !S_ISDIR(facts.st_mode)) rights &= OF_A_FILE;
+  const struct landlock_path_beneath_attr rule = {rights & r->handled, file};
+  if (syscall(SYS_landlock_add_rule, r->set, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
+    r->failed = 1;
+  close(file);
+}
+
+/* What programs need to start, and gnuplot to write letters: nothing that is anybody's own. Of
+ * other processes Landlock shows what everybody may see. */
+static void allow_system(rules *r) {
+  static const char *const folders[] = {"/usr/lib",
+                                        "/usr/lib32",
+                                        "/usr/lib64",
+                                        "/usr/share",
+                                        "/usr/local/lib",
+                                        "/usr/local/share",
+                                        "/lib",
+                                        "/lib64",
+                                        "/etc/ld.so.cache",
+                                        "/etc/ld.so.preload",
+                                        "/etc/fonts",
+                                        "/etc/localtime",
+                                        "/var/cache/fontconfig",
+                                        "/sys/devices/system",
+                                        "/sys/fs/cgroup",
+                                        "/proc"};
+  static const char *const devices[] = {"/dev/null", "/dev/zero", "/dev/urandom"};
+  for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) allow(r, folders[i], LOOK);
+  for (size_t i = 0; i < sizeof devices / sizeof *devices; i++)
+    allow(r, devices[i], READ_FILE | WRITE_FILE);
+}
+
+/* A library of this program, wherever it is; the first is the program, which names the one that
+ * loads it. */
+static int allow_library(struct dl_phdr_info *library, size_t size, void *context) {
+  rules *r = context;
+  (void)size;
+  allow(r, library->dlpi_name, READ_FILE);
+  for (int i = 0; i < library->dlpi_phnum; i++)
+    if (library->dlpi_phdr[i].p_type == PT_INTERP)
+      allow(r, (const char *)(library->dlpi_addr + library->dlpi_phdr[i].p_vaddr),
+            READ_FILE | EXECUTE);
+  return 0;
+}
+
+/* Where a program is that is not with the system: what stands beside it as lib and share. */
+static void allow_program(rules *r, const char *path) {
+  char whole[PATH_MAX], beside[PATH_MAX + 8];
+  if (!path || !realpath(path, whole)) return;
+  allow(r, whole, READ_FILE | EXECUTE);
+  char *slash = strrchr(whole, '/');
+  *slash = '\0';
+  slash = strrchr(whole, '/');
+  if (!slash || slash == whole) return;
+  *slash = '\0';
+  snprintf(beside, sizeof beside, "%s/lib", whole);
+  allow(r, beside, LOOK);
+  snprintf(beside, sizeof beside, "%s/share", whole);
+  allow(r, beside, LOOK);
+}
+
+static int confine_files(const arc_jail *jail) {
+  rules r = begin_rules();
+  allow_system(&r);
+  dl_iterate_phdr(allow_library, &r);
+  allow(&r, "/proc/self/exe", READ_FILE | EXECUTE);
+  allow_program(&r, jail->program);
+  allow(&r, jail->read, LOOK);
+  allow(&r, jail->write, LOOK | CHANGE);
+  const int done = !r.failed && syscall(SYS_landlock_restrict_self, r.set, 0) == 0;
+  if (r.set >= 0) close(r.set);
+  return done;
+}
+
+#else
+
+static int confine_files(const arc_jail *jail) {
+  (void)jail;
+  return 0;
+}
+
+#endif
+
+/* --- calls ------------------------------------------------------------------------------------ */
+
+#if defined(__x86_64__)
+#define MACHINE AUDIT_ARCH_X86_64
+#elif defined(__aarch64__)
+#define MACHINE AUDIT_ARCH_AARCH64
+#elif defined(__riscv) && __riscv_xlen == 64
+#define MACHINE AUDIT_ARCH_RISCV64
+#endif
+
+#ifdef MACHINE
+
+/* Connections; other processes; what runs a file without a name; rights, owners and times of files,
+ * which Landlock does not look at; the system. Those that older headers do not name follow by their
+ * numbers, the same on all machines: io_uring, mounts, pidfd_getfd, fchmodat2 and attributes. */
+static const unsigned denied[] = {SYS_socket,
+                                  SYS_bind,
+                                  SYS_connect,
+                                  SYS_listen,
+                                  SYS_accept,
+                                  SYS_accept4,
+                                  SYS_ptrace,
+                                  SYS_process_vm_readv,
+                                  SYS_process_vm_writev,
+                                  SYS_kcmp,
+                                  SYS_execveat,
+                                  SYS_fchmodat,
+                                  SYS_fchownat,
+                                  SYS_setxattr,
+                                  SYS_lsetxattr,
+                                  SYS_removexattr,
+                                  SYS_lremovexattr,
+                                  SYS_utimensat,
+                                  SYS_mknodat,
+                                  SYS_open_by_handle_at,
+                                  SYS_unshare,
+                                  SYS_setns,
+                                  SYS_mount,
+                                  SYS_umount2,
+                                  SYS_pivot_root,
+                                  SYS_chroot,
+                                  SYS_bpf,
+                                  SYS_perf_event_open,
+                                  SYS_userfaultfd,
+                                  SYS_keyctl,
+                                  SYS_add_key,
+                                  SYS_request_key,
+                                  SYS_init_module,
+                                  SYS_finit_module,
+                                  SYS_delete_module,
+                                  SYS_kexec_load,
+                                  SYS_reboot,
+                                  SYS_swapon,
+                                  SYS_swapoff,
+                                  SYS_sethostname,
+                                  SYS_setdomainname,
+                                  SYS_settimeofday,
+                                  SYS_clock_settime,
+                                  SYS_adjtimex,
+                                  SYS_acct,
+                                  SYS_quotactl,
+                                  SYS_syslog,
+                                  SYS_mq_open,
+                                  SYS_shmget,
+                                  SYS_msgget,
+                                  SYS_semget,
+#ifdef SYS_chmod /* younger machines have only what stands above */
+                                  SYS_chmod,
+                                  SYS_chown,
+                                  SYS_lchown,
+                                  SYS_mknod,
+                                  SYS_utime,
+                                  SYS_utimes,
+                                  SYS_futimesat,
+                                  SYS_iopl,
+                                  SYS_ioperm,
+                                  SYS_modify_ldt,
+#endif
+                                  425,
+                                  426,
+                                  427,
+                                  428,
+                                  429,
+                                  430,
+                                  431,
+                                  432,
+                                  433,
+                                  438,
+                                  442,
+                                  452,
+                                  463,
+                                  466,
+                                  467,
+                                  469};
+
+/* Here callers have another way: as if the kernel did not know the call (clone3, memfd_secret). */
+static const unsigned unknown[] = {SYS_memfd_create, 435, 447};
+
+typedef struct filter {
+  struct sock_filter code[512];
+  unsigned short length;
+} filter;
+
+static void add(filter *f, unsigned short code, uint32_t value, unsigned char yes,
+                unsigned char no) {
+  f->code[f->length++] = (struct sock_filter){code, yes, no, value};
+}
+
+static void load(filter *f, size_t offset) {
+  add(f, BPF_LD | BPF_W | BPF_ABS, (uint32_t)offset, 0, 0);
+}
+
+static void end(filter *f, uint32_t action) {
+  add(f, BPF_RET | BPF_K, action, 0, 0);
+}
+
+static void refuse(filter *f, const unsigned *calls, size_t count, int why) {
+  for (size_t i = 0; i < count; i++) {
+    add(f, BPF_JMP | BPF_JEQ | BPF_K, calls[i], 0, 1);
+    end(f, SECCOMP_RET_ERRNO | (uint32_t)why);
+  }
+}
+
+/* Refuses a call where `test` of the lower half of an argument and `value` is `when`. */
+static void refuse_where(filter *f, unsigned call, int argument, unsigned short test,
+                         uint32_t value, int when) {
+  load(f, offsetof(struct seccomp_data, nr));
+  add(f, BPF_JMP | BPF_JEQ | BPF_K, call, 0, 3);
+  load(f, offsetof(struct seccomp_data, args) + 8 * (size_t)argument);
+  add(f, BPF_JMP | test | BPF_K, value, when ? 0 : 1, when ? 1 : 0);
+  end(f, SECCOMP_RET_ERRNO | EPERM);
+}
+
+static void write_filter(filter *f) {
+  const uint32_t spaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC |
+                          CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
+  load(f, offsetof(struct seccomp_data, arch));
+  add(f, BPF_JMP | BPF_JEQ | BPF_K, MACHINE, 1, 0);
+  end(f, SECCOMP_RET_KILL_PROCESS);
+  load(f, offsetof(struct seccomp_data, nr));
+  add(f, BPF_JMP | BPF_JGE | BPF_K, 1u << 30, 0, 1); /* the second set of numbers of x86 */
+  end(f, SECCOMP_RET_ERRNO | EPERM);
+  refuse(f, denied, sizeof denied / sizeof *denied, EPERM);
+  refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
+  refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* to talk with children */
+  refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
+  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCSTI, 1); /* typing into the terminal */
+  refuse_where(f, SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, 1);
+  refuse_where(f, SYS_prlimit64, 0, BPF_JEQ, 0, 0); /* limits of others */
+  end(f, SECCOMP_RET_ALLOW);
+}
+
+static int confine_calls(void) {
+  filter f = {.length = 0};
+  write_filter(&f);
+  const struct sock_fprog program = {f.length, f.code};
+  return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0) == 0;
+}
+
+#else
+
+static int confine_calls(void) {
+  return 0;
+}
+
+#endif
+
+/* --- limits ----------------------------------------------------------------------------------- */
+
+/* Not more than so much, also of the limit that could be raised again. */
+static int limit(int what, double most) {
+  struct rlimit l;
+  if (getrlimit(what, &l) != 0) return 0;
+  if (l.rlim_max == RLIM_INFINITY || (double)l.rlim_max > most) l.rlim_max = (rlim_t)most;
+  if (l.rlim_cur == RLIM_INFINITY || l.rlim_cur > l.rlim_max) l.rlim_cur = l.rlim_max;
+  return setrlimit(what, &l) == 0;
+}
+
+/* Threads of the user's processes; the limit counts them all. */
+static double threads_of_user(void) {
+  double count = 0;
+  DIR *list = opendir("/proc");
+  for (struct dirent *entry; list && (entry = readdir(list));) {
+    char path[NAME_MAX + 20];
+    struct stat tasks;
+    snprintf(path, sizeof path, "/proc/%s/task", entry->d_name);
+    if (stat(path, &tasks) == 0 && tasks.st_uid == getuid()) count += (double)tasks.st_nlink - 2;
+  }
+  if (list) closedir(list);
+  return count;
+}
+
+/* Beside those of the user that there are: workers, gnuplot, and threads of numerical libraries,
+ * which end the program where they get none, on a machine of many processors. */
+enum { MORE_THREADS = 512 };
+
+/* The system does not count those of root. */
+static int confine_processes(void) {
+  return limit(RLIMIT_NPROC, threads_of_user() + MORE_THREADS) && getuid() != 0;
+}
+
+int arc_jail_enter(const arc_jail *jail) {
+  int missing = 0;
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, jail->largest_file);
+  if (!confine_processes()) missing |= ARC_JAIL_PROCESSES;
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return missing | ARC_JAIL_FILES | ARC_JAIL_CALLS;
+  if (!confine_files(jail)) missing |= ARC_JAIL_FILES;
+  if (!confine_calls()) missing |= ARC_JAIL_CALLS;
+  return missing;
+}
