@@ -26,15 +26,16 @@ typedef enum arc_body {
 /* "cylinder" or "plate". */
 const char *arc_body_name(arc_body body);
 
+/* X(name, "name", object with its functions, see src/core/mesh/body_shape.h). */
 #define ARC_SOLID_LIST(X)                                                                          \
-  X(SOLID_USUAL, "usual")                                                                          \
-  X(SOLID_CYLINDER, "cylinder")                                                                    \
-  X(SOLID_BLOCK, "block")                                                                          \
-  X(SOLID_PUNCH, "punch")                                                                          \
-  X(SOLID_PROFILE, "profile")                                                                      \
-  X(SOLID_DISC, "disc")                                                                            \
-  X(SOLID_RING, "ring")                                                                            \
-  X(SOLID_GMSH, "gmsh")
+  X(SOLID_USUAL, "usual", usual)                                                                   \
+  X(SOLID_CYLINDER, "cylinder", cylinder)                                                          \
+  X(SOLID_BLOCK, "block", block)                                                                   \
+  X(SOLID_PUNCH, "punch", punch)                                                                   \
+  X(SOLID_PROFILE, "profile", profile)                                                             \
+  X(SOLID_DISC, "disc", disc)                                                                      \
+  X(SOLID_RING, "ring", ring)                                                                      \
+  X(SOLID_GMSH, "gmsh", gmsh)
 typedef enum arc_solid { ARC_SOLID_LIST(ARC_CHOICE_ENUM) } arc_solid;
 extern const char *const arc_solid_names[];
 
@@ -98,9 +99,13 @@ arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double rad
  * "upper." or "lower.". */
 arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *error);
 
-/* Whether its surface is the hollow side of an arc; whether it is an arc at all. */
+/* The settings that bodies of a kind have of their own, NULL ends them. */
+const char *const *arc_body_fields(arc_solid kind);
+
+/* Whether its surface is the hollow side of an arc; whether it is an arc at all, or a line. */
 int arc_body_is_hollow(const arc_body_def *def);
 int arc_body_is_round(const arc_body_def *def);
+int arc_body_is_flat(const arc_body_def *def);
 
 /* Radius of its surface [mm], negative where it is hollow, INFINITY where it is flat. */
 double arc_body_radius(const arc_body_def *def);

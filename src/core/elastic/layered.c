@@ -76,8 +76,7 @@ static void climb(arc_space space, arc_material m, double d, double c[half * hal
 
 /* Solid arcs have no base: what is far away is all around. */
 static double depth_of(const arc_body_def *b) {
-  const int solid = b->kind == ARC_SOLID_CYLINDER || b->kind == ARC_SOLID_DISC;
-  return solid ? INFINITY : arc_body_depth(b);
+  return arc_body_is_core(b) ? INFINITY : arc_body_depth(b);
 }
 
 double arc_layers_modulus(arc_space space, const arc_layer *layer, int layers, double base,

@@ -141,7 +141,7 @@ static arc_status check_turns(const arc_model_def *def, const arc_body_def *b, c
                     "field 'axis': expected 0 or more than the %g mm that the %s reaches towards "
                     "the axis, got %g mm",
                     reach_of(b), path[0] == 'u' ? "upper body" : "lower body", def->axis);
-  if (b->kind == ARC_SOLID_PROFILE && def->axis == 0) return check_profile_turns(b, path, error);
+  if (arc_body_has_points(b) && def->axis == 0) return check_profile_turns(b, path, error);
   return ARC_OK;
 }
 
@@ -201,9 +201,8 @@ double arc_model_relative_radius(const arc_model_def *def) {
 int arc_model_is_hertzian(const arc_model_def *def) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
-  const int arc = upper.kind == ARC_SOLID_CYLINDER || upper.kind == ARC_SOLID_DISC;
   if (def->geometry == ARC_AXISYMMETRIC && def->axis > 0) return 0; /* a line that is bent */
-  return arc && lower.kind == ARC_SOLID_BLOCK && arc_body_layers(&upper) == 0 &&
+  return arc_body_is_core(&upper) && arc_body_is_flat(&lower) && arc_body_layers(&upper) == 0 &&
          arc_body_layers(&lower) == 0;
 }
 
@@ -216,7 +215,8 @@ double arc_model_way(const arc_model_def *def, double degrees) {
 }
 
 int arc_model_slides_along(const arc_model_def *def) {
-  return arc_model_is_hole(def) || arc_model_solid(def, ARC_LOWER).kind == ARC_SOLID_BLOCK;
+  const arc_body_def lower = arc_model_solid(def, ARC_LOWER);
+  return arc_model_is_hole(def) || arc_body_is_flat(&lower);
 }
 
 double arc_model_width(const arc_model_def *def) {

@@ -91,18 +91,14 @@ static void find_first_touch(contact_pair *g) {
   if (last > first) g->least = fmin((last - first) / 2, 0.9 * g->most);
 }
 
-/* The widest contact that a body is for. */
-static double reach_of(const arc_body_def *s) {
-  if (s->kind == ARC_SOLID_PUNCH) return s->flat / 2 + s->radius;
-  return arc_body_is_round(s) ? fabs(arc_body_radius(s)) : 0.4 * s->width;
-}
-
 static void find_limits(contact_pair *g) {
   const arc_body_def *s = g->solid;
-  g->most = fmin(reach_of(&s[0]), reach_of(&s[1]));
+  const body_limits limits[] = {arc_body_limits(&s[0]), arc_body_limits(&s[1])};
+  g->most = fmin(limits[0].reach, limits[1].reach);
   for (int b = 0; b < ARC_BODIES; b++) {
-    if (s[b].kind == ARC_SOLID_PUNCH && s[1 - b].kind != ARC_SOLID_PROFILE)
-      g->least = g->least > 0 ? fmin(g->least, s[b].flat / 2) : s[b].flat / 2;
+    const double flat = limits[b].flat;
+    if (flat > 0 && !arc_body_has_points(&s[1 - b]))
+      g->least = g->least > 0 ? fmin(g->least, flat) : flat;
     if (!arc_body_is_hollow(&s[b])) continue;
     g->hole = s[b].inner;
     g->clearance = s[b].inner - arc_body_radius(&s[1 - b]);
@@ -198,7 +194,7 @@ static double mean_pressure(const contact_pair *g, double half_width, double loa
 static double find_waves(contact_pair *g, double load) {
   double shortest = INFINITY;
   for (int b = 0; b < ARC_BODIES; b++)
-    if (g->solid[b].kind == ARC_SOLID_PROFILE) g->form[b] = g->waves[b].form;
+    if (arc_body_has_points(&g->solid[b])) g->form[b] = g->waves[b].form;
   const double wide = width_under(g, load), a = g->least + wide;
   const double p = mean_pressure(g, a, load);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -211,12 +207,17 @@ static double find_waves(contact_pair *g, double load) {
 }
 
 static int has_profile(const contact_pair *g) {
-  return g->solid[0].kind == ARC_SOLID_PROFILE || g->solid[1].kind == ARC_SOLID_PROFILE;
+  return arc_body_has_points(&g->solid[0]) || arc_body_has_points(&g->solid[1]);
+}
+
+static int is_arc_or_flat(const arc_body_def *b) {
+  return arc_body_is_round(b) || arc_body_is_flat(b);
 }
 
 /* Whether both are arcs or flat, and feel nothing but themselves. */
 static int is_plain(const contact_pair *g, double half_width) {
-  return g->hole == 0 && g->least == 0 && !has_profile(g) && half_width > 0 &&
+  return g->hole == 0 && is_arc_or_flat(&g->solid[0]) && is_arc_or_flat(&g->solid[1]) &&
+         half_width > 0 &&
          modulus_at(g, half_width) == arc_contact_modulus(g->def->geometry, g->def->material);
 }
 

@@ -9,7 +9,7 @@
 /* Roots along the half surface: few on solid arcs, so that the fan at their centre has blunt
  * triangles. */
 static int choose_root_level(const arc_mesh_def *def, const body_map *m) {
-  const double wide = m->solid->kind == ARC_SOLID_DISC ? 5 : 2.5;
+  const double wide = arc_body_map_closed(m) ? 5 : 2.5;
   const double largest = m->core ? m->half_s / wide : fmin(def->far, m->half_s / 2);
   const int level = (int)floor(log2(largest / def->size) + 1e-9);
   return level > 0 ? level : 0;
@@ -60,7 +60,7 @@ body_map arc_body_map_make(const arc_mesh_def *def, arc_body body, const arc_bod
                 .radius = fabs(arc_body_radius(solid)),
                 .size = def->size,
                 .height = def->height};
-  m.core = solid->kind == ARC_SOLID_CYLINDER || solid->kind == ARC_SOLID_DISC;
+  m.core = arc_body_is_core(solid);
   m.half_s = arc_body_half_length(solid);
   m.depth = arc_body_depth(solid);
   m.crest = arc_body_crest(solid);

@@ -4,6 +4,7 @@
 #define MESH_MAP_H
 
 #include "archard/mesh.h"
+#include "core/mesh/body_shape.h"
 
 /* One body's map. Near the contact one unit is size x height exactly; further out the units are
  * stretched evenly so that whole root cells fill the body. Rows lie on the interfaces of layers. */
@@ -41,7 +42,7 @@ double arc_body_map_unit(const body_map *map, double j);
 
 /* Whether both ends of the surface are one: whole arcs. */
 static inline int arc_body_map_closed(const body_map *map) {
-  return map->solid->kind == ARC_SOLID_DISC || map->solid->kind == ARC_SOLID_RING;
+  return arc_body_is_closed(map->solid);
 }
 
 #endif

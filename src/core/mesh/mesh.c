@@ -1,5 +1,6 @@
 /* One mesher for both bodies: sizes to quadtree, leaves to elements, the half body to the whole
  * one. */
+#include "core/mesh/body_shape.h"
 #include "core/mesh/build.h"
 
 #include <math.h>
@@ -76,13 +77,6 @@ typedef struct partitions {
   double inner_s, inner_d, outer_s, outer_d;
 } partitions;
 
-/* Half of the surface that the outer partition may take. */
-static double broadest(const arc_body_def *solid) {
-  if (solid->kind == ARC_SOLID_PUNCH) return solid->flat / 2 + 0.9 * solid->radius;
-  const int half = solid->kind == ARC_SOLID_CYLINDER;
-  return 0.9 * (half ? solid->radius : arc_body_half_length(solid));
-}
-
 /* Rows of the wear box: those asked for, and more where it would end within layers much thinner
  * than they, which have rows of their own. */
 static int rows_of_box(const arc_mesh_def *def, const arc_body_def *solid) {
@@ -98,7 +92,7 @@ static partitions partitions_of(const arc_mesh_def *def, arc_body body, const ar
   partitions p = body == ARC_CYLINDER ? (partitions){z / 2, 0.5 * c, 2 * c, c}
                                       : (partitions){z / 2, 0.5 * c, z / 2 + 1.5 * c, 1.5 * c};
   p.inner_d = fmax(p.inner_d, (rows_of_box(def, solid) + 1) * def->height);
-  p.outer_s = fmin(p.outer_s, broadest(solid));
+  p.outer_s = fmin(p.outer_s, arc_body_limits(solid).outer);
   p.outer_d = fmin(fmax(p.outer_d, p.inner_d), 0.5 * measure);
   return p;
 }
@@ -130,20 +124,14 @@ static int coarsest_level(const void *context, const quad_cell *c) {
   return level > 0 ? level : 0;
 }
 
-static const char *widest_text(const arc_body_def *solid) {
-  if (solid->kind == ARC_SOLID_PUNCH) return "flat + 1.6 radius";
-  if (solid->kind == ARC_SOLID_CYLINDER || solid->width == 2 * solid->radius) return "1.6 radius";
-  return arc_body_is_round(solid) ? "2.8 radius" : "0.8 of the width";
-}
-
 static arc_status check_zone(const arc_mesh_def *def, arc_body body, const arc_body_def *solid,
                              arc_error *error) {
   const double z = def->zone[body], narrowest = 4 * def->size;
-  const double widest = arc_body_widest_zone(solid);
-  if (z >= narrowest * (1 - 1e-9) && z <= widest * (1 + 1e-12)) return ARC_OK;
+  const body_limits limits = arc_body_limits(solid);
+  if (z >= narrowest * (1 - 1e-9) && z <= limits.zone * (1 + 1e-12)) return ARC_OK;
   return arc_fail(error, ARC_ZONE,
                   "field 'mesh.zone.%s': expected a number from 4 size = %g to %s = %g mm, got %g",
-                  arc_body_name(body), narrowest, widest_text(solid), widest, z);
+                  arc_body_name(body), narrowest, limits.zone_text, limits.zone, z);
 }
 
 static arc_status check_positive(const char *field, double value, double limit, const char *what,
@@ -309,7 +297,7 @@ static void place_elements(arc_mesh *mesh, const mesh_builder *b, const mesh_key
 static int is_tied(const body_map *map, mesh_key key) {
   const int side = 2 * (map->columns << map->root_level);
   const int deep = 2 * (map->lines << map->root_level);
-  if (map->solid->kind == ARC_SOLID_CYLINDER) return abs(key.i) == side || key.j == deep + 2;
+  if (map->core && !arc_body_map_closed(map)) return abs(key.i) == side || key.j == deep + 2;
   return key.j >= deep;
 }
 

@@ -1,4 +1,5 @@
 /* The boundary polygon: edges that belong to one element only, chained. */
+#include "core/mesh/body_shape.h"
 #include "core/mesh/build.h"
 
 #include <stdlib.h>
@@ -48,7 +49,8 @@ arc_status arc_mesh_outline(arc_mesh *mesh) {
   arc_status status = list && next && mesh->outline_node ? ARC_OK : ARC_MEMORY;
   if (status == ARC_OK) {
     int first = link_boundary(mesh, list, next);
-    if (mesh->solid.kind == ARC_SOLID_RING) first = mesh->surface_node[mesh->surface / 2];
+    if (arc_body_is_round(&mesh->solid) && !arc_body_is_core(&mesh->solid))
+      first = mesh->surface_node[mesh->surface / 2];
     int at = first;
     while (at >= 0 && mesh->outline < mesh->nodes) {
       mesh->outline_node[mesh->outline++] = at;

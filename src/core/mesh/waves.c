@@ -68,7 +68,7 @@ static double length_of_waves(const arc_series *y, const form *f, double height)
 
 body_waves arc_body_waves(const arc_body_def *b) {
   const arc_series *y = &b->y_series;
-  if (b->kind != ARC_SOLID_PROFILE || y->count < 3) return (body_waves){INFINITY, INFINITY, 0};
+  if (!arc_body_has_points(b) || y->count < 3) return (body_waves){INFINITY, INFINITY, 0};
   const form f = form_of(y);
   double low = INFINITY, high = -INFINITY;
   for (int i = 0; i < y->count; i++) {

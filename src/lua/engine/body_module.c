@@ -10,27 +10,20 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What each kind has of its own, by arc_solid. */
-static const char *const own[][4] = {
-    {NULL},
-    {"radius", NULL},
-    {"width", "height", NULL},
-    {"flat", "radius", "height", NULL},
-    {"width", "height", "y", "x"},
-    {"radius", NULL},
-    {"inner", "outer", "fixed", NULL},
-    {NULL}, /* that of a mesh */
-};
-
 static const arc_setting common[] = {
     ARGS_OTHER("kind"),   ARGS_OTHER("name"),      ARGS_OTHER("material"),
     ARGS_OTHER("layers"), ARGS_OTHER("materials"), {.name = NULL},
 };
 
 static int is_own(arc_solid kind, const char *name) {
-  for (int i = 0; i < 4 && own[kind][i]; i++)
-    if (strcmp(own[kind][i], name) == 0) return 1;
+  for (const char *const *own = arc_body_fields(kind); *own; own++)
+    if (strcmp(*own, name) == 0) return 1;
   return 0;
+}
+
+/* Its surface goes through points. */
+static int has_points(arc_solid kind) {
+  return is_own(kind, "y");
 }
 
 static int is_known(arc_solid kind, const char *name) {
@@ -52,8 +45,8 @@ static void refuse_name(lua_State *L, args_place place, arc_solid kind, const ch
 static void refuse_name(lua_State *L, args_place place, arc_solid kind, const char *name) {
   luaL_Buffer known;
   luaL_buffinit(L, &known);
-  for (int i = 0; i < 4 && own[kind][i]; i++) {
-    luaL_addstring(&known, own[kind][i]);
+  for (const char *const *own = arc_body_fields(kind); *own; own++) {
+    luaL_addstring(&known, *own);
     luaL_addstring(&known, ", ");
   }
   luaL_addstring(&known, "name, ");
@@ -313,7 +306,7 @@ static void read_at(lua_State *L, int index, args_place place, double radius, ar
   read_material(L, index, place, material);
   read_layers(L, index, place, def);
   read_materials(L, index, place, def);
-  if (kind == ARC_SOLID_PROFILE) read_profile(L, index, place, radius, def);
+  if (has_points(kind)) read_profile(L, index, place, radius, def);
 }
 
 /* The usual pair's words for a material have no say beside a body, which has its own. */
@@ -396,7 +389,7 @@ static void set_shape(lua_State *L, const arc_body_def *def) {
   for (const arc_setting *s = arc_body_settings; s->name; s++)
     if (is_own(def->kind, s->name)) set_given(L, s, def);
   const arc_series y = def->y_series;
-  if (def->kind != ARC_SOLID_PROFILE) return;
+  if (!has_points(def->kind)) return;
   array_set(L, "x", y.distance, (size_t)y.count);
   array_set(L, "y", y.value, (size_t)y.count);
 }
@@ -442,7 +435,7 @@ static int make(lua_State *L) {
   lua_settop(L, 1);
   if (lua_isnil(L, 1)) lua_newtable(L), lua_replace(L, 1);
   args_check_table(L, 1, where);
-  if (kind == ARC_SOLID_PROFILE) take_measured(L);
+  if (has_points(kind)) take_measured(L);
   args_push_copy(L, 1);
   lua_pushstring(L, arc_solid_names[kind]);
   lua_setfield(L, 2, "kind");
@@ -454,7 +447,7 @@ static int make(lua_State *L) {
 
 int luaopen_archard_body(lua_State *L) {
   lua_newtable(L);
-  for (int kind = ARC_SOLID_CYLINDER; arc_solid_names[kind]; kind++) {
+  for (int kind = ARC_SOLID_USUAL + 1; arc_solid_names[kind]; kind++) {
     lua_pushinteger(L, kind);
     lua_pushcclosure(L, make, 1);
     call_wrap(L);

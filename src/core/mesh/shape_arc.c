@@ -1,0 +1,83 @@
+/* Arcs: half cylinders, discs, rings. */
+#include "core/mesh/body_shape.h"
+
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+
+static double own_radius(const arc_body_def *b) {
+  return b->radius;
+}
+
+/* --- cylinders: half arcs, held by their flat ------------------------------------------------- */
+
+static const char *const cylinder_fields[] = {"radius", NULL};
+
+static body_limits cylinder_limits(const arc_body_def *b) {
+  return (body_limits){.zone = 1.6 * b->radius,
+                       .zone_text = "1.6 radius",
+                       .outer = 0.9 * b->radius,
+                       .reach = b->radius};
+}
+
+const body_shape arc_body_shape_cylinder = {cylinder_fields,
+                                            FORM_CORE,
+                                            3.14159265358979323846 / 2,
+                                            NULL,
+                                            own_radius,
+                                            own_radius,
+                                            cylinder_limits,
+                                            NULL,
+                                            NULL,
+                                            NULL};
+
+/* --- whole arcs ------------------------------------------------------------------------------- */
+
+static body_limits whole_limits(double radius) {
+  return (body_limits){.zone = 2.8 * radius,
+                       .zone_text = "2.8 radius",
+                       .outer = 0.9 * (pi * radius),
+                       .reach = radius};
+}
+
+static body_limits disc_limits(const arc_body_def *b) {
+  return whole_limits(b->radius);
+}
+
+const body_shape arc_body_shape_disc = {cylinder_fields,
+                                        FORM_CORE,
+                                        3.14159265358979323846,
+                                        NULL,
+                                        own_radius,
+                                        own_radius,
+                                        disc_limits,
+                                        NULL,
+                                        NULL,
+                                        NULL};
+
+static const char *const ring_fields[] = {"inner", "outer", "fixed", NULL};
+
+static double ring_radius(const arc_body_def *b) {
+  return b->fixed == ARC_RIM_OUTER ? -b->inner : b->outer;
+}
+
+static double ring_wall(const arc_body_def *b) {
+  return b->outer - b->inner;
+}
+
+static body_limits ring_limits(const arc_body_def *b) {
+  return whole_limits(fabs(ring_radius(b)));
+}
+
+static arc_status check_ring(const arc_body_def *b, const char *path, arc_error *error) {
+  if (b->inner > 0 && b->outer > b->inner * 1.02 && isfinite(b->outer)) return ARC_OK;
+  return arc_fail(
+      error, ARC_ARGUMENT,
+      "fields '%sinner' and '%souter': expected 0 < inner < outer / 1.02 mm, got %g and "
+      "%g",
+      path, path, b->inner, b->outer);
+}
+
+const body_shape arc_body_shape_ring = {
+    ring_fields, FORM_WALL, 3.14159265358979323846, NULL, ring_radius, ring_wall, ring_limits, NULL,
+    NULL,        check_ring};
