@@ -303,47 +303,56 @@ double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model)
  * increment, or a generic history: at what was solved on the way; row 0: p_max). Without a loading
  * it is never less than p_max; and load, load_low and travel tell what went by in the update: of a
  * cycle, or of the increment of a generic history (row 0: of the first to come). NaN where a file
- * is older than they are. X(name, unit, text). */
+ * is older than they are. X(name, unit, range, rule, text): what a run records outside of the range
+ * is ARC_NUMERIC, and refuses the step; what a file has outside of it, is damage. The range as in
+ * archard/setting.h, closed; the rule: */
+typedef enum arc_column_rule {
+  ARC_COLUMN_LATER,  /* rows of older files have none: NaN until the first number, then never again.
+                        What may be none at first is this, too. */
+  ARC_COLUMN_ALWAYS, /* all files have it */
+  ARC_COLUMN_GROWS   /* all files have it, and it never falls */
+} arc_column_rule;
 #define ARC_WEAR_COLUMNS(X)                                                                        \
-  X(update, "", "geometry updates so far")                                                         \
-  X(cycle, "", "loading cycles so far")                                                            \
-  X(distance, "mm", "travelled distance d")                                                        \
-  X(jump, "", "cycles of this update")                                                             \
-  X(load, "N", "largest normal load of the update's cycle")                                        \
-  X(load_low, "N", "smallest normal load of it")                                                   \
-  X(load_reference, "N", "normal load of the row's pressures and width")                           \
-  X(travel, "mm", "way of the plate in it, from one end to the other")                             \
-  X(k, "mm2/N", "wear coefficient of this update")                                                 \
-  X(alpha, "", "wear partition factor of this update")                                             \
-  X(p_center, "MPa", "pressure at the centre")                                                     \
-  X(p_max, "MPa", "largest nodal pressure; unsettled at scar edges")                               \
-  X(p_peak, "MPa", "largest nodal pressure of the update's cycle")                                 \
-  X(half_width, "mm", "half the contact width")                                                    \
-  X(depth_cylinder, "mm", "largest wear depth of the cylinder")                                    \
-  X(depth_plate, "mm", "largest wear depth of the plate")                                          \
-  X(volume_cylinder, "mm3", "wear volume of the cylinder")                                         \
-  X(volume_plate, "mm3", "wear volume of the plate")                                               \
-  X(load_distance, "N mm", "load, in holes normal force, over local sliding")                      \
-  X(depth_partition, "", "depth partition factor alpha-tilde; NaN before any wear")                \
-  X(error, "", "estimated error of an adaptive step, over its tolerance")                          \
-  X(solutions, "", "contact solutions so far")                                                     \
-  X(box_rows, "", "rows of elements that may wear, more where outgrown")                           \
-  X(elements, "", "elements of both meshes, new where outgrown")                                   \
-  X(energy, "N mm", "dissipated by friction so far")                                               \
-  X(cycle_energy, "N mm", "dissipated in a cycle of the update")                                   \
-  X(largest_shear, "N", "largest tangential force of the update's cycle")                          \
-  X(stick_width, "mm", "width that sticks throughout that cycle")                                  \
-  X(gross, "", "1: the whole contact slips at some time in it, else 0")
+  X(update, "", FROM(0), GROWS, "geometry updates so far")                                         \
+  X(cycle, "", FROM(0), GROWS, "loading cycles so far")                                            \
+  X(distance, "mm", FROM(0), GROWS, "travelled distance d")                                        \
+  X(jump, "", FROM(0), ALWAYS, "cycles of this update")                                            \
+  X(load, "N", FROM(0), LATER, "largest normal load of the update's cycle")                        \
+  X(load_low, "N", FROM(0), LATER, "smallest normal load of it")                                   \
+  X(load_reference, "N", FROM(0), LATER, "normal load of the row's pressures and width")           \
+  X(travel, "mm", FROM(0), LATER, "way of the plate in it, from one end to the other")             \
+  X(k, "mm2/N", FROM(0), ALWAYS, "wear coefficient of this update")                                \
+  X(alpha, "", FROM(0), ALWAYS, "wear partition factor of this update")                            \
+  X(p_center, "MPa", FROM(0), ALWAYS, "pressure at the centre")                                    \
+  X(p_max, "MPa", FROM(0), ALWAYS, "largest nodal pressure; unsettled at scar edges")              \
+  X(p_peak, "MPa", FROM(0), LATER, "largest nodal pressure of the update's cycle")                 \
+  X(half_width, "mm", FROM(0), ALWAYS, "half the contact width")                                   \
+  X(depth_cylinder, "mm", FROM(0), ALWAYS, "largest wear depth of the cylinder")                   \
+  X(depth_plate, "mm", FROM(0), ALWAYS, "largest wear depth of the plate")                         \
+  X(volume_cylinder, "mm3", FROM(0), ALWAYS, "wear volume of the cylinder")                        \
+  X(volume_plate, "mm3", FROM(0), ALWAYS, "wear volume of the plate")                              \
+  X(load_distance, "N mm", FROM(0), LATER, "load, in holes normal force, over local sliding")      \
+  X(depth_partition, "", FROM(0), LATER,                                                           \
+    "depth partition factor alpha-tilde; NaN before any wear")                                     \
+  X(error, "", FROM(0), LATER, "estimated error of an adaptive step, over its tolerance")          \
+  X(solutions, "", FROM(0), ALWAYS, "contact solutions so far")                                    \
+  X(box_rows, "", FROM(0), LATER, "rows of elements that may wear, more where outgrown")           \
+  X(elements, "", FROM(0), LATER, "elements of both meshes, new where outgrown")                   \
+  X(energy, "N mm", FROM(0), LATER, "dissipated by friction so far")                               \
+  X(cycle_energy, "N mm", FROM(0), LATER, "dissipated in a cycle of the update")                   \
+  X(largest_shear, "N", FROM(0), LATER, "largest tangential force of the update's cycle")          \
+  X(stick_width, "mm", FROM(0), LATER, "width that sticks throughout that cycle")                  \
+  X(gross, "", FROM(0), LATER, "1: the whole contact slips at some time in it, else 0")
 
 struct arc_wear_record {
-#define ARC_WEAR_MEMBER(name, unit, text) double name;
+#define ARC_WEAR_MEMBER(name, unit, range, rule, text) double name;
   ARC_WEAR_COLUMNS(ARC_WEAR_MEMBER)
 #undef ARC_WEAR_MEMBER
 };
 
 /* The columns by number, in this order, and one more: the sum of both volumes. */
 enum {
-#define ARC_WEAR_COLUMN(name, unit, text) ARC_WEAR_COLUMN_##name,
+#define ARC_WEAR_COLUMN(name, unit, range, rule, text) ARC_WEAR_COLUMN_##name,
   ARC_WEAR_COLUMNS(ARC_WEAR_COLUMN)
 #undef ARC_WEAR_COLUMN
       ARC_WEAR_COLUMN_COUNT,
@@ -366,9 +375,8 @@ arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_
 arc_status arc_wear_clone(const arc_wear *wear, arc_wear **copy, arc_error *error);
 void arc_wear_destroy(arc_wear **wear);
 
-/* Whether rows can be a run's history: updates, cycles and distances never fall, numbers are finite
- * and >= 0, and what is NaN once known is an error (of a column newer than a stored run, the first
- * rows have none). ARC_ARGUMENT names row and column. */
+/* Whether rows can be a run's history, by the ranges and rules of the columns. ARC_ARGUMENT names
+ * row and column. */
 arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, arc_error *error);
 
 /* A run as it stood after the last of `count` >= 1 records on `shape` (copied): goes on to the same

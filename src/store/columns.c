@@ -11,7 +11,7 @@ typedef struct column {
 } column;
 
 static const column history[] = {
-#define COLUMN(name, unit, text) {#name, unit, text},
+#define COLUMN(name, unit, range, rule, text) {#name, unit, text},
     ARC_WEAR_COLUMNS(COLUMN)
 #undef COLUMN
 };

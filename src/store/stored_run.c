@@ -122,7 +122,7 @@ static arc_status read_record(arc_store *store, int id, query *q, arc_wear_recor
   if (arc_query_whole(q, 0) != (long long)*count || !read_numbers(q, 1, number, COLUMNS))
     return arc_store_damaged(store, error, id, "has no sound row %zu in its history", *count);
   int column = 0;
-#define READ(name, unit, text) grown[*count].name = number[column++];
+#define READ(name, unit, range, rule, text) grown[*count].name = number[column++];
   ARC_WEAR_COLUMNS(READ)
 #undef READ
   ++*count;

@@ -208,7 +208,7 @@ static void test_same_run(void **state) {
   arc_wear *a = frozen_run(own), *b = frozen_run(read);
   const arc_wear_record *p = arc_wear_last(a), *q = arc_wear_last(b);
   assert_true(p->depth_cylinder > 0);
-#define SAME(column, unit, text)                                                                   \
+#define SAME(column, unit, range, rule, text)                                                      \
   if (!isnan(p->column)) check_near(q->column, p->column, 1e-9 * fabs(p->column) + 1e-15);
   ARC_WEAR_COLUMNS(SAME)
   arc_wear_destroy(&a);

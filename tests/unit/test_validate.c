@@ -107,7 +107,7 @@ static void test_broken_records(void **state) {
   const arc_wear_def def = quick(0.11, 0.5);
   arc_wear *w = run(&def);
   arc_wear_record *last = &w->history[w->records - 1];
-#define BREAK(name, unit, text) check_record(w, &last->name, NAN, #name, "is nan");
+#define BREAK(name, unit, range, rule, text) check_record(w, &last->name, NAN, #name, "is nan");
   ARC_WEAR_COLUMNS(BREAK)
 #undef BREAK
   double *const growing[] = {&last->update, &last->cycle, &last->load_distance};

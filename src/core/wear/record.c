@@ -7,7 +7,7 @@
 
 double arc_wear_record_get(const arc_wear_record *record, int column) {
   switch (column) {
-#define COLUMN_CASE(name, unit, text)                                                              \
+#define COLUMN_CASE(name, unit, range, rule, text)                                                 \
   case ARC_WEAR_COLUMN_##name:                                                                     \
     return record->name;
     ARC_WEAR_COLUMNS(COLUMN_CASE)
@@ -19,62 +19,61 @@ double arc_wear_record_get(const arc_wear_record *record, int column) {
 }
 
 const char *arc_wear_column_name(int column) {
-#define COLUMN_NAME(name, unit, text) #name,
+#define COLUMN_NAME(name, unit, range, rule, text) #name,
   static const char *const names[] = {ARC_WEAR_COLUMNS(COLUMN_NAME)};
 #undef COLUMN_NAME
   assert(0 <= column && column < ARC_WEAR_COLUMN_COUNT);
   return names[column];
 }
 
+/* --- what rows can be ---------------------------------------------------------------------------
+ */
+
 /* Past this squares and sums of what is recorded would overflow; no run comes near. */
 static const double largest = 1e100;
 
-static int grows(int column) {
-  return column == ARC_WEAR_COLUMN_update || column == ARC_WEAR_COLUMN_cycle ||
-         column == ARC_WEAR_COLUMN_distance;
+static const struct column_rule {
+  double low, high;
+  arc_column_rule rule;
+} rules[] = {
+#define COLUMN_RULE(name, unit, range, rule_, text) {ARC_RANGE_##range, .rule = ARC_COLUMN_##rule_},
+    ARC_WEAR_COLUMNS(COLUMN_RULE)
+#undef COLUMN_RULE
+};
+
+/* Fails with `refused` where a row behind `before` (NULL: it is the first) has in a column what it
+ * cannot have. */
+static arc_status check_value(const arc_wear_record *before, const arc_wear_record *record,
+                              size_t row, int column, arc_status refused, arc_error *error) {
+  const struct column_rule *r = &rules[column];
+  const double value = arc_wear_record_get(record, column),
+               last = before ? arc_wear_record_get(before, column) : (double)NAN;
+  double low = fmax(r->low, -largest);
+  if (r->rule == ARC_COLUMN_LATER && isnan(value) && isnan(last)) return ARC_OK;
+  if (r->rule == ARC_COLUMN_GROWS && before) low = last;
+  if (value >= low && value <= fmin(r->high, largest)) return ARC_OK;
+  return arc_fail(error, refused,
+                  "history: row %zu: expected for %s a number from %g to %g, got %g", row,
+                  arc_wear_column_name(column), low, fmin(r->high, largest), value);
 }
 
-/* What the first runs that were stored had already; alpha-tilde is none before any wear. */
-static int was_always_known(int column) {
-  switch (column) {
-  case ARC_WEAR_COLUMN_jump:
-  case ARC_WEAR_COLUMN_k:
-  case ARC_WEAR_COLUMN_alpha:
-  case ARC_WEAR_COLUMN_p_center:
-  case ARC_WEAR_COLUMN_p_max:
-  case ARC_WEAR_COLUMN_half_width:
-  case ARC_WEAR_COLUMN_depth_cylinder:
-  case ARC_WEAR_COLUMN_depth_plate:
-  case ARC_WEAR_COLUMN_volume_cylinder:
-  case ARC_WEAR_COLUMN_volume_plate:
-  case ARC_WEAR_COLUMN_solutions:
-    return 1;
-  default:
-    return grows(column);
-  }
-}
-
-static arc_status check_column(const arc_wear_record *history, size_t count, int column,
-                               arc_error *error) {
-  double before = was_always_known(column) ? 0 : (double)NAN;
-  for (size_t row = 0; row < count; row++) {
-    const double value = arc_wear_record_get(&history[row], column);
-    const int missing = isnan(value) && isnan(before);
-    if (!missing && !(value >= (grows(column) ? before : 0) && value <= largest))
-      return arc_fail(
-          error, ARC_ARGUMENT, "history: row %zu: expected for %s a number >= 0%s, got %g", row,
-          arc_wear_column_name(column), grows(column) ? " that never falls" : "", value);
-    before = value;
-  }
-  return ARC_OK;
+static arc_status check_row(const arc_wear_record *history, size_t row,
+                            const arc_wear_record *record, arc_status refused, arc_error *error) {
+  arc_status status = ARC_OK;
+  for (int column = 0; column < ARC_WEAR_COLUMN_COUNT && status == ARC_OK; column++)
+    status = check_value(row > 0 ? &history[row - 1] : NULL, record, row, column, refused, error);
+  return status;
 }
 
 arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, arc_error *error) {
   arc_status status = ARC_OK;
-  for (int column = 0; column < ARC_WEAR_COLUMN_COUNT && status == ARC_OK; column++)
-    status = check_column(history, count, column, error);
+  for (size_t row = 0; row < count && status == ARC_OK; row++)
+    status = check_row(history, row, &history[row], ARC_ARGUMENT, error);
   return status;
 }
+
+/* --- rows --------------------------------------------------------------------------------------
+ */
 
 /* A plain stroke has one load, to the bit. */
 static double smallest_load(const arc_wear *w, const wear_block *block) {
@@ -97,6 +96,8 @@ void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
 }
 
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error) {
+  const arc_status status = check_row(w->history, w->records, record, ARC_NUMERIC, error);
+  if (status != ARC_OK) return status;
   if (w->records == w->capacity) {
     const size_t capacity = 2 * w->capacity + 16;
     arc_wear_record *grown = realloc(w->history, capacity * sizeof *grown);

@@ -13,7 +13,7 @@ static arc_status check_finite(const arc_wear_record *r, arc_error *error) {
   arc_wear_record known = *r;
   if (isnan(r->depth_partition) && !(r->depth_cylinder + r->depth_plate > 0))
     known.depth_partition = 0;
-#define CHECK_COLUMN(name, unit, text)                                                             \
+#define CHECK_COLUMN(name, unit, range, rule, text)                                                \
   if (!isfinite(known.name))                                                                       \
     return arc_fail(error, ARC_NUMERIC, "history: " #name " is %g after update %.0f", known.name,  \
                     known.update);

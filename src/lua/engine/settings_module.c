@@ -122,7 +122,7 @@ static void add_column(lua_State *L, const char *name, const char *unit, const c
 int luaopen_archard_settings(lua_State *L) {
   push_definitions(L);
   lua_newtable(L);
-#define ADD_COLUMN(name, unit, text) add_column(L, #name, unit, text);
+#define ADD_COLUMN(name, unit, range, rule, text) add_column(L, #name, unit, text);
   ARC_WEAR_COLUMNS(ADD_COLUMN)
   lua_setfield(L, -2, "columns");
   return 1;

@@ -39,7 +39,7 @@ static void write_columns(lua_State *L, const char *path, csv_table table) {
 }
 
 static void write_history(lua_State *L, const char *path, const arc_wear *wear) {
-#define UNIT(name, unit, text) unit,
+#define UNIT(name, unit, range, rule, text) unit,
   static const char *const units[] = {ARC_WEAR_COLUMNS(UNIT)};
 #undef UNIT
   csv_table table = push_columns(L, ARC_WEAR_COLUMN_COUNT);
@@ -167,7 +167,7 @@ static csv_table push_names(lua_State *L, int index) {
 
 /* The unit of a column by this name in the tables that objects hand out, or NULL. */
 static const char *unit_of(const char *name) {
-#define KNOWN(name, unit, text) {#name, unit},
+#define KNOWN(name, unit, range, rule, text) {#name, unit},
   static const char *const known[][2] = {{"x", "mm"},
                                          {"y", "mm"},
                                          {"h", "mm"},

@@ -266,7 +266,7 @@ int store_note_saved(lua_State *L) {
 /* The results of a plain run: its last record. */
 static arc_status write_results(arc_store *store, const arc_wear_record *last, arc_error *error) {
   const arc_value values[] = {
-#define RESULT(column, unit, text)                                                                 \
+#define RESULT(column, unit, range, rule, text)                                                    \
   {.kind = ARC_VALUE_NUMBER, .name = #column, .number = last->column},
       ARC_WEAR_COLUMNS(RESULT)};
   return arc_store_set_values(store, 1, ARC_RESULTS, values, sizeof values / sizeof *values, error);

@@ -9,7 +9,7 @@ static const char kind[] = "archard.state";
 
 enum { DEPTH = ARC_WEAR_COLUMN_COUNT, VOLUME };
 
-#define COLUMN_FIELD(name, unit, text) ARGS_OTHER(#name),
+#define COLUMN_FIELD(name, unit, range, rule, text) ARGS_OTHER(#name),
 static const arc_setting known[] = {
     ARC_WEAR_COLUMNS(COLUMN_FIELD) ARGS_OTHER("depth"), ARGS_OTHER("volume"), {.name = NULL}};
 

@@ -28,7 +28,7 @@ static const arc_model_def *pair_of(lua_State *L) {
 /* --- the state ------------------------------------------------------------------------------- */
 
 /* Every column of the last record; some of the fields below stand in the place of one. */
-#define COLUMN_FIELD(name, unit, text) NUMBER_FIELD(wear_column, name, last(L)->name)
+#define COLUMN_FIELD(name, unit, range, rule, text) NUMBER_FIELD(wear_column, name, last(L)->name)
 ARC_WEAR_COLUMNS(COLUMN_FIELD)
 #undef COLUMN_FIELD
 
@@ -203,7 +203,7 @@ static int wear_mesh(lua_State *L) {
 }
 
 const luaL_Reg wear_fields[] = {
-#define COLUMN_ENTRY(name, unit, text) {#name, wear_column_##name},
+#define COLUMN_ENTRY(name, unit, range, rule, text) {#name, wear_column_##name},
     ARC_WEAR_COLUMNS(COLUMN_ENTRY)
 #undef COLUMN_ENTRY
         {"update", wear_update},
