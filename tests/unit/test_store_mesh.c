@@ -1,5 +1,6 @@
 /* Runs on meshes from outside in run files: the file carries the mesh, runs go on to the same bits,
  * many cases share one text, and a stranger's mesh is read as one from any file. */
+#include "mesh_text.h"
 #include "store_sql.h"
 
 #include "archard/export.h"
@@ -216,12 +217,9 @@ static void test_broken_meshes(void **state) {
       {"good-materials", "field 'upper.materials'"},
   };
   for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
-    char path[100];
     size_t count;
-    snprintf(path, sizeof path, "tests/files/msh/%s.msh", broken[i].file);
-    unsigned char *text = bytes_of(path, &count);
-    text[count] = 0;
-    change_mesh("broken", (const char *)text);
+    char *text = mesh_text(broken[i].file, &count);
+    change_mesh("broken", text);
     assert_damaged("broken", broken[i].words);
     free(text);
   }
@@ -231,12 +229,11 @@ static void test_broken_meshes(void **state) {
 static void test_other_surface(void **state) {
   (void)state;
   size_t count;
-  unsigned char *text = bytes_of("tests/files/msh/good-materials.msh", &count);
-  text[count] = 0;
-  char *one = strstr((char *)text, "upper.steel"), *two = strstr((char *)text, "upper.bronze");
+  char *text = mesh_text("good-materials", &count);
+  char *one = strstr(text, "upper.steel"), *two = strstr(text, "upper.bronze");
   memcpy(one, "upper\"     ", strlen("upper.steel"));
   memcpy(two, "upper.layer1", strlen("upper.bronze"));
-  change_mesh("other", (const char *)text);
+  change_mesh("other", text);
   assert_damaged("other", "numbers 'h'");
   free(text);
 }
