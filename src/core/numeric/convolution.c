@@ -16,13 +16,17 @@ struct convolution {
   int rows, columns, box_rows, box_columns;
   int half;               /* complex columns: box_columns / 2 + 1 */
   int stride;             /* complex numbers from row to row of the spectrum */
+  int padded;             /* numbers from row to row of the values */
   double *symbol;         /* by blocks of columns, [box_rows][columns of the block] each, scaled */
   fftw_plan into, out_of; /* rows, in place */
   fftw_plan down[2], up[2]; /* columns: of whole blocks, of the last one */
 };
 
+/* Transforms go from array to array: in place FFTW copies. */
 struct convolution_work {
-  fftw_complex *spectrum, *columns;
+  double *values;                /* [rows][padded columns] */
+  fftw_complex *spectrum;        /* [rows][stride] */
+  fftw_complex *columns, *waves; /* [box_rows][block] */
 };
 
 int arc_transform_length(int n) {
@@ -44,17 +48,21 @@ static size_t spectrum_size(const convolution *c) {
 }
 
 static void free_work(convolution_work *w) {
+  fftw_free(w->values);
   fftw_free(w->spectrum);
   fftw_free(w->columns);
+  fftw_free(w->waves);
   free(w);
 }
 
 convolution_work *arc_convolution_work(const convolution *c) {
   convolution_work *w = calloc(1, sizeof *w);
   if (!w) return NULL;
+  w->values = fftw_malloc((size_t)c->rows * (size_t)c->padded * sizeof *w->values);
   w->spectrum = fftw_malloc(spectrum_size(c) * sizeof *w->spectrum);
   w->columns = fftw_malloc((size_t)c->box_rows * block * sizeof *w->columns);
-  if (w->spectrum && w->columns) return w;
+  w->waves = fftw_malloc((size_t)c->box_rows * block * sizeof *w->waves);
+  if (w->values && w->spectrum && w->columns && w->waves) return w;
   free_work(w);
   return NULL;
 }
@@ -66,9 +74,10 @@ void arc_convolution_work_free(convolution_work **work) {
 
 /* --- plans ------------------------------------------------------------------------------------ */
 
-static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_complex *at) {
+static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_complex *from,
+                              fftw_complex *to) {
   const int n = c->box_rows;
-  return fftw_plan_many_dft(1, &n, width, at, NULL, width, 1, at, NULL, width, 1, sign,
+  return fftw_plan_many_dft(1, &n, width, from, NULL, width, 1, to, NULL, width, 1, sign,
                             FFTW_ESTIMATE);
 }
 
@@ -76,15 +85,15 @@ static fftw_plan plan_columns(const convolution *c, int width, int sign, fftw_co
 static int plan(convolution *c, convolution_work *w) {
   const int n = c->box_columns, widths[2] = {block, last_block(c)};
   fftw_make_planner_thread_safe();
-  c->into = fftw_plan_many_dft_r2c(1, &n, c->rows, (double *)w->spectrum, NULL, 1, 2 * c->stride,
-                                   w->spectrum, NULL, 1, c->stride, FFTW_ESTIMATE);
-  c->out_of = fftw_plan_many_dft_c2r(1, &n, c->rows, w->spectrum, NULL, 1, c->stride,
-                                     (double *)w->spectrum, NULL, 1, 2 * c->stride, FFTW_ESTIMATE);
+  c->into = fftw_plan_many_dft_r2c(1, &n, c->rows, w->values, NULL, 1, c->padded, w->spectrum, NULL,
+                                   1, c->stride, FFTW_ESTIMATE);
+  c->out_of = fftw_plan_many_dft_c2r(1, &n, c->rows, w->spectrum, NULL, 1, c->stride, w->values,
+                                     NULL, 1, c->padded, FFTW_ESTIMATE);
   int complete = c->into && c->out_of;
   for (int k = 0; k < 2 && complete; k++) {
     if (widths[k] == 0) continue;
-    c->down[k] = plan_columns(c, widths[k], FFTW_FORWARD, w->columns);
-    c->up[k] = plan_columns(c, widths[k], FFTW_BACKWARD, w->columns);
+    c->down[k] = plan_columns(c, widths[k], FFTW_FORWARD, w->columns, w->waves);
+    c->up[k] = plan_columns(c, widths[k], FFTW_BACKWARD, w->waves, w->columns);
     complete = c->down[k] && c->up[k];
   }
   return complete;
@@ -137,6 +146,7 @@ arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int 
     c->box_columns = box_columns;
     c->half = box_columns / 2 + 1;
     c->stride = c->half + c->half % 2;
+    c->padded = (box_columns + 3) / 4 * 4;
     c->symbol = malloc((size_t)box_rows * (size_t)c->half * sizeof *c->symbol);
     work = arc_convolution_work(c);
     complete = c->symbol && work && plan(c, work);
@@ -211,7 +221,7 @@ arc_status arc_convolution_create(int rows, int columns, lag_fn kernel, const vo
 /* --- application ------------------------------------------------------------------------------ */
 
 static void load_rows(const convolution *c, double *rows, const double *p) {
-  const size_t n = (size_t)c->columns, stride = 2 * (size_t)c->stride;
+  const size_t n = (size_t)c->columns, stride = (size_t)c->padded;
   for (int i = 0; i < c->rows; i++) {
     memcpy(rows + (size_t)i * stride, p + (size_t)i * n, n * sizeof *p);
     memset(rows + (size_t)i * stride + n, 0, (stride - n) * sizeof *p);
@@ -219,7 +229,7 @@ static void load_rows(const convolution *c, double *rows, const double *p) {
 }
 
 static void store_rows(const convolution *c, const double *rows, double *u) {
-  const size_t n = (size_t)c->columns, stride = 2 * (size_t)c->stride;
+  const size_t n = (size_t)c->columns, stride = (size_t)c->padded;
   for (int i = 0; i < c->rows; i++)
     memcpy(u + (size_t)i * n, rows + (size_t)i * stride, n * sizeof *u);
 }
@@ -239,25 +249,24 @@ static void pass_block(const convolution *c, convolution_work *w, int first, int
   for (size_t i = 0; i < (size_t)c->rows; i++)
     memcpy(w->columns + i * n, w->spectrum + i * (size_t)c->stride + first, bytes);
   memset(w->columns + (size_t)c->rows * n, 0, (size_t)(c->box_rows - c->rows) * bytes);
-  fftw_execute_dft(c->down[kind], w->columns, w->columns);
-  multiply((size_t)c->box_rows * n, symbol, (double *)w->columns);
-  fftw_execute_dft(c->up[kind], w->columns, w->columns);
+  fftw_execute_dft(c->down[kind], w->columns, w->waves);
+  multiply((size_t)c->box_rows * n, symbol, (double *)w->waves);
+  fftw_execute_dft(c->up[kind], w->waves, w->columns);
   for (size_t i = 0; i < (size_t)c->rows; i++)
     memcpy(w->spectrum + i * (size_t)c->stride + first, w->columns + i * n, bytes);
 }
 
 void arc_convolution_apply(const convolution *c, convolution_work *w, const double *p, double *u) {
-  double *rows = (double *)w->spectrum;
-  load_rows(c, rows, p);
-  fftw_execute_dft_r2c(c->into, rows, w->spectrum);
+  load_rows(c, w->values, p);
+  fftw_execute_dft_r2c(c->into, w->values, w->spectrum);
   const double *symbol = c->symbol;
   for (int first = 0; first < c->half; first += block) {
     const int width = c->half - first < block ? c->half - first : block;
     pass_block(c, w, first, width, symbol);
     symbol += (size_t)c->box_rows * (size_t)width;
   }
-  fftw_execute_dft_c2r(c->out_of, w->spectrum, rows);
-  store_rows(c, rows, u);
+  fftw_execute_dft_c2r(c->out_of, w->spectrum, w->values);
+  store_rows(c, w->values, u);
 }
 
 /* --- whole boxes ------------------------------------------------------------------------------ */

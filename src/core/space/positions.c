@@ -19,12 +19,24 @@ static int is_even(const double *value, int rows, int columns) {
   return 1;
 }
 
-static int body_is_even(const arc_halfspace *h, const double *const depth[ARC_BODIES],
-                        const arc_halfspace_wear *wear, int body) {
-  const int rows = body == ARC_UPPER ? h->def.nx : h->rows;
-  return is_even(h->recess[body], rows, h->def.nz) &&
-         is_even(depth ? depth[body] : NULL, rows, h->def.nz) &&
-         is_even(wear ? wear->factor[body] : NULL, rows, h->def.nz);
+/* The same in columns. */
+static int is_even_across(const double *value, int rows, int columns) {
+  for (int i = 0; value && i < rows; i++)
+    for (int j = 0; j < columns / 2; j++)
+      if (value[i * columns + j] != value[i * columns + columns - 1 - j]) return 0;
+  return 1;
+}
+
+typedef int (*evenness)(const double *value, int rows, int columns);
+
+static int bodies_are_even(const arc_halfspace *h, const double *const depth[ARC_BODIES],
+                           const arc_halfspace_wear *wear, evenness even) {
+  const int nz = h->def.nz, rows[ARC_BODIES] = {h->def.nx, h->rows};
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (!even(h->recess[b], rows[b], nz) || !even(depth ? depth[b] : NULL, rows[b], nz) ||
+        !even(wear ? wear->factor[b] : NULL, rows[b], nz))
+      return 0;
+  return 1;
 }
 
 static int positions_are_even(const arc_halfspace_position *p, int count) {
@@ -84,10 +96,10 @@ arc_status arc_positions_create(arc_halfspace *h, const double *const depth[ARC_
                                 const arc_halfspace_options *options, const double *pressure,
                                 positions *p, arc_error *error) {
   const int mirrored = mirror && count > 1 && positions_are_even(position, count) &&
-                       body_is_even(h, depth, wear, ARC_UPPER) &&
-                       body_is_even(h, depth, wear, ARC_LOWER);
+                       bodies_are_even(h, depth, wear, is_even);
   *p = (positions){.s = {.h = h, .count = mirrored ? (count + 1) / 2 : count}, .depth = depth};
   p->s.mirrored = mirrored;
+  p->s.even = bodies_are_even(h, depth, wear, is_even_across);
   if (wear)
     for (int b = 0; b < ARC_BODIES; b++) {
       p->s.c[b] = wear->c[b];
@@ -325,6 +337,17 @@ static arc_status solve_in_box(positions *p, arc_error *error) {
   return status;
 }
 
+/* Rounding apart, halves across are mirror images: to the bit then. */
+static void make_even(void *context, int position, int worker) {
+  const positions *p = context;
+  const int nz = p->s.h->def.nz;
+  (void)worker;
+  for (int i = 0; i < p->s.h->def.nx; i++) {
+    double *row = p->pressure + (size_t)position * (size_t)p->s.h->cells + (size_t)i * (size_t)nz;
+    for (int j = 0; j < nz / 2; j++) row[j] = row[nz - 1 - j] = (row[j] + row[nz - 1 - j]) / 2;
+  }
+}
+
 /* ARC_ZONE where the contact reaches the window's edge. */
 static arc_status check_edge(const positions *p, arc_error *error) {
   const arc_halfspace_def *d = &p->s.h->def;
@@ -349,7 +372,9 @@ arc_status arc_positions_solve(positions *p, arc_error *error) {
     status = solve_in_box(p, error);
     if (status == ARC_OK) status = check_outside(p, &p->s.box, &x, &z, &wider, error);
   }
-  return status == ARC_OK ? check_edge(p, error) : status;
+  if (status != ARC_OK) return status;
+  if (p->s.even) arc_team_run(p->s.count > 1 ? p->s.h->team : NULL, p->s.count, make_even, p);
+  return check_edge(p, error);
 }
 
 /* --- one by one

@@ -40,9 +40,6 @@ static void sum_upper_row(const stroke *s, int row) {
   double *to = s->upper + (size_t)row * (size_t)nz;
   memset(to, 0, (size_t)nz * sizeof *to);
   for (int j = 0; j < s->count; j++) arc_cells_add(nz, s->weight[j], pressures(s, j, row), to);
-  if (!s->mirrored) return;
-  for (int j = 0; j < s->count; j++)
-    arc_cells_add(nz, s->weight[j], pressures(s, j, s->box.nx - 1 - row), to);
 }
 
 static void add_row(const stroke *s, int position, int row, double weight, double *to) {
@@ -69,11 +66,18 @@ static void add_groove(const stroke *s, double *to) {
 static void sum_lower_row(const stroke *s, int row) {
   double *to = s->lower + (size_t)row * (size_t)s->box.nz;
   memset(to, 0, (size_t)s->box.nz * sizeof *to);
-  for (int half = 0; half <= s->mirrored; half++) {
-    if (s->h->def.groove > 0)
-      add_groove(s, to);
-    else
-      add_track_row(s, half ? s->h->rows - 1 - row : row, to);
+  if (s->h->def.groove > 0)
+    add_groove(s, to);
+  else
+    add_track_row(s, row, to);
+}
+
+/* Adds its mirror image to a sum. */
+static void add_mirror(double *sum, int rows, int columns) {
+  for (int i = 0; i < (rows + 1) / 2; i++) {
+    double *a = sum + (size_t)i * (size_t)columns,
+           *b = sum + (size_t)(rows - 1 - i) * (size_t)columns;
+    for (int k = 0; k < columns; k++) a[k] = b[k] = a[k] + b[k];
   }
 }
 
@@ -96,6 +100,8 @@ void arc_stroke_gather(stroke *s, const double *p, int both) {
   s->from = p;
   s->both = both;
   arc_team_run(s->count > 1 ? s->h->team : NULL, (rows + chunk - 1) / chunk, sum_rows, s);
+  if (s->mirrored && (both || s->c[ARC_UPPER] > 0)) add_mirror(s->upper, s->box.nx, s->box.nz);
+  if (s->mirrored && (both || s->c[ARC_LOWER] > 0)) add_mirror(s->lower, s->h->rows, s->box.nz);
 }
 
 /* --- operator

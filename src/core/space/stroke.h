@@ -17,7 +17,8 @@ typedef struct stroke {
   arc_halfspace *h;
   const arc_callbacks *callbacks;
   int count;    /* of positions that are solved for */
-  int mirrored; /* the others are mirror images of these */
+  int mirrored; /* in x: the others are mirror images of these */
+  int even;     /* in z: so are the halves of each */
   int worker;   /* whose workspace a single position uses */
   stroke_place *place;
   double *weight;                   /* of the inner product [count]; half at a mirror's middle */
