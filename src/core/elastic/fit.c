@@ -2,7 +2,7 @@
  * lengths of the paper's mesh are kept in proportion to the half width of the contact, so that its
  * error is the same for every contact. */
 #include "core/elastic/body.h"
-#include "core/elastic/width.h"
+#include "core/elastic/contact_estimate.h"
 
 #include <math.h>
 

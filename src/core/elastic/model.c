@@ -2,7 +2,7 @@
 #include "core/base/callbacks.h"
 #include "core/base/memory.h"
 #include "core/elastic/body.h"
-#include "core/elastic/width.h"
+#include "core/elastic/contact_estimate.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* One contact solution as an object: a pose, solved, and what users ask of it. */
 #include "core/base/callbacks.h"
 #include "core/plane/solution.h"
-#include "core/elastic/width.h"
+#include "core/elastic/contact_estimate.h"
 
 #include <math.h>
 #include <stdlib.h>

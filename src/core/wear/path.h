@@ -5,7 +5,7 @@
 
 #include "archard/wear.h"
 #include "core/friction/friction.h"
-#include "core/elastic/width.h"
+#include "core/elastic/contact_estimate.h"
 
 /* A block of loading: points, which of them share a pose, how often. */
 typedef struct wear_block {

@@ -4,7 +4,7 @@
  * Persson in holes; of other shapes that touch in one place it is an integral over their gap.
  * Layers, and bases that are near, count by the modulus that the bodies show to a wave of about the
  * contact's length. */
-#include "core/elastic/width.h"
+#include "core/elastic/contact_estimate.h"
 #include "core/elastic/body.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* How wide unworn bodies touch, estimated. */
-#ifndef ELASTIC_WIDTH_H
-#define ELASTIC_WIDTH_H
+#ifndef ELASTIC_CONTACT_ESTIMATE_H
+#define ELASTIC_CONTACT_ESTIMATE_H
 
 #include "archard/model.h"
 #include "core/mesh/build.h"
