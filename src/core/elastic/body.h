@@ -191,7 +191,7 @@ arc_status arc_model_check_pair(const arc_model_def *def, arc_error *error);
 /* Of a pair whose meshes are given, which tell themselves how far they reach. */
 arc_status arc_model_check_given_pair(const arc_model_def *def, arc_error *error);
 
-/* --- meshes from outside: given.c, given_shape.c ---------------------------------------------- */
+/* --- meshes from outside: imported_mesh.c, imported_shape.c ---------------------------------------------- */
 
 /* Checks a definition and two meshes, and makes of it that of their model. ARC_ARGUMENT. */
 arc_status arc_given_settle(const arc_model_def *def, arc_mesh *const given[ARC_BODIES],
