@@ -203,7 +203,7 @@ arc_status arc_given_layers(arc_mesh *mesh, const arc_body_def *solid, arc_error
 /* Refuses what belongs to such meshes alone. ARC_ARGUMENT. */
 arc_status arc_given_refuse(const arc_model_def *def, arc_error *error);
 
-/* --- what lies under the nodes of a surface: strata.c ----------------------------------------- */
+/* --- what lies under the nodes of a surface: imported_layers.c ----------------------------------------- */
 
 /* Finds those of a given mesh whose body has layers; else there is nothing to find. ARC_MEMORY. */
 arc_status arc_body_find_strata(elastic_body *body, arc_error *error);
