@@ -17,7 +17,7 @@ PKG_CONFIG ?= pkg-config
 export CC CFLAGS CPPFLAGS LDFLAGS PKG_CONFIG
 # WERROR=1 makes warnings errors: for developers and CI. SANITIZER=address,undefined, and CHECKS=1
 # (every step of a run is validated), build in folders of their own.
-WARNINGS = -Wall -Wextra -Wshadow -Wmissing-prototypes -Wstrict-prototypes -Wconversion
+WARNINGS = -Wall -Wextra -Wshadow -Wmissing-prototypes -Wstrict-prototypes -Wconversion -pedantic -Wno-overlength-strings
 
 comma := ,
 BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),-checks)
@@ -82,9 +82,10 @@ endif
 hardening   = -fstack-protector-strong -fPIE \
               $(if $(SANITIZER),,$(if $(filter-out -O0,$(filter -O%,$(CFLAGS))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2))
 
-# One set of flags for every file: -std=c11 with POSIX; contraction off, so that results do not
-# depend on what the compiler fuses; loops marked for it are vectorised, which changes no bit.
-all_cflags = -std=c11 -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc -MMD -MP -ffp-contract=off -fopenmp-simd \
+# One set of flags for every file: -std=c11 with POSIX and what glibc has beyond it (on_exit, P_tmpdir),
+# whatever the flags of the libraries bring; contraction off, so that results do not depend on what the
+# compiler fuses; loops marked for it are vectorised, which changes no bit.
+all_cflags = -std=c11 -D_DEFAULT_SOURCE -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc -MMD -MP -ffp-contract=off -fopenmp-simd \
              $(lua_cflags) $(cholmod_cflags) $(readline_cflags) $(sqlite_cflags) $(gsl_cflags) $(fftw_cflags) $(omp_cflags) \
              $(hardening) $(WARNINGS) $(if $(WERROR),-Werror) $(if $(CHECKS),-DARC_CHECKS) \
              $(if $(SANITIZER),-fsanitize=$(SANITIZER) -fno-omit-frame-pointer -fno-sanitize-recover=all) \

@@ -171,9 +171,10 @@ typedef struct arc_series {
 #define ARC_POSITION(name, ...) ARC_AT_##name,
 
 /* Choices: a list X(NAME, "name") as enumerators ARC_NAME, and as names. */
-#define ARC_CHOICE_ENUM(name, ...)       ARC_##name,
-#define ARC_CHOICE_ONE(...)              +1 /* 0 LIST(ARC_CHOICE_ONE): how many there are */
-#define ARC_CHOICE_NAME(name, text, ...) text,
+#define ARC_CHOICE_ENUM(name, ...)  ARC_##name,
+#define ARC_CHOICE_ONE(...)         +1 /* 0 LIST(ARC_CHOICE_ONE): how many there are */
+#define ARC_CHOICE_NAME(name, ...)  ARC_CHOICE_FIRST(__VA_ARGS__, 0),
+#define ARC_CHOICE_FIRST(text, ...) text
 
 /* --- what can be done with a list ------------------------------------------------------------- */
 

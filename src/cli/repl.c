@@ -275,8 +275,12 @@ run_status repl_run_pipe(lua_State *L) {
     const int is_note = number == 1 && line[0] == '#'; /* as in a script */
     const size_t size = is_note ? 0 : line_length(line, (size_t)length);
     if (chunk.text == NULL) first = number;
-    if (!pending_add(&chunk, line, size)) status = luaL_error(L, "out of memory");
-    status = take_piped(L, &chunk, first, 0);
+    if (pending_add(&chunk, line, size)) {
+      status = take_piped(L, &chunk, first, 0);
+    } else {
+      lua_pushliteral(L, "out of memory");
+      status = run_refused(L);
+    }
   }
   if (status == RUN_OK && chunk.text) status = take_piped(L, &chunk, first, 1);
   if (status == RUN_OK && interrupt_pending(NULL)) status = RUN_INTERRUPTED;

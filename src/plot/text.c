@@ -153,7 +153,7 @@ size_t arc_text_line(const char *words, double columns) {
     best = i;
     if (strchr(",:;", words[i - 1])) clause = i;
   }
-  if (!words[i] && arc_text_characters(words) <= columns) return i;
+  if (!words[i] && (double)arc_text_characters(words) <= columns) return i;
   return clause ? clause : best ? best : strlen(words);
 }
 

@@ -54,7 +54,7 @@ static double jacobian(const element *e, double xi, double eta, double j[2][2]) 
   return j[0][0] * j[1][1] - j[0][1] * j[1][0];
 }
 
-static void to_space(const double j[2][2], double det, double dxi, double deta, double g[2]) {
+static void to_space(double j[2][2], double det, double dxi, double deta, double g[2]) {
   g[0] = (j[1][1] * dxi - j[0][1] * deta) / det;
   g[1] = (-j[1][0] * dxi + j[0][0] * deta) / det;
 }
