@@ -6,6 +6,7 @@
 local hertz_of = require "archard.lib.hertz_of"
 local measure = require "archard.measure"
 local merged = require "archard.lib.merged"
+local quiet = require "archard.lib.quiet"
 
 local limits = {
   pressure = 0.01,     -- mesh: largest pressure against Hertz' [share]
@@ -47,7 +48,7 @@ function search.mesh(given, limit, on_step)
   local h = hertz_of(m, given.load)
   local size, steps = rounded(0.75 * h.half_width), {}
   for i = 1, 7 do
-    local c = contact{ model = with_size(m, size), load = given.load }
+    local c = quiet(contact, { model = with_size(m, size), load = given.load }) -- coarse on purpose at first
     local before = steps[i - 1]
     steps[i] = { size = size, elements = 2 * h.half_width / size, p_max = c.p_max,
       error = c.p_max / h.p_max - 1,

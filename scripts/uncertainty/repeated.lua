@@ -6,6 +6,7 @@ local known = require "archard.settings"
 local merged = require "archard.lib.merged"
 local settings = require "archard.definition.settings"
 local stores = require "archard.store"
+local quiet = require "archard.lib.quiet"
 
 local repeated = {}
 
@@ -118,11 +119,7 @@ end
 -- run(definition, distances, names) -> a list: of each column in turn its values at the distances,
 -- where the changed run ends a step too. What the engine warns of, the run itself has told.
 function repeated.run(definition, distances, names)
-  warn "@off"
-  local fine, list = pcall(run_to, definition, distances, names)
-  warn "@on"
-  if not fine then error(list, 0) end
-  return list
+  return quiet(run_to, definition, distances, names)
 end
 
 return repeated
