@@ -23,8 +23,8 @@ comma := ,
 BUILD = build$(if $(SANITIZER),-$(subst $(comma),-,$(SANITIZER)))$(if $(CHECKS),-checks)
 OBJ   = $(BUILD)/obj
 
-.PHONY: all demo check coverage fuzz fuzz-programs golden study figures test-programs bench peer gallery format lint install \
-        install-files uninstall clean setup dist dist-check deb deb-check slurm-check
+.PHONY: all demo check check-full coverage fuzz fuzz-programs golden study figures test-programs bench peer gallery format lint install \
+        install-files uninstall clean setup dist dist-check deb deb-check readme-check slurm-check
 .DELETE_ON_ERROR:
 
 all:
@@ -54,11 +54,14 @@ program    = $(BUILD)/archard
 lua_module = $(BUILD)/lua/archard.so
 made_pages = $(BUILD)/man/archard-lua.7 $(BUILD)/man/archard-file.5
 
+# Folders and flags may hold spaces and quotes.
+quoted = '$(subst ','\'',$(1))'
+
 # --- with what --------------------------------------------------------------------------------
 # Plain `make` never installs: scripts/probe names what is missing. `make demo` and `make check`
 # install. Two notes in the build folder are written where they differ from what they hold: after
 # other flags all is probed and compiled anew, after other files all is linked anew.
-ifneq ($(filter-out check clean coverage demo fuzz dist dist-check format install-files lint setup uninstall,$(or $(MAKECMDGOALS),all)),)
+ifneq ($(filter-out check check-full clean coverage demo fuzz dist dist-check format install-files readme-check lint setup uninstall,$(or $(MAKECMDGOALS),all)),)
 flags   := $(strip $(CC); $(CPPFLAGS); $(CFLAGS); $(LDFLAGS); $(PKG_CONFIG); $(WERROR))
 sources := $(strip $(lib_src) $(plot_src) $(front_src) $(scripts))
 $(shell mkdir -p $(BUILD))
@@ -69,8 +72,15 @@ ifneq ($(sources),$(file <$(BUILD)/sources))
 $(file >$(BUILD)/sources,$(sources))
 endif
 
-$(BUILD)/config.mk: scripts/probe Makefile $(BUILD)/flags
-	@scripts/probe > $@
+# Probed anew after other flags, another probe, another Makefile.
+probe = CC=$(call quoted,$(CC)) CPPFLAGS=$(call quoted,$(CPPFLAGS)) CFLAGS=$(call quoted,$(CFLAGS)) \
+        LDFLAGS=$(call quoted,$(LDFLAGS)) PKG_CONFIG=$(call quoted,$(PKG_CONFIG)) scripts/probe
+ifneq ($(shell find scripts/probe Makefile $(BUILD)/flags -newer $(BUILD)/config.mk 2>/dev/null || echo none),)
+probed := $(shell $(probe) > $(BUILD)/config.mk.new && mv $(BUILD)/config.mk.new $(BUILD)/config.mk || echo no)
+ifeq ($(probed),no)
+$(error packages are missing. `make demo` and `make check` install them)
+endif
+endif
 
 include $(BUILD)/config.mk
 else
@@ -191,11 +201,19 @@ demo:
 	@scripts/setup
 	@$(MAKE) --no-print-directory -j$(jobs) all
 	@$(program) examples/02_wear.lua
+	@echo
+	@echo 'Next: $(program) starts the prompt; type help() or examples() there.'
 
 check:
 	@scripts/setup test
 	@$(MAKE) --no-print-directory -j$(jobs) test-programs
 	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run
+
+# Everything: long files too, and those of tests/lua once more with a collector that never rests.
+check-full:
+	@scripts/setup test
+	@$(MAKE) --no-print-directory -j$(jobs) test-programs
+	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run -a
 
 # What share of the sources' lines and branches the tests reach, in a build folder of its own. Counted
 # is what stands in the sources, once: no copies of loops for other processors (ARC_NARROW), no branches
@@ -205,7 +223,7 @@ coverage:
 	@$(MAKE) --no-print-directory -j$(jobs) BUILD=build-coverage CFLAGS="-O0 -g --coverage" LDFLAGS=--coverage \
 	  CPPFLAGS="$(CPPFLAGS) -DARC_NARROW -DLUA_NOBUILTIN" test-programs
 	@find build-coverage -name '*.gcda' -delete
-	@BUILD=build-coverage ONCE=1 ARCHARD_POINTS=400 tests/run tests/unit/ tests/fuzz/ tests/lua/ tests/cli/ \
+	@BUILD=build-coverage ARCHARD_POINTS=400 tests/run tests/unit/ tests/fuzz/ tests/lua/ tests/cli/ \
 	  verify/functions verify/geometry verify/hertz verify/revolved verify/waves; \
 	status=$$?; tests/coverage build-coverage; exit $$status
 
@@ -249,8 +267,8 @@ study figures: $(program)
 	  $(if $(filter figures,$@),--fine --converge)
 
 # --- care -------------------------------------------------------------------------------------
-c_files = $(wildcard include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] tests/fuzz/*.[ch] tests/memory/*.c examples/c/*.c)
-sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check tests/run tests/fuzz/run tests/trust/trials tests/memory/failing tests/memory/valgrind tests/coverage \
+c_files = $(wildcard include/*.h include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] tests/fuzz/*.[ch] tests/memory/*.c examples/c/*.c)
+sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check scripts/deb/readme scripts/deb/root tests/run tests/fuzz/run tests/trust/trials tests/memory/failing tests/memory/valgrind tests/coverage \
            .ci/run tests/tap.bash $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 
 format:
@@ -268,11 +286,14 @@ private      = cholmod blas sqlite fftw omp
 requires     = $(strip $(foreach p,$(private),$($(p)_pc)))
 private_libs = $(strip $(foreach p,$(private),$(if $($(p)_pc),,$($(p)_libs)))) -lm
 
+# The loader finds a new library in its cache only.
 install: all
 	@$(MAKE) --no-print-directory install-files
+	@if [ -n $(call quoted,$(DESTDIR)) ]; then :; \
+	elif [ "$$(id -u)" = 0 ] && PATH=$$PATH:/sbin:/usr/sbin ldconfig 2>/dev/null; then :; \
+	else echo "Programs find $(soname) after: sudo ldconfig $(LIBDIR)"; fi
 
-# What is there, without building it. Folders may have spaces and quotes in their names.
-quoted = '$(subst ','\'',$(1))'
+# What is there, without building it.
 to     = $(call quoted,$(DESTDIR)$(1))
 man_pages   = man/archard.1 $(made_pages)
 man_folder  = $(MANDIR)/man$(subst .,,$(suffix $(1)))
@@ -288,6 +309,7 @@ install-files:
 	ln -sf $(notdir $(shared_lib)) $(call to,$(LIBDIR)/$(soname))
 	ln -sf $(soname) $(call to,$(LIBDIR)/libarchard.so)
 	install -m 755 $(lua_module) $(call to,$(LUADIR)/archard.so)
+	install -m 644 include/archard.h $(call to,$(INCLUDEDIR)/)
 	install -m 644 include/archard/*.h $(call to,$(INCLUDEDIR)/archard/)
 	$(foreach m,$(man_pages),install -m 644 $(m) $(call to,$(call man_folder,$(m))/) &&) :
 	install -m 644 scripts/completion/archard.bash $(call to,$(BASHDIR)/archard)
@@ -308,7 +330,7 @@ uninstall:
 	  $(call to,$(ZSHDIR)/_archard) $(foreach m,$(man_pages),$(call to,$(call man_folder,$(m))/$(notdir $(m)))) \
 	  $(foreach f,libarchard.a libarchard.so $(soname) $(notdir $(shared_lib)) pkgconfig/archard.pc,$(call to,$(LIBDIR)/$(f))) \
 	  $(foreach f,$(documents),$(call to,$(DOCDIR)/$(notdir $(f))))
-	rm -rf $(call to,$(INCLUDEDIR)/archard) $(call to,$(DATADIR)/archard)
+	rm -rf $(call to,$(INCLUDEDIR)/archard.h) $(call to,$(INCLUDEDIR)/archard) $(call to,$(DATADIR)/archard)
 	@rmdir $(call to,$(DOCDIR)) 2>/dev/null || :
 
 # --- to hand on -------------------------------------------------------------------------------
@@ -333,9 +355,18 @@ deb: all
 	@$(MAKE) --no-print-directory install-files DESTDIR=$(BUILD)/deb/root PREFIX=/usr \
 	  LIBDIR=/usr/lib/$$(dpkg-architecture -qDEB_HOST_MULTIARCH) ZSHDIR=/usr/share/zsh/vendor-completions
 	scripts/deb/package $(BUILD)/deb $(version) $(deb_file)
+	@echo
+	@echo 'Install it by: apt install --no-install-recommends ./$(deb_file)'
 
 deb-check: deb
+	@scripts/setup root
 	scripts/deb/check $(deb_file) $(BUILD)
+
+# The README's commands, as printed, on a root that has git, make and gcc.
+readme-check:
+	@scripts/setup root
+	@mkdir -p $(BUILD)
+	scripts/deb/readme $(BUILD)
 
 # A study of CASES cases through a Slurm of one node, begun and ended here, beside a local run.
 slurm-check: $(program)

@@ -1,0 +1,19 @@
+/* Everything that libarchard offers. Each header under archard/ can be included by itself, too. */
+#ifndef ARCHARD_H
+#define ARCHARD_H
+
+#include "archard/array.h"
+#include "archard/base.h"
+#include "archard/body.h"
+#include "archard/contact.h"
+#include "archard/export.h"
+#include "archard/material.h"
+#include "archard/measure.h"
+#include "archard/mesh.h"
+#include "archard/model.h"
+#include "archard/place.h"
+#include "archard/setting.h"
+#include "archard/store.h"
+#include "archard/wear.h"
+
+#endif
