@@ -1,5 +1,6 @@
 -- Meshes that nobody chose: contacts under layers, rounded edges, in holes, of profiles and balls, as
 -- accurate as the paper's pair, and what is said where a mesh is too small.
+-- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
 local warnings = require "archard.warnings"

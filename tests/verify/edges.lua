@@ -1,5 +1,6 @@
 -- Where the contact ends: against Hertz, and in worn contacts against runs on 5 um over the whole distance. Smooth
 -- ends are placed between the nodes by the law that forces and gaps around them obey; at the kinks of scars the ends are as good as they are said to be.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
 

@@ -1,5 +1,6 @@
 -- Meshes that fit by themselves: whatever the radius and the load, the centre pressure of the unworn
 -- contact is as near to Hertz' as the paper's case.
+-- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
 local below, ok = figures.below, figures.ok

@@ -1,5 +1,6 @@
 -- Fits to data of a known truth: how often it is in their 95 % ranges. A few of the hundred trials of
 -- scripts/tools/fit_trials.lua, seeds fixed.
+-- Long
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
 local trial = dofile(here .. "/lib/fit_trials.lua")

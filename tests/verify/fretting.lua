@@ -1,6 +1,7 @@
 -- Wear with friction: McColl's fretting case in gross slip, the energy law, and partial slip against the reduced law,
 -- which needs no friction solver: dw/dN = 4 mu k p (g + w) outside the stick zone, whose edge c stays; g is half the
 -- slip of Cattaneo and Mindlin's half cycle over mu, w the wear of both bodies, p the pressure on the worn surfaces.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, note, ok = figures.within, figures.note, figures.ok
 

@@ -1,5 +1,6 @@
 -- The fretting map against half-planes, and what it is off by the mesh: borders of stick, partial slip and gross slip, and
 -- the edges of the zone that sticks, which the first of them comes from.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, note = figures.within, figures.below, figures.note
 

@@ -1,5 +1,6 @@
 -- Friction against closed forms of half-planes: partial slip of Cattaneo and Mindlin, cycles of force and of load and
 -- force together (Jaeger), sticking under a normal load alone (Goodman), sliding, and what the bodies' outer boundaries set.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, about, below, note, ok = figures.within, figures.about, figures.below, figures.note, figures.ok
 

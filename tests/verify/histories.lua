@@ -1,5 +1,6 @@
 -- Histories against what is known of them: k and alpha in time by the product k_c d alone (flat plate),
 -- volumes by the integral of k L, and inputs that mean the same by the same bits.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, about, below, ok = figures.within, figures.about, figures.below, figures.ok
 

@@ -1,5 +1,6 @@
 -- Implicit steps with a tolerance: depths and pressures at every update, against explicit updates on
 -- the same mesh; what they cost; and that a stored run goes on alike.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, ok, within = figures.below, figures.ok, figures.within
 

@@ -1,5 +1,6 @@
 -- Moving geometry with the wear box condensed now and then, against condensing at every update: at every update, on
 -- every node.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
 

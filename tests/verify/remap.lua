@@ -1,4 +1,5 @@
 -- A worn surface taken over to another mesh: the pressures are those of a run on that mesh, the areas lost are the same.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
 

@@ -1,5 +1,6 @@
 -- Rotation as motion and loads from an angle, in pairs with a hole: what must not change with either, the
 -- cosine law of a bush that alone wears, volumes.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local bush_law = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/bush.lua")
 local within, below = figures.within, figures.below

@@ -1,4 +1,5 @@
 -- Steps that choose themselves: implicit updates with a tolerance, and automatic explicit ones.
+-- Long
 
 local at = require "archard.lib.history_at"
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")

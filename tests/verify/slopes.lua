@@ -1,4 +1,5 @@
 -- Deep scars, whose surfaces lean: what the outline loses is k L d, and what both bodies lose is as k_c to k_p.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
 

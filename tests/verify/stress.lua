@@ -3,6 +3,7 @@
 -- the stress along the surface is the pressure. Shares are of the largest pressure. Bodies of finite
 -- size carry the load to their supports by a tension along the surface, of the order of L / (pi R) and
 -- of p a / R, that half-planes do not have: 1 % of the pressure here, and counted as an error.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, within = figures.below, figures.within
 

@@ -1,5 +1,6 @@
 -- Uncertainties: distributions, designs, Sobol's indices against closed forms, samples of studies,
 -- failure probabilities, sensitivities, pictures.
+-- Long
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds

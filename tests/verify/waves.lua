@@ -1,5 +1,6 @@
 -- Rough profiles: the mesh they get by themselves, Westergaard's waves in partial contact, the decay of waves in
 -- full contact.
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
 

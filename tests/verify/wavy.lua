@@ -1,0 +1,26 @@
+-- A wavy profile on a flat against Westergaard's closed form.
+-- Long
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, below = figures.within, figures.below
+
+-- --- waves --------------------------------------------------------------------------------------
+
+-- Westergaard: with p* = pi E* D / l, waves that touch over 2 a of each length l carry a mean of
+-- p* sin^2(pi a / l), with 2 mean / sin(pi a / l) at the crest. On a crowned profile for the wave in the middle.
+local length, height = 0.1, 1e-4
+local star = math.pi * 109890.1 * height / length
+local rough = contact{ load = 50, average = 0, model = {
+  upper = body.profile{ width = 4, height = 2,
+    y = function(x) return height * math.cos(2 * math.pi * x / length) - x * x / 440 end },
+  lower = body.block{ width = 4, height = 2 },
+  mesh = { size = 0.002, height = 0.0025, far = 0.2, zone = { cylinder = 1.2, plate = 1.2 } } } }
+local at = rough:pressure("cylinder")
+local force, touching = 0, 0
+for i, x in ipairs(at.x) do
+  local share = math.max(0, math.min(1, (length / 2 - math.abs(x)) / 0.002 + 0.5)) -- of the node's width
+  force = force + share * at.p[i] * 0.002
+  if at.p[i] > 0 then touching = touching + share * 0.002 end
+end
+local mean, sine = force / length, math.sin(math.pi * touching / 2 / length)
+figures.about(touching / length, 2 / math.pi * math.asin(math.sqrt(mean / star)), 0.02, "waves: share in contact, within an element")
+within(rough.p_center, 2 * mean / math.sqrt(mean / star), 0.01, "waves: pressure at a crest [MPa]")
