@@ -262,10 +262,19 @@ static void free_database(database *db) {
   free(db);
 }
 
+/* A name as SQLite takes it for that of a file: it reads "file:..." as a URI, which may lead
+ * elsewhere and past the guard, and ":memory:" as none. No name at all is its own business. */
+static char *plain_name(const char *path) {
+  const char *before = path[0] == '/' || !path[0] ? "" : "./";
+  char *plain = malloc(strlen(before) + strlen(path) + 1);
+  if (plain) strcat(strcpy(plain, before), path);
+  return plain;
+}
+
 static database *new_database(const char *path, const char *name) {
   database *db = calloc(1, sizeof *db);
   if (!db) return NULL;
-  db->path = strdup(path);
+  db->path = plain_name(path);
   db->name = strdup(name);
   if (db->path && db->name) return db;
   free_database(db);
@@ -285,7 +294,7 @@ arc_status arc_database_open(const char *path, const char *name, int writable, i
   int flags = SQLITE_OPEN_NOMUTEX | (writable ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY);
   if (create) flags |= SQLITE_OPEN_CREATE;
   int code = guard();
-  if (code == SQLITE_OK) code = sqlite3_open_v2(path, &db->handle, flags, guarded_names[locks]);
+  if (code == SQLITE_OK) code = sqlite3_open_v2(db->path, &db->handle, flags, guarded_names[locks]);
   status = code == SQLITE_OK ? configure(db, error) : fail(db, code, error);
   if (status != ARC_OK) arc_database_close(&db);
   *result = db;
