@@ -8,7 +8,6 @@ local paper = require "archard.study.paper"
 local parts = require "archard.study.panels"
 
 local rules = { { "trapezoid", "Eq. (4)" }, { "simple", "Eq. (5)" } }
-local bodies = { "cylinder", "plate" }
 
 local function trial_case(cases, trial, rule)
   return findings.find(cases, { increments = trial[1], jump = trial[2], cycles = 1000, rule = rule })

@@ -11,9 +11,6 @@ local gaussian = { alpha = math.sqrt(math.log(2) / math.pi) }
 
 local reach = 2 -- in cut-offs: beyond, weights are below 1e-24 of the middle one
 
--- How much of a wave's amplitude stays in the long-wave part.
-function gaussian.transmission(cutoff, wave) return math.exp(-math.pi * (gaussian.alpha * cutoff / wave) ^ 2) end
-
 -- Sums of weights to one side, out to 0, 1, 2, ... steps: of w, w u and w u^2, u = x / (alpha cutoff).
 local function one_sided(ratio, count)
   local s0, s1, s2 = { [0] = 1 / ratio }, { [0] = 0 }, { [0] = 0 }

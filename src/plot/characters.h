@@ -9,8 +9,8 @@
  * gets the mark it has without colour, so that curves differ for every eye. Lines end uncoloured.
  *
  * `dots`, unless NULL, is gnuplot's picture of the curves alone, with twice the columns and four
- * times the rows: they come as Braille dots, eight to a character, where `picture` is blank. What is
- * black in `picture` holds the place of a curve and goes. A point's mark stays a mark. */
+ * times the rows: they come as Braille dots, eight to a character, where `picture` is blank. What
+ * is black in `picture` holds the place of a curve and goes. A point's mark stays a mark. */
 void arc_characters(const char *picture, size_t length, const char *dots, size_t dots_length,
                     arc_text *out);
 
