@@ -4,6 +4,10 @@
 
 #include "archard/contact.h"
 #include "core/elastic/body.h"
+#include "core/elastic/condense.h"
+#include "core/elastic/mesh_size.h"
+#include "core/elastic/model.h"
+#include "core/elastic/pair.h"
 
 typedef struct shape_side {
   const elastic_body *body;

@@ -1,6 +1,9 @@
 /* Building one condensed body: numbering, assembly outside the wear box, Schur complement. */
 #include "core/elastic/body.h"
 #include "core/base/dense.h"
+#include "core/elastic/condense.h"
+#include "core/elastic/imported_layers.h"
+#include "core/elastic/imported_mesh.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -306,81 +309,4 @@ size_t arc_body_bytes(const elastic_body *b) {
   const size_t n = (size_t)b->mesh->nodes, m = (size_t)(2 * b->rim);
   return arc_factor_bytes(b->far) + b->coupling.capacity * 16 + 8 * m * m +
          arc_compliance_bytes(b->mesh->surface) + n * 24 + (size_t)b->mesh->elements * 16;
-}
-
-enum { blocks = 5 };
-
-/* The last one counts who shares them. */
-static size_t compliance_numbers(int n) {
-  return blocks * (size_t)n * (size_t)n + 2 * (size_t)n + 1;
-}
-
-static double *sharers(const compliance *c) {
-  return &c->yy[compliance_numbers(c->n) - 1];
-}
-
-size_t arc_compliance_bytes(int n) {
-  return compliance_numbers(n) * sizeof(double);
-}
-
-/* All five blocks, slopes and levels in one piece of memory; flat, `along` is yy itself. */
-arc_status arc_compliance_create(compliance *c, int n) {
-  const size_t count = (size_t)n * (size_t)n;
-  *c = (compliance){0};
-  double *all = calloc(compliance_numbers(n), sizeof *all);
-  if (!all) return ARC_MEMORY;
-  *c = (compliance){.n = n,
-                    .yy = all,
-                    .xy = all + count,
-                    .yx = all + 2 * count,
-                    .xx = all + 3 * count,
-                    .slope = all + blocks * count,
-                    .along = all};
-  *sharers(c) = 1;
-  return ARC_OK;
-}
-
-void arc_compliance_free(compliance *c) {
-  if (c->n > 0 && --*sharers(c) == 0) free(c->yy);
-  *c = (compliance){0};
-}
-
-compliance arc_compliance_share(const compliance *c) {
-  if (c->n > 0) ++*sharers(c);
-  return *c;
-}
-
-void arc_compliance_incline(compliance *c) {
-  const int n = c->n;
-  const double *slope = c->slope;
-  c->along = c->yy + 4 * (size_t)n * (size_t)n;
-  for (int k = 0; k < n; k++) {
-    const size_t at = dense_at(0, k, n);
-    const double *yy = c->yy + at, *xy = c->xy + at, *yx = c->yx + at, *xx = c->xx + at;
-    for (int r = 0; r < n; r++)
-      c->along[at + (size_t)r] =
-          yy[r] - slope[r] * xy[r] - slope[k] * yx[r] + slope[r] * slope[k] * xx[r];
-  }
-}
-
-/* yy - xx a few columns away, on one or both sides of column k. */
-static double difference_at(const compliance *c, int k, int columns) {
-  double sum = 0;
-  int sides = 0;
-  for (int side = -1; side <= 1; side += 2) {
-    const int r = k + side * columns;
-    if (r < 0 || r >= c->n) continue;
-    sum += c->yy[dense_at(r, k, c->n)] - c->xx[dense_at(r, k, c->n)];
-    sides++;
-  }
-  return sum / sides;
-}
-
-/* The elements' error falls with the square of the distance. */
-void arc_compliance_level(compliance *c) {
-  if (c->n <= 2 * ARC_SHEAR_REACH) return;
-  c->level = c->slope + c->n;
-  for (int k = 0; k < c->n; k++)
-    c->level[k] =
-        (4 * difference_at(c, k, ARC_SHEAR_REACH) - difference_at(c, k, ARC_SHEAR_REACH / 2)) / 3;
 }

@@ -8,8 +8,8 @@
  * surface does not feel rim nodes far away: columns of W, and with them of V, begin with zeros on
  * wide boxes.
  */
+#include "core/elastic/condense.h"
 #include "core/base/dense.h"
-#include "core/elastic/body.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
  * Layers, and bases that are near, count by the modulus that the bodies show to a wave of about the
  * contact's length. */
 #include "core/elastic/contact_estimate.h"
-#include "core/elastic/body.h"
+#include "core/elastic/layered.h"
 
 #include <math.h>
 

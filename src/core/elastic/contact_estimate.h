@@ -36,4 +36,7 @@ contact_pair arc_model_pair(const arc_model_def *def);
 contact_estimate arc_pair_estimate(contact_pair *pair, double load);
 contact_estimate arc_model_estimate(const arc_model_def *def, double load);
 
+/* Whether the contact is a spot on the axis of revolution. */
+int arc_model_is_round(const arc_model_def *def);
+
 #endif

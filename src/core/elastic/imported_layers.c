@@ -1,7 +1,7 @@
 /* What lies under the surface of a mesh from outside: along the chart's z through its elements,
  * from each node of the surface on, which layer from where to where. */
+#include "core/elastic/imported_layers.h"
 #include "core/base/list.h"
-#include "core/elastic/body.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,7 @@
 /* Meshes from outside: whether they suit the definition of a model, and what they make of it. */
-#include "core/elastic/body.h"
+#include "core/elastic/imported_mesh.h"
+#include "core/elastic/chart.h"
+#include "core/elastic/pair.h"
 
 #include <math.h>
 #include <stdio.h>

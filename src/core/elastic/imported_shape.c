@@ -1,5 +1,5 @@
 /* What bodies may say of their shape beside a mesh from outside, which has it. */
-#include "core/elastic/body.h"
+#include "core/elastic/imported_mesh.h"
 
 #include <string.h>
 

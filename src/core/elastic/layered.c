@@ -5,8 +5,8 @@
  * stresses on level planes as q times tau sin(q x) and sigma cos(q x). Over the depth, in units of
  * 1 / q, these four follow s' = A s within a layer, and (A^2 - 1)^2 = 0: exp(A d) has four terms.
  * Through a layer goes what displacements the stresses on its lower face come with. */
+#include "core/elastic/layered.h"
 #include "core/base/dense.h"
-#include "core/elastic/body.h"
 #include "core/mesh/build.h"
 
 #include <math.h>
@@ -87,6 +87,15 @@ double arc_layers_modulus(arc_space space, const arc_layer *layer, int layers, d
   for (int l = layers - 1; l >= 0; l--)
     climb(space, layer[l].material, fmin(q * layer[l].thickness, deep), c);
   return -2 / c[dense_at(1, 1, half)];
+}
+
+double arc_material_modulus(arc_space space, arc_material m) {
+  return space == ARC_PLANE_STRESS ? m.E : arc_material_E_star(m);
+}
+
+double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]) {
+  return 1 / (1 / arc_material_modulus(space, material[ARC_CYLINDER]) +
+              1 / arc_material_modulus(space, material[ARC_PLATE]));
 }
 
 double arc_body_modulus(arc_space space, const arc_body_def *b, arc_material own, double q) {

@@ -1,7 +1,7 @@
 /* Meshes that fit: what is "auto" in a model's definition, found for the contact it is to hold. All
  * lengths of the paper's mesh are kept in proportion to the half width of the contact, so that its
  * error is the same for every contact. */
-#include "core/elastic/body.h"
+#include "core/elastic/mesh_size.h"
 #include "core/elastic/contact_estimate.h"
 
 #include <math.h>

@@ -1,8 +1,13 @@
 /* A model: two condensed bodies, reference counted. */
+#include "core/elastic/model.h"
 #include "core/base/callbacks.h"
 #include "core/base/memory.h"
-#include "core/elastic/body.h"
 #include "core/elastic/contact_estimate.h"
+#include "core/elastic/imported_layers.h"
+#include "core/elastic/imported_mesh.h"
+#include "core/elastic/layered.h"
+#include "core/elastic/mesh_size.h"
+#include "core/elastic/pair.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -45,15 +50,6 @@ const arc_setting arc_model_settings[] = {
     {.name = NULL},
 };
 #undef ARC_SETTING_OF
-
-double arc_material_modulus(arc_space space, arc_material m) {
-  return space == ARC_PLANE_STRESS ? m.E : arc_material_E_star(m);
-}
-
-double arc_contact_modulus(arc_space space, const arc_material material[ARC_BODIES]) {
-  return 1 / (1 / arc_material_modulus(space, material[ARC_CYLINDER]) +
-              1 / arc_material_modulus(space, material[ARC_PLATE]));
-}
 
 arc_model_def arc_model_default(void) {
   arc_model_def def = {0};

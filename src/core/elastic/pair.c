@@ -1,5 +1,6 @@
 /* Pairs of bodies: what they are called, and what two shapes are to each other. */
-#include "core/elastic/body.h"
+#include "core/elastic/pair.h"
+#include "core/elastic/chart.h"
 #include "core/mesh/build.h"
 
 #include <math.h>

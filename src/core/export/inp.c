@@ -4,7 +4,7 @@
  * The whole problem is a slab one element thick, held along z on both faces: plane strain in the
  * formulation of the model. CalculiX makes such slabs of its own plane elements, and has none of
  * these with incompatible modes. */
-#include "core/elastic/body.h"
+#include "core/elastic/model.h"
 #include "core/export/output.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Influence of pressure on rectangles: Love's solution for half-spaces, and what layers add. */
-#include "core/elastic/body.h"
+#include "core/elastic/layered.h"
 #include "core/space/halfspace.h"
 
 #include <math.h>

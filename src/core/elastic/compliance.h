@@ -1,0 +1,44 @@
+/* How a surface gives way to forces on its nodes. */
+#ifndef ELASTIC_COMPLIANCE_H
+#define ELASTIC_COMPLIANCE_H
+
+#include "archard/base.h"
+
+/* Response of the n candidate surface nodes to nodal forces per thickness [mm2/N], column-major n x
+ * n, one block of memory: entry (r, c) of `uv` is the displacement of node r along u under a unit
+ * force along v at node c. yy and xx are symmetric, yx is xy transposed. */
+typedef struct compliance {
+  int n;
+  double *yy, *xy, *yx, *xx;
+  /* The surface it was condensed on, where nodes have moved: slopes dy/dx [n], and the response of
+   * gaps to pressures along its normals, yy - m xy - yx m + m xx m. Left to whoever knows the
+   * surface; along is yy where the surface is flat. */
+  double *slope, *along;
+  double *level; /* [n] yy - xx but for the elements' error; NULL: shear goes by xx */
+} compliance;
+
+/* Displacement of node r along the surface under a unit of shear at node k. */
+enum { ARC_SHEAR_REACH = 8 };
+static inline double compliance_shear(const compliance *c, int r, int k) {
+  const size_t at = (size_t)k * (size_t)c->n + (size_t)r;
+  if (!c->level || r - k > ARC_SHEAR_REACH || k - r > ARC_SHEAR_REACH) return c->xx[at];
+  return c->yy[at] - (c->level[r] + c->level[k]) / 2;
+}
+
+/* Room for a compliance of n nodes, all zero and flat; ARC_MEMORY leaves it empty. */
+arc_status arc_compliance_create(compliance *c, int n);
+void arc_compliance_free(compliance *c);
+/* The same compliance once more, to be freed on its own; neither may be written to any more. */
+compliance arc_compliance_share(const compliance *c);
+/* Fills `along` from the blocks and the slopes. */
+void arc_compliance_incline(compliance *c);
+/* Has shear answered as pressure is, for bodies of one material. A uniform half-plane moves along
+ * its surface under shear as it moves across under pressure. Elements find shear that changes from
+ * node to node too stiff, the more the taller they are: 1.25 widths high they give way half as much
+ * as under such pressure. So within a few columns yy stands for xx, but for the difference that
+ * bodies of finite size make. */
+void arc_compliance_level(compliance *c);
+/* Bytes of a compliance of n nodes. */
+size_t arc_compliance_bytes(int n);
+
+#endif

@@ -1,0 +1,24 @@
+/* A model as contact and wear see it. */
+#ifndef ELASTIC_MODEL_H
+#define ELASTIC_MODEL_H
+
+#include "core/elastic/body.h"
+
+/* The model's body (not public: contact and wear lean on it). */
+const elastic_body *arc_model_body(const arc_model *model, arc_body which);
+
+/* Warns where a contact of this half width [mm], or a sharp edge of the unworn one under a load [N]
+ * (0: it is worn), has less than four elements of the model, and where a body's elements lock. */
+void arc_model_warn(const arc_model *model, double load, double half_width,
+                    const arc_callbacks *callbacks);
+
+/* Numbers for compliances, so that what was made from one knows when it is stale. The model counts
+ * them: a number means the same bits on whatever shape it stands. The unworn compliance has the
+ * first one; none is 0. */
+enum { ARC_UNWORN_VERSION = 1 };
+long arc_model_next_version(arc_model *model);
+
+/* That of a model, with the layers that bodies from outside have. */
+double arc_model_felt_modulus(const arc_model *model, double q);
+
+#endif
