@@ -4,12 +4,13 @@
  * By vfork, since posix_spawn cannot ask for that signal: it copies nothing, however large we are,
  * and runs no handler that a library has for forks.
  */
-#define _GNU_SOURCE /* vfork, execvpe */
+#define _GNU_SOURCE /* vfork, execvpe, close_range */
 #include "system/child.h"
 #include "system/room.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/close_range.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -48,6 +49,7 @@ static int use_own_signals(void) {
 static int use_own_ends(const int ends[3]) {
   for (int i = 0; i < 3; i++)
     if (dup2(ends[i], i) < 0 || fcntl(i, F_SETFD, 0) != 0) return errno;
+  close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); /* an older kernel leaves them what was left to us */
   return 0;
 }
 

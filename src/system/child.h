@@ -18,9 +18,9 @@ typedef struct arc_child_def {
 enum { ARC_CHILD_OWN_MEMORY = 32 << 20 };
 
 /* Starts it in a process group of its own, which keeps a Ctrl-C at the terminal away from it, with
- * no signal blocked, SIGINT, SIGPIPE and SIGTERM as usual, and no descriptor of ours that is closed
- * on exec but its three. It is killed when the thread ends that called this, however that comes.
- * Returns 0 and the process, or an errno value. */
+ * no signal blocked, SIGINT, SIGPIPE and SIGTERM as usual, and no descriptors but its three. It is
+ * killed when the thread ends that called this, however that comes. Returns 0 and the process, or
+ * an errno value. */
 int arc_child_start(const arc_child_def *def, pid_t *process);
 
 /* Becomes this very program anew, without the threads that there are. Returns an errno value where

@@ -11,6 +11,7 @@
 #include <limits.h>
 #include <link.h>
 #include <linux/audit.h>
+#include <linux/capability.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sched.h>
@@ -93,24 +94,33 @@ static void allow(rules *r, const char *path, uint64_t rights) {
 /* What programs need to start, and gnuplot to write letters: nothing that is anybody's own. Of
  * other processes Landlock shows what everybody may see. */
 static void allow_system(rules *r) {
-  static const char *const folders[] = {"/usr/lib",
-                                        "/usr/lib32",
-                                        "/usr/lib64",
-                                        "/usr/share",
-                                        "/usr/local/lib",
-                                        "/usr/local/share",
-                                        "/lib",
-                                        "/lib64",
-                                        "/etc/ld.so.cache",
-                                        "/etc/ld.so.preload",
-                                        "/etc/fonts",
-                                        "/etc/localtime",
-                                        "/var/cache/fontconfig",
-                                        "/sys/devices/system",
-                                        "/sys/fs/cgroup",
-                                        "/proc"};
+  static const char *const looked_at[] = {
+      "/usr/lib",
+      "/usr/lib32",
+      "/usr/lib64",
+      "/usr/share",
+      "/usr/local/lib",
+      "/usr/local/share",
+      "/lib",
+      "/lib64",
+      "/etc/ld.so.cache",
+      "/etc/ld.so.preload",
+      "/etc/fonts",
+      "/etc/localtime",
+      "/var/cache/fontconfig",
+      "/sys/devices/system",
+      "/sys/fs/cgroup",
+      "/proc/self",
+      "/proc/meminfo",
+      "/proc/cpuinfo",
+      "/proc/stat",
+      "/proc/sys/kernel/random/boot_id",
+#ifdef __SANITIZE_ADDRESS__
+      "/proc",
+#endif
+  };
   static const char *const devices[] = {"/dev/null", "/dev/zero", "/dev/urandom"};
-  for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) allow(r, folders[i], LOOK);
+  for (size_t i = 0; i < sizeof looked_at / sizeof *looked_at; i++) allow(r, looked_at[i], LOOK);
   for (size_t i = 0; i < sizeof devices / sizeof *devices; i++)
     allow(r, devices[i], READ_FILE | WRITE_FILE);
 }
@@ -178,9 +188,8 @@ static int confine_files(const arc_jail *jail) {
 
 #ifdef MACHINE
 
-/* Connections; other processes; what runs a file without a name; rights, owners and times of files,
- * which Landlock does not look at; the system. Those that older headers do not name follow by their
- * numbers, the same on all machines: io_uring, mounts, pidfd_getfd, fchmodat2 and attributes. */
+/* Connections; other processes; what runs a file without a name; rights, owners, times and
+ * attributes of files, which Landlock does not look at, and news of them; the system. */
 static const unsigned denied[] = {SYS_socket,
                                   SYS_bind,
                                   SYS_connect,
@@ -191,16 +200,28 @@ static const unsigned denied[] = {SYS_socket,
                                   SYS_process_vm_readv,
                                   SYS_process_vm_writev,
                                   SYS_kcmp,
+                                  SYS_setpriority,
+                                  SYS_ioprio_set,
+                                  SYS_sched_setaffinity,
+                                  SYS_sched_setscheduler,
+                                  SYS_sched_setparam,
+                                  SYS_sched_setattr,
                                   SYS_execveat,
                                   SYS_fchmodat,
                                   SYS_fchownat,
                                   SYS_setxattr,
                                   SYS_lsetxattr,
+                                  SYS_getxattr,
+                                  SYS_lgetxattr,
+                                  SYS_listxattr,
+                                  SYS_llistxattr,
                                   SYS_removexattr,
                                   SYS_lremovexattr,
                                   SYS_utimensat,
                                   SYS_mknodat,
                                   SYS_open_by_handle_at,
+                                  SYS_inotify_init1,
+                                  SYS_fanotify_init,
                                   SYS_unshare,
                                   SYS_setns,
                                   SYS_mount,
@@ -231,35 +252,21 @@ static const unsigned denied[] = {SYS_socket,
                                   SYS_mq_open,
                                   SYS_shmget,
                                   SYS_msgget,
-                                  SYS_semget,
-#ifdef SYS_chmod /* younger machines have only what stands above */
-                                  SYS_chmod,
-                                  SYS_chown,
-                                  SYS_lchown,
-                                  SYS_mknod,
-                                  SYS_utime,
-                                  SYS_utimes,
-                                  SYS_futimesat,
-                                  SYS_iopl,
-                                  SYS_ioperm,
-                                  SYS_modify_ldt,
+                                  SYS_semget};
+
+/* Older names of the same, where a machine has them. */
+#ifdef SYS_chmod
+static const unsigned older[] = {SYS_chmod, SYS_chown,  SYS_lchown,    SYS_mknod,
+                                 SYS_utime, SYS_utimes, SYS_futimesat, SYS_inotify_init,
+                                 SYS_iopl,  SYS_ioperm, SYS_modify_ldt};
+#else
+static const unsigned older[] = {SYS_chroot};
 #endif
-                                  425,
-                                  426,
-                                  427,
-                                  428,
-                                  429,
-                                  430,
-                                  431,
-                                  432,
-                                  433,
-                                  438,
-                                  442,
-                                  452,
-                                  463,
-                                  466,
-                                  467,
-                                  469};
+
+/* Those that older headers do not name, by their numbers, the same on all machines: io_uring,
+ * mounts, pidfd_getfd, fchmodat2, attributes. */
+static const unsigned newer[] = {425, 426, 427, 428, 429, 430, 431, 432, 433,
+                                 438, 442, 452, 463, 464, 465, 466, 467, 469};
 
 /* Here callers have another way: as if the kernel did not know the call (clone3, memfd_secret). */
 static const unsigned unknown[] = {SYS_memfd_create, 435, 447};
@@ -309,6 +316,8 @@ static void write_filter(filter *f) {
   add(f, BPF_JMP | BPF_JGE | BPF_K, 1u << 30, 0, 1); /* the second set of numbers of x86 */
   end(f, SECCOMP_RET_ERRNO | EPERM);
   refuse(f, denied, sizeof denied / sizeof *denied, EPERM);
+  refuse(f, older, sizeof older / sizeof *older, EPERM);
+  refuse(f, newer, sizeof newer / sizeof *newer, EPERM);
   refuse(f, unknown, sizeof unknown / sizeof *unknown, ENOSYS);
   refuse_where(f, SYS_socketpair, 0, BPF_JEQ, AF_UNIX, 0); /* to talk with children */
   refuse_where(f, SYS_clone, 0, BPF_JSET, spaces, 1);
@@ -332,6 +341,21 @@ static int confine_calls(void) {
 }
 
 #endif
+
+/* --- rights of root -------------------------------------------------------------------------- */
+
+/* All but those to its files: mode bits of files are not looked at here. */
+static void drop_rights(void) {
+  const uint32_t kept = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH | 1u << CAP_FOWNER;
+  struct __user_cap_header_struct head = {_LINUX_CAPABILITY_VERSION_3, 0};
+  struct __user_cap_data_struct rights[_LINUX_CAPABILITY_U32S_3] = {{0}};
+  for (int right = 0; right <= CAP_LAST_CAP; right++)
+    if (right >= 32 || !(kept & 1u << right)) prctl(PR_CAPBSET_DROP, right, 0, 0, 0);
+  if (syscall(SYS_capget, &head, rights) != 0) return;
+  rights[0].effective &= kept, rights[0].permitted &= kept, rights[0].inheritable &= kept;
+  rights[1] = (struct __user_cap_data_struct){0};
+  syscall(SYS_capset, &head, rights);
+}
 
 /* --- limits ----------------------------------------------------------------------------------- */
 
@@ -372,6 +396,7 @@ int arc_jail_enter(const arc_jail *jail) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, jail->largest_file);
   if (!confine_processes()) missing |= ARC_JAIL_PROCESSES;
+  drop_rights();
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return missing | ARC_JAIL_FILES | ARC_JAIL_CALLS;
   if (!confine_files(jail)) missing |= ARC_JAIL_FILES;
   if (!confine_calls()) missing |= ARC_JAIL_CALLS;
