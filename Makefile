@@ -267,8 +267,8 @@ study figures: $(program)
 	  $(if $(filter figures,$@),--fine --converge)
 
 # --- care -------------------------------------------------------------------------------------
-c_files = $(wildcard include/*.h include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] tests/fuzz/*.[ch] tests/memory/*.c examples/c/*.c)
-sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check scripts/deb/readme scripts/deb/root tests/run tests/fuzz/run tests/trust/trials tests/memory/failing tests/memory/valgrind tests/coverage \
+c_files = $(wildcard include/*.h include/archard/*.h src/*/*.[ch] src/*/*/*.[ch] tests/unit/*.[ch] tests/fuzz/*.[ch] tests/memory/*.c tests/trust/*.c examples/c/*.c)
+sh_files = scripts/setup scripts/probe scripts/slurm/node scripts/deb/package scripts/deb/check scripts/deb/readme scripts/deb/root tests/run tests/fuzz/run tests/trust/trials tests/trust/escapes tests/memory/failing tests/memory/valgrind tests/coverage \
            .ci/run tests/tap.bash $(shell grep -l '^\#!.*bash' tests/cli/* tests/guard/*)
 
 format:

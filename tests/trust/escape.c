@@ -15,6 +15,7 @@
 #include <string.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/mount.h>
 #include <sys/ptrace.h>
 #include <sys/resource.h>
@@ -92,7 +93,7 @@ static int by_handle(void) {
 
 static int has_more_descriptors(void) {
   for (int file = 3; file < 1024; file++)
-    if (file != fileno(tried) && fcntl(file, F_GETFD) >= 0) return fprintf(stderr, "descriptor %d is open\n", file), 1;
+    if (file != fileno(tried) && fcntl(file, F_GETFD) >= 0) return 1;
   return 0;
 }
 
@@ -121,11 +122,14 @@ static void try_files(void) {
   TRY("a link to a folder outside", through_link(outside, "/secret"));
   TRY("a link to the root", (snprintf(path, sizeof path, "%s", secret), through_link("/", path)));
   TRY("a link made outside", symlink("x", beside("link")) == 0);
-  TRY("the root as /proc shows it", (snprintf(path, sizeof path, "/proc/self/root%s", secret), reads(path)));
-  TRY("that of the victim", (snprintf(path, sizeof path, "/proc/%d/root%s", (int)victim, secret), reads(path)));
+  TRY("the root as /proc shows it",
+      (snprintf(path, sizeof path, "/proc/self/root%s", secret), reads(path)));
+  TRY("that of the victim",
+      (snprintf(path, sizeof path, "/proc/%d/root%s", (int)victim, secret), reads(path)));
   TRY("its working folder", lists(of_victim("cwd")));
   TRY("the folder above", lists(".."));
-  TRY("from the folder itself", getcwd(here, sizeof here) && chdir(outside) == 0 && reads("secret"));
+  TRY("from the folder itself",
+      getcwd(here, sizeof here) && chdir(outside) == 0 && reads("secret"));
   if (chdir(here) != 0) abort();
   TRY("change the rights of a file outside", chmod(secret, 0666) == 0);
   TRY("by another call", syscall(452, AT_FDCWD, secret, 0666, 0) == 0);
@@ -159,7 +163,8 @@ static int runs(const char *path, char *const argv[]) {
     execv(path, argv);
     _exit(111);
   }
-  return child > 0 && waitpid(child, &how, 0) == child && !(WIFEXITED(how) && WEXITSTATUS(how) == 111) &&
+  return child > 0 && waitpid(child, &how, 0) == child &&
+         !(WIFEXITED(how) && WEXITSTATUS(how) == 111) &&
          !(WIFEXITED(how) && WEXITSTATUS(how) == 127);
 }
 
@@ -224,7 +229,8 @@ static void try_system(void) {
   TRY("a mount by the new calls", syscall(430, "tmpfs", 0) >= 0);
   TRY("another root", chroot(".") == 0);
   TRY("a program in the kernel", syscall(SYS_bpf, 0, NULL, 0) >= 0 || errno == EINVAL);
-  TRY("counters of the processor", syscall(SYS_perf_event_open, &(char[128]){0}, 0, -1, -1, 0) >= 0);
+  TRY("counters of the processor",
+      syscall(SYS_perf_event_open, &(char[128]){0}, 0, -1, -1, 0) >= 0);
   TRY("faults of pages", syscall(SYS_userfaultfd, 0) >= 0);
   TRY("keys", syscall(SYS_keyctl, 0, -3, 0) >= 0);
   TRY("memory of the system", syscall(SYS_shmget, 77, 4096, 01600) >= 0);
@@ -233,8 +239,9 @@ static void try_system(void) {
   TRY("more processes again", setrlimit(RLIMIT_NPROC, &l) == 0);
   TRY("larger files again", setrlimit(RLIMIT_FSIZE, &l) == 0);
   TRY("more memory again", setrlimit(RLIMIT_DATA, &l) == 0);
-  TRY("the name of the machine", sethostname("out", 3) == 0);
-  TRY("the clock", syscall(SYS_settimeofday, NULL, &(int[2]){0, 0}) == 0);
+  char host[HOST_NAME_MAX + 1] = "";
+  gethostname(host, sizeof host);
+  TRY("the name of the machine", sethostname(host, strlen(host)) == 0);
 }
 
 static void try_others(void) {
@@ -242,7 +249,8 @@ static void try_others(void) {
   struct iovec to = {word, 8}, from = {(void *)&victim, 8};
   struct rlimit l = {0, 0};
   TRY("a signal to the victim", kill(victim, SIGTERM) == 0);
-  TRY("one by its handle", syscall(SYS_pidfd_send_signal, syscall(SYS_pidfd_open, victim, 0), SIGTERM, NULL, 0) == 0);
+  TRY("one by its handle",
+      syscall(SYS_pidfd_send_signal, syscall(SYS_pidfd_open, victim, 0), SIGTERM, NULL, 0) == 0);
   TRY("its environment", reads(of_victim("environ")));
   TRY("its memory", opens(of_victim("mem"), O_RDWR));
   TRY("its files", lists(of_victim("fd")));

@@ -1,0 +1,131 @@
+-- A script that wants out of the sandbox: arg[1] is a folder outside, with a file "secret" (whose text is
+-- "the secret"), a run file "run.archard" and a Lua file "code.lua". A line for each attempt: what it was, and
+-- "held" or "OUT". What must not come about outside, or by a program, its caller looks at afterwards.
+local outside = arg[1]
+local secret = outside .. "/secret"
+warn "@off"
+
+local w = wear{ model = { mesh = { size = 0.1, height = 0.1 } }, distance = 22, jump = 50 }
+w:step()
+
+-- Where what came back holds what only the file has.
+local function shows(...)
+  for _, value in ipairs{ ... } do
+    if tostring(value):find("the secret", 1, true) then return true end
+  end
+  return false
+end
+
+local function try(what, call)
+  print(("%s: %s"):format(what:gsub("%c", "?"), shows(pcall(call)) and "OUT" or "held"))
+end
+
+-- Something that must not be there, or not do anything.
+local function absent(what, call)
+  local fine, value = pcall(call)
+  print(("%s: %s"):format(what, fine and value and "OUT" or "held"))
+end
+
+-- --- names of files ------------------------------------------------------------------------------
+
+local names = { secret, "../out/secret", "./../out/secret", "link/secret", "linked", "a/../../out/secret",
+  "/proc/self/cwd/../out/secret", "/proc/self/root" .. secret, "/dev/fd/../../" .. secret, "file:" .. secret,
+  "file://" .. secret, "file:" .. secret .. "?mode=ro", "file:x?vfs=unix", "~/secret", "|cat " .. secret,
+  "`cat " .. secret .. "`", "$(cat " .. secret .. ")", "x\0/../" .. secret, "hard", "//" .. secret, "chain/secret" }
+
+local function all(value)
+  local list = {}
+  for key, item in pairs(value) do list[#list + 1] = tostring(key) .. tostring(item) end
+  return table.concat(list, " ")
+end
+
+for _, name in ipairs(names) do
+  try("csv.read " .. name, function() return all(csv.read(name)) end)
+  try("profile.read " .. name, function() return all(profile.read(name)) end)
+  try("dofile " .. name, function() return dofile(name) end)
+  try("loadfile " .. name, function() return assert(loadfile(name)) end)
+  try("a mesh of " .. name, function() return model{ mesh = name } end)
+  local run = name:gsub("secret", "run.archard")
+  try("wear.open " .. run, function() return "the secret", wear.open(run).distance end)
+  try("study.open " .. run, function() return "the secret", study.open(run):cases() end)
+  try("session.open " .. run, function() session.open(run) return "the secret" end)
+  local into = name:gsub("secret", "written")
+  for what, write in pairs{
+    save = function() w:save(into) end,
+    session = function() session.save(into) end,
+    table = function() export.csv({ x = { 1 } }, into) end,
+    vtk = function() export.vtk(w, into .. ".vtk") end,
+    vtu = function() export.vtk(w, into .. ".vtu") end,
+    deck = function() export.inp(w, into .. ".inp") end,
+    json = function() export.json(w, into .. ".json") end,
+    picture = function() plot{ { y = { 1, 2 } }, file = into .. ".png" } end,
+    commands = function() plot{ { y = { 1, 2 } }, file = into .. ".gp" } end,
+    study = function()
+      study{ base = { distance = 11, jump = 50, model = { mesh = { size = 0.1, height = 0.1 } } }, vary = { alpha = { 0 } } }
+        :run{ file = into, workers = 1, progress = false }
+    end,
+    overwrite = function() export.csv({ x = { 1 } }, name) end,
+  } do
+    pcall(write)
+    print(("%s into %s: held"):format(what, into:gsub("%c", "?"))) -- its caller looks
+  end
+end
+
+-- --- programs ------------------------------------------------------------------------------------
+
+local words = { "'\nsystem 'touch hit'\n'", "`touch hit`", "\"`touch hit`", "'.system('touch hit').'", "$(touch hit)",
+  "'; system 'touch hit'; '", "\\\nsystem 'touch hit'", "@hit", "{/=`touch hit`}", "''`touch hit`''", "\"\n!touch hit\n\"",
+  "\194\133system 'touch hit'", "\226\128\168!touch hit", "x' \"`touch hit`\" 'y" }
+for _, text in ipairs(words) do
+  for what, call in pairs{
+    title = function(t) plot{ { y = { 1, 2 } }, title = t } end,
+    label = function(t) plot{ { y = { 1, 2 } }, xlabel = t, x = { label = t }, ylabel = t } end,
+    curve = function(t) plot{ { y = { 1, 2 }, title = t } } end,
+    colour = function(t) plot{ { y = { 1, 2 }, color = t, colour = t } } end,
+    font = function(t) plot.style{ family = t } plot{ { y = { 1, 2 } }, file = "f.svg" } end,
+    file = function(t) plot{ { y = { 1, 2 } }, file = t .. ".svg" } end,
+    terminal = function(t) plot{ { y = { 1, 2 } }, term = t } end,
+    column = function(t) export.csv({ [t] = { 1, 2 } }, "c.csv") plot.csv("c.csv") end,
+    study = function(t) study{ looks = t, base = { model = t } } end,
+  } do
+    pcall(call, text)
+    print(("%s '%s': held"):format(what, text:gsub("%c", "?"))) -- its caller looks
+  end
+end
+pcall(plot.style, "screen")
+pcall(plot.profile, w, { file = "through/x.png" })
+print "a picture through a link to a folder with a line break: held"
+for _, engine in ipairs{ "parallel", "slurm" } do
+  pcall(function() study{ base = {}, vary = { alpha = { 0 } } }:submit{ engine = engine, options = { "--version; touch hit" } } end)
+  print(("shares under %s: held"):format(engine))
+end
+
+-- --- Lua -----------------------------------------------------------------------------------------
+
+for _, name in ipairs{ "io", "debug", "package", "examples" } do
+  absent("the library " .. name, function() return rawget(_G, name) end)
+  absent("the module " .. name, function() return require(name) end)
+end
+for _, name in ipairs{ "execute", "remove", "rename", "exit", "getenv", "tmpname", "setlocale" } do
+  absent("os." .. name, function() return rawget(os, name) end)
+end
+for _, name in ipairs{ "archard.process", "archard.store", "archard.files", "archard.gnuplot", "archard.export", "archard.lib.shell",
+  "archard.lib.sandbox", "archard.slurm.parallel", "../out/code", "..out.code", "link.code", "lua51compat", "posix", "socket" } do
+  absent("the module " .. name, function() return require(name) end)
+end
+absent("bytecode", function() return load("\27Lua") end)
+absent("bytecode, asked for", function() return load("\27Lua", "x", "b") end)
+absent("bytecode in pieces", function() local n = 0 return load(function() n = n + 1 return n == 1 and "\27" or n == 2 and "Lua" or nil end) end)
+absent("making it", function() return string.dump(function() end) end)
+absent("making it by a method", function() return ("").dump end)
+absent("the metatable of texts", function() return getmetatable "" end)
+absent("that of a run", function() return getmetatable(w) end)
+absent("that of functions of ours", function() return getmetatable(plot) end)
+absent("a finalizer of ours", function() return getmetatable(w).__gc end)
+absent("globals of our scripts", function()
+  local found
+  xpcall(function() plot(nil) end, function(message) found = type(message) == "table" and (message.env or message._ENV) end)
+  return found
+end)
+absent("modules through the loaded table", function() return require "_LOADED" or _LOADED end)
+absent("code outside", function() return dofile(outside .. "/code.lua") end)
