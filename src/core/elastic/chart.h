@@ -10,6 +10,7 @@
 #define ELASTIC_CHART_H
 
 #include "archard/model.h"
+#include "core/base/angle.h"
 
 #include <math.h>
 
@@ -56,10 +57,6 @@ int arc_chart_nearest(const double *sz, int step, int count, double s);
 
 /* Directions of s and z at s: along[2], across[2]. */
 void arc_chart_axes(const chart *c, double s, double along[2], double across[2]);
-
-static inline double arc_radians(double degrees) {
-  return degrees * (3.14159265358979323846 / 180);
-}
 
 /* How far the surface of an unworn pin that rests at `angle` [rad, along s] is from the hole's
  * centre at s [mm]. */

@@ -4,42 +4,13 @@
 
 #include <math.h>
 
-/* What wears evenly, per thickness [mm]: the plate's width; a track 1 mm wide [mm2]. */
-static double even_width(const arc_wear *w) {
-  if (w->def.track > 0) return 2 * acos(-1) * w->def.track;
-  return arc_model_width(arc_model_definition(w->model));
-}
-
-double arc_wear_plate_depth(const arc_wear *w, const arc_shape *shape,
-                            const arc_wear_record *record) {
-  if (w->def.track == 0) return arc_shape_depth(shape, ARC_PLATE);
-  return record->volume_plate / (even_width(w) * 2 * record->half_width);
-}
-
-double arc_wear_even_pressure(const arc_wear *w) {
-  const arc_model_def *def = arc_model_definition(w->model);
-  const double across = w->def.track > 0 ? 2 * arc_wear_last(w)->half_width : def->thickness;
-  return w->def.load / (even_width(w) * across);
-}
-
-void arc_wear_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
-                          arc_wear_record *record) {
-  const arc_model_def *md = arc_model_definition(w->model);
-  double sum[ARC_BODIES] = {0};
-  for (int b = 0; b < ARC_BODIES; b++)
-    for (int i = 0; i < shape->side[b].n; i++)
-      sum[b] += depth->node[b][i] * arc_shape_span(shape, (arc_body)b, i);
-  record->volume_cylinder += sum[ARC_CYLINDER] * md->thickness;
-  record->volume_plate += (sum[ARC_PLATE] + depth->even * even_width(w)) * md->thickness;
-}
-
 void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_dose *dose,
                              wear_depths *depth) {
   for (int b = 0; b < ARC_BODIES; b++) {
-    const double scale = b == ARC_PLATE && w->procedure == ARC_NSP ? 0 : dose->cycles * dose->k[b];
-    for (int i = 0; i < w->shape->side[b].n; i++) depth->node[b][i] = scale * rate->node[b][i];
+    const double scale = dose->cycles * sites_k(w, dose->k, b);
+    for (int i = 0; i < sites_of(w, b); i++) depth->node[b][i] = scale * rate->node[b][i];
   }
-  depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * rate->even : 0;
+  depth->even = w->manner.even ? dose->cycles * dose->k[ARC_PLATE] * rate->even : 0;
   depth->error = 0;
   depth->peak = rate->peak;
   depth->energy = dose->cycles * rate->energy;
@@ -110,12 +81,11 @@ arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double s
   arc_wear_depths_of_rate(w, rate, dose, depth);
   for (int b = 0; b < ARC_BODIES; b++) {
     const double even = b == ARC_PLATE && w->def.track == 0 ? depth->even : 0,
-                 *h = w->shape->side[b].h;
-    for (int i = 0; i < w->shape->side[b].n; i++)
+                 *h = w->kind->sites(w->shape, (arc_body)b).h;
+    for (int i = 0; i < sites_of(w, b); i++)
       *deepest[b] = fmax(*deepest[b], h[i] + depth->node[b][i] + even);
   }
-  arc_wear_add_volumes(w, w->shape, depth, &state);
-  if (w->def.track > 0) state.depth_plate = arc_wear_plate_depth(w, w->shape, &state);
+  w->kind->add_volumes(w, w->shape, depth, &state);
   const double k = dose->k[ARC_CYLINDER] + dose->k[ARC_PLATE];
   if (arc_wear_follows(w, plan))
     follow_course(w, plan, dose->cycles * k * plan->block->sliding, &state);

@@ -1,4 +1,5 @@
 /* Blocks of loading as they are simulated: the reciprocating stroke, or the user's. */
+#include "core/base/angle.h"
 #include "core/wear/run.h"
 
 #include <math.h>
@@ -49,15 +50,15 @@ static void find_poses(wear_block *b) {
 }
 
 /* A force has a way only once it is solved for: it counts as force / E*. */
-static double way_of_force(const wear_block *b, const arc_model_def *model) {
+static double way_of_force(const wear_block *b, const wear_manner *m) {
   double once = 0;
   for (int i = 1; i < b->count; i++) once += fabs(b->tangential[i] - b->tangential[i - 1]);
-  return once / arc_contact_modulus(model->geometry, model->material);
+  return once / m->modulus;
 }
 
-static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *model) {
-  const arc_procedure procedure = arc_wear_choose_procedure(def, model);
-  double once = b->tangential ? way_of_force(b, model) : 0, low = b->x[0], high = b->x[0];
+static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *model,
+                   const wear_manner *m) {
+  double once = b->tangential ? way_of_force(b, m) : 0, low = b->x[0], high = b->x[0];
   for (int i = 1; i < b->count; i++) {
     once += fabs(b->x[i] - b->x[i - 1]);
     low = fmin(low, b->x[i]);
@@ -65,30 +66,31 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
   }
   b->sliding = b->repeat * once;
   b->travel = high - low;
-  if (procedure == ARC_NSP || def->slide == ARC_SLIDE_Z)
+  if (m->rests)
     one_pose(b, 0);
-  else if (arc_wear_rubs(def) && b->travel <= arc_wear_reach(model, b->load))
+  else if (arc_wear_has_friction(def) && b->travel <= arc_kind_of(model)->reach(model, b->load))
     one_pose(b, (low + high) / 2); /* points that stick keep their partners */
   else
     find_poses(b);
 }
 
 /* A force to and fro; pressed where it is about 0. */
-static arc_status by_force(const arc_wear_def *def, const arc_model_def *model, wear_block *b) {
-  const int half = arc_wear_def_increments(def, model) / 2;
+static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
+                           const wear_manner *m, wear_block *b) {
+  const int half = arc_kind_of(model)->increments(def, model) / 2;
   const arc_status status = block_create(b, 2 * half + 1);
   if (status != ARC_OK) return status;
   b->tangential = b->angle + b->count;
   for (int i = 0; i < b->count; i++) {
     const int at = i <= half ? i : 2 * half - i;
-    b->tangential[i] = def->tangential / model->thickness * (2 * at - half) / half;
-    b->line[i] = def->load / model->thickness;
+    b->tangential[i] = def->tangential / m->thickness * (2 * at - half) / half;
+    b->line[i] = def->load / m->thickness;
   }
   b->periodic = 1;
   b->cycles = INFINITY;
   b->press = half + (half + 1) / 2;
   b->load = def->load;
-  finish(b, def, model);
+  finish(b, def, model, m);
   return ARC_OK;
 }
 
@@ -103,36 +105,34 @@ static double along(double stroke, int i, int last) {
  * which stand for one of the passes. NSP needs no more than the ends, unless slip has to be found.
  */
 static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *model,
-                                wear_block *b) {
-  if (def->tangential > 0) return by_force(def, model, b);
-  const int rubs = arc_wear_rubs(def);
-  const arc_procedure procedure = arc_wear_choose_procedure(def, model);
-  const int over = arc_wear_over_plate(def, model),
-            back = rubs || (def->update == ARC_UPDATE_INCREMENT && !over);
-  const int stays = (procedure == ARC_NSP && !rubs) || def->slide == ARC_SLIDE_Z;
-  const int half =
-      stays && def->update == ARC_UPDATE_CYCLE ? 1 : arc_wear_def_increments(def, model) / 2;
+                                const wear_manner *m, wear_block *b) {
+  if (def->tangential > 0) return by_force(def, model, m, b);
+  const int rubs = arc_wear_has_friction(def), over = m->strokes == 1;
+  const int back = rubs || (def->update == ARC_UPDATE_INCREMENT && !over);
+  const int ends = m->rests && !rubs && def->update == ARC_UPDATE_CYCLE;
+  const int half = ends ? 1 : arc_kind_of(model)->increments(def, model) / 2;
   const arc_status status = block_create(b, back ? 2 * half + 1 : half + 1);
   if (status != ARC_OK) return status;
   for (int i = 0; i < b->count; i++) {
-    b->x[i] = along(arc_wear_def_stroke(def), i <= half ? i : 2 * half - i, half);
+    b->x[i] = along(m->stroke, i <= half ? i : 2 * half - i, half);
     b->angle[i] = arc_radians(def->load_angle);
-    b->line[i] = def->load / model->thickness;
+    b->line[i] = def->load / m->thickness;
   }
   b->periodic = 1;
   b->cycles = INFINITY;
   b->repeat = over && back ? 0.5 : over || back ? 1 : 2;
   if (rubs) b->press = half + (half + 1) / 2; /* about x = 0 */
   b->load = def->load;
-  finish(b, def, model);
+  finish(b, def, model, m);
   /* r s to the bit, whatever the increments add up to */
-  b->sliding = (over ? 1 : 2) * arc_wear_def_stroke(def);
-  b->travel = arc_wear_def_stroke(def);
+  b->sliding = m->strokes * m->stroke;
+  b->travel = m->stroke;
   return ARC_OK;
 }
 
-double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i) {
-  return from->rotation ? arc_model_way(model, from->rotation[i]) : from->x[i];
+/* Position of the lower body at point i [mm]. */
+static double position(const arc_loading *from, const wear_manner *m, int i) {
+  return from->rotation ? m->radius * arc_radians(from->rotation[i]) : from->x[i];
 }
 
 /* Direction of the load [degrees]. */
@@ -140,99 +140,43 @@ static double angle_of(const arc_wear_def *def, const arc_loading *from, int i) 
   return from->load_angle ? from->load_angle[i] : def->load_angle;
 }
 
-double arc_wear_reach_of(contact_pair *pair, double load) {
-  static const double share = 0.125; /* centre pressures within 1 % for short strokes, too */
-  return share * arc_pair_estimate(pair, load).half_width;
-}
-
-double arc_wear_reach(const arc_model_def *model, double load) {
-  contact_pair pair = arc_model_pair(model);
-  return arc_wear_reach_of(&pair, load);
-}
-
-/* The contact goes with the load; the plate slides under it. [mm] */
-static double way_to(const arc_loading *from, const arc_model_def *model, int i) {
-  const double way = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
-  if (!from->load_angle) return way;
-  return way + fabs(arc_model_way(model, from->load_angle[i] - from->load_angle[i - 1]));
-}
-
-/* Of a load that lifts off contact gets as narrow as one likes: below this share of the mean over
- * the way all loads together wear less than that share of all. */
-double arc_loading_least(const arc_loading *from, const arc_model_def *model) {
-  static const double share = 0.01;
-  double sum = 0, whole = 0;
-  for (int i = 1; i < from->count; i++) {
-    const double way = way_to(from, model, i);
-    sum += way * (from->load[i] + from->load[i - 1]) / 2;
-    whole += way;
-  }
-  return whole > 0 ? share * sum / whole : 0;
-}
-
-double arc_loading_length(contact_pair *pair, const arc_loading *from, double least, int i) {
-  const double load = fmax(from->load[i - 1], from->load[i]);
-  if (!(load > 0)) return 0;
-  return way_to(from, pair->def, i) / arc_wear_reach_of(pair, fmax(load, least));
-}
-
-/* As many as follow the contact there, unless the number is the user's. */
-double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
-                              const arc_loading *from, double *parts) {
-  enum { of_load = 100 }; /* a contact that stays where it is: only its load has to be followed */
-  const int stays = def->slide == ARC_SLIDE_Z && !from->load_angle;
-  const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
-  const double least = follow ? arc_loading_least(from, model) : 0;
-  contact_pair pair = {.def = NULL};
-  double count = 0;
-  if (follow) pair = arc_model_pair(model);
-  for (int i = 1; i < from->count; i++) {
-    const double length = follow ? arc_loading_length(&pair, from, least, i) : 1;
-    double here = fmax(1, ceil(length * (1 - 1e-9)));
-    if (stays) here = fmin(here, of_load);
-    if (parts) parts[i] = here;
-    count += here;
-  }
-  return count;
-}
-
 /* Fills a block with the increments that end at each point. */
-static void fill(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
-                 const double *parts, wear_block *b) {
+static void fill(const arc_wear_def *def, const arc_model_def *model, const wear_manner *m,
+                 const arc_loading *from, const double *parts, wear_block *b) {
   int at = 0;
   if (from->tangential) {
     b->tangential = b->angle + b->count;
-    b->tangential[0] = from->tangential[0] / model->thickness;
+    b->tangential[0] = from->tangential[0] / m->thickness;
   }
-  b->x[0] = arc_loading_x(from, model, 0);
+  b->x[0] = position(from, m, 0);
   b->angle[0] = arc_radians(angle_of(def, from, 0));
-  b->line[0] = from->load[0] / model->thickness;
+  b->line[0] = from->load[0] / m->thickness;
   for (int i = 1; i < from->count; i++) {
     const int n = (int)parts[i];
     for (int j = 1; j <= n; j++) { /* the last is the point itself, to the bit */
       const double left = (double)(n - j) / n, right = (double)j / n;
-      b->x[++at] = left * arc_loading_x(from, model, i - 1) + right * arc_loading_x(from, model, i);
+      b->x[++at] = left * position(from, m, i - 1) + right * position(from, m, i);
       b->angle[at] =
           arc_radians(left * angle_of(def, from, i - 1) + right * angle_of(def, from, i));
-      b->line[at] = (left * from->load[i - 1] + right * from->load[i]) / model->thickness;
+      b->line[at] = (left * from->load[i - 1] + right * from->load[i]) / m->thickness;
       if (b->tangential)
         b->tangential[at] =
-            (left * from->tangential[i - 1] + right * from->tangential[i]) / model->thickness;
+            (left * from->tangential[i - 1] + right * from->tangential[i]) / m->thickness;
     }
   }
   for (int i = 0; i < from->count; i++) b->load = fmax(b->load, from->load[i]);
   b->periodic = from->periodic;
   b->cycles = from->cycles;
-  finish(b, def, model);
+  finish(b, def, model, m);
 }
 
-static arc_status given(const arc_wear_def *def, const arc_model_def *model,
+static arc_status given(const arc_wear_def *def, const arc_model_def *model, const wear_manner *m,
                         const arc_loading *from, wear_block *b) {
   double *parts = malloc((size_t)from->count * sizeof *parts);
   if (!parts) return ARC_MEMORY;
-  const double increments = arc_loading_increments(def, model, from, parts);
+  const double increments = arc_kind_of(model)->parts(def, model, from, parts);
   const arc_status status = block_create(b, 1 + (int)increments);
-  if (status == ARC_OK) fill(def, model, from, parts, b);
+  if (status == ARC_OK) fill(def, model, m, from, parts, b);
   free(parts);
   return status;
 }
@@ -242,11 +186,12 @@ arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *
   *count = def->blocks > 0 ? def->blocks : 1;
   *block = calloc((size_t)*count, sizeof **block);
   if (!*block) return ARC_MEMORY;
+  const wear_manner m = arc_kind_of(model)->manner(def, model);
   double distance = def->start_distance, cycle = def->start_cycle;
   for (int b = 0; b < *count; b++) {
     wear_block *at = &(*block)[b];
-    const arc_status status =
-        def->blocks > 0 ? given(def, model, &def->loading[b], at) : reciprocating(def, model, at);
+    const arc_status status = def->blocks > 0 ? given(def, model, &m, &def->loading[b], at)
+                                              : reciprocating(def, model, &m, at);
     if (status != ARC_OK) {
       arc_wear_blocks_free(block, *count);
       return status;

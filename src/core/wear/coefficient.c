@@ -138,31 +138,21 @@ double arc_wear_law_rubbed(const arc_wear *w, double p, double mu) {
   return (arc_law_properties[w->def.law] & ARC_LAW_OF_SHEAR ? mu : 1) * arc_wear_law(w, p);
 }
 
-static arc_status ask_factors(const arc_wear *w, const arc_wear_record *state, arc_body body,
-                              const double *p, double *value, arc_error *error) {
+arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_body body,
+                          const double *p, double *factor, arc_error *error) {
   const arc_wear_def *d = &w->def;
-  const shape_side *side = &w->shape->side[body];
-  for (int i = 0; i < side->n; i++) value[i] = 1;
-  const arc_status status = d->local_factor(d->context, body, side->n, side->x0, p, state, value);
+  const wear_sites on = w->kind->sites(w->shape, body);
+  for (int i = 0; i < on.count; i++) factor[i] = 1;
+  if (!d->local_factor) return ARC_OK;
+  const arc_status status = d->local_factor(d->context, body, on.count, on.x, p, state, factor);
   if (status != ARC_OK)
     return arc_fail(error, status, "local_factor failed for the %s at distance %g mm",
                     arc_body_name(body), state->distance);
-  for (int i = 0; i < side->n; i++)
-    if (!(value[i] >= 0) || !isfinite(value[i]))
+  for (int i = 0; i < on.count; i++)
+    if (!(factor[i] >= 0) || !isfinite(factor[i]))
       return arc_fail(error, ARC_ARGUMENT,
                       "field 'local_factor': expected a number >= 0, got %g for the %s at x = %g "
                       "mm, p = %g MPa",
-                      value[i], arc_body_name(body), side->x0[i], p[i]);
-  return ARC_OK;
-}
-
-arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
-                          arc_error *error) {
-  for (int b = 0; b < ARC_BODIES && w->def.local_factor; b++) {
-    double *value = point->f[b], *q = point->q[b];
-    const arc_status status = ask_factors(w, state, (arc_body)b, point->p[b], value, error);
-    if (status != ARC_OK) return status;
-    for (int i = 0; i < w->shape->side[b].n; i++) q[i] *= value[i];
-  }
+                      factor[i], arc_body_name(body), on.x[i], p[i]);
   return ARC_OK;
 }

@@ -1,13 +1,9 @@
-/* Definitions of wear runs: defaults, checks, copies, choice of procedure, zones they need. */
+/* Definitions of wear runs: defaults, checks, copies. */
 #include "core/wear/run.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* So many increments may be made for a cycle, all of which every update takes, and for a history
- * that goes by once. */
-static const double most_of_cycle = 1e5, most_of_history = 1e6;
 
 const char *const arc_procedure_names[] = {ARC_PROCEDURE_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_scheme_names[] = {ARC_SCHEME_LIST(ARC_CHOICE_NAME) NULL};
@@ -23,11 +19,11 @@ const unsigned arc_law_properties[] = {ARC_LAW_LIST(LAW_PROPERTIES)};
  * one decides it in the places named, then counts it here. (Laws are formulas in their list.) */
 #define DECIDED(LIST, count, where)                                                                \
   _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: decide it in " where)
-DECIDED(ARC_PROCEDURE_LIST, 3, "definition.c, block.c, update.c, rate.c");
-DECIDED(ARC_SCHEME_LIST, 2, "plan.c, step.c, update.c");
-DECIDED(ARC_SLIP_LIST, 2, "rate.c");
-DECIDED(ARC_RULE_LIST, 2, "rate.c");
-DECIDED(ARC_UPDATE_LIST, 2, "block.c, update.c");
+DECIDED(ARC_PROCEDURE_LIST, 3, "plane/plane_definition.c, wear/run.h");
+DECIDED(ARC_SCHEME_LIST, 2, "wear/plan.c, step.c, update.c");
+DECIDED(ARC_SLIP_LIST, 2, "plane/rate.c");
+DECIDED(ARC_RULE_LIST, 2, "plane/rate.c");
+DECIDED(ARC_UPDATE_LIST, 2, "wear/block.c, run.h");
 DECIDED(ARC_GEOMETRY_LIST, 2, "contact/shape.c, contact/mortar.c");
 
 #define ARC_SETTING_OF arc_wear_def
@@ -43,55 +39,16 @@ arc_wear_def arc_wear_default(void) {
   return def;
 }
 
-/* What turns in a hole would change its fit by wearing all round, and what is not flat does not
- * wear alike. */
-int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
-  if (arc_model_is_hole(model) || !arc_model_slides_along(model)) return 0;
-  return def->blocks == 0 && def->slide == ARC_SLIDE_X &&
-         fabs(def->stroke - arc_model_width(model)) <= 1e-9 * model->radius;
+int arc_wear_has_friction(const arc_wear_def *def) {
+  return def->friction > 0 || !arc_wear_friction_is_known(def);
 }
 
-double arc_wear_def_stroke(const arc_wear_def *def) {
-  return def->track > 0 ? acos(-1) * def->track : def->stroke;
-}
-
-/* As many in a stroke as follow the contact. */
-static double half_increments(const arc_wear_def *def, const arc_model_def *model) {
-  return ceil(def->stroke / arc_wear_reach(model, def->load) * (1 - 1e-9));
-}
-
-int arc_wear_def_increments(const arc_wear_def *def, const arc_model_def *model) {
-  enum { usual = 100 };
-  const int stays = arc_wear_choose_procedure(def, model) == ARC_NSP || def->tangential > 0 ||
-                    def->slide == ARC_SLIDE_Z;
-  if (def->increments > 0 || stays) return def->increments > 0 ? def->increments : usual;
-  const double half = half_increments(def, model);
-  return half > usual / 2 ? 2 * (int)half : usual;
-}
-
-double arc_wear_def_strokes(const arc_wear_def *def, const arc_model_def *model) {
-  return arc_wear_over_plate(def, model) ? 1 : 2;
-}
-
-int arc_wear_rubs(const arc_wear_def *def) {
-  return def->friction > 0 || def->friction_function || def->friction_series.count > 0;
-}
-
-double arc_wear_def_sliding(const arc_wear_def *def, const arc_model_def *model) {
-  if (!(def->tangential > 0)) return arc_wear_def_strokes(def, model) * arc_wear_def_stroke(def);
-  return 4 * def->tangential / model->thickness /
-         arc_contact_modulus(model->geometry, model->material);
+int arc_wear_friction_is_known(const arc_wear_def *def) {
+  return !def->friction_function && def->friction_series.count == 0;
 }
 
 int arc_wear_alpha_stays_one(const arc_wear_def *def) {
   return def->alpha == 1 && !def->alpha_function && def->alpha_series.count == 0;
-}
-
-arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model) {
-  if (def->procedure != ARC_AUTO) return def->procedure;
-  if (arc_wear_over_plate(def, model) || def->track > 0) return ARC_NSP;
-  if (arc_wear_rubs(def) || !arc_model_slides_along(model)) return ARC_SP;
-  return arc_wear_alpha_stays_one(def) ? ARC_NSP : ARC_SP;
 }
 
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
@@ -101,39 +58,7 @@ void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
   def->k_series = def->alpha_series = (arc_series){0};
 }
 
-int arc_wear_def_of_bodies(arc_wear_def *def, const arc_model_def *model) {
-  const double k[ARC_BODIES] = {arc_model_wear_k(model, ARC_CYLINDER),
-                                arc_model_wear_k(model, ARC_PLATE)};
-  const int have = k[ARC_CYLINDER] > 0 || k[ARC_PLATE] > 0;
-  if (have) arc_wear_def_partition(def, k);
-  return have;
-}
-
 /* --- checks --- */
-
-/* Degrees, of which only holes know. */
-static arc_status check_degrees(const arc_loading *l, const double *value, const char *name,
-                                double most, const arc_model_def *model, int number,
-                                arc_error *error) {
-  for (int i = 0; value && i < l->count; i++)
-    if (!(fabs(value[i]) < most))
-      return arc_fail(error, ARC_ARGUMENT,
-                      "field 'loading[%d].%s[%d]': expected a number in (%g, %g) degrees, got %g",
-                      number, name, i + 1, -most, most, value[i]);
-  if (!value || arc_model_is_hole(model)) return ARC_OK;
-  return arc_fail(error, ARC_ARGUMENT,
-                  "field 'loading[%d].%s': expected a pair with a ring, in or around which a body "
-                  "turns",
-                  number, name);
-}
-
-static arc_status check_turning(const arc_loading *l, const arc_model_def *model, int number,
-                                arc_error *error) {
-  arc_status status = check_degrees(l, l->rotation, "rotation", 36000, model, number, error);
-  if (status == ARC_OK)
-    status = check_degrees(l, l->load_angle, "load_angle", 90, model, number, error);
-  return status;
-}
 
 static arc_status check_points(const arc_loading *l, int number, arc_error *error) {
   for (int i = 0; i < l->count; i++) {
@@ -157,14 +82,9 @@ static int closes(int count, const double *value) {
   return fabs(value[count - 1] - value[0]) <= 1e-9 * most;
 }
 
-/* Whether the coefficient of friction is one number, all the time. */
-static int friction_is_known(const arc_wear_def *d) {
-  return !d->friction_function && d->friction_series.count == 0;
-}
-
 /* Tangential force that is refused [N]: more will be told of on the way. */
 static double carried(const arc_wear_def *d, double load) {
-  if (friction_is_known(d)) return d->friction * load;
+  if (arc_wear_friction_is_known(d)) return d->friction * load;
   return load > 0 ? INFINITY : 0;
 }
 
@@ -197,8 +117,7 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
                   l->tangential ? "N" : "mm", l->load[0], l->load[last]);
 }
 
-static arc_status check_block(const arc_wear_def *d, const arc_model_def *model, int number,
-                              arc_error *error) {
+static arc_status check_block(const arc_wear_def *d, int number, arc_error *error) {
   const arc_loading *l = &d->loading[number - 1];
   const int last = number == d->blocks;
   double sliding = 0;
@@ -206,11 +125,10 @@ static arc_status check_block(const arc_wear_def *d, const arc_model_def *model,
     return arc_fail(error, ARC_ARGUMENT, "field 'loading[%d]': expected at least 2 points, got %d",
                     number, l->count);
   arc_status status = check_points(l, number, error);
-  if (status == ARC_OK) status = check_turning(l, model, number, error);
   if (status != ARC_OK) return status;
   const double *drive = l->tangential ? l->tangential : l->rotation ? l->rotation : l->x;
   for (int i = 1; i < l->count; i++) sliding += fabs(drive[i] - drive[i - 1]);
-  if (l->tangential && !arc_wear_rubs(d))
+  if (l->tangential && !arc_wear_has_friction(d))
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'loading[%d].tangential': a force drives the plate by friction only; "
                     "give friction",
@@ -242,11 +160,10 @@ static arc_status check_block(const arc_wear_def *d, const arc_model_def *model,
   return ARC_OK;
 }
 
-static arc_status check_loading(const arc_wear_def *d, const arc_model_def *model,
-                                arc_error *error) {
+static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
   for (int b = 0; b < d->blocks; b++) {
-    arc_status status = check_block(d, model, b + 1, error);
-    if (status == ARC_OK && arc_wear_rubs(d))
+    arc_status status = check_block(d, b + 1, error);
+    if (status == ARC_OK && arc_wear_has_friction(d))
       status = check_rubbing(d, &d->loading[b], b + 1, error);
     if (status != ARC_OK) return status;
   }
@@ -272,77 +189,30 @@ static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
   return ARC_OK;
 }
 
-static arc_status check_procedure(const arc_wear_def *d, const arc_model_def *model,
-                                  arc_error *error) {
-  const double width = arc_model_width(model);
-  if (d->blocks == 0 && d->slide == ARC_SLIDE_X && d->stroke > width * (1 + 1e-9))
-    return arc_fail(
-        error, ARC_ARGUMENT,
-        "field 'stroke': expected at most the plate's width 2 radius = %g mm, got %g mm", width,
-        d->stroke);
-  const double widest = 0.75 * width; /* the mesher's widest zone less a contact */
-  if (d->slide == ARC_SLIDE_Z && d->slip == ARC_SLIP_TOTAL)
-    return arc_fail(
-        error, ARC_ARGUMENT,
-        "field 'slip': total slip is that along x, slide = \"z\" needs slip = \"rigid\"");
-  if (d->blocks == 0 && d->slide == ARC_SLIDE_X && d->stroke > widest &&
-      arc_wear_choose_procedure(d, model) == ARC_SP)
-    return arc_fail(
-        error, ARC_ARGUMENT,
-        "field 'stroke': a sliding plate (SP) takes at most 1.5 radius = %g mm, got %g mm; 2 "
-        "radius = %g mm is the half-reciprocating stroke over the whole plate (NSP)",
-        widest, d->stroke, width);
-  const int flat = arc_wear_alpha_stays_one(d) || d->track > 0 || arc_wear_over_plate(d, model);
-  if (d->procedure == ARC_NSP && !flat)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'procedure': NSP needs a plate that stays flat, alpha = 1 or stroke = 2 "
-                    "radius = %g mm; "
-                    "got alpha = %g, stroke = %g mm",
-                    width, d->alpha, d->stroke);
-  return ARC_OK;
-}
-
 static arc_status refuse_with_friction(const char *field, const char *why, arc_error *error) {
   return arc_fail(error, ARC_ARGUMENT, "field '%s': with friction %s", field, why);
 }
 
 /* What stands on slip that is known beforehand, or on a state that outlives an update. */
-static arc_status check_friction(const arc_wear_def *d, const arc_model_def *model,
-                                 arc_error *error) {
-  if (!arc_wear_rubs(d) && d->tangential > 0)
+static arc_status check_friction(const arc_wear_def *d, arc_error *error) {
+  if (!arc_wear_has_friction(d) && d->tangential > 0)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': a force drives the plate by friction only; give friction");
-  if (!arc_wear_rubs(d) && (arc_law_properties[d->law] & ARC_LAW_OF_SHEAR))
+  if (!arc_wear_has_friction(d) && (arc_law_properties[d->law] & ARC_LAW_OF_SHEAR))
     return arc_fail(error, ARC_ARGUMENT, "field 'law': \"%s\" is that of friction; give friction",
                     arc_law_names[d->law]);
-  if (!arc_wear_rubs(d)) return ARC_OK;
-  if (d->procedure == ARC_NSP && !arc_wear_over_plate(d, model))
-    return refuse_with_friction("procedure", "expected \"SP\": slip needs the way of the plate",
-                                error);
+  if (!arc_wear_has_friction(d)) return ARC_OK;
   if (d->update == ARC_UPDATE_INCREMENT)
     return refuse_with_friction(
         "update", "expected \"cycle\": updates within a cycle cause slip of their own", error);
-  if (d->slide == ARC_SLIDE_Z)
-    return refuse_with_friction("slide", "expected \"x\": its slip is that in the plane", error);
   if (d->slip == ARC_SLIP_TOTAL)
     return refuse_with_friction("slip", "expected \"rigid\": slip is found point by point anyway",
                                 error);
-  if (friction_is_known(d) && d->blocks == 0 && d->tangential >= d->friction * d->load)
+  if (arc_wear_friction_is_known(d) && d->blocks == 0 && d->tangential >= d->friction * d->load)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': expected less than friction times the load, %g N, got %g "
                     "N",
                     d->friction * d->load, d->tangential);
-  return ARC_OK;
-}
-
-static arc_status check_hole(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
-  const int hole = arc_model_is_hole(model);
-  if (d->load_angle != 0 && !hole)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'load_angle': expected 0 but in a hole, got %g degrees", d->load_angle);
-  if (hole && arc_wear_rubs(d))
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'friction': expected 0 in a hole, where shear carries load too");
   return ARC_OK;
 }
 
@@ -357,37 +227,13 @@ static arc_status check_start(const arc_wear_def *d, arc_error *error) {
                   d->start_distance, d->start_cycle);
 }
 
-static arc_status refuse_way(const char *field, double most, double got, arc_error *error) {
-  return arc_fail(error, ARC_ARGUMENT,
-                  "field '%s': expected a way of at most %g increments, each an eighth of the "
-                  "contact's half width, got %g; give increments, or a shorter way",
-                  field, most, got);
-}
-
-/* Points of a loading that the user gave are as many as they are. */
-static arc_status check_way(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
-  const int strokes = d->blocks == 0 && d->increments == 0 && d->slide == ARC_SLIDE_X;
-  const double stroke = strokes ? 2 * half_increments(d, model) : 0;
-  if (stroke > most_of_cycle) return refuse_way("stroke", most_of_cycle, stroke, error);
-  for (int b = 0; b < d->blocks; b++) {
-    const arc_loading *l = &d->loading[b];
-    const double made = arc_loading_increments(d, model, l, NULL) - (l->count - 1);
-    const double most = l->periodic ? most_of_cycle : most_of_history;
-    if (made > most) return refuse_way("loading", most, made, error);
-  }
-  return ARC_OK;
-}
-
 arc_status arc_wear_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
   arc_status status = arc_settings_check(arc_wear_settings, "", d, error);
   if (status == ARC_OK) status = check_start(d, error);
-  if (status == ARC_OK) status = check_procedure(d, model, error);
-  if (status == ARC_OK) status = arc_wear_check_revolved(d, model, error);
   if (status == ARC_OK) status = check_scheme(d, error);
-  if (status == ARC_OK) status = check_friction(d, model, error);
-  if (status == ARC_OK) status = check_hole(d, model, error);
-  if (status == ARC_OK) status = check_loading(d, model, error);
-  return status == ARC_OK ? check_way(d, model, error) : status;
+  if (status == ARC_OK) status = check_friction(d, error);
+  if (status == ARC_OK) status = check_loading(d, error);
+  return status == ARC_OK ? arc_kind_of(model)->check(d, model, error) : status;
 }
 
 /* --- copies --- */

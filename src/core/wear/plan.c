@@ -1,5 +1,4 @@
 /* How far a step goes: to the end of its jump, its block or its limit, whichever comes first. */
-#include "core/wear/layers.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -10,30 +9,6 @@ static const double rounding = 1e-12;
 static const double whole = 1e-9;
 
 /* --- how far --- */
-
-static int has_layers(const arc_model_def *d) {
-  return arc_body_layers(&d->body[ARC_CYLINDER]) > 0 || arc_body_layers(&d->body[ARC_PLATE]) > 0;
-}
-
-/* E* as the unworn contact feels it [MPa]. */
-static double felt_modulus(const arc_wear *w) {
-  const arc_model_def *d = arc_model_definition(w->model);
-  if (!has_layers(d)) return arc_contact_modulus(d->geometry, d->material);
-  return arc_model_felt_modulus(w->model, 1 / w->history[0].half_width);
-}
-
-/* Scale of wear [mm]: the drop of the cylinder at the edge of the unworn contact, a^2 / 2R. It is 2
- * L / (pi t E*), whatever R: what elasticity gives way by, in other pairs too. */
-static double natural_depth(const arc_wear *w) {
-  const arc_model_def *d = arc_model_definition(w->model);
-  if (d->geometry != ARC_PLANE_STRAIN || has_layers(d))
-    return 2 * arc_model_line(d, w->def.load) / (acos(-1) * felt_modulus(w));
-  const double radius = arc_model_relative_radius(d);
-  arc_hertz hertz = {0};
-  arc_hertz_solve(isfinite(radius) ? radius : d->radius, d->thickness, w->def.load, d->material,
-                  &hertz, NULL);
-  return hertz.half_width * hertz.half_width / (2 * (isfinite(radius) ? radius : d->radius));
-}
 
 /* Integral of k over the distance [mm3/N] that takes `depth` [mm] off the deepest node at the
  * present pressure. */
@@ -62,74 +37,23 @@ static double total_depth(const arc_wear *w) {
 
 /* How much automatic updates may wear at least [mm]. */
 static double bite(const arc_wear *w) {
-  return fmax(first_bite * natural_depth(w), later_bite * total_depth(w));
+  return fmax(first_bite * w->kind->natural_depth(w), later_bite * total_depth(w));
 }
 
 /* --- what wears evenly --- */
 
 /* The contact does not change by it, but where layers get thinner. */
 static int only_evenly(const arc_wear *w) {
-  return wears_evenly(w) && arc_wear_last(w)->alpha == 0;
+  return w->manner.even && arc_wear_last(w)->alpha == 0;
 }
 
-/* Dose that takes `depth` [mm] off there; layers may wear by less than the largest coefficient. */
-static double even_dose(const arc_wear *w, double depth) {
-  const int middle = w->np / 2;
-  const double gone = arc_wear_last(w)->depth_plate - w->shape->side[ARC_PLATE].h[middle];
-  const double share = arc_wear_layer_share(w->shape, ARC_PLATE, middle, fmax(0, gone));
-  return share > 0 ? depth / (share * arc_wear_even_pressure(w)) : INFINITY;
-}
-
-/* --- layers --- */
-
-static double even_layer_dose(const arc_wear *w) {
-  static const double layer_bite = 0.05; /* share of a layer that an update may take */
-  const elastic_body *plate = w->shape->side[ARC_PLATE].body;
-  if (!wears_evenly(w) || w->def.geometry == ARC_FROZEN) return INFINITY;
-  double from = 0, end = 0;
-  for (int n = 0; end <= arc_wear_last(w)->depth_plate; n++) {
-    from = end;
-    end = arc_body_stratum(plate, w->np / 2, n).end;
-  }
-  return isfinite(end) ? even_dose(w, layer_bite * (end - from)) : INFINITY;
-}
-
-/* The layer that lies open at a node. */
-static int open_layer(const shape_side *side, int i) {
-  int n = 0;
-  while (arc_body_stratum(side->body, i, n).end <= side->h[i]) n++;
-  return arc_body_stratum(side->body, i, n).layer;
-}
-
-/* What a mm of an open layer yields by more than one of the body under all layers does, over the
- * pressure [1/MPa]: the most of all nodes that have worn, at first of any. */
-static double softness(const arc_wear *w, arc_body body) {
-  const shape_side *side = &w->shape->side[body];
-  const elastic_body *b = side->body;
-  double most = 0;
-  if (arc_body_layers(&b->mesh->solid) == 0) return most;
-  for (int i = 0; i < side->n; i++)
-    if (side->h[i] > 0 || w->records == 1)
-      most = fmax(most, fabs(1 / b->layer[open_layer(side, i)].c22 - 1 / b->d.c22));
-  return most;
-}
-
-/* An update goes on with the stiffness of its start, which changes as layers get thinner: half of
- * the change is missing on the mean. */
-static double scar_layer_dose(const arc_wear *w) {
-  static const double felt = 0.01; /* the change that an update may make, as a share of pressure */
-  const double soft = fmax(softness(w, ARC_CYLINDER), softness(w, ARC_PLATE));
-  if (w->def.geometry == ARC_FROZEN || soft == 0) return INFINITY;
-  return dose_for(w, felt * w->history[0].half_width / (felt_modulus(w) * soft));
-}
-
-static double layer_dose(const arc_wear *w) {
-  return fmin(even_layer_dose(w), scar_layer_dose(w));
+static double layer_dose(const arc_wear *w, int scars) {
+  return w->kind->layer_dose ? w->kind->layer_dose(w, scars) : INFINITY;
 }
 
 /* The same where nothing else wears: as the wear goes, whatever the pressure in the contact is. */
 static double most_evenly(const arc_wear *w) {
-  return fmin(even_dose(w, bite(w)), even_layer_dose(w));
+  return fmin(w->kind->even_dose(w, bite(w)), layer_dose(w, 0));
 }
 
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan) {
@@ -143,7 +67,7 @@ static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_p
                              arc_error *error) {
   double k[ARC_BODIES], eigenvalue = 0;
   plan->most = only_evenly(w) ? most_evenly(w) : dose_for(w, bite(w));
-  if (arc_wear_closed_form(w)) return ARC_OK;
+  if (w->manner.closed) return ARC_OK;
   arc_status status = arc_wear_coefficients_now(w, k, error);
   if (status == ARC_OK) status = arc_wear_stability(w, callbacks, &eigenvalue, error);
   if (status == ARC_OK && eigenvalue > 0)
@@ -157,7 +81,8 @@ static arc_status plan_plain(arc_wear *w, const arc_callbacks *callbacks, wear_p
 static double most_staged(const arc_wear *w) {
   static const double growth = 3, fall = 0.2, safety = 0.9;
   const arc_wear_record *now = arc_wear_last(w);
-  if (w->records < 2 || !(now->error > 0)) return dose_for(w, first_bite * natural_depth(w));
+  if (w->records < 2 || !(now->error > 0))
+    return dose_for(w, first_bite * w->kind->natural_depth(w));
   const double last = now->k * (now->distance - now[-1].distance);
   return last * fmin(growth, fmax(fall, safety / cbrt(now->error)));
 }
@@ -165,9 +90,9 @@ static double most_staged(const arc_wear *w) {
 /* Explicit updates that choose themselves. */
 static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                                  arc_error *error) {
-  if (splits_cycles(w) || arc_wear_closed_form(w)) return plan_plain(w, callbacks, plan, error);
+  if (splits_cycles(w) || w->manner.closed) return plan_plain(w, callbacks, plan, error);
   plan->staged = 1;
-  plan->most = only_evenly(w) ? most_evenly(w) : fmin(most_staged(w), layer_dose(w));
+  plan->most = only_evenly(w) ? most_evenly(w) : fmin(most_staged(w), layer_dose(w, 1));
   return ARC_OK;
 }
 
@@ -195,11 +120,12 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
         w->records > 2 ? now[-1].jump : 0; /* a last step may have been cut short */
     *jump = fmin(most_growth * fmax(now->jump, before), now->jump * fmax(least_growth, growth));
   } else {
-    *jump = cycles_for(block, k,
-                       only_evenly(w) ? most_evenly(w)
-                                      : dose_for(w, first_implicit_bite * natural_depth(w)));
+    *jump =
+        cycles_for(block, k,
+                   only_evenly(w) ? most_evenly(w)
+                                  : dose_for(w, first_implicit_bite * w->kind->natural_depth(w)));
   }
-  *jump = fmin(*jump, cycles_for(block, k, layer_dose(w)));
+  *jump = fmin(*jump, cycles_for(block, k, layer_dose(w, 1)));
   return ARC_OK;
 }
 
@@ -277,15 +203,15 @@ arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *ca
       !plan->block->periodic && last && now->cycle >= plan->block->start_cycle + 1 - whole;
   *moved = !finished && (limit - now->distance) > rounding * (limit + plan->block->sliding);
   if (!*moved) return ARC_OK;
-  arc_status status = check_progress(w, plan, limit, error);
-  if (status == ARC_OK) status = arc_path_enter(&w->path, plan->block, w->model, error);
+  const arc_status status = check_progress(w, plan, limit, error);
   if (status != ARC_OK) return status;
   if (!plan->block->periodic) {
     plan_increment(w, limit, plan);
     return ARC_OK;
   }
   double jump;
-  if ((status = choose_jump(w, callbacks, plan, &jump, error)) != ARC_OK) return status;
+  const arc_status chosen = choose_jump(w, callbacks, plan, &jump, error);
+  if (chosen != ARC_OK) return chosen;
   const int to_end = left <= jump * (1 + whole);
   plan->cycles = plan->times = left < jump * (1 - whole) ? left : jump;
   plan->end = to_end ? end : now->distance + plan->cycles * plan->block->sliding;

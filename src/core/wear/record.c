@@ -79,13 +79,13 @@ arc_status arc_wear_check_history(const arc_wear_record *history, size_t count, 
 static double smallest_load(const arc_wear *w, const wear_block *block) {
   double line = block->line[0];
   for (int i = 1; i < block->count; i++) line = fmin(line, block->line[i]);
-  return w->def.blocks == 0 ? block->load : line * arc_model_definition(w->model)->thickness;
+  return w->def.blocks == 0 ? block->load : line * w->manner.thickness;
 }
 
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record) {
   const double *x = &block->x[first], *line = &block->line[first];
-  const double thickness = arc_model_definition(w->model)->thickness;
+  const double thickness = w->manner.thickness;
   record->load = block->load;
   record->load_low = smallest_load(w, block);
   record->travel = block->travel;

@@ -1,7 +1,7 @@
 /* The coefficient of friction of a state, and whether it carries the force that drives the plate.
  */
 #include "core/base/callbacks.h"
-#include "core/wear/rate.h"
+#include "core/wear/run.h"
 
 #include <math.h>
 
@@ -24,7 +24,7 @@ arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *s
   if (!b->tangential) return ARC_OK;
   const int at = worst_point(b, &needed);
   if (mu > needed) return ARC_OK;
-  const double thickness = arc_model_definition(w->model)->thickness;
+  const double thickness = w->manner.thickness;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'friction': expected more than %g, as a force of %g N drives the plate "
                   "under a load of %g N, got %g at a distance of %g mm",
@@ -50,4 +50,17 @@ arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, do
                              arc_error *error) {
   const arc_status status = arc_wear_friction_of(w, state, mu, error);
   return status == ARC_OK ? arc_wear_friction_carries(w, state, *mu, error) : status;
+}
+
+arc_status arc_wear_loop(arc_wear *w, const arc_callbacks *callbacks, arc_loop **loop,
+                         arc_error *error) {
+  const wear_block *block = arc_wear_block_at(w, arc_wear_last(w)->cycle);
+  wear_window cycle = {
+      .block = block, .shape = w->shape, .last = block->count - 1, .state = arc_wear_last(w)};
+  wear_watch watch = {.callbacks = callbacks};
+  *loop = NULL;
+  if (!arc_wear_has_friction(&w->def))
+    return arc_fail(error, ARC_ARGUMENT, "field 'friction': a run without friction has no loop");
+  const arc_status status = arc_wear_friction(w, cycle.state, &cycle.mu, error);
+  return status == ARC_OK ? w->kind->loop(w, &cycle, &watch, loop, error) : status;
 }

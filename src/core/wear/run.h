@@ -1,35 +1,13 @@
-/* Inside of arc_wear: what one run holds, and what is asked of it. */
+/* Inside of arc_wear: what one run holds, and what is computed of it. */
 #ifndef WEAR_RUN_H
 #define WEAR_RUN_H
 
-#include "core/wear/path.h"
-
-/* Wear of one cycle per unit of wear coefficient: sum of p ds over the strokes [MPa mm]. */
-typedef struct wear_rate {
-  double *node[ARC_BODIES]; /* [surface of the body]; one block, cylinder first */
-  double even;              /* the plate's, where it wears evenly (Eq. 27): a track 1 mm wide */
-  double peak;              /* largest nodal pressure on the way [MPa] */
-  double energy;            /* dissipated per thickness [N] */
-  double shear, stick;      /* largest tangential force [N/mm], width that never slips [mm] */
-  double gross;             /* 1: all of the contact slips at some time */
-  double pressed;           /* normal force over the sliding of a cycle [N] */
-} wear_rate;
-
-/* What an update takes off. */
-typedef struct wear_depths {
-  double *node[ARC_BODIES]; /* [surface of the body] [mm]; one block, cylinder first */
-  double even;              /* off the whole plate, or a track 1 mm wide [mm] */
-  double error;             /* estimated by an implicit update, over the tolerance; else 0 */
-  double peak;              /* largest nodal pressure of the cycle they come from [MPa] */
-  double energy;            /* dissipated meanwhile, per thickness [N] */
-  double pressed;           /* normal force over the sliding of the update [N] */
-} wear_depths;
+#include "core/pair/kind.h"
 
 /* Room that lasts for a call and means nothing between calls. */
 typedef struct wear_work {
   wear_rate rate;
   wear_depths depth;
-  double *slip; /* [4 * (nc + np)] of an increment; or what mirror images wear */
 } wear_work;
 
 /* The wear of a cycle of a block on the present surfaces: found with them, as the next update
@@ -37,10 +15,10 @@ typedef struct wear_work {
 typedef struct wear_start {
   const wear_block *block; /* NULL: unknown */
   wear_rate rate;
-  int solutions;                  /* it took, and no record counts yet */
-  struct wear_jacobian *jacobian; /* NULL: none was ever wanted */
-  int linear;                     /* the Jacobian belongs to it */
-  double mu;                      /* coefficient of friction it was found with */
+  int solutions;         /* it took, and no record counts yet */
+  wear_tangent *tangent; /* NULL: none was ever wanted */
+  int linear;            /* the tangent belongs to it */
+  double mu;             /* coefficient of friction it was found with */
 } wear_start;
 
 /* What the limit of stability was found for. */
@@ -54,6 +32,7 @@ typedef struct wear_judged {
 
 struct arc_wear {
   arc_model *model;
+  const arc_kind *kind;
 
   /* state: all that is stored; a restored run goes on to the same bits */
   arc_wear_def def; /* series and loading are own copies */
@@ -62,64 +41,63 @@ struct arc_wear {
   arc_wear_record *history;
 
   /* what follows from the definition */
-  arc_procedure procedure; /* SP or NSP */
-  int over_plate;          /* the stroke is the whole plate's width */
+  wear_manner manner;
   int blocks;
   wear_block *block;
-  int nc, np; /* surface nodes */
 
   /* where contact is solved: leaves no trace in results */
-  wear_path path;
-  pose reference; /* plate at x = 0, nominal load */
+  int nc, np; /* sites of the upper and of the lower body */
+  void *own;  /* the kind's */
   wear_work work;
   int warned; /* the callbacks know what speaks against this definition */
   wear_judged judged;
   wear_start start;
 };
 
-/* The plate stays flat, and wears everywhere alike, or along a track. */
-static inline int wears_evenly(const arc_wear *w) {
-  return (w->over_plate || w->def.track > 0) && w->procedure == ARC_NSP;
-}
-
 /* Every increment of a cycle has an update of its own. */
 static inline int splits_cycles(const arc_wear *w) {
-  return w->def.update == ARC_UPDATE_INCREMENT && w->procedure == ARC_SP;
+  return w->def.update == ARC_UPDATE_INCREMENT && w->manner.procedure == ARC_SP;
 }
 
-/* Whether the load alone does not tell the work: forces along the load balance it, those along
- * normals are more in a hole; and a spin goes farther at larger radii. */
-static inline int arc_wear_counts_forces(const arc_wear *w) {
-  return arc_model_body(w->model, ARC_CYLINDER)->chart.polar || w->def.spin > 0;
+/* Wear coefficients of the sites: what wears evenly moves none. */
+static inline double sites_k(const arc_wear *w, const double k[ARC_BODIES], int body) {
+  return body == ARC_LOWER && w->manner.procedure == ARC_NSP ? 0 : k[body];
+}
+
+static inline int sites_of(const arc_wear *w, int body) {
+  return body == ARC_UPPER ? w->nc : w->np;
+}
+
+/* Parts of a vector over the sites. */
+static inline double *sites_from(const arc_wear *w, double *vector, int body) {
+  return body == ARC_UPPER ? vector : vector + w->nc;
 }
 
 /* --- definition.c --- */
-arc_procedure arc_wear_choose_procedure(const arc_wear_def *def, const arc_model_def *model);
-int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model);
 /* Deep copy of series and loading into *copy; frees with arc_wear_def_free. ARC_MEMORY leaves
  * nothing to free. */
 arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
 void arc_wear_def_free(arc_wear_def *def);
-
-/* Whether only the cylinder wears, all the way. */
+/* Whether only the upper body wears, all the time. */
 int arc_wear_alpha_stays_one(const arc_wear_def *def);
+/* Whether a run is one with friction, and whether its coefficient is one number all the time. */
+int arc_wear_has_friction(const arc_wear_def *def);
+int arc_wear_friction_is_known(const arc_wear_def *def);
 
-/* --- revolved.c --- */
-/* Whether a definition keeps to the axis of a model of revolution, and asks for one only there;
- * ARC_ARGUMENT. */
-arc_status arc_wear_check_revolved(const arc_wear_def *def, const arc_model_def *model,
-                                   arc_error *error);
-/* Half width of a flat scar of a volume [mm3] on a cylinder of that radius, or on a ball. */
-double arc_wear_scar(const arc_wear_def *def, const arc_model_def *model, double radius,
-                     double volume);
-/* Slip at surface node i over that at the radius where it is told: 1 unless the bodies spin. */
-double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i);
-
-/* --- definition.c --- */
-/* Whether a run is one with friction. */
-int arc_wear_rubs(const arc_wear_def *def);
+/* --- wear.c --- */
+/* Nothing wears: the sites' [n] and all beside them. */
+void arc_wear_rate_clear(wear_rate *rate, int n);
+void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n);
+/* Each becomes the other. */
+void arc_wear_exchange(arc_wear *a, arc_wear *b);
 
 /* --- block.c --- */
+/* The blocks of a checked definition: block [count], freed by arc_wear_blocks_free. */
+arc_status arc_wear_blocks_create(const arc_wear_def *def, const arc_model_def *model,
+                                  wear_block **block, int *count);
+void arc_wear_blocks_free(wear_block **block, int count);
+/* Where it ends [mm]. */
+double arc_wear_block_end(const wear_block *block);
 /* The block that holds the state after so many cycles. */
 const wear_block *arc_wear_block_at(const arc_wear *w, double cycle);
 
@@ -143,29 +121,30 @@ void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *rec
 double arc_wear_law(const arc_wear *w, double p);
 /* The same with friction, whose coefficient the energy law takes. */
 double arc_wear_law_rubbed(const arc_wear *w, double p, double mu);
-/* Multiplies a point's q by the local factors. */
-arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, wear_point *point,
-                          arc_error *error);
+/* The local factors of one body under pressures p [sites], to factor [sites]; 1 where the run has
+ * none. */
+arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_body body,
+                          const double *p, double *factor, arc_error *error);
 /* dq/dp of the law at a node. */
 double arc_wear_law_slope(const arc_wear *w, double p, double q);
-
-/* --- reference.c --- */
-/* alpha = 0 over the whole plate: the contact never changes and no solution is needed. */
-int arc_wear_closed_form(const arc_wear *w);
-/* Reads the reference configuration of a shape into the record (which holds the rest). */
-arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
-                            arc_error *error);
-
-/* --- ahead.c --- */
-/* Largest depth of the plate [mm]; of a track, its mean depth as wide as the contact is. The record
- * has volume and half width. */
-double arc_wear_plate_depth(const arc_wear *w, const arc_shape *shape,
-                            const arc_wear_record *record);
 
 /* --- record.c --- */
 /* Loads and travel of a record: a cycle of a block, or increment `first` of a generic one. */
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record);
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);
+
+/* --- rubbing.c --- */
+/* Whether the coefficient of friction is a table or a function. */
+int arc_wear_friction_changes(const arc_wear *w);
+/* The coefficient of friction of a state; what a function fails of. */
+arc_status arc_wear_friction_of(const arc_wear *w, const arc_wear_record *state, double *mu,
+                                arc_error *error);
+/* ARC_ARGUMENT where it does not carry the force that drives the plate at a state. */
+arc_status arc_wear_friction_carries(const arc_wear *w, const arc_wear_record *state, double mu,
+                                     arc_error *error);
+/* Both. */
+arc_status arc_wear_friction(const arc_wear *w, const arc_wear_record *state, double *mu,
+                             arc_error *error);
 
 #endif

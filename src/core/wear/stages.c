@@ -3,7 +3,7 @@
  * 1 / (s - 1) of the update, and the update takes the mean of all rates: a longer update needs more
  * stages, so that ripples never set its length. Leans on the rate at trial depths: the compliance
  * of an update's start serves all its stages, and volumes stay exact. */
-#include "core/wear/layers.h"
+#include "core/base/carve.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -30,34 +30,33 @@ static const double worn = 0.05;
 typedef struct staged {
   arc_wear *w;
   wear_window window; /* of the trial */
-  wear_trial trial;
   wear_dose dose;
   wear_rate *rate; /* of the last stage */
   int n, stages;
-  double even, energy;    /* sums of the rates */
-  double pressed;         /* the same of the normal force over the sliding */
-  double peak;            /* pressure on the way of the first */
-  double *z, *down, *sum; /* [n] depths so far, sum of the rates */
-  double *first, *bend;   /* [n] the first rate; second difference of the sums over thirds */
+  double even, energy;  /* sums of the rates */
+  double pressed;       /* the same of the normal force over the sliding */
+  double peak;          /* pressure on the way of the first */
+  double *z, *sum;      /* [n] depths so far, sum of the rates */
+  double *first, *bend; /* [n] the first rate; second difference of the sums over thirds */
 } staged;
 
 static arc_status staged_create(staged *s) {
   const size_t n = (size_t)s->n;
-  s->z = calloc(5 * n, sizeof *s->z);
-  if (!s->z) return ARC_MEMORY;
-  s->down = s->z + n;
-  s->sum = s->down + n;
-  s->first = s->sum + n;
-  s->bend = s->first + n;
-  s->window.trial = &s->trial;
-  s->trial = arc_wear_trial_on(s->window.shape, s->z, s->down);
+  const carve_part parts[] = {{&s->z, n}, {&s->sum, n}, {&s->first, n}, {&s->bend, n}};
+  if (!ARC_CARVE(parts)) return ARC_MEMORY;
+  s->window.depth = s->z;
   return ARC_OK;
+}
+
+/* What layers leave of depths. */
+static void go_through_layers(const staged *s, double *depth) {
+  const arc_kind *kind = s->w->kind;
+  if (kind->through_layers) kind->through_layers(s->window.shape, depth);
 }
 
 /* Wear of node i over the whole update, per rate [mm per MPa mm]; even wear moves no node. */
 static double scale(const staged *s, int i) {
-  if (i < s->w->nc) return s->dose.cycles * s->dose.k[ARC_CYLINDER];
-  return s->w->procedure == ARC_NSP ? 0 : s->dose.cycles * s->dose.k[ARC_PLATE];
+  return s->dose.cycles * sites_k(s->w, s->dose.k, i < s->w->nc ? ARC_UPPER : ARC_LOWER);
 }
 
 /* Adds the rate at hand, and goes on by Euler's rule. */
@@ -72,7 +71,7 @@ static void add_stage(staged *s, int stage) {
     s->bend[i] += weight * rate[i];
     s->z[i] = scale(s, i) * s->sum[i] / (s->stages - 1);
   }
-  arc_wear_into_layers(s->window.shape, s->z);
+  go_through_layers(s, s->z);
 }
 
 static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
@@ -82,7 +81,7 @@ static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
   for (int j = 1; j < s->stages; j++) {
     const double share = (double)j / (s->stages - 1);
     arc_status status = arc_wear_friction_on_the_way(s->w, &s->dose, share, &s->window.mu, error);
-    if (status == ARC_OK) status = arc_wear_evaluate(s->w, &s->window, watch, s->rate, error);
+    if (status == ARC_OK) status = s->w->kind->rate(s->w, &s->window, watch, s->rate, error);
     if (status != ARC_OK) return status;
     add_stage(s, j);
   }
@@ -93,13 +92,14 @@ static arc_status run_stages(staged *s, wear_watch *watch, arc_error *error) {
  * does not fall with the mesh. */
 static double worn_mean(const staged *s, arc_body b, const double *depth, const double *defect,
                         double *deepest) {
-  const shape_side *side = &s->window.shape->side[b];
+  const arc_kind *kind = s->w->kind;
+  const wear_sites on = kind->sites(s->window.shape, b);
   double sum = 0, width = 0;
   *deepest = 0;
-  for (int i = 0; i < side->n; i++) *deepest = fmax(*deepest, side->h[i] + depth[i]);
-  for (int i = 0; i < side->n; i++) {
-    if (side->h[i] + depth[i] < worn * *deepest) continue;
-    const double w = arc_shape_width(side, i);
+  for (int i = 0; i < on.count; i++) *deepest = fmax(*deepest, on.h[i] + depth[i]);
+  for (int i = 0; i < on.count; i++) {
+    if (on.h[i] + depth[i] < worn * *deepest) continue;
+    const double w = kind->area(s->window.shape, b, i);
     sum += w * defect[i] * defect[i];
     width += w;
   }
@@ -115,13 +115,13 @@ static double estimate(staged *s, const wear_depths *depth) {
     defect[i] = by_thirds ? scale(s, i) * s->bend[i] * 9 / 4 / s->stages
                           : scale(s, i) * (defect[i] + s->rate->node[0][i]) / 2 - depth->node[0][i];
   memcpy(s->z, depth->node[0], (size_t)s->n * sizeof *s->z);
-  arc_wear_into_layers(s->window.shape, s->z);
+  go_through_layers(s, s->z);
   for (int i = 0; i < s->n; i++)
     if (depth->node[0][i] > 0) defect[i] *= s->z[i] / depth->node[0][i];
   for (int b = 0; b < ARC_BODIES; b++) {
-    const int first = b == ARC_CYLINDER ? 0 : s->w->nc;
     double deepest;
-    const double off = worn_mean(s, (arc_body)b, s->z + first, defect + first, &deepest);
+    const double off =
+        worn_mean(s, (arc_body)b, sites_from(s->w, s->z, b), sites_from(s->w, defect, b), &deepest);
     if (deepest > 0) share = fmax(share, off / (ARC_STAGED_TOLERANCE * deepest));
   }
   return share;
@@ -146,13 +146,13 @@ arc_status arc_wear_stages(arc_wear *w, const wear_window *window, const wear_do
   s.stages = stages_for(w, dose->cycles, eigenvalue);
   arc_status status = staged_create(&s);
   if (status != ARC_OK) return arc_fail(error, status, "out of memory for an update");
-  s.window.jacobian = NULL;
+  s.window.tangent = NULL;
   status = run_stages(&s, watch, error);
   if (status == ARC_OK) {
     for (int i = 0; i < s.n; i++) depth->node[0][i] = scale(&s, i) * s.sum[i] / s.stages;
     depth->peak = s.peak;
     depth->pressed = dose->cycles * s.pressed / s.stages;
-    depth->even = wears_evenly(w) ? dose->cycles * dose->k[ARC_PLATE] * s.even / s.stages : 0;
+    depth->even = w->manner.even ? dose->cycles * dose->k[ARC_PLATE] * s.even / s.stages : 0;
     depth->energy = dose->cycles * s.energy / s.stages;
     depth->error = estimate(&s, depth);
   }

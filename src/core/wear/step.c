@@ -1,6 +1,5 @@
 /* One step of a run: planned, tried, cut, met with targets; then all of it or nothing. */
 #include "core/base/callbacks.h"
-#include "core/wear/rebuild.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -46,15 +45,15 @@ static arc_status attempt_once(arc_wear *w, wear_plan *plan, wear_watch *watch, 
   *record = *last;
   record->error = record->p_peak = 0;
   arc_wear_note_motion(w, plan->block, plan->first, record);
-  arc_shape_destroy(&out->shape);
-  arc_status status = arc_shape_clone(w->shape, &out->shape, error);
+  w->kind->discard(&out->shape);
+  arc_status status = w->kind->copy(w->shape, &out->shape, error);
   if (status == ARC_OK) status = arc_wear_update(w, plan, watch, out, error);
   if (status != ARC_OK) return status;
   record->cycle = last->cycle + plan->cycles;
   record->jump = plan->cycles;
   record->distance = plan->end;
   record->solutions = last->solutions + watch->solutions;
-  return arc_wear_measure(w, out->shape, record, error);
+  return w->kind->measure(w, out->shape, record, error);
 }
 
 /* Share of wear that a step adds. */
@@ -123,7 +122,7 @@ static double passable(const wear_plan *plan) {
 
 /* A contact that has grown to the edge of its mesh leaves it after the shortest of steps, too. */
 static int is_at_edge(const arc_wear *w, const wear_plan *plan, arc_status status) {
-  return arc_wear_has_outgrown(w, status) && arc_wear_plan_is_short(w, plan);
+  return w->kind->has_outgrown(w, status) && arc_wear_plan_is_short(w, plan);
 }
 
 /* Steps that do not converge, or err too much, are cut and tried again. */
@@ -232,7 +231,7 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
     w->shape = out.shape;
     out.shape = old;
   }
-  arc_shape_destroy(&out.shape);
+  w->kind->discard(&out.shape);
   if (status == ARC_OK) arc_wear_watch_ripples(w, plan.block, callbacks);
 #ifdef ARC_CHECKS
   arc_error broken;
@@ -249,13 +248,12 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
   enum { most_tries = 4 };
   arc_error why = {0}, trouble = {0};
   arc_wear *before = NULL, *larger;
-  arc_status status =
-      arc_wear_layer_rows(w) > 0
-          ? arc_fail(&why, ARC_GEOMETRY, "the plate's layers end below its wear box")
-          : try_step(w, limit, callbacks, targets, moved, &why);
+  arc_status status = w->kind->must_grow(w, &why)
+                          ? why.status
+                          : try_step(w, limit, callbacks, targets, moved, &why);
   const arc_status first = status;
-  for (int i = 0; i < most_tries && arc_wear_has_outgrown(w, status); i++) {
-    const arc_status built = arc_wear_grow(w, status, callbacks, &larger, &trouble);
+  for (int i = 0; i < most_tries && w->kind->has_outgrown(w, status); i++) {
+    const arc_status built = w->kind->grow(w, status, callbacks, &larger, &trouble);
     if (built == ARC_STOPPED) status = arc_fail(&why, built, "%s", trouble.message);
     if (built != ARC_OK) break;
     arc_wear_exchange(w, larger);
@@ -267,14 +265,14 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
     if (status == ARC_STOPPED) arc_fail(&why, status, "%s", trouble.message);
   }
   if (before && status == ARC_OK)
-    arc_wear_tell_grown(before, w, callbacks);
+    w->kind->report_growth(before, w, callbacks);
   else if (before)
     arc_wear_exchange(w, before);
   arc_wear_destroy(&before);
   if (status == ARC_OK || status == ARC_STOPPED)
     return status == ARC_OK ? status : arc_fail(error, status, "%s", why.message);
   why.status = first;
-  return arc_wear_refuse(w, &why, &trouble, error);
+  return w->kind->refuse(w, &why, &trouble, error);
 }
 
 arc_status arc_wear_step(arc_wear *w, const arc_callbacks *callbacks, arc_error *error) {

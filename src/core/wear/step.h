@@ -2,7 +2,7 @@
 #ifndef WEAR_STEP_H
 #define WEAR_STEP_H
 
-#include "core/wear/rate.h"
+#include "core/wear/run.h"
 
 /* What a step is about to do. */
 typedef struct wear_plan {
@@ -47,15 +47,9 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan);
 
 /* --- ahead.c --- */
-/* What wears evenly [MPa]: the load over the plate, or a track. The depth is as much per dose,
- * where Archard's law holds. */
-double arc_wear_even_pressure(const arc_wear *w);
 /* What a rate takes in a dose. */
 void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_dose *dose,
                              wear_depths *depth);
-/* Volumes [mm3] that depths take from a shape, before it is worn by them. */
-void arc_wear_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
-                          arc_wear_record *record);
 /* Whether functions of the state are asked with the pressures and widths of the way, rather than
  * those of its start: in updates of second order. */
 int arc_wear_follows(const arc_wear *w, const wear_plan *plan);
@@ -103,10 +97,6 @@ arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
                          const arc_callbacks *callbacks, arc_error *error);
 
 /* --- stability.c --- */
-/* Growth rate of ripples [1/cycle] at these coefficients, by the Jacobian of a cycle. work [2 n].
- */
-double arc_wear_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], const double *jacobian,
-                           double *work);
 /* Tells, once for a definition, what speaks against this run before it goes on. */
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);
 /* Tells, once for a definition, that the last update, of this block, was longer than is stable;

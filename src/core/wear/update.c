@@ -1,46 +1,17 @@
 /* One update of the geometry: its coefficients, then its depths, by whichever scheme. */
-#include "core/wear/layers.h"
 #include "core/wear/step.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-static int any_depth(const double *depth, int n) {
-  for (int i = 0; i < n; i++)
-    if (depth[i] != 0) return 1;
-  return 0;
-}
-
-/* What coefficients of layers leave of depths; a track is as deep as its mean over the contact. */
-static void go_through_layers(const arc_wear *w, const wear_outcome *out, wear_depths *depth) {
-  const double wide = w->def.track > 0 ? 2 * out->record.half_width : 1;
-  arc_wear_into_layers(out->shape, depth->node[ARC_CYLINDER]);
-  const int middle = out->shape->side[ARC_PLATE].n / 2; /* what wears evenly has even layers */
-  if (depth->even > 0)
-    depth->even = wide * arc_wear_through_layers(out->shape, ARC_PLATE, middle,
-                                                 out->record.depth_plate, depth->even / wide);
-}
 
 /* Wears the outcome's shape, and adds volumes and error. */
 static arc_status apply(const arc_wear *w, wear_depths *depth, wear_outcome *out,
                         arc_error *error) {
-  go_through_layers(w, out, depth);
-  arc_wear_add_volumes(w, out->shape, depth, &out->record);
   out->record.error = depth->error;
-  out->record.energy += depth->energy * arc_model_definition(w->model)->thickness;
-  if (arc_wear_counts_forces(w))
-    out->record.load_distance += depth->pressed * arc_model_definition(w->model)->thickness;
+  out->record.energy += depth->energy * w->manner.thickness;
+  if (w->manner.counts_forces) out->record.load_distance += depth->pressed * w->manner.thickness;
   out->record.p_peak = fmax(out->record.p_peak, depth->peak);
-  for (int b = 0; b < ARC_BODIES; b++) {
-    if (!any_depth(depth->node[b], out->shape->side[b].n)) continue;
-    arc_shape_conserve(out->shape, (arc_body)b, depth->node[b]);
-    const arc_status status = arc_shape_wear(out->shape, (arc_body)b, depth->node[b], error);
-    if (status != ARC_OK) return status;
-  }
-  if (depth->even != 0 && w->def.track == 0)
-    return arc_shape_wear_evenly(out->shape, ARC_PLATE, depth->even, error);
-  return ARC_OK;
+  return w->kind->wear(w, out->shape, depth, &out->record, error);
 }
 
 /* Integral of the load over the sliding of a window [N mm], by the rule the wear goes by. Forces on
@@ -53,7 +24,7 @@ static double load_distance(const arc_wear *w, const wear_block *b, int first, i
         w->def.rule == ARC_TRAPEZOID ? (b->line[at] + b->line[at - 1]) / 2 : b->line[at];
     sum += line * fabs(b->x[at] - b->x[at - 1]);
   }
-  return b->repeat * sum * arc_model_definition(w->model)->thickness;
+  return b->repeat * sum * w->manner.thickness;
 }
 
 /* --- by which scheme --- */
@@ -68,7 +39,7 @@ static arc_status find_depths(arc_wear *w, const wear_plan *plan, const wear_win
                               arc_error *error) {
   if (!is_explicit(w, plan)) return arc_wear_implicit(w, window, dose, watch, depth, error);
   wear_rate *rate = &w->work.rate;
-  const arc_status status = arc_wear_evaluate(w, window, watch, rate, error);
+  const arc_status status = w->kind->rate(w, window, watch, rate, error);
   if (status == ARC_OK) arc_wear_depths_of_rate(w, rate, dose, depth);
   return status;
 }
@@ -95,8 +66,12 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
     middle.distance = from + part * length / 2;
     middle.cycle = start.cycle + (gone + part / 2) * plan->cycles;
     wear_dose dose = {.cycles = plan->cycles};
-    const wear_window window = {
-        .shape = out->shape, .first = i, .last = i + 1, .chained = i > 0, .state = &middle};
+    const wear_window window = {.block = b,
+                                .shape = out->shape,
+                                .first = i,
+                                .last = i + 1,
+                                .chained = i > 0,
+                                .state = &middle};
     arc_status status =
         arc_wear_coefficients(w, from, from + part * length, &middle, dose.k, error);
     if (status == ARC_OK) status = find_depths(w, plan, &window, &dose, watch, depth, error);
@@ -106,18 +81,12 @@ static arc_status split_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
     record->distance = start.distance + gone * length;
     record->cycle = start.cycle + gone * plan->cycles;
     record->solutions = start.solutions + watch->solutions;
-    record->depth_cylinder = arc_shape_depth(out->shape, ARC_CYLINDER);
-    record->depth_plate = arc_shape_depth(out->shape, ARC_PLATE);
+    record->depth_cylinder = w->kind->deepest(out->shape, ARC_CYLINDER);
+    record->depth_plate = w->kind->deepest(out->shape, ARC_PLATE);
     arc_wear_note_coefficients(dose.k, record);
     memcpy(out->foreseen, dose.k, sizeof dose.k);
   }
   return ARC_OK;
-}
-
-/* alpha = 0 over the whole plate: the load is all that counts. */
-static void closed_form(const arc_wear *w, wear_rate *rate) {
-  arc_wear_rate_clear(rate, w->nc + w->np);
-  rate->even = w->block[0].line[0];
 }
 
 /* What a whole update consists of. */
@@ -128,26 +97,13 @@ typedef struct whole {
   wear_watch *watch;
   wear_rate *rate; /* at the start, where known */
   wear_dose dose;
-  double *work; /* [2 n] for stages; NULL: none */
 } whole;
-
-static arc_status whole_create(whole *u) {
-  const arc_wear *w = u->w;
-  if (!u->plan->staged) return ARC_OK;
-  u->work = malloc(2 * (size_t)(w->nc + w->np) * sizeof *u->work);
-  return u->work ? ARC_OK : ARC_MEMORY;
-}
 
 /* --- the start --- */
 
-static arc_status want_jacobian(arc_wear *w, arc_error *error) {
-  wear_start *s = &w->start;
-  if (s->jacobian) return ARC_OK;
-  s->jacobian = calloc(1, sizeof *s->jacobian);
-  if (s->jacobian && arc_wear_jacobian_create(s->jacobian, w->nc, w->np) == ARC_OK) return ARC_OK;
-  free(s->jacobian);
-  s->jacobian = NULL;
-  return arc_fail(error, ARC_MEMORY, "out of memory for an update");
+static arc_status want_tangent(arc_wear *w, arc_error *error) {
+  if (!w->start.tangent) w->start.tangent = w->kind->tangent(w);
+  return w->start.tangent ? ARC_OK : arc_fail(error, ARC_MEMORY, "out of memory for an update");
 }
 
 /* Solves a window as the start of an update; the wear of whole cycles is kept, unless factors
@@ -159,9 +115,9 @@ static arc_status solve_start(arc_wear *w, const wear_plan *plan, wear_window wi
   s->block = NULL;
   s->linear = plan->staged;
   s->mu = window.mu;
-  arc_status status = s->linear ? want_jacobian(w, error) : ARC_OK;
-  window.jacobian = s->linear ? s->jacobian : NULL;
-  if (status == ARC_OK) status = arc_wear_evaluate(w, &window, watch, &s->rate, error);
+  arc_status status = s->linear ? want_tangent(w, error) : ARC_OK;
+  window.tangent = s->linear ? s->tangent : NULL;
+  if (status == ARC_OK) status = w->kind->rate(w, &window, watch, &s->rate, error);
   if (status != ARC_OK) return status;
   s->solutions = watch->solutions - before;
   if (plan->block->periodic && !w->def.local_factor) s->block = plan->block;
@@ -176,7 +132,7 @@ static void take_start(arc_wear *w, wear_rate *rate) {
 
 /* What a cycle with friction tells, into the record of the surfaces it was solved on. */
 static void note_rubbing(const arc_wear *w, const wear_rate *rate, arc_wear_record *record) {
-  const double thickness = arc_model_definition(w->model)->thickness;
+  const double thickness = w->manner.thickness;
   record->cycle_energy = rate->energy * thickness;
   record->largest_shear = rate->shear * thickness;
   record->stick_width = rate->stick;
@@ -186,11 +142,11 @@ static void note_rubbing(const arc_wear *w, const wear_rate *rate, arc_wear_reco
 arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
                          const arc_callbacks *callbacks, arc_error *error) {
   w->start.block = NULL;
-  const int asked = is_explicit(w, plan) || arc_wear_rubs(&w->def);
-  if (!asked || !plan->block->periodic || splits_cycles(w) || arc_wear_closed_form(w))
-    return ARC_OK;
+  const int asked = is_explicit(w, plan) || arc_wear_has_friction(&w->def);
+  if (!asked || !plan->block->periodic || splits_cycles(w)) return ARC_OK;
   wear_watch later = {.callbacks = callbacks};
-  wear_window cycle = {.shape = out->shape,
+  wear_window cycle = {.block = plan->block,
+                       .shape = out->shape,
                        .last = plan->block->count - 1,
                        .state = w->def.local_factor ? NULL : &out->record};
   arc_status status = arc_wear_friction(w, &out->record, &cycle.mu, error);
@@ -209,13 +165,10 @@ static arc_status find_start(whole *u, arc_error *error) {
   arc_wear *w = u->w;
   if (!is_explicit(w, u->plan) && !arc_wear_has_state_functions(w)) return ARC_OK;
   u->rate = &w->work.rate;
-  if (arc_wear_closed_form(w)) {
-    closed_form(w, u->rate);
-    return ARC_OK;
-  }
   const wear_start *kept = &w->start;
   arc_status status = ARC_OK;
-  if (kept->block == u->plan->block && kept->mu == u->window.mu && (kept->linear || !u->work))
+  if (kept->block == u->plan->block && kept->mu == u->window.mu &&
+      (kept->linear || !u->plan->staged))
     u->watch->solutions += kept->solutions;
   else
     status = solve_start(w, u->plan, u->window, u->watch, error);
@@ -227,8 +180,8 @@ static arc_status find_start(whole *u, arc_error *error) {
 static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
   arc_wear *w = u->w;
   arc_status status = arc_wear_dose(w, u->plan, u->rate, &u->dose, error);
-  for (int cut = 0; cut < 3 && u->work && status == ARC_OK; cut++) {
-    *eigenvalue = arc_wear_eigenvalue(w, u->dose.k, w->start.jacobian->value, u->work);
+  for (int cut = 0; cut < 3 && u->plan->staged && status == ARC_OK; cut++) {
+    *eigenvalue = w->kind->eigenvalue(w, u->dose.k, w->start.tangent);
     const double longest = arc_wear_longest_staged(w, *eigenvalue);
     if (u->dose.cycles <= longest) break;
     arc_wear_plan_shorten(w, u->plan, longest);
@@ -241,7 +194,7 @@ static arc_status find_dose(whole *u, double *eigenvalue, arc_error *error) {
  * known; the others, which ask for it on the way, that behind a jump right at their start. */
 static arc_status find_friction(whole *u, arc_error *error) {
   static const double slight = 1e-6;
-  const int asks = u->work || !is_explicit(u->w, u->plan);
+  const int asks = u->plan->staged || !is_explicit(u->w, u->plan);
   const double mu = asks ? u->dose.begin : u->dose.friction;
   if (fabs(mu - u->window.mu) <= slight * mu) return ARC_OK;
   const arc_wear_record middle = arc_wear_on_the_way(u->w, u->plan, 0.5, NULL, NULL);
@@ -257,7 +210,7 @@ static arc_status depths_of_update(whole *u, wear_depths *depth, arc_error *erro
   if (status == ARC_OK) status = find_dose(u, &eigenvalue, error);
   if (status == ARC_OK) status = find_friction(u, error);
   if (status != ARC_OK) return status;
-  if (u->work)
+  if (u->plan->staged)
     return arc_wear_stages(w, &u->window, &u->dose, eigenvalue, u->watch, u->rate, depth, error);
   const int again = arc_wear_has_state_functions(w) && w->def.local_factor;
   if (is_explicit(w, u->plan) && !again) {
@@ -276,19 +229,15 @@ static arc_status whole_update(arc_wear *w, wear_plan *plan, wear_watch *watch, 
   const arc_wear_record middle =
       arc_wear_has_state_functions(w) ? out->record : arc_wear_on_the_way(w, plan, 0.5, NULL, NULL);
   whole u = {.w = w, .plan = plan, .watch = watch};
-  u.window = (wear_window){.shape = out->shape,
+  u.window = (wear_window){.block = plan->block,
+                           .shape = out->shape,
                            .first = generic ? plan->first : 0,
                            .last = generic ? plan->first + 1 : plan->block->count - 1,
                            .state = &middle};
   wear_depths *depth = &w->work.depth;
   arc_status status = arc_wear_friction(w, &out->record, &u.window.mu, error);
   if (status != ARC_OK) return status;
-  status = whole_create(&u);
-  if (status != ARC_OK)
-    arc_fail(error, status, "out of memory for an update");
-  else
-    status = depths_of_update(&u, depth, error);
-  free(u.work);
+  status = depths_of_update(&u, depth, error);
   if (status != ARC_OK) return status;
   arc_wear_note_coefficients(u.dose.k, &out->record);
   memcpy(out->foreseen, u.dose.last, sizeof out->foreseen);
@@ -303,7 +252,7 @@ arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear
   out->record.update += split ? plan->block->count - 1 : 1;
   const int generic = !plan->block->periodic;
   const int first = generic ? plan->first : 0, last = plan->block->count - 1;
-  if (arc_wear_counts_forces(w)) return status;
+  if (w->manner.counts_forces) return status;
   out->record.load_distance +=
       plan->times * load_distance(w, plan->block, first, generic ? first + 1 : last);
   return status;

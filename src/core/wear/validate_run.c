@@ -1,6 +1,5 @@
-/* Whether a run is sound: its history, its volumes, its worn meshes, its contact. Stands on the
- * public headers alone. */
-#include "archard/wear.h"
+/* Whether a run is sound: its history, its volumes, and what its kind checks. */
+#include "core/wear/run.h"
 
 #include <assert.h>
 #include <math.h>
@@ -67,11 +66,6 @@ static arc_status check_volume(const arc_wear_def *d, const arc_wear_record *bef
                   now->update, added, arc_body_name(body), expected);
 }
 
-/* Of layers each goes by its own k, which no record tells. */
-static int has_layers(const arc_wear *w, arc_body body) {
-  return arc_body_layers(&arc_model_mesh(arc_wear_model(w), body)->solid) > 0;
-}
-
 static arc_status check_history(const arc_wear *w, arc_error *error) {
   size_t count;
   const arc_wear_record *r = arc_wear_history(w, &count);
@@ -85,51 +79,13 @@ static arc_status check_history(const arc_wear *w, arc_error *error) {
     /* what lies before was made under another definition */
     if (!known || r[i - 1].distance < d->start_distance) continue;
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-      if (!has_layers(w, (arc_body)b))
+      if (!w->manner.layered[b]) /* layers go by a k of their own, which no record has */
         status = check_volume(d, &r[i - 1], &r[i], (arc_body)b, error);
   }
   return status;
 }
 
-/* --- surfaces and meshes --- */
-
-static arc_status check_surface(const arc_wear *w, arc_body body, arc_error *error) {
-  const arc_profile p = arc_shape_profile(arc_wear_shape(w), body);
-  for (int i = 0; i < p.count; i++)
-    if (!(p.h[i] >= 0) || !isfinite(p.h[i]) || !isfinite(p.y[i]))
-      return arc_fail(error, ARC_NUMERIC,
-                      "surface: depth %g mm, height %g mm at x = %g mm of the %s", p.h[i], p.y[i],
-                      p.x[i], arc_body_name(body));
-  return ARC_OK;
-}
-
-static arc_status check_mesh(const arc_wear *w, arc_body body, arc_error *error) {
-  const arc_mesh *mesh = arc_model_mesh(arc_wear_model(w), body);
-  if (mesh->rows == 0) return ARC_OK; /* worn nodes are there to be seen alone */
-  double *xy = malloc(2 * (size_t)mesh->nodes * sizeof *xy);
-  if (!xy) return arc_fail(error, ARC_MEMORY, "out of memory to validate a run");
-  arc_shape_nodes(arc_wear_shape(w), body, xy);
-  const double smallest = arc_mesh_quality(mesh, xy).smallest_jacobian;
-  free(xy);
-  if (smallest > 0) return ARC_OK;
-  return arc_fail(error, ARC_NUMERIC, "mesh: smallest Jacobian %g mm2 in the worn %s", smallest,
-                  arc_body_name(body));
-}
-
-static arc_status check_contact(const arc_wear *w, arc_error *error) {
-  arc_contact *contact;
-  arc_status status = arc_wear_contact(w, &contact, error);
-  if (status == ARC_OK) status = arc_contact_validate(contact, error);
-  arc_contact_destroy(&contact);
-  return status;
-}
-
 arc_status arc_wear_validate(const arc_wear *w, arc_error *error) {
-  arc_status status = check_history(w, error);
-  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
-    status = check_surface(w, (arc_body)b, error);
-    if (status == ARC_OK && arc_wear_definition(w)->geometry == ARC_MOVING)
-      status = check_mesh(w, (arc_body)b, error);
-  }
-  return status == ARC_OK ? check_contact(w, error) : status;
+  const arc_status status = check_history(w, error);
+  return status == ARC_OK ? w->kind->validate(w, error) : status;
 }

@@ -1,7 +1,7 @@
 /* Wear through layers: the coefficient is a table over depth. A depth that is due at the largest
  * coefficient is spent layer by layer, each of which wears by its share of it, so that an update
  * that ends in another layer than it began in takes what both would. */
-#include "core/wear/layers.h"
+#include "core/plane/cycle.h"
 
 #include <math.h>
 

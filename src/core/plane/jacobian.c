@@ -6,7 +6,7 @@
  * one, the head, serves a group of them; their B do differ, and it is their mean that couples the
  * surfaces. Groups lie symmetric about x = 0, so that symmetric runs stay so. */
 #include "core/base/dense.h"
-#include "core/wear/rate.h"
+#include "core/plane/cycle.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,39 +26,46 @@ typedef struct jacobian_group {
   double *cb;            /* [nc x np] work: C B */
 } jacobian_group;
 
-arc_status arc_wear_jacobian_create(wear_jacobian *j, int nc, int np) {
-  const size_t c = (size_t)nc, p = (size_t)np, n = c + p;
-  *j = (wear_jacobian){.nc = nc, .np = np};
-  j->value = malloc(n * n * sizeof(double));
-  jacobian_group *g = j->group = calloc(1, sizeof *g);
-  if (g) {
-    g->node = malloc(3 * c * sizeof(int));
-    g->scale = malloc((n + c * c + 3 * c * p) * sizeof(double));
+wear_tangent *arc_tangent_create(const arc_wear *w) {
+  const size_t c = (size_t)w->nc, p = (size_t)w->np, n = c + p;
+  wear_tangent *j = calloc(1, sizeof *j);
+  jacobian_group *g = calloc(1, sizeof *g);
+  double *value = malloc(n * n * sizeof(double));
+  int *node = malloc(3 * c * sizeof(int));
+  double *scale = malloc((n + c * c + 3 * c * p) * sizeof(double));
+  if (!j || !g || !value || !node || !scale) {
+    free(j), free(g), free(value), free(node), free(scale);
+    return NULL;
   }
-  if (!j->value || !g || !g->node || !g->scale) {
-    arc_wear_jacobian_free(j);
-    return ARC_MEMORY;
-  }
-  g->from = g->node + c;
-  g->to = g->from + c;
-  g->c = g->scale + n;
-  g->own = g->c + c * c;
-  g->mean = g->own + c * p;
-  g->cb = g->mean + c * p;
-  return ARC_OK;
+  *g = (jacobian_group){.node = node,
+                        .from = node + c,
+                        .to = node + 2 * c,
+                        .scale = scale,
+                        .c = scale + n,
+                        .own = scale + n + c * c,
+                        .mean = scale + n + c * c + c * p,
+                        .cb = scale + n + c * c + 2 * c * p};
+  *j = (wear_tangent){.nc = w->nc, .np = w->np, .value = value, .group = g};
+  return j;
 }
 
-void arc_wear_jacobian_free(wear_jacobian *j) {
-  if (j->group) {
-    free(j->group->node);
-    free(j->group->scale);
-  }
+void arc_tangent_free(wear_tangent **tangent) {
+  wear_tangent *j = *tangent;
+  if (!j) return;
+  free(j->group->node);
+  free(j->group->scale);
   free(j->group);
   free(j->value);
-  *j = (wear_jacobian){0};
+  free(j);
+  *tangent = NULL;
 }
 
-void arc_wear_jacobian_clear(wear_jacobian *j) {
+size_t arc_tangent_bytes(const arc_wear *w) {
+  const size_t c = (size_t)w->nc, p = (size_t)w->np, n = c + p;
+  return (n * n + n + c * c + 3 * c * p) * sizeof(double);
+}
+
+void arc_wear_jacobian_clear(wear_tangent *j) {
   const size_t n = (size_t)(j->nc + j->np);
   memset(j->value, 0, n * n * sizeof(double));
   j->group->points = 0;
@@ -75,7 +82,7 @@ static void fill_c(const pose *p, double *c) {
     for (int s = 0; s < m; s++) c[dense_at(s, t, m)] -= p->ones[s] * p->ones[t] / total;
 }
 
-static void begin(wear_jacobian *j) {
+static void begin(wear_tangent *j) {
   jacobian_group *g = j->group;
   g->m = g->points = 0;
   g->total = 0;
@@ -84,7 +91,7 @@ static void begin(wear_jacobian *j) {
   for (int i = 0; i < j->nc; i++) g->from[i] = j->np, g->to[i] = 0;
 }
 
-static void lead(wear_jacobian *j, pose *p) {
+static void lead(wear_tangent *j, pose *p) {
   jacobian_group *g = j->group;
   if (arc_lcp_factorise(p)) return; /* as the solution had it to be */
   g->m = p->active;
@@ -100,7 +107,7 @@ static void lead(wear_jacobian *j, pose *p) {
 }
 
 static void join(const arc_wear *w, const pose *p, const wear_point *point, double share,
-                 double *const way[ARC_BODIES], wear_jacobian *j) {
+                 double *const way[ARC_BODIES], wear_tangent *j) {
   jacobian_group *g = j->group;
   g->points++;
   g->total += share;
@@ -123,7 +130,7 @@ static void join(const arc_wear *w, const pose *p, const wear_point *point, doub
 /* --- what a group adds --- */
 
 /* cb := C B, plate nodes from `low`, for rows of B' in b. */
-static void times_rows(const wear_jacobian *j, const double *b) {
+static void times_rows(const wear_tangent *j, const double *b) {
   const jacobian_group *g = j->group;
   memset(g->cb, 0, (size_t)g->m * (size_t)(g->high - g->low) * sizeof(double));
   for (int s = 0; s < g->m; s++)
@@ -135,7 +142,7 @@ static void times_rows(const wear_jacobian *j, const double *b) {
     }
 }
 
-static void add_cylinder(wear_jacobian *j) {
+static void add_cylinder(wear_tangent *j) {
   const jacobian_group *g = j->group;
   for (int t = 0; t < g->m; t++)
     for (int s = 0; s < g->m; s++) {
@@ -145,7 +152,7 @@ static void add_cylinder(wear_jacobian *j) {
     }
 }
 
-static void add_coupling(wear_jacobian *j) {
+static void add_coupling(wear_tangent *j) {
   const jacobian_group *g = j->group;
   const int n = j->nc + j->np;
   times_rows(j, g->mean);
@@ -160,7 +167,7 @@ static void add_coupling(wear_jacobian *j) {
   }
 }
 
-static void add_plate(wear_jacobian *j) {
+static void add_plate(wear_tangent *j) {
   const jacobian_group *g = j->group;
   const int n = j->nc + j->np;
   times_rows(j, g->own);
@@ -183,7 +190,7 @@ static void find_range(jacobian_group *g, int np) {
   }
 }
 
-void arc_wear_jacobian_finish(wear_jacobian *j) {
+void arc_wear_jacobian_finish(wear_tangent *j) {
   jacobian_group *g = j->group;
   if (g->points == 0 || g->m == 0 || g->total == 0) return;
   find_range(g, j->np);
@@ -195,24 +202,24 @@ void arc_wear_jacobian_finish(wear_jacobian *j) {
 
 /* --- which group --- */
 
-static int bin_of(const wear_jacobian *j, const wear_block *block, int at) {
+static int bin_of(const wear_tangent *j, const wear_block *block, int at) {
   const double x = block->pose_x[at];
   return j->width > 0 ? (x < 0 ? -1 : 1) * (int)ceil(fabs(x) / j->width - 1e-9) : at;
 }
 
-static double off_centre(const wear_jacobian *j, const wear_block *block, int at) {
+static double off_centre(const wear_tangent *j, const wear_block *block, int at) {
   const double centre = (abs(bin_of(j, block, at)) - 0.5) * j->width;
   return fabs(fabs(block->pose_x[at]) - centre);
 }
 
-static int same_group(const wear_jacobian *j, const wear_block *block, const wear_window *window,
+static int same_group(const wear_tangent *j, const wear_block *block, const wear_window *window,
                       int a, int b) {
   return window->first <= b && b <= window->last && block->line[a] == block->line[b] &&
          block->angle[a] == block->angle[b] && bin_of(j, block, a) == bin_of(j, block, b);
 }
 
 /* The point nearest to the centre of its group; of two, the one further out. */
-static int is_head(const wear_jacobian *j, const wear_block *block, const wear_window *window,
+static int is_head(const wear_tangent *j, const wear_block *block, const wear_window *window,
                    int at) {
   static const double even = 1e-9;
   if (j->width == 0) return 1;
@@ -230,14 +237,47 @@ static int is_head(const wear_jacobian *j, const wear_block *block, const wear_w
 
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
                            double *const way[ARC_BODIES]) {
-  wear_jacobian *j = window->jacobian;
-  const wear_block *block = w->path.block;
-  pose *p = &w->path.pose[block->place[at]];
+  wear_tangent *j = window->tangent;
+  const wear_block *block = path_of(w)->block;
+  pose *p = &path_of(w)->pose[block->place[at]];
   const int apart = j->group->points == 0 || !same_group(j, block, window, at, at - 1);
   if (apart) {
     arc_wear_jacobian_finish(j);
     begin(j);
   }
   if (is_head(j, block, window, at)) lead(j, p);
-  join(w, p, &w->path.point[at % 2], share, way, j);
+  join(w, p, &path_of(w)->point[at % 2], share, way, j);
+}
+
+/* --- the largest eigenvalue --- */
+
+static double normalise(int n, double *v) {
+  double sum = 0;
+  for (int i = 0; i < n; i++) sum += v[i] * v[i];
+  const double length = sqrt(sum);
+  for (int i = 0; i < n && length > 0; i++) v[i] /= length;
+  return length;
+}
+
+/* Of diag(k) J by power iteration. The vectors lie in the group's memory. */
+double arc_tangent_eigenvalue(const arc_wear *w, const double k_both[ARC_BODIES],
+                              wear_tangent *tangent) {
+  const double k[ARC_BODIES] = {sites_k(w, k_both, ARC_UPPER), sites_k(w, k_both, ARC_LOWER)};
+  const int n = tangent->nc + tangent->np;
+  double *v = tangent->group->own, *image = v + n, value = 0;
+  /* a sawtooth with a slant: neither symmetric nor antisymmetric, the same every time */
+  for (int i = 0; i < n; i++) v[i] = (i % 2 ? 1.0 : -1.0) * (1 + (double)i / n);
+  for (int it = 0; it < 1000; it++) {
+    const double before = value;
+    if (normalise(n, v) == 0) return 0;
+    arc_dense_multiply(n, 1, n, 1, tangent->value, n, v, n, 0, image, n);
+    value = 0;
+    for (int i = 0; i < n; i++) {
+      v[i] = k[i < w->nc ? ARC_CYLINDER : ARC_PLATE] * image[i];
+      value += v[i] * v[i];
+    }
+    value = sqrt(value);
+    if (value == 0 || fabs(value - before) < 1e-6 * value) break;
+  }
+  return value;
 }

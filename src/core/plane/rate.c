@@ -1,44 +1,21 @@
 /* The wear of a cycle, or of a part of it, on a given shape: contact at every point of the path,
  * integrated by Eq. (4) or (5), as often as the block says (Eqs. 22, 26 and 27). */
-#include "core/wear/rate.h"
 #include "core/base/callbacks.h"
+#include "core/plane/cycle.h"
 
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 
-void arc_wear_rate_clear(wear_rate *rate, int n) {
-  memset(rate->node[0], 0, (size_t)n * sizeof(double));
-  *rate = (wear_rate){.node = {rate->node[ARC_CYLINDER], rate->node[ARC_PLATE]}};
-}
-
-void arc_wear_rate_copy(const wear_rate *from, wear_rate *to, int n) {
-  wear_rate copy = *from;
-  memcpy(to->node[0], from->node[0], (size_t)n * sizeof(double));
-  memcpy(copy.node, to->node, sizeof copy.node);
-  *to = copy;
-}
-
-wear_trial arc_wear_trial_on(const arc_shape *shape, const double *depth, double *down) {
-  wear_trial trial;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    arc_shape_downward(shape, (arc_body)b, down);
-    trial.depth[b] = depth;
-    trial.down[b] = down;
-    depth += shape->side[b].n;
-    down += shape->side[b].n;
-  }
-  return trial;
-}
-
-/* Initial gaps deeper by the trial's depths along the normals. */
-static void deepen(pose *p, const wear_trial *trial) {
+/* Initial gaps deeper by the window's depths along the normals. */
+static void deepen(const arc_wear *w, const double *depth, pose *p) {
+  const double *down = plane_of(w)->down;
   double *plate = p->work, *below = plate + p->np;
-  for (int l = 0; l < p->np; l++) plate[l] = trial->depth[ARC_PLATE][l] * trial->down[ARC_PLATE][l];
+  for (int l = 0; l < p->np; l++) plate[l] = depth[p->nc + l] * down[p->nc + l];
   arc_pose_to_cylinder(p, plate, below);
   for (int k = 0; k < p->count; k++) {
     const int i = p->lo + k;
-    p->gap[k] += trial->depth[ARC_CYLINDER][i] * trial->down[ARC_CYLINDER][i] + below[i];
+    p->gap[k] += depth[i] * down[i] + below[i];
   }
 }
 
@@ -48,7 +25,7 @@ static void apply_law(const arc_wear *w, const wear_window *window, const pose *
                       wear_point *point) {
   double *qc = point->q[ARC_CYLINDER], *qp = point->q[ARC_PLATE];
   if ((arc_law_properties[w->def.law] & ARC_LAW_LINEAR) && w->def.spin == 0) {
-    memcpy(qc, point->p[ARC_CYLINDER], (size_t)w->path.nodes * sizeof *qc);
+    memcpy(qc, point->p[ARC_CYLINDER], (size_t)path_of(w)->nodes * sizeof *qc);
     return;
   }
   const shape_side *side = &window->shape->side[ARC_CYLINDER];
@@ -59,12 +36,23 @@ static void apply_law(const arc_wear *w, const wear_window *window, const pose *
 }
 
 arc_status arc_wear_prepare(arc_wear *w, const wear_window *window, int at, arc_error *error) {
-  const wear_block *block = w->path.block;
-  pose *p = &w->path.pose[block->place[at]];
+  const wear_block *block = path_of(w)->block;
+  pose *p = &path_of(w)->pose[block->place[at]];
   arc_pose_aim(p, block->angle[at]);
   const arc_status status = arc_pose_update(p, window->shape, block->pose_x[at], error);
-  if (status == ARC_OK && window->trial) deepen(p, window->trial);
+  if (status == ARC_OK && window->depth) deepen(w, window->depth, p);
   return status;
+}
+
+arc_status arc_wear_place_factors(const arc_wear *w, const arc_wear_record *state,
+                                  wear_point *point, arc_error *error) {
+  for (int b = 0; b < ARC_BODIES && w->def.local_factor; b++) {
+    double *local = point->f[b], *q = point->q[b];
+    const arc_status status = arc_wear_local(w, state, (arc_body)b, point->p[b], local, error);
+    if (status != ARC_OK) return status;
+    for (int i = 0; i < sites_of(w, b); i++) q[i] *= local[i];
+  }
+  return ARC_OK;
 }
 
 arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, wear_point *point,
@@ -73,7 +61,7 @@ arc_status arc_wear_take(arc_wear *w, const wear_window *window, const pose *p, 
   apply_law(w, window, p, point);
   for (int b = 0; b < ARC_BODIES && w->def.slip == ARC_SLIP_TOTAL; b++)
     arc_pose_tangential(p, window->shape, (arc_body)b, point->u[b]);
-  return window->state ? arc_wear_local(w, window->state, point, error) : ARC_OK;
+  return window->state ? arc_wear_place_factors(w, window->state, point, error) : ARC_OK;
 }
 
 void arc_wear_share(const arc_wear *w, const pose *p, const wear_point *point, const double *work,
@@ -88,13 +76,13 @@ void arc_wear_share(const arc_wear *w, const pose *p, const wear_point *point, c
 /* Solves point `at` of the block at hand into `point`. */
 static arc_status solve_point(arc_wear *w, const wear_window *window, int at, wear_watch *watch,
                               wear_point *point, arc_error *error) {
-  const wear_block *block = w->path.block;
-  arc_path_clear(&w->path, point);
+  const wear_block *block = path_of(w)->block;
+  arc_path_clear(path_of(w), point);
   if (block->line[at] == 0) return ARC_OK; /* lifted off */
-  pose *p = &w->path.pose[block->place[at]];
+  pose *p = &path_of(w)->pose[block->place[at]];
   arc_status status = arc_wear_prepare(w, window, at, error);
   if (status == ARC_OK && at > window->first)
-    arc_pose_follow(p, &w->path.pose[block->place[at - 1]]);
+    arc_pose_follow(p, &path_of(w)->pose[block->place[at - 1]]);
   if (status == ARC_OK) status = arc_pose_solve(p, block->line[at], error);
   if (status != ARC_OK) return status;
   watch->solutions++;
@@ -103,25 +91,25 @@ static arc_status solve_point(arc_wear *w, const wear_window *window, int at, we
 
 /* NSP or a way out of the plane, under a steady load: the next point is the last one again. */
 static int same_as_before(const arc_wear *w, const wear_window *window, int at) {
-  const double *line = w->path.block->line, *angle = w->path.block->angle;
-  const int stays = w->procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;
+  const double *line = path_of(w)->block->line, *angle = path_of(w)->block->angle;
+  const int stays = w->manner.procedure == ARC_NSP || w->def.slide == ARC_SLIDE_Z;
   return stays && at > window->first && line[at] == line[at - 1] && angle[at] == angle[at - 1];
 }
 
 /* The solved point `at` of a window, from the one before it. */
 static arc_status reach_point(arc_wear *w, const wear_window *window, int at, wear_watch *watch,
                               arc_error *error) {
-  wear_point *now = &w->path.point[at % 2];
+  wear_point *now = &path_of(w)->point[at % 2];
   if (callbacks_stop(watch->callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
   if (window->chained && at == window->first) return ARC_OK;
   if (!same_as_before(w, window, at)) return solve_point(w, window, at, watch, now, error);
-  arc_path_copy(&w->path, &w->path.point[(at + 1) % 2], now);
+  arc_path_copy(path_of(w), &path_of(w)->point[(at + 1) % 2], now);
   return ARC_OK;
 }
 
 /* Wear of the increment that ends at `at`, by the points there and before it. */
 static void add_increment(const arc_wear *w, const wear_point point[2], int at, wear_rate *rate) {
-  const wear_block *block = w->path.block;
+  const wear_block *block = path_of(w)->block;
   const wear_point *now = &point[at % 2], *before = &point[(at + 1) % 2];
   if (w->def.slip == ARC_SLIP_TOTAL) {
     arc_wear_add_work(w, at, rate);
@@ -156,8 +144,8 @@ static void incline(const arc_wear *w, const wear_window *window, wear_rate *rat
       const int row = b == ARC_CYLINDER ? i : w->nc + i;
       if (share == 1) continue;
       rate->node[b][i] *= share;
-      for (int c = 0; c < n && window->jacobian; c++)
-        window->jacobian->value[(size_t)row + (size_t)c * (size_t)n] *= share;
+      for (int c = 0; c < n && window->tangent; c++)
+        window->tangent->value[(size_t)row + (size_t)c * (size_t)n] *= share;
     }
 }
 
@@ -174,21 +162,21 @@ static void spread_work(const arc_wear *w, wear_rate *rate) {
   const shape_side *plate = &w->shape->side[ARC_PLATE];
   for (int l = 0; l < plate->n; l++)
     rate->even += rate->node[ARC_PLATE][l] * arc_shape_width(plate, l);
-  rate->even /= w->path.block->sliding;
+  rate->even /= path_of(w)->block->sliding;
 }
 
 /* Share of point `at` in the integral over the window [mm of sliding]. */
 static double weight(const arc_wear *w, const wear_window *window, int at) {
-  const wear_block *b = w->path.block;
+  const wear_block *b = path_of(w)->block;
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
   const double after = at < window->last ? fabs(b->x[at + 1] - b->x[at]) : 0;
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
 }
 
 static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at) {
-  const wear_block *block = w->path.block;
+  const wear_block *block = path_of(w)->block;
   const double share = weight(w, window, at);
-  if (!window->jacobian || block->line[at] == 0) return;
+  if (!window->tangent || block->line[at] == 0) return;
   arc_wear_jacobian_add(w, window, at, share, NULL);
 }
 
@@ -204,11 +192,11 @@ static double pressing(const arc_wear *w, const wear_window *window, const wear_
 
 /* In hollow surfaces and under a spin it is not the load. */
 static void add_pressing(const arc_wear *w, const wear_window *window, int at, wear_rate *rate) {
-  const wear_block *b = w->path.block;
-  if (!arc_wear_counts_forces(w)) return;
-  const double now = pressing(w, window, &w->path.point[at % 2]);
+  const wear_block *b = path_of(w)->block;
+  if (!w->manner.counts_forces) return;
+  const double now = pressing(w, window, &path_of(w)->point[at % 2]);
   const int mean = w->def.rule == ARC_TRAPEZOID;
-  const double before = mean ? pressing(w, window, &w->path.point[(at + 1) % 2]) : now;
+  const double before = mean ? pressing(w, window, &path_of(w)->point[(at + 1) % 2]) : now;
   rate->pressed += b->repeat * (now + before) / 2 * fabs(b->x[at] - b->x[at - 1]);
 }
 
@@ -218,18 +206,20 @@ static void note_peak(const arc_wear *w, const wear_point *point, wear_rate *rat
 
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error) {
   wear_watch nobody = {0};
-  return solve_point(w, window, window->first, &nobody, &w->path.point[0], error);
+  const arc_status status = arc_path_enter(path_of(w), window->block, w->model, error);
+  if (status != ARC_OK) return status;
+  return solve_point(w, window, window->first, &nobody, &path_of(w)->point[0], error);
 }
 
 /* The mirror image of point `at`, with its own factors of places, wears as the image goes. */
 static arc_status add_image(arc_wear *w, const wear_window *window, int at, wear_rate *images,
                             arc_error *error) {
-  const wear_block *block = w->path.block;
-  wear_point law = w->path.point[at % 2];
+  const wear_block *block = path_of(w)->block;
+  wear_point law = path_of(w)->point[at % 2];
   for (int b = 0; b < ARC_BODIES; b++) law.q[b] = law.u[b]; /* elastic slip is not asked for here */
-  if (block->line[at] > 0) apply_law(w, window, &w->path.pose[block->place[at]], &law);
+  if (block->line[at] > 0) apply_law(w, window, &path_of(w)->pose[block->place[at]], &law);
   const arc_status status = arc_wear_reflect(w, window, at, &law, error);
-  if (status == ARC_OK && at > window->first) add_increment(w, w->path.image, at, images);
+  if (status == ARC_OK && at > window->first) add_increment(w, path_of(w)->image, at, images);
   return status;
 }
 
@@ -238,51 +228,60 @@ static arc_status integrate(arc_wear *w, const wear_window *window, wear_watch *
                             wear_rate *rate, wear_rate *images, arc_error *error) {
   arc_wear_rate_clear(rate, w->nc + w->np);
   if (images) arc_wear_rate_clear(images, w->nc + w->np);
-  if (window->jacobian) arc_wear_jacobian_clear(window->jacobian);
+  if (window->tangent) arc_wear_jacobian_clear(window->tangent);
   for (int at = window->first; at <= window->last; at++) {
     arc_status status = reach_point(w, window, at, watch, error);
     if (status == ARC_OK && images) status = add_image(w, window, at, images, error);
     if (status != ARC_OK) return status;
-    note_peak(w, &w->path.point[at % 2], rate);
+    note_peak(w, &path_of(w)->point[at % 2], rate);
     add_to_jacobian(w, window, at);
     if (at > window->first) {
-      add_increment(w, w->path.point, at, rate);
+      add_increment(w, path_of(w)->point, at, rate);
       add_pressing(w, window, at, rate);
-    } else if (wears_evenly(w) && w->def.slip == ARC_SLIP_RIGID) {
-      add_even(w, &w->path.point[at % 2], rate);
+    } else if (w->manner.even && w->def.slip == ARC_SLIP_RIGID) {
+      add_even(w, &path_of(w)->point[at % 2], rate);
     }
   }
-  if (window->jacobian) arc_wear_jacobian_finish(window->jacobian);
+  if (window->tangent) arc_wear_jacobian_finish(window->tangent);
   return ARC_OK;
 }
 
 static arc_status integrate_half(arc_wear *w, const wear_window *window, wear_watch *watch,
                                  wear_rate *rate, arc_error *error) {
-  wear_rate room = {.node = {w->work.slip, w->work.slip + w->nc}};
-  wear_rate *images = arc_wear_has_places(w, window) ? &room : NULL;
+  wear_rate other = {.node = {plane_of(w)->slip, plane_of(w)->slip + w->nc}};
+  wear_rate *images = arc_wear_has_places(w, window) ? &other : NULL;
   wear_window half = *window;
   half.last = window->last / 2;
   const arc_status status = integrate(w, &half, watch, rate, images, error);
   if (status != ARC_OK) return status;
   arc_wear_add_mirror(w, window, images, rate);
   for (int at = half.last + 1; at <= window->last; at++)
-    watch->solutions += w->path.block->line[at] > 0; /* images are solutions too */
+    watch->solutions += path_of(w)->block->line[at] > 0; /* images are solutions too */
   return ARC_OK;
 }
 
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
                              wear_rate *rate, arc_error *error) {
-  arc_status status;
-  assert(0 <= window->first && window->last < w->path.block->count);
-  if (arc_wear_rubs(&w->def))
+  assert(0 <= window->first && window->last < window->block->count);
+  if (w->manner.closed) { /* the load is all that counts */
+    arc_wear_rate_clear(rate, w->nc + w->np);
+    rate->even = window->block->line[0];
+    return ARC_OK;
+  }
+  arc_status status = arc_path_enter(path_of(w), window->block, w->model, error);
+  if (status != ARC_OK) return status;
+  double *down = plane_of(w)->down;
+  for (int b = 0; b < ARC_BODIES && window->depth; b++)
+    arc_shape_downward(window->shape, (arc_body)b, sites_from(w, down, b));
+  if (arc_wear_has_friction(&w->def))
     status = arc_wear_fret(w, window, watch, rate, error);
   else if (arc_wear_is_mirrored(w, window))
     status = integrate_half(w, window, watch, rate, error);
   else
     status = integrate(w, window, watch, rate, NULL, error);
   if (status != ARC_OK) return status;
-  const int by_work = arc_wear_rubs(&w->def) || w->def.slip == ARC_SLIP_TOTAL;
-  if (wears_evenly(w) && by_work) spread_work(w, rate);
+  const int by_work = arc_wear_has_friction(&w->def) || w->def.slip == ARC_SLIP_TOTAL;
+  if (w->manner.even && by_work) spread_work(w, rate);
   incline(w, window, rate);
   return ARC_OK;
 }

@@ -1,5 +1,5 @@
 /* The poses and points of the block at hand. Leans on the contact layer's poses. */
-#include "core/wear/path.h"
+#include "core/plane/cycle.h"
 
 #include <assert.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* How wide the zones of a run have to be, by its way and by the contact it wears. */
-#include "core/wear/run.h"
+#include "core/plane/cycle.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 /* Newton on the depths of both surfaces. The Jacobian and its factors are kept over the stages of a
  * step, as long as the iteration contracts well; then they are renewed, and at last the exact ones
  * are used in every iteration, with a line search. Leans on rate.c and jacobian.c. */
-#include "core/wear/newton.h"
+#include "core/plane/newton.h"
+#include "core/base/carve.h"
 #include "core/base/dense.h"
-#include "core/wear/layers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,47 +15,43 @@ static const double tight = 1e-8, share_of_tolerance = 5e-3;
 /* The kept Jacobian has to reduce the error to this share in each iteration. */
 static const double contraction = 0.4;
 
-arc_status arc_newton_create(newton *s) {
+static arc_status create(newton *s) {
   const size_t n = (size_t)s->n;
-  double *block = calloc(14 * n + n * n, sizeof *block);
-  s->z = block;
+  const carve_part parts[] = {{&s->residual, n}, {&s->step, n},      {&s->packed, n},
+                              {&s->start, n},    {&s->defect, n},    {&s->last, n},
+                              {&s->taken, n},    {&s->matrix, n * n}};
   s->pivots = malloc(2 * n * sizeof(int));
-  if (!block || !s->pivots) return ARC_MEMORY;
+  s->jacobian = arc_tangent_create(s->at->run);
+  if (!ARC_CARVE(parts) || !s->pivots || !s->jacobian) return ARC_MEMORY;
   s->node = s->pivots + n;
-  double **member[] = {&s->z,       &s->residual, &s->step,    &s->known,  &s->down,
-                       &s->rate[0], &s->rate[1],  &s->rate[2], &s->packed, &s->start,
-                       &s->defect,  &s->last,     &s->taken,   &s->worn};
-  for (int m = 0; m < 14; m++) *member[m] = block + (size_t)m * n;
-  s->matrix = block + 14 * n;
-  s->window.trial = &s->trial;
-  s->trial = arc_wear_trial_on(s->window.shape, s->worn, s->down);
-  const shape_side *plate = &s->window.shape->side[ARC_PLATE];
-  s->coarse = 2 * arc_shape_width(plate, plate->n / 2);
-  const arc_status status = arc_wear_jacobian_create(&s->jacobian, s->w->nc, s->w->np);
-  s->jacobian.width = s->coarse;
-  return status;
+  const shape_side *plate = &s->at->window.shape->side[ARC_PLATE];
+  s->jacobian->width = s->coarse = 2 * arc_shape_width(plate, plate->n / 2);
+  return ARC_OK;
 }
 
-void arc_newton_free(newton *s) {
-  free(s->z);
-  free(s->pivots);
-  arc_wear_jacobian_free(&s->jacobian);
+arc_status arc_newton_begin(wear_stage *stage) {
+  newton *s = stage->own = calloc(1, sizeof *s);
+  if (!s) return ARC_MEMORY;
+  s->at = stage;
+  s->n = stage->run->nc + stage->run->np;
+  stage->window.depth = stage->worn;
+  return create(s);
 }
 
 static double k_at(const newton *s, int i) {
-  return s->dose.k[i < s->w->nc ? ARC_CYLINDER : ARC_PLATE];
+  return s->at->k[i < s->at->run->nc ? ARC_CYLINDER : ARC_PLATE];
 }
 
 /* The depths that z comes to. */
 static void wear_by_z(newton *s) {
-  memcpy(s->worn, s->z, (size_t)s->n * sizeof *s->worn);
-  arc_wear_into_layers(s->window.shape, s->worn);
+  memcpy(s->at->worn, s->at->z, (size_t)s->n * sizeof *s->at->worn);
+  arc_wear_into_layers(s->at->window.shape, s->at->worn);
 }
 
-double arc_newton_share(const newton *s, int i) {
-  const int plate = i >= s->w->nc;
-  return arc_wear_layer_share(s->window.shape, plate ? ARC_PLATE : ARC_CYLINDER,
-                              plate ? i - s->w->nc : i, s->worn[i]);
+static double share_of(const newton *s, int i) {
+  const int plate = i >= s->at->run->nc;
+  return arc_wear_layer_share(s->at->window.shape, plate ? ARC_PLATE : ARC_CYLINDER,
+                              plate ? i - s->at->run->nc : i, s->at->worn[i]);
 }
 
 static double largest_of(const double *v, int n) {
@@ -67,29 +63,27 @@ static double largest_of(const double *v, int n) {
 /* What a rate takes off one body [mm2]. */
 static double area_on(const newton *s, arc_body b, const double *rate) {
   double sum = 0;
-  for (int i = 0; i < s->window.shape->side[b].n; i++)
-    sum += rate[i] * arc_shape_span(s->window.shape, b, i);
+  for (int i = 0; i < s->at->window.shape->side[b].n; i++)
+    sum += rate[i] * arc_shape_span(s->at->window.shape, b, i);
   return sum;
 }
 
 /* What a cycle wears off both bodies [mm2]. */
 static double area_of(const newton *s, const double *rate) {
-  return area_on(s, ARC_CYLINDER, rate) + area_on(s, ARC_PLATE, rate + s->w->nc);
+  return area_on(s, ARC_CYLINDER, rate) + area_on(s, ARC_PLATE, rate + s->at->run->nc);
 }
 
-arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
-  wear_rate here = {.node = {rate, rate + s->w->nc}};
-  s->window.jacobian = with_jacobian ? &s->jacobian : NULL;
+static arc_status evaluate(newton *s, double *rate, int with_jacobian) {
+  wear_rate *here = &s->at->last;
+  *here = (wear_rate){.node = {rate, rate + s->at->run->nc}};
+  s->at->window.tangent = with_jacobian ? s->jacobian : NULL;
   wear_by_z(s);
-  const arc_status status = arc_wear_evaluate(s->w, &s->window, s->watch, &here, &s->error);
+  const arc_status status =
+      arc_wear_evaluate(s->at->run, &s->at->window, s->at->watch, here, &s->at->error);
   if (status != ARC_OK) return status;
   if (with_jacobian) s->h = 0;
   for (int i = 0; i < s->n; i++) rate[i] *= k_at(s, i);
-  s->even = here.even;
-  s->peak = here.peak;
-  s->pressed = here.pressed;
-  s->energy = here.energy;
-  s->area = here.energy > 0 ? area_of(s, rate) : 0;
+  s->area = here->energy > 0 ? area_of(s, rate) : 0;
   return ARC_OK;
 }
 
@@ -97,13 +91,13 @@ arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
 
 /* Only nodes that wear and were in contact have anything to solve for. */
 static arc_status factorise(newton *s, double h) {
-  const double *rates = s->jacobian.value;
+  const double *rates = s->jacobian->value;
   int m = 0;
   for (int i = 0; i < s->n; i++)
     if (k_at(s, i) > 0 && rates[dense_at(i, i, s->n)] > 0) s->node[m++] = i;
   for (int j = 0; j < m; j++) {
     double *to = &s->matrix[dense_at(0, j, m)];
-    const double by = h * arc_newton_share(s, s->node[j]);
+    const double by = h * share_of(s, s->node[j]);
     for (int i = 0; i < m; i++)
       to[i] = by * k_at(s, s->node[i]) * rates[dense_at(s->node[i], s->node[j], s->n)];
     to[j] += 1;
@@ -115,7 +109,7 @@ static arc_status factorise(newton *s, double h) {
   return ARC_OK;
 }
 
-arc_status arc_newton_direction(newton *s, double h, double *x) {
+static arc_status direction(newton *s, double h, double *x) {
   if (s->h != h && factorise(s, h) != ARC_OK) return ARC_NUMERIC;
   for (int i = 0; i < s->live; i++) s->packed[i] = x[s->node[i]];
   arc_dense_factor_solve(s->live, 1, s->matrix, s->pivots, s->packed);
@@ -127,15 +121,16 @@ arc_status arc_newton_direction(newton *s, double h, double *x) {
 
 /* residual = z - known - h rate; its largest entry. */
 static double residual_of(newton *s, double h, const double *rate) {
-  for (int i = 0; i < s->n; i++) s->residual[i] = s->z[i] - s->known[i] - h * rate[i];
+  for (int i = 0; i < s->n; i++) s->residual[i] = s->at->z[i] - s->at->known[i] - h * rate[i];
   return largest_of(s->residual, s->n);
 }
 
 static double allowed(const newton *s) {
-  const double depth = fmax(arc_shape_depth(s->window.shape, ARC_CYLINDER),
-                            arc_shape_depth(s->window.shape, ARC_PLATE));
-  const double share = s->w->def.tolerance > 0 ? share_of_tolerance * s->w->def.tolerance : tight;
-  return share * (depth + largest_of(s->worn, s->n));
+  const double depth = fmax(arc_shape_depth(s->at->window.shape, ARC_CYLINDER),
+                            arc_shape_depth(s->at->window.shape, ARC_PLATE));
+  const double share =
+      s->at->run->def.tolerance > 0 ? share_of_tolerance * s->at->run->def.tolerance : tight;
+  return share * (depth + largest_of(s->at->worn, s->n));
 }
 
 static int hopeless(arc_status status) {
@@ -144,7 +139,7 @@ static int hopeless(arc_status status) {
 
 /* No node is pulled: the body loses `area` all the same. */
 static void push_only(const newton *s, arc_body b, double area, double *rate) {
-  const int n = s->window.shape->side[b].n;
+  const int n = s->at->window.shape->side[b].n;
   for (int i = 0; i < n; i++) rate[i] = fmax(0, rate[i]);
   const double pushed = area_on(s, b, rate);
   for (int i = 0; i < n && pushed > 0; i++) rate[i] *= area / pushed;
@@ -154,13 +149,13 @@ static void push_only(const newton *s, arc_body b, double area, double *rate) {
  * resultant is the load: volumes stay exact. Where that is not all of the forces, the plate feels
  * those on the cylinder. */
 static void take_last(newton *s, double h, double *rate) {
-  double *plate = rate + s->w->nc;
-  const double *k = s->dose.k;
+  double *plate = rate + s->at->run->nc;
+  const double *k = s->at->k;
   for (int i = 0; i < s->n; i++)
-    if (k_at(s, i) > 0) rate[i] = (s->z[i] - s->step[i] - s->known[i]) / h;
+    if (k_at(s, i) > 0) rate[i] = (s->at->z[i] - s->step[i] - s->at->known[i]) / h;
   const double upper = area_on(s, ARC_CYLINDER, rate), lower = area_on(s, ARC_PLATE, plate);
-  const int both = k[ARC_CYLINDER] > 0 && k[ARC_PLATE] > 0 && !s->w->def.local_factor;
-  const int counted = both && arc_wear_counts_forces(s->w);
+  const int both = k[ARC_CYLINDER] > 0 && k[ARC_PLATE] > 0 && !s->at->run->def.local_factor;
+  const int counted = both && s->at->run->manner.counts_forces;
   push_only(s, ARC_CYLINDER, upper, rate);
   push_only(s, ARC_PLATE, counted ? upper * (k[ARC_PLATE] / k[ARC_CYLINDER]) : lower, plate);
 }
@@ -195,7 +190,7 @@ static arc_status solve_kept(newton *s, double h, double *rate) {
   for (int it = 0; it < kept_limit; it++) {
     residual_of(s, h, rate);
     memcpy(s->defect, s->residual, (size_t)s->n * sizeof(double));
-    if (arc_newton_direction(s, h, s->defect) != ARC_OK) return ARC_NOT_CONVERGED;
+    if (direction(s, h, s->defect) != ARC_OK) return ARC_NOT_CONVERGED;
     const double size = largest_of(s->defect, s->n), shrinks = it > 0 ? size / last : 0;
     if (it == 0) first = size;
     s->nearer = size < first;
@@ -206,8 +201,8 @@ static arc_status solve_kept(newton *s, double h, double *rate) {
       take_last(s, h, rate);
       return ARC_OK;
     }
-    for (int i = 0; i < s->n; i++) s->z[i] -= s->step[i];
-    const arc_status status = arc_newton_evaluate(s, rate, 0);
+    for (int i = 0; i < s->n; i++) s->at->z[i] -= s->step[i];
+    const arc_status status = evaluate(s, rate, 0);
     if (status != ARC_OK) {
       s->nearer = 0;
       return hopeless(status) ? status : ARC_NOT_CONVERGED;
@@ -223,9 +218,9 @@ static arc_status line_search(newton *s, double h, double *rate, double *size) {
   const double before = *size;
   double share = 1, last = 0;
   for (int half = 0; half <= halvings; half++, share /= 2) {
-    for (int i = 0; i < s->n; i++) s->z[i] -= (share - last) * s->step[i];
+    for (int i = 0; i < s->n; i++) s->at->z[i] -= (share - last) * s->step[i];
     last = share;
-    const arc_status status = arc_newton_evaluate(s, rate, 1);
+    const arc_status status = evaluate(s, rate, 1);
     if (hopeless(status)) return status;
     if (status != ARC_OK) continue;
     *size = residual_of(s, h, rate);
@@ -236,15 +231,15 @@ static arc_status line_search(newton *s, double h, double *rate, double *size) {
 
 /* With the exact Jacobian of every iterate. */
 static arc_status solve_exactly(newton *s, double h, double *rate) {
-  s->jacobian.width = 0;
-  arc_status status = arc_newton_evaluate(s, rate, 1);
+  s->jacobian->width = 0;
+  arc_status status = evaluate(s, rate, 1);
   if (status != ARC_OK) return hopeless(status) ? status : ARC_NOT_CONVERGED;
   double size = residual_of(s, h, rate);
   const double least = 0.1 * allowed(s);
   for (int it = 0; it < newton_limit; it++) {
     if (size <= least) return ARC_OK;
     memcpy(s->step, s->residual, (size_t)s->n * sizeof(double));
-    if (arc_newton_direction(s, h, s->step) != ARC_OK) return ARC_NOT_CONVERGED;
+    if (direction(s, h, s->step) != ARC_OK) return ARC_NOT_CONVERGED;
     if ((status = line_search(s, h, rate, &size)) != ARC_OK) return status;
   }
   return ARC_NOT_CONVERGED;
@@ -252,20 +247,21 @@ static arc_status solve_exactly(newton *s, double h, double *rate) {
 
 /* The energy goes with the wear: the last step was not evaluated any more. */
 static void settle(newton *s, double h, const double *rate) {
-  for (int i = 0; i < s->n; i++) s->z[i] = s->known[i] + h * rate[i];
+  for (int i = 0; i < s->n; i++) s->at->z[i] = s->at->known[i] + h * rate[i];
   wear_by_z(s);
-  if (s->area > 0) s->energy *= area_of(s, rate) / s->area;
+  if (s->area > 0) s->at->last.energy *= area_of(s, rate) / s->area;
 }
 
 /* A new Jacobian, at the iterate that an iteration left or, where that is no nearer, at its start.
  */
 static arc_status renew(newton *s, double *rate) {
-  if (!s->nearer) memcpy(s->z, s->start, (size_t)s->n * sizeof(double));
-  return arc_newton_evaluate(s, rate, 1);
+  if (!s->nearer) memcpy(s->at->z, s->start, (size_t)s->n * sizeof(double));
+  return evaluate(s, rate, 1);
 }
 
-arc_status arc_newton_solve(newton *s, double h, double *rate) {
-  memcpy(s->start, s->z, (size_t)s->n * sizeof(double));
+arc_status arc_newton_solve(wear_stage *stage, double h, double *rate) {
+  newton *s = stage->own;
+  memcpy(s->start, s->at->z, (size_t)s->n * sizeof(double));
   arc_status status = solve_kept(s, h, rate);
   if (status == ARC_NOT_CONVERGED) {
     status = renew(s, rate);
@@ -273,10 +269,83 @@ arc_status arc_newton_solve(newton *s, double h, double *rate) {
     if (status != ARC_OK && !hopeless(status)) status = ARC_NOT_CONVERGED;
   }
   if (status == ARC_NOT_CONVERGED) {
-    if (!s->nearer) memcpy(s->z, s->start, (size_t)s->n * sizeof(double));
+    if (!s->nearer) memcpy(s->at->z, s->start, (size_t)s->n * sizeof(double));
     status = solve_exactly(s, h, rate);
   }
-  s->jacobian.width = s->coarse;
+  s->jacobian->width = s->coarse;
   if (status == ARC_OK) settle(s, h, rate);
   return status;
+}
+
+arc_status arc_newton_start(wear_stage *stage, double *rate) {
+  return evaluate(stage->own, rate, 1);
+}
+
+/* --- the error --- */
+
+/* Largest change of a pose's pressures with depths that are off, over the largest pressure. */
+static double pressure_error(newton *s, pose *p, const double *off) {
+  double *gap = s->packed, sum = 0, total = 0, largest = 0, peak = 0;
+  arc_pose_to_cylinder(p, off + s->at->run->nc, p->work);
+  for (int k = 0; k < p->active; k++) {
+    const int i = p->lo + p->set[k];
+    gap[k] = off[i] + p->work[i];
+  }
+  arc_dense_cholesky_solve(p->active, 1, p->factor, p->active, gap, p->active);
+  for (int k = 0; k < p->active; k++) {
+    const double down = p->down[p->set[k]];
+    sum += down * gap[k], total += down * p->ones[k];
+  }
+  for (int k = 0; k < p->active; k++) {
+    const double width = p->wc[p->lo + p->set[k]];
+    largest = fmax(largest, fabs(gap[k] - sum / total * p->ones[k]) / width);
+    peak = fmax(peak, p->f[p->set[k]] / width);
+  }
+  return peak > 0 ? largest / peak : 0;
+}
+
+/* Of the poses at the ends and in the middle of the path: those at hand, of the last solution. */
+static double largest_pressure_error(newton *s, const double *off) {
+  const wear_block *block = path_of(s->at->run)->block;
+  const int first = s->at->window.first, last = s->at->window.last;
+  const int points[] = {first, first + (last - first) / 2, last};
+  double largest = 0;
+  for (int i = 0; i < 3; i++) {
+    pose *p = &path_of(s->at->run)->pose[block->place[points[i]]];
+    if (block->line[points[i]] > 0 && p->active > 0 && !arc_lcp_factorise(p))
+      largest = fmax(largest, pressure_error(s, p, off));
+  }
+  return largest;
+}
+
+double arc_newton_error(wear_stage *stage, double h, double *defect) {
+  newton *s = stage->own;
+  if (direction(s, h, defect) != ARC_OK) return -1;
+  for (int i = 0; i < s->n; i++) defect[i] *= share_of(s, i);
+  return largest_pressure_error(s, defect);
+}
+
+/* --- the end --- */
+
+/* Normal force over the sliding [N/mm mm]: what the depths say where they tell it, as the rest of
+ * the step is not solved for once more; else that of the last evaluation. */
+static double pressed_of(const wear_stage *s, double cycles, const wear_depths *depth) {
+  const arc_wear_def *d = &s->run->def;
+  const int b = s->k[ARC_CYLINDER] > 0 ? ARC_CYLINDER : ARC_PLATE;
+  if (!(arc_law_properties[d->law] & ARC_LAW_LINEAR) || d->local_factor || !(s->k[b] > 0))
+    return cycles * s->last.pressed;
+  double sum = 0;
+  for (int i = 0; i < s->window.shape->side[b].n; i++)
+    sum += depth->node[b][i] * arc_shape_span(s->window.shape, (arc_body)b, i);
+  return sum / s->k[b];
+}
+
+void arc_newton_end(wear_stage *stage, double cycles, wear_depths *depth) {
+  newton *s = stage->own;
+  if (depth) depth->pressed = pressed_of(stage, cycles, depth);
+  if (!s) return;
+  free(s->residual);
+  free(s->pivots);
+  arc_tangent_free(&s->jacobian);
+  free(s);
 }

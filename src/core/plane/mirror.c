@@ -1,7 +1,7 @@
 /* Where surfaces and the plate's way are mirror images about x = 0 to the bit, the second half of
  * the way wears the mirror image of the first: half of the contact solutions tell all. Symmetric
  * runs start so, and stay so: what a mirrored rate takes off is symmetric to the bit. */
-#include "core/wear/rate.h"
+#include "core/plane/cycle.h"
 
 static int is_mirrored_way(const wear_block *b) {
   const int last = b->count - 1;
@@ -34,10 +34,10 @@ int arc_wear_has_places(const arc_wear *w, const wear_window *window) {
 /* Meshes from outside may differ inside; the simple rule looks one way; elastic slip, trial depths
  * and what factors of places make of a Jacobian need not be symmetric. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
-  const wear_block *block = w->path.block;
-  return window->first == 0 && window->last == block->count - 1 && !window->trial &&
+  const wear_block *block = path_of(w)->block;
+  return window->first == 0 && window->last == block->count - 1 && !window->depth &&
          w->def.rule == ARC_TRAPEZOID && w->def.slip == ARC_SLIP_RIGID &&
-         !(window->jacobian && arc_wear_has_places(w, window)) && !arc_model_is_given(w->model) &&
+         !(window->tangent && arc_wear_has_places(w, window)) && !arc_model_is_given(w->model) &&
          is_mirrored_way(block) && is_mirrored_shape(window->shape);
 }
 
@@ -75,12 +75,12 @@ void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wea
     if (!images) fold_list(n, rate->node[b]);
   }
   rate->pressed *= 2;
-  if (window->jacobian) fold_jacobian(w, window->jacobian->value);
+  if (window->tangent) fold_jacobian(w, window->tangent->value);
 }
 
 arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, const wear_point *law,
                             arc_error *error) {
-  wear_point *image = &w->path.image[at % 2];
+  wear_point *image = &path_of(w)->image[at % 2];
   for (int b = 0; b < ARC_BODIES; b++) {
     const int n = w->shape->side[b].n;
     for (int i = 0; i < n; i++) {
@@ -88,5 +88,5 @@ arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, cons
       image->q[b][i] = law->q[b][n - 1 - i];
     }
   }
-  return arc_wear_local(w, window->state, image, error);
+  return arc_wear_place_factors(w, window->state, image, error);
 }

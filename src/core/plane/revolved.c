@@ -1,5 +1,5 @@
 /* Bodies of revolution in wear runs: what does not keep to the axis, scars, slip of a spin. */
-#include "core/wear/run.h"
+#include "core/plane/cycle.h"
 
 #include <math.h>
 
@@ -19,7 +19,7 @@ static arc_status check_plane(const arc_wear_def *d, arc_error *error) {
 arc_status arc_wear_check_revolved(const arc_wear_def *d, const arc_model_def *model,
                                    arc_error *error) {
   if (model->geometry != ARC_AXISYMMETRIC) return check_plane(d, error);
-  if (arc_wear_rubs(d))
+  if (arc_wear_has_friction(d))
     return refuse_revolved(
         "friction", "expected 0 for bodies of revolution: shear along a way is not axisymmetric",
         error);

@@ -8,7 +8,7 @@
  * plate gets the same work through the coupling (Eq. 15).
  */
 #include "core/base/callbacks.h"
-#include "core/wear/rate.h"
+#include "core/plane/cycle.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -51,7 +51,7 @@ static void fretting_free(fretting *r) {
 
 /* One increment, that ends at point `at`. */
 static arc_status advance(fretting *r, int at, const friction_step *step, arc_error *error) {
-  wear_path *path = &r->w->path;
+  wear_path *path = path_of(r->w);
   const int place = path->block->place[at];
   if (callbacks_stop(r->watch->callbacks))
     return arc_fail(error, ARC_STOPPED, "stopped on request");
@@ -65,7 +65,7 @@ static arc_status advance(fretting *r, int at, const friction_step *step, arc_er
 /* The contact after an increment to point `at`, with all that wears there. */
 static arc_status go_to(fretting *r, int at, arc_error *error) {
   arc_wear *w = r->w;
-  wear_path *path = &w->path;
+  wear_path *path = path_of(w);
   const wear_block *b = path->block;
   const friction_step step = {.mu = r->window->mu,
                               .line = b->line[at],
@@ -80,7 +80,7 @@ static arc_status go_to(fretting *r, int at, arc_error *error) {
 
 /* The path to point 0, which is the last one as well. */
 static void wrap(fretting *r) {
-  wear_path *path = &r->w->path;
+  wear_path *path = path_of(r->w);
   const int last = path->block->count - 1;
   if (last % 2 != 0) arc_path_copy(path, &path->point[1], &path->point[0]);
 }
@@ -95,7 +95,7 @@ static int shear_when_pressed(const arc_wear *w) {
 
 /* The bodies come together at point b->press as those of a contact do. */
 static arc_status press(fretting *r, arc_error *error) {
-  const wear_block *b = r->w->path.block;
+  const wear_block *b = path_of(r->w)->block;
   const int rubs = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
   const int count = rubs ? arc_press_increments : 1, at = b->press;
   const friction_step to = {.mu = rubs ? r->window->mu : 0, .line = b->line[at], .x = b->x[at]};
@@ -109,7 +109,7 @@ static arc_status press(fretting *r, arc_error *error) {
 
 /* From apart: pressed, then to the end of the cycle, where it begins. */
 static arc_status approach(fretting *r, arc_error *error) {
-  wear_path *path = &r->w->path;
+  wear_path *path = path_of(r->w);
   friction_state *s = &path->state;
   const wear_block *b = path->block;
   for (int i = 0; i < path->poses; i++) path->pose[i].active = 0;
@@ -128,10 +128,10 @@ static arc_status approach(fretting *r, arc_error *error) {
 /* Pressure and slip at one end of the increment into the rate of both bodies. */
 static void add_end(fretting *r, int at, double share) {
   const arc_wear *w = r->w;
-  const wear_block *b = w->path.block;
-  const wear_point *point = &w->path.point[at % 2];
-  const pose *p = &w->path.pose[b->place[at]];
-  const double *slip = w->path.state.slip;
+  const wear_block *b = path_of(w)->block;
+  const wear_point *point = &path_of(w)->point[at % 2];
+  const pose *p = &path_of(w)->pose[b->place[at]];
+  const double *slip = path_of(w)->state.slip;
   if (b->line[at] == 0) return; /* lifted off */
   for (int i = 0; i < w->nc; i++) {
     const double pressure = point->p[ARC_CYLINDER][i], way = share * b->repeat * fabs(slip[i]);
@@ -160,12 +160,12 @@ static int slips_everywhere(const friction_state *s, double *most) {
 static void add_to_jacobian(fretting *r, int at, double most) {
   arc_wear *w = r->w;
   double *const way[ARC_BODIES] = {r->work, r->on};
-  const double repeat = w->path.block->repeat;
-  const wear_point *point = &w->path.point[at % 2];
+  const double repeat = path_of(w)->block->repeat;
+  const wear_point *point = &path_of(w)->point[at % 2];
   for (int i = 0; i < w->nc; i++)
-    r->work[i] = fabs(w->path.state.slip[i]) * point->q[ARC_CYLINDER][i];
-  arc_pose_transfer(&w->path.pose[w->path.block->place[at]], r->work, r->on);
-  for (int i = 0; i < w->nc; i++) r->work[i] = repeat * fabs(w->path.state.slip[i]);
+    r->work[i] = fabs(path_of(w)->state.slip[i]) * point->q[ARC_CYLINDER][i];
+  arc_pose_transfer(&path_of(w)->pose[path_of(w)->block->place[at]], r->work, r->on);
+  for (int i = 0; i < w->nc; i++) r->work[i] = repeat * fabs(path_of(w)->state.slip[i]);
   for (int l = 0; l < w->np; l++)
     r->on[l] = point->q[ARC_PLATE][l] > 0 ? repeat * r->on[l] / point->q[ARC_PLATE][l] : 0;
   arc_wear_jacobian_add(w, r->window, at, repeat * most, way);
@@ -173,24 +173,24 @@ static void add_to_jacobian(fretting *r, int at, double most) {
 
 static void note_increment(fretting *r, int at) {
   const arc_wear *w = r->w;
-  const friction_state *s = &w->path.state;
+  const friction_state *s = &path_of(w)->state;
   wear_rate *rate = r->rate;
   double most;
   if (slips_everywhere(s, &most) && r->window->mu > 0) rate->gross = 1;
   rate->shear = fmax(rate->shear, fabs(s->tangential));
-  const double *p = w->path.point[at % 2].p[ARC_CYLINDER];
+  const double *p = path_of(w)->point[at % 2].p[ARC_CYLINDER];
   for (int i = 0; i < s->nc; i++) {
     if (s->f[i] < r->least[i]) r->least[i] = s->f[i];
     if (p[i] > rate->peak) rate->peak = p[i];
     r->slid[i] += fabs(s->slip[i]);
   }
-  if (r->window->jacobian && s->line > 0) add_to_jacobian(r, at, most);
+  if (r->window->tangent && s->line > 0) add_to_jacobian(r, at, most);
 }
 
 static void note_loop(fretting *r, int at) {
   if (!r->loop) return;
-  ((double *)(size_t)r->loop->x)[at] = r->w->path.state.x;
-  ((double *)(size_t)r->loop->tangential)[at] = r->w->path.state.tangential;
+  ((double *)(size_t)r->loop->x)[at] = path_of(r->w)->state.x;
+  ((double *)(size_t)r->loop->tangential)[at] = path_of(r->w)->state.tangential;
 }
 
 static arc_status add_increment(fretting *r, int at, arc_error *error) {
@@ -207,7 +207,7 @@ static arc_status add_increment(fretting *r, int at, arc_error *error) {
 /* --- the cycle -------------------------------------------------------------------------------- */
 
 static void begin_cycle(fretting *r) {
-  const friction_state *s = &r->w->path.state;
+  const friction_state *s = &path_of(r->w)->state;
   const size_t nc = (size_t)s->nc;
   arc_wear_rate_clear(r->rate, s->nc + s->np);
   memcpy(r->start, s->f, nc * sizeof *s->f);
@@ -215,14 +215,14 @@ static void begin_cycle(fretting *r) {
   memcpy(r->least, s->f, nc * sizeof *s->f);
   memset(r->slid, 0, nc * sizeof *r->slid);
   r->between = s->between;
-  if (r->window->jacobian) arc_wear_jacobian_clear(r->window->jacobian);
+  if (r->window->tangent) arc_wear_jacobian_clear(r->window->tangent);
   note_loop(r, 0);
 }
 
 /* Whether forces are those the cycle began with. */
 static int has_closed(const fretting *r) {
-  const friction_state *s = &r->w->path.state;
-  const wear_block *b = r->w->path.block;
+  const friction_state *s = &path_of(r->w)->state;
+  const wear_block *b = path_of(r->w)->block;
   double off = 0;
   for (int i = 0; i < s->nc; i++)
     off += fabs(s->f[i] - r->start[i]) + fabs(s->t[i] - r->start[s->nc + i]);
@@ -232,7 +232,7 @@ static int has_closed(const fretting *r) {
 /* Where the force only comes back to where it slipped once, rounding slips. No more sticks than
  * touches: nodes at the edge are as wide as others. */
 static void find_stick(fretting *r) {
-  const wear_block *b = r->w->path.block;
+  const wear_block *b = path_of(r->w)->block;
   static const double rounding = 1e-9;
   const shape_side *cylinder = &r->w->shape->side[ARC_CYLINDER];
   double most = 0;
@@ -241,7 +241,7 @@ static void find_stick(fretting *r) {
     if (r->least[i] > 0 && r->slid[i] <= rounding * most)
       r->rate->stick += arc_shape_width(cylinder, i);
   double edges[2];
-  arc_pose_edges(&r->w->path.pose[b->place[b->count - 1]], r->window->shape, edges);
+  arc_pose_edges(&path_of(r->w)->pose[b->place[b->count - 1]], r->window->shape, edges);
   r->rate->stick = fmin(r->rate->stick, edges[1] - edges[0]);
 }
 
@@ -249,16 +249,16 @@ static void find_stick(fretting *r) {
 static void scale_rate(fretting *r, double share) {
   const size_t n = (size_t)(r->w->nc + r->w->np);
   for (size_t i = 0; i < n; i++) r->rate->node[ARC_CYLINDER][i] *= share;
-  for (size_t i = 0; i < n * n && r->window->jacobian; i++) r->window->jacobian->value[i] *= share;
+  for (size_t i = 0; i < n * n && r->window->tangent; i++) r->window->tangent->value[i] *= share;
   r->rate->energy *= share;
 }
 
 /* The outermost nodes in touch slide for all that slips beside them, each for half the energy. */
 static void add_edges(fretting *r, double energy) {
   const arc_wear *w = r->w;
-  const int at = w->path.block->count - 1;
-  const wear_point *point = &w->path.point[at % 2];
-  const pose *p = &w->path.pose[w->path.block->place[at]];
+  const int at = path_of(w)->block->count - 1;
+  const wear_point *point = &path_of(w)->point[at % 2];
+  const pose *p = &path_of(w)->pose[path_of(w)->block->place[at]];
   if (p->active == 0) return;
   memset(r->work, 0, (size_t)w->nc * sizeof *r->work);
   for (int side = 0; side < 2; side++) {
@@ -275,7 +275,7 @@ static void add_edges(fretting *r, double energy) {
 /* What is dissipated between the nodes wears where the nodes do; at the contact's edges where none
  * slips. */
 static void add_between(fretting *r) {
-  const double energy = r->w->path.block->repeat * (r->w->path.state.between - r->between);
+  const double energy = path_of(r->w)->block->repeat * (path_of(r->w)->state.between - r->between);
   if (r->rate->energy + energy <= 0) return;
   if (r->rate->energy > 0)
     scale_rate(r, 1 + energy / r->rate->energy);
@@ -284,7 +284,7 @@ static void add_between(fretting *r) {
 }
 
 static arc_status run_cycles(fretting *r, arc_error *error) {
-  const wear_block *b = r->w->path.block;
+  const wear_block *b = path_of(r->w)->block;
   arc_status status = approach(r, error);
   for (int cycle = 0; cycle < most_cycles && status == ARC_OK; cycle++) {
     if (cycle > 0) wrap(r);
@@ -292,7 +292,7 @@ static arc_status run_cycles(fretting *r, arc_error *error) {
     for (int at = 1; at < b->count && status == ARC_OK; at++) status = add_increment(r, at, error);
     if (status != ARC_OK || !has_closed(r)) continue;
     find_stick(r);
-    if (r->window->jacobian) arc_wear_jacobian_finish(r->window->jacobian);
+    if (r->window->tangent) arc_wear_jacobian_finish(r->window->tangent);
     add_between(r);
     return ARC_OK;
   }
@@ -336,27 +336,19 @@ static void finish_loop(arc_loop *loop, double repeat, double thickness, const w
   loop->gross = rate->gross != 0;
 }
 
-arc_status arc_wear_loop(arc_wear *w, const arc_callbacks *callbacks, arc_loop **loop,
-                         arc_error *error) {
-  const wear_block *block = arc_wear_block_at(w, arc_wear_last(w)->cycle);
-  wear_window cycle = {.shape = w->shape, .state = arc_wear_last(w)};
-  wear_watch watch = {.callbacks = callbacks};
-  *loop = NULL;
-  if (!arc_wear_rubs(&w->def))
-    return arc_fail(error, ARC_ARGUMENT, "field 'friction': a run without friction has no loop");
-  arc_status status = arc_wear_friction(w, cycle.state, &cycle.mu, error);
-  if (status == ARC_OK) status = arc_path_enter(&w->path, block, w->model, error);
+arc_status arc_wear_fret_loop(arc_wear *w, const wear_window *window, wear_watch *watch,
+                              arc_loop **loop, arc_error *error) {
+  arc_status status = arc_path_enter(path_of(w), window->block, w->model, error);
   if (status != ARC_OK) return status;
   fretting r = {.w = w,
-                .window = &cycle,
-                .watch = &watch,
+                .window = window,
+                .watch = watch,
                 .rate = &w->work.rate,
-                .loop = make_loop((size_t)block->count)};
+                .loop = make_loop((size_t)window->block->count)};
   if (!r.loop) return arc_fail(error, ARC_MEMORY, "out of memory for a loop");
-  cycle.last = block->count - 1;
   status = evaluate(&r, error);
   if (status == ARC_OK)
-    finish_loop(*loop = r.loop, block->repeat, arc_model_definition(w->model)->thickness, r.rate);
+    finish_loop(*loop = r.loop, window->block->repeat, w->manner.thickness, r.rate);
   else
     free(r.loop);
   return status;

@@ -2,7 +2,7 @@
  * are taken over, and the run goes on. Which meshes these are follows from the state of the run
  * alone: one that was stored in between comes to the same. */
 #include "core/base/callbacks.h"
-#include "core/wear/rebuild.h"
+#include "core/plane/cycle.h"
 
 #include <math.h>
 
@@ -44,7 +44,7 @@ static int has_grown_into_box(const arc_wear *w) {
 }
 
 int arc_wear_layer_rows(const arc_wear *w) {
-  return wears_evenly(w) && w->def.track == 0 ? arc_shape_layer_rows(w->shape, ARC_PLATE) : 0;
+  return w->manner.even && w->def.track == 0 ? arc_shape_layer_rows(w->shape, ARC_PLATE) : 0;
 }
 
 int arc_wear_has_outgrown(const arc_wear *w, arc_status why) {
@@ -178,12 +178,6 @@ arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_er
                   "%.300s; its last step changed much at once: take shorter ones, jump = \"auto\", "
                   "or mesh.zone = { cylinder = %.4g, plate = %.4g }",
                   why->message, def.mesh.zone[ARC_CYLINDER], def.mesh.zone[ARC_PLATE]);
-}
-
-void arc_wear_exchange(arc_wear *a, arc_wear *b) {
-  const arc_wear held = *a;
-  *a = *b;
-  *b = held;
 }
 
 /* The mesh asked for on the bodies of the run. */

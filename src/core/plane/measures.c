@@ -1,33 +1,38 @@
 /* What is measured after each update, in the reference configuration. */
 #include "archard/measure.h"
-#include "core/wear/run.h"
+#include "core/plane/cycle.h"
 
 #include <math.h>
 
-/* The contact never changes. */
-static int stays_as_it_is(const arc_wear *w) {
-  const arc_wear_def *d = &w->def;
+int arc_plane_stays_as_it_is(const arc_wear_def *d, const arc_model_def *model) {
   return d->alpha == 0 && !d->alpha_function && d->alpha_series.count == 0 &&
-         arc_model_is_hertzian(arc_model_definition(w->model)) &&
-         (arc_law_properties[d->law] & ARC_LAW_LINEAR) && !d->local_factor && w->over_plate &&
-         w->procedure == ARC_NSP;
+         arc_model_is_hertzian(model) && (arc_law_properties[d->law] & ARC_LAW_LINEAR) &&
+         !d->local_factor && arc_wear_over_plate(d, model) &&
+         arc_wear_choose_procedure(d, model) == ARC_NSP;
 }
 
-int arc_wear_closed_form(const arc_wear *w) {
-  return stays_as_it_is(w) && !arc_wear_rubs(&w->def); /* whose slip has to be found */
+double arc_plane_even_width(const arc_wear *w) {
+  if (w->def.track > 0) return 2 * acos(-1) * w->def.track;
+  return arc_model_width(arc_model_definition(w->model));
+}
+
+double arc_plane_depth(const arc_wear *w, const arc_shape *shape, const arc_wear_record *record) {
+  if (w->def.track == 0) return arc_shape_depth(shape, ARC_PLATE);
+  return record->volume_plate / (arc_plane_even_width(w) * 2 * record->half_width);
 }
 
 /* From unworn surfaces it stays Hertz'. */
 static int stays_hertzian(const arc_wear *w, const arc_shape *shape) {
-  return stays_as_it_is(w) && arc_shape_depth(shape, ARC_CYLINDER) == 0;
+  return arc_plane_stays_as_it_is(&w->def, arc_model_definition(w->model)) &&
+         arc_shape_depth(shape, ARC_CYLINDER) == 0;
 }
 
 /* The reference pose on a shape, solved under the nominal load. */
 static arc_status solve_reference(arc_wear *w, const arc_shape *shape, arc_error *error) {
   const double line = w->def.load / arc_model_definition(w->model)->thickness;
-  arc_pose_aim(&w->reference, arc_radians(w->def.load_angle));
-  const arc_status status = arc_pose_update(&w->reference, shape, 0, error);
-  return status == ARC_OK ? arc_pose_solve(&w->reference, line, error) : status;
+  arc_pose_aim(&plane_of(w)->reference, arc_radians(w->def.load_angle));
+  const arc_status status = arc_pose_update(&plane_of(w)->reference, shape, 0, error);
+  return status == ARC_OK ? arc_pose_solve(&plane_of(w)->reference, line, error) : status;
 }
 
 static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
@@ -41,7 +46,7 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
   }
   const arc_status status = solve_reference(w, shape, error);
   if (status != ARC_OK) return status;
-  const pose *p = &w->reference;
+  const pose *p = &plane_of(w)->reference;
   double edges[2];
   arc_pose_edges(p, shape, edges);
   record->half_width = (edges[1] - edges[0]) / 2;
@@ -50,8 +55,8 @@ static arc_status measure_contact(arc_wear *w, const arc_shape *shape, arc_wear_
   return ARC_OK;
 }
 
-arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
-                            arc_error *error) {
+arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
+                             arc_error *error) {
   const arc_status status = measure_contact(w, shape, record, error);
   if (status != ARC_OK) return status;
   if (w->def.blocks == 0 || record->p_peak == 0)
@@ -61,12 +66,12 @@ arc_status arc_wear_measure(arc_wear *w, const arc_shape *shape, arc_wear_record
   record->elements = arc_model_mesh(w->model, ARC_CYLINDER)->elements +
                      arc_model_mesh(w->model, ARC_PLATE)->elements;
   record->depth_cylinder = arc_shape_depth(shape, ARC_CYLINDER);
-  record->depth_plate = arc_wear_plate_depth(w, shape, record);
+  record->depth_plate = arc_plane_depth(w, shape, record);
   record->depth_partition = arc_depth_partition(record->depth_cylinder, record->depth_plate);
   return ARC_OK;
 }
 
-double arc_wear_roughness(const arc_wear *w, arc_body body) {
+double arc_plane_roughness(const arc_wear *w, arc_body body) {
   const arc_profile profile = arc_shape_profile(w->shape, body);
   const double deepest = arc_shape_depth(w->shape, body);
   const double reach = 0.8 * arc_wear_last(w)->half_width; /* the middle of the contact */

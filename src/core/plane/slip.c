@@ -5,7 +5,7 @@
  * includes the change of u along the way. Pressure and slip meet at the cylinder's nodes; the
  * plate gets the same work through the coupling, so that volumes are as k_c to k_p (Eq. 15).
  */
-#include "core/wear/rate.h"
+#include "core/plane/cycle.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,10 +41,10 @@ static void carried_along(const arc_wear *w, const double *u, double rigid, doub
 }
 
 void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate) {
-  const wear_block *block = w->path.block;
-  const wear_point *point[2] = {&w->path.point[(at + 1) % 2], &w->path.point[at % 2]};
+  const wear_block *block = path_of(w)->block;
+  const wear_point *point[2] = {&path_of(w)->point[(at + 1) % 2], &path_of(w)->point[at % 2]};
   const int mean = w->def.rule == ARC_TRAPEZOID;
-  double *moved = w->work.slip, *moved_p = moved + w->nc, *under = moved_p + w->np;
+  double *moved = plane_of(w)->slip, *moved_p = moved + w->nc, *under = moved_p + w->np;
   increment inc = {.rigid = block->x[at] - block->x[at - 1],
                    .share = block->repeat * (mean ? 0.5 : 1),
                    .moved_c = moved,
@@ -53,12 +53,12 @@ void arc_wear_add_work(const arc_wear *w, int at, wear_rate *rate) {
                    .work = under + w->nc,
                    .plate = under + 2 * w->nc};
   for (int i = 0; i < w->nc + w->np; i++) moved[i] = point[1]->u[0][i] - point[0]->u[0][i];
-  if (w->procedure == ARC_NSP) carried_along(w, point[1]->u[ARC_PLATE], inc.rigid, moved_p);
+  if (w->manner.procedure == ARC_NSP) carried_along(w, point[1]->u[ARC_PLATE], inc.rigid, moved_p);
   for (int end = mean ? 0 : 1; end < 2; end++) {
     const int here = at - 1 + end;
     if (block->line[here] == 0) continue; /* lifted off */
     inc.end = point[end];
-    inc.pose = &w->path.pose[block->place[here]];
+    inc.pose = &path_of(w)->pose[block->place[here]];
     add_end(w, &inc, rate);
   }
 }

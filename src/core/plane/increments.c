@@ -1,0 +1,103 @@
+/* In how many increments a motion is simulated, so that they follow the contact. */
+#include "core/base/callbacks.h"
+#include "core/elastic/contact_estimate.h"
+#include "core/plane/cycle.h"
+
+#include <math.h>
+
+double arc_loading_x(const arc_loading *from, const arc_model_def *model, int i) {
+  return from->rotation ? arc_model_way(model, from->rotation[i]) : from->x[i];
+}
+
+/* arc_wear_reach, by a pair that estimates for more loads than one. */
+static double reach_of(contact_pair *pair, double load) {
+  static const double share = 0.125; /* centre pressures within 1 % for short strokes, too */
+  return share * arc_pair_estimate(pair, load).half_width;
+}
+
+double arc_wear_reach(const arc_model_def *model, double load) {
+  contact_pair pair = arc_model_pair(model);
+  return reach_of(&pair, load);
+}
+
+/* The contact goes with the load; the plate slides under it. [mm] */
+static double way_to(const arc_loading *from, const arc_model_def *model, int i) {
+  const double way = fabs(arc_loading_x(from, model, i) - arc_loading_x(from, model, i - 1));
+  if (!from->load_angle) return way;
+  return way + fabs(arc_model_way(model, from->load_angle[i] - from->load_angle[i - 1]));
+}
+
+/* Of a load that lifts off contact gets as narrow as one likes: below this share of the mean over
+ * the way all loads together wear less than that share of all. */
+static double least_load(const arc_loading *from, const arc_model_def *model) {
+  static const double share = 0.01;
+  double sum = 0, whole = 0;
+  for (int i = 1; i < from->count; i++) {
+    const double way = way_to(from, model, i);
+    sum += way * (from->load[i] + from->load[i - 1]) / 2;
+    whole += way;
+  }
+  return whole > 0 ? share * sum / whole : 0;
+}
+
+static double length_of(contact_pair *pair, const arc_loading *from, double least, int i) {
+  const double load = fmax(from->load[i - 1], from->load[i]);
+  if (!(load > 0)) return 0;
+  return way_to(from, pair->def, i) / reach_of(pair, fmax(load, least));
+}
+
+/* As many as follow the contact there, unless the number is the user's. */
+double arc_loading_increments(const arc_wear_def *def, const arc_model_def *model,
+                              const arc_loading *from, double *parts) {
+  enum { of_load = 100 }; /* a contact that stays where it is: only its load has to be followed */
+  const int stays = def->slide == ARC_SLIDE_Z && !from->load_angle;
+  const int follow = def->increments == 0 && arc_wear_choose_procedure(def, model) != ARC_NSP;
+  const double least = follow ? least_load(from, model) : 0;
+  contact_pair pair = {.def = NULL};
+  double count = 0;
+  if (follow) pair = arc_model_pair(model);
+  for (int i = 1; i < from->count; i++) {
+    const double length = follow ? length_of(&pair, from, least, i) : 1;
+    double here = fmax(1, ceil(length * (1 - 1e-9)));
+    if (stays) here = fmin(here, of_load);
+    if (parts) parts[i] = here;
+    count += here;
+  }
+  return count;
+}
+
+/* The longest increment, over what follows the contact well. */
+static double longest_increment(const arc_wear *w) {
+  const arc_wear_def *d = &w->def;
+  contact_pair pair = arc_model_pair(arc_model_definition(w->model));
+  double longest = d->blocks > 0 ? 0 : 2 * d->stroke / d->increments / reach_of(&pair, d->load);
+  for (int b = 0; b < d->blocks; b++) {
+    const arc_loading *from = &d->loading[b];
+    const double least = least_load(from, pair.def);
+    for (int i = 1; i < from->count; i++) longest = fmax(longest, length_of(&pair, from, least, i));
+  }
+  return longest;
+}
+
+/* Increments whose number is the user's, and that leap over parts of the contact's way. */
+void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
+  static const double leap = 4; /* half the contact's half width */
+  const arc_wear_def *d = &w->def;
+  if (d->increments == 0 || d->tangential > 0 || w->manner.procedure == ARC_NSP ||
+      d->slide == ARC_SLIDE_Z)
+    return;
+  const double longest = longest_increment(w);
+  if (longest <= leap * (1 + 1e-9)) return;
+  if (d->blocks > 0)
+    arc_warn(
+        callbacks,
+        "an increment of the loading is longer than half the contact's half width, and the wear "
+        "will be uneven; give %.0f times as many points, or increments = \"auto\"",
+        ceil(longest));
+  else
+    arc_warn(
+        callbacks,
+        "increments = %d: each is longer than half the contact's half width, and the wear will "
+        "be uneven; take %d, or \"auto\"",
+        d->increments, 2 * (int)ceil(longest * d->increments / 2 * (1 - 1e-9)));
+}

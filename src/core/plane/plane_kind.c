@@ -1,0 +1,216 @@
+/* The plane as a kind: two meshed bodies that touch along a line of nodes. */
+#include "core/base/carve.h"
+#include "core/plane/newton.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- what a run adds -------------------------------------------------------------------------- */
+
+static arc_status begin(arc_wear *w) {
+  plane_cycle *own = w->own = calloc(1, sizeof *own);
+  if (!own) return ARC_MEMORY;
+  w->nc = arc_model_mesh(w->model, ARC_CYLINDER)->surface;
+  w->np = arc_model_mesh(w->model, ARC_PLATE)->surface;
+  const size_t n = (size_t)(w->nc + w->np);
+  const carve_part parts[] = {{&own->slip, 4 * n}, {&own->down, n}};
+  if (!ARC_CARVE(parts)) return ARC_MEMORY;
+  if (arc_path_create(&own->path, w->model, arc_wear_has_friction(&w->def)) != ARC_OK)
+    return ARC_MEMORY;
+  return arc_pose_create(&own->reference, w->model);
+}
+
+static void end(arc_wear *w) {
+  plane_cycle *own = w->own;
+  if (!own) return;
+  arc_path_free(&own->path);
+  arc_pose_free(&own->reference);
+  free(own->slip);
+  free(own);
+  w->own = NULL;
+}
+
+static size_t bytes(const arc_wear *w) {
+  const plane_cycle *own = w->own;
+  const wear_path *path = &own->path;
+  const size_t n = (size_t)(w->nc + w->np), poses = (size_t)path->poses;
+  size_t sum = (poses + 1) * arc_pose_bytes(&own->reference) + 21 * n * sizeof(double) +
+               2 * arc_shape_bytes(w->shape);
+  if (path->compliance) sum += poses * arc_tangential_bytes(&path->compliance[0]);
+  if (path->rubs) sum += arc_friction_workspace_bytes(&path->workspace);
+  return sum;
+}
+
+/* --- whether the contact can be everywhere ---------------------------------------------------- */
+
+/* Points of a block where the plate stands farthest to either side, where the load does, and where
+ * it does on the plate. */
+enum { ENDS = 6 };
+static int find_ends(const wear_block *block, double radius, int end[ENDS]) {
+  int turns = 0;
+  memset(end, 0, ENDS * sizeof *end);
+  for (int i = 0; i < block->count; i++) {
+    const double under = radius * block->angle[i];
+    const double at[] = {block->x[i], under, under - block->x[i]};
+    turns = turns || under != 0;
+    for (int k = 0; k < ENDS; k++) {
+      const double best = radius * block->angle[end[k]];
+      const double then[] = {block->x[end[k]], best, best - block->x[end[k]]};
+      if (k % 2 ? at[k / 2] > then[k / 2] : at[k / 2] < then[k / 2]) end[k] = i;
+    }
+  }
+  return turns ? ENDS : 2;
+}
+
+/* Zones that the bodies have no room for. */
+static arc_status refuse_way(const arc_model_def *def, const double zone[ARC_BODIES],
+                             const arc_error *why, arc_error *error) {
+  const double degrees = 0.5 * arc_model_widest_zone(def, ARC_PLATE) / arc_model_way(def, 1);
+  char angle[100] = "";
+  if (arc_model_is_hole(def))
+    snprintf(angle, sizeof angle,
+             ": %.0f degrees to either side, within which the contact stays as they turn", degrees);
+  return arc_fail(
+      error, ARC_ZONE,
+      "%s (this run needs zones of %.2f and %.2f mm, more than the bodies have room for, "
+      "%.2f and %.2f mm%s)",
+      why->message, zone[ARC_CYLINDER], zone[ARC_PLATE], arc_model_widest_zone(def, ARC_CYLINDER),
+      arc_model_widest_zone(def, ARC_PLATE), angle);
+}
+
+/* What went wrong at an end of a path; for want of room, with the zones that would do. */
+static arc_status refuse_reach(const arc_wear *w, const arc_error *why, arc_error *error) {
+  if (why->status != ARC_ZONE) return arc_fail(error, why->status, "%s", why->message);
+  const arc_model_def *def = arc_model_definition(w->model);
+  double zone[ARC_BODIES];
+  arc_wear_zones(&w->def, def, zone);
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (zone[b] > arc_model_widest_zone(def, (arc_body)b)) return refuse_way(def, zone, why, error);
+  return arc_fail(error, ARC_ZONE,
+                  "%s (this run needs mesh.zone = {cylinder = %.2f, plate = %.2f} mm)",
+                  why->message, zone[ARC_CYLINDER], zone[ARC_PLATE]);
+}
+
+/* The outermost positions must find the contact: said at creation rather than in the middle of a
+ * run. */
+static arc_status check_reach(arc_wear *w, arc_error *error) {
+  const arc_wear_record unworn = {0};
+  arc_error why = {0};
+  for (int b = 0; b < w->blocks && w->manner.procedure == ARC_SP; b++) {
+    int end[ENDS];
+    const double radius = arc_model_body(w->model, ARC_UPPER)->chart.radius;
+    const int ends = find_ends(&w->block[b], radius, end);
+    for (int e = 0; e < ends; e++) {
+      const wear_window point = {.block = &w->block[b],
+                                 .shape = w->shape,
+                                 .first = end[e],
+                                 .last = end[e],
+                                 .state = &unworn};
+      if (arc_wear_probe(w, &point, &why) != ARC_OK) return refuse_reach(w, &why, error);
+    }
+  }
+  return ARC_OK;
+}
+
+/* --- the rest --------------------------------------------------------------------------------- */
+
+static arc_status start_shape(arc_model *model, const arc_wear_def *def, const arc_shape *start,
+                              arc_shape **shape, arc_error *error) {
+  if (!start) return arc_shape_create(model, def->geometry, def->refresh, shape, error);
+  *shape = NULL;
+  if (arc_shape_model(start) != model)
+    return arc_fail(error, ARC_ARGUMENT, "worn: the starting shape belongs to another model");
+  arc_status status = arc_shape_clone(start, shape, error);
+  if (status == ARC_OK) status = arc_shape_set_geometry(*shape, def->geometry, def->refresh, error);
+  if (status != ARC_OK) arc_shape_destroy(shape);
+  return status;
+}
+
+static wear_sites sites(const arc_shape *shape, arc_body body) {
+  const shape_side *side = &shape->side[body];
+  return (wear_sites){side->n, side->x0, side->h};
+}
+
+static double area(const arc_shape *shape, arc_body body, int i) {
+  return arc_shape_width(&shape->side[body], i);
+}
+
+static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) {
+  double mu;
+  if (unworn) arc_model_warn(w->model, w->def.load, arc_wear_last(w)->half_width, callbacks);
+  arc_plane_warn_leaps(w, callbacks);
+  if (unworn && arc_wear_friction(w, arc_wear_last(w), &mu, NULL) == ARC_OK)
+    arc_friction_warn(w->model, mu, "wear", callbacks);
+}
+
+static int must_grow(const arc_wear *w, arc_error *why) {
+  if (arc_wear_layer_rows(w) == 0) return 0;
+  arc_fail(why, ARC_GEOMETRY, "the plate's layers end below its wear box");
+  return 1;
+}
+
+static void report_mesh(const arc_wear *before, const arc_wear *now,
+                        const arc_callbacks *callbacks) {
+  arc_wear_tell_meshes(before, now, "the meshes are those asked for", callbacks);
+}
+
+static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *error) {
+  arc_contact_def def = arc_contact_default();
+  def.load = w->def.load;
+  def.load_angle = w->def.load_angle;
+  return arc_contact_solve(w->shape, &def, NULL, result, error);
+}
+
+const arc_kind arc_plane_kind = {
+    .name = "plane",
+    .check = arc_plane_check,
+    .manner = arc_plane_manner,
+    .increments = arc_wear_def_increments,
+    .parts = arc_loading_increments,
+    .reach = arc_wear_reach,
+    .begin = begin,
+    .end = end,
+    .bytes = bytes,
+    .check_reach = check_reach,
+    .warn = warn,
+    .surfaces = start_shape,
+    .copy = arc_shape_clone,
+    .discard = arc_shape_destroy,
+    .sites = sites,
+    .area = area,
+    .deepest = arc_shape_depth,
+    .through_layers = arc_wear_into_layers,
+    .add_volumes = arc_plane_add_volumes,
+    .wear = arc_plane_wear,
+    .measure = arc_plane_measure,
+    .rate = arc_wear_evaluate,
+    .loop = arc_wear_fret_loop,
+    .tangent = arc_tangent_create,
+    .end_tangent = arc_tangent_free,
+    .tangent_bytes = arc_tangent_bytes,
+    .eigenvalue = arc_tangent_eigenvalue,
+    .begin_stages = arc_newton_begin,
+    .start = arc_newton_start,
+    .stage = arc_newton_solve,
+    .error = arc_newton_error,
+    .end_stages = arc_newton_end,
+    .natural_depth = arc_plane_natural_depth,
+    .even_dose = arc_plane_even_dose,
+    .layer_dose = arc_plane_layer_dose,
+    .must_grow = must_grow,
+    .has_outgrown = arc_wear_has_outgrown,
+    .has_room = arc_wear_has_room,
+    .grow = arc_wear_grow,
+    .remesh = arc_wear_remesh,
+    .report_growth = arc_wear_tell_grown,
+    .report_mesh = report_mesh,
+    .refuse = arc_wear_refuse,
+    .contact = contact,
+    .show = arc_plane_show,
+    .save = arc_plane_save,
+    .load = arc_plane_load,
+    .roughness = arc_plane_roughness,
+    .validate = arc_plane_validate,
+};

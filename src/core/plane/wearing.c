@@ -1,0 +1,143 @@
+/* What updates take off the plane's surfaces, and how much an update may. */
+#include "core/plane/cycle.h"
+
+#include <math.h>
+
+static int any_depth(const double *depth, int n) {
+  for (int i = 0; i < n; i++)
+    if (depth[i] != 0) return 1;
+  return 0;
+}
+
+/* What coefficients of layers leave of depths; a track is as deep as its mean over the contact. */
+static void go_through_layers(const arc_wear *w, const arc_shape *shape,
+                              const arc_wear_record *record, wear_depths *depth) {
+  const double wide = w->def.track > 0 ? 2 * record->half_width : 1;
+  arc_wear_into_layers(shape, depth->node[ARC_CYLINDER]);
+  const int middle = shape->side[ARC_PLATE].n / 2; /* what wears evenly has even layers */
+  if (depth->even > 0)
+    depth->even = wide * arc_wear_through_layers(shape, ARC_PLATE, middle, record->depth_plate,
+                                                 depth->even / wide);
+}
+
+static void add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
+                        arc_wear_record *record) {
+  const double thickness = w->manner.thickness;
+  double sum[ARC_BODIES] = {0};
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < shape->side[b].n; i++)
+      sum[b] += depth->node[b][i] * arc_shape_span(shape, (arc_body)b, i);
+  record->volume_cylinder += sum[ARC_CYLINDER] * thickness;
+  record->volume_plate += (sum[ARC_PLATE] + depth->even * arc_plane_even_width(w)) * thickness;
+}
+
+void arc_plane_add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
+                           arc_wear_record *record) {
+  add_volumes(w, shape, depth, record);
+  if (w->def.track > 0) record->depth_plate = arc_plane_depth(w, shape, record);
+}
+
+arc_status arc_plane_wear(const arc_wear *w, arc_shape *shape, wear_depths *depth,
+                          arc_wear_record *record, arc_error *error) {
+  go_through_layers(w, shape, record, depth);
+  add_volumes(w, shape, depth, record);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    if (!any_depth(depth->node[b], shape->side[b].n)) continue;
+    arc_shape_conserve(shape, (arc_body)b, depth->node[b]);
+    const arc_status status = arc_shape_wear(shape, (arc_body)b, depth->node[b], error);
+    if (status != ARC_OK) return status;
+  }
+  if (depth->even != 0 && w->def.track == 0)
+    return arc_shape_wear_evenly(shape, ARC_PLATE, depth->even, error);
+  return ARC_OK;
+}
+
+/* --- how much an update may take -------------------------------------------------------------- */
+
+static int has_layers(const arc_model_def *d) {
+  return arc_body_layers(&d->body[ARC_CYLINDER]) > 0 || arc_body_layers(&d->body[ARC_PLATE]) > 0;
+}
+
+/* E* as the unworn contact feels it [MPa]. */
+static double felt_modulus(const arc_wear *w) {
+  const arc_model_def *d = arc_model_definition(w->model);
+  if (!has_layers(d)) return arc_contact_modulus(d->geometry, d->material);
+  return arc_model_felt_modulus(w->model, 1 / w->history[0].half_width);
+}
+
+/* The drop of the cylinder at the edge of the unworn contact, a^2 / 2R. It is 2 L / (pi t E*),
+ * whatever R: what elasticity gives way by, in other pairs too. */
+double arc_plane_natural_depth(const arc_wear *w) {
+  const arc_model_def *d = arc_model_definition(w->model);
+  if (d->geometry != ARC_PLANE_STRAIN || has_layers(d))
+    return 2 * arc_model_line(d, w->def.load) / (acos(-1) * felt_modulus(w));
+  const double radius = arc_model_relative_radius(d);
+  arc_hertz hertz = {0};
+  arc_hertz_solve(isfinite(radius) ? radius : d->radius, d->thickness, w->def.load, d->material,
+                  &hertz, NULL);
+  return hertz.half_width * hertz.half_width / (2 * (isfinite(radius) ? radius : d->radius));
+}
+
+/* What wears evenly [MPa]: the load over the plate, or a track. The depth is as much per dose,
+ * where Archard's law holds. */
+static double even_pressure(const arc_wear *w) {
+  const double across = w->def.track > 0 ? 2 * arc_wear_last(w)->half_width : w->manner.thickness;
+  return w->def.load / (arc_plane_even_width(w) * across);
+}
+
+/* Layers may wear by less than the largest coefficient. */
+double arc_plane_even_dose(const arc_wear *w, double depth) {
+  const int middle = w->np / 2;
+  const double gone = arc_wear_last(w)->depth_plate - w->shape->side[ARC_PLATE].h[middle];
+  const double share = arc_wear_layer_share(w->shape, ARC_PLATE, middle, fmax(0, gone));
+  return share > 0 ? depth / (share * even_pressure(w)) : INFINITY;
+}
+
+/* --- layers --- */
+
+static double even_layer_dose(const arc_wear *w) {
+  static const double layer_bite = 0.05; /* share of a layer that an update may take */
+  const elastic_body *plate = w->shape->side[ARC_PLATE].body;
+  if (!w->manner.even || w->def.geometry == ARC_FROZEN) return INFINITY;
+  double from = 0, end = 0;
+  for (int n = 0; end <= arc_wear_last(w)->depth_plate; n++) {
+    from = end;
+    end = arc_body_stratum(plate, w->np / 2, n).end;
+  }
+  return isfinite(end) ? arc_plane_even_dose(w, layer_bite * (end - from)) : INFINITY;
+}
+
+/* The layer that lies open at a node. */
+static int open_layer(const shape_side *side, int i) {
+  int n = 0;
+  while (arc_body_stratum(side->body, i, n).end <= side->h[i]) n++;
+  return arc_body_stratum(side->body, i, n).layer;
+}
+
+/* What a mm of an open layer yields by more than one of the body under all layers does, over the
+ * pressure [1/MPa]: the most of all nodes that have worn, at first of any. */
+static double softness(const arc_wear *w, arc_body body) {
+  const shape_side *side = &w->shape->side[body];
+  const elastic_body *b = side->body;
+  double most = 0;
+  if (arc_body_layers(&b->mesh->solid) == 0) return most;
+  for (int i = 0; i < side->n; i++)
+    if (side->h[i] > 0 || w->records == 1)
+      most = fmax(most, fabs(1 / b->layer[open_layer(side, i)].c22 - 1 / b->d.c22));
+  return most;
+}
+
+/* An update goes on with the stiffness of its start, which changes as layers get thinner: half of
+ * the change is missing on the mean. */
+static double scar_layer_dose(const arc_wear *w) {
+  static const double felt = 0.01; /* the change that an update may make, as a share of pressure */
+  const double soft = fmax(softness(w, ARC_CYLINDER), softness(w, ARC_PLATE));
+  if (w->def.geometry == ARC_FROZEN || soft == 0) return INFINITY;
+  const double p = arc_wear_last(w)->p_center;
+  const double depth = felt * w->history[0].half_width / (felt_modulus(w) * soft);
+  return p > 0 ? depth / p : INFINITY;
+}
+
+double arc_plane_layer_dose(const arc_wear *w, int scars) {
+  return fmin(even_layer_dose(w), scars ? scar_layer_dose(w) : INFINITY);
+}
