@@ -162,6 +162,8 @@ arc_model *arc_model_retain(arc_model *model);
 void arc_model_release(arc_model **model);
 
 const arc_model_def *arc_model_definition(const arc_model *model);
+/* The kind of its pair of bodies: "plane" for meshes in a plane or of revolution. */
+const char *arc_model_kind_name(const arc_model *model);
 const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body);
 /* Bytes held by the model, for a garbage collector. */
 size_t arc_model_bytes(const arc_model *model);

@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const arc_geometry_names[] = {ARC_GEOMETRY_LIST(ARC_CHOICE_NAME) NULL};
-
 static arc_status out_of_memory(arc_error *error) {
   return arc_fail(error, ARC_MEMORY, "out of memory for a worn shape");
 }

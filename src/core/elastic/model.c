@@ -8,20 +8,25 @@
 #include "core/elastic/layered.h"
 #include "core/elastic/mesh_size.h"
 #include "core/elastic/pair.h"
+#include "core/pair/model.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-struct arc_model {
-  int references;
-  arc_model_def def;
+/* A model of two meshed bodies. */
+typedef struct elastic_model {
+  arc_model handle;
   elastic_body *body[ARC_BODIES];
   double *profile[ARC_BODIES]; /* of the definition */
   double seconds;
   long version; /* the last number given to a compliance */
-};
+} elastic_model;
+
+static const elastic_model *meshed(const arc_model *model) {
+  return (const elastic_model *)model;
+}
 
 #define ARC_BODY_SETTING(role, name_, text_)                                                       \
   {                                                                                                \
@@ -66,7 +71,7 @@ static double now(void) {
 
 /* A model under construction, by whoever waits for it or by a thread that is left behind. */
 typedef struct build {
-  arc_model *model;
+  elastic_model *model;
   arc_mesh *given[ARC_BODIES]; /* NULL: to be made */
   work_watch progress;
   arc_error error;
@@ -74,28 +79,28 @@ typedef struct build {
 
 static arc_status build_bodies(void *job) {
   build *b = job;
-  arc_model *m = b->model;
+  elastic_model *m = b->model;
   arc_status status = ARC_OK;
   m->seconds = -now();
   for (int i = 0; i < ARC_BODIES && status == ARC_OK; i++)
-    status =
-        arc_body_create(&m->def, (arc_body)i, &b->given[i], &b->progress, &m->body[i], &b->error);
+    status = arc_body_create(&m->handle.def, (arc_body)i, &b->given[i], &b->progress, &m->body[i],
+                             &b->error);
   m->seconds += now();
   return status;
 }
 
 static void discard(void *job) {
   build *b = job;
-  arc_model_release(&b->model);
+  if (b->model) arc_elastic_destroy(&b->model->handle);
   for (int i = 0; i < ARC_BODIES; i++) arc_mesh_destroy(&b->given[i]);
   free(b);
 }
 
 /* Profiles belong to whoever asked: a model has its own. */
-static arc_status keep_profiles(arc_model *m) {
+static arc_status keep_profiles(elastic_model *m) {
   arc_status status = ARC_OK;
   for (int b = 0; b < ARC_BODIES; b++) {
-    arc_series *y = &m->def.body[b].y_series;
+    arc_series *y = &m->handle.def.body[b].y_series;
     const size_t n = (size_t)y->count;
     if (n == 0) continue;
     m->profile[b] = malloc(2 * n * sizeof(double));
@@ -118,11 +123,10 @@ static build *begin_build(const arc_model_def *def) {
     return NULL;
   }
   b->progress.stages = ARC_BODIES * ARC_BODY_STAGES;
-  b->model->references = 1;
+  b->model->handle = (arc_model){.kind = arc_kind_of(def), .references = 1, .def = *def};
   b->model->version = ARC_UNWORN_VERSION;
-  b->model->def = *def;
   if (keep_profiles(b->model) == ARC_OK) return b;
-  arc_model_release(&b->model);
+  arc_elastic_destroy(&b->model->handle);
   free(b);
   return NULL;
 }
@@ -152,7 +156,7 @@ static arc_status build_watched(const arc_model_def *def, arc_mesh *given[ARC_BO
   const arc_status status = arc_watched(&work, b, "model", callbacks, &left_behind);
   if (left_behind) return arc_fail(error, status, "stopped while a model was built");
   if (status == ARC_OK) {
-    *result = b->model;
+    *result = &b->model->handle;
     b->model = NULL;
   } else {
     arc_fail(error, status, "%s", b->error.message);
@@ -175,22 +179,18 @@ static arc_status settle(arc_model_def *def, arc_error *error) {
   return status;
 }
 
-arc_status arc_model_check(const arc_model_def *def, arc_error *error) {
+arc_status arc_elastic_check(const arc_model_def *def, arc_error *error) {
   arc_model_def settled = *def;
   return settle(&settled, error);
 }
 
-arc_status arc_model_build_watched(const arc_model_def *wanted, const arc_callbacks *callbacks,
-                                   arc_model **result, arc_error *error) {
+arc_status arc_elastic_build(const arc_model_def *wanted, const arc_callbacks *callbacks,
+                             arc_model **result, arc_error *error) {
   *result = NULL;
   arc_model_def def = *wanted;
   arc_status status = settle(&def, error);
   if (status == ARC_OK) status = refuse_memory(&def, error);
   return status == ARC_OK ? build_watched(&def, NULL, callbacks, result, error) : status;
-}
-
-arc_status arc_model_build(const arc_model_def *def, arc_model **result, arc_error *error) {
-  return arc_model_build_watched(def, NULL, result, error);
 }
 
 arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_BODIES],
@@ -205,19 +205,12 @@ arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_B
 }
 
 int arc_model_is_given(const arc_model *model) {
-  return model->body[ARC_CYLINDER]->mesh->rows == 0 || model->body[ARC_PLATE]->mesh->rows == 0;
+  return arc_model_mesh(model, ARC_CYLINDER)->rows == 0 ||
+         arc_model_mesh(model, ARC_PLATE)->rows == 0;
 }
 
-arc_model *arc_model_retain(arc_model *model) {
-  model->references++;
-  return model;
-}
-
-void arc_model_release(arc_model **model) {
-  if (!model || !*model) return;
-  arc_model *m = *model;
-  *model = NULL;
-  if (--m->references > 0) return;
+void arc_elastic_destroy(arc_model *model) {
+  elastic_model *m = (elastic_model *)model;
   for (int b = 0; b < ARC_BODIES; b++) {
     arc_body_destroy(&m->body[b]);
     free(m->profile[b]);
@@ -225,35 +218,32 @@ void arc_model_release(arc_model **model) {
   free(m);
 }
 
-const arc_model_def *arc_model_definition(const arc_model *model) {
-  return &model->def;
-}
-
 const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body) {
-  return model->body[body]->mesh;
+  return meshed(model)->body[body]->mesh;
 }
 
-size_t arc_model_bytes(const arc_model *model) {
-  return arc_body_bytes(model->body[ARC_CYLINDER]) + arc_body_bytes(model->body[ARC_PLATE]);
+size_t arc_elastic_bytes(const arc_model *model) {
+  return arc_body_bytes(meshed(model)->body[ARC_CYLINDER]) +
+         arc_body_bytes(meshed(model)->body[ARC_PLATE]);
 }
 
 double arc_model_seconds(const arc_model *model) {
-  return model->seconds;
+  return meshed(model)->seconds;
 }
 
 double arc_model_felt_modulus(const arc_model *m, double q) {
   arc_material own[ARC_BODIES] = {m->def.material[0], m->def.material[1]};
   arc_body_def solid[ARC_BODIES];
   for (int b = 0; b < ARC_BODIES; b++)
-    solid[b] = m->body[b]->stratum ? arc_body_under_middle(m->body[b], &own[b])
-                                   : arc_model_solid(&m->def, (arc_body)b);
+    solid[b] = meshed(m)->body[b]->stratum ? arc_body_under_middle(meshed(m)->body[b], &own[b])
+                                           : arc_model_solid(&m->def, (arc_body)b);
   return arc_pair_modulus(m->def.geometry, solid, own, q);
 }
 
 /* Bilinear elements are too stiff by 0.4 % of the pressure at nu = 0.45 and 20 um, by 3 % at 0.49.
  */
 static void warn_locking(const arc_model *m, arc_body which, const arc_callbacks *callbacks) {
-  const elastic_body *body = m->body[which];
+  const elastic_body *body = meshed(m)->body[which];
   if (m->def.geometry == ARC_PLANE_STRESS) return; /* thin plates give way sideways */
   if (body->mesh->def.element != ARC_CPE4 || body->material.nu <= 0.45) return;
   arc_warn(callbacks,
@@ -285,7 +275,7 @@ static double height_at(const elastic_body *body, double s) {
 
 /* The slope of a hollow surface at the edges of a contact; negative of others. */
 static double hollow_slope(const arc_model *m, arc_body which, double half_width) {
-  const elastic_body *body = m->body[which];
+  const elastic_body *body = meshed(m)->body[which];
   const double rise =
       height_at(body, half_width) + height_at(body, -half_width) - 2 * height_at(body, 0);
   return (which == ARC_PLATE ? rise : -rise) / half_width;
@@ -295,7 +285,8 @@ static double hollow_slope(const arc_model *m, arc_body which, double half_width
  * the middle is 0.3 % low at 0.15, 2 % at 0.4. */
 static void warn_hollow(const arc_model *m, double half_width, const arc_callbacks *callbacks) {
   const double steep = 0.15;
-  if (!arc_model_is_given(m) || m->body[ARC_PLATE]->chart.polar || !(half_width > 0)) return;
+  if (!arc_model_is_given(m) || meshed(m)->body[ARC_PLATE]->chart.polar || !(half_width > 0))
+    return;
   const double slope =
       fmax(hollow_slope(m, ARC_PLATE, half_width), hollow_slope(m, ARC_CYLINDER, half_width));
   if (slope > steep)
@@ -326,9 +317,9 @@ void arc_model_warn(const arc_model *model, double load, double half_width,
 }
 
 long arc_model_next_version(arc_model *model) {
-  return ++model->version;
+  return ++((elastic_model *)model)->version;
 }
 
 const elastic_body *arc_model_body(const arc_model *model, arc_body which) {
-  return model->body[which];
+  return meshed(model)->body[which];
 }

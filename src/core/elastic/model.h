@@ -21,4 +21,12 @@ long arc_model_next_version(arc_model *model);
 /* That of a model, with the layers that bodies from outside have. */
 double arc_model_felt_modulus(const arc_model *model, double q);
 
+/* What the handle of a model asks of meshed bodies: see arc_model_check, arc_model_build_watched,
+ * arc_model_release and arc_model_bytes. */
+arc_status arc_elastic_check(const arc_model_def *def, arc_error *error);
+arc_status arc_elastic_build(const arc_model_def *def, const arc_callbacks *callbacks,
+                             arc_model **model, arc_error *error);
+void arc_elastic_destroy(arc_model *model);
+size_t arc_elastic_bytes(const arc_model *model);
+
 #endif

@@ -5,10 +5,6 @@
 #include <ctype.h>
 #include <string.h>
 
-const char *arc_body_name(arc_body body) {
-  return body == ARC_CYLINDER ? "cylinder" : "plate";
-}
-
 /* What names would hide: roles, kinds, sums, and what stands beside meshes. */
 static int is_taken(const char *name) {
   static const char *const words[] = {"upper", "lower", "plate", "total", "both", "all", NULL};

@@ -9,6 +9,16 @@
 typedef struct arc_kind {
   const char *name;
 
+  /* --- models --- */
+
+  /* Whether `build` takes a definition, but for the memory; ARC_ARGUMENT, ARC_GEOMETRY. */
+  arc_status (*check_model)(const arc_model_def *def, arc_error *error);
+  /* A model with one reference, whose handle stands first (pair/model.h). */
+  arc_status (*build)(const arc_model_def *def, const arc_callbacks *callbacks, arc_model **model,
+                      arc_error *error);
+  void (*end_model)(arc_model *model);
+  size_t (*model_bytes)(const arc_model *model);
+
   /* --- definitions, on the definition of a model --- */
 
   /* What goes together on such bodies, beyond the ranges of settings; ARC_ARGUMENT. */

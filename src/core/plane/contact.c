@@ -8,7 +8,6 @@
 #include <string.h>
 
 #define ARC_SETTING_OF arc_contact_def
-const char *const arc_press_names[] = {ARC_PRESS_LIST(ARC_CHOICE_NAME) NULL};
 const arc_setting arc_contact_settings[] = {
     ARC_CONTACT_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_WHOLE, ARC_SETTING_CHOICE,
                          ARC_SETTING_OTHER){.name = NULL},

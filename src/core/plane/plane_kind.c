@@ -165,6 +165,10 @@ static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *er
 
 const arc_kind arc_plane_kind = {
     .name = "plane",
+    .check_model = arc_elastic_check,
+    .build = arc_elastic_build,
+    .end_model = arc_elastic_destroy,
+    .model_bytes = arc_elastic_bytes,
     .check = arc_plane_check,
     .manner = arc_plane_manner,
     .increments = arc_wear_def_increments,

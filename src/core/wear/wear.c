@@ -1,5 +1,6 @@
 /* A wear run as an object: creation, restoring, change of definition, what it tells. */
 #include "core/base/carve.h"
+#include "core/pair/model.h"
 #include "core/wear/run.h"
 
 #include <math.h>
@@ -25,7 +26,7 @@ static arc_status take_definition(arc_wear *w, const arc_wear_def *def) {
   const arc_model_def *md = arc_model_definition(w->model);
   arc_status status = arc_wear_def_copy(def, &w->def);
   if (status != ARC_OK) return status;
-  w->kind = arc_kind_of(md);
+  w->kind = w->model->kind;
   w->manner = w->kind->manner(&w->def, md);
   status = arc_wear_blocks_create(&w->def, md, &w->block, &w->blocks);
   /* without a distance: all the blocks of loading */

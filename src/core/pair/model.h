@@ -1,0 +1,13 @@
+/* Inside of arc_model: the handle that models of all kinds begin with. */
+#ifndef PAIR_MODEL_H
+#define PAIR_MODEL_H
+
+#include "core/pair/kind.h"
+
+struct arc_model {
+  const arc_kind *kind;
+  int references;
+  arc_model_def def;
+};
+
+#endif
