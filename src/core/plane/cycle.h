@@ -174,7 +174,7 @@ double arc_plane_natural_depth(const arc_wear *w);
 double arc_plane_even_dose(const arc_wear *w, double depth);
 double arc_plane_layer_dose(const arc_wear *w, int scars);
 
-/* --- surfaces.c --- */
+/* --- plane_surfaces.c --- */
 arc_status arc_plane_show(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
 arc_array *arc_plane_save(const arc_shape *shape, size_t *count);
 arc_status arc_plane_load(arc_model *model, const arc_wear_def *def, const arc_array *state,

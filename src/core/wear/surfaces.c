@@ -49,17 +49,17 @@ static arc_status check_surface(const shown *s, arc_error *error) {
   const arc_array *first = s->first;
   for (const char *const *name = arc_surface_names; *name; name++)
     if (!arc_array_find(first, s->count, first->body, *name))
-      return arc_fail(
-          error, ARC_ARGUMENT, "surface of the %s after update %g: expected %s of %zu numbers",
-          arc_body_name(first->body), first->update, *name, first->size[0]);
+      return arc_fail(error, ARC_ARGUMENT,
+                      "surface of the %s after update %g: expected %s of %zu numbers",
+                      arc_body_name(first->body), first->update, *name, first->size[0]);
   arc_status status = ARC_OK;
   for (size_t i = 0; i < s->count && status == ARC_OK; i++) {
     const arc_array *array = &first[i];
     if (array->distance != first->distance || array->size[0] != first->size[0] ||
         array->size[1] != 1 || arc_array_find(first, i, array->body, array->name))
-      return arc_fail(
-          error, ARC_ARGUMENT, "surface of the %s after update %g: expected %s of %zu numbers",
-          arc_body_name(first->body), first->update, array->name, first->size[0]);
+      return arc_fail(error, ARC_ARGUMENT,
+                      "surface of the %s after update %g: expected %s of %zu numbers",
+                      arc_body_name(first->body), first->update, array->name, first->size[0]);
     status = check_values(s, array, error);
   }
   return status;

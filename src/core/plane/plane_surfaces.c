@@ -4,7 +4,7 @@
 enum { X, H, Y, P, NAMES };
 
 arc_status arc_plane_show(const arc_wear *wear, arc_array **surfaces, size_t *count,
-                             arc_error *error) {
+                          arc_error *error) {
   static const char *const names[] = {"x", "h", "y", "p"};
   arc_contact *contact;
   arc_array list[ARC_BODIES * NAMES];
@@ -20,12 +20,9 @@ arc_status arc_plane_show(const arc_wear *wear, arc_array **surfaces, size_t *co
                                          [H] = profile.h,
                                          [Y] = profile.y,
                                          [P] = arc_contact_pressure(contact, body).p};
-    list[i] = (arc_array){names[i % NAMES],
-                          body,
-                          last->update,
-                          last->distance,
-                          {(size_t)profile.count, 1},
-                          values[i % NAMES]};
+    list[i] = (arc_array){
+        names[i % NAMES], body, last->update, last->distance, {(size_t)profile.count, 1},
+        values[i % NAMES]};
   }
   *surfaces = arc_arrays_copy(list, ARC_BODIES * NAMES);
   arc_contact_destroy(&contact);
