@@ -11,6 +11,9 @@ BASHDIR ?= $(DATADIR)/bash-completion/completions
 ZSHDIR  ?= $(DATADIR)/zsh/site-functions
 DOCDIR  ?= $(DATADIR)/doc/archard
 
+# Who is asked about the package.
+MAINTAINER ?= the authors of archard <archard@localhost>
+
 CC         ?= cc
 CFLAGS     ?= -O2 -g
 PKG_CONFIG ?= pkg-config
@@ -89,8 +92,8 @@ endif
 
 # What the compiler can do against memory errors that are still there. Checked calls need an
 # optimising compiler, and hide from the sanitizers what they look for.
-hardening   = -fstack-protector-strong -fPIE \
-              $(if $(SANITIZER),,$(if $(filter-out -O0,$(filter -O%,$(CFLAGS))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2))
+hardening   = -fstack-protector-strong $(guard_cflags) -fPIE \
+              $(if $(SANITIZER),,$(if $(filter-out -O0,$(filter -O%,$(CFLAGS))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3))
 
 # One set of flags for every file: -std=c11 with POSIX and what glibc has beyond it (on_exit, P_tmpdir),
 # whatever the flags of the libraries bring; contraction off, so that results do not depend on what the
@@ -354,7 +357,7 @@ deb: all
 	rm -rf $(BUILD)/deb
 	@$(MAKE) --no-print-directory install-files DESTDIR=$(BUILD)/deb/root PREFIX=/usr \
 	  LIBDIR=/usr/lib/$$(dpkg-architecture -qDEB_HOST_MULTIARCH) ZSHDIR=/usr/share/zsh/vendor-completions
-	scripts/deb/package $(BUILD)/deb $(version) $(deb_file)
+	MAINTAINER='$(MAINTAINER)' scripts/deb/package $(BUILD)/deb $(version) $(deb_file)
 	@echo
 	@echo 'Install it by: apt install --no-install-recommends ./$(deb_file)'
 
