@@ -32,6 +32,9 @@ local function stem_of(path)
   if ending and ending ~= ".pvd" then
     check.refuse(where, "path", "a file name that ends in .pvd", path)
   end
+  if not utf8.len(path:match "[^/]*$") then
+    check.refuse(where, "path", "a name in UTF-8, since no other stands in XML", path)
+  end
   return stem or path
 end
 

@@ -222,6 +222,13 @@ static int exit_status(run_status status) {
   return status == RUN_OK ? EXIT_DONE : EXIT_ERROR;
 }
 
+/* The last finalizers run after the script, and may reach a limit too. */
+static int finalizers_status(int status) {
+  if (status != EXIT_DONE || !interrupt_exceeded()) return status;
+  fprintf(stderr, "archard: %s\n", interrupt_exceeded());
+  return EXIT_ERROR;
+}
+
 static int run_state(command *self) {
   lua_State *L = self->sandbox.wanted ? sandbox_new_state(&self->sandbox) : luaL_newstate();
   if (L == NULL) {
@@ -236,7 +243,7 @@ static int run_state(command *self) {
   else
     run_refused(L);
   lua_close(L);
-  return status;
+  return finalizers_status(status);
 }
 
 /* Output that could not be written (a full disk, say) must not look like success. */

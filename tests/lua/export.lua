@@ -150,6 +150,7 @@ fails(function() export.inp(hertz{}, at "h.inp") end, "export.inp: expected a ru
 fails(function() export.inp(c, at "c.dat") end, "ends in .inp", "another ending")
 
 -- series: tests/cli/test_vtk reads them
+ok(not pcall(export.pvd, w, at "se\233ries.pvd"), "no name that XML cannot hold")
 local add = export.pvd(w, at "series.pvd")
 add()
 local _, states = read "series.pvd":gsub("<DataSet", "")

@@ -32,6 +32,15 @@ static void unsign(char *text) {
   for (char *at = text; (at = strstr(at, "-nan")) != NULL;) memmove(at, at + 1, strlen(at));
 }
 
+/* Marks that turn the direction of what follows (the Bidi_Control of Unicode), or end a line. */
+static int turns(const unsigned char *at) {
+  const int last = at[0] == 0xe2 && at[1] ? at[2] : 0;
+  if (at[0] == 0xd8) return at[1] == 0x9c;
+  if (at[0] != 0xe2) return 0;
+  if (at[1] == 0x81) return last >= 0xa6 && last <= 0xa9;
+  return at[1] == 0x80 && (last == 0x8e || last == 0x8f || (last >= 0xa8 && last <= 0xae));
+}
+
 /* Bytes of the character at `at` that may be shown; 0: its first byte may not. */
 static size_t showable(const unsigned char *at) {
   static const unsigned char lead[] = {0xc0, 0xe0, 0xf0, 0xf8};
@@ -40,7 +49,7 @@ static size_t showable(const unsigned char *at) {
     size_t i = 1;
     if (at[0] < lead[more - 1] || at[0] >= lead[more]) continue;
     while (i <= more && (at[i] & 0xc0) == 0x80) i++;
-    const int control = at[0] == 0xc2 && at[1] < 0xa0;
+    const int control = (at[0] == 0xc2 && at[1] < 0xa0) || turns(at);
     return i > more && !control ? i : 0;
   }
   return 0;
