@@ -72,6 +72,18 @@ end }
 holds(select(2, pcall(w.run, w)), { "local_factor(\"cylinder\", x = ", "boom" }, "local_factor: it is told for which point")
 is(asked .. " " .. w.update, "1 5", "local_factor: at once, at a whole step")
 
+-- Wherever it fails first, also where the engine only looks ahead and could go on without.
+for nth = 2, 12 do
+  asked = 0
+  local w = wear{ model = m, distance = 440, alpha = function()
+    asked = asked + 1
+    if asked == nth then error "boom" end
+    return 0.5
+  end }
+  holds(select(2, pcall(w.run, w, { progress = false })), { "alpha(state at", "boom" }, "call " .. nth .. " that fails is told")
+  ok(asked <= nth + 3 and w.update <= nth, ("call %d: at once, at update %d after %d calls"):format(nth, w.update, asked))
+end
+
 fails(function() wear{ model = m, loading = { x = function(t) error("boom " .. t) end, load = 100, cycles = 10 } } end,
   { "loading.x(0) failed", "boom 0" }, "a loading is asked when it is given")
 fails(function() contact{ model = m, worn = { plate = function(x) if x > 0 then error "boom" end return 0 end } } end,

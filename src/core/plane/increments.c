@@ -98,6 +98,6 @@ void arc_plane_warn_leaps(const arc_wear *w, const arc_callbacks *callbacks) {
     arc_warn(
         callbacks,
         "increments = %d: each is longer than half the contact's half width, and the wear will "
-        "be uneven; take %d, or \"auto\"",
-        d->increments, 2 * (int)ceil(longest * d->increments / 2 * (1 - 1e-9)));
+        "be uneven; take %.0f, or \"auto\"",
+        d->increments, 2 * ceil(longest * d->increments / 2 * (1 - 1e-9)));
 }

@@ -202,6 +202,10 @@ functions_call functions_enter_making(lua_State *L, int holder, const arc_model_
   return enter(L, holder, NULL, pair);
 }
 
+int functions_failed(const functions_call *call) {
+  return call->held && call->held->now.failed;
+}
+
 void functions_leave(lua_State *L, functions_call *call, const char *where) {
   wear_functions *f = call->held;
   if (!f) return;

@@ -36,6 +36,9 @@ functions_call functions_enter(lua_State *L, int holder, box *run);
 /* The same where there is no run yet, on a model of that definition. */
 functions_call functions_enter_making(lua_State *L, int holder, const arc_model_def *pair);
 
+/* Whether one has raised an error that functions_leave will raise. */
+int functions_failed(const functions_call *call);
+
 /* The end of the call. Raises what a function has raised; the stack may hold anything. */
 void functions_leave(lua_State *L, functions_call *call, const char *where);
 

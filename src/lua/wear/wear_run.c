@@ -110,6 +110,7 @@ typedef struct run_call {
   int progress, stop_when; /* indices of the functions; 0: none */
   const char *asked;       /* the one that asked to stop */
   const char *failed;      /* the one that raised the error on top of the stack */
+  functions_call functions;
 } run_call;
 
 /* Calls a function with the run; whether the run is to end. */
@@ -129,6 +130,11 @@ static int ask_user(run_call *call, int function, const char *name) {
 
 static void warn_of_run(void *context, const char *text) {
   lua_warning(((run_call *)context)->L, text, 0);
+}
+
+/* A function may fail where the engine only looks ahead, and goes on without. */
+static int is_to_stop(void *context) {
+  return interrupt_pending(NULL) || functions_failed(&((run_call *)context)->functions);
 }
 
 static int after_step(void *context, const arc_wear *wear) {
@@ -200,17 +206,17 @@ int wear_run(lua_State *L) {
   const wear_goals goals = wear_goals_read(L, wear);
   run_call call = {.L = L, .stop_when = goals.stop_when};
   const arc_callbacks callbacks = {
-      .stop = interrupt_pending, .warn = warn_of_run, .progress = after_step, .context = &call};
+      .stop = is_to_stop, .warn = warn_of_run, .progress = after_step, .context = &call};
   call.progress = push_progress_function(L, goals.distance);
   luaL_checkstack(L, 20, where);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
-  functions_call functions = functions_enter(L, lua_gettop(L), made);
+  call.functions = functions_enter(L, lua_gettop(L), made);
   made->busy = RUN_BUSY;
   arc_status status = arc_wear_run_until(wear, goals.distance, goals.target, goals.count,
                                          &callbacks, &reached, &error);
   made->busy = RUN_IDLE;
   end_display(L, &call);
-  functions_leave(L, &functions, where);
+  functions_leave(L, &call.functions, where);
   if (call.failed && !interrupt_pending(NULL)) error_callback(L, where, call.failed);
   if (!(status == ARC_STOPPED && call.asked)) check_ended(L, wear, status, &error, where);
   return push_outcome(L, &goals, &call, reached);
