@@ -26,6 +26,7 @@ return {
       .. "profiles. Places without a value (NaN) are left out, places that fall are turned round." },
   { "profile{x}", type = "list", unit = "mm", text = "Places, growing or falling all the way." },
   { "profile{z}", type = "list", unit = "mm", text = "Heights; or else h." },
+  { "profile{y}", type = "list", unit = "mm", text = "Heights under the name that sections of maps give them." },
   { "profile{h}", type = "list", unit = "mm", text = "Depths; or else z." },
   { "profile{level}", values = { "line", "circle" },
     text = "Takes off the line or circle that fits best, by least squares of heights; see p:level." },

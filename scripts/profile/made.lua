@@ -4,6 +4,7 @@
 local check = require "archard.lib.check"
 local csv = require "archard.lib.csv"
 local keys = require "archard.lib.keys"
+local merged = require "archard.lib.merged"
 local units = require "archard.lib.csv_units"
 local profile = require "archard.profile.evaluate"
 
@@ -21,8 +22,9 @@ local function with(fields)
   return fields
 end
 
-local fields = with{ x = check.list, z = check.list, h = check.list }
+local fields = with{ x = check.list, z = check.list, y = check.list, h = check.list }
 
+-- Heights are z in traces, y in sections of maps.
 local function one_of_both(where, given)
   if (given.z == nil) == (given.h == nil) then
     check.fail(where, ("fields 'z' and 'h': expected heights or depths, got %s"):format(given.z and "both" or "none"))
@@ -49,6 +51,8 @@ end
 local function new(given)
   local where = "profile"
   check.definition(where, given, fields)
+  if given.z and given.y then check.fail(where, "fields 'z' and 'y': expected heights once, got both") end
+  if given.y then given = merged(given, { z = given.y }) end
   local name = one_of_both(where, given)
   if given.x == nil then check.refuse(where, "x", "places in mm", nil) end
   local p = profile.new(where, numbers(where, "x", given.x), numbers(where, name, given[name]), name, given.error)

@@ -46,6 +46,7 @@ static const char *const scripted[][2] = {
     {"csv", "archard.lib.csv"},     {"profile", "archard.profile"},
     {"export", "archard.export"},   {"who", "archard.session.who"},
     {"session", "archard.session"}, {"examples", "archard.session.examples"},
+    {"map", "archard.map"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 

@@ -31,7 +31,7 @@ return function(folder)
   local about = { model = m, base = { jump = 50 }, unknown = { k = 1e-8 } }
   local objects = {
     model = m, mesh = m.mesh.plate, contact = contact{ model = m, friction = 0.3 }, wear = w, study = s,
-    case = s:cases()[1], profile = profile(waves), uncertainty = s:uncertainty{},
+    case = s:cases()[1], profile = profile(waves), map = map{ x = { 0, 1, 2 }, z = { 0, 1 }, y = { 0, 1, 2, 3, 4, 5 } }, uncertainty = s:uncertainty{},
     design = fit.design{ model = m, base = about.base, unknown = about.unknown,
       measure = { { of = "volume", distance = 22, error = 1e-7 } } },
   }
@@ -57,7 +57,7 @@ return function(folder)
   }
   local beside = {
     plot = { { x = { 1, 2 }, y = { 1, 2 } }, file = path "p.txt" },
-    profile = waves, fit = { model = m, base = about.base, unknown = about.unknown, data = measured },
+    profile = waves, map = { x = { 0, 1 }, z = { 0, 1 }, y = { 0, 1, 2, 3 } }, fit = { model = m, base = about.base, unknown = about.unknown, data = measured },
     ["fit.design"] = { model = m, base = about.base, unknown = about.unknown,
       measure = { { of = "volume", distance = 22, error = 1e-7 } } },
     uniform = { low = 0, high = 1 }, normal = { mean = 1, deviation = 1 }, lognormal = { mean = 1, deviation = 1 },

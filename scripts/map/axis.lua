@@ -1,0 +1,80 @@
+-- One coordinate of a map: even steps, where a value lies between its points, and weights that bring values to other
+-- points. Leans on nothing.
+
+local axis = {}
+
+-- The mean step.
+function axis.step(list) return (list[#list] - list[1]) / (#list - 1) end
+
+-- The first point that is not where even steps put it, to a twentieth of a step; nil: all are.
+function axis.uneven(list)
+  local step = axis.step(list)
+  for i = 2, #list do
+    if not (list[i] > list[i - 1]) or math.abs(list[i] - list[1] - (i - 1) * step) > 0.05 * step then return i end
+  end
+end
+
+-- count points from `first` on.
+function axis.even(first, step, count)
+  local list = {}
+  for i = 1, count do list[i] = first + (i - 1) * step end
+  return list
+end
+
+-- The point before a value and the value's share of the way to the next one; nil outside. A value beyond an end by
+-- no more than rounding is at the end.
+function axis.locate(list, value)
+  local n, step = #list, axis.step(list)
+  local beyond = 1e-9 * step
+  if not (value >= list[1] - beyond and value <= list[n] + beyond) then return nil end
+  local i = math.max(1, math.min(n - 1, math.floor((value - list[1]) / step) + 1))
+  while i > 1 and list[i] > value do i = i - 1 end
+  while i < n - 1 and list[i + 1] < value do i = i + 1 end
+  return i, math.max(0, math.min(1, (value - list[i]) / (list[i + 1] - list[i])))
+end
+
+-- First and last point within a range that may be open at either end; nil: there are none.
+function axis.within(list, range)
+  local low, high = range[1] or -math.huge, range[2] or math.huge
+  local beyond, first, last = 1e-9 * axis.step(list), nil, nil
+  for i = 1, #list do
+    if list[i] >= low - beyond and list[i] <= high + beyond then first, last = first or i, i end
+  end
+  return first, last
+end
+
+local function linear(list, value)
+  local i, share = axis.locate(list, value)
+  return { first = i, 1 - share, share }
+end
+
+-- The share of each point's cell in the cell about a value.
+local function mean(list, value, size)
+  local step, total = axis.step(list), 0
+  local low, high = value - size / 2, value + size / 2
+  local first = math.max(1, math.floor((low - list[1]) / step + 0.5) + 1)
+  local last = math.min(#list, math.ceil((high - list[1]) / step - 0.5) + 1)
+  local weights = { first = first }
+  for i = first, last do
+    local cell = list[1] + (i - 1) * step
+    local share = math.max(0, math.min(high, cell + step / 2) - math.max(low, cell - step / 2))
+    weights[i - first + 1], total = share, total + share
+  end
+  for k = 1, #weights do weights[k] = weights[k] / total end
+  return weights
+end
+
+-- Points `size` apart over the same length, about its middle, and for each the weights of the old points: linear
+-- between them where the new ones are closer, else means over cells of the new size.
+function axis.resampled(list, size)
+  local whole = list[#list] - list[1]
+  local count = math.floor(whole / size + 1e-9) + 1
+  local points = axis.even((list[1] + list[#list] - (count - 1) * size) / 2, size, count)
+  local weights = {}
+  for i = 1, count do
+    weights[i] = size > axis.step(list) * (1 + 1e-9) and mean(list, points[i], size) or linear(list, points[i])
+  end
+  return points, weights
+end
+
+return axis

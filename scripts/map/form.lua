@@ -1,0 +1,138 @@
+-- The plane or sphere through a map's heights by least squares of the vertical distances. A sphere is that through a
+-- point with a slope and a curvature, which has no trouble where it is nearly a plane. Leans on nothing.
+
+local form = { kinds = { "plane", "sphere" } }
+local models = {}
+
+-- Height and its derivatives at (u, v), in half lengths from the map's middle.
+function models.plane(u, v, p) return p[1] + p[2] * u + p[3] * v, 1, u, v end
+
+-- p: height, sines of both slopes at the middle, curvature. nil where the sphere does not reach.
+function models.sphere(u, v, p)
+  local t, s, k = p[2], p[3], p[4]
+  local q, r = t + k * u, s + k * v
+  local c2, d2 = 1 - t * t - s * s, 1 - q * q - r * r
+  if c2 <= 0 or d2 <= 0 then return nil end
+  local c, d = math.sqrt(c2), math.sqrt(d2)
+  local sum, far = c + d, u * u + v * v
+  local rise = 2 * (t * u + s * v) + k * far
+  return p[1] + rise / sum, 1, 2 * u / sum + rise * (t / c + q / d) / sum ^ 2, 2 * v / sum + rise * (s / c + r / d) / sum ^ 2,
+    far / sum + rise * (q * u + r * v) / d / sum ^ 2
+end
+
+-- Solves a x = b by elimination with pivots; nil where a is singular.
+local function solve(a, b)
+  local n = #a
+  for i = 1, n do
+    local best = i
+    for r = i + 1, n do if math.abs(a[r][i]) > math.abs(a[best][i]) then best = r end end
+    a[i], a[best], b[i], b[best] = a[best], a[i], b[best], b[i]
+    if not (math.abs(a[i][i]) > 1e-12) then return nil end
+    for r = i + 1, n do
+      local share = a[r][i] / a[i][i]
+      for c = i, n do a[r][c] = a[r][c] - share * a[i][c] end
+      b[r] = b[r] - share * b[i]
+    end
+  end
+  for i = n, 1, -1 do
+    for c = i + 1, n do b[i] = b[i] - a[i][c] * b[c] end
+    b[i] = b[i] / a[i][i]
+  end
+  return b
+end
+
+local function zeros(n)
+  local list = {}
+  for i = 1, n do list[i] = 0 end
+  return list
+end
+
+-- Means over the points of J'J, J'r and r'r; nil where the form does not reach a point, or there are too few.
+local function normal(self, points, p)
+  local n, a, b, rr = #p, {}, zeros(#p), 0
+  for i = 1, n do a[i] = zeros(n) end
+  local model, u, v, y = models[self.kind], points.u, points.v, points.y
+  for k = 1, #y do
+    local value, g1, g2, g3, g4 = model(u[k], v[k], p)
+    if not value then return nil end
+    local r, g = y[k] - value, points.g
+    g[1], g[2], g[3], g[4] = g1, g2, g3, g4
+    for i = 1, n do
+      local row, gi = a[i], g[i]
+      b[i] = b[i] + gi * r
+      for c = i, n do row[c] = row[c] + gi * g[c] end
+    end
+    rr = rr + r * r
+  end
+  for i = 1, n do
+    b[i] = b[i] / #y
+    for c = i, n do a[i][c] = a[i][c] / #y a[c][i] = a[i][c] end
+  end
+  return a, b, rr / #y
+end
+
+-- One step of Gauss and Newton, halved until the form reaches all points and fits no worse.
+local function advance(self, points, a, b, rr)
+  local step = solve(a, b)
+  if not step then return nil end
+  for halvings = 0, 40 do
+    local p, size = {}, 0
+    for i = 1, #step do
+      p[i] = self.p[i] + step[i] / 2 ^ halvings
+      size = math.max(size, math.abs(p[i] - self.p[i]))
+    end
+    local a2, b2, rr2 = normal(self, points, p)
+    if a2 and rr2 <= rr * (1 + 1e-9) + 1e-30 then
+      self.p = p
+      return a2, b2, rr2, size
+    end
+  end
+end
+
+-- Points in half lengths about the map's middle, less their mean height; those of is_used(x, z) alone.
+local function scaled(self, x, z, y, is_used)
+  local points, sum = { u = {}, v = {}, y = {}, g = {} }, 0
+  for i = 1, #x do
+    for j = 1, #z do
+      if not is_used or is_used(x[i], z[j]) then
+        local k = #points.y + 1
+        points.u[k], points.v[k] = (x[i] - self.x) / self.half, (z[j] - self.z) / self.half
+        points.y[k] = y[(i - 1) * #z + j] / self.half
+        sum = sum + points.y[k]
+      end
+    end
+  end
+  self.mean = sum / math.max(1, #points.y)
+  for k = 1, #points.y do points.y[k] = points.y[k] - self.mean end
+  return points
+end
+
+local shape = {}
+shape.__index = shape
+
+-- form.fit("plane" | "sphere", x, z, y, is_used(x, z) or nil) -> the form; nil where the points do not determine it.
+function form.fit(kind, x, z, y, is_used)
+  local self = setmetatable({ kind = kind, x = (x[1] + x[#x]) / 2, z = (z[1] + z[#z]) / 2,
+    half = math.max(x[#x] - x[1], z[#z] - z[1]) / 2, p = zeros(kind == "plane" and 3 or 4) }, shape)
+  local points = scaled(self, x, z, y, is_used)
+  if #points.y <= #self.p then return nil end
+  local a, b, rr = normal(self, points, self.p)
+  local size
+  for _ = 1, 50 do
+    a, b, rr, size = advance(self, points, a, b, rr)
+    if not a then return nil end
+    if size < 1e-13 or self.kind == "plane" and size < 1e-9 then break end
+  end
+  return self
+end
+
+-- Height [mm] at a point [mm]; nil where a sphere does not reach.
+function shape:height(x, z)
+  local value = models[self.kind]((x - self.x) / self.half, (z - self.z) / self.half, self.p)
+  return value and (value + self.mean) * self.half
+end
+
+-- mm; nil of a plane.
+function shape:radius() return self.p[4] and self.half / math.abs(self.p[4]) end
+
+return form

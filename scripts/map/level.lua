@@ -1,0 +1,45 @@
+-- t:level: a map less the plane or sphere of what is not worn. A method of the class in class.lua.
+
+local check = require "archard.lib.check"
+local form = require "archard.map.form"
+local map = require "archard.map.class"
+local strict = require "archard.strict"
+
+local level = { kind = check.one_of(form.kinds), scar = check.kind("{ x0, x1, z0, z1 } in mm, x0 < x1, z0 < z1",
+  check.box.test) }
+
+local function outside(scar)
+  return scar and function(x, z) return x < scar[1] or x > scar[2] or z < scar[3] or z > scar[4] end
+end
+
+local function refuse(where, kind, scar)
+  check.fail(where, ("field 'level': expected points that determine a %s%s, those of this map do not"):format(kind,
+    scar and " outside the scar" or ""))
+end
+
+-- (where, map, kind, scar or nil) -> the map less the form fitted outside the scar.
+function level.off(where, t, kind, scar)
+  local found, y = form.fit(kind, t.x, t.z, t.y, outside(scar)), {}
+  if not found then refuse(where, kind, scar) end
+  for i, x in ipairs(t.x) do
+    for j, z in ipairs(t.z) do
+      local k, height = (i - 1) * #t.z + j, found:height(x, z)
+      if not height then refuse(where, kind, scar) end
+      y[k] = t.y[k] - height
+    end
+  end
+  return map.derived(t, t.x, t.z, y, { form = kind, radius = found:radius() })
+end
+
+function map.methods:level(kind, scar)
+  local where = "map:level"
+  map.self(where, self)
+  kind = kind or "plane"
+  if not level.kind.test(kind) then check.refuse(where, "level", level.kind.expected, kind) end
+  if scar ~= nil and not level.scar.test(scar) then check.refuse(where, "scar", level.scar.expected, scar) end
+  return level.off(where, self, kind, scar)
+end
+
+strict.class(map.class)
+
+return level

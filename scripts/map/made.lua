@@ -1,0 +1,32 @@
+-- map{ x=, z=, y= }: what is given, checked. The class is in class.lua and level.lua.
+
+local check = require "archard.lib.check"
+local map = require "archard.map.class"
+require "archard.map.level"
+
+local values = check.kind("a list of numbers, or a function (x, z) -> number", function(v)
+  return type(v) == "table" or type(v) == "function"
+end)
+local fields = { x = check.list, z = check.list, y = values, unit = check.text, name = check.text }
+
+local function copied(list) return table.move(list, 1, #list, 1, {}) end
+
+-- The values of a function at all points.
+local function sampled(f, x, z)
+  local y = {}
+  for i = 1, #x do for j = 1, #z do y[#y + 1] = f(x[i], z[j]) or false end end
+  return y
+end
+
+local function new(given)
+  local where = "map"
+  check.definition(where, given, fields)
+  for _, name in ipairs{ "x", "z", "y" } do
+    if given[name] == nil then check.refuse(where, name, fields[name].expected, nil) end
+  end
+  local x, z, y = copied(given.x), copied(given.z), given.y
+  y = type(y) == "function" and sampled(y, x, z) or copied(y)
+  return map.new(where, x, z, y, { unit = given.unit, name = given.name })
+end
+
+return { new = new }

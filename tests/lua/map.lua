@@ -1,0 +1,143 @@
+-- Maps: points and values, sections, levelling, parts, other steps, differences, volumes.
+-- Run once: its work is in Lua alone, which small steps of the collector only slow.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+local abs, max, sqrt = math.abs, math.max, math.sqrt
+
+local function even(from, to, count)
+  local list = {}
+  for i = 1, count do list[i] = from + (to - from) * (i - 1) / (count - 1) end
+  return list
+end
+
+local function sampled(f, nx, nz) return map{ x = even(-2, 4, nx or 61), z = even(1, 2, nz or 31), y = f } end
+
+-- The largest difference from f at the points.
+local function apart(t, f)
+  local most = 0
+  for i, x in ipairs(t.x) do
+    for j, z in ipairs(t.z) do most = max(most, abs(t.y[(i - 1) * #t.z + j] - f(x, z))) end
+  end
+  return most
+end
+
+local function zero() return 0 end
+
+-- --- points and values ----------------------------------------------------------------------------------
+
+local t = map{ x = { 0, 1, 2 }, z = { 10, 20 }, y = { 1, 2, 3, 4, 5, 6 } }
+is(t:at(0, 20), 2, "y is x-major: the second value is at the first x and the second z")
+is(t:at(1, 10), 3, "the third at the second x and the first z")
+is(t:at(2, 20), 6, "the last at both ends")
+is(t:at(0.5, 15), 2.5, "in the middle of four points the mean")
+is(t.size[1] * 10 + t.size[2], 32, "size")
+is(t.unit .. t.name, "mmheight", "unit and name where none is given")
+local given = { 0, 1, 2 }
+local own = map{ x = given, z = { 0, 1 }, y = { 1, 2, 3, 4, 5, 6 } }
+given[2] = 7
+is(own.x[2], 1, "lists are copied")
+local function bilinear(x, z) return 0.3 + 0.2 * x - 0.7 * z + 0.05 * x * z end
+t = sampled(bilinear)
+for _, at in ipairs{ { -2, 1 }, { 4, 2 }, { 0.123, 1.987 }, { 3.9999, 1.0001 }, { -2, 1.5 } } do
+  near(t:at(at[1], at[2]), bilinear(at[1], at[2]), 1e-13, ("a bilinear surface at %g, %g"):format(at[1], at[2]))
+end
+holds(tostring(map{ x = { 0, 1 }, z = { 0, 1 }, y = { 0, 100, 0, 7 }, unit = "MPa", name = "pressure" }),
+  { "map: pressure at 2 x 2 points", "x 0 to 1 mm, step 1000 um", "0 to 100 MPa" }, "print")
+
+fails(function() map{ x = { 0, 1 }, z = { 0, 1 } } end, "field 'y': expected a list of numbers, or a function (x, z) -> number, got nil", "no values")
+fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = { 1, 2, 3 } } end, { "field 'y': expected 2 x 2 = 4 values", "got 3" }, "too few values")
+fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = { 1, 2, 0 / 0, 3 } } end,
+  { "field 'y[3]': expected a finite number (at x = 1, z = 0 mm), got" }, "no number")
+fails(function() map{ x = { 0, 1, 3 }, z = { 0, 1 }, y = zero } end,
+  "field 'x': expected points that grow in even steps of 1.5 mm, got 1 mm after 0 mm", "uneven steps")
+fails(function() map{ x = { 1, 0 }, z = { 0, 1 }, y = zero } end, "field 'x': expected points that grow", "falling points")
+fails(function() map{ x = { 1 }, z = { 0, 1 }, y = zero } end, "field 'x': expected at least 2 points, got 1", "one point")
+fails(function() map{ x = { 0, "a" }, z = { 0, 1 }, y = zero } end, "field 'x[2]': expected a finite number in mm, got \"a\"", "a word")
+fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = function() end } end, "field 'y[1]': expected a finite number", "a function of nothing")
+fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, hight = zero } end, "unknown field 'hight'", "an unknown field")
+fails(function() t:at(5, 1) end, "map:at: field 'x': expected a number in [-2, 4] mm, got 5", "beside the map")
+fails(function() t:at(0) end, "field 'z': expected a number in [1, 2] mm, got nil", "half a point")
+fails(function() return t.hights end, "no field 'hights'", "an unknown field is not read")
+fails(function() t.at(3, 4) end, "expected a map object, got 3", "a dot for a colon")
+
+-- --- sections -------------------------------------------------------------------------------------------
+
+local line = t:profile{ z = 1.234 }
+is(#line.x, 61, "a section along x has its points")
+near(line.y[17], bilinear(line.x[17], 1.234), 1e-13, "and values between two rows")
+line = t:profile{ x = 4 }
+is(#line.y, 31, "a section along z has its points")
+near(line.y[31], bilinear(4, 2), 1e-13, "up to the corner")
+near(line.x[1], 1, 0, "positions along z are its x")
+near(profile(t:profile{ z = 1.5 }):level().form == "line" and 1 or 0, 1, 0, "a section is a profile")
+fails(function() t:profile{} end, "expected where the section lies, one of them, got none", "no section")
+fails(function() t:profile{ x = 0, z = 1 } end, "one of them, got both", "two sections")
+fails(function() t:profile{ z = 3 } end, "field 'z': expected a number in [1, 2] mm, got 3", "a section beside the map")
+
+-- --- levelling ------------------------------------------------------------------------------------------
+
+local function plane(x, z) return 40 + 0.3 * x - 0.1 * z end
+ok(apart(sampled(plane):level(), zero) < 1e-13, "a plane is subtracted to rounding")
+is(sampled(plane):level().form, "plane", "and said")
+for _, case in ipairs{ { 10, 1, 1.5, 1 }, { 10, 3, 0, -1 }, { 500, -20, 30, 1 }, { 6, -1, 1, 1 } } do
+  local radius, x0, z0, sign = table.unpack(case)
+  local ball = sampled(function(x, z) return 7 + sign * sqrt(radius ^ 2 - (x - x0) ^ 2 - (z - z0) ^ 2) end)
+  local flat = ball:level("sphere")
+  ok(apart(flat, zero) < 3e-13 * radius, ("a sphere of %g mm about %g, %g is subtracted to rounding"):format(radius, x0, z0))
+  near(flat.radius, radius, 1e-9, "its radius")
+end
+ok(apart(sampled(plane):level("sphere"), zero) < 1e-12, "a plane is a sphere too")
+local function scar(x, z) return abs(x - 1) < 0.5 and abs(z - 1.5) < 0.2 and -1e-3 or 0 end
+local worn = sampled(function(x, z) return plane(x, z) + scar(x, z) end):level("plane", { 0.4, 1.6, 1.2, 1.8 })
+ok(apart(worn, scar) < 1e-13, "a scar that is left out of the fit keeps its depth")
+ok(apart(sampled(function(x, z) return plane(x, z) + scar(x, z) end):level(), scar) > 1e-5, "within the fit it does not")
+holds(tostring(sampled(function(x, z) return -(x * x + z * z) / 80 end):level("sphere")), "less a sphere of radius 40", "print")
+fails(function() t:level("circle") end, 'field \'level\': expected "plane" or "sphere", got "circle"', "no such form")
+fails(function() t:level("plane", { -3, 5, 0, 2.5 }) end, "expected points that determine a plane outside the scar", "a scar all over")
+fails(function() t:level("plane", { 1, 0, 0, 1 }) end, "field 'scar': expected { x0, x1, z0, z1 } in mm", "a scar turned round")
+
+-- --- parts and steps -------------------------------------------------------------------------------------
+
+local part = t:crop{ x = { 0, 1 }, z = { 1.5 } }
+is(part.size[1], 11, "points from 0 to 1, ends included")
+is(part.size[2], 16, "an open end")
+ok(apart(part, bilinear) < 1e-13, "with their values")
+fails(function() t:crop{ x = { 0.01, 0.02 } } end, { "field 'x': expected a range with at least 2 of the points from -2 to 4 mm",
+  "got { 0.01, 0.02 }" }, "too small a part")
+fails(function() t:crop{ y = { 0, 1 } } end, "unknown field 'y'", "a range of heights")
+
+local finer = t:resample(0.03)
+is(finer.size[1], 201, "smaller steps")
+ok(apart(finer, bilinear) < 1e-12, "linear between the points")
+local function waves(x) return math.cos(2 * math.pi * x / 0.2) end
+local coarser = sampled(waves, 601):resample(0.2)
+ok(apart(coarser:crop{ x = { -1.7, 3.7 } }, zero) < 1e-3, "larger steps are means: a wave of one step is gone")
+near(sampled(bilinear, 601, 301):resample(0.05):at(1, 1.5), bilinear(1, 1.5), 1e-12, "and a plane stays")
+fails(function() t:resample(0) end, "field 'size': expected a step in mm in", "no step")
+fails(function() t:resample(1e-9) end, "got 1e-09", "more points than memory holds")
+fails(function() t:resample(2) end, "1]", "a step beyond the map")
+
+-- --- differences and volumes -------------------------------------------------------------------------------
+
+local before = sampled(bilinear)
+ok(apart(t - before, zero) == 0, "a map less itself")
+local shifted = map{ x = even(-1.03, 2, 77), z = even(0, 1.41, 13), y = bilinear }
+local difference = before - shifted
+ok(apart(difference, zero) < 1e-13, "the second is taken between its points")
+near(difference.x[1], -1, 1e-12, "where both are")
+ok(apart(before + before, function(x, z) return 2 * bilinear(x, z) end) < 1e-13, "a sum")
+near((before - 0.5):at(0, 1), bilinear(0, 1) - 0.5, 1e-14, "less a number")
+fails(function() return before - map{ x = { 8, 9 }, z = { 0, 1 }, y = zero } end, "expected maps that overlap", "none in common")
+fails(function() return before - map{ x = before.x, z = before.z, y = zero, unit = "MPa" } end, "expected maps in one unit, got mm and MPa",
+  "two units")
+fails(function() return before - "b" end, 'expected two maps, or a map and a number, got a map object and "b"', "a word")
+
+local cap = map{ x = even(-1, 1, 401), z = even(-1, 1, 401), y = function(x, z) return max(0, 1e-3 * (1 - (x * x + z * z) / 0.64)) end }
+near(cap:volume().above, math.pi * 0.64 * 1e-3 / 2, 1e-4, "the volume of a paraboloid")
+near(cap:volume().area, math.pi * 0.64, 2e-3, "its area")
+is(cap:volume().below, 0, "nothing below")
+local v = cap:volume(5e-4)
+near(v.above, math.pi * 0.64 * 1e-3 / 8, 1e-3, "above half its height")
+near(v.net, v.above - v.below, 1e-12, "net")
+fails(function() cap:volume("all") end, "field 'level': expected a number in mm, got \"all\"", "no level")
