@@ -14,7 +14,8 @@ extern "C" {
 
 typedef enum arc_lock_kind {
   ARC_LOCK_SYSTEM,  /* the system's locks */
-  ARC_LOCK_BY_NAME, /* the disk has none (NFS without its lock daemon, Lustre as usual): FILE.lock */
+  ARC_LOCK_BY_NAME, /* the disk has none (NFS without its lock daemon, Lustre as usual): FILE.lock
+                     */
   ARC_LOCK_NONE     /* nor can a file be made beside it: to be read as it stands */
 } arc_lock_kind;
 

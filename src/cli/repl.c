@@ -1,6 +1,6 @@
 /* Reads chunks, runs them, shows their values. What is a complete chunk and how a value looks is
- * decided by scripts/lib/prompt.lua, what may be completed by scripts/session/complete.lua; lines come
- * from the line editor or from standard input. */
+ * decided by scripts/lib/prompt.lua, what may be completed by scripts/session/complete.lua; lines
+ * come from the line editor or from standard input. */
 #include "cli/repl.h"
 
 #include "archard/base.h"
