@@ -12,14 +12,14 @@
 #include <math.h>
 #include <string.h>
 
-/* A force is another one where it differs by this share of the load. */
+/* A force, or a load, is another one where it differs by this share of the load. */
 static const double rounding = 1e-9;
 
 /* Which way the plate goes under a load that stays; 0: not known. */
 static int sense_of(const friction_task *k, const friction_state *s) {
   static const double still = 1e-12;
   const double way = k->dx + k->w->shear.shift;
-  if (k->step->mu == 0 || k->step->line != s->line) return 0;
+  if (k->step->mu == 0 || fabs(k->step->line - s->line) > rounding * s->line) return 0;
   if (fabs(way) <= still * fabs(k->p->approach)) return s->memory.sense;
   return way > 0 ? 1 : -1;
 }
