@@ -1,0 +1,83 @@
+-- What is smooth in nature is smooth here: sweeps over what is given, and inputs that differ by rounding. A step is what a result
+-- goes from one point to the next beyond what it goes before and after. ARCHARD_POINTS points of each sweep (24).
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local points = tonumber(os.getenv("ARCHARD_POINTS")) or 24
+local most, noise = 2e-3, 1e-9
+
+-- The largest step of a list, as a share of its largest value.
+local function largest_step(list)
+  local largest, step = 0, 0
+  for _, v in ipairs(list) do largest = math.max(largest, math.abs(v)) end
+  for i = 2, #list - 2 do
+    local before, here, after = list[i] - list[i - 1], list[i + 1] - list[i], list[i + 2] - list[i + 1]
+    step = math.max(step, math.min(math.abs(here - before), math.abs(here - after), math.abs(here - (before + after) / 2)))
+  end
+  return step / largest
+end
+
+figures.about(largest_step{ 1, 2, 3, 4.5, 5.5, 6.5 }, 0.5 / 6.5, 1e-12, "a step is told from a slope")
+
+local function sweep(name, from, to, results, solve)
+  local found = {}
+  for i = 0, points - 1 do
+    local r = solve(from + (to - from) * i / (points - 1))
+    for _, of in ipairs(results) do
+      found[of] = found[of] or {}
+      table.insert(found[of], r[of])
+    end
+  end
+  for _, of in ipairs(results) do figures.below(largest_step(found[of]), most, ("over %s: largest step of %s"):format(name, of)) end
+  local x = from + 0.37 * (to - from)
+  local a, b, off = solve(x), solve(x * (1 + 1e-15)), 0
+  for _, of in ipairs(results) do off = math.max(off, math.abs(b[of] / a[of] - 1)) end
+  figures.below(off, noise, ("over %s: an input of other rounding changes results by"):format(name))
+end
+
+local function worn(definition)
+  return function(x)
+    local d = { load = 100, stroke = 0.11, distance = 220, jump = "auto" }
+    for name, value in pairs(definition(x)) do d[name] = value end
+    if d.tangential then d.stroke, d.distance = nil, nil end
+    if d.scheme == "implicit" then d.jump = nil end
+    local w = wear(d):run()
+    return { V = w.volume.total, depth_cylinder = w.depth.cylinder, depth_plate = w.depth.plate, p_center = w.p_center,
+      half_width = w.half_width }
+  end
+end
+local function pressed(definition)
+  return function(x)
+    local c = contact(definition(x))
+    return { p_center = c.p_center, p_max = c.p_max, half_width = c.half_width, approach = c.approach }
+  end
+end
+local function fretted(more)
+  return worn(function(x)
+    local d = { friction = 0.6, tangential = 30, k = 1e-7, cycles = 1000 }
+    for name, value in pairs(more(x)) do d[name] = value end
+    return d
+  end)
+end
+
+local of_contact = { "p_center", "p_max", "half_width", "approach" }
+local of_run = { "V", "depth_cylinder", "depth_plate", "p_center", "half_width" }
+local steel = model{}
+sweep("the load of a contact on one mesh", 90, 110, of_contact, pressed(function(x) return { model = steel, load = x } end))
+sweep("the load of a contact, meshes fitted", 90, 110, of_contact, pressed(function(x) return { load = x } end))
+sweep("the plate's place", 0, 0.02, of_contact, pressed(function(x) return { model = steel, load = 100, x = x } end))
+sweep("the load of a run", 90, 110, of_run, worn(function(x) return { load = x } end))
+sweep("the load of an implicit run", 90, 110, of_run,
+  worn(function(x) return { load = x, scheme = "implicit", tolerance = 1e-3 } end))
+sweep("alpha", 0.2, 0.8, { "V", "depth_cylinder", "depth_plate" }, worn(function(x) return { alpha = x } end))
+sweep("the plate's E", 200e3, 260e3, of_run, worn(function(x) return { model = { plate = { E = x } } } end))
+sweep("the plate's nu", 0.25, 0.4, of_run, worn(function(x) return { model = { plate = { nu = x } } } end))
+sweep("fineness", 0.8, 1.6, { "V", "depth_cylinder", "depth_plate" },
+  worn(function(x) return { model = { mesh = { fineness = x } } } end))
+sweep("a tangential force", 20, 40, { "V", "p_center", "half_width" }, fretted(function(x) return { tangential = x } end))
+
+-- A load that stays but for its rounding is one that stays.
+local function under(load)
+  local loading = { tangential = function(t) return 24 * math.sin(2 * math.pi * t) end, load = load, increments = 40 }
+  return wear{ friction = 0.6, k = 1e-7, cycles = 1000, jump = "auto", loading = loading }:run().volume.total
+end
+local steady, rounded = under(function() return 100 end), under(function(t) return 100 * (math.sin(7 * t)^2 + math.cos(7 * t)^2) end)
+figures.below(math.abs(rounded / steady - 1), 1e-5, "a load with noise of its last bit changes V by")
