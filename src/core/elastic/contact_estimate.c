@@ -6,6 +6,7 @@
  * contact's length. */
 #include "core/elastic/contact_estimate.h"
 #include "core/elastic/layered.h"
+#include "core/mesh/body_shape.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #define ELASTIC_CONTACT_ESTIMATE_H
 
 #include "archard/model.h"
-#include "core/mesh/build.h"
+#include "core/mesh/waves.h"
 
 /* What a pair comes to under a load. All in mm. */
 typedef struct contact_estimate {

@@ -7,7 +7,7 @@
  * Through a layer goes what displacements the stresses on its lower face come with. */
 #include "core/elastic/layered.h"
 #include "core/base/dense.h"
-#include "core/mesh/build.h"
+#include "core/mesh/body_shape.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,6 +3,7 @@
  * error is the same for every contact. */
 #include "core/elastic/mesh_size.h"
 #include "core/elastic/contact_estimate.h"
+#include "core/mesh/mesh.h"
 
 #include <math.h>
 

@@ -8,6 +8,7 @@
 #include "core/elastic/layered.h"
 #include "core/elastic/mesh_size.h"
 #include "core/elastic/pair.h"
+#include "core/mesh/mesh.h"
 #include "core/pair/model.h"
 
 #include <math.h>

@@ -18,7 +18,8 @@ void arc_model_warn(const arc_model *model, double load, double half_width,
 enum { ARC_UNWORN_VERSION = 1 };
 long arc_model_next_version(arc_model *model);
 
-/* That of a model, with the layers that bodies from outside have. */
+/* The contact modulus of a model [MPa] to a pressure of wave number q [1/mm], as arc_pair_modulus,
+ * with the layers that bodies from outside have. */
 double arc_model_felt_modulus(const arc_model *model, double q);
 
 /* What the handle of a model asks of meshed bodies: see arc_model_check, arc_model_build_watched,

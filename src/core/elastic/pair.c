@@ -1,7 +1,7 @@
 /* Pairs of bodies: what they are called, and what two shapes are to each other. */
 #include "core/elastic/pair.h"
 #include "core/elastic/chart.h"
-#include "core/mesh/build.h"
+#include "core/mesh/body_shape.h"
 
 #include <math.h>
 #include <string.h>

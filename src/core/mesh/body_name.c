@@ -1,6 +1,6 @@
 /* What bodies may be called. */
+#include "core/mesh/body_name.h"
 #include "archard/mesh.h"
-#include "core/mesh/build.h"
 
 #include <ctype.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Shapes of bodies in numbers, by the functions of their kinds; blocks, and layers. */
 #include "core/mesh/body_shape.h"
-#include "core/mesh/build.h"
+#include "core/mesh/body_name.h"
 
 #include <math.h>
 

@@ -1,6 +1,7 @@
 /* A pair of bodies from a Gmsh file: node numbers become indices, both bodies are made, and stand
  * as they should. */
-#include "core/mesh/gmsh.h"
+#include "core/mesh/gmsh_body.h"
+#include "core/mesh/gmsh_groups.h"
 
 #include <math.h>
 #include <stdlib.h>

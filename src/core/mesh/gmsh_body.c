@@ -1,5 +1,7 @@
 /* One body of a Gmsh file: its elements, nodes and materials, and whether they make a mesh. */
-#include "core/mesh/gmsh.h"
+#include "core/mesh/gmsh_body.h"
+#include "core/mesh/gmsh_boundary.h"
+#include "core/mesh/gmsh_groups.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 /* The boundary of a body from outside: its polygon, the candidate surface, the fixed nodes. */
-#include "core/mesh/gmsh.h"
+#include "core/mesh/gmsh_boundary.h"
+#include "core/mesh/gmsh_groups.h"
 
 #include <math.h>
 #include <stdlib.h>

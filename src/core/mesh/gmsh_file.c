@@ -1,5 +1,5 @@
 /* The sections of a Gmsh file, 2.2 and 4.1, as they stand there. */
-#include "core/mesh/gmsh.h"
+#include "core/mesh/gmsh_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>

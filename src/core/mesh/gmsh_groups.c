@@ -1,6 +1,6 @@
 /* Which body, and which of its sets, the physical groups of a Gmsh file mean. */
-#include "core/mesh/build.h"
-#include "core/mesh/gmsh.h"
+#include "core/mesh/gmsh_groups.h"
+#include "core/mesh/body_name.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* The text of a Gmsh file: whole in memory, cut into lines and numbers. */
-#include "core/mesh/gmsh.h"
+#include "core/mesh/gmsh_text.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -1,7 +1,9 @@
 /* One mesher for both bodies: sizes to quadtree, leaves to elements, the half body to the whole
  * one. */
+#include "core/mesh/mesh.h"
 #include "core/mesh/body_shape.h"
-#include "core/mesh/build.h"
+#include "core/mesh/outline.h"
+#include "core/mesh/tile.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* The boundary polygon: edges that belong to one element only, chained. */
+#include "core/mesh/outline.h"
 #include "core/mesh/body_shape.h"
-#include "core/mesh/build.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* Leaves of the quadtree become quadrilaterals, or triangles where an edge has a hanging node.
  * Every pattern is its own mirror image, so that mirrored bodies get mirrored elements. */
-#include "core/mesh/build.h"
+#include "core/mesh/tile.h"
 
 #include <stdlib.h>
 

@@ -1,5 +1,6 @@
 /* What a profile consists of: its form, a parabola, and the waves on it. */
-#include "core/mesh/build.h"
+#include "core/mesh/waves.h"
+#include "core/mesh/body_shape.h"
 
 #include <math.h>
 

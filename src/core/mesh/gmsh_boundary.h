@@ -1,0 +1,26 @@
+/* The boundary of a body out of a Gmsh file. */
+#ifndef MESH_GMSH_BOUNDARY_H
+#define MESH_GMSH_BOUNDARY_H
+
+#include "core/mesh/gmsh_file.h"
+
+/* A body under construction. */
+typedef struct msh_body {
+  const msh_file *file;
+  arc_mesh *mesh;
+  int *local;  /* [nodes of the file] number in the mesh, or -1 */
+  int *origin; /* [nodes] index in the file */
+  int *source; /* [elements] index in the file */
+  int *next;   /* [nodes] the node that follows on the boundary, or -1 */
+  arc_error *error;
+} msh_body;
+
+/* Number of a node of the mesh in the file, and its place. */
+static inline long long arc_msh_tag(const msh_body *b, int node) {
+  return ((const msh_node *)b->file->nodes.data)[b->origin[node]].tag;
+}
+
+/* Boundary, candidate surface, fixed nodes. */
+arc_status arc_msh_boundary(msh_body *b);
+
+#endif

@@ -1,0 +1,57 @@
+/* A Gmsh file: nodes, elements and groups as it has them. No count of a file is believed: arrays
+ * grow with what has been read. */
+#ifndef MESH_GMSH_FILE_H
+#define MESH_GMSH_FILE_H
+
+#include "archard/mesh.h"
+#include "core/base/list.h"
+#include "core/mesh/gmsh_text.h"
+
+/* A physical group with a name. */
+typedef struct msh_group {
+  long long tag;
+  int dim;
+  char name[64];
+} msh_group;
+
+/* What elements refer to: an entity of the geometry (4.1), or a physical group (2.2). */
+typedef struct msh_entity {
+  long long tag;
+  int dim;
+  unsigned sets;            /* of which it is part, see set_of */
+  int material[ARC_BODIES]; /* index among the body's materials */
+} msh_entity;
+
+/* Entity and physical group that belong together. */
+typedef struct msh_member {
+  long long tag, group;
+  int dim;
+} msh_member;
+
+typedef struct msh_node {
+  long long tag;
+  double x[3];
+} msh_node;
+
+typedef struct msh_element {
+  long long tag, entity;
+  long long corner[4]; /* numbers of nodes; after arc_msh_sort, indices */
+  int dim, type;       /* type as in Gmsh */
+} msh_element;
+
+enum { MSH_LINE = 1, MSH_TRIANGLE = 2, MSH_QUAD = 3 };
+
+typedef struct msh_file {
+  msh_text text;
+  int version;                                                  /* 2 or 4 */
+  item_list groups, members, nodes, elements;                   /* of the structs above */
+  item_list entities;                                           /* by dimension and number */
+  int materials[ARC_BODIES];                                    /* of each body */
+  char material[ARC_BODIES][ARC_MESH_MATERIALS][ARC_TEXT_SIZE]; /* their names */
+} msh_file;
+
+/* Reads the text of a file that is set up but for that. On failure there is nothing to free. */
+arc_status arc_msh_read(msh_file *file, arc_error *error);
+void arc_msh_free(msh_file *file);
+
+#endif

@@ -1,0 +1,23 @@
+/* A mesh under construction, as polygons over logical points. */
+#ifndef MESH_TILE_H
+#define MESH_TILE_H
+
+#include "core/mesh/map.h"
+#include "core/mesh/quadtree.h"
+
+/* Logical points are keyed in half units, so that a cell's middle has one too. */
+typedef struct mesh_key {
+  int i, j;
+} mesh_key;
+
+typedef struct mesh_builder {
+  body_map map;
+  int count, capacity;
+  mesh_key *corner; /* [4 * capacity] corners of each element; a triangle repeats its third */
+} mesh_builder;
+
+/* Adds the elements of the half body s >= 0: the wear box first, column by column, then the rest;
+ * hanging nodes are closed with triangles. `columns` x `rows` is the half wear box. ARC_MEMORY. */
+arc_status arc_mesh_tile(mesh_builder *builder, const quadtree *tree, int columns, int rows);
+
+#endif
