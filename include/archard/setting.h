@@ -200,7 +200,8 @@ const char *arc_setting_expected(const arc_setting *setting, char *text, size_t 
 const char *arc_setting_usual(const arc_setting *setting);
 
 /* The member of a definition; for ARC_CHOICE it is an int. */
-void *arc_setting_member(const arc_setting *setting, const void *def);
+void *arc_setting_member(const arc_setting *setting, void *def);
+const void *arc_setting_value(const arc_setting *setting, const void *def);
 /* Its number: of a whole one or a choice the int, of a text 0. */
 double arc_setting_number(const arc_setting *setting, const void *def);
 /* Whether the function, the word "auto" is set; the series (count 0: none). */
@@ -208,10 +209,10 @@ int arc_setting_has_function(const arc_setting *setting, const void *def);
 int arc_setting_is_auto(const arc_setting *setting, const void *def);
 arc_series arc_setting_series(const arc_setting *setting, const void *def);
 
-/* Sees every setting with a member, those in groups too: `path` is the name with the groups' before
- * it ("mesh.size"). Non-zero from `see` ends the walk and is returned. */
+/* Sees every setting with a member, those in groups too, which are then `def`: `path` is the name
+ * with the groups' before it ("mesh.size"). Non-zero from `see` ends the walk and is returned. */
 typedef int (*arc_setting_fn)(void *context, const char *path, const arc_setting *setting,
-                              void *member, const void *def);
+                              const void *def);
 int arc_settings_walk(const arc_setting *list, const char *prefix, const void *def,
                       arc_setting_fn see, void *context);
 

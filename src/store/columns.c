@@ -127,10 +127,9 @@ static void put_setting(walk *at, const char *path, const arc_setting *s) {
   put_name(at->to, &c);
 }
 
-static int see_setting(void *context, const char *path, const arc_setting *s, void *member,
-                       const void *def) {
+static int see_setting(void *context, const char *path, const arc_setting *s, const void *def) {
   walk *at = context;
-  (void)member, (void)def;
+  (void)def;
   at->put(at, path, s);
   return 0;
 }

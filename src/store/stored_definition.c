@@ -46,13 +46,19 @@ static void add_series(slots *list, const char *path, arc_series *series) {
       (slot){.kind = SLOT_ARRAY, .at = &series->value, .count = &series->count});
 }
 
-static int add_setting(void *context, const char *path, const arc_setting *s, void *member,
-                       const void *def) {
-  slots *list = context;
-  char *of = (char *)(size_t)def;
-  slot plain = {.kind = s->kind == ARC_NUMBER ? SLOT_NUMBER : SLOT_WHOLE, .at = member};
-  if (s->kind == ARC_CHOICE)
-    plain = (slot){.kind = SLOT_CHOICE, .choices = s->choices, .at = member};
+/* A definition whose settings are added. */
+typedef struct added {
+  slots *list;
+  char *def;
+} added;
+
+static int add_setting(void *context, const char *path, const arc_setting *s, const void *def) {
+  const added *a = context;
+  slots *list = a->list;
+  char *of = a->def + ((const char *)def - a->def);
+  slot plain = {.kind = s->kind == ARC_NUMBER ? SLOT_NUMBER : SLOT_WHOLE,
+                .at = arc_setting_member(s, of)};
+  if (s->kind == ARC_CHOICE) plain.kind = SLOT_CHOICE, plain.choices = s->choices;
   if (s->kind == ARC_TEXT) plain.kind = SLOT_TEXT;
   add(list, path, "", plain);
   if (s->automatic && s->forms & ARC_AUTOMATIC)
@@ -79,12 +85,17 @@ static void add_block(slots *list, arc_loading *block, int number) {
   add(list, prefix, "periodic", (slot){.kind = SLOT_WHOLE, .at = &block->periodic});
 }
 
+static void add_settings(slots *list, const arc_setting *settings, const char *prefix, void *def) {
+  added a = {list, def};
+  arc_settings_walk(settings, prefix, def, add_setting, &a);
+}
+
 /* All values of a run, whose blocks of loading are there already, and the Gmsh file of its meshes
  * (NULL: they are archard's own). */
-static slots table_of(arc_stored_run *run, const char **msh) {
+static slots table_of(arc_stored_run *run, arc_loading *loading, const char **msh) {
   slots list = {0};
   arc_wear_def *def = &run->def;
-  arc_settings_walk(arc_wear_settings, "", def, add_setting, &list);
+  add_settings(&list, arc_wear_settings, "", def);
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     if (s->forms & ARC_FUNCTION)
       add(&list, s->name, "_function",
@@ -92,9 +103,8 @@ static slots table_of(arc_stored_run *run, const char **msh) {
   add(&list, "blocks", "", (slot){.kind = SLOT_WHOLE, .at = &def->blocks});
   add(&list, "start_distance", "", (slot){.kind = SLOT_NUMBER, .at = &def->start_distance});
   add(&list, "start_cycle", "", (slot){.kind = SLOT_NUMBER, .at = &def->start_cycle});
-  for (int b = 0; b < def->blocks; b++)
-    add_block(&list, (arc_loading *)(size_t)&def->loading[b], b + 1);
-  arc_settings_walk(arc_model_settings, "model.", &run->model, add_setting, &list);
+  for (int b = 0; b < def->blocks; b++) add_block(&list, &loading[b], b + 1);
+  add_settings(&list, arc_model_settings, "model.", &run->model);
   add(&list, "model.msh", "", (slot){.kind = SLOT_LONG, .at = msh});
   return list;
 }
@@ -155,11 +165,14 @@ static arc_status save(arc_store *store, int id, const arc_wear *wear, const cha
                         .def = *arc_wear_definition(wear)};
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     run.functions[s - arc_wear_settings] = (char)arc_setting_has_function(s, &run.def);
-  slots table = table_of(&run, &msh);
+  const size_t blocks = (size_t)run.def.blocks;
+  arc_loading *loading = malloc((blocks + 1) * sizeof *loading);
+  if (loading && blocks > 0) memcpy(loading, run.def.loading, blocks * sizeof *loading);
+  slots table = loading ? table_of(&run, loading, &msh) : (slots){.failed = 1};
   arc_value *values = malloc((table.count + 1) * sizeof *values);
   size_t count = 0;
   arc_status status = ARC_MEMORY;
-  for (size_t i = 0; values && i < table.count; i++)
+  for (size_t i = 0; values && !table.failed && i < table.count; i++)
     if (is_there(&table.slot[i])) values[count++] = value_of(&table.slot[i]);
   if (!values || table.failed)
     arc_fail(error, status, "%s: out of memory", store->path);
@@ -167,6 +180,7 @@ static arc_status save(arc_store *store, int id, const arc_wear *wear, const cha
     status = arc_store_set_values(store, id, ARC_DEFINITION, values, count, error);
   free(values);
   free(table.slot);
+  free(loading);
   return status;
 }
 
@@ -185,22 +199,21 @@ arc_status arc_definition_save(arc_store *store, int id, const arc_wear *wear, a
 /* --- what the file has ------------------------------------------------------------------------ */
 
 /* The values of a case, by name, and the blocks of loading that point to their arrays. */
+typedef struct kept {
+  arc_value value;
+  void *memory; /* of all that the value points to */
+} kept;
+
 typedef struct stock {
-  arc_value *value;
+  kept *kept;
   size_t count;
   arc_loading *loading;
 } stock;
 
-static void free_value(arc_value *value) {
-  free((void *)(size_t)value->name);
-  free((void *)(size_t)value->text);
-  free((void *)(size_t)value->array);
-}
-
 static void free_stock(stock *s) {
   if (!s) return;
-  for (size_t i = 0; i < s->count; i++) free_value(&s->value[i]);
-  free(s->value);
+  for (size_t i = 0; i < s->count; i++) free(s->kept[i].memory);
+  free(s->kept);
   free(s->loading);
   free(s);
 }
@@ -212,16 +225,16 @@ void arc_stored_run_free(arc_stored_run *run) {
 }
 
 /* An own copy; 0: out of memory. */
-static int copy_value(const arc_value *from, arc_value *to) {
-  const size_t bytes = from->count * sizeof(double);
-  double *array = from->array ? malloc(bytes + 1) : NULL;
-  *to = *from;
-  to->name = strdup(from->name);
-  to->text = from->text ? strdup(from->text) : NULL;
-  to->array = array ? memcpy(array, from->array, bytes) : NULL;
-  if (to->name && !to->text == !from->text && !to->array == !from->array) return 1;
-  free_value(to);
-  return 0;
+static int copy_value(const arc_value *from, kept *to) {
+  const size_t numbers = from->array ? from->count * sizeof(double) : 0;
+  const size_t name = strlen(from->name) + 1, text = from->text ? strlen(from->text) + 1 : 0;
+  char *memory = malloc(numbers + name + text);
+  *to = (kept){*from, memory};
+  if (!memory) return 0;
+  if (from->array) to->value.array = memcpy(memory, from->array, numbers);
+  to->value.name = memcpy(memory + numbers, from->name, name);
+  if (from->text) to->value.text = memcpy(memory + numbers + name, from->text, text);
+  return 1;
 }
 
 /* A case on its way from a file. */
@@ -242,14 +255,14 @@ static arc_status no_memory(const reading *r) {
 static int collect(void *context, const arc_value *value) {
   reading *r = context;
   stock *s = r->stock;
-  arc_value *grown = arc_store_grown(s->value, s->count, sizeof *grown);
-  if (grown) s->value = grown;
+  kept *grown = arc_store_grown(s->kept, s->count, sizeof *grown);
+  if (grown) s->kept = grown;
   if (!grown || !copy_value(value, &grown[s->count])) {
     r->status = no_memory(r);
     return 1;
   }
   s->count++;
-  if (s->count < 2 || strcmp(grown[s->count - 2].name, value->name) < 0) return 0;
+  if (s->count < 2 || strcmp(grown[s->count - 2].value.name, value->name) < 0) return 0;
   r->status = arc_store_damaged(r->store, r->error, r->id, "has the field '%s' twice", value->name);
   return 1;
 }
@@ -335,9 +348,9 @@ static arc_status make_blocks(const reading *r) {
   stock *s = r->stock;
   int blocks = 0;
   for (size_t i = 0; i < s->count; i++)
-    if (strcmp(s->value[i].name, "blocks") == 0 &&
-        (!read_whole(&s->value[i], &blocks) || blocks < 0 || (size_t)blocks > s->count / 2))
-      return refuse_value(r, &s->value[i]);
+    if (strcmp(s->kept[i].value.name, "blocks") == 0 &&
+        (!read_whole(&s->kept[i].value, &blocks) || blocks < 0 || (size_t)blocks > s->count / 2))
+      return refuse_value(r, &s->kept[i].value);
   s->loading = calloc((size_t)blocks + 1, sizeof *s->loading);
   if (!s->loading) return no_memory(r);
   r->run->def.blocks = blocks;
@@ -347,7 +360,7 @@ static arc_status make_blocks(const reading *r) {
 
 static arc_status fill_in(const reading *r, const slots *table) {
   for (size_t i = 0; i < r->stock->count; i++) {
-    const arc_value *value = &r->stock->value[i];
+    const arc_value *value = &r->stock->kept[i].value;
     const slot *s = bsearch(value->name, table->slot, table->count, sizeof *table->slot, is_called);
     if (!s || !read_value(s, value)) return refuse_value(r, value);
   }
@@ -362,7 +375,7 @@ static arc_status fill_in(const reading *r, const slots *table) {
 static arc_status fill(reading *r) {
   arc_status status = make_blocks(r);
   if (status != ARC_OK) return status;
-  slots table = table_of(r->run, &r->msh);
+  slots table = table_of(r->run, r->stock->loading, &r->msh);
   if (table.failed) {
     status = no_memory(r);
   } else {

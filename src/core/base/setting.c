@@ -9,12 +9,16 @@
 
 /* --- members ---------------------------------------------------------------------------------- */
 
-void *arc_setting_member(const arc_setting *s, const void *def) {
-  return (char *)(size_t)def + s->offset;
-}
-
 static const void *at(const void *def, size_t offset) {
   return (const char *)def + offset;
+}
+
+void *arc_setting_member(const arc_setting *s, void *def) {
+  return (char *)def + s->offset;
+}
+
+const void *arc_setting_value(const arc_setting *s, const void *def) {
+  return at(def, s->offset);
 }
 
 int arc_setting_has_function(const arc_setting *s, const void *def) {
@@ -24,7 +28,7 @@ int arc_setting_has_function(const arc_setting *s, const void *def) {
 }
 
 double arc_setting_number(const arc_setting *s, const void *def) {
-  const void *member = arc_setting_member(s, def);
+  const void *member = arc_setting_value(s, def);
   if (s->kind == ARC_TEXT) return 0;
   return s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member;
 }
@@ -186,7 +190,7 @@ static arc_status check_group(const arc_setting *s, const char *prefix, const vo
                               arc_error *error) {
   char inside[80];
   snprintf(inside, sizeof inside, "%s%s.", prefix, s->name);
-  return arc_settings_check(s->group, inside, arc_setting_member(s, def), error);
+  return arc_settings_check(s->group, inside, arc_setting_value(s, def), error);
 }
 
 static arc_status check_value(const arc_setting *s, const char *prefix, const void *def,
@@ -221,9 +225,9 @@ int arc_settings_walk(const arc_setting *list, const char *prefix, const void *d
     char path[96];
     snprintf(path, sizeof path, "%s%s%s", prefix, s->name, s->kind == ARC_GROUP ? "." : "");
     if (s->kind == ARC_GROUP)
-      ended = arc_settings_walk(s->group, path, arc_setting_member(s, def), see, context);
+      ended = arc_settings_walk(s->group, path, arc_setting_value(s, def), see, context);
     else if (s->kind != ARC_OTHER)
-      ended = see(context, path, s, arc_setting_member(s, def), def);
+      ended = see(context, path, s, def);
   }
   return ended;
 }

@@ -20,7 +20,7 @@ void settings_set(lua_State *L, const arc_setting *list, const void *definition)
 }
 
 void settings_push(lua_State *L, const arc_setting *s, const void *definition) {
-  const void *member = arc_setting_member(s, definition);
+  const void *member = arc_setting_value(s, definition);
   const arc_series series = arc_setting_series(s, definition);
   if (arc_setting_is_auto(s, definition))
     lua_pushliteral(L, "auto");

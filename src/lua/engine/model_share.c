@@ -12,12 +12,11 @@ static const char cache_key = 0, last_key = 0; /* their addresses name the regis
 
 /* --- building and sharing -------------------------------------------------------------------- */
 
-static int add_to_key(void *context, const char *path, const arc_setting *s, void *member,
-                      const void *def) {
+static int add_to_key(void *context, const char *path, const arc_setting *s, const void *def) {
   char text[40];
   (void)path;
   if (s->kind == ARC_TEXT) {
-    luaL_addlstring(context, member, ARC_TEXT_SIZE);
+    luaL_addlstring(context, arc_setting_value(s, def), ARC_TEXT_SIZE);
     return 0;
   }
   snprintf(text, sizeof text, "%a ", arc_setting_number(s, def));

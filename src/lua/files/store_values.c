@@ -84,9 +84,9 @@ static void push_value(lua_State *L, const arc_value *value) {
 
 /* Arguments: the table, the value. */
 static int add_value(lua_State *L) {
-  const arc_value *value = lua_touserdata(L, 2);
-  push_value(L, value);
-  lua_setfield(L, 1, value->name);
+  const arc_value *const *value = lua_touserdata(L, 2);
+  push_value(L, *value);
+  lua_setfield(L, 1, (*value)->name);
   return 0;
 }
 
@@ -95,7 +95,7 @@ static int see(void *context, const arc_value *value) {
   lua_State *L = context;
   lua_pushcfunction(L, add_value);
   lua_pushvalue(L, -2);
-  lua_pushlightuserdata(L, (void *)(size_t)value);
+  lua_pushlightuserdata(L, &value);
   if (lua_pcall(L, 2, 0, 0) == LUA_OK) return 0;
   return 1; /* the error is on top of the stack */
 }

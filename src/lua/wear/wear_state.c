@@ -308,7 +308,7 @@ static int is_usual(const arc_setting *s, const arc_wear_def *settings) {
 
 /* "law_pressure 50 MPa" */
 static void add_setting(luaL_Buffer *text, const arc_setting *s, const arc_wear_def *settings) {
-  const void *member = arc_setting_member(s, settings);
+  const void *member = arc_setting_value(s, settings);
   char line[120];
   if (s->kind == ARC_CHOICE)
     snprintf(line, sizeof line, "%s %s", s->name, s->choices[*(const int *)member]);
