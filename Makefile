@@ -175,7 +175,7 @@ $(BUILD)/tests/test_oom: test_ldflags = -Wl,--wrap=malloc,--wrap=calloc,--wrap=r
                                         -lsuitesparseconfig
 
 # What tests load into the program.
-preloaded = $(patsubst %,$(BUILD)/tests/%.so,failing locks)
+preloaded = $(patsubst %,$(BUILD)/tests/%.so,failing locks power)
 $(preloaded): $(BUILD)/tests/%.so: tests/memory/%.c
 	@mkdir -p $(@D)
 	$(say) LD $@
