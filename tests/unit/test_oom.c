@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "archard/export.h"
+#include "archard/space.h"
 
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);
@@ -171,6 +172,42 @@ static void unmake_wear(void **made) {
   arc_wear_destroy((arc_wear **)made);
 }
 
+static arc_status make_halfspace(void **made, arc_error *error) {
+  arc_halfspace_def def = arc_halfspace_default();
+  def.nx = def.nz = 21;
+  def.track = 23;
+  def.body[ARC_LOWER].layer[0] = (arc_layer){.thickness = 0.1, .material = def.body[0].material};
+  return arc_halfspace_create(&def, (arc_halfspace **)made, error);
+}
+static void unmake_halfspace(void **made) {
+  arc_halfspace_destroy((arc_halfspace **)made);
+}
+/* All that is done with one. */
+static arc_status use_halfspace(arc_halfspace *h, arc_error *error) {
+  enum { cells = 21 * 21, sites = 23 * 21 };
+  static double depth[2][sites], rate[2][sites], pressure[3 * cells], stress[6 * cells];
+  const arc_halfspace_position position[3] = {{-0.015, 5, 1}, {0, 5, 1}, {0.02, 5, 1}};
+  const arc_halfspace_wear rubs = {.c = {1e-7, 1e-7}};
+  double *const to[2] = {depth[0], depth[1]}, *const rates[2] = {rate[0], rate[1]}, value;
+  arc_status status =
+      arc_halfspace_stage(h, NULL, &rubs, position, 3, NULL, pressure, to, NULL, error);
+  const double *const from[2] = {depth[0], depth[1]};
+  if (status == ARC_OK)
+    status = arc_halfspace_rate(h, from, position, 3, NULL, pressure, rates, NULL, error);
+  if (status == ARC_OK)
+    status = arc_halfspace_eigenvalue(h, &rubs, position, 3, pressure, &value, error);
+  if (status == ARC_OK)
+    status = arc_halfspace_solve(h, from, position, NULL, pressure, &value, NULL, error);
+  if (status == ARC_OK) status = arc_halfspace_stress(h, pressure, 0.3, -0.1, stress, error);
+  return status;
+}
+static arc_status make_halfspace_wear(void **made, arc_error *error) {
+  arc_status status = make_halfspace(made, error);
+  if (status == ARC_OK) status = use_halfspace(*made, error);
+  if (status != ARC_OK) unmake_halfspace(made);
+  return status;
+}
+
 static const maker makers[] = {
     {"arc_mesh_build", make_mesh, unmake_mesh},
     {"arc_model_build", make_model, unmake_model},
@@ -183,6 +220,8 @@ static const maker makers[] = {
     {"arc_contact_field", make_field, unmake_field},
     {"arc_wear_create", make_wear, unmake_wear},
     {"arc_wear_clone", make_wear_copy, unmake_wear},
+    {"arc_halfspace_create", make_halfspace, unmake_halfspace},
+    {"arc_halfspace_stage and others", make_halfspace_wear, unmake_halfspace},
 };
 
 /* Nothing may be left of a call. What a shared model keeps as working space is taken by the first

@@ -363,6 +363,41 @@ static void test_failures(void **state) {
   free_history(&w);
 }
 
+/* ARCHARD_HISTORIES of them, 12 else: any radii, moduli, strokes, alpha; steps of any length. */
+static void test_random_histories(void **state) {
+  (void)state;
+  const char *wish = getenv("ARCHARD_HISTORIES");
+  const int histories = wish ? atoi(wish) : 12;
+  long guarded = 0, stages = 0, applications = 0;
+  random_start(727);
+  for (int k = 0; k < histories; k++) {
+    const double radius = exp(random_in(log(0.5), log(500))), stiffness = exp(random_in(-3, 3));
+    history_def d = {.space = ball(radius, 0.01, 8), .load = exp(random_in(log(0.5), log(50)))};
+    d.space.body[ARC_UPPER].radius_z = radius * exp(random_in(-1, 1));
+    d.space.body[ARC_UPPER].material.E *= stiffness;
+    d.space.body[ARC_LOWER].material.nu = random_in(0, 0.49);
+    arc_halfspace_fit(&d.space, d.load, 0, 0, 0, 6);
+    const double a = 6 * d.space.size_x, volume = random_in(0, 12) * pow(a, 4) / radius;
+    d.alpha = random_int(0, 4) / 4.0;
+    d.stroke = random_in(0, 8) * a;
+    d.increments = random_int(0, 3) ? (int)ceil(d.stroke / a * random_in(1, 4)) : 0;
+    d.k = 1e-8;
+    d.distance = volume / (d.k * d.load);
+    arc_halfspace_fit(&d.space, d.load, 4 * volume, d.stroke, 0, 6);
+    d.space.track += 2; /* positions between cells read the next one */
+    d.space.groove = d.increments == 0 && random_int(0, 1) ? d.stroke + a : 0;
+    d.steps = random_int(1, 4);
+    history w = run_history(&d);
+    check_history(&w, &d);
+    guarded += w.guarded > 0;
+    stages += w.stages;
+    applications += w.applications;
+    free_history(&w);
+  }
+  print_message("# %d histories: %.1f applications a stage, %ld with the fallback\n", histories,
+                (double)applications / (double)stages, guarded);
+}
+
 /* --- below the surface
  * ---------------------------------------------------------------------------------- */
 
@@ -447,6 +482,7 @@ int main(void) {
       cmocka_unit_test(test_regrow),
       cmocka_unit_test(test_failures),
       cmocka_unit_test(test_stress),
+      cmocka_unit_test(test_random_histories),
       cmocka_unit_test(test_equilibrium),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

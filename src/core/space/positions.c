@@ -1,6 +1,8 @@
 /* From positions to a problem of the active set, on a box, and back to the window. */
 #include "core/space/positions.h"
 
+#include "core/base/memory.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -90,6 +92,17 @@ static arc_status fill_position(positions *p, const arc_halfspace_position *posi
   return status == ARC_OK ? arc_stroke_place(p->s.h, position->x, &p->s.place[j], error) : status;
 }
 
+/* ARC_MEMORY where many positions of many cells do not fit. */
+static arc_status check_memory(const arc_halfspace *h, int count, arc_error *error) {
+  static const double much = 256e6, mega = 1e6;
+  const double bytes = arc_halfspace_bytes(&h->def, count);
+  if (bytes < much || bytes < arc_memory_free()) return ARC_OK;
+  return arc_fail(error, ARC_MEMORY,
+                  "out of memory: %d positions of %d x %d cells take %.0f MB, %.0f MB are free; "
+                  "larger cells or fewer increments take less",
+                  count, h->def.nx, h->def.nz, bytes / mega, arc_memory_free() / mega);
+}
+
 arc_status arc_positions_create(arc_halfspace *h, const double *const depth[ARC_BODIES],
                                 const arc_halfspace_wear *wear,
                                 const arc_halfspace_position *position, int count, int mirror,
@@ -108,6 +121,7 @@ arc_status arc_positions_create(arc_halfspace *h, const double *const depth[ARC_
   p->s.callbacks = options ? options->callbacks : NULL;
   p->tolerance = options && options->tolerance > 0 ? options->tolerance : 1e-5;
   p->warm = options && options->warm && pressure;
+  if (check_memory(h, p->s.count, error) != ARC_OK) return ARC_MEMORY;
   if (!allocate(p)) {
     arc_positions_free(p);
     return arc_fail(error, ARC_MEMORY, "out of memory for %d positions of %d cells", count,
