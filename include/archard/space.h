@@ -133,6 +133,11 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
                               double *const rate[ARC_BODIES], arc_halfspace_report *report,
                               arc_error *error);
 
+/* sum [by body][sites]: over the positions, weight times a value [count][window]: of what is more
+ * than linear in pressure, as power laws, and of energies. On failure sum is unchanged. */
+arc_status arc_halfspace_sum(arc_halfspace *h, const arc_halfspace_position *position, int count,
+                             const double *value, double *const sum[ARC_BODIES], arc_error *error);
+
 /* Wear of a step: depth = known + c factor rate, by body. */
 typedef struct arc_halfspace_wear {
   double c[ARC_BODIES];             /* [mm2/N], times cycles */
@@ -163,7 +168,8 @@ arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const d
 
 /* Cells and sizes for a run: cells of a share 1 / fineness of the unworn contact's half width, a
  * whole number of which fit `increment` [mm] (0: any), and a window for the volume [mm3] worn at
- * the end. Sets size_x, size_z, nx, nz and track for a stroke [mm]. */
+ * the end, an estimate: contacts that reach its edge are ARC_ZONE. Sets size_x, size_z, nx, nz and
+ * track for a stroke [mm]; nothing where the bodies' radii make no contact of a point. */
 void arc_halfspace_fit(arc_halfspace_def *def, double load, double volume, double stroke,
                        double increment, double fineness);
 

@@ -133,6 +133,26 @@ static void test_layers(void **state) {
   }
 }
 
+/* Sizes for a ball on a layer: cells of about an eighth of the contact. */
+static void test_fit(void **state) {
+  (void)state;
+  static const double thickness[3] = {0, 1, 0.1}, half_width[3] = {0.0880442, 0.4059, 0.2994};
+  for (int k = 0; k < 3; k++) {
+    arc_halfspace_def def = ball(10, 1, 8);
+    if (k > 0) {
+      def.body[ARC_UPPER].material = (arc_material){.E = 1e13, .nu = 0.3};
+      def.body[ARC_LOWER].material = (arc_material){.E = 1000, .nu = 0.3};
+      def.body[ARC_LOWER].depth = thickness[k];
+    }
+    arc_halfspace_fit(&def, 10, 0, 0.5, 0, 8);
+    check_share(def.size_x, half_width[k] / 8, 0.2);
+    assert_true(def.nx * def.size_x > 2 * half_width[k] && def.nx % 2 == 1);
+    assert_true((def.track - def.nx) * def.size_x >= 0.5 - 1e-9);
+    arc_halfspace_fit(&def, 10, 0, 0.5, 0.05, 8);
+    check_near(0.05 / def.size_x, round(0.05 / def.size_x), 1e-9);
+  }
+}
+
 /* A layer of the base's material changes nothing; a thin coat hardly does. */
 static void test_coats(void **state) {
   (void)state;
@@ -172,6 +192,9 @@ static void test_waves(void **state) {
     def.periodic = 1;
     solved s = solve_space(&def, share[k] * full * 0.01, 1e-6);
     check_near(s.extent.area / 0.01, contact[k], 1e-3);
+    const arc_halfspace_position aside = {.x = 0.01, .load = 1};
+    check_refused(arc_halfspace_solve(s.h, NULL, &aside, NULL, s.p, &s.approach, NULL, why),
+                  ARC_ARGUMENT, "repeat");
     free_solved(&s);
   }
 }
@@ -355,9 +378,9 @@ int main(void) {
       cmocka_unit_test(test_ellipse),      cmocka_unit_test(test_hertz_ellipse),
       cmocka_unit_test(test_cone),         cmocka_unit_test(test_punch),
       cmocka_unit_test(test_layers),       cmocka_unit_test(test_coats),
-      cmocka_unit_test(test_waves),        cmocka_unit_test(test_full_contact),
-      cmocka_unit_test(test_random_pairs), cmocka_unit_test(test_refused),
-      cmocka_unit_test(test_failures),
+      cmocka_unit_test(test_fit),          cmocka_unit_test(test_waves),
+      cmocka_unit_test(test_full_contact), cmocka_unit_test(test_random_pairs),
+      cmocka_unit_test(test_refused),      cmocka_unit_test(test_failures),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -94,6 +94,18 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
   return status;
 }
 
+arc_status arc_halfspace_sum(arc_halfspace *h, const arc_halfspace_position *position, int count,
+                             const double *value, double *const sum[ARC_BODIES], arc_error *error) {
+  const arc_halfspace_options options = {.warm = 1};
+  positions p;
+  const arc_status status =
+      arc_positions_create(h, NULL, NULL, position, count, 0, &options, value, &p, error);
+  if (status != ARC_OK) return status;
+  arc_positions_rate(&p, sum);
+  arc_positions_free(&p);
+  return ARC_OK;
+}
+
 /* depth := known + c factor rate */
 static void wear(const arc_halfspace *h, const arc_halfspace_wear *w,
                  const double *const known[ARC_BODIES], double *const rate[ARC_BODIES],

@@ -13,11 +13,15 @@ arc_status arc_stroke_place(const arc_halfspace *h, double x, stroke_place *plac
                             arc_error *error) {
   const arc_halfspace_def *d = &h->def;
   *place = (stroke_place){0, 0};
+  if (d->periodic && x != 0)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'x': expected 0 for surfaces that repeat themselves, got %g", x);
   if (d->groove > 0 || d->periodic) return ARC_OK;
   const double offset = (h->rows - d->nx) / 2 - x / d->size_x, whole = round(offset);
-  const double from = fabs(offset - whole) < 1e-9 ? whole : floor(offset);
+  const int is_whole = fabs(offset - whole) < 1e-9;
+  const double from = is_whole ? whole : floor(offset);
   place->row = (int)fmax(-1, fmin(from, h->rows));
-  place->share = offset == whole || from == whole ? 0 : offset - from;
+  place->share = is_whole ? 0 : offset - from;
   if (place->row >= 0 && place->row + d->nx + (place->share > 0) <= h->rows) return ARC_OK;
   return arc_fail(error, ARC_ZONE,
                   "position x = %g mm: expected at most %g mm on this track of %d rows", x,
