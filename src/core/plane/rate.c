@@ -265,6 +265,7 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
   assert(0 <= window->first && window->last < window->block->count);
   if (w->manner.closed) { /* the load is all that counts */
     arc_wear_rate_clear(rate, w->nc + w->np);
+    if (window->tangent) arc_wear_jacobian_clear(window->tangent);
     rate->even = window->block->line[0];
     return ARC_OK;
   }
