@@ -53,11 +53,18 @@ static int use_own_ends(const int ends[3]) {
   return 0;
 }
 
+/* The shadow of the sanitizers counts as data, and is larger than any limit. */
+#ifdef __SANITIZE_ADDRESS__
+enum { HAS_SHADOW = 1 };
+#else
+enum { HAS_SHADOW = 0 };
+#endif
+
 /* Its data is limited, not what it maps, since libraries of other programs have other sizes.
  * Returns an errno. */
 static int use_own_memory(rlim_t bytes) {
   struct rlimit all, data;
-  if (bytes == 0) return 0;
+  if (bytes == 0 || HAS_SHADOW) return 0;
   if (getrlimit(RLIMIT_AS, &all) != 0 || getrlimit(RLIMIT_DATA, &data) != 0) return errno;
   all.rlim_cur = all.rlim_max;
   bytes += ARC_CHILD_OWN_MEMORY;

@@ -188,6 +188,13 @@ static int confine_files(const arc_jail *jail) {
 
 #ifdef MACHINE
 
+/* The sanitizers hold their own threads to look for leaks. */
+#ifdef __SANITIZE_ADDRESS__
+#define HOLD SYS_kcmp
+#else
+#define HOLD SYS_ptrace
+#endif
+
 /* Connections; other processes; what runs a file without a name; rights, owners, times and
  * attributes of files, which Landlock does not look at, and news of them; the system. */
 static const unsigned denied[] = {SYS_socket,
@@ -196,7 +203,7 @@ static const unsigned denied[] = {SYS_socket,
                                   SYS_listen,
                                   SYS_accept,
                                   SYS_accept4,
-                                  SYS_ptrace,
+                                  HOLD,
                                   SYS_process_vm_readv,
                                   SYS_process_vm_writev,
                                   SYS_kcmp,
