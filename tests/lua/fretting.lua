@@ -229,6 +229,14 @@ heard.take()
 uneven:step()
 tap.holds(heard.take() or "", { "wear: friction 1.2 times Dundurs' beta" }, "a warning on uniqueness")
 
+-- rims that slip on less than five elements
+run{ stroke = false, cycles = 100 }:run{ progress = false }
+tap.holds(heard.take() or "", { "the surfaces slip over", "elements of 0.02 mm", "mesh.size = " }, "a warning on rims too narrow for the mesh")
+run{ stroke = false, cycles = 100, jump = 100, model = { mesh = { fineness = 4 } } }:run{ progress = false }
+is((heard.take() or ""):find "the surfaces slip over", nil, "none where they have elements enough")
+run{ stroke = 0.1, cycles = 100 }:run{ progress = false }
+is((heard.take() or ""):find "the surfaces slip over", nil, "none in gross slip")
+
 -- pictures
 local function picture(draw)
   local stem = os.tmpname()

@@ -1,4 +1,5 @@
 /* The plane as a kind: two meshed bodies that touch along a line of nodes. */
+#include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/newton.h"
 
@@ -145,6 +146,23 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
     arc_friction_warn(w->model, mu, "wear", callbacks);
 }
 
+/* Rims that slip: volumes of 10000 cycles were 6 % off on 3.9 elements, 9 to 35 % on 0.5 to 1.6,
+ * energies twice as much. */
+static int warn_coarse(const arc_wear *w, const arc_callbacks *callbacks) {
+  static const double enough = 5, few = 2;
+  const arc_wear_record *now = arc_wear_last(w);
+  const shape_side *side = &w->shape->side[ARC_CYLINDER];
+  const double size = arc_shape_width(side, side->n / 2),
+               rim = fmax(0, now->half_width - now->stick_width / 2);
+  if (now->gross != 0 || now->stick_width == 0 || rim >= enough * size) return 0;
+  arc_warn(
+      callbacks,
+      "the surfaces slip over %.2g mm at either edge of the contact, %.2g elements of %.2g mm: "
+      "volumes and energies may be off by a %s; mesh.size = %.2g resolves it",
+      rim, rim / size, size, rim < few * size ? "third" : "tenth", fmax(rim, size / 4) / enough);
+  return 1;
+}
+
 static int must_grow(const arc_wear *w, arc_error *why) {
   if (arc_wear_layer_rows(w) == 0) return 0;
   arc_fail(why, ARC_GEOMETRY, "the plate's layers end below its wear box");
@@ -179,6 +197,7 @@ const arc_kind arc_plane_kind = {
     .bytes = bytes,
     .check_reach = check_reach,
     .warn = warn,
+    .warn_coarse = warn_coarse,
     .surfaces = start_shape,
     .copy = arc_shape_clone,
     .discard = arc_shape_destroy,

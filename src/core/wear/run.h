@@ -50,6 +50,7 @@ struct arc_wear {
   void *own;  /* the kind's */
   wear_work work;
   int warned; /* the callbacks know what speaks against this definition */
+  int coarse; /* and that its sites are too coarse */
   wear_judged judged;
   wear_start start;
 };

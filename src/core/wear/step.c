@@ -233,6 +233,8 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   }
   w->kind->discard(&out.shape);
   if (status == ARC_OK) arc_wear_watch_ripples(w, plan.block, callbacks);
+  if (status == ARC_OK && callbacks && callbacks->warn && !w->coarse)
+    w->coarse = w->kind->warn_coarse(w, callbacks);
 #ifdef ARC_CHECKS
   arc_error broken;
   if (status == ARC_OK && arc_wear_validate(w, &broken) == ARC_NUMERIC)
