@@ -26,11 +26,13 @@ extern const char *const arc_element_names[];
 
 /* What the section in x and y stands for. Of bodies of revolution about the vertical axis at x =
  * -axis; forces are those on all of the circumference. Where the axis is x = 0, both halves of the
- * section are the same ring, and each counts for half of it. */
+ * section are the same ring, and each counts for half of it. Springs: no section, see
+ * core/springs. */
 #define ARC_SPACE_LIST(X)                                                                          \
   X(PLANE_STRAIN, "plane strain")                                                                  \
   X(PLANE_STRESS, "plane stress")                                                                  \
-  X(AXISYMMETRIC, "axisymmetric")
+  X(AXISYMMETRIC, "axisymmetric")                                                                  \
+  X(SPRINGS, "springs")
 typedef enum arc_space { ARC_SPACE_LIST(ARC_CHOICE_ENUM) } arc_space;
 extern const char *const arc_space_names[];
 

@@ -22,7 +22,9 @@ extern "C" {
   CHOICE(geometry, space, ARC_PLANE_STRAIN, 0,                                                     \
          "What the section in the plane stands for: long bodies, thin plates, or bodies of "       \
          "revolution about a vertical axis: a cylinder is a ball then, a block a disc, and loads " \
-         "and volumes are those of the whole circumference.")                                      \
+         "and volumes are those of the whole circumference. \"springs\", to teach and to test: a " \
+         "ball on a flat, each under a layer of springs as thick as thickness, alone on its base " \
+         "(Winkler); for wear{} only.")                                                            \
   NUMBER(axis, "mm", 0, FROM(0), 0,                                                                \
          "Of an axisymmetric model: how far left of x = 0 its axis is, as far as the mean radius " \
          "of a thrust ring. 0: the bodies touch on the axis.")
@@ -164,6 +166,7 @@ void arc_model_release(arc_model **model);
 const arc_model_def *arc_model_definition(const arc_model *model);
 /* The kind of its pair of bodies: "plane" for meshes in a plane or of revolution. */
 const char *arc_model_kind_name(const arc_model *model);
+/* NULL: its kind has no meshes. */
 const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body);
 /* Bytes held by the model, for a garbage collector. */
 size_t arc_model_bytes(const arc_model *model);

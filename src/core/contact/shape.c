@@ -65,6 +65,9 @@ static arc_status check_geometry(const arc_model *model, arc_geometry geometry, 
 arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
                             arc_shape **result, arc_error *error) {
   *result = NULL;
+  if (!arc_model_mesh(model, ARC_UPPER))
+    return arc_fail(error, ARC_ARGUMENT, "expected a model with meshes, got one of kind \"%s\"",
+                    arc_model_kind_name(model));
   if (!(refresh >= 0))
     return arc_fail(error, ARC_ARGUMENT, "field 'refresh': expected a number >= 0, got %g",
                     refresh);
@@ -87,7 +90,7 @@ arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refr
   return ARC_OK;
 }
 
-arc_status arc_shape_clone(const arc_shape *shape, arc_shape **result, arc_error *error) {
+arc_status arc_meshed_copy(const arc_shape *shape, arc_shape **result, arc_error *error) {
   arc_shape *copy;
   const arc_status status =
       arc_shape_create(shape->model, shape->geometry, shape->refresh, &copy, error);
@@ -104,7 +107,7 @@ arc_status arc_shape_clone(const arc_shape *shape, arc_shape **result, arc_error
   return status;
 }
 
-void arc_shape_destroy(arc_shape **shape) {
+void arc_meshed_discard(arc_shape **shape) {
   if (!shape || !*shape) return;
   for (int b = 0; b < ARC_BODIES; b++) {
     free((*shape)->side[b].h);
@@ -113,10 +116,6 @@ void arc_shape_destroy(arc_shape **shape) {
   arc_model_release(&(*shape)->model);
   free(*shape);
   *shape = NULL;
-}
-
-arc_model *arc_shape_model(const arc_shape *shape) {
-  return shape->model;
 }
 
 /* Node k of the wear box: its column is pulled along with the surface, fully at the top, not at all
@@ -333,22 +332,15 @@ arc_status arc_shape_wear_evenly(arc_shape *shape, arc_body body, double depth, 
   return ARC_OK;
 }
 
-arc_profile arc_shape_profile(const arc_shape *shape, arc_body body) {
+arc_profile arc_meshed_profile(const arc_shape *shape, arc_body body) {
   const shape_side *side = &shape->side[body];
   return (arc_profile){side->n, side->x0, side->h, side->y, side->x, side->way};
 }
 
-double arc_shape_depth(const arc_shape *shape, arc_body body) {
+double arc_meshed_depth(const arc_shape *shape, arc_body body) {
   const shape_side *side = &shape->side[body];
   double depth = side->h[0];
   for (int i = 1; i < side->n; i++) depth = fmax(depth, side->h[i]);
-  return depth;
-}
-
-double arc_shape_vector_depth(const arc_shape *shape, arc_body body) {
-  const shape_side *side = &shape->side[body];
-  double depth = 0;
-  for (int i = 0; i < side->n; i++) depth = fmax(depth, side->way[i]);
   return depth;
 }
 

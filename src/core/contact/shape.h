@@ -120,6 +120,12 @@ void arc_shape_drift(shape_side *side);
 
 /* --- shape.c --- */
 
+/* What the handle of surfaces asks of meshed ones: see arc_shape_clone and so on. */
+arc_status arc_meshed_copy(const arc_shape *shape, arc_shape **copy, arc_error *error);
+void arc_meshed_discard(arc_shape **shape);
+arc_profile arc_meshed_profile(const arc_shape *shape, arc_body body);
+double arc_meshed_depth(const arc_shape *shape, arc_body body);
+
 /* Wear-box nodes [2 * box_count] with their surface at surface_xy [2 n], under which so much wore
  * evenly. */
 void arc_shape_box(const shape_side *side, const double *surface_xy, double even, double *box_xy);

@@ -36,6 +36,8 @@ static void solve_point(const arc_hertz_def *d, arc_hertz *hertz) {
 arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *error) {
   const arc_status status = arc_settings_check(arc_hertz_settings, "", def, error);
   if (status != ARC_OK) return status;
+  if (def->geometry == ARC_SPRINGS)
+    return arc_fail(error, ARC_ARGUMENT, "field 'geometry': Hertz' formulas do not hold on springs");
   hertz->E_star = arc_contact_modulus(def->geometry, def->material);
   if (def->geometry == ARC_AXISYMMETRIC)
     solve_point(def, hertz);

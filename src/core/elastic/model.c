@@ -21,8 +21,7 @@ typedef struct elastic_model {
   arc_model handle;
   elastic_body *body[ARC_BODIES];
   double *profile[ARC_BODIES]; /* of the definition */
-  double seconds;
-  long version; /* the last number given to a compliance */
+  long version;                /* the last number given to a compliance */
 } elastic_model;
 
 static const elastic_model *meshed(const arc_model *model) {
@@ -82,11 +81,11 @@ static arc_status build_bodies(void *job) {
   build *b = job;
   elastic_model *m = b->model;
   arc_status status = ARC_OK;
-  m->seconds = -now();
+  m->handle.seconds = -now();
   for (int i = 0; i < ARC_BODIES && status == ARC_OK; i++)
     status = arc_body_create(&m->handle.def, (arc_body)i, &b->given[i], &b->progress, &m->body[i],
                              &b->error);
-  m->seconds += now();
+  m->handle.seconds += now();
   return status;
 }
 
@@ -206,8 +205,9 @@ arc_status arc_model_build_given(const arc_model_def *def, arc_mesh *given[ARC_B
 }
 
 int arc_model_is_given(const arc_model *model) {
-  return arc_model_mesh(model, ARC_CYLINDER)->rows == 0 ||
-         arc_model_mesh(model, ARC_PLATE)->rows == 0;
+  const arc_mesh *upper = arc_model_mesh(model, ARC_UPPER),
+                 *lower = arc_model_mesh(model, ARC_LOWER);
+  return upper && (upper->rows == 0 || lower->rows == 0);
 }
 
 void arc_elastic_destroy(arc_model *model) {
@@ -219,17 +219,13 @@ void arc_elastic_destroy(arc_model *model) {
   free(m);
 }
 
-const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body) {
+const arc_mesh *arc_elastic_mesh(const arc_model *model, arc_body body) {
   return meshed(model)->body[body]->mesh;
 }
 
 size_t arc_elastic_bytes(const arc_model *model) {
   return arc_body_bytes(meshed(model)->body[ARC_CYLINDER]) +
          arc_body_bytes(meshed(model)->body[ARC_PLATE]);
-}
-
-double arc_model_seconds(const arc_model *model) {
-  return meshed(model)->seconds;
 }
 
 double arc_model_felt_modulus(const arc_model *m, double q) {

@@ -29,5 +29,6 @@ arc_status arc_elastic_build(const arc_model_def *def, const arc_callbacks *call
                              arc_model **model, arc_error *error);
 void arc_elastic_destroy(arc_model *model);
 size_t arc_elastic_bytes(const arc_model *model);
+const arc_mesh *arc_elastic_mesh(const arc_model *model, arc_body body);
 
 #endif

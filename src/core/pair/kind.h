@@ -6,6 +6,27 @@
 
 #include "core/pair/cycle.h"
 
+/* Runs that outgrow their sites. */
+typedef struct arc_growth {
+  /* Whether a run cannot go on before it grows; says why. */
+  int (*must_grow)(const arc_wear *w, arc_error *why);
+  /* Whether a step failed because the run has outgrown its sites, and not because of its length. */
+  int (*has_outgrown)(const arc_wear *w, arc_status why);
+  /* Whether its bodies have room for what the definition needs. */
+  int (*has_room)(const arc_wear *w);
+  /* A copy of the run on more sites, or on those of a mesh; *result NULL on failure. */
+  arc_status (*grow)(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
+                     arc_wear **result, arc_error *error);
+  arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
+                       arc_wear **result, arc_error *error);
+  /* Reports growth, a wanted mesh, and a step that failed although the run could grow. */
+  void (*report)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
+  void (*report_mesh)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
+  arc_status (*refuse)(const arc_wear *w, const arc_error *why, const arc_error *trouble,
+                       arc_error *error);
+} arc_growth;
+
+/* Verbs marked with a * may be NULL. */
 typedef struct arc_kind {
   const char *name;
 
@@ -18,19 +39,20 @@ typedef struct arc_kind {
                       arc_error *error);
   void (*end_model)(arc_model *model);
   size_t (*model_bytes)(const arc_model *model);
+  const arc_mesh *(*mesh)(const arc_model *model, arc_body body); /* NULL: it has none */
 
   /* --- definitions, on the definition of a model --- */
 
   /* What goes together on such bodies, beyond the ranges of settings; ARC_ARGUMENT. */
   arc_status (*check)(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
   wear_manner (*manner)(const arc_wear_def *def, const arc_model_def *model);
-  /* Increments of a full cycle of the plain stroke. */
+  /* * Increments of a full cycle of the plain stroke; NULL: 100 where they are "auto". */
   int (*increments)(const arc_wear_def *def, const arc_model_def *model);
-  /* In how many increments a loading is simulated, at least one between two of its points; into
+  /* * In how many increments a loading is simulated, at least one between two of its points; into
    * parts [count] (or NULL) those that end at each point. */
   double (*parts)(const arc_wear_def *def, const arc_model_def *model, const arc_loading *loading,
                   double *parts);
-  /* The longest increment [mm] that follows the contact under a load [N]. */
+  /* * The longest increment [mm] that follows the contact under a load [N]. */
   double (*reach)(const arc_model_def *model, double load);
 
   /* --- runs --- */
@@ -39,10 +61,10 @@ typedef struct arc_kind {
    * `end` takes. */
   arc_status (*begin)(arc_wear *w);
   void (*end)(arc_wear *w);
-  size_t (*bytes)(const arc_wear *w);
-  /* Whether the contact can be everywhere on its way; ARC_ZONE. */
+  size_t (*bytes)(const arc_wear *w); /* * with surfaces and tangents */
+  /* * Whether the contact can be everywhere on its way; ARC_ZONE. */
   arc_status (*check_reach)(arc_wear *w, arc_error *error);
-  /* Warns of what speaks against the definition; `unworn`: and of too coarse sites. */
+  /* * Warns of what speaks against the definition; `unworn`: and of too coarse sites. */
   void (*warn)(const arc_wear *w, int unworn, const arc_callbacks *callbacks);
   /* Warns of what the last update showed its sites to be too coarse for; returns whether it did. */
   int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
@@ -57,8 +79,10 @@ typedef struct arc_kind {
   wear_sites (*sites)(const arc_shape *shape, arc_body body);
   /* What site i of a body stands for: a length along x [mm], or an area [mm2]. */
   double (*area)(const arc_shape *shape, arc_body body, int i);
+  /* Along x through the middle. */
+  arc_profile (*profile)(const arc_shape *shape, arc_body body);
   double (*deepest)(const arc_shape *shape, arc_body body); /* [mm] */
-  /* Depths [n] due at the largest coefficient of layers become those at their own; may be NULL. */
+  /* * Depths [n] due at the largest coefficient of layers become those at their own. */
   void (*through_layers)(const arc_shape *shape, double *depth);
   /* Adds to volumes, and depths of tracks, what depths take from a shape before it is worn. */
   void (*add_volumes)(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
@@ -77,22 +101,21 @@ typedef struct arc_kind {
   /* The wear of a window. */
   arc_status (*rate)(arc_wear *w, const wear_window *window, wear_watch *watch, wear_rate *rate,
                      arc_error *error);
-  /* The fretting loop of a whole cycle; NULL: there is no friction. */
+  /* * The fretting loop of a whole cycle. */
   arc_status (*loop)(arc_wear *w, const wear_window *window, wear_watch *watch, arc_loop **loop,
                      arc_error *error);
   wear_tangent *(*tangent)(const arc_wear *w); /* NULL: out of memory */
   void (*end_tangent)(wear_tangent **tangent);
-  size_t (*tangent_bytes)(const arc_wear *w);
   /* Largest eigenvalue [1/cycle] of k times a tangent. */
   double (*eigenvalue)(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
 
-  /* An implicit step: `begin_stages` takes memory (ARC_MEMORY: `end_stages` is still to be called),
-   * `start` gives k times the rate at z = 0, `stage` solves from the present z, whose rate is
-   * given, and gives that of the solution, with z = known + h rate to the bit (ARC_NOT_CONVERGED:
-   * try a shorter step). `error` filters stiff ripples out of the estimated errors of depths, and
-   * returns the largest share by which they change a pressure, over the largest; negative: it
-   * cannot tell. `end_stages` gives a step's even wear, peak and normal force, where depths are not
-   * NULL. */
+  /* An implicit step: * `begin_stages` takes memory (ARC_MEMORY: `end_stages` is still to be
+   * called), `start` gives k times the rate at z = 0, `stage` solves from the present z, whose rate
+   * is given, and gives that of the solution, with z = known + h rate to the bit
+   * (ARC_NOT_CONVERGED: try a shorter step). `error` filters stiff ripples out of the estimated
+   * errors of depths, and returns the largest share by which they change a pressure, over the
+   * largest; negative: it cannot tell. `end_stages` gives a step's even wear, peak and normal
+   * force, where depths are not NULL. */
   arc_status (*begin_stages)(wear_stage *s);
   arc_status (*start)(wear_stage *s, double *rate);
   arc_status (*stage)(wear_stage *s, double h, double *rate);
@@ -103,36 +126,19 @@ typedef struct arc_kind {
 
   /* Depth [mm] of wear that changes the contact as much as its elasticity does. */
   double (*natural_depth)(const arc_wear *w);
-  /* Integral of k over the distance [mm3/N] that takes `depth` [mm] off a lower body that wears
+  /* * Integral of k over the distance [mm3/N] that takes `depth` [mm] off a lower body that wears
    * evenly, and that by which layers, even ones or under `scars` too, change the contact by all
    * that an update may; NULL where there are none. */
   double (*even_dose)(const arc_wear *w, double depth);
   double (*layer_dose)(const arc_wear *w, int scars);
 
-  /* --- runs that outgrow their sites --- */
-
-  /* Whether a run cannot go on before it grows; says why. */
-  int (*must_grow)(const arc_wear *w, arc_error *why);
-  /* Whether a step failed because the run has outgrown its sites, and not because of its length. */
-  int (*has_outgrown)(const arc_wear *w, arc_status why);
-  /* Whether its bodies have room for what the definition needs. */
-  int (*has_room)(const arc_wear *w);
-  /* A copy of the run on more sites, or on those of a mesh; *result NULL on failure. */
-  arc_status (*grow)(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
-                     arc_wear **result, arc_error *error);
-  arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
-                       arc_wear **result, arc_error *error);
-  /* Reports growth, a wanted mesh, and a step that failed although the run could grow. */
-  void (*report_growth)(const arc_wear *before, const arc_wear *now,
-                        const arc_callbacks *callbacks);
-  void (*report_mesh)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
-  arc_status (*refuse)(const arc_wear *w, const arc_error *why, const arc_error *trouble,
-                       arc_error *error);
+  const arc_growth *growth; /* NULL: sites do not grow */
 
   /* --- what is read --- */
 
+  /* * */
   arc_status (*contact)(const arc_wear *w, arc_contact **contact, arc_error *error);
-  /* The present surfaces as arrays, those of a body together: x, (z,) h, y, p [sites, 1]. */
+  /* What is shown of the present surfaces, as arc_wear_surfaces; those of a body together. */
   arc_status (*show)(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
   /* All that surfaces need to go on to the same bits, with update and distance 0: one block to be
    * freed with free(), NULL: out of memory; and back from what may be anybody's numbers: errors as
@@ -141,7 +147,7 @@ typedef struct arc_kind {
   arc_status (*load)(arc_model *model, const arc_wear_def *def, const arc_array *state,
                      size_t count, arc_shape **shape, arc_error *error);
   double (*roughness)(const arc_wear *w, arc_body body);
-  /* Whether surfaces and contact are sound; ARC_NUMERIC. */
+  /* * Whether surfaces and contact are sound; ARC_NUMERIC. */
   arc_status (*validate)(const arc_wear *w, arc_error *error);
 } arc_kind;
 

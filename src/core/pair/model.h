@@ -8,6 +8,12 @@ struct arc_model {
   const arc_kind *kind;
   int references;
   arc_model_def def;
+  double seconds; /* the build took */
 };
+
+/* What the surfaces of all kinds begin with. */
+typedef struct shape_handle {
+  arc_model *model;
+} shape_handle;
 
 #endif

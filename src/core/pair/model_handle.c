@@ -1,5 +1,8 @@
-/* Models as handles: a definition, a kind that makes of it what it needs, references. */
+/* Models and surfaces as handles: a definition, a kind that makes of it what it needs, references.
+ */
 #include "core/pair/model.h"
+
+#include <math.h>
 
 arc_status arc_model_check(const arc_model_def *def, arc_error *error) {
   return arc_kind_of(def)->check_model(def, error);
@@ -34,6 +37,47 @@ const char *arc_model_kind_name(const arc_model *model) {
   return model->kind->name;
 }
 
+const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body) {
+  return model->kind->mesh ? model->kind->mesh(model, body) : NULL;
+}
+
+double arc_model_seconds(const arc_model *model) {
+  return model->seconds;
+}
+
 size_t arc_model_bytes(const arc_model *model) {
   return model->kind->model_bytes(model);
+}
+
+/* --- surfaces --------------------------------------------------------------------------------- */
+
+arc_model *arc_shape_model(const arc_shape *shape) {
+  return ((const shape_handle *)(const void *)shape)->model;
+}
+
+static const arc_kind *kind_of(const arc_shape *shape) {
+  return arc_shape_model(shape)->kind;
+}
+
+arc_status arc_shape_clone(const arc_shape *shape, arc_shape **copy, arc_error *error) {
+  return kind_of(shape)->copy(shape, copy, error);
+}
+
+void arc_shape_destroy(arc_shape **shape) {
+  if (shape && *shape) kind_of(*shape)->discard(shape);
+}
+
+arc_profile arc_shape_profile(const arc_shape *shape, arc_body body) {
+  return kind_of(shape)->profile(shape, body);
+}
+
+double arc_shape_depth(const arc_shape *shape, arc_body body) {
+  return kind_of(shape)->deepest(shape, body);
+}
+
+double arc_shape_vector_depth(const arc_shape *shape, arc_body body) {
+  const arc_profile profile = arc_shape_profile(shape, body);
+  double depth = 0;
+  for (int i = 0; i < profile.count; i++) depth = fmax(depth, profile.way[i]);
+  return depth;
 }

@@ -41,7 +41,7 @@ static size_t bytes(const arc_wear *w) {
                2 * arc_shape_bytes(w->shape);
   if (path->compliance) sum += poses * arc_tangential_bytes(&path->compliance[0]);
   if (path->rubs) sum += arc_friction_workspace_bytes(&path->workspace);
-  return sum;
+  return sum + (w->start.tangent ? arc_tangent_bytes(w) : 0);
 }
 
 /* --- whether the contact can be everywhere ---------------------------------------------------- */
@@ -181,12 +181,24 @@ static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *er
   return arc_contact_solve(w->shape, &def, NULL, result, error);
 }
 
+static const arc_growth growth = {
+    .must_grow = must_grow,
+    .has_outgrown = arc_wear_has_outgrown,
+    .has_room = arc_wear_has_room,
+    .grow = arc_wear_grow,
+    .remesh = arc_wear_remesh,
+    .report = arc_wear_tell_grown,
+    .report_mesh = report_mesh,
+    .refuse = arc_wear_refuse,
+};
+
 const arc_kind arc_plane_kind = {
     .name = "plane",
     .check_model = arc_elastic_check,
     .build = arc_elastic_build,
     .end_model = arc_elastic_destroy,
     .model_bytes = arc_elastic_bytes,
+    .mesh = arc_elastic_mesh,
     .check = arc_plane_check,
     .manner = arc_plane_manner,
     .increments = arc_wear_def_increments,
@@ -199,11 +211,12 @@ const arc_kind arc_plane_kind = {
     .warn = warn,
     .warn_coarse = warn_coarse,
     .surfaces = start_shape,
-    .copy = arc_shape_clone,
-    .discard = arc_shape_destroy,
+    .copy = arc_meshed_copy,
+    .discard = arc_meshed_discard,
     .sites = sites,
     .area = area,
-    .deepest = arc_shape_depth,
+    .profile = arc_meshed_profile,
+    .deepest = arc_meshed_depth,
     .through_layers = arc_wear_into_layers,
     .add_volumes = arc_plane_add_volumes,
     .wear = arc_plane_wear,
@@ -212,7 +225,6 @@ const arc_kind arc_plane_kind = {
     .loop = arc_wear_fret_loop,
     .tangent = arc_tangent_create,
     .end_tangent = arc_tangent_free,
-    .tangent_bytes = arc_tangent_bytes,
     .eigenvalue = arc_tangent_eigenvalue,
     .begin_stages = arc_newton_begin,
     .start = arc_newton_start,
@@ -222,14 +234,7 @@ const arc_kind arc_plane_kind = {
     .natural_depth = arc_plane_natural_depth,
     .even_dose = arc_plane_even_dose,
     .layer_dose = arc_plane_layer_dose,
-    .must_grow = must_grow,
-    .has_outgrown = arc_wear_has_outgrown,
-    .has_room = arc_wear_has_room,
-    .grow = arc_wear_grow,
-    .remesh = arc_wear_remesh,
-    .report_growth = arc_wear_tell_grown,
-    .report_mesh = report_mesh,
-    .refuse = arc_wear_refuse,
+    .growth = &growth,
     .contact = contact,
     .show = arc_plane_show,
     .save = arc_plane_save,

@@ -56,6 +56,22 @@ static double way_of_force(const wear_block *b, const wear_manner *m) {
   return once / m->modulus;
 }
 
+static int increments_of(const arc_wear_def *def, const arc_model_def *model) {
+  enum { usual = 100 };
+  const arc_kind *kind = arc_kind_of(model);
+  if (kind->increments) return kind->increments(def, model);
+  return def->increments > 0 ? def->increments : usual;
+}
+
+/* One between two points, where the kind does not follow the contact. */
+static double parts_of(const arc_wear_def *def, const arc_model_def *model, const arc_loading *from,
+                       double *parts) {
+  const arc_kind *kind = arc_kind_of(model);
+  if (kind->parts) return kind->parts(def, model, from, parts);
+  for (int i = 1; i < from->count; i++) parts[i] = 1;
+  return from->count - 1;
+}
+
 static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *model,
                    const wear_manner *m) {
   double once = b->tangential ? way_of_force(b, m) : 0, low = b->x[0], high = b->x[0];
@@ -77,7 +93,7 @@ static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *
 /* A force to and fro; pressed where it is about 0. */
 static arc_status by_force(const arc_wear_def *def, const arc_model_def *model,
                            const wear_manner *m, wear_block *b) {
-  const int half = arc_kind_of(model)->increments(def, model) / 2;
+  const int half = increments_of(def, model) / 2;
   const arc_status status = block_create(b, 2 * half + 1);
   if (status != ARC_OK) return status;
   b->tangential = b->angle + b->count;
@@ -110,7 +126,7 @@ static arc_status reciprocating(const arc_wear_def *def, const arc_model_def *mo
   const int rubs = arc_wear_has_friction(def), over = m->strokes == 1;
   const int back = rubs || (def->update == ARC_UPDATE_INCREMENT && !over);
   const int ends = m->rests && !rubs && def->update == ARC_UPDATE_CYCLE;
-  const int half = ends ? 1 : arc_kind_of(model)->increments(def, model) / 2;
+  const int half = ends ? 1 : increments_of(def, model) / 2;
   const arc_status status = block_create(b, back ? 2 * half + 1 : half + 1);
   if (status != ARC_OK) return status;
   for (int i = 0; i < b->count; i++) {
@@ -174,7 +190,7 @@ static arc_status given(const arc_wear_def *def, const arc_model_def *model, con
                         const arc_loading *from, wear_block *b) {
   double *parts = malloc((size_t)from->count * sizeof *parts);
   if (!parts) return ARC_MEMORY;
-  const double increments = arc_kind_of(model)->parts(def, model, from, parts);
+  const double increments = parts_of(def, model, from, parts);
   const arc_status status = block_create(b, 1 + (int)increments);
   if (status == ARC_OK) fill(def, model, m, from, parts, b);
   free(parts);

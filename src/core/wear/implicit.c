@@ -130,7 +130,9 @@ static arc_status create(implicit *s) {
   const carve_part parts[] = {{&s->at.z, n},    {&s->at.known, n}, {&s->at.worn, n},
                               {&s->rate[0], n}, {&s->rate[1], n},  {&s->rate[2], n},
                               {&s->defect, n}};
-  return ARC_CARVE(parts) ? s->at.run->kind->begin_stages(&s->at) : ARC_MEMORY;
+  const arc_kind *kind = s->at.run->kind;
+  if (!ARC_CARVE(parts)) return ARC_MEMORY;
+  return kind->begin_stages ? kind->begin_stages(&s->at) : ARC_OK;
 }
 
 arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_dose *dose,
@@ -147,7 +149,8 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
   depth->even = w->manner.even ? dose->cycles * dose->k[ARC_LOWER] * s.at.last.even : 0;
   depth->peak = s.at.last.peak;
   depth->pressed = dose->cycles * s.at.last.pressed;
-  w->kind->end_stages(&s.at, dose->cycles, status == ARC_OK ? depth : NULL);
+  if (w->kind->end_stages)
+    w->kind->end_stages(&s.at, dose->cycles, status == ARC_OK ? depth : NULL);
   free(s.at.z);
   return report(&s, status, error);
 }

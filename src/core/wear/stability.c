@@ -103,7 +103,7 @@ void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_call
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *last = arc_wear_last(w);
   if (!callbacks || !callbacks->warn || last->distance >= w->def.distance) return;
-  if (!w->warned) w->kind->warn(w, last->update == 0, callbacks);
+  if (!w->warned && w->kind->warn) w->kind->warn(w, last->update == 0, callbacks);
   warn_unstable(w, callbacks);
   w->warned = 1;
 }

@@ -120,9 +120,13 @@ static double passable(const wear_plan *plan) {
   return plan->staged ? 2 : 1;
 }
 
+static int has_outgrown(const arc_wear *w, arc_status status) {
+  return w->kind->growth && w->kind->growth->has_outgrown(w, status);
+}
+
 /* A contact that has grown to the edge of its mesh leaves it after the shortest of steps, too. */
 static int is_at_edge(const arc_wear *w, const wear_plan *plan, arc_status status) {
-  return w->kind->has_outgrown(w, status) && arc_wear_plan_is_short(w, plan);
+  return has_outgrown(w, status) && arc_wear_plan_is_short(w, plan);
 }
 
 /* Steps that do not converge, or err too much, are cut and tried again. */
@@ -250,12 +254,13 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
   enum { most_tries = 4 };
   arc_error why = {0}, trouble = {0};
   arc_wear *before = NULL, *larger;
-  arc_status status = w->kind->must_grow(w, &why)
+  const arc_growth *growth = w->kind->growth;
+  arc_status status = growth && growth->must_grow(w, &why)
                           ? why.status
                           : try_step(w, limit, callbacks, targets, moved, &why);
   const arc_status first = status;
-  for (int i = 0; i < most_tries && w->kind->has_outgrown(w, status); i++) {
-    const arc_status built = w->kind->grow(w, status, callbacks, &larger, &trouble);
+  for (int i = 0; i < most_tries && has_outgrown(w, status); i++) {
+    const arc_status built = growth->grow(w, status, callbacks, &larger, &trouble);
     if (built == ARC_STOPPED) status = arc_fail(&why, built, "%s", trouble.message);
     if (built != ARC_OK) break;
     arc_wear_exchange(w, larger);
@@ -267,14 +272,15 @@ static arc_status step_towards(arc_wear *w, double limit, const arc_callbacks *c
     if (status == ARC_STOPPED) arc_fail(&why, status, "%s", trouble.message);
   }
   if (before && status == ARC_OK)
-    w->kind->report_growth(before, w, callbacks);
+    growth->report(before, w, callbacks);
   else if (before)
     arc_wear_exchange(w, before);
   arc_wear_destroy(&before);
   if (status == ARC_OK || status == ARC_STOPPED)
     return status == ARC_OK ? status : arc_fail(error, status, "%s", why.message);
   why.status = first;
-  return w->kind->refuse(w, &why, &trouble, error);
+  return growth ? growth->refuse(w, &why, &trouble, error)
+                : arc_fail(error, first, "%s", why.message);
 }
 
 arc_status arc_wear_step(arc_wear *w, const arc_callbacks *callbacks, arc_error *error) {

@@ -87,5 +87,5 @@ static arc_status check_history(const arc_wear *w, arc_error *error) {
 
 arc_status arc_wear_validate(const arc_wear *w, arc_error *error) {
   const arc_status status = check_history(w, error);
-  return status == ARC_OK ? w->kind->validate(w, error) : status;
+  return status == ARC_OK && w->kind->validate ? w->kind->validate(w, error) : status;
 }

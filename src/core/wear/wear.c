@@ -49,6 +49,10 @@ static arc_status first_record(arc_wear *w, arc_error *error) {
   return arc_wear_append(w, &first, error);
 }
 
+static arc_status check_reach(arc_wear *w, arc_error *error) {
+  return w->kind->check_reach ? w->kind->check_reach(w, error) : ARC_OK;
+}
+
 /* A run of a checked definition on a copy of a shape, with a history. */
 static arc_status take_up(arc_model *model, const arc_wear_def *def, const arc_shape *start,
                           const arc_wear_record *history, size_t count, arc_wear **result,
@@ -73,7 +77,7 @@ arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_
   *result = NULL;
   arc_status status = arc_wear_check(def, arc_model_definition(model), error);
   if (status == ARC_OK) status = take_up(model, def, start, NULL, 0, result, error);
-  if (status == ARC_OK) status = (*result)->kind->check_reach(*result, error);
+  if (status == ARC_OK) status = check_reach(*result, error);
   if (status == ARC_OK) status = first_record(*result, error);
   if (status != ARC_OK) arc_wear_destroy(result);
   return status;
@@ -121,26 +125,29 @@ static void replace(arc_wear **w, arc_wear *by) {
 
 /* Puts a changed run on more sites where its contact would leave those it has. */
 static arc_status make_room(arc_wear **w, const arc_callbacks *callbacks, arc_error *error) {
-  const arc_kind *kind = (*w)->kind;
+  const arc_growth *growth = (*w)->kind->growth;
   arc_wear *larger = NULL;
   arc_error why = {0};
-  const arc_status status = kind->check_reach(*w, &why);
+  const arc_status status = check_reach(*w, &why);
   if (status == ARC_OK) return ARC_OK;
-  if (status != ARC_ZONE || !kind->has_room(*w)) return arc_fail(error, status, "%s", why.message);
-  const arc_status grown = kind->grow(*w, status, callbacks, &larger, error);
+  if (status != ARC_ZONE || !growth || !growth->has_room(*w))
+    return arc_fail(error, status, "%s", why.message);
+  const arc_status grown = growth->grow(*w, status, callbacks, &larger, error);
   if (grown == ARC_STOPPED) return grown;
   if (grown != ARC_OK) return arc_fail(error, status, "%s", why.message);
-  kind->report_growth(*w, larger, callbacks);
+  growth->report(*w, larger, callbacks);
   replace(w, larger);
-  return kind->check_reach(*w, error);
+  return check_reach(*w, error);
 }
 
 static arc_status go_over(arc_wear **w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
                           arc_error *error) {
+  const arc_growth *growth = (*w)->kind->growth;
   arc_wear *other = NULL;
-  const arc_status status = (*w)->kind->remesh(*w, mesh, callbacks, &other, error);
+  if (!growth) return arc_fail(error, ARC_ARGUMENT, "field 'mesh': sites stay what they are");
+  const arc_status status = growth->remesh(*w, mesh, callbacks, &other, error);
   if (status != ARC_OK) return status;
-  (*w)->kind->report_mesh(*w, other, callbacks);
+  growth->report_mesh(*w, other, callbacks);
   replace(w, other);
   return ARC_OK;
 }
@@ -207,16 +214,19 @@ arc_model *arc_wear_model(const arc_wear *w) {
 }
 
 size_t arc_wear_bytes(const arc_wear *w) {
-  return w->kind->bytes(w) + 6 * (size_t)(w->nc + w->np) * sizeof(double) +
-         (w->start.tangent ? w->kind->tangent_bytes(w) : 0) + w->capacity * sizeof(arc_wear_record);
+  return 6 * (size_t)(w->nc + w->np) * sizeof(double) + w->capacity * sizeof(arc_wear_record) +
+         (w->kind->bytes ? w->kind->bytes(w) : 0);
 }
 
 arc_status arc_wear_contact(const arc_wear *w, arc_contact **contact, arc_error *error) {
-  return w->kind->contact(w, contact, error);
+  *contact = NULL;
+  if (w->kind->contact) return w->kind->contact(w, contact, error);
+  return arc_fail(error, ARC_ARGUMENT, "pairs of kind \"%s\" have no contact objects",
+                  w->kind->name);
 }
 
 double arc_wear_roughness(const arc_wear *w, arc_body body) {
-  return w->kind->roughness(w, body);
+  return w->kind->roughness ? w->kind->roughness(w, body) : NAN;
 }
 
 /* --- rates ------------------------------------------------------------------------------------ */

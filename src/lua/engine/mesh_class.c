@@ -278,6 +278,9 @@ const box_class mesh_class = {
 
 /* Pushes a view of a body's mesh, with the nodes as they are worn where a shape is given. */
 static void push_view(lua_State *L, arc_model *model, arc_body body, const arc_shape *shape) {
+  if (!arc_model_mesh(model, body))
+    error_raise(L, ARC_ARGUMENT, "mesh", "a pair of kind \"%s\" has no meshes",
+                arc_model_kind_name(model));
   mesh_view *view = box_push(L, &mesh_class)->thing;
   view->model = arc_model_retain(model);
   view->mesh = *arc_model_mesh(model, body);

@@ -269,6 +269,7 @@ const char *model_show_space(const arc_model_def *def, char *text, size_t size) 
   snprintf(text, size, "thickness %.6g mm%s", def->thickness,
            def->geometry == ARC_PLANE_STRESS ? ", plane stress" : "");
   if (def->geometry == ARC_AXISYMMETRIC) snprintf(text, size, "axisymmetric");
+  if (def->geometry == ARC_SPRINGS) snprintf(text, size, "springs %.6g mm thick", def->thickness);
   if (def->axis > 0) snprintf(text, size, "axisymmetric about x = %.6g mm", -def->axis);
   return text;
 }
@@ -277,6 +278,7 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   const arc_model_def *def = arc_model_definition(model);
   const arc_mesh *mesh = arc_model_mesh(model, body);
   char line[160];
+  if (!mesh) return;
   snprintf(line, sizeof line,
            "\n  %-8s  E %.6g MPa, nu %.6g, %s, zone %.6g mm; %d nodes, %d elements",
            body_name(def, body), def->material[body].E, def->material[body].nu,

@@ -60,6 +60,10 @@ static const arc_contact *push_contact(lua_State *L, const char *where) {
   return box_check(L, -1, &contact_class, where)->thing;
 }
 
+static void need_meshes(lua_State *L, const arc_mesh *mesh, const char *where) {
+  if (!mesh) error_raise(L, ARC_ARGUMENT, where, "expected a model with meshes");
+}
+
 /* --- VTK ------------------------------------------------------------------------------------- */
 
 static const char vtk_where[] = "export.vtk";
@@ -116,6 +120,7 @@ static int export_vtk(lua_State *L) {
     return 1;
   }
   const vtk_source from = read_source(L);
+  need_meshes(L, arc_model_mesh(from.model, ARC_UPPER), vtk_where);
   for (int body = 0; body < ARC_BODIES; body++)
     write_vtk(L, export_push_path(L, path, name_in(from.model, (arc_body)body), ".vtk"),
               arc_model_mesh(from.model, (arc_body)body), from);
@@ -192,6 +197,7 @@ static int export_msh(lua_State *L) {
   } else if (box_test(L, 1, &model_class)) {
     for (int body = 0; body < ARC_BODIES; body++)
       mesh[body] = arc_model_mesh(box_check(L, 1, &model_class, where)->thing, (arc_body)body);
+    need_meshes(L, mesh[ARC_UPPER], where);
   } else {
     error_raise(L, ARC_ARGUMENT, where, "expected a model or a mesh, got %s",
                 names_push_shown(L, 1));

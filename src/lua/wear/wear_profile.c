@@ -7,6 +7,8 @@
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
+#include <stdlib.h>
+
 /* The body at index 2, the upper one where nothing stands there. */
 static arc_body wear_body(lua_State *L, const arc_wear *wear, const char *where) {
   return body_argument(L, 2, where, arc_model_definition(arc_wear_model(wear)), ARC_UPPER);
@@ -55,10 +57,30 @@ int wear_p_average(lua_State *L) {
   return 1;
 }
 
+/* { x=, p= } of kinds without contact objects. */
+static void push_shown(lua_State *L, const arc_wear *wear, arc_body body) {
+  static const char *const names[] = {"x", "p"};
+  arc_error error = {0};
+  arc_array *arrays;
+  size_t count;
+  error_check(L, arc_wear_surfaces(wear, &arrays, &count, &error), &error, "wear:pressure", -1);
+  lua_createtable(L, 0, 2);
+  for (int i = 0; i < 2; i++) {
+    const arc_array *array = arc_array_find(arrays, count, body, names[i]);
+    array_set(L, names[i], array->values, arc_array_count(array));
+  }
+  free(arrays);
+  strict_table(L, "pressure");
+}
+
 /* wear:pressure(body) -> { x=, p= } of that contact */
 int wear_pressure(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:pressure");
   arc_body body = wear_body(L, wear, "wear:pressure");
+  if (!arc_model_mesh(arc_wear_model(wear), body)) {
+    push_shown(L, wear, body);
+    return 1;
+  }
   contact_push_pressure(L, push_contact(L, wear, "wear:pressure"), body);
   return 1;
 }
