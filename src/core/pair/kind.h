@@ -66,7 +66,8 @@ typedef struct arc_kind {
   arc_status (*check_reach)(arc_wear *w, arc_error *error);
   /* * Warns of what speaks against the definition; `unworn`: and of too coarse sites. */
   void (*warn)(const arc_wear *w, int unworn, const arc_callbacks *callbacks);
-  /* Warns of what the last update showed its sites to be too coarse for; returns whether it did. */
+  /* * Warns of what the last update showed its sites to be too coarse for; returns whether it did.
+   */
   int (*warn_coarse)(const arc_wear *w, const arc_callbacks *callbacks);
 
   /* --- surfaces --- */

@@ -237,7 +237,7 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   }
   w->kind->discard(&out.shape);
   if (status == ARC_OK) arc_wear_watch_ripples(w, plan.block, callbacks);
-  if (status == ARC_OK && callbacks && callbacks->warn && !w->coarse)
+  if (status == ARC_OK && callbacks && callbacks->warn && w->kind->warn_coarse && !w->coarse)
     w->coarse = w->kind->warn_coarse(w, callbacks);
 #ifdef ARC_CHECKS
   arc_error broken;
