@@ -11,6 +11,24 @@ return {
   { "map{y}", type = "list or function (x, z)", text = "Values, #x times #z; or a function that computes them." },
   { "map{unit}", type = "string", default = '"mm"', text = "Unit of y: \"MPa\" of pressures." },
   { "map{name}", type = "string", default = '"height"', text = "What y is, for print, pictures and files." },
+  { "map.read", kind = "function", class = "map", use = 'map.read("scar.sdf", { level="plane" })',
+    text = "A measured map from a file: text of points x y z (.xyz) or a matrix of heights, Surfer .grd (DSAA, DSBB, DSRB), ISO "
+      .. "25178-71 .sdf (text and binary), Gwyddion .gsf, Digital Surf .sur, Alicona .al3d. The file's first bytes say which. Its x "
+      .. "is x, its y is z, its height z is y; the upper edge of an image has the largest z. Not read: .x3p (a zip archive), "
+      .. "compressed .sur, .gwy; save those as .sdf or .gsf. Done in this order: crop, outliers, fill, level." },
+  { "map.read{unit}", type = 'string or table { x="mm", y="um" }',
+    text = "Unit where the file tells none: mm, um, nm, cm, m or in; x is that of both places, y that of heights. The file's own goes "
+      .. "before it. Needed for .grd, and for .xyz without units behind its names." },
+  { "map.read{step}", type = "number > 0 or table { along x, along z }", unit = "mm",
+    text = "Distance of points of a text matrix, whose rows run along x, the first at the smallest z." },
+  { "map.read{crop}", type = "table { x={ from, to }, z={ from, to } }", unit = "mm", text = "The part to keep, as t:crop." },
+  { "map.read{outliers}", type = "number > 0",
+    text = "Replaces points that are off the median of their eight neighbours by more than so many times what points scatter about "
+      .. "it (robustly: 1.48 times the median distance). 20 takes spikes." },
+  { "map.read{fill}", type = "true or number in mm",
+    text = "What points without a value get: true the mean of their neighbours, a number that height. They are refused where left out." },
+  { "map.read{level}", values = { "plane", "sphere" }, text = "Subtracts the best one, as t:level." },
+  { "map.read{scar}", type = "table { x0, x1, z0, z1 }", unit = "mm", text = "With level: not fitted there." },
   { "map.x", kind = "field", type = "list", unit = "mm", text = "Points along the motion." },
   { "map.z", kind = "field", type = "list", unit = "mm", text = "Points across the motion." },
   { "map.y", kind = "field", type = "list", text = "Values, x-major: y[(i - 1)*#z + j] at x[i], z[j]." },

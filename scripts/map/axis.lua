@@ -22,10 +22,10 @@ function axis.even(first, step, count)
 end
 
 -- The point before a value and the value's share of the way to the next one; nil outside. A value beyond an end by
--- no more than rounding is at the end.
+-- no more than single precision rounds is at the end.
 function axis.locate(list, value)
   local n, step = #list, axis.step(list)
-  local beyond = 1e-9 * step
+  local beyond = 1e-6 * step
   if not (value >= list[1] - beyond and value <= list[n] + beyond) then return nil end
   local i = math.max(1, math.min(n - 1, math.floor((value - list[1]) / step) + 1))
   while i > 1 and list[i] > value do i = i - 1 end
@@ -36,7 +36,7 @@ end
 -- First and last point within a range that may be open at either end; nil: there are none.
 function axis.within(list, range)
   local low, high = range[1] or -math.huge, range[2] or math.huge
-  local beyond, first, last = 1e-9 * axis.step(list), nil, nil
+  local beyond, first, last = 1e-6 * axis.step(list), nil, nil
   for i = 1, #list do
     if list[i] >= low - beyond and list[i] <= high + beyond then first, last = first or i, i end
   end

@@ -1,6 +1,9 @@
--- map{ x=, z=, y= }: heights, depths or pressures over a rectangle. Only names what users see; maps are made in
--- map/made.lua.
+-- map{ x=, z=, y= } and map.read: heights, depths or pressures over a rectangle. Only names what users see; maps are
+-- made in map/made.lua and map/read.lua.
 
-local new = require "archard.lib.later" ("archard.map.made", "new")
+local later = require "archard.lib.later"
 
-return setmetatable({}, { __call = function(_, given) return new(given or {}) end })
+local new = later("archard.map.made", "new")
+
+return setmetatable({ read = later("archard.map.read", "read") },
+  { __call = function(_, given) return new(given or {}) end })

@@ -27,6 +27,9 @@ return function(folder)
   waves_file:write("x [mm],z [mm]\n")
   for i = 1, 64 do waves_file:write(("%g,%g\n"):format(waves.x[i], waves.z[i])) end
   waves_file:flush()
+  local heights <close> = assert(io.open(path "heights.txt", "w"))
+  heights:write "1 2 3\n4 nan 6\n7 8 7\n"
+  heights:flush()
   local measured = { { of = "volume", distance = { 11, 22 }, value = { 1.1e-5, 2.2e-5 }, relative = 0.03 } }
   local about = { model = m, base = { jump = 50 }, unknown = { k = 1e-8 } }
   local objects = {
@@ -54,10 +57,12 @@ return function(folder)
     ["plot.loop"] = { w }, ["plot.response"] = { s }, ["plot.bands"] = { s }, ["plot.tornado"] = { s },
     ["plot.animate"] = { w }, ["plot.fit"] = { objects.design }, ["export.pvd"] = { w, path "w.pvd" },
     ["profile.read"] = { path "waves.csv" }, ["study.merge"] = { path "s.archard" },
+    ["map.read"] = { path "heights.txt" },
   }
   local beside = {
     plot = { { x = { 1, 2 }, y = { 1, 2 } }, file = path "p.txt" },
-    profile = waves, map = { x = { 0, 1 }, z = { 0, 1 }, y = { 0, 1, 2, 3 } }, fit = { model = m, base = about.base, unknown = about.unknown, data = measured },
+    profile = waves, ["map.read"] = { unit = "mm", step = 1, fill = 0, level = "plane" },
+    map = { x = { 0, 1 }, z = { 0, 1 }, y = { 0, 1, 2, 3 } }, fit = { model = m, base = about.base, unknown = about.unknown, data = measured },
     ["fit.design"] = { model = m, base = about.base, unknown = about.unknown,
       measure = { { of = "volume", distance = 22, error = 1e-7 } } },
     uniform = { low = 0, high = 1 }, normal = { mean = 1, deviation = 1 }, lognormal = { mean = 1, deviation = 1 },

@@ -1,0 +1,90 @@
+-- Points of a measured map that are none: without a value, or far off their neighbours.
+
+local noise = require "archard.profile.noise"
+
+local repair = {}
+
+-- Calls f(index) for each neighbour of the point (i, j), eight inside.
+local function each_neighbour(nx, nz, i, j, f)
+  for a = math.max(1, i - 1), math.min(nx, i + 1) do
+    for b = math.max(1, j - 1), math.min(nz, j + 1) do
+      if a ~= i or b ~= j then f((a - 1) * nz + b) end
+    end
+  end
+end
+
+-- Values of a point's neighbours that have one.
+local function values_around(y, nx, nz, i, j)
+  local list = {}
+  each_neighbour(nx, nz, i, j, function(k) if y[k] == y[k] then list[#list + 1] = y[k] end end)
+  return list
+end
+
+local function median(list)
+  table.sort(list)
+  local middle = #list // 2
+  return #list % 2 == 1 and list[middle + 1] or (list[middle] + list[middle + 1]) / 2
+end
+
+-- Number of points without a value, and the first of them.
+function repair.count_missing(y)
+  local count, first = 0, nil
+  for k = 1, #y do if y[k] ~= y[k] then count, first = count + 1, first or k end end
+  return count, first
+end
+
+-- Replaces points that are off the median of their neighbours by more than `limit` times what points scatter
+-- about it; returns how many.
+function repair.outliers(y, nx, nz, limit)
+  local middle, off = {}, {}
+  for i = 1, nx do
+    for j = 1, nz do
+      local k = (i - 1) * nz + j
+      local around = y[k] == y[k] and values_around(y, nx, nz, i, j) or {}
+      middle[k] = #around > 0 and median(around) or y[k]
+      if y[k] == y[k] then off[#off + 1] = y[k] - middle[k] end
+    end
+  end
+  local threshold, count = limit * (#off > 0 and noise.robust(off) or 0), 0
+  for k = 1, #y do
+    if math.abs(y[k] - middle[k]) > threshold then y[k], count = middle[k], count + 1 end
+  end
+  return count
+end
+
+-- Points without a value get the mean of their neighbours, ring by ring from the edges of each hole.
+local function grow(y, nx, nz)
+  local holes = {}
+  for k = 1, #y do if y[k] ~= y[k] then holes[#holes + 1] = k end end
+  local all = table.move(holes, 1, #holes, 1, {})
+  while #holes > 0 do
+    local left, found = {}, {}
+    for _, k in ipairs(holes) do
+      local around, sum = values_around(y, nx, nz, (k - 1) // nz + 1, (k - 1) % nz + 1), 0
+      for _, value in ipairs(around) do sum = sum + value end
+      if #around > 0 then found[k] = sum / #around else left[#left + 1] = k end
+    end
+    for k, value in pairs(found) do y[k] = value end
+    holes = left
+  end
+  return all
+end
+
+local sweeps, most_visits = 400, 2e7 -- a hole of 20 points across comes to rest in that
+
+-- Fills points without a value: each is then the mean of its neighbours. At least one has a value.
+function repair.fill(y, nx, nz)
+  local holes = grow(y, nx, nz)
+  for _ = 1, math.min(sweeps, most_visits // math.max(1, #holes)) do
+    for _, k in ipairs(holes) do
+      local i, j, sum, count = (k - 1) // nz + 1, (k - 1) % nz + 1, 0, 0
+      if i > 1 then sum, count = sum + y[k - nz], count + 1 end
+      if i < nx then sum, count = sum + y[k + nz], count + 1 end
+      if j > 1 then sum, count = sum + y[k - 1], count + 1 end
+      if j < nz then sum, count = sum + y[k + 1], count + 1 end
+      y[k] = sum / count
+    end
+  end
+end
+
+return repair

@@ -1,0 +1,121 @@
+-- A file of a map while it is read: its bytes from front to end, its errors, its grid of values. Sizes that a header
+-- gives are compared with the file's own before anything is made of them.
+
+local check = require "archard.lib.check"
+local files = require "archard.files"
+
+local source = {}
+source.__index = source
+
+local missing = 0 / 0
+source.missing = missing -- the value of a point that has none
+
+function source.open(where, path)
+  return setmetatable({ where = where, path = path, text = files.read(where, path), at = 1 }, source)
+end
+
+-- Raises an error that names the file.
+function source:refuse(message, ...)
+  check.fail(self.where, ("%s: %s"):format(self.path, message:format(...)), "FORMAT")
+end
+
+function source:starts_with(text) return self.text:sub(1, #text) == text end
+
+-- The next values of a format of string.unpack; `what` they are.
+function source:take(format, what)
+  local size = string.packsize(format)
+  if #self.text < self.at + size - 1 then
+    self:refuse("expected %s at bytes %d to %d, the file has %d", what, self.at, self.at + size - 1, #self.text)
+  end
+  local values = table.pack(string.unpack(format, self.text, self.at))
+  self.at = values[values.n]
+  return table.unpack(values, 1, values.n - 1)
+end
+
+-- The next `size` bytes, up to a zero, without blanks at either end.
+function source:take_text(size, what)
+  return (self:take("c" .. size, what):match("^[^\0]*"):match("^%s*(.-)%s*$"))
+end
+
+-- A number of points, from a header.
+function source:count(value, what)
+  if not (math.type(value) == "integer" and value >= 2) then
+    self:refuse("expected %s, a whole number >= 2, got %s", what, tostring(value))
+  end
+  return value
+end
+
+-- A step or a scale, from a header.
+function source:positive(value, what)
+  if not (type(value) == "number" and value > 0 and value < math.huge) then
+    self:refuse("expected %s > 0, got %s", what, value ~= value and "nan" or tostring(value))
+  end
+  return value
+end
+
+-- The numbers of a text; nil of a word that is none.
+function source.number(word)
+  if not word or not word:find "^[+-]?[%d.]" or word:find "^[+-]?0[xX]" then return nil end
+  local value = tonumber(word)
+  return value and value + 0.0
+end
+
+-- Raises an error where fewer bytes are left than nx times nz values take.
+function source:check_room(nx, nz, size, row)
+  local needed, left = row * (nz - 1) + size * nx, #self.text - self.at + 1
+  if needed > left then
+    self:refuse("expected %d x %d values of %d bytes, %d bytes behind a header of %d, got %d", nx, nz, size, needed,
+      self.at - 1, left)
+  end
+end
+
+-- A finite number or a missing one.
+function source:checked(value, i, j)
+  if value == math.huge or value == -math.huge then
+    self:refuse("point %d of row %d: expected a finite number, got %g", i, j, value)
+  end
+  return value
+end
+
+-- Lists of x and z are made after the values, once their number is known to be true.
+
+-- Values of the binary format `item`, row by row of nx, as a flat x-major list. from_top: rows begin at the largest
+-- z; row: bytes from one row to the next; is_missing(value).
+function source:grid(nx, nz, item, options)
+  local size, y, from = string.packsize(item), {}, self.at
+  local row = options.row or size * nx
+  self:check_room(nx, nz, size, row)
+  for i = 1, nx * nz do y[i] = missing end
+  for r = 1, nz do
+    local j, at = options.from_top and nz + 1 - r or r, from + (r - 1) * row
+    for i = 1, nx do
+      local value
+      value, at = string.unpack(item, self.text, at)
+      if not options.is_missing(value) then y[(i - 1) * nz + j] = self:checked(value + 0.0, i, r) end
+    end
+  end
+  return y
+end
+
+-- The same of words, from self.at on; `bad` is the word of a point without a value. What follows is left.
+function source:words(nx, nz, options)
+  local left = #self.text - self.at + 1
+  if nx * nz > (left + 1) // 2 then -- a digit and a blank each
+    self:refuse("expected %d x %d values, got %d bytes of them", nx, nz, left)
+  end
+  local next_word, y = self.text:gmatch("%S+", self.at), {}
+  for i = 1, nx * nz do y[i] = missing end
+  for j = 1, nz do
+    for i = 1, nx do
+      local word = next_word()
+      local value = source.number(word) or word and word == options.bad and missing
+      if not value then
+        self:refuse("point %d of row %d: expected a number, got %s", i, j, word and ("%q"):format(word) or "the file's end")
+      end
+      if not options.is_missing(value) then y[(i - 1) * nz + j] = self:checked(value, i, j) end
+    end
+  end
+  return y
+end
+
+return source
