@@ -1,5 +1,6 @@
 /* One contact pose: room, solution, and what is read from it. Leans on mortar.c and lcp.c. */
 #include "core/contact/pose.h"
+#include "core/base/carve.h"
 #include "core/base/dense.h"
 
 #include <assert.h>
@@ -16,20 +17,14 @@ arc_status arc_pose_create(pose *p, const arc_model *model) {
   p->joined = malloc(2 * nc * sizeof(int));
   p->a = malloc(nc * nc * sizeof(double));
   p->factor = malloc(nc * nc * sizeof(double));
-  p->wc = calloc(7 * nc + np + 5 * (nc + np), sizeof(double)); /* one block for the small arrays */
-  if (!p->first || !p->set || !p->joined || !p->a || !p->factor || !p->wc) {
+  const carve_part parts[] = {{&p->wc, nc},   {&p->gap, nc},  {&p->f, nc},
+                              {&p->open, nc}, {&p->ones, nc}, {&p->slope, nc},
+                              {&p->down, nc}, {&p->wp, np},   {&p->work, 5 * (nc + np)}};
+  if (!ARC_CARVE(parts) || !p->first || !p->set || !p->joined || !p->a || !p->factor) {
     arc_pose_free(p);
     return ARC_MEMORY;
   }
   p->made = p->joined + nc;
-  p->gap = p->wc + nc;
-  p->f = p->gap + nc;
-  p->open = p->f + nc;
-  p->ones = p->open + nc;
-  p->slope = p->ones + nc;
-  p->down = p->slope + nc;
-  p->wp = p->down + nc;
-  p->work = p->wp + np;
   return ARC_OK;
 }
 

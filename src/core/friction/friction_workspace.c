@@ -1,20 +1,15 @@
 /* Room for increments with friction. */
+#include "core/base/carve.h"
 #include "core/friction/friction.h"
 
 #include <stdlib.h>
 
 static arc_status create_shear(shear_problem *s, size_t n) {
-  s->bound = calloc(8 * n, sizeof(double));
+  const carve_part parts[] = {{&s->bound, n}, {&s->drive, n},  {&s->t, n},    {&s->slip, n},
+                              {&s->ones, n},  {&s->target, n}, {&s->held, n}, {&s->pulled, n}};
   s->factor = malloc(n * n * sizeof(double));
   s->way = calloc(3 * n, sizeof(int));
-  if (!s->bound || !s->factor || !s->way) return ARC_MEMORY;
-  s->drive = s->bound + n;
-  s->t = s->drive + n;
-  s->slip = s->t + n;
-  s->ones = s->slip + n;
-  s->target = s->ones + n;
-  s->held = s->target + n;
-  s->pulled = s->held + n;
+  if (!ARC_CARVE(parts) || !s->factor || !s->way) return ARC_MEMORY;
   s->list = s->way + n;
   s->pick = s->list + n;
   return ARC_OK;
@@ -28,20 +23,15 @@ arc_status arc_friction_workspace_create(friction_workspace *w, const arc_model 
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
   const size_t np = (size_t)arc_model_mesh(model, ARC_PLATE)->surface;
   *w = (friction_workspace){.nc = (int)nc, .np = (int)np, .patience = 4, .by_force = 50};
-  w->gap = calloc(7 * nc + 4 * (nc + np), sizeof(double));
+  const carve_part parts[] = {{&w->gap, nc},     {&w->sheared, nc},        {&w->before, nc},
+                              {&w->t, nc},       {&w->slip, nc},           {&w->reserve, nc},
+                              {&w->dragged, nc}, {&w->work, 4 * (nc + np)}};
   w->coupled = malloc(coupled_size(nc) * sizeof(double));
   w->pivots = malloc(6 * nc * sizeof(int));
-  if (!w->gap || !w->coupled || !w->pivots || create_shear(&w->shear, nc) != ARC_OK) {
+  if (!ARC_CARVE(parts) || !w->coupled || !w->pivots || create_shear(&w->shear, nc) != ARC_OK) {
     arc_friction_workspace_free(w);
     return ARC_MEMORY;
   }
-  w->sheared = w->gap + nc;
-  w->before = w->sheared + nc;
-  w->t = w->before + nc;
-  w->slip = w->t + nc;
-  w->reserve = w->slip + nc;
-  w->dragged = w->reserve + nc;
-  w->work = w->dragged + nc;
   return ARC_OK;
 }
 

@@ -34,10 +34,11 @@ typedef struct wear_path {
 /* What the plane adds to a run. */
 typedef struct plane_cycle {
   wear_path path;
-  pose reference; /* plate at x = 0, nominal load */
-  double *slip;   /* [4 n] of an increment; or what mirror images wear */
-  double *down;   /* [n] how much lower depths of the window make the surface, see
-                     arc_shape_downward */
+  pose reference;        /* plate at x = 0, nominal load */
+  double *slip;          /* [4 n] of an increment; or what mirror images wear */
+  double *down;          /* [n] how much lower depths of the window make the surface, see
+                            arc_shape_downward */
+  double *plate, *below; /* [np], [nc] depths of the plate, and those under the cylinder's nodes */
 } plane_cycle;
 
 static inline plane_cycle *plane_of(const arc_wear *w) {

@@ -8,6 +8,7 @@
  * plate gets the same work through the coupling (Eq. 15).
  */
 #include "core/base/callbacks.h"
+#include "core/base/carve.h"
 #include "core/plane/cycle.h"
 
 #include <math.h>
@@ -34,13 +35,9 @@ typedef struct fretting {
 
 static arc_status fretting_create(fretting *r) {
   const size_t nc = (size_t)r->w->nc, np = (size_t)r->w->np;
-  r->start = malloc((5 * nc + np) * sizeof *r->start);
-  if (!r->start) return ARC_MEMORY;
-  r->least = r->start + 2 * nc;
-  r->slid = r->least + nc;
-  r->work = r->slid + nc;
-  r->on = r->work + nc;
-  return ARC_OK;
+  const carve_part parts[] = {
+      {&r->start, 2 * nc}, {&r->least, nc}, {&r->slid, nc}, {&r->work, nc}, {&r->on, np}};
+  return ARC_CARVE(parts) ? ARC_OK : ARC_MEMORY;
 }
 
 static void fretting_free(fretting *r) {

@@ -286,10 +286,11 @@ arc_status arc_newton_start(wear_stage *stage, double *rate) {
 /* Largest change of a pose's pressures with depths that are off, over the largest pressure. */
 static double pressure_error(newton *s, pose *p, const double *off) {
   double *gap = s->packed, sum = 0, total = 0, largest = 0, peak = 0;
-  arc_pose_to_cylinder(p, off + s->at->run->nc, p->work);
+  double *below = plane_of(s->at->run)->below;
+  arc_pose_to_cylinder(p, off + s->at->run->nc, below);
   for (int k = 0; k < p->active; k++) {
     const int i = p->lo + p->set[k];
-    gap[k] = off[i] + p->work[i];
+    gap[k] = off[i] + below[i];
   }
   arc_dense_cholesky_solve(p->active, 1, p->factor, p->active, gap, p->active);
   for (int k = 0; k < p->active; k++) {

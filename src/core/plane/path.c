@@ -1,4 +1,5 @@
 /* The poses and points of the block at hand. Leans on the contact layer's poses. */
+#include "core/base/carve.h"
 #include "core/plane/cycle.h"
 
 #include <assert.h>
@@ -8,17 +9,18 @@
 arc_status arc_path_create(wear_path *path, const arc_model *model, int rubs) {
   const int nc = arc_model_mesh(model, ARC_CYLINDER)->surface;
   const int n = nc + arc_model_mesh(model, ARC_PLATE)->surface;
-  double *at = calloc((size_t)(16 * n), sizeof *at);
+  carve_part parts[4 * 4 * ARC_BODIES];
+  carve_part *next = parts;
   *path = (wear_path){.nodes = n, .rubs = rubs};
-  if (!at) return ARC_MEMORY;
   for (int k = 0; k < 4; k++) {
     wear_point *point = k < 2 ? &path->point[k] : &path->image[k - 2];
-    double **part[] = {point->p, point->q, point->u, point->f};
-    for (int m = 0; m < 4; m++, at += n) {
-      part[m][ARC_CYLINDER] = at;
-      part[m][ARC_PLATE] = at + nc;
+    double **array[] = {point->p, point->q, point->u, point->f};
+    for (int m = 0; m < 4; m++) {
+      *next++ = (carve_part){&array[m][ARC_CYLINDER], (size_t)nc};
+      *next++ = (carve_part){&array[m][ARC_PLATE], (size_t)(n - nc)};
     }
   }
+  if (!ARC_CARVE(parts)) return ARC_MEMORY;
   if (!rubs) return ARC_OK;
   const arc_status status = arc_friction_workspace_create(&path->workspace, model);
   return status == ARC_OK ? arc_friction_create(&path->state, model, 0) : status;

@@ -16,7 +16,10 @@ static arc_status begin(arc_wear *w) {
   w->nc = arc_model_mesh(w->model, ARC_CYLINDER)->surface;
   w->np = arc_model_mesh(w->model, ARC_PLATE)->surface;
   const size_t n = (size_t)(w->nc + w->np);
-  const carve_part parts[] = {{&own->slip, 4 * n}, {&own->down, n}};
+  const carve_part parts[] = {{&own->slip, 4 * n},
+                              {&own->down, n},
+                              {&own->plate, (size_t)w->np},
+                              {&own->below, (size_t)w->nc}};
   if (!ARC_CARVE(parts)) return ARC_MEMORY;
   if (arc_path_create(&own->path, w->model, arc_wear_has_friction(&w->def)) != ARC_OK)
     return ARC_MEMORY;

@@ -10,7 +10,7 @@
 /* Initial gaps deeper by the window's depths along the normals. */
 static void deepen(const arc_wear *w, const double *depth, pose *p) {
   const double *down = plane_of(w)->down;
-  double *plate = p->work, *below = plate + p->np;
+  double *plate = plane_of(w)->plate, *below = plane_of(w)->below;
   for (int l = 0; l < p->np; l++) plate[l] = depth[p->nc + l] * down[p->nc + l];
   arc_pose_to_cylinder(p, plate, below);
   for (int k = 0; k < p->count; k++) {
