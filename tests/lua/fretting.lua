@@ -229,7 +229,7 @@ heard.take()
 uneven:step()
 tap.holds(heard.take() or "", { "wear: friction 1.2 times Dundurs' beta" }, "a warning on uniqueness")
 
--- rims that slip on less than five elements
+-- rims that slip on less than two elements
 run{ stroke = false, cycles = 100 }:run{ progress = false }
 tap.holds(heard.take() or "", { "the surfaces slip over", "elements of 0.02 mm", "mesh.size = " }, "a warning on rims too narrow for the mesh")
 run{ stroke = false, cycles = 100, jump = 100, model = { mesh = { fineness = 4 } } }:run{ progress = false }
