@@ -61,7 +61,7 @@ arc_wear_record arc_wear_on_the_way(arc_wear *w, const wear_plan *plan, double s
 arc_status arc_wear_friction_on_the_way(arc_wear *w, const wear_dose *dose, double share,
                                         double *mu, arc_error *error);
 
-/* --- dose.c --- */
+/* --- coefficient_integral.c --- */
 /* The coefficients over a planned update, integrated: tables exactly, functions along the way
  * that `rate` predicts (NULL: distance and cycles only). Shortens the plan to where a coefficient
  * jumps, or to where `most` is reached. */
