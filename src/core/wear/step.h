@@ -46,7 +46,7 @@ void arc_wear_plan_shorten(const arc_wear *w, wear_plan *plan, double cycles);
 /* Whether it is to wear next to nothing, beside what automatic updates do. */
 int arc_wear_plan_is_short(const arc_wear *w, const wear_plan *plan);
 
-/* --- ahead.c --- */
+/* --- predictor.c --- */
 /* What a rate takes in a dose. */
 void arc_wear_depths_of_rate(const arc_wear *w, const wear_rate *rate, const wear_dose *dose,
                              wear_depths *depth);
