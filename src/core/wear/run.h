@@ -135,7 +135,7 @@ void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,
                           arc_wear_record *record);
 arc_status arc_wear_append(arc_wear *w, const arc_wear_record *record, arc_error *error);
 
-/* --- rubbing.c --- */
+/* --- friction_coefficient.c --- */
 /* Whether the coefficient of friction is a table or a function. */
 int arc_wear_friction_changes(const arc_wear *w);
 /* The coefficient of friction of a state; what a function fails of. */
