@@ -20,7 +20,7 @@ const unsigned arc_law_properties[] = {ARC_LAW_LIST(LAW_PROPERTIES)};
 #define DECIDED(LIST, count, where)                                                                \
   _Static_assert(0 LIST(ARC_CHOICE_ONE) == (count), "a new choice: decide it in " where)
 DECIDED(ARC_PROCEDURE_LIST, 3, "plane/plane_definition.c, wear/run.h");
-DECIDED(ARC_SCHEME_LIST, 2, "wear/plan.c, step.c, update.c");
+DECIDED(ARC_SCHEME_LIST, 2, "wear/step_length.c, step.c, update.c");
 DECIDED(ARC_SLIP_LIST, 2, "plane/rate.c");
 DECIDED(ARC_RULE_LIST, 2, "plane/rate.c");
 DECIDED(ARC_UPDATE_LIST, 2, "wear/block.c, run.h");

@@ -36,7 +36,7 @@ typedef struct wear_dose {
   double begin, friction;         /* coefficient it begins with, and its mean */
 } wear_dose;
 
-/* --- plan.c --- */
+/* --- step_length.c --- */
 /* The next step towards `limit` [mm]; enters its block. *moved: whether there is anything left to
  * do. */
 arc_status arc_wear_plan_step(arc_wear *w, double limit, const arc_callbacks *callbacks,
