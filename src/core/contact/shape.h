@@ -113,7 +113,7 @@ double arc_shape_span(const arc_shape *shape, arc_body body, int i);
  * Surfaces of revolution stay as they are: there it is of second order in an update's depth. */
 void arc_shape_conserve(arc_shape *shape, arc_body body, double *depth);
 
-/* --- drift.c --- */
+/* --- compliance_update.c --- */
 
 /* Brings `drift` up to date with the present nodes. */
 void arc_shape_drift(shape_side *side);
