@@ -93,8 +93,8 @@ arc_status arc_wear_update(arc_wear *w, wear_plan *plan, wear_watch *watch, wear
 
 /* Solves a cycle on the surfaces an explicit update led to, which the next one begins with, and
  * notes its largest pressure. */
-arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
-                         const arc_callbacks *callbacks, arc_error *error);
+arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_outcome *out,
+                                     const arc_callbacks *callbacks, arc_error *error);
 
 /* --- stability.c --- */
 /* Tells, once for a definition, what speaks against this run before it goes on. */

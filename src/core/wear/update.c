@@ -139,8 +139,8 @@ static void note_rubbing(const arc_wear *w, const wear_rate *rate, arc_wear_reco
   record->gross = rate->gross;
 }
 
-arc_status arc_wear_scan(arc_wear *w, const wear_plan *plan, wear_outcome *out,
-                         const arc_callbacks *callbacks, arc_error *error) {
+arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_outcome *out,
+                                     const arc_callbacks *callbacks, arc_error *error) {
   w->start.block = NULL;
   const int asked = is_explicit(w, plan) || arc_wear_has_friction(&w->def);
   if (!asked || !plan->block->periodic || splits_cycles(w)) return ARC_OK;
