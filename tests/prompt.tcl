@@ -7,7 +7,7 @@
 #   never what pattern        ok when the pattern has not come by the next prompt
 #   finish
 log_user 0
-set timeout 10
+set timeout 60
 set count 0
 set failed 0
 set columns 80
