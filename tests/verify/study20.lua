@@ -90,7 +90,8 @@ ok(math.abs(bow) < 0.15 * (straight.p_center[1] - straight.p_center[n]),
   "s = 4a, alpha = 0: the pressure falls almost in a straight line")
 
 -- --- as examples/paper/findings.lua has them ---------------------------------------------------------------
-local findings = dofile((arg[0]:match("^(.*)/") or ".") .. "/../../examples/paper/findings.lua")
+local part = require "archard.lib.examples_folder".parts("study20", "paper")
+local findings = part "findings"
 local share = findings.partition(case_of(0.11, 0.25))
 near(share.off, 0.0855, 0.02, "s = a, alpha = 0.25: alpha-tilde is off alpha by 8.6 %")
 near(share.mean, 0.268, 5e-3, "its mean")
@@ -152,7 +153,7 @@ for _, each in ipairs{ { s, 8 }, { trials, 3 }, { meshes, 1 } } do
     ok((figure.shows .. figure.caption):find "%d" and not (figure.shows .. figure.caption):find "nan", "what it shows")
   end
 end
-local page = dofile((arg[0]:match("^(.*)/") or ".") .. "/../../examples/paper/page.lua").html{ title = "A & B", lead = "<i>",
+local page = part("page").html{ title = "A & B", lead = "<i>",
   figures = s:figures{ dir = folder .. "/figures" } }
 holds(page, { "A &amp; B", "&lt;i&gt;", 'src="fig14.svg"', "</html>" }, "a page around them")
 
