@@ -253,6 +253,14 @@ return {
   { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance"',
     text = "The abscissa." },
   { "plot.history{titles}", type = "list of strings", text = "Names of the objects in the key." },
+  { "plot.map", kind = "function", takes = "plot", use = 'plot.map(t)  plot.map(t, { levels=12, file="t.png" })',
+    text = "A map from above, x to the right and z upwards in equal scales: colours with contours and a scale, in characters in the "
+      .. "terminal. Values of both signs are white at zero. Maps of more than 240 points along a side are drawn by means." },
+  { "plot.surface", kind = "function", takes = "plot", use = 'plot.surface(t)  plot.surface(t, { exaggeration=100 })',
+    text = "A map seen obliquely from the front, coloured by its values, with every fifth of 50 rows as a line. Lengths along x and "
+      .. "heights are in scale but for the factor of exaggeration, which stands in the title; lengths along z are halved." },
+  { "plot.surface{exaggeration}", type = "number > 0",
+    text = "Factor of the heights; where left out, one that makes them about a fifth of the longer side." },
   { "plot.mesh", kind = "function", takes = "plot", use = 'plot.mesh(m, { zoom="wear box" })',
     text = "The elements of a model, or of a run w as they are worn by now, whole or near the contact. "
       .. "Takes the options of plot{} too." },
@@ -291,13 +299,20 @@ return {
       .. "plot.save{ ..., file= } draws what plot{} would. A second table gives size." },
 
   -- --- export ---------------------------------------------------------------------------------
-  { "export", kind = "object", use = "export.csv  export.vtk  export.pvd  export.inp  export.msh  export.json",
+  { "export", kind = "object", use = "export.csv  .vtk  .pvd  .vti  .gsf  .inp  .msh  .json",
     text = "Writes files for other tools. A file is complete or not there; a wrong ending is refused, "
       .. "a missing one added." },
   { "export.csv", kind = "function", use = "export.csv(obj, path)",
     text = "Columns of numbers with a line of names and units: the history of a wear run, the pressures "
       .. "of a contact (with friction its shear, and the slip at the cylinder's nodes), a table of lists; tables of ours know their units, others have those of a third argument, { x=\"mm\" }. A "
-      .. "stress becomes two files, path-cylinder.csv and path-plate.csv. Returns what was written." },
+      .. "stress becomes two files, path-cylinder.csv and path-plate.csv; a map has columns x, z and its name, a line a point. Returns what "
+      .. "was written." },
+  { "export.vti", kind = "function", use = 'export.vti(t, "t.vti")  export.vti({ depth, pressure }, "t.vti")',
+    text = "Maps with the same points for ParaView, as ImageData in the plane y = 0: an array of each map, by its name. Returns "
+      .. "what was written. Warp By Scalar along y shows them as surfaces." },
+  { "export.gsf", kind = "function", use = 'export.gsf(t, "t.gsf")',
+    text = "A map as Gwyddion Simple Field, which programs for topographies read: lengths in m, pressures in Pa, in single precision. "
+      .. "Returns what was written." },
   { "export.vtk", kind = "function", use = 'export.vtk(obj, "c.vtu")',
     text = "Meshes and fields for ParaView and others, as .vtu (XML) or .vtk (legacy text). Of a "
       .. "model, a run, a contact or its stress come two files, path-cylinder.vtu and path-plate.vtu, "

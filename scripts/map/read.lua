@@ -19,7 +19,9 @@ local function of(module, name)
 end
 
 local function refused(what)
-  return function(file) file:refuse("expected a format that is read (.xyz, .grd, .sdf, .gsf, .sur, .al3d, text), got %s", what) end
+  return function(file)
+    file:refuse("expected a format that is read (.xyz, .grd, .sdf, .gsf, .sur, .al3d, text), got %s", what)
+  end
 end
 
 -- First bytes, and what reads the rest.

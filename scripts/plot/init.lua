@@ -1,6 +1,6 @@
 -- plot: curves, and the pictures of contact and wear. Only gathers what users see; the work is in
 -- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/naming.lua (titles and keys),
--- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses),
+-- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses), plot/map.lua (maps),
 -- plot/shear.lua, plot/loop.lua and plot/fretting_map.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies),
 -- plot/fit.lua and plot/animate.lua.
 
@@ -16,6 +16,8 @@ local plot = {
   loop = later("archard.plot.loop", "loop"),
   shear = later("archard.plot.shear", "shear"),
   slip = later("archard.plot.shear", "slip"),
+  map = later("archard.plot.map", "map"),
+  surface = later("archard.plot.map", "surface"),
   mesh = later("archard.plot.mesh", "mesh"),
   stress = later("archard.plot.mesh", "stress"),
   fretting_map = later "archard.plot.fretting_map",

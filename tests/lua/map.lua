@@ -141,3 +141,34 @@ local v = cap:volume(5e-4)
 near(v.above, math.pi * 0.64 * 1e-3 / 8, 1e-3, "above half its height")
 near(v.net, v.above - v.below, 1e-12, "net")
 fails(function() cap:volume("all") end, "field 'level': expected a number in mm, got \"all\"", "no level")
+
+-- --- pictures ---------------------------------------------------------------------------------------------
+
+local name = os.tmpname()
+local function drawn(f, t, options)
+  options = options or {}
+  options.file = name .. ".txt"
+  f(t, options)
+  local file <close> = assert(io.open(name .. ".txt"))
+  return file:read "a"
+end
+local ramp = map{ x = even(0, 2, 41), z = even(0, 1, 21), y = function(x) return 1e-3 * x end, name = "depth" }
+local text = drawn(plot.map, ramp, { size = { 70, 20 } })
+holds(text, { "depth", "x / mm", "z / mm", "@   1.78 to 2", ".   0 to 0.222" }, "plot.map in characters has a scale in um")
+local row = text:match "|([%.,:;oxO#@]+)|"
+ok(row and row:find "^%.+,+:+;+o+x+O+#+@+$", "values grow to the right")
+local wide, high = #row, select(2, text:gsub("|[%.,:;oxO#@]+|", ""))
+ok(abs(wide / high / 2 - 2) < 0.3, "a map twice as long as deep is drawn so, characters being twice as high as wide")
+text = drawn(plot.map, map{ x = even(0, 2, 41), z = even(0, 1, 21), y = function(_, z) return z end, unit = "MPa", name = "pressure" })
+ok(text:find "@+|[^\n]*\n.*%.+|", "the largest z is at the top")
+holds(drawn(plot.surface, ramp), { "depth, exaggerated 200 times", "z = 0 mm", "z = 1 mm" }, "plot.surface says its factor")
+holds(drawn(plot.surface, ramp, { exaggeration = 20 }), "exaggerated 20 times", "or has the one given")
+holds(drawn(plot.surface, map{ x = { 0, 1 }, z = { 0, 1 }, y = zero }), "exaggerated 1 times", "a flat map")
+plot.map(sampled(bilinear, 600, 300), { file = name .. ".png" })
+local file <close> = assert(io.open(name .. ".png", "rb"))
+is(file:read(4), "\x89PNG", "a picture of a large map")
+os.remove(name)
+os.remove(name .. ".txt")
+os.remove(name .. ".png")
+fails(function() plot.map({}) end, "plot.map: expected a map as the first argument, got a table", "no map")
+fails(function() plot.surface(ramp, { exaggeration = 0 }) end, "field 'exaggeration': expected a number > 0, got 0", "no factor")

@@ -233,6 +233,42 @@ t = map.read(plane, { step = 0.01, unit = "um", fill = true, level = "plane" })
 is(t.form, "plane", "levelled as it is read")
 ok(max(t:volume().above, t:volume().below) < 1e-9, "to nothing")
 
+-- --- files written ----------------------------------------------------------------------------------------------
+
+local function bytes(name)
+  local file <close> = assert(io.open(path(name), "rb"))
+  return file:read "a"
+end
+
+local own = { x = {}, z = {} }
+for i = 1, nx do own.x[i] = -0.03 + (i - 1) * dx end
+for j = 1, nz do own.z[j] = 0.5 + (j - 1) * dz end
+own.y = function(x, z) return height(x + 0.03, z - 0.5) end
+own = map(own)
+is(export.gsf(own, path "own"), path "own.gsf", "export.gsf adds the ending")
+same(map.read(path "own.gsf"), 1e-5, ".gsf written and read", -0.03, 0.5)
+local p = map.read(export.gsf(map{ x = { 0, 1 }, z = { 0, 2 }, y = { 1, 2, 3, 4 }, unit = "MPa", name = "pressure" }, path "p.gsf"))
+is(p.unit .. p.name .. p:at(1, 0), "MPapressure3.0", "pressures too")
+is(export.csv(own, path "own.csv"), path "own.csv", "export.csv")
+same(map.read(path "own.csv"), 1e-12, ".csv written and read", -0.03, 0.5)
+is(csv.read(path "own.csv").height[2], own.y[2], "or by csv.read")
+local twice = map{ x = own.x, z = own.z, y = function() return 7 end, name = "p < 8", unit = "MPa" }
+is(export.vti({ own, twice }, path "own.vti"), path "own.vti", "export.vti")
+local text = bytes "own.vti"
+holds(text, { '<ImageData WholeExtent="0 6 0 0 0 4" Origin="-0.03 0 0.5" Spacing="', '<DataArray type="Float64" Name="height" format="ascii">',
+  'Name="p &lt; 8"' }, "both maps, names quoted")
+local values = {}
+for word in text:match('Name="height"[^>]*>(.-)<'):gmatch "%S+" do values[#values + 1] = tonumber(word) end
+is(#values, nx * nz, "a value each point")
+local exact = true
+for i = 1, nx do for j = 1, nz do exact = exact and values[(j - 1) * nx + i] == own.y[(i - 1) * nz + j] end end
+ok(exact, "x runs fastest, to the bit")
+fails(function() export.vti({ own, own }, path "a.vti") end, 'item 2: expected a name of its own, got "height" again', "one name twice")
+fails(function() export.vti({ own, p }, path "a.vti") end, "item 2: expected the points of the first map, got 2 x 2 others", "other points")
+fails(function() export.vti(3, path "a.vti") end, "expected a map or a list of maps, got 3", "no map")
+fails(function() export.vti(own, path "a.vtk") end, { "field 'path': expected a file name that ends in .vti", "a.vtk" }, "another ending")
+fails(function() export.gsf({}, path "a.gsf") end, "export.gsf: expected a map, got a table", "a table")
+
 -- --- wrong calls --------------------------------------------------------------------------------------------------
 
 fails(function() map.read(path "a.xyz") end, "field 'unit': expected the unit of heights", "a file without units")

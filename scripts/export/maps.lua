@@ -1,0 +1,120 @@
+-- export.vti, export.gsf and export.csv of maps: ImageData for ParaView, a field for Gwyddion and its kin, a table of
+-- points. Leans on archard.files to write them.
+
+local axis = require "archard.map.axis"
+local check = require "archard.lib.check"
+local files = require "archard.files"
+local gsf = require "archard.map.gsf"
+local map = require "archard.map.class"
+
+local maps = {}
+
+local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
+
+-- The path, with its ending where it has none.
+local function checked_path(where, path, ending)
+  local own = check.file.test(path) and path:match "%.[^./]*$"
+  if not check.file.test(path) or own and own ~= ending then
+    check.refuse(where, "path", "a file name that ends in " .. ending, path)
+  end
+  return own and path or path .. ending
+end
+
+local function check_map(where, value, number)
+  if not map.is(value) then
+    check.fail(where, ("%sexpected a map, got %s"):format(number and ("item %d: "):format(number) or "", check.shown(value)))
+  end
+end
+
+-- --- VTK --------------------------------------------------------------------------------------------
+
+local function differ(a, b)
+  if #a ~= #b then return true end
+  local room = 1e-9 * axis.step(a)
+  return math.abs(a[1] - b[1]) > room or math.abs(a[#a] - b[#b]) > room
+end
+
+-- One map or a list of maps with the same points and names of their own, as a list.
+local function list_of(where, given)
+  if map.is(given) then return { given } end
+  if type(given) ~= "table" or given[1] == nil then
+    check.fail(where, "expected a map or a list of maps, got " .. check.shown(given))
+  end
+  local list, seen = {}, {}
+  for i, t in ipairs(given) do
+    check_map(where, t, i)
+    if differ(t.x, given[1].x) or differ(t.z, given[1].z) then
+      check.fail(where, ("item %d: expected the points of the first map, got %d x %d others; t:resample and t:crop make them "
+        .. "agree"):format(i, #t.x, #t.z))
+    end
+    if seen[t.name] then
+      check.fail(where, ("item %d: expected a name of its own, got %q again"):format(i, t.name))
+    end
+    list[i], seen[t.name] = t, true
+  end
+  return list
+end
+
+-- Values in VTK's order: x fastest, then z.
+local function add_values(lines, t)
+  local row, nz = {}, #t.z
+  for j = 1, nz do
+    for i = 1, #t.x do row[i] = files.number(t.y[(i - 1) * nz + j]) end
+    lines[#lines + 1] = table.concat(row, " ")
+  end
+end
+
+-- vti(map | list of maps, path) -> the file written: points in the plane y = 0, an array a map
+function maps.vti(given, path)
+  local where = "export.vti"
+  local list = list_of(where, given)
+  path = checked_path(where, path, ".vti")
+  local x, z = list[1].x, list[1].z
+  local extent = ("0 %d 0 0 0 %d"):format(#x - 1, #z - 1)
+  local lines = { '<?xml version="1.0"?>', '<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">',
+    ('<ImageData WholeExtent="%s" Origin="%s 0 %s" Spacing="%s 1 %s">'):format(extent, files.number(x[1]), files.number(z[1]),
+      files.number(axis.step(x)), files.number(axis.step(z))),
+    ('<Piece Extent="%s">'):format(extent), "<PointData>" }
+  for _, t in ipairs(list) do
+    lines[#lines + 1] = ('<DataArray type="Float64" Name="%s" format="ascii">'):format((t.name:gsub("%c", " "):gsub('[&<"]',
+      escapes)))
+    add_values(lines, t)
+    lines[#lines + 1] = "</DataArray>"
+  end
+  lines[#lines + 1] = "</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n"
+  files.write(where, path, table.concat(lines, "\n"))
+  return path
+end
+
+-- --- Gwyddion and CSV -------------------------------------------------------------------------------
+
+-- gsf(map, path) -> the file written
+function maps.gsf(t, path)
+  local where = "export.gsf"
+  check_map(where, t)
+  path = checked_path(where, path, ".gsf")
+  files.write(where, path, gsf.text(t))
+  return path
+end
+
+local function csv_of(t)
+  local name = t.name:gsub('[%c",;%[%]()]', " ")
+  local lines = { ("x [mm],z [mm],%s [%s]"):format(name, t.unit) }
+  for i, x in ipairs(t.x) do
+    for j, z in ipairs(t.z) do
+      lines[#lines + 1] = ("%s,%s,%s"):format(files.number(x), files.number(z), files.number(t.y[(i - 1) * #t.z + j]))
+    end
+  end
+  return table.concat(lines, "\n") .. "\n"
+end
+
+-- csv(map, path) -> the file written: x, z and the value of each point. Everything else goes to the writer in C.
+function maps.csv(...)
+  local t, path = ...
+  if not map.is(t) then return files.csv(...) end
+  path = checked_path("export.csv", path, ".csv")
+  files.write("export.csv", path, csv_of(t))
+  return path
+end
+
+return maps

@@ -1,0 +1,161 @@
+-- plot.map and plot.surface: maps from above, in colours with contours, and obliquely from the front. Leans on plot/draw.lua;
+-- of a map it uses what users can.
+
+local check = require "archard.lib.check"
+local draw = require "archard.plot.draw"
+
+local pictures = {}
+
+local most = 240 -- points along the longer side that pictures show
+
+local function check_map(where, object)
+  local class = type(object) == "table" and getmetatable(object)
+  if not (class and class.__name == "map") then
+    check.fail(where, "expected a map as the first argument, got " .. check.shown(object))
+  end
+  return object
+end
+
+-- A map with no more points than `count` along its longer side.
+local function thinned(t, count)
+  local longer = math.max(t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1])
+  local finest = math.min((t.x[2] - t.x[1]), (t.z[2] - t.z[1]))
+  if longer / finest < count then return t end
+  return t:resample(math.min(longer / count, t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1]))
+end
+
+-- Lengths are shown in µm.
+local function unit_of(t)
+  if t.unit == "mm" then return "µm", 1000 end
+  return t.unit, 1
+end
+
+local function label_of(t) return ("%s / %s"):format(t.name, (unit_of(t))) end
+
+-- Quadrilaterals between the points of rows j and j + 1 with place(i, j) -> x, y, from the last row to the first.
+local function field_of(t, place)
+  local field, n, nz = { x = {}, y = {}, value = {} }, 0, #t.z
+  local _, scale = unit_of(t)
+  local function add(i, j)
+    n = n + 1
+    field.x[n], field.y[n] = place(i, j)
+    field.value[n] = scale * t.y[(i - 1) * nz + j]
+  end
+  for j = nz - 1, 1, -1 do
+    for i = 1, #t.x - 1 do
+      add(i, j)
+      add(i + 1, j)
+      add(i + 1, j + 1)
+      add(i, j + 1)
+    end
+  end
+  return field
+end
+
+-- plot.map(t, { levels=, vrange=, ... })
+function pictures.map(t, options)
+  local where = "plot.map"
+  check_map(where, t)
+  options = draw.options(where, options, {})
+  local shown = thinned(t, most)
+  local given = { field_of(shown, function(i, j) return shown.x[i], shown.z[j] end) }
+  given.xlabel, given.ylabel, given.vlabel, given.title = "x / mm", "z / mm", label_of(t), t.name
+  given.xrange, given.yrange = { t.x[1], t.x[#t.x] }, { t.z[1], t.z[#t.z] }
+  given.equal, given.levels = true, 8 -- none at zero, where a levelled surface crosses all over
+  draw.draw(where, draw.over(given, options))
+end
+
+-- --- obliquely ----------------------------------------------------------------------------------------
+
+local columns, rows, lean = 150, 50, 1 -- points along x and z, columns by which each row lies to the right of the one before
+local rise = 0.5                       -- of a length along z that is seen upwards
+local share = 0.2                      -- of the longer side that the heights take, about
+
+-- The greatest of 1, 2 and 5 times a power of ten that is not above a number.
+local function rounded(value)
+  local power = 10 ^ math.floor(math.log(value, 10) + 1e-9)
+  for _, digit in ipairs{ 5, 2 } do if digit * power <= value * (1 + 1e-9) then return digit * power end end
+  return power
+end
+
+-- A map's values at columns x rows of points, and their limits.
+local function seen(t)
+  local x, z, y, low, high = {}, {}, {}, math.huge, -math.huge
+  for i = 1, columns do x[i] = t.x[1] + (t.x[#t.x] - t.x[1]) * (i - 1) / (columns - 1) end
+  for j = 1, rows do z[j] = t.z[1] + (t.z[#t.z] - t.z[1]) * (j - 1) / (rows - 1) end
+  for i = 1, columns do
+    for j = 1, rows do
+      local value = t:at(x[i], z[j])
+      y[#y + 1], low, high = value, math.min(low, value), math.max(high, value)
+    end
+  end
+  return { x = x, z = z, y = y, unit = t.unit }, low, high
+end
+
+-- Every fifth row as a line where no row before it hides it.
+local function visible_rows(place)
+  local curve, horizon = { x = {}, y = {}, colour = "black", width = 0.4, on = "pixels" }, {}
+  for j = 1, rows do
+    for i = 1, columns do
+      local x, y = place(i, j)
+      local column = i + lean * (j - 1)
+      local hidden = y < (horizon[column] or -math.huge)
+      if (j - 1) % 5 == 0 or j == rows then
+        curve.x[#curve.x + 1], curve.y[#curve.y + 1] = hidden and 0 / 0 or x, hidden and 0 / 0 or y
+      end
+      horizon[column] = math.max(horizon[column] or -math.huge, y)
+    end
+    curve.x[#curve.x + 1], curve.y[#curve.y + 1] = 0 / 0, 0 / 0
+  end
+  return curve
+end
+
+-- Adds what the front and the right edge cut, down to the lowest value, to the field.
+local function add_walls(field, t, place, foot, low)
+  local _, scale = unit_of(t)
+  local n = #field.x
+  local function add(x, y, value)
+    n = n + 1
+    field.x[n], field.y[n], field.value[n] = x, y, scale * value
+  end
+  local function wall(i, j, i2, j2)
+    local x, y = place(i, j)
+    local x2, y2 = place(i2, j2)
+    add(x, foot(j), low)
+    add(x2, foot(j2), low)
+    add(x2, y2, t.y[(i2 - 1) * rows + j2])
+    add(x, y, t.y[(i - 1) * rows + j])
+  end
+  for j = rows - 1, 1, -1 do wall(columns, j, columns, j + 1) end
+  for i = 1, columns - 1 do wall(i, 1, i + 1, 1) end
+  return field
+end
+
+local surface_options = { exaggeration = check.positive }
+
+-- plot.surface(t, { exaggeration=, ... })
+function pictures.surface(t, options)
+  local where = "plot.surface"
+  check_map(where, t)
+  options = draw.options(where, options, surface_options)
+  local shown, low, high = seen(thinned(t, columns))
+  local wide, deep = t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1]
+  local factor = options.exaggeration or high > low and rounded(share * math.max(wide, deep) / (high - low)) or 1
+  local step = wide / (columns - 1)
+  local function foot(j) return rise * (shown.z[j] - shown.z[1]) end
+  local function place(i, j)
+    return shown.x[i] + lean * step * (j - 1), foot(j) + factor * (shown.y[(i - 1) * rows + j] - low)
+  end
+  local given = { add_walls(field_of(shown, place), shown, place, foot, low), visible_rows(place) }
+  local top = rise * deep + factor * (high - low)
+  given.xrange = { t.x[1] - 0.02 * wide, t.x[#t.x] + lean * step * (rows - 1) + 0.02 * wide }
+  given.yrange = { -0.05 * top, 1.05 * top }
+  given.xlabel, given.vlabel = "x / mm, along the front edge", label_of(t)
+  given.yplaces = { at = { select(2, place(1, 1)), (select(2, place(1, rows))) },
+    words = { ("z = %.4g mm"):format(t.z[1]), ("z = %.4g mm"):format(t.z[#t.z]) } }
+  given.equal = true
+  given.title = t.unit == "mm" and ("%s, exaggerated %g times"):format(t.name, factor) or t.name
+  draw.draw(where, draw.over(given, options))
+end
+
+return pictures
