@@ -84,8 +84,8 @@ arc_status arc_pose_check_zone(pose *p, arc_error *error);
 /* ARC_NUMERIC in words, and drops the warm start. */
 arc_status arc_pose_broke_down(pose *p, arc_error *error);
 
-/* Adds to the gaps what the drift of both compliances does under the solution's forces (compliance_update.c).
- * Returns 0 where there is no drift. */
+/* Adds to the gaps what the drift of both compliances does under the solution's forces
+ * (compliance_update.c). Returns 0 where there is no drift. */
 int arc_pose_add_drift(pose *p);
 
 /* Forces of the solution at all cylinder nodes, f [nc]. */

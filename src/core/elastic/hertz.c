@@ -37,7 +37,8 @@ arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *e
   const arc_status status = arc_settings_check(arc_hertz_settings, "", def, error);
   if (status != ARC_OK) return status;
   if (def->geometry == ARC_SPRINGS)
-    return arc_fail(error, ARC_ARGUMENT, "field 'geometry': Hertz' formulas do not hold on springs");
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'geometry': Hertz' formulas do not hold on springs");
   hertz->E_star = arc_contact_modulus(def->geometry, def->material);
   if (def->geometry == ARC_AXISYMMETRIC)
     solve_point(def, hertz);

@@ -2,7 +2,8 @@
  * Runge-Kutta pair of orders 3 and 2 (Bogacki and Shampine) whose steps end at the points of
  * tables, between which coefficients are linear and their product is met exactly. Functions of the
  * state are asked along the way that the rate at the start predicts. Where a step would shrink to
- * nothing, a coefficient jumps, and there the update ends. Leans on coefficient.c and predictor.c. */
+ * nothing, a coefficient jumps, and there the update ends. Leans on coefficient.c and predictor.c.
+ */
 #include "core/wear/step.h"
 
 #include <math.h>
