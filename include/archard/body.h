@@ -35,6 +35,7 @@ const char *arc_body_name(arc_body body);
   X(SOLID_PROFILE, "profile", profile)                                                             \
   X(SOLID_DISC, "disc", disc)                                                                      \
   X(SOLID_RING, "ring", ring)                                                                      \
+  X(SOLID_BALL, "ball", ball)                                                                      \
   X(SOLID_GMSH, "gmsh", gmsh)
 typedef enum arc_solid { ARC_SOLID_LIST(ARC_CHOICE_ENUM) } arc_solid;
 extern const char *const arc_solid_names[];
@@ -71,6 +72,8 @@ extern const arc_setting arc_layer_settings[]; /* and the material, a group */
          "that in the Gmsh file of its model.")                                                    \
   NUMBER(radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Radius of a cylinder or disc, or of a punch's rounded edges. Left out: the model's.")    \
+  NUMBER(radius_z, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                \
+         "Radius of a ball across the motion: a crowned roller, an ellipsoid. Left out: radius.")  \
   NUMBER(width, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
          "Width of a block or profile. Left out: twice the model's radius.")                       \
   NUMBER(height, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
@@ -109,6 +112,9 @@ int arc_body_is_flat(const arc_body_def *def);
 
 /* Radius of its surface [mm], negative where it is hollow, INFINITY where it is flat. */
 double arc_body_radius(const arc_body_def *def);
+
+/* Whether it has a radius across the motion too, as half-spaces in 3-D need. */
+int arc_body_is_spatial(const arc_body_def *def);
 
 /* Half of its length along the surface [mm]; its depth below the surface [mm]. */
 double arc_body_half_length(const arc_body_def *def);

@@ -190,6 +190,8 @@ arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motio
                             arc_error *error);
 
 typedef struct arc_contact_result {
+  double area;         /* [mm2] in contact; 0 in the plane */
+  double half_width_z; /* [mm] half its width across the motion; 0 in the plane */
   double p_center;    /* [MPa] at the cylinder's lowest node, x = 0 of the cylinder; in holes at the
                          one the load points at */
   double p_max;       /* [MPa] largest nodal pressure; at scar edges it grows as the mesh shrinks */
@@ -275,6 +277,11 @@ typedef struct arc_field {
 arc_status arc_contact_field(const arc_contact *contact, arc_body body, arc_field **field,
                              arc_error *error);
 void arc_field_destroy(arc_field **field);
+/* The pressures of both bodies as arrays, those of a body together: x, (in space z,) p [sites, 1],
+ * in the frame of the upper body; of a map site by site along z, then x. One block, to be freed
+ * with free(). ARC_MEMORY. */
+arc_status arc_contact_surfaces(const arc_contact *contact, arc_array **surfaces, size_t *count,
+                                arc_error *error);
 /* The model a contact was solved on (borrowed). */
 arc_model *arc_contact_model(const arc_contact *contact);
 /* The surfaces it was solved on (borrowed). */

@@ -32,7 +32,8 @@ extern const char *const arc_element_names[];
   X(PLANE_STRAIN, "plane strain")                                                                  \
   X(PLANE_STRESS, "plane stress")                                                                  \
   X(AXISYMMETRIC, "axisymmetric")                                                                  \
-  X(SPRINGS, "springs")
+  X(SPRINGS, "springs")                                                                            \
+  X(SPATIAL, "3-D")
 typedef enum arc_space { ARC_SPACE_LIST(ARC_CHOICE_ENUM) } arc_space;
 extern const char *const arc_space_names[];
 

@@ -19,12 +19,14 @@ extern "C" {
          "Radius R of the cylinder; it sets the size of the plate too.")                           \
   NUMBER(thickness, "mm", 1, ABOVE(0), 0,                                                          \
          "Thickness of both bodies; forces are those on the whole of it.")                         \
-  CHOICE(geometry, space, ARC_PLANE_STRAIN, 0,                                                     \
-         "What the section in the plane stands for: long bodies, thin plates, or bodies of "       \
-         "revolution about a vertical axis: a cylinder is a ball then, a block a disc, and loads " \
-         "and volumes are those of the whole circumference. \"springs\", to teach and to test: a " \
-         "ball on a flat, each under a layer of springs as thick as thickness, alone on its base " \
-         "(Winkler); for wear{} only.")                                                            \
+  CHOICE(                                                                                          \
+      geometry, space, ARC_PLANE_STRAIN, 0,                                                        \
+      "What the section in the plane stands for: long bodies, thin plates, or bodies of "          \
+      "revolution about a vertical axis: a cylinder is a ball then, a block a disc, and loads "    \
+      "and volumes are those of the whole circumference. \"springs\", to teach and to test: a "    \
+      "ball on a flat, each under a layer of springs as thick as thickness, alone on its base "    \
+      "(Winkler); for wear{} only. \"3-D\": half-spaces that touch in a spot and slide along x, "  \
+      "worn as maps over x and z.")                                                                \
   NUMBER(axis, "mm", 0, FROM(0), 0,                                                                \
          "Of an axisymmetric model: how far left of x = 0 its axis is, as far as the mean radius " \
          "of a thrust ring. 0: the bodies touch on the axis.")
@@ -90,19 +92,23 @@ double arc_model_half_width(const arc_model_def *def, double load);
 
 /* Closed-form Hertz contact of a cylinder on a half-space, or of a ball. */
 typedef struct arc_hertz {
-  double half_width; /* [mm] a = sqrt(4 L R / (pi t E*)); of a ball cbrt(3 L R / (4 E*)) */
-  double p_max;      /* [MPa] p_H = 2 L / (pi a t); of a ball 3 L / (2 pi a^2) */
-  double E_star;     /* [MPa] the contact modulus, see arc_contact_modulus */
-  double approach;   /* [mm] of a ball a^2 / R; NaN of a cylinder, for which it has no end */
+  double half_width;   /* [mm] a = sqrt(4 L R / (pi t E*)); of a ball cbrt(3 L R / (4 E*)) */
+  double p_max;        /* [MPa] p_H = 2 L / (pi a t); of a ball 3 L / (2 pi a^2) */
+  double E_star;       /* [MPa] the contact modulus, see arc_contact_modulus */
+  double approach;     /* [mm] of a ball a^2 / R; NaN of a cylinder, for which it has no end */
+  double half_width_z; /* [mm] across the motion: of a ball the same, unless its radii differ; NaN
+                          of a cylinder */
 } arc_hertz;
 
 #define ARC_HERTZ_SETTINGS(NUMBER, CHOICE)                                                         \
   NUMBER(radius, "mm", 10, ABOVE(0), 0, "Radius of the cylinder.")                                 \
+  NUMBER(radius_z, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                \
+         "Radius across the motion, with geometry \"3-D\". Left out: radius, a ball.")             \
   NUMBER(load, "N", 100, ABOVE(0), 0, "Normal load L_N over the whole thickness.")                 \
   NUMBER(thickness, "mm", 1, ABOVE(0), 0,                                                          \
          "Thickness of both bodies; the load per thickness counts, but of a ball.")                \
   CHOICE(geometry, space, ARC_PLANE_STRAIN, 0,                                                     \
-         "A long cylinder, a thin one, or a ball: \"axisymmetric\".")
+         "A long cylinder, a thin one, a ball: \"axisymmetric\", or two radii: \"3-D\".")
 
 typedef struct arc_hertz_def {
   ARC_HERTZ_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE)
@@ -166,6 +172,8 @@ void arc_model_release(arc_model **model);
 const arc_model_def *arc_model_definition(const arc_model *model);
 /* The kind of its pair of bodies: "plane" for meshes in a plane or of revolution. */
 const char *arc_model_kind_name(const arc_model *model);
+/* Whether surfaces are maps over x and z, whose cells and windows each contact and run finds. */
+int arc_model_has_maps(const arc_model_def *def);
 /* NULL: its kind has no meshes. */
 const arc_mesh *arc_model_mesh(const arc_model *model, arc_body body);
 /* Bytes held by the model, for a garbage collector. */

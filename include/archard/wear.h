@@ -267,6 +267,10 @@ enum {
 
 arc_wear_def arc_wear_default(void);
 
+/* Sets how steps are made, where nothing is given: in 3-D the implicit scheme with a tolerance of
+ * 1e-3, in the plane what the settings say. */
+void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model);
+
 /* Sets k = k_c + k_p and alpha = k_c / k (Eqs. 18 and 19) from the coefficients of the bodies
  * [mm2/N]. */
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]);
@@ -327,6 +331,8 @@ typedef enum arc_column_rule {
   X(p_max, "MPa", FROM(0), ALWAYS, "largest nodal pressure; unsettled at scar edges")              \
   X(p_peak, "MPa", FROM(0), LATER, "largest nodal pressure of the update's cycle")                 \
   X(half_width, "mm", FROM(0), ALWAYS, "half the contact width")                                   \
+  X(half_width_z, "mm", FROM(0), LATER, "half the contact width across the motion; 3-D")           \
+  X(area, "mm2", FROM(0), LATER, "contact area; 3-D")                                              \
   X(depth_cylinder, "mm", FROM(0), ALWAYS, "largest wear depth of the cylinder")                   \
   X(depth_plate, "mm", FROM(0), ALWAYS, "largest wear depth of the plate")                         \
   X(volume_cylinder, "mm3", FROM(0), ALWAYS, "wear volume of the cylinder")                        \

@@ -18,7 +18,9 @@ end
 local function of_run(sum, w)
   local history = w.history
   for _, column in ipairs(require "archard.settings".columns) do
-    sum = add_numbers(sum, history[column.name])
+    if column.name ~= "area" and column.name ~= "half_width_z" then -- of 3-D alone
+      sum = add_numbers(sum, history[column.name])
+    end
   end
   for _, body in ipairs{ "cylinder", "plate" } do
     sum = add_numbers(add_numbers(sum, w:profile(body).h), w:pressure(body).p)

@@ -179,7 +179,7 @@ contact_edge arc_pose_edge(const pose *p, const arc_shape *shape, int right) {
               .out = right ? 1 : -1};
   contact_edge edge = {.out = e.out, .width = place(&e, 1) - place(&e, 0)};
   /* layers as the nodes that are asked feel them */
-  e.E_star = arc_model_felt_modulus(shape->model, 1 / edge.width);
+  e.E_star = arc_model_felt_modulus(shape->handle.model, 1 / edge.width);
   const double between = edge_between(&e);
   edge_law law = {0};
   edge.smooth = find_law(&e, between, &law);

@@ -86,7 +86,7 @@ static arc_status restore_side(arc_shape *shape, arc_body body, const surface_st
   memcpy(side->h, state->h, n);
   memcpy(side->xy, state->xy, 2 * n);
   memcpy(side->settled, state->settled, 2 * n);
-  shape->version = arc_model_next_version(shape->model);
+  shape->version = arc_model_next_version(shape->handle.model);
   side->even = *state->even;
   arc_shape_read_nodes(side);
   if (shape->geometry == ARC_MOVING) arc_shape_drift(side);

@@ -62,12 +62,9 @@ static arc_status check_geometry(const arc_model *model, arc_geometry geometry, 
       arc_geometry_names[geometry]);
 }
 
-arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
-                            arc_shape **result, arc_error *error) {
+arc_status arc_meshed_create(arc_model *model, arc_geometry geometry, double refresh,
+                             arc_shape **result, arc_error *error) {
   *result = NULL;
-  if (!arc_model_mesh(model, ARC_UPPER))
-    return arc_fail(error, ARC_ARGUMENT, "expected a model with meshes, got one of kind \"%s\"",
-                    arc_model_kind_name(model));
   if (!(refresh >= 0))
     return arc_fail(error, ARC_ARGUMENT, "field 'refresh': expected a number >= 0, got %g",
                     refresh);
@@ -75,7 +72,7 @@ arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refr
   if (status != ARC_OK) return status;
   arc_shape *shape = calloc(1, sizeof *shape);
   if (!shape) return out_of_memory(error);
-  shape->model = arc_model_retain(model);
+  shape->handle.model = arc_model_retain(model);
   shape->geometry = geometry;
   shape->refresh = refresh;
   shape->version = ARC_UNWORN_VERSION;
@@ -93,7 +90,7 @@ arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refr
 arc_status arc_meshed_copy(const arc_shape *shape, arc_shape **result, arc_error *error) {
   arc_shape *copy;
   const arc_status status =
-      arc_shape_create(shape->model, shape->geometry, shape->refresh, &copy, error);
+      arc_shape_create(shape->handle.model, shape->geometry, shape->refresh, &copy, error);
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
     const shape_side *from = &shape->side[b];
     shape_side *to = &copy->side[b];
@@ -113,7 +110,7 @@ void arc_meshed_discard(arc_shape **shape) {
     free((*shape)->side[b].h);
     arc_compliance_free(&(*shape)->side[b].own);
   }
-  arc_model_release(&(*shape)->model);
+  arc_model_release(&(*shape)->handle.model);
   free(*shape);
   *shape = NULL;
 }
@@ -176,7 +173,7 @@ static int refresh_is_due(const arc_shape *shape, const shape_side *side, const 
   static const double turn = 0.002; /* of `refresh`, over the mismatch: a share of the pressure */
   if (shape->geometry == ARC_FROZEN) return 0;
   /* slopes change pressures by it times their change; between like bodies forces undo each other */
-  const arc_model_def *def = arc_model_definition(shape->model);
+  const arc_model_def *def = arc_model_definition(shape->handle.model);
   const double beta = fabs(arc_contact_mismatch(def->geometry, def->material));
   const int inclines = side->body->mesh->body == ARC_PLATE && beta > 0 && !side->body->chart.polar;
   for (int i = 0; i < side->n; i++) {
@@ -236,7 +233,7 @@ static void settle(arc_shape *shape, shape_side *side, compliance renewed) {
   side->own = renewed;
   memcpy(side->settled, side->xy, 2 * (size_t)side->n * sizeof(double));
   arc_shape_read_nodes(side);
-  shape->version = arc_model_next_version(shape->model);
+  shape->version = arc_model_next_version(shape->handle.model);
 }
 
 arc_status arc_shape_wear(arc_shape *shape, arc_body body, const double *depth, arc_error *error) {
@@ -270,7 +267,7 @@ static arc_status compliance_for(const arc_shape *shape, const shape_side *side,
 arc_status arc_shape_set_geometry(arc_shape *shape, arc_geometry geometry, double refresh,
                                   arc_error *error) {
   compliance renewed[ARC_BODIES] = {{0}};
-  arc_status status = check_geometry(shape->model, geometry, error);
+  arc_status status = check_geometry(shape->handle.model, geometry, error);
   if (status != ARC_OK) return status;
   if (geometry != shape->geometry) {
     for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)

@@ -8,6 +8,7 @@
 #include "core/elastic/mesh_size.h"
 #include "core/elastic/model.h"
 #include "core/elastic/pair.h"
+#include "core/pair/surfaces.h"
 
 typedef struct shape_side {
   const elastic_body *body;
@@ -27,7 +28,7 @@ typedef struct shape_side {
 } shape_side;
 
 struct arc_shape {
-  arc_model *model;
+  shape_handle handle;
   arc_geometry geometry;
   double refresh;
   long version; /* of both compliances: those of one version are the same bits, on all shapes of a
@@ -120,7 +121,9 @@ void arc_shape_drift(shape_side *side);
 
 /* --- shape.c --- */
 
-/* What the handle of surfaces asks of meshed ones: see arc_shape_clone and so on. */
+/* What the handle of surfaces asks of meshed ones: see arc_shape_create and so on. */
+arc_status arc_meshed_create(arc_model *model, arc_geometry geometry, double refresh,
+                             arc_shape **shape, arc_error *error);
 arc_status arc_meshed_copy(const arc_shape *shape, arc_shape **copy, arc_error *error);
 void arc_meshed_discard(arc_shape **shape);
 arc_profile arc_meshed_profile(const arc_shape *shape, arc_body body);

@@ -16,8 +16,8 @@ double arc_shape_box_depth(const shape_side *side) {
 
 /* The rows of a deeper wear box, as far as the bodies have room; 0 where there is no deeper one. */
 static int deeper_rows(const arc_shape *shape, const arc_mesh *mesh, double needed) {
-  if (arc_model_is_given(shape->model)) return 0;
-  const arc_model_def *def = arc_model_definition(shape->model);
+  if (arc_model_is_given(shape->handle.model)) return 0;
+  const arc_model_def *def = arc_model_definition(shape->handle.model);
   const double height = mesh->def.height;
   const double rows = fmin(ceil(needed / height), floor(arc_model_deepest_box(def) / height));
   return rows > mesh->rows ? (int)rows : 0;

@@ -1,5 +1,6 @@
 /* Closed-form Hertz contact. */
 #include "archard/model.h"
+#include "archard/space.h"
 
 #include <math.h>
 
@@ -23,7 +24,7 @@ static void solve_line(const arc_hertz_def *d, arc_hertz *hertz) {
   const double pi = acos(-1), line = d->load / d->thickness;
   hertz->half_width = sqrt(4 * line * d->radius / (pi * hertz->E_star));
   hertz->p_max = 2 * line / (pi * hertz->half_width);
-  hertz->approach = NAN;
+  hertz->approach = hertz->half_width_z = NAN;
 }
 
 static void solve_point(const arc_hertz_def *d, arc_hertz *hertz) {
@@ -31,6 +32,19 @@ static void solve_point(const arc_hertz_def *d, arc_hertz *hertz) {
   hertz->half_width = a;
   hertz->p_max = 3 * d->load / (2 * pi * a * a);
   hertz->approach = a * a / d->radius;
+  hertz->half_width_z = a;
+}
+
+static arc_status solve_ellipse(const arc_hertz_def *d, arc_hertz *hertz, arc_error *error) {
+  arc_hertz_ellipse e = {0, 0, 0, 0};
+  const double across = d->radius_z > 0 ? d->radius_z : d->radius;
+  const arc_status status =
+      arc_hertz_ellipse_of(d->radius, across, hertz->E_star, d->load, &e, error);
+  hertz->half_width = e.half_width;
+  hertz->half_width_z = e.half_width_z;
+  hertz->p_max = e.p_max;
+  hertz->approach = e.approach;
+  return status;
 }
 
 arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *error) {
@@ -40,6 +54,11 @@ arc_status arc_hertz_of(const arc_hertz_def *def, arc_hertz *hertz, arc_error *e
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'geometry': Hertz' formulas do not hold on springs");
   hertz->E_star = arc_contact_modulus(def->geometry, def->material);
+  if (def->geometry != ARC_SPATIAL && def->radius_z > 0)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'radius_z': expected geometry = \"3-D\" beside it, got \"%s\"",
+                    arc_space_names[def->geometry]);
+  if (def->geometry == ARC_SPATIAL) return solve_ellipse(def, hertz, error);
   if (def->geometry == ARC_AXISYMMETRIC)
     solve_point(def, hertz);
   else

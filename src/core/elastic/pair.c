@@ -7,7 +7,10 @@
 #include <string.h>
 
 arc_body_def arc_model_solid(const arc_model_def *def, arc_body body) {
-  return arc_body_resolve(&def->body[body], body, def->radius);
+  arc_body_def own = def->body[body];
+  if (def->geometry == ARC_SPATIAL && own.kind == ARC_SOLID_USUAL && body == ARC_UPPER)
+    own.kind = ARC_SOLID_BALL;
+  return arc_body_resolve(&own, body, def->radius);
 }
 
 double arc_model_wear_k(const arc_model_def *def, arc_body body) {
@@ -147,6 +150,12 @@ static arc_status check_turns(const arc_model_def *def, const arc_body_def *b, c
 }
 
 static arc_status check_space(const arc_model_def *def, arc_error *error) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (arc_body_is_spatial(&def->body[b]))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field '%s': a ball needs geometry = \"3-D\" (or a body.cylinder{} with "
+                      "\"axisymmetric\"), got \"%s\"",
+                      arc_model_role_name((arc_body)b), arc_space_names[def->geometry]);
   if (def->geometry != ARC_AXISYMMETRIC && def->axis == 0) return ARC_OK;
   if (def->geometry != ARC_AXISYMMETRIC)
     return arc_fail(error, ARC_ARGUMENT,

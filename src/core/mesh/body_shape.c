@@ -3,6 +3,7 @@
 #include "core/mesh/body_name.h"
 
 #include <math.h>
+#include <string.h>
 
 const char *const arc_solid_names[] = {ARC_SOLID_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_rim_names[] = {ARC_RIM_LIST(ARC_CHOICE_NAME) NULL};
@@ -73,6 +74,12 @@ int arc_body_is_round(const arc_body_def *b) {
 
 int arc_body_is_hollow(const arc_body_def *b) {
   return signbit(arc_body_radius(b)) != 0;
+}
+
+int arc_body_is_spatial(const arc_body_def *b) {
+  for (const char *const *own = arc_body_fields(b->kind); *own; own++)
+    if (strcmp(*own, "radius_z") == 0) return 1;
+  return 0;
 }
 
 int arc_body_is_core(const arc_body_def *b) {

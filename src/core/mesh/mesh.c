@@ -14,7 +14,7 @@ enum { most_elements = 1000000 };
 
 const char *const arc_element_names[] = {ARC_ELEMENT_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_space_names[] = {ARC_SPACE_LIST(ARC_CHOICE_NAME) NULL};
-_Static_assert(0 ARC_SPACE_LIST(ARC_CHOICE_ONE) == 4,
+_Static_assert(0 ARC_SPACE_LIST(ARC_CHOICE_ONE) == 5,
                "a new space: decide it here, in elastic/{element,chart,pair}.c, contact/{field,"
                "recovery}.c and wear/definition.c");
 

@@ -31,6 +31,26 @@ const body_shape arc_body_shape_cylinder = {cylinder_fields,
                                             NULL,
                                             NULL};
 
+/* --- balls, which have no mesh: half-spaces of two radii ---------------------------------------
+ */
+
+static const char *const ball_fields[] = {"radius", "radius_z", NULL};
+
+static void resolve_ball(arc_body_def *b) {
+  if (b->radius_z == 0) b->radius_z = b->radius;
+}
+
+const body_shape arc_body_shape_ball = {ball_fields,
+                                        FORM_CORE,
+                                        3.14159265358979323846 / 2,
+                                        resolve_ball,
+                                        own_radius,
+                                        own_radius,
+                                        cylinder_limits,
+                                        NULL,
+                                        NULL,
+                                        NULL};
+
 /* --- whole arcs ------------------------------------------------------------------------------- */
 
 static body_limits whole_limits(double radius) {

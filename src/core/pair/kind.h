@@ -41,7 +41,12 @@ typedef struct arc_kind {
   size_t (*model_bytes)(const arc_model *model);
   const arc_mesh *(*mesh)(const arc_model *model, arc_body body); /* NULL: it has none */
 
+  int maps; /* surfaces are maps over x and z, whose cells each contact and run finds */
+
   /* --- definitions, on the definition of a model --- */
+
+  /* * What a run does that is not told otherwise; NULL: what the settings say. */
+  void (*usual)(arc_wear_def *def);
 
   /* What goes together on such bodies, beyond the ranges of settings; ARC_ARGUMENT. */
   arc_status (*check)(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
@@ -75,6 +80,9 @@ typedef struct arc_kind {
   /* Surfaces to start from: unworn, or a copy of `from` of the same model. */
   arc_status (*surfaces)(arc_model *model, const arc_wear_def *def, const arc_shape *from,
                          arc_shape **shape, arc_error *error);
+  /* * Unworn ones for single contacts, see arc_shape_create. */
+  arc_status (*unworn)(arc_model *model, arc_geometry geometry, double refresh, arc_shape **shape,
+                       arc_error *error);
   arc_status (*copy)(const arc_shape *shape, arc_shape **copy, arc_error *error);
   void (*discard)(arc_shape **shape);
   wear_sites (*sites)(const arc_shape *shape, arc_body body);
@@ -134,6 +142,18 @@ typedef struct arc_kind {
   double (*layer_dose)(const arc_wear *w, int scars);
 
   const arc_growth *growth; /* NULL: sites do not grow */
+
+  /* --- one contact --- */
+
+  /* * All or none: see arc_contact_solve, arc_contact_move, arc_contact_surfaces. */
+  arc_status (*solve)(const arc_shape *shape, const arc_contact_def *def,
+                      const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
+  arc_status (*move)(const arc_contact *from, const arc_motion_def *motion,
+                     const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
+  void (*end_contact)(arc_contact *contact);
+  size_t (*contact_bytes)(const arc_contact *contact);
+  arc_status (*show_contact)(const arc_contact *contact, arc_array **surfaces, size_t *count,
+                             arc_error *error);
 
   /* --- what is read --- */
 

@@ -1,8 +1,9 @@
 /* The kinds there are. */
 #include "core/pair/kind.h"
 
-extern const arc_kind arc_plane_kind, arc_springs_kind;
+extern const arc_kind arc_plane_kind, arc_space_kind, arc_springs_kind;
 
 const arc_kind *arc_kind_of(const arc_model_def *def) {
+  if (def->geometry == ARC_SPATIAL) return &arc_space_kind;
   return def->geometry == ARC_SPRINGS ? &arc_springs_kind : &arc_plane_kind;
 }

@@ -33,6 +33,10 @@ const arc_model_def *arc_model_definition(const arc_model *model) {
   return &model->def;
 }
 
+int arc_model_has_maps(const arc_model_def *def) {
+  return arc_kind_of(def)->maps;
+}
+
 const char *arc_model_kind_name(const arc_model *model) {
   return model->kind->name;
 }
@@ -57,6 +61,14 @@ arc_model *arc_shape_model(const arc_shape *shape) {
 
 static const arc_kind *kind_of(const arc_shape *shape) {
   return arc_shape_model(shape)->kind;
+}
+
+arc_status arc_shape_create(arc_model *model, arc_geometry geometry, double refresh,
+                            arc_shape **shape, arc_error *error) {
+  *shape = NULL;
+  if (model->kind->unworn) return model->kind->unworn(model, geometry, refresh, shape, error);
+  return arc_fail(error, ARC_ARGUMENT, "expected a model with meshes, got one of kind \"%s\"",
+                  model->kind->name);
 }
 
 arc_status arc_shape_clone(const arc_shape *shape, arc_shape **copy, arc_error *error) {

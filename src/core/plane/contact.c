@@ -25,9 +25,9 @@ static arc_status out_of_memory(arc_error *error) {
 }
 
 static arc_status allocate(arc_contact *c) {
-  if (arc_pose_create(&c->pose, c->shape->model) != ARC_OK) return ARC_MEMORY;
+  if (arc_pose_create(&c->pose, c->handle.shape->handle.model) != ARC_OK) return ARC_MEMORY;
   for (int b = 0; b < ARC_BODIES; b++) {
-    const size_t n = (size_t)c->shape->side[b].n;
+    const size_t n = (size_t)c->handle.shape->side[b].n;
     c->count[b] = (int)n;
     c->x[b] = calloc(6 * n, sizeof(double));
     if (!c->x[b]) return ARC_MEMORY;
@@ -37,9 +37,11 @@ static arc_status allocate(arc_contact *c) {
     c->q[b] = c->force[b] + 2 * n;
   }
   if (!c->rubs) return ARC_OK;
-  if (arc_tangential_create(&c->compliance, c->shape->model) != ARC_OK) return ARC_MEMORY;
-  if (arc_friction_workspace_create(&c->workspace, c->shape->model) != ARC_OK) return ARC_MEMORY;
-  return arc_friction_create(&c->state, c->shape->model, c->def.x);
+  if (arc_tangential_create(&c->compliance, c->handle.shape->handle.model) != ARC_OK)
+    return ARC_MEMORY;
+  if (arc_friction_workspace_create(&c->workspace, c->handle.shape->handle.model) != ARC_OK)
+    return ARC_MEMORY;
+  return arc_friction_create(&c->state, c->handle.shape->handle.model, c->handle.def.x);
 }
 
 static void read_pressures(arc_contact *c) {
@@ -47,7 +49,7 @@ static void read_pressures(arc_contact *c) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const double *width = b == ARC_CYLINDER ? c->pose.wc : c->pose.wp;
     for (int i = 0; i < c->count[b]; i++) {
-      c->x[b][i] = c->shape->side[b].xy[2 * i] + (b == ARC_PLATE ? c->pose.x : 0);
+      c->x[b][i] = c->handle.shape->side[b].xy[2 * i] + (b == ARC_PLATE ? c->pose.x : 0);
       c->f[b][i] = c->p[b][i] * width[i];
     }
     arc_pose_forces_on(&c->pose, (arc_body)b, c->force[b]);
@@ -81,22 +83,22 @@ static double normal_force(const arc_contact *c) {
 }
 
 static void read_result(arc_contact *c) {
-  const double thickness = arc_model_definition(c->shape->model)->thickness;
+  const double thickness = arc_model_definition(c->handle.shape->handle.model)->thickness;
   double edges[2], center, largest;
-  arc_pose_edges(&c->pose, c->shape, edges);
+  arc_pose_edges(&c->pose, c->handle.shape, edges);
   arc_pose_peaks(&c->pose, &center, &largest);
-  c->result =
-      (arc_contact_result){.p_center = center,
-                           .p_max = largest,
-                           .p_average = arc_pose_average(&c->pose, c->shape, c->def.average),
-                           .left = edges[0],
-                           .right = edges[1],
-                           .half_width = (edges[1] - edges[0]) / 2,
-                           .normal_force = thickness * normal_force(c),
-                           .approach = c->pose.approach,
-                           .tangential = thickness * driving_force(c),
-                           .energy = thickness * c->state.energy,
-                           .iterations = c->rubs ? c->iterations : c->pose.iterations};
+  c->handle.result = (arc_contact_result){
+      .p_center = center,
+      .p_max = largest,
+      .p_average = arc_pose_average(&c->pose, c->handle.shape, c->handle.def.average),
+      .left = edges[0],
+      .right = edges[1],
+      .half_width = (edges[1] - edges[0]) / 2,
+      .normal_force = thickness * normal_force(c),
+      .approach = c->pose.approach,
+      .tangential = thickness * driving_force(c),
+      .energy = thickness * c->state.energy,
+      .iterations = c->rubs ? c->iterations : c->pose.iterations};
 }
 
 /* What does not keep to the axis. */
@@ -120,18 +122,18 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
   arc_contact *c = calloc(1, sizeof *c);
   *result = c;
   if (!c) return out_of_memory(error);
-  c->def = *def;
+  c->handle.def = *def;
   c->rubs = def->friction > 0;
-  if (c->rubs && arc_model_body(shape->model, ARC_UPPER)->chart.polar)
+  if (c->rubs && arc_model_body(shape->handle.model, ARC_UPPER)->chart.polar)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'friction': expected 0 in a hole, where shear carries load too, got %g",
                     def->friction);
-  if (def->load_angle != 0 && !arc_model_body(shape->model, ARC_UPPER)->chart.polar)
+  if (def->load_angle != 0 && !arc_model_body(shape->handle.model, ARC_UPPER)->chart.polar)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'load_angle': expected 0 but in a hole, got %g degrees",
                     def->load_angle);
-  arc_status status = check_revolved(shape->model, def, error);
-  if (status == ARC_OK) status = arc_shape_clone(shape, &c->shape, error);
+  arc_status status = check_revolved(shape->handle.model, def, error);
+  if (status == ARC_OK) status = arc_shape_clone(shape, &c->handle.shape, error);
   if (status == ARC_OK && (status = allocate(c)) != ARC_OK) out_of_memory(error);
   return status;
 }
@@ -159,13 +161,13 @@ static double round_zone(double zone, double widest) {
 
 /* Whether no zone of the plate reaches where it would touch. */
 static int is_off(const arc_contact *c) {
-  const arc_model_def *model = arc_model_definition(c->shape->model);
-  if (arc_model_body(c->shape->model, ARC_UPPER)->chart.polar) return 0;
+  const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
+  if (arc_model_body(c->handle.shape->handle.model, ARC_UPPER)->chart.polar) return 0;
   return 2 * fabs(c->pose.x) >= arc_model_widest_zone(model, ARC_PLATE);
 }
 
 static arc_status tell_off(const arc_contact *c, arc_error *error) {
-  const arc_model_def *model = arc_model_definition(c->shape->model);
+  const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
   return arc_fail(
       error, ARC_ARGUMENT,
       "field 'x': expected less than %g mm to either side, as far as the candidate zone "
@@ -193,12 +195,12 @@ static int find_zones(const arc_contact_def *def, const arc_model_def *model,
 
 /* What is said where the zones do not hold the contact. */
 static arc_status tell_zones(const arc_contact *c, arc_error *error) {
-  const arc_model_def *model = arc_model_definition(c->shape->model);
-  if (!error || arc_model_is_given(c->shape->model)) return ARC_ZONE;
+  const arc_model_def *model = arc_model_definition(c->handle.shape->handle.model);
+  if (!error || arc_model_is_given(c->handle.shape->handle.model)) return ARC_ZONE;
   if (is_off(c)) return tell_off(c, error);
   const arc_error why = *error;
   double zone[ARC_BODIES];
-  arc_contact_def here = c->def;
+  arc_contact_def here = c->handle.def;
   here.x = c->pose.x;
   if (!find_zones(&here, model, zone))
     return arc_fail(error, ARC_ZONE,
@@ -213,16 +215,16 @@ static arc_status tell_zones(const arc_contact *c, arc_error *error) {
 /* [N]; 0 where one of the bodies is worn. */
 static double unworn_load(const arc_contact *c) {
   for (int b = 0; b < ARC_BODIES; b++)
-    if (arc_shape_depth(c->shape, (arc_body)b) > 0) return 0;
-  return c->def.load;
+    if (arc_shape_depth(c->handle.shape, (arc_body)b) > 0) return 0;
+  return c->handle.def.load;
 }
 
 arc_status arc_contact_finish(arc_contact **contact, arc_status status,
                               const arc_callbacks *callbacks, arc_error *error) {
   if (status == ARC_OK) {
     read_all(*contact);
-    arc_model_warn((*contact)->shape->model, unworn_load(*contact), (*contact)->result.half_width,
-                   callbacks);
+    arc_model_warn((*contact)->handle.shape->handle.model, unworn_load(*contact),
+                   (*contact)->handle.result.half_width, callbacks);
   }
 #ifdef ARC_CHECKS
   arc_error broken;
@@ -248,51 +250,39 @@ void arc_friction_warn(const arc_model *model, double mu, const char *who,
              who, mu, beta, unique);
 }
 
-arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
-                             const arc_callbacks *callbacks, arc_contact **result,
-                             arc_error *error) {
-  *result = NULL;
+arc_status arc_plane_solve(const arc_shape *shape, const arc_contact_def *def,
+                           const arc_callbacks *callbacks, arc_contact **result, arc_error *error) {
   arc_status status = arc_settings_check(arc_contact_settings, "", def, error);
   if (status != ARC_OK) return status;
   status = arc_contact_create(shape, def, result, error);
   arc_contact *c = *result;
   if (status == ARC_OK) arc_pose_aim(&c->pose, arc_radians(def->load_angle));
-  if (status == ARC_OK) status = arc_pose_update(&c->pose, c->shape, def->x, error);
+  if (status == ARC_OK) status = arc_pose_update(&c->pose, c->handle.shape, def->x, error);
   if (status == ARC_OK && c->rubs) status = arc_contact_press(c, error);
   if (status == ARC_OK && !c->rubs) status = arc_pose_solve(&c->pose, contact_line(c), error);
-  if (status == ARC_OK) arc_friction_warn(c->shape->model, c->def.friction, "contact", callbacks);
+  if (status == ARC_OK)
+    arc_friction_warn(c->handle.shape->handle.model, c->handle.def.friction, "contact", callbacks);
   return arc_contact_finish(result, status, callbacks, error);
 }
 
-const arc_contact_def *arc_contact_definition(const arc_contact *c) {
-  return &c->def;
-}
-
-void arc_contact_destroy(arc_contact **contact) {
-  if (!contact || !*contact) return;
-  arc_contact *c = *contact;
+void arc_plane_end_contact(arc_contact *c) {
   arc_pose_free(&c->pose);
   arc_tangential_free(&c->compliance);
   arc_friction_workspace_free(&c->workspace);
   arc_friction_free(&c->state);
   for (int b = 0; b < ARC_BODIES; b++) free(c->x[b]);
-  arc_shape_destroy(&c->shape);
+  arc_shape_destroy(&c->handle.shape);
   free(c);
-  *contact = NULL;
 }
 
-size_t arc_contact_bytes(const arc_contact *c) {
+size_t arc_plane_contact_bytes(const arc_contact *c) {
   const size_t nodes = (size_t)(c->count[ARC_CYLINDER] + c->count[ARC_PLATE]);
-  return sizeof *c + arc_shape_bytes(c->shape) + arc_pose_bytes(&c->pose) +
+  return sizeof *c + arc_shape_bytes(c->handle.shape) + arc_pose_bytes(&c->pose) +
          6 * nodes * sizeof(double) +
          (c->rubs
               ? arc_tangential_bytes(&c->compliance) + arc_friction_workspace_bytes(&c->workspace)
               : 0) +
          (c->rubs ? arc_friction_bytes(&c->state) : 0);
-}
-
-arc_contact_result arc_contact_get(const arc_contact *contact) {
-  return contact->result;
 }
 
 arc_pressure arc_contact_pressure(const arc_contact *c, arc_body body) {
@@ -308,10 +298,22 @@ const double *arc_contact_slip(const arc_contact *c, int *count) {
   return c->state.way;
 }
 
-arc_model *arc_contact_model(const arc_contact *contact) {
-  return contact->shape->model;
-}
-
-const arc_shape *arc_contact_shape(const arc_contact *contact) {
-  return contact->shape;
+arc_status arc_plane_show_contact(const arc_contact *c, arc_array **surfaces, size_t *count,
+                                  arc_error *error) {
+  enum { X, P, NAMES };
+  static const char *const names[] = {"x", "p"};
+  arc_array list[ARC_BODIES * NAMES];
+  for (int i = 0; i < ARC_BODIES * NAMES; i++) {
+    const int b = i / NAMES;
+    list[i] = (arc_array){names[i % NAMES],
+                          (arc_body)b,
+                          0,
+                          0,
+                          {(size_t)c->count[b], 1},
+                          i % NAMES == X ? c->x[b] : c->p[b]};
+  }
+  *surfaces = arc_arrays_copy(list, ARC_BODIES * NAMES);
+  if (!*surfaces) return out_of_memory(error);
+  *count = ARC_BODIES * NAMES;
+  return ARC_OK;
 }

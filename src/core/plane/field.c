@@ -51,7 +51,7 @@ static void read_tractions(const arc_contact *c, arc_body body, const surface_tr
   for (int i = 0; i < n && c->rubs; i++) on->tangential[i] = sign * c->q[body][i];
   memcpy(on->normal, c->p[body], (size_t)n * sizeof *on->normal);
   for (int right = 0; right < 2; right++) {
-    const contact_edge edge = arc_pose_edge(&c->pose, c->shape, right);
+    const contact_edge edge = arc_pose_edge(&c->pose, c->handle.shape, right);
     arc_edge_sharpen(&edge, n, x, 1, on->normal);
     if (!c->rubs) continue;
     const double shear = sign * shear_at(c, right);
@@ -72,7 +72,7 @@ static arc_status recover(const arc_contact *c, arc_body body, const double *xy,
   }
   read_tractions(c, body, &traction);
   const arc_status status =
-      arc_recover_stresses(c->shape->side[body].body, xy, u, &traction, stress);
+      arc_recover_stresses(c->handle.shape->side[body].body, xy, u, &traction, stress);
   for (size_t n = 0; n < nodes && status == ARC_OK; n++) {
     field->sxx[n] = stress[3 * n];
     field->syy[n] = stress[3 * n + 1];
@@ -131,7 +131,7 @@ static void turn_stresses(const placing *to, arc_field *field) {
 /* To where the body is. */
 static void place(const arc_contact *c, arc_body body, double *xy, double *u, arc_field *field) {
   const placing to =
-      arc_chart_placing(&c->shape->side[body].body->chart, body, c->pose.x, c->pose.angle);
+      arc_chart_placing(&c->handle.shape->side[body].body->chart, body, c->pose.x, c->pose.angle);
   arc_placing_points(&to, field->nodes, xy);
   arc_placing_vectors(&to, field->nodes, u);
   turn_stresses(&to, field);
@@ -140,19 +140,19 @@ static void place(const arc_contact *c, arc_body body, double *xy, double *u, ar
 /* Nodal displacements u and box nodes, then stresses; work holds u and xy. */
 static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *field, double *work,
                              double *box, arc_error *error) {
-  const shape_side *side = &c->shape->side[body];
+  const shape_side *side = &c->handle.shape->side[body];
   const size_t n = (size_t)field->nodes;
   double *u = work, *xy = work + 2 * n, *f = box + 2 * (size_t)side->body->box_count;
   memcpy(f, c->force[body], 2 * (size_t)side->n * sizeof *f);
   const double sign = body == ARC_CYLINDER ? 1 : -1;
   for (int i = 0; i < side->n && !c->rubs; i++) f[side->n + i] = sign * c->f[body][i];
-  const double even = arc_shape_risen(c->shape, body);
+  const double even = arc_shape_risen(c->handle.shape, body);
   arc_shape_box(side, side->xy, even, box);
   const arc_status status = arc_body_displacements(side->body, box, even, f, u, error);
   if (status != ARC_OK) return status;
   /* what has no wear box has been solved as unworn */
   const arc_mesh *mesh = side->body->mesh;
-  arc_shape_nodes(c->shape, body, xy);
+  arc_shape_nodes(c->handle.shape, body, xy);
   if (recover(c, body, mesh->rows > 0 ? xy : mesh->xy, u, field) != ARC_OK)
     return out_of_memory(error);
   place(c, body, xy, u, field);
@@ -168,7 +168,7 @@ static arc_status fill_field(const arc_contact *c, arc_body body, arc_field *fie
 
 arc_status arc_contact_field(const arc_contact *c, arc_body body, arc_field **field,
                              arc_error *error) {
-  const elastic_body *b = c->shape->side[body].body;
+  const elastic_body *b = c->handle.shape->side[body].body;
   const size_t n = (size_t)b->mesh->nodes,
                box_size = 2 * (size_t)b->box_count + 2 * (size_t)b->mesh->surface;
   *field = NULL;

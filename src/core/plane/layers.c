@@ -13,7 +13,7 @@ static double share_of(const arc_model_def *def, arc_body body, int layer) {
 }
 
 double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, double h, double due) {
-  const arc_model_def *def = arc_model_definition(shape->model);
+  const arc_model_def *def = arc_model_definition(shape->handle.model);
   const elastic_body *solid = shape->side[body].body;
   const double from = h;
   double end = 0;
@@ -31,7 +31,7 @@ double arc_wear_through_layers(const arc_shape *shape, arc_body body, int i, dou
 }
 
 static void into_layers(const arc_shape *shape, arc_body body, double *depth) {
-  const arc_model_def *def = arc_model_definition(shape->model);
+  const arc_model_def *def = arc_model_definition(shape->handle.model);
   const shape_side *side = &shape->side[body];
   if (arc_body_layers(&def->body[body]) == 0) return;
   for (int i = 0; i < side->n; i++)
@@ -44,7 +44,7 @@ void arc_wear_into_layers(const arc_shape *shape, double *depth) {
 }
 
 double arc_wear_layer_share(const arc_shape *shape, arc_body body, int i, double depth) {
-  const arc_model_def *def = arc_model_definition(shape->model);
+  const arc_model_def *def = arc_model_definition(shape->handle.model);
   const shape_side *side = &shape->side[body];
   if (arc_body_layers(&def->body[body]) == 0) return 1;
   int n = 0;

@@ -11,13 +11,13 @@ const arc_setting arc_motion_settings[] = {
 #undef ARC_SETTING_OF
 
 static double thickness_of(const arc_contact *c) {
-  return arc_model_definition(c->shape->model)->thickness;
+  return arc_model_definition(c->handle.shape->handle.model)->thickness;
 }
 
 /* One increment; all that the contact holds follows. */
 static arc_status go_to(arc_contact *c, double pairing, const friction_step *step,
                         arc_error *error) {
-  arc_status status = arc_pose_update(&c->pose, c->shape, pairing, error);
+  arc_status status = arc_pose_update(&c->pose, c->handle.shape, pairing, error);
   if (status == ARC_OK)
     status = arc_friction_solve(&c->pose, &c->compliance, &c->workspace, step, &c->state, error);
   c->iterations += c->workspace.iterations;
@@ -28,15 +28,15 @@ static arc_status go_to(arc_contact *c, double pairing, const friction_step *ste
 /* Without friction under the whole load at once; what it displaced is where friction starts from.
  */
 arc_status arc_contact_press(arc_contact *c, arc_error *error) {
-  const int rubs = c->def.press == ARC_PRESS_FRICTION;
+  const int rubs = c->handle.def.press == ARC_PRESS_FRICTION;
   const friction_step to = {
-      .mu = rubs ? c->def.friction : 0, .line = contact_line(c), .x = c->def.x};
-  const int wanted = c->def.increments > 0 ? c->def.increments : arc_press_increments;
+      .mu = rubs ? c->handle.def.friction : 0, .line = contact_line(c), .x = c->handle.def.x};
+  const int wanted = c->handle.def.increments > 0 ? c->handle.def.increments : arc_press_increments;
   const int n = rubs ? wanted : 1;
   arc_status status = ARC_OK;
   for (int i = 1; i <= n && status == ARC_OK; i++) {
     const friction_step step = arc_friction_pressing(&to, i, n);
-    status = go_to(c, c->def.x, &step, error);
+    status = go_to(c, c->handle.def.x, &step, error);
   }
   return status;
 }
@@ -44,9 +44,9 @@ arc_status arc_contact_press(arc_contact *c, arc_error *error) {
 arc_motion_def arc_contact_motion(const arc_contact *c) {
   arc_motion_def motion;
   arc_settings_default(arc_motion_settings, &motion);
-  motion.x = c->def.x;
-  motion.load = c->def.load;
-  motion.tangential = c->result.tangential;
+  motion.x = c->handle.def.x;
+  motion.load = c->handle.def.load;
+  motion.tangential = c->handle.result.tangential;
   motion.by_force = 0;
   return motion;
 }
@@ -59,7 +59,7 @@ static arc_status check_motion(const arc_contact *from, const arc_motion_def *mo
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': expected none, as the contact has no friction, got %g N",
                     motion->tangential);
-  const double carried = from->def.friction * motion->load;
+  const double carried = from->handle.def.friction * motion->load;
   if (fabs(motion->tangential) < carried) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'tangential': expected less than friction times the load, %g N, got %g N",
@@ -74,7 +74,7 @@ static double between(double from, double to, double share) {
  * elasticity takes those that stick, half of the way over which wear's cycles keep theirs. */
 static double slack_of(const arc_contact *c, double load) {
   static const double share = 1 / 16.0;
-  return share * arc_model_half_width(arc_model_definition(c->shape->model), load);
+  return share * arc_model_half_width(arc_model_definition(c->handle.shape->handle.model), load);
 }
 
 /* Nodes stay paired as they are under a force, as the plate's way is small, and on short ways; they
@@ -87,31 +87,30 @@ static arc_status travel(arc_contact *c, const arc_contact *from, const arc_moti
   arc_status status = ARC_OK;
   for (int i = 1; i <= motion->increments && status == ARC_OK; i++) {
     const double share = (double)i / motion->increments;
-    friction_step step = {.mu = c->def.friction, .by_force = motion->by_force};
-    step.line = between(from->def.load, motion->load, share) / thickness;
-    step.x = between(from->def.x, motion->x, share);
-    step.tangential = between(from->result.tangential, motion->tangential, share) / thickness;
+    friction_step step = {.mu = c->handle.def.friction, .by_force = motion->by_force};
+    step.line = between(from->handle.def.load, motion->load, share) / thickness;
+    step.x = between(from->handle.def.x, motion->x, share);
+    step.tangential =
+        between(from->handle.result.tangential, motion->tangential, share) / thickness;
     status = go_to(c, stay ? from->pose.x : step.x, &step, error);
   }
-  c->def.x = c->state.x;
+  c->handle.def.x = c->state.x;
   return status;
 }
 
-arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *wanted,
-                            const arc_callbacks *callbacks, arc_contact **result,
-                            arc_error *error) {
-  *result = NULL;
-  arc_contact_def def = from->def;
+arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *wanted,
+                          const arc_callbacks *callbacks, arc_contact **result, arc_error *error) {
+  arc_contact_def def = from->handle.def;
   arc_motion_def whole = *wanted, *motion = &whole;
-  if (motion->load == 0) motion->load = from->def.load; /* left out */
+  if (motion->load == 0) motion->load = from->handle.def.load; /* left out */
   arc_status status = check_motion(from, motion, error);
   if (status != ARC_OK) return status;
   def.load = motion->load;
   if (!from->rubs) {
     def.x = motion->x;
-    return arc_contact_solve(from->shape, &def, callbacks, result, error);
+    return arc_contact_solve(from->handle.shape, &def, callbacks, result, error);
   }
-  status = arc_contact_create(from->shape, &def, result, error);
+  status = arc_contact_create(from->handle.shape, &def, result, error);
   if (status == ARC_OK) {
     arc_friction_copy(&(*result)->state, &from->state);
     status = travel(*result, from, motion, error);

@@ -12,7 +12,8 @@ static const double most_of_cycle = 1e5, most_of_history = 1e6;
 /* What turns in a hole would change its fit by wearing all round, and what is not flat does not
  * wear alike. */
 int arc_wear_over_plate(const arc_wear_def *def, const arc_model_def *model) {
-  if (arc_model_is_hole(model) || !arc_model_slides_along(model)) return 0;
+  if (model->geometry == ARC_SPATIAL || arc_model_is_hole(model) || !arc_model_slides_along(model))
+    return 0;
   return def->blocks == 0 && def->slide == ARC_SLIDE_X &&
          fabs(def->stroke - arc_model_width(model)) <= 1e-9 * model->radius;
 }

@@ -2,6 +2,7 @@
 #include "core/base/callbacks.h"
 #include "core/base/carve.h"
 #include "core/plane/newton.h"
+#include "core/plane/solution.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -214,6 +215,7 @@ const arc_kind arc_plane_kind = {
     .warn = warn,
     .warn_coarse = warn_coarse,
     .surfaces = start_shape,
+    .unworn = arc_meshed_create,
     .copy = arc_meshed_copy,
     .discard = arc_meshed_discard,
     .sites = sites,
@@ -238,6 +240,11 @@ const arc_kind arc_plane_kind = {
     .even_dose = arc_plane_even_dose,
     .layer_dose = arc_plane_layer_dose,
     .growth = &growth,
+    .solve = arc_plane_solve,
+    .move = arc_plane_move,
+    .end_contact = arc_plane_end_contact,
+    .contact_bytes = arc_plane_contact_bytes,
+    .show_contact = arc_plane_show_contact,
     .contact = contact,
     .show = arc_plane_show,
     .save = arc_plane_save,

@@ -3,12 +3,11 @@
 #define PLANE_SOLUTION_H
 
 #include "core/friction/friction.h"
+#include "core/pair/surfaces.h"
 
 struct arc_contact {
-  arc_shape *shape; /* own copy: fields come from the shape that was solved */
+  contact_handle handle;
   pose pose;
-  arc_contact_def def;
-  arc_contact_result result;
   double *x[ARC_BODIES], *p[ARC_BODIES], *f[ARC_BODIES];
   double *force[ARC_BODIES]; /* [2 * surface] as arc_pose_forces, on the body */
   double *q[ARC_BODIES];     /* [surface] shear traction */
@@ -27,12 +26,22 @@ arc_status arc_contact_create(const arc_shape *shape, const arc_contact_def *def
 /* Reads, warns and, in builds with checks, validates; *contact is NULL where `status` is not OK. */
 arc_status arc_contact_finish(arc_contact **contact, arc_status status,
                               const arc_callbacks *callbacks, arc_error *error);
+/* What the handle of a contact asks of one in the plane: see arc_contact_solve, arc_contact_move,
+ * arc_contact_destroy, arc_contact_bytes and arc_contact_surfaces. */
+arc_status arc_plane_solve(const arc_shape *shape, const arc_contact_def *def,
+                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
+arc_status arc_plane_move(const arc_contact *from, const arc_motion_def *motion,
+                          const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
+void arc_plane_end_contact(arc_contact *contact);
+size_t arc_plane_contact_bytes(const arc_contact *contact);
+arc_status arc_plane_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
+                                  arc_error *error);
 /* Presses with friction (motion.c). */
 arc_status arc_contact_press(arc_contact *contact, arc_error *error);
 
 /* Load per thickness [N/mm]. */
 static inline double contact_line(const arc_contact *c) {
-  return c->def.load / arc_model_definition(c->shape->model)->thickness;
+  return c->handle.def.load / arc_model_definition(c->handle.shape->handle.model)->thickness;
 }
 
 #endif

@@ -34,7 +34,7 @@ static double x_of(const arc_contact *c, int set) {
 /* mu p at a node [MPa]. */
 static double bound(const arc_contact *c, int set) {
   const int k = c->pose.set[set];
-  return c->def.friction * c->pose.f[k] / c->pose.wc[c->pose.lo + k];
+  return c->handle.def.friction * c->pose.f[k] / c->pose.wc[c->pose.lo + k];
 }
 
 /* What stress is squared, by the distance from the other edge [mm]. */
@@ -70,7 +70,7 @@ static double edge_at(const stick_zone *z, int right, double other) {
 /* The edge beyond the last node in contact, which sticks: that of the contact, less by what motion
  * has taken off the reserve since. */
 static double edge_at_end(const stick_zone *z, int right, double other) {
-  const double ends[2] = {z->c->result.left, z->c->result.right};
+  const double ends[2] = {z->c->handle.result.left, z->c->handle.result.right};
   const double less = beyond(z, right, ends[!right], bound) - beyond(z, right, other, reserve);
   return ends[right] - (right ? 1 : -1) * less;
 }
@@ -80,7 +80,7 @@ static void find_edges(stick_zone *z) {
   enum { rounds = 4 }; /* until each edge knows where the other one is */
   const arc_contact *c = z->c;
   const int moves = c->state.memory.sense != 0;
-  const double ends[2] = {c->result.left, c->result.right};
+  const double ends[2] = {c->handle.result.left, c->handle.result.right};
   z->edge[0] = z->first == 0 ? ends[0] : x_of(c, z->first) - (x_of(c, z->last) - x_of(c, z->first));
   z->edge[1] = ends[1];
   for (int i = 0; i < rounds; i++) {

@@ -11,7 +11,7 @@ static const double rounding = 1e-9;
 
 /* Force along the load that presses on a node [N/mm]. */
 static double across(const arc_contact *c, arc_body body, int i) {
-  const chart *on = &c->shape->side[body].body->chart;
+  const chart *on = &c->handle.shape->side[body].body->chart;
   if (on->polar) {
     double along[2], up[2];
     const double *f = c->force[body];
@@ -91,7 +91,7 @@ static arc_status check_friction(const arc_contact *c, arc_error *error) {
 arc_status arc_contact_validate(const arc_contact *c, arc_error *error) {
   assert(c->pose.count > 0 && c->pose.lo >= 0 && c->pose.lo + c->pose.count <= c->pose.nc);
   arc_status status = check_forces(c, ARC_CYLINDER, error);
-  const int polar = c->shape->side[ARC_PLATE].body->chart.polar;
+  const int polar = c->handle.shape->side[ARC_PLATE].body->chart.polar;
   if (status == ARC_OK)
     status = polar ? check_pressing(c, error) : check_forces(c, ARC_PLATE, error);
   if (status == ARC_OK) status = check_complementarity(&c->pose, error);

@@ -51,6 +51,11 @@ int arc_wear_alpha_stays_one(const arc_wear_def *def) {
   return def->alpha == 1 && !def->alpha_function && def->alpha_series.count == 0;
 }
 
+void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model) {
+  const arc_kind *kind = arc_kind_of(model);
+  if (kind->usual) kind->usual(def);
+}
+
 void arc_wear_def_partition(arc_wear_def *def, const double k[ARC_BODIES]) {
   def->k = k[ARC_CYLINDER] + k[ARC_PLATE];
   if (def->k > 0) def->alpha = k[ARC_CYLINDER] / def->k;

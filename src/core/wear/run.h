@@ -62,7 +62,7 @@ static inline int splits_cycles(const arc_wear *w) {
 
 /* Wear coefficients of the sites: what wears evenly moves none. */
 static inline double sites_k(const arc_wear *w, const double k[ARC_BODIES], int body) {
-  return body == ARC_LOWER && w->manner.procedure == ARC_NSP ? 0 : k[body];
+  return body == ARC_LOWER && w->manner.even ? 0 : k[body];
 }
 
 static inline int sites_of(const arc_wear *w, int body) {

@@ -76,6 +76,9 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
  * where there is none. */
 int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *mesh);
 
+/* Raises where the bodies of a pair have no meshes (surface_maps.c). */
+void model_check_meshed(lua_State *L, const arc_model *model, const char *where);
+
 /* --- sharing them (model_share.c) --- */
 
 /* Pushes the box of a model of this definition: one that lives already, or a new one. */
@@ -120,6 +123,9 @@ arc_model *worn_given_model(lua_State *L, int worn);
 
 /* Pushes { x=, p= } of a body. */
 void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body body);
+
+/* Pushes what frees arrays that the engine hands out. */
+arc_array **arrays_push_holder(lua_State *L);
 
 /* contact:stress() (stress.c). */
 int stress_new(lua_State *L);

@@ -6,8 +6,11 @@
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/base/strict.h"
+#include "lua/engine/surface_maps.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* --- the object ------------------------------------------------------------------------------ */
 
@@ -28,6 +31,8 @@ NUMBER_FIELD(contact, p_center, result(L).p_center)
 NUMBER_FIELD(contact, p_max, result(L).p_max)
 NUMBER_FIELD(contact, p_average, result(L).p_average)
 NUMBER_FIELD(contact, half_width, result(L).half_width)
+NUMBER_FIELD(contact, half_width_z, result(L).half_width_z)
+NUMBER_FIELD(contact, area, result(L).area)
 NUMBER_FIELD(contact, normal_force, result(L).normal_force)
 NUMBER_FIELD(contact, approach, result(L).approach)
 NUMBER_FIELD(contact, tangential, result(L).tangential)
@@ -55,6 +60,7 @@ static int contact_edges(lua_State *L) {
 static int contact_stick(lua_State *L) {
   const arc_contact *contact = self(L);
   double edges[2];
+  model_check_meshed(L, arc_contact_model(contact), "contact.stick");
   lua_newtable(L);
   for (int i = 0; arc_contact_stick(contact, i, edges); i++) {
     push_edges(L, edges[0], edges[1]);
@@ -69,6 +75,10 @@ static int contact_model(lua_State *L) {
   return 1;
 }
 
+static const arc_model_def *model_of(const arc_contact *contact) {
+  return arc_model_definition(arc_contact_model(contact));
+}
+
 static int contact_tostring(lua_State *L) {
   const arc_contact_def *def = arc_contact_definition(self(L));
   arc_contact_result solved = result(L);
@@ -80,6 +90,14 @@ static int contact_tostring(lua_State *L) {
            "  approach  %.6g mm (%d iterations)",
            def->load, def->x, solved.p_center, solved.p_max, solved.half_width, solved.left,
            solved.right, solved.approach, solved.iterations);
+  if (arc_model_has_maps(model_of(self(L))))
+    snprintf(text, sizeof text,
+             "contact: load %.6g N, lower body at x = %.6g mm\n"
+             "  pressure  centre %.6g MPa, largest %.6g MPa\n"
+             "  size      half widths %.6g mm along x, %.6g mm along z; area %.6g mm2\n"
+             "  approach  %.6g mm (%d iterations)",
+             def->load, def->x, solved.p_center, solved.p_max, solved.half_width,
+             solved.half_width_z, solved.area, solved.approach, solved.iterations);
   lua_pushstring(L, text);
   if (def->friction == 0) return 1;
   snprintf(text, sizeof text, "\n  friction  %.6g, tangential force %.6g N, %.6g N mm dissipated",
@@ -97,13 +115,45 @@ void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body bo
   strict_table(L, "pressure");
 }
 
-static const arc_model_def *model_of(const arc_contact *contact) {
-  return arc_model_definition(arc_contact_model(contact));
+/* Frees arrays of the engine, whatever Lua raises. */
+static int free_arrays(lua_State *L) {
+  arc_array **held = lua_touserdata(L, 1);
+  free(*held);
+  *held = NULL;
+  return 0;
+}
+
+arc_array **arrays_push_holder(lua_State *L) {
+  arc_array **held = lua_newuserdatauv(L, sizeof *held, 0);
+  *held = NULL;
+  if (luaL_newmetatable(L, "arrays of the engine")) {
+    lua_pushcfunction(L, free_arrays);
+    lua_setfield(L, -2, "__gc");
+  }
+  lua_setmetatable(L, -2);
+  return held;
+}
+
+/* contact:pressure() -> map, contact:pressure{ z = 0 } -> { x=, p= } */
+static int push_spatial(lua_State *L, const arc_contact *contact) {
+  static const char where[] = "contact:pressure", *const names[] = {"p", NULL};
+  size_t count;
+  arc_error error = {0};
+  lua_settop(L, 2);
+  arc_array **held = arrays_push_holder(L);
+  error_check(L, arc_contact_surfaces(contact, held, &count, &error), &error, where, -1);
+  if (lua_istable(L, 2))
+    surface_push_section(L, 2, where, *held, count, ARC_UPPER, names);
+  else
+    surface_push_map(L, *held, count, body_argument(L, 2, where, model_of(contact), ARC_UPPER), "p",
+                     "MPa");
+  return 1;
 }
 
 /* contact:pressure(body) -> { x=, p= }; both bodies in the frame of the cylinder */
 static int contact_pressure(lua_State *L) {
   const arc_contact *contact = self(L);
+  if (arc_model_has_maps(model_of(contact))) return push_spatial(L, contact);
   const arc_body body = body_argument(L, 2, "contact:pressure", model_of(contact), ARC_UPPER);
   contact_push_pressure(L, contact, body);
   return 1;
@@ -112,6 +162,7 @@ static int contact_pressure(lua_State *L) {
 /* contact:shear(body) -> { x=, q= } */
 static int contact_shear(lua_State *L) {
   const arc_contact *contact = self(L);
+  model_check_meshed(L, arc_contact_model(contact), "contact:shear");
   const arc_body body = body_argument(L, 2, "contact:shear", model_of(contact), ARC_UPPER);
   const arc_shear shear = arc_contact_shear(contact, body);
   lua_createtable(L, 0, 2);
@@ -124,6 +175,7 @@ static int contact_shear(lua_State *L) {
 static int contact_slip(lua_State *L) {
   const arc_contact *contact = self(L);
   int count;
+  model_check_meshed(L, arc_contact_model(contact), "contact:slip");
   const double *slip = arc_contact_slip(contact, &count);
   if (lua_gettop(L) > 1)
     error_raise(L, ARC_ARGUMENT, "contact:slip",
@@ -226,6 +278,8 @@ static const luaL_Reg fields[] = {
     {"p_average", contact_p_average},
     {"edges", contact_edges},
     {"half_width", contact_half_width},
+    {"half_width_z", contact_half_width_z},
+    {"area", contact_area},
     {"approach", contact_approach},
     {"normal_force", contact_normal_force},
     {"tangential", contact_tangential},

@@ -18,6 +18,7 @@ static const hertz_value *self(lua_State *L) {
 
 NUMBER_FIELD(hertz, half_width, self(L)->result.half_width)
 NUMBER_FIELD(hertz, p_max, self(L)->result.p_max)
+NUMBER_FIELD(hertz, half_width_z, self(L)->result.half_width_z)
 NUMBER_FIELD(hertz, E_star, self(L)->result.E_star)
 NUMBER_FIELD(hertz, approach, self(L)->result.approach)
 
@@ -34,7 +35,7 @@ static int hertz_plate(lua_State *L) {
 static int hertz_tostring(lua_State *L) {
   const hertz_value *value = self(L);
   const int is_ball = value->def.geometry == ARC_AXISYMMETRIC;
-  char text[200], thick[60] = "";
+  char text[300], thick[60] = "";
   if (!is_ball) snprintf(thick, sizeof thick, ", thickness %.6g mm", value->def.thickness);
   snprintf(text, sizeof text,
            "hertz:%s radius %.6g mm, load %.6g N%s%s\n"
@@ -42,18 +43,22 @@ static int hertz_tostring(lua_State *L) {
            is_ball ? " ball," : "", value->def.radius, value->def.load, thick,
            value->def.geometry == ARC_PLANE_STRESS ? ", plane stress" : "",
            value->result.half_width, value->result.p_max, value->result.E_star);
+  if (value->def.geometry == ARC_SPATIAL)
+    snprintf(text, sizeof text,
+             "hertz: 3-D, radius %.6g mm along x, %.6g mm along z, load %.6g N\n"
+             "  half widths %.6g and %.6g mm, largest pressure %.6g MPa, approach %.6g mm",
+             value->def.radius, value->def.radius_z > 0 ? value->def.radius_z : value->def.radius,
+             value->def.load, value->result.half_width, value->result.half_width_z,
+             value->result.p_max, value->result.approach);
   lua_pushstring(L, text);
   return 1;
 }
 
 static const luaL_Reg fields[] = {
-    {"half_width", hertz_half_width},
-    {"p_max", hertz_p_max},
-    {"E_star", hertz_E_star},
-    {"approach", hertz_approach},
-    {"cylinder", hertz_cylinder},
-    {"plate", hertz_plate},
-    {NULL, NULL},
+    {"half_width", hertz_half_width}, {"half_width_z", hertz_half_width_z},
+    {"p_max", hertz_p_max},           {"E_star", hertz_E_star},
+    {"approach", hertz_approach},     {"cylinder", hertz_cylinder},
+    {"plate", hertz_plate},           {NULL, NULL},
 };
 
 static const void *definition(lua_State *L) {

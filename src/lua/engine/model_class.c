@@ -168,7 +168,7 @@ static int model_new(lua_State *L) {
   if (push_of_mesh(L, 1, place)) return 1;
   arc_model_def def = begin_definition();
   if (!lua_isnil(L, 1)) read_definition(L, 1, place, &def);
-  arc_model_fit_alone(&def);
+  if (!arc_model_has_maps(&def)) arc_model_fit_alone(&def);
   model_push(L, &def, "model");
   return 1;
 }
@@ -209,8 +209,10 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
   }
   read_definition(L, lua_gettop(L), place, &def);
   lua_pop(L, 1);
-  arc_model_fit(&def, load);
-  suit_zones(L, &def, where, zones, asker);
+  if (!arc_model_has_maps(&def)) {
+    arc_model_fit(&def, load);
+    suit_zones(L, &def, where, zones, asker);
+  }
   return model_push(L, &def, where);
 }
 
@@ -252,6 +254,7 @@ static int model_lower(lua_State *L) {
 static int model_mesh(lua_State *L) {
   const arc_model_def *def = arc_model_definition(self(L));
   settings_push(L, arc_setting_find(arc_model_settings, "mesh"), def);
+  if (arc_model_has_maps(def)) return 1;
   for (int body = 0; body < ARC_BODIES; body++) {
     mesh_push(L, 1, (arc_body)body);
     set_by_body(L, def, (arc_body)body);
@@ -286,7 +289,35 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   luaL_addstring(text, line);
 }
 
+/* A pair without meshes. */
+static int push_half_spaces(lua_State *L, const arc_model_def *def) {
+  char line[200];
+  luaL_Buffer text;
+  luaL_buffinit(L, &text);
+  luaL_addstring(&text, "model: 3-D, half-spaces");
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
+    snprintf(line, sizeof line, "\n  %-8s  E %.6g MPa, nu %.6g", body_name(def, (arc_body)b),
+             def->material[b].E, def->material[b].nu);
+    luaL_addstring(&text, line);
+    if (arc_body_is_spatial(&solid)) {
+      snprintf(line, sizeof line, ", radius %.6g mm along x, %.6g mm along z", solid.radius,
+               solid.radius_z);
+      luaL_addstring(&text, line);
+    }
+    for (int l = 0; l < arc_body_layers(&solid); l++) {
+      snprintf(line, sizeof line, ", layer %.6g mm of E %.6g MPa", solid.layer[l].thickness,
+               solid.layer[l].material.E);
+      luaL_addstring(&text, line);
+    }
+  }
+  luaL_pushresult(&text);
+  return 1;
+}
+
 static int model_tostring(lua_State *L) {
+  if (arc_model_has_maps(arc_model_definition(self(L))))
+    return push_half_spaces(L, arc_model_definition(self(L)));
   const arc_model *model = self(L);
   const arc_model_def *def = arc_model_definition(model);
   char line[200], space[100];

@@ -161,6 +161,7 @@ int stress_new(lua_State *L) {
       {"__tostring", stress_tostring}, {"__index", stress_index}, {NULL, NULL}};
   const arc_contact *contact = box_self(L, &contact_class, "contact:stress")->thing;
   luaL_checkstack(L, 12, "contact:stress");
+  model_check_meshed(L, arc_contact_model(contact), "contact:stress");
   lua_createtable(L, 0, 2);
   for (int body = 0; body < ARC_BODIES; body++) {
     push_field(L, contact, (arc_body)body);

@@ -195,6 +195,10 @@ arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, arc_geometr
   arc_shape *shape = NULL;
   worn = lua_absindex(L, worn);
   luaL_checkstack(L, 12, where);
+  if (!lua_isnil(L, worn) && arc_model_has_maps(arc_model_definition(model)))
+    error_raise(L, ARC_ARGUMENT, where,
+                "field 'worn': with geometry = \"3-D\" expected a wear object on the same model "
+                "(model = w.model), or nothing");
   box *holder = box_push(L, &shape_class);
   arc_status status = arc_shape_create(model, geometry, refresh, &shape, &error);
   holder->thing = shape;

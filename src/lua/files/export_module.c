@@ -57,7 +57,9 @@ static const arc_contact *push_contact(lua_State *L, const char *where) {
   } else {
     lua_pushvalue(L, 1);
   }
-  return box_check(L, -1, &contact_class, where)->thing;
+  const arc_contact *contact = box_check(L, -1, &contact_class, where)->thing;
+  model_check_meshed(L, arc_contact_model(contact), where);
+  return contact;
 }
 
 static void need_meshes(lua_State *L, const arc_mesh *mesh, const char *where) {
@@ -90,6 +92,8 @@ static void write_vtk(lua_State *L, const char *file, const arc_mesh *mesh, vtk_
 }
 
 static vtk_source read_source(lua_State *L) {
+  if (box_test(L, 1, &model_class))
+    model_check_meshed(L, box_check(L, 1, &model_class, vtk_where)->thing, vtk_where);
   if (box_test(L, 1, &model_class))
     return (vtk_source){.model = box_check(L, 1, &model_class, vtk_where)->thing};
   vtk_source from = {.contact = push_contact(L, vtk_where)};
@@ -146,6 +150,8 @@ static int export_inp(lua_State *L) {
   static const char *const endings[] = {".inp", NULL};
   lua_settop(L, 2);
   const char *path = path_ending(L, where, endings, "a file name that ends in .inp");
+  if (box_test(L, 1, &model_class))
+    model_check_meshed(L, box_check(L, 1, &model_class, where)->thing, where);
   const arc_contact *contact =
       box_test(L, 1, &model_class) ? push_usual_contact(L, where) : push_contact(L, where);
   if (!contact)
@@ -195,6 +201,7 @@ static int export_msh(lua_State *L) {
     const arc_mesh *one = mesh_of(L, 1, where);
     mesh[one->body] = one;
   } else if (box_test(L, 1, &model_class)) {
+    model_check_meshed(L, box_check(L, 1, &model_class, where)->thing, where);
     for (int body = 0; body < ARC_BODIES; body++)
       mesh[body] = arc_model_mesh(box_check(L, 1, &model_class, where)->thing, (arc_body)body);
     need_meshes(L, mesh[ARC_UPPER], where);

@@ -176,6 +176,7 @@ static const luaL_Reg methods[] = {
     {"contact", wear_contact},
     {"profile", wear_profile},
     {"pressure", wear_pressure},
+    {"map", wear_map},
     {"combined", wear_combined},
     {"local_partition", wear_local_partition},
     {"roughness", wear_roughness},

@@ -18,6 +18,7 @@ typedef struct wear_request {
   arc_wear_def def;
   double cycles;                        /* in place of a distance; 0: not given */
   double distance_before, cycle_before; /* where the run stands that is changed */
+  int own_steps;                        /* scheme, jump or tolerance were given, or are a run's */
   int own_k;                            /* k or alpha were given, or are a run's */
   int functions;                        /* index of the holder of the user's functions, or of nil */
 } wear_request;
@@ -74,6 +75,7 @@ wear_goals wear_goals_read(lua_State *L, const arc_wear *wear);
 /* --- wear_profile.c: methods that look at it --- */
 int wear_profile(lua_State *L);
 int wear_pressure(lua_State *L);
+int wear_map(lua_State *L);
 int wear_contact(lua_State *L);
 int wear_p_average(lua_State *L);
 int wear_combined(lua_State *L);

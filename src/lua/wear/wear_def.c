@@ -66,6 +66,7 @@ static void share_cycles(lua_State *L, args_place place, wear_request *request,
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model) {
   arc_wear_def def = request->def;
   if (!request->own_k) arc_wear_def_of_bodies(&def, model);
+  if (!request->own_steps) arc_wear_def_usual(&def, model);
   if (request->cycles > 0)
     def.distance = request->distance_before +
                    (request->cycles - request->cycle_before) * arc_wear_def_sliding(&def, model);
@@ -104,7 +105,7 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_pla
   if (!changed) return request;
   const arc_wear *wear = box_check(L, changed, &wear_class, place.where)->thing;
   refuse_changes(L, index, place);
-  request.own_k = 1;
+  request.own_k = request.own_steps = 1;
   request.def = *arc_wear_definition(wear);
   request.distance_before = arc_wear_last(wear)->distance;
   request.cycle_before = arc_wear_last(wear)->cycle;
@@ -211,6 +212,8 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
   list_settings(settings, changed);
   read_bodies(L, index, place, &request);
   request.own_k = request.own_k || args_given(L, index, "k") || args_given(L, index, "alpha");
+  request.own_steps = request.own_steps || args_given(L, index, "scheme") ||
+                      args_given(L, index, "jump") || args_given(L, index, "tolerance");
   args_read(L, index, place, settings, &request.def);
   read_cycles(L, index, place, &request);
   settle_scheme(L, index, &request.def);

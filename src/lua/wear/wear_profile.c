@@ -3,7 +3,9 @@
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 #include "lua/base/strict.h"
+#include "lua/base/names.h"
 #include "lua/engine/measure_module.h"
+#include "lua/engine/surface_maps.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
@@ -14,9 +16,54 @@ static arc_body wear_body(lua_State *L, const arc_wear *wear, const char *where)
   return body_argument(L, 2, where, arc_model_definition(arc_wear_model(wear)), ARC_UPPER);
 }
 
+static int is_meshed(const arc_wear *wear) {
+  return !arc_model_has_maps(arc_model_definition(arc_wear_model(wear)));
+}
+
+/* Pushes what holds the surfaces of a run. */
+static const arc_array *push_surfaces(lua_State *L, const arc_wear *wear, const char *where,
+                                      size_t *count) {
+  arc_error error = {0};
+  arc_array **held = arrays_push_holder(L);
+  error_check(L, arc_wear_surfaces(wear, held, count, &error), &error, where,
+              (lua_Number)arc_wear_last(wear)->update);
+  return *held;
+}
+
+/* wear:profile(body, { z = 0 } | { x = 0 }) -> { x=, h=, y= } */
+static int push_section(lua_State *L, const arc_wear *wear, const char *where,
+                        const char *const *names) {
+  size_t count;
+  lua_settop(L, 3);
+  const arc_body body = wear_body(L, wear, where);
+  const arc_array *arrays = push_surfaces(L, wear, where, &count);
+  surface_push_section(L, 3, where, arrays, count, body, names);
+  return 1;
+}
+
+/* wear:map(body, what) -> map of "depth", "height" or "pressure" */
+int wear_map(lua_State *L) {
+  static const char where[] = "wear:map";
+  static const char *const what[] = {"depth", "height", "pressure", NULL};
+  static const char *const name[] = {"h", "y", "p"}, *const unit[] = {"mm", "mm", "MPa"};
+  const arc_wear *wear = wear_self(L, where);
+  size_t count;
+  lua_settop(L, 3);
+  if (is_meshed(wear))
+    error_raise(L, ARC_ARGUMENT, where,
+                "expected a run with geometry = \"3-D\"; in the plane w:profile() has the depths");
+  const arc_body body = wear_body(L, wear, where);
+  const int which = args_choice(L, 3, (args_place){where, ""}, "what", what, 0);
+  const arc_array *arrays = push_surfaces(L, wear, where, &count);
+  surface_push_map(L, arrays, count, body, name[which], unit[which]);
+  return 1;
+}
+
 /* wear:profile(body) -> { x=, h=, y=, worn_x=, way= } */
 int wear_profile(lua_State *L) {
+  static const char *const names[] = {"h", "y", NULL};
   const arc_wear *wear = wear_self(L, "wear:profile");
+  if (!is_meshed(wear)) return push_section(L, wear, "wear:profile", names);
   arc_body body = wear_body(L, wear, "wear:profile");
   arc_profile profile = arc_shape_profile(arc_wear_shape(wear), body);
   lua_createtable(L, 0, 5);
@@ -75,7 +122,9 @@ static void push_shown(lua_State *L, const arc_wear *wear, arc_body body) {
 
 /* wear:pressure(body) -> { x=, p= } of that contact */
 int wear_pressure(lua_State *L) {
+  static const char *const names[] = {"p", NULL};
   const arc_wear *wear = wear_self(L, "wear:pressure");
+  if (!is_meshed(wear)) return push_section(L, wear, "wear:pressure", names);
   arc_body body = wear_body(L, wear, "wear:pressure");
   if (!arc_model_mesh(arc_wear_model(wear), body)) {
     push_shown(L, wear, body);
@@ -96,6 +145,7 @@ static arc_depths depths_of(const arc_shape *shape, arc_body body) {
 /* wear:combined() -> { x=, h= }, the sum of both depths (Eq. 31) */
 int wear_combined(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:combined"));
+  model_check_meshed(L, arc_shape_model(shape), "wear:combined");
   return measure_push_combined(L, depths_of(shape, ARC_CYLINDER), depths_of(shape, ARC_PLATE));
 }
 
@@ -103,6 +153,7 @@ int wear_combined(lua_State *L) {
  * is any wear */
 int wear_local_partition(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:local_partition"));
+  model_check_meshed(L, arc_shape_model(shape), "wear:local_partition");
   return measure_push_partition(L, depths_of(shape, ARC_CYLINDER), depths_of(shape, ARC_PLATE));
 }
 

@@ -49,6 +49,7 @@ static int wear_depth(lua_State *L) {
 
 static int wear_vector_depth(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(self(L));
+  if (arc_model_has_maps(pair_of(L))) return wear_depth(L); /* along y alone */
   push_by_body(L, pair_of(L), arc_shape_vector_depth(shape, ARC_CYLINDER),
                arc_shape_vector_depth(shape, ARC_PLATE), "wear.vector_depth");
   return 1;
@@ -360,6 +361,7 @@ static const char *show_increments(const arc_wear *wear, char *text, size_t size
   const arc_wear_def *def = arc_wear_definition(wear);
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
   snprintf(text, size, "auto");
+  if (arc_model_has_maps(model) && def->increments == 0) return text;
   if (def->blocks == 0 || def->increments > 0)
     snprintf(text, size, "%d", arc_wear_def_increments(def, model));
   return text;
@@ -391,11 +393,15 @@ static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   char line[700], pair[200], space[100], first[100], second[100];
   show_material(alike ? "both" : body_name(model, ARC_UPPER), of[0], first, sizeof first);
   show_material(body_name(model, ARC_LOWER), of[1], second, sizeof second);
-  snprintf(line, sizeof line,
-           "  bodies    %s, %s, elements %.6g x %.6g mm\n"
-           "  materials %s%s%s\n",
-           show_pair(model, pair, sizeof pair), model_show_space(model, space, sizeof space),
-           model->mesh.size, model->mesh.height, first, alike ? "" : ", ", alike ? "" : second);
+  if (arc_model_has_maps(model))
+    snprintf(line, sizeof line, "  bodies    %s, 3-D, half-spaces\n  materials %s%s%s\n",
+             show_pair(model, pair, sizeof pair), first, alike ? "" : ", ", alike ? "" : second);
+  else
+    snprintf(line, sizeof line,
+             "  bodies    %s, %s, elements %.6g x %.6g mm\n"
+             "  materials %s%s%s\n",
+             show_pair(model, pair, sizeof pair), model_show_space(model, space, sizeof space),
+             model->mesh.size, model->mesh.height, first, alike ? "" : ", ", alike ? "" : second);
   luaL_addstring(text, line);
 }
 

@@ -1,0 +1,257 @@
+/* One contact of half-spaces as an object, and the reference configuration of a run. */
+#include "core/space/space_kind.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- contacts ----------------------------------------------------------------------------------
+ */
+
+void arc_space_end_contact(arc_contact *contact) {
+  space_contact *c = (space_contact *)(void *)contact;
+  arc_space_discard(&c->handle.shape);
+  free(c->pressure);
+  free(c);
+}
+
+size_t arc_space_contact_bytes(const arc_contact *contact) {
+  const space_contact *c = (const space_contact *)(const void *)contact;
+  const space_shape *s = space_shape_of(c->handle.shape);
+  return sizeof *c +
+         (size_t)(3 * space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER)) * sizeof(double);
+}
+
+static arc_status check(const arc_contact_def *def, arc_error *error) {
+  const arc_status status = arc_settings_check(arc_contact_settings, "", def, error);
+  if (status != ARC_OK) return status;
+  if (def->friction > 0)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'friction': with geometry = \"3-D\" there is none yet: expected 0, got "
+                    "%g",
+                    def->friction);
+  if (def->load_angle != 0)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'load_angle': expected 0 but in a hole, got %g degrees",
+                    def->load_angle);
+  return ARC_OK;
+}
+
+static arc_status solve_at(const space_shape *s, double x, double load,
+                           const arc_callbacks *callbacks, double *pressure, double *approach,
+                           arc_halfspace_report *report, arc_error *error) {
+  const double *const depth[] = {s->depth[ARC_UPPER], s->depth[ARC_LOWER]};
+  const arc_halfspace_position position = {.x = x, .load = load, .weight = 1};
+  const arc_halfspace_options options = {.callbacks = callbacks};
+  return arc_halfspace_solve(s->grid->h, depth, &position, &options, pressure, approach, report,
+                             error);
+}
+
+static arc_status solve_contact(space_contact *c, const arc_callbacks *callbacks,
+                                arc_error *error) {
+  const space_shape *s = space_shape_of(c->handle.shape);
+  const size_t cells = (size_t)space_sites(s, ARC_UPPER);
+  arc_halfspace_report report = {0};
+  double approach = 0;
+  c->pressure = calloc(cells, sizeof *c->pressure);
+  if (!c->pressure) return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
+  const arc_status status = solve_at(s, c->handle.def.x, c->handle.def.load, callbacks, c->pressure,
+                                     &approach, &report, error);
+  if (status != ARC_OK) return status;
+  const arc_halfspace_extent e = arc_halfspace_contact_extent(s->grid->h, c->pressure);
+  c->handle.result = (arc_contact_result){.p_center = e.center,
+                                          .p_max = e.largest,
+                                          .p_average = e.largest,
+                                          .half_width = e.half_width,
+                                          .half_width_z = e.half_width_z,
+                                          .area = e.area,
+                                          .left = e.center_x - e.half_width,
+                                          .right = e.center_x + e.half_width,
+                                          .normal_force = c->handle.def.load,
+                                          .approach = approach,
+                                          .iterations = report.iterations};
+  return ARC_OK;
+}
+
+/* On a shape whose window is for another load, the contact may need a larger one. */
+static arc_status with_room(space_contact *c, const arc_callbacks *callbacks, arc_error *error) {
+  enum { most_tries = 12 };
+  arc_status status = solve_contact(c, callbacks, error);
+  for (int i = 0; i < most_tries && status == ARC_ZONE; i++) {
+    const space_shape *s = space_shape_of(c->handle.shape);
+    arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
+    const int ahead = 2 * (int)ceil(fabs(c->handle.def.x) / cells.size_x);
+    space_shape *larger;
+    cells.nx += 2 * (cells.nx / 4 + 2);
+    cells.nz += 2 * (cells.nz / 4 + 2);
+    if (cells.groove == 0) cells.track = cells.nx + ahead;
+    status = arc_space_regrow(s, &cells, &larger, error);
+    if (status != ARC_OK) break;
+    arc_space_discard(&c->handle.shape);
+    c->handle.shape = (arc_shape *)(void *)larger;
+    free(c->pressure);
+    c->pressure = NULL;
+    status = solve_contact(c, callbacks, error);
+  }
+  return status;
+}
+
+/* Whether nothing has worn, so that the cells may be those for the load. */
+static int is_unworn(const space_shape *s) {
+  const int n = space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER);
+  for (int i = 0; i < n; i++)
+    if (s->depth[ARC_UPPER][i] != 0) return 0;
+  return 1;
+}
+
+arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
+                           const arc_callbacks *callbacks, arc_contact **result, arc_error *error) {
+  arc_model *model = arc_shape_model(shape);
+  const arc_model_def *md = arc_model_definition(model);
+  arc_status status = check(def, error);
+  if (status != ARC_OK) return status;
+  space_contact *c = calloc(1, sizeof *c);
+  if (!c) return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
+  const int unworn = is_unworn(space_shape_of(shape));
+  c->handle.def = *def;
+  if (unworn) {
+    arc_halfspace_def cells;
+    arc_space_fit(md, def->load, 0, 2 * fabs(def->x), fabs(def->x), &cells);
+    status = arc_space_create(model, &cells, (space_shape **)(void *)&c->handle.shape, error);
+  } else {
+    status = arc_space_copy(shape, &c->handle.shape, error);
+  }
+  if (status == ARC_OK) status = with_room(c, callbacks, error);
+  if (status == ARC_OK) {
+    const space_shape *s = space_shape_of(c->handle.shape);
+    *result = (arc_contact *)(void *)c;
+    arc_space_warn(md, arc_halfspace_definition(s->grid->h), c->handle.result.half_width,
+                   callbacks);
+  } else {
+    arc_space_end_contact((arc_contact *)(void *)c);
+  }
+  return status;
+}
+
+arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
+                          const arc_callbacks *callbacks, arc_contact **contact, arc_error *error) {
+  arc_contact_def def = *arc_contact_definition(from);
+  if (motion->by_force)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'tangential': expected none, as the contact has no friction, got %g N",
+                    motion->tangential);
+  def.x = motion->x;
+  if (motion->load > 0) def.load = motion->load;
+  return arc_contact_solve(arc_contact_shape(from), &def, callbacks, contact, error);
+}
+
+/* --- as arrays ---------------------------------------------------------------------------------
+ */
+
+enum { X, Z, H, Y, P, NAMES };
+static const char *const names[] = {"x", "z", "h", "y", "p"};
+
+/* Fills the values of one body, [NAMES][sites]. Pressures of the lower one are where it stands
+ * under the window. */
+static void fill(const space_shape *s, int b, const double *pressure, double at, double *values) {
+  const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
+  const int n = space_sites(s, b), rows = n / d->nz;
+  const int ahead = d->groove > 0 ? 0 : (rows - d->nx) / 2 - (int)round(at / d->size_x);
+  const double *recess = arc_halfspace_recess(s->grid->h, (arc_body)b);
+  for (int i = 0; i < n; i++) {
+    const double inside = recess[i] + s->depth[b][i];
+    const int row = i / d->nz - (b == ARC_LOWER ? ahead : 0);
+    arc_halfspace_site_at(s->grid->h, (arc_body)b, i, &values[X * n + i], &values[Z * n + i]);
+    values[H * n + i] = s->depth[b][i];
+    values[Y * n + i] = b == ARC_UPPER ? inside : -inside;
+    values[P * n + i] = row >= 0 && row < d->nx ? fmax(0, pressure[row * d->nz + i % d->nz]) : 0;
+  }
+}
+
+/* Arrays of a solved contact; those of `wanted` names. */
+static arc_status show(const space_shape *s, const double *pressure, double at, double update,
+                       double distance, const int *wanted, int count, arc_array **result,
+                       size_t *arrays, arc_error *error) {
+  const size_t n[] = {(size_t)space_sites(s, ARC_UPPER), (size_t)space_sites(s, ARC_LOWER)};
+  double *values = malloc(NAMES * (n[0] + n[1]) * sizeof *values);
+  arc_array list[ARC_BODIES * NAMES];
+  *result = NULL;
+  if (values) {
+    double *of[] = {values, values + NAMES * n[0]};
+    for (int b = 0; b < ARC_BODIES; b++) fill(s, b, pressure, at, of[b]);
+    for (int i = 0; i < ARC_BODIES * count; i++) {
+      const int b = i / count, name = wanted[i % count];
+      list[i] = (arc_array){names[name], (arc_body)b, update,
+                            distance,    {n[b], 1},   of[b] + (size_t)name * n[b]};
+    }
+    *result = arc_arrays_copy(list, (size_t)(ARC_BODIES * count));
+  }
+  free(values);
+  if (!*result) return arc_fail(error, ARC_MEMORY, "out of memory for the surfaces of a contact");
+  *arrays = (size_t)(ARC_BODIES * count);
+  return ARC_OK;
+}
+
+arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
+                                  arc_error *error) {
+  static const int wanted[] = {X, Z, P};
+  const space_contact *c = (const space_contact *)(const void *)contact;
+  return show(space_shape_of(c->handle.shape), c->pressure, c->handle.def.x, 0, 0, wanted, 3,
+              surfaces, count, error);
+}
+
+arc_status arc_space_show(const arc_wear *w, arc_array **surfaces, size_t *count,
+                          arc_error *error) {
+  static const int wanted[] = {X, Z, H, Y, P};
+  const arc_wear_record *last = arc_wear_last(w);
+  const space_shape *s = space_shape_of(w->shape);
+  arc_halfspace_report report;
+  double approach;
+  *surfaces = NULL;
+  *count = 0;
+  double *pressure = calloc((size_t)w->nc, sizeof *pressure);
+  if (!pressure) return arc_fail(error, ARC_MEMORY, "out of memory for the surfaces of a run");
+  arc_status status = solve_at(s, 0, w->def.load, NULL, pressure, &approach, &report, error);
+  if (status == ARC_OK)
+    status =
+        show(s, pressure, 0, last->update, last->distance, wanted, NAMES, surfaces, count, error);
+  free(pressure);
+  return status;
+}
+
+/* --- the reference configuration ---------------------------------------------------------------
+ */
+
+static double deepest(const space_shape *s, int b) {
+  double most = 0;
+  for (int i = 0; i < space_sites(s, b); i++) most = fmax(most, s->depth[b][i]);
+  return most;
+}
+
+arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
+                             arc_error *error) {
+  const space_shape *s = space_shape_of(shape);
+  const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
+  arc_halfspace_report report;
+  double approach, *pressure = calloc((size_t)space_sites(s, ARC_UPPER), sizeof *pressure);
+  if (!pressure) return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
+  const arc_status status = solve_at(s, 0, w->def.load, NULL, pressure, &approach, &report, error);
+  if (status == ARC_OK) {
+    const arc_halfspace_extent e = arc_halfspace_contact_extent(s->grid->h, pressure);
+    record->p_center = e.center;
+    record->p_max = e.largest;
+    record->half_width = e.half_width;
+    record->half_width_z = e.half_width_z;
+    record->area = e.area;
+    record->solutions += 1;
+    record->load_reference = w->def.load;
+    record->elements = (double)d->nx * d->nz;
+    record->depth_cylinder = deepest(s, ARC_UPPER);
+    record->depth_plate = deepest(s, ARC_LOWER);
+    record->depth_partition = arc_depth_partition(record->depth_cylinder, record->depth_plate);
+    if (w->def.blocks == 0 || record->p_peak == 0)
+      record->p_peak = fmax(record->p_peak, record->p_max);
+  }
+  free(pressure);
+  return status;
+}

@@ -1,0 +1,147 @@
+/* What a definition of a wear run comes to in space, and what goes together. */
+#include "core/space/space_kind.h"
+
+#include <math.h>
+
+/* --- checks ------------------------------------------------------------------------------------
+ */
+
+static arc_status refuse(arc_error *error, const char *field, const char *why) {
+  return arc_fail(error, ARC_ARGUMENT, "field '%s': with geometry = \"3-D\" %s", field, why);
+}
+
+/* What is not built. */
+static arc_status check_built(const arc_wear_def *d, arc_error *error) {
+  if (arc_wear_has_friction(d)) return refuse(error, "friction", "there is none yet: expected 0");
+  if (d->tangential > 0) return refuse(error, "tangential", "expected none: there is no friction");
+  if (d->slide == ARC_SLIDE_Z)
+    return refuse(error, "slide", "expected \"x\"; exchange radius and radius_z instead");
+  if (d->spin > 0) return refuse(error, "spin", "expected none");
+  if (d->track > 0) return refuse(error, "track", "expected none yet");
+  if (d->slip == ARC_SLIP_TOTAL) return refuse(error, "slip", "expected \"rigid\"");
+  if (d->update == ARC_UPDATE_INCREMENT) return refuse(error, "update", "expected \"cycle\"");
+  if (d->local_factor) return refuse(error, "local_factor", "expected none yet");
+  if (!(arc_law_properties[d->law] & ARC_LAW_LINEAR))
+    return refuse(error, "law", "expected \"archard\"");
+  if (d->load_angle != 0) return refuse(error, "load_angle", "expected 0: it is that of holes");
+  return ARC_OK;
+}
+
+static arc_status check_increments(const arc_wear_def *d, const arc_model_def *model,
+                                   arc_error *error) {
+  enum { most = 4000 };
+  const double made = d->blocks == 0 && d->increments == 0
+                          ? 2 * d->stroke / arc_space_cell(model, d->load)
+                          : d->increments;
+  if (made <= most) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'increments': the stroke takes %.3g of them, one a cell of %.3g mm; "
+                  "expected at most %d: use procedure = \"NSP\" or a larger mesh.size",
+                  made, arc_space_cell(model, d->load), most);
+}
+
+static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
+  for (int b = 0; b < d->blocks; b++)
+    if (d->loading[b].rotation || d->loading[b].load_angle)
+      return refuse(error, "loading", "expected x and load: nothing turns");
+  return ARC_OK;
+}
+
+static arc_status check_groove(const arc_wear_def *d, const arc_model_def *model,
+                               arc_error *error) {
+  if (d->procedure != ARC_NSP || arc_wear_alpha_stays_one(d)) return ARC_OK;
+  if (d->blocks > 0)
+    return refuse(error, "procedure", "\"NSP\" is for a plain stroke: expected no loading");
+  const double scar = 2 * arc_space_hertz(model, d->load).half_width;
+  if (d->stroke >= 2 * scar) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'procedure': \"NSP\" takes the track as a groove: expected a stroke of "
+                  "at least 2 contact widths, got %.3g",
+                  d->stroke / scar);
+}
+
+arc_status arc_space_check(const arc_wear_def *d, const arc_model_def *model, arc_error *error) {
+  arc_status status = check_built(d, error);
+  if (status == ARC_OK) status = check_loading(d, error);
+  if (status == ARC_OK) status = check_groove(d, model, error);
+  if (status == ARC_OK && d->procedure != ARC_NSP) status = check_increments(d, model, error);
+  return status;
+}
+
+/* --- what follows ------------------------------------------------------------------------------
+ */
+
+void arc_space_usual(arc_wear_def *def) {
+  def->scheme = ARC_IMPLICIT;
+  def->tolerance = 1e-3;
+}
+
+static int rests(const arc_wear_def *d) {
+  return d->procedure == ARC_NSP || (d->procedure == ARC_AUTO && arc_wear_alpha_stays_one(d));
+}
+
+wear_manner arc_space_manner(const arc_wear_def *def, const arc_model_def *model) {
+  return (wear_manner){.procedure = rests(def) ? ARC_NSP : ARC_SP,
+                       .strokes = 2,
+                       .stroke = def->stroke,
+                       .modulus = arc_contact_modulus(model->geometry, model->material),
+                       .thickness = 1,
+                       .rests = rests(def)};
+}
+
+/* One a cell. */
+int arc_space_increments(const arc_wear_def *def, const arc_model_def *model) {
+  enum { fewest = 4, most = 1 << 20 };
+  if (def->increments > 0) return def->increments;
+  const double half = round(def->stroke / arc_space_cell(model, def->load));
+  return 2 * (int)fmin(fmax(fewest / 2, half), most);
+}
+
+double arc_space_reach(const arc_model_def *model, double load) {
+  return arc_space_cell(model, load);
+}
+
+double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
+                       const arc_loading *loading, double *parts) {
+  const double longest = arc_space_cell(model, def->load);
+  double sum = 0;
+  if (parts) parts[0] = 0;
+  for (int i = 1; i < loading->count; i++) {
+    const double way = fabs(loading->x[i] - loading->x[i - 1]);
+    const double made = def->increments > 0 ? 1 : fmax(1, ceil(way / longest - 1e-9));
+    if (parts) parts[i] = made;
+    sum += made;
+  }
+  return sum;
+}
+
+/* --- cells -------------------------------------------------------------------------------------
+ */
+
+/* Twice the largest distance from x = 0 [mm]. */
+static double stroke_of(const arc_wear_def *def) {
+  double most = 0;
+  if (rests(def)) return 0;
+  if (def->blocks == 0) return def->stroke;
+  for (int b = 0; b < def->blocks; b++)
+    for (int i = 0; i < def->loading[b].count; i++) most = fmax(most, fabs(def->loading[b].x[i]));
+  return 2 * most;
+}
+
+/* Worn at the end, as far as it is known. */
+static double volume_of(const arc_wear_def *def) {
+  const int known = !def->k_function && def->k_series.count == 0;
+  return known ? def->k * def->load * def->distance : 0;
+}
+
+arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model) {
+  const int plain = def->blocks == 0 && !rests(def);
+  const double increment = plain ? def->stroke / (arc_space_increments(def, model) / 2) : 0;
+  arc_halfspace_def cells;
+  arc_space_fit(model, def->load, volume_of(def), stroke_of(def), increment, &cells);
+  if (rests(def) && !arc_wear_alpha_stays_one(def)) {
+    cells.groove = def->stroke;
+    cells.track = 0;
+  }
+  return cells;
+}

@@ -1,0 +1,258 @@
+/* Half-spaces as a kind of pair: the table, and what is short. */
+#include "core/space/space_kind.h"
+
+#include <math.h>
+
+/* --- runs --------------------------------------------------------------------------------------
+ */
+
+static arc_status begin(arc_wear *w) {
+  const space_shape *s = space_shape_of(w->shape);
+  w->nc = space_sites(s, ARC_UPPER);
+  w->np = space_sites(s, ARC_LOWER);
+  return ARC_OK;
+}
+
+static void end(arc_wear *w) {
+  (void)w;
+}
+
+static size_t bytes(const arc_wear *w) {
+  const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
+  return (size_t)arc_halfspace_bytes(d, 2) + arc_space_tangent_bytes(w);
+}
+
+static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) {
+  const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
+  if (unworn)
+    arc_space_warn(arc_model_definition(w->model), d, arc_wear_last(w)->half_width, callbacks);
+}
+
+/* --- surfaces ----------------------------------------------------------------------------------
+ */
+
+/* Cells for the usual load; a contact that is solved on them takes its own. */
+static arc_status unworn(arc_model *model, arc_geometry geometry, double refresh, arc_shape **shape,
+                         arc_error *error) {
+  arc_halfspace_def cells;
+  (void)geometry;
+  (void)refresh;
+  arc_space_fit(arc_model_definition(model), arc_contact_default().load, 0, 0, 0, &cells);
+  return arc_space_create(model, &cells, (space_shape **)(void *)shape, error);
+}
+
+static wear_sites sites(const arc_shape *shape, arc_body body) {
+  const space_shape *s = space_shape_of(shape);
+  return (wear_sites){space_sites(s, body), s->grid->x[body], s->depth[body]};
+}
+
+/* In the middle, into the shape's own arrays. */
+static arc_profile profile(const arc_shape *shape, arc_body body) {
+  const space_shape *s = space_shape_of(shape);
+  const int nz = arc_halfspace_definition(s->grid->h)->nz, rows = space_sites(s, body) / nz;
+  const double *recess = arc_halfspace_recess(s->grid->h, body);
+  double *x = s->line[body], *h = x + rows, *y = h + rows;
+  for (int i = 0; i < rows; i++) {
+    const int at = i * nz + nz / 2;
+    x[i] = s->grid->x[body][at];
+    h[i] = s->depth[body][at];
+    y[i] = (body == ARC_UPPER ? 1 : -1) * (recess[at] + h[i]);
+  }
+  return (arc_profile){.count = rows, .x = x, .h = h, .y = y, .worn_x = x, .way = h};
+}
+
+static double area(const arc_shape *shape, arc_body body, int i) {
+  (void)i;
+  return arc_halfspace_site_area(space_shape_of(shape)->grid->h, body);
+}
+
+static double deepest(const arc_shape *shape, arc_body body) {
+  const wear_sites on = sites(shape, body);
+  double most = 0;
+  for (int i = 0; i < on.count; i++) most = fmax(most, on.h[i]);
+  return most;
+}
+
+static void add_volumes(const arc_wear *w, const arc_shape *shape, const wear_depths *depth,
+                        arc_wear_record *record) {
+  double sum[ARC_BODIES] = {0};
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < sites_of(w, b); i++) sum[b] += depth->node[b][i];
+  record->volume_cylinder += sum[ARC_UPPER] * area(shape, ARC_UPPER, 0);
+  record->volume_plate += sum[ARC_LOWER] * area(shape, ARC_LOWER, 0);
+}
+
+static arc_status wear(const arc_wear *w, arc_shape *shape, wear_depths *depth,
+                       arc_wear_record *record, arc_error *error) {
+  space_shape *s = (space_shape *)(void *)shape;
+  (void)error;
+  add_volumes(w, shape, depth, record);
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < sites_of(w, b); i++) s->depth[b][i] += depth->node[b][i];
+  return ARC_OK;
+}
+
+/* --- how far steps go --------------------------------------------------------------------------
+ */
+
+static double natural_depth(const arc_wear *w) {
+  return arc_space_hertz(arc_model_definition(w->model), w->def.load).approach / 2;
+}
+
+/* --- windows that are outgrown -----------------------------------------------------------------
+ */
+
+static int must_grow(const arc_wear *w, arc_error *why) {
+  (void)w;
+  (void)why;
+  return 0;
+}
+
+static int has_outgrown(const arc_wear *w, arc_status why) {
+  (void)w;
+  return why == ARC_ZONE;
+}
+
+static int has_room(const arc_wear *w) {
+  (void)w;
+  return 1;
+}
+
+static arc_status grow(const arc_wear *w, arc_status why, const arc_callbacks *callbacks,
+                       arc_wear **result, arc_error *error) {
+  const space_shape *s = space_shape_of(w->shape);
+  arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
+  const int beyond = cells.track > 0 ? cells.track - cells.nx : 0;
+  space_shape *larger = NULL;
+  (void)why;
+  (void)callbacks;
+  *result = NULL;
+  cells.nx += 2 * (cells.nx / 8 + 2);
+  cells.nz += 2 * (cells.nz / 8 + 2);
+  if (cells.groove == 0) cells.track = cells.nx + beyond;
+  arc_status status = arc_space_regrow(s, &cells, &larger, error);
+  if (status != ARC_OK) return status;
+  arc_shape *shape = (arc_shape *)(void *)larger;
+  status = arc_wear_restore(w->model, &w->def, shape, w->history, w->records, result, error);
+  arc_space_discard(&shape);
+  return status;
+}
+
+static arc_status remesh(const arc_wear *w, const arc_mesh_def *mesh,
+                         const arc_callbacks *callbacks, arc_wear **result, arc_error *error) {
+  (void)w;
+  (void)mesh;
+  (void)callbacks;
+  *result = NULL;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'mesh': cells of a run in 3-D cannot be changed; make a new run");
+}
+
+static void report_nothing(const arc_wear *before, const arc_wear *now,
+                           const arc_callbacks *callbacks) {
+  (void)before;
+  (void)now;
+  (void)callbacks;
+}
+
+static arc_status refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
+                         arc_error *error) {
+  (void)w;
+  const int room = trouble->message[0] != '\0';
+  return arc_fail(error, why->status, "%s%s%s%s", why->message, room ? " (" : "", trouble->message,
+                  room ? ")" : "");
+}
+
+/* --- what is read ------------------------------------------------------------------------------
+ */
+
+static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *error) {
+  arc_contact_def def = arc_contact_default();
+  def.load = w->def.load;
+  return arc_contact_solve(w->shape, &def, NULL, result, error);
+}
+
+/* The sawtooth part along x, in the middle. */
+static double roughness(const arc_wear *w, arc_body body) {
+  const arc_profile line = profile(w->shape, body);
+  const double reach = 0.8 * arc_wear_last(w)->half_width, most = deepest(w->shape, body);
+  const double saw = arc_measure_sawtooth(line.x, line.h, (size_t)line.count, -reach, reach);
+  return most > 0 ? saw / most : 0;
+}
+
+static arc_status validate(const arc_wear *w, arc_error *error) {
+  arc_contact *solved;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const wear_sites on = sites(w->shape, (arc_body)b);
+    for (int i = 0; i < on.count; i++)
+      if (!isfinite(on.h[i]))
+        return arc_fail(error, ARC_NUMERIC, "depth %d of the %s is %g", i,
+                        arc_body_name((arc_body)b), on.h[i]);
+  }
+  const arc_status status = contact(w, &solved, error);
+  if (status == ARC_OK) arc_contact_destroy(&solved);
+  return status;
+}
+
+static const arc_growth growth = {
+    .must_grow = must_grow,
+    .has_outgrown = has_outgrown,
+    .has_room = has_room,
+    .grow = grow,
+    .remesh = remesh,
+    .report = report_nothing,
+    .report_mesh = report_nothing,
+    .refuse = refuse,
+};
+
+const arc_kind arc_space_kind = {
+    .name = "space",
+    .maps = 1,
+    .check_model = arc_space_check_model,
+    .build = arc_space_build,
+    .end_model = arc_space_end_model,
+    .model_bytes = arc_space_model_bytes,
+    .usual = arc_space_usual,
+    .check = arc_space_check,
+    .manner = arc_space_manner,
+    .increments = arc_space_increments,
+    .parts = arc_space_parts,
+    .reach = arc_space_reach,
+    .begin = begin,
+    .end = end,
+    .bytes = bytes,
+    .warn = warn,
+    .surfaces = arc_space_surfaces,
+    .unworn = unworn,
+    .copy = arc_space_copy,
+    .discard = arc_space_discard,
+    .sites = sites,
+    .area = area,
+    .profile = profile,
+    .deepest = deepest,
+    .add_volumes = add_volumes,
+    .wear = wear,
+    .measure = arc_space_measure,
+    .rate = arc_space_rate,
+    .tangent = arc_space_tangent,
+    .end_tangent = arc_space_end_tangent,
+    .eigenvalue = arc_space_eigenvalue,
+    .begin_stages = arc_space_begin_stages,
+    .start = arc_space_start,
+    .stage = arc_space_stage,
+    .error = arc_space_error,
+    .end_stages = arc_space_end_stages,
+    .natural_depth = natural_depth,
+    .growth = &growth,
+    .solve = arc_space_solve,
+    .move = arc_space_move,
+    .end_contact = arc_space_end_contact,
+    .contact_bytes = arc_space_contact_bytes,
+    .show_contact = arc_space_show_contact,
+    .contact = contact,
+    .show = arc_space_show,
+    .save = arc_space_save,
+    .load = arc_space_load,
+    .roughness = roughness,
+    .validate = validate,
+};

@@ -1,0 +1,123 @@
+/* Half-spaces as a kind of pair: surfaces over x and z, worn along x. */
+#ifndef SPACE_KIND_H
+#define SPACE_KIND_H
+
+#include "archard/space.h"
+#include "core/pair/surfaces.h"
+#include "core/wear/run.h"
+
+/* Half-spaces on cells, shared by all surfaces that have these cells. */
+typedef struct space_grid {
+  int references;
+  arc_halfspace *h;
+  double *x[ARC_BODIES]; /* [sites] where they are [mm] */
+} space_grid;
+
+/* An arc_shape of this kind. */
+typedef struct space_shape {
+  shape_handle handle;
+  space_grid *grid;
+  double *depth[ARC_BODIES]; /* [sites] wear [mm]; one block with the lines */
+  double *line[ARC_BODIES];  /* [3 rows] of the profile in the middle, when it is asked for */
+} space_shape;
+
+/* An arc_contact of this kind. */
+typedef struct space_contact {
+  contact_handle handle;
+  double *pressure; /* [window] [MPa] */
+} space_contact;
+
+/* Positions that a window solves, and its pressures. */
+typedef struct space_path {
+  int count;
+  arc_halfspace_position *position; /* [count] */
+} space_path;
+
+static inline const space_shape *space_shape_of(const arc_shape *shape) {
+  return (const space_shape *)(const void *)shape;
+}
+
+static inline int space_sites(const space_shape *s, int body) {
+  return arc_halfspace_sites(s->grid->h, (arc_body)body);
+}
+
+/* --- space_model.c --- */
+arc_status arc_space_check_model(const arc_model_def *def, arc_error *error);
+arc_status arc_space_build(const arc_model_def *def, const arc_callbacks *callbacks,
+                           arc_model **model, arc_error *error);
+void arc_space_end_model(arc_model *model);
+size_t arc_space_model_bytes(const arc_model *model);
+/* Hertz' contact of the pair under a load [N]. */
+arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load);
+/* The half-spaces of a model, without cells. */
+arc_halfspace_def arc_space_bodies(const arc_model_def *def);
+/* Cells for a load [N], a volume worn at the end [mm3], positions within stroke / 2 [mm], a whole
+ * number of cells to an increment [mm] (0: any). */
+void arc_space_fit(const arc_model_def *def, double load, double volume, double stroke,
+                   double increment, arc_halfspace_def *cells);
+/* Width of a cell as it is asked for [mm]. */
+double arc_space_cell(const arc_model_def *def, double load);
+/* Warns of contacts that are no half-spaces', of a half width [mm] under a load. */
+void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
+                    const arc_callbacks *callbacks);
+
+/* --- space_definition.c --- */
+arc_status arc_space_check(const arc_wear_def *def, const arc_model_def *model, arc_error *error);
+void arc_space_usual(arc_wear_def *def);
+wear_manner arc_space_manner(const arc_wear_def *def, const arc_model_def *model);
+int arc_space_increments(const arc_wear_def *def, const arc_model_def *model);
+double arc_space_parts(const arc_wear_def *def, const arc_model_def *model,
+                       const arc_loading *loading, double *parts);
+double arc_space_reach(const arc_model_def *model, double load);
+/* The cells that a run begins with. */
+arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *model);
+
+/* --- space_shape.c --- */
+/* Unworn surfaces on cells. */
+arc_status arc_space_create(arc_model *model, const arc_halfspace_def *cells, space_shape **shape,
+                            arc_error *error);
+arc_status arc_space_surfaces(arc_model *model, const arc_wear_def *def, const arc_shape *from,
+                              arc_shape **shape, arc_error *error);
+arc_status arc_space_copy(const arc_shape *shape, arc_shape **copy, arc_error *error);
+void arc_space_discard(arc_shape **shape);
+space_grid *arc_space_hold(space_grid *grid);
+void arc_space_let_go(space_grid **grid);
+/* The surfaces on more cells of the same size. */
+arc_status arc_space_regrow(const space_shape *from, const arc_halfspace_def *cells,
+                            space_shape **grown, arc_error *error);
+arc_array *arc_space_save(const arc_shape *shape, size_t *count);
+arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_array *state,
+                          size_t count, arc_shape **shape, arc_error *error);
+
+/* --- space_cycle.c --- */
+/* The positions of a window; ARC_MEMORY leaves nothing to free. */
+arc_status arc_space_path(const arc_wear *w, const wear_window *window, space_path *path,
+                          arc_error *error);
+arc_status arc_space_rate(arc_wear *w, const wear_window *window, wear_watch *watch,
+                          wear_rate *rate, arc_error *error);
+wear_tangent *arc_space_tangent(const arc_wear *w);
+void arc_space_end_tangent(wear_tangent **tangent);
+size_t arc_space_tangent_bytes(const arc_wear *w);
+double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
+
+/* --- space_stages.c --- */
+arc_status arc_space_begin_stages(wear_stage *s);
+arc_status arc_space_start(wear_stage *s, double *rate);
+arc_status arc_space_stage(wear_stage *s, double h, double *rate);
+double arc_space_error(wear_stage *s, double h, double *defect);
+void arc_space_end_stages(wear_stage *s, double cycles, wear_depths *depth);
+
+/* --- space_contact.c --- */
+arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
+                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
+arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
+                          const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
+void arc_space_end_contact(arc_contact *contact);
+size_t arc_space_contact_bytes(const arc_contact *contact);
+arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
+                                  arc_error *error);
+arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
+                             arc_error *error);
+arc_status arc_space_show(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
+
+#endif

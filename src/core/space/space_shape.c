@@ -1,0 +1,238 @@
+/* Worn surfaces over x and z on shared cells; as arrays to be stored. */
+#include "core/space/space_kind.h"
+
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- cells -------------------------------------------------------------------------------------
+ */
+
+space_grid *arc_space_hold(space_grid *grid) {
+  grid->references++;
+  return grid;
+}
+
+void arc_space_let_go(space_grid **held) {
+  space_grid *grid = *held;
+  *held = NULL;
+  if (!grid || --grid->references > 0) return;
+  arc_halfspace_destroy(&grid->h);
+  free(grid->x[ARC_UPPER]);
+  free(grid);
+}
+
+static arc_status out_of_memory(arc_error *error) {
+  return arc_fail(error, ARC_MEMORY, "out of memory for surfaces");
+}
+
+/* Windows that would not fit into what is free. */
+static arc_status check_memory(const arc_halfspace_def *d, arc_error *error) {
+  const int positions = d->track > d->nx ? d->track - d->nx + 1 : 1;
+  const double needed = 2 * arc_halfspace_bytes(d, positions), left = arc_memory_free();
+  if (d->nx <= 4096 && d->nz <= 4096 && !(needed > left)) return ARC_OK;
+  return arc_fail(error, ARC_MEMORY,
+                  "a window of %d x %d cells with %d positions needs about %.2g GB of memory, and "
+                  "%.2g GB are free: use a mesh.size above %.2g mm, a shorter stroke or procedure "
+                  "= \"NSP\", or less distance",
+                  d->nx, d->nz, positions, needed / 1e9, left / 1e9, d->size_x);
+}
+
+static arc_status create_grid(const arc_halfspace_def *cells, space_grid **made, arc_error *error) {
+  arc_status status = check_memory(cells, error);
+  *made = NULL;
+  if (status != ARC_OK) return status;
+  space_grid *grid = calloc(1, sizeof *grid);
+  if (!grid) return out_of_memory(error);
+  grid->references = 1;
+  status = arc_halfspace_create(cells, &grid->h, error);
+  if (status == ARC_OK) {
+    const size_t nu = (size_t)arc_halfspace_sites(grid->h, ARC_UPPER),
+                 nl = (size_t)arc_halfspace_sites(grid->h, ARC_LOWER);
+    grid->x[ARC_UPPER] = malloc((nu + nl) * sizeof(double));
+    if (!grid->x[ARC_UPPER]) status = out_of_memory(error);
+    if (status == ARC_OK) grid->x[ARC_LOWER] = grid->x[ARC_UPPER] + nu;
+  }
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    for (int i = 0; i < arc_halfspace_sites(grid->h, (arc_body)b); i++) {
+      double z;
+      arc_halfspace_site_at(grid->h, (arc_body)b, i, &grid->x[b][i], &z);
+    }
+  if (status != ARC_OK) arc_space_let_go(&grid);
+  *made = grid;
+  return status;
+}
+
+/* --- surfaces ----------------------------------------------------------------------------------
+ */
+
+void arc_space_discard(arc_shape **shape) {
+  space_shape *s = (space_shape *)(void *)*shape;
+  *shape = NULL;
+  if (!s) return;
+  arc_space_let_go(&s->grid);
+  free(s->depth[ARC_UPPER]);
+  arc_model_release(&s->handle.model);
+  free(s);
+}
+
+static arc_status create_on(arc_model *model, space_grid *grid, space_shape **result,
+                            arc_error *error) {
+  const size_t nu = (size_t)arc_halfspace_sites(grid->h, ARC_UPPER),
+               nl = (size_t)arc_halfspace_sites(grid->h, ARC_LOWER);
+  space_shape *s = *result = calloc(1, sizeof *s);
+  if (!s) return out_of_memory(error);
+  const size_t nz = (size_t)arc_halfspace_definition(grid->h)->nz;
+  s->depth[ARC_UPPER] = calloc(nu + nl + 3 * (nu + nl) / nz, sizeof(double));
+  if (!s->depth[ARC_UPPER]) {
+    free(s);
+    *result = NULL;
+    return out_of_memory(error);
+  }
+  s->depth[ARC_LOWER] = s->depth[ARC_UPPER] + nu;
+  s->line[ARC_UPPER] = s->depth[ARC_LOWER] + nl;
+  s->line[ARC_LOWER] = s->line[ARC_UPPER] + 3 * nu / nz;
+  s->grid = arc_space_hold(grid);
+  s->handle.model = arc_model_retain(model);
+  return ARC_OK;
+}
+
+arc_status arc_space_create(arc_model *model, const arc_halfspace_def *cells, space_shape **shape,
+                            arc_error *error) {
+  space_grid *grid;
+  *shape = NULL;
+  arc_status status = create_grid(cells, &grid, error);
+  if (status != ARC_OK) return status;
+  status = create_on(model, grid, shape, error);
+  arc_space_let_go(&grid);
+  return status;
+}
+
+arc_status arc_space_copy(const arc_shape *shape, arc_shape **copy, arc_error *error) {
+  const space_shape *from = space_shape_of(shape);
+  space_shape *to;
+  const arc_status status = create_on(from->handle.model, from->grid, &to, error);
+  *copy = (arc_shape *)(void *)to;
+  if (status != ARC_OK) return status;
+  const size_t n = (size_t)(space_sites(from, ARC_UPPER) + space_sites(from, ARC_LOWER));
+  memcpy(to->depth[ARC_UPPER], from->depth[ARC_UPPER], n * sizeof(double));
+  return ARC_OK;
+}
+
+arc_status arc_space_regrow(const space_shape *from, const arc_halfspace_def *cells,
+                            space_shape **grown, arc_error *error) {
+  arc_status status = arc_space_create(from->handle.model, cells, grown, error);
+  if (status != ARC_OK) return status;
+  const double *const depth[] = {from->depth[ARC_UPPER], from->depth[ARC_LOWER]};
+  double *const to[] = {(*grown)->depth[ARC_UPPER], (*grown)->depth[ARC_LOWER]};
+  status = arc_halfspace_regrow(from->grid->h, depth, (*grown)->grid->h, to, error);
+  if (status != ARC_OK) arc_space_discard((arc_shape **)(void *)grown);
+  return status;
+}
+
+/* Surfaces that a run begins with: those of another keep their cells, with a longer track where
+ * the stroke needs one. */
+static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc_shape *from,
+                            arc_shape **shape, arc_error *error) {
+  const space_shape *worn = space_shape_of(from);
+  const arc_halfspace_def wanted = arc_space_cells(def, arc_model_definition(model));
+  arc_halfspace_def cells = *arc_halfspace_definition(worn->grid->h);
+  if (worn->handle.model != model)
+    return arc_fail(error, ARC_ARGUMENT, "worn: the starting shape belongs to another model");
+  if ((cells.groove > 0) != (wanted.groove > 0) ||
+      (cells.groove > 0 && cells.groove != wanted.groove))
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'procedure': a groove (\"NSP\") cannot follow other wear, or another "
+                    "stroke");
+  const double way = (wanted.track - wanted.nx) * wanted.size_x;
+  const int beyond = 2 * (int)ceil(way / 2 / cells.size_x - 1e-9);
+  if (cells.groove > 0 || cells.track >= cells.nx + beyond)
+    return arc_space_copy(from, shape, error);
+  cells.track = cells.nx + beyond;
+  return arc_space_regrow(worn, &cells, (space_shape **)(void *)shape, error);
+}
+
+arc_status arc_space_surfaces(arc_model *model, const arc_wear_def *def, const arc_shape *from,
+                              arc_shape **shape, arc_error *error) {
+  *shape = NULL;
+  if (from) return take_over(model, def, from, shape, error);
+  const arc_halfspace_def cells = arc_space_cells(def, arc_model_definition(model));
+  return arc_space_create(model, &cells, (space_shape **)(void *)shape, error);
+}
+
+/* --- as arrays ---------------------------------------------------------------------------------
+ */
+
+enum { SIZE_X, SIZE_Z, NX, NZ, TRACK, GROOVE, CELLS };
+
+arc_array *arc_space_save(const arc_shape *shape, size_t *count) {
+  const space_shape *s = space_shape_of(shape);
+  const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
+  const double cells[CELLS] = {d->size_x, d->size_z, d->nx, d->nz, d->track, d->groove};
+  const size_t nz = (size_t)d->nz;
+  const arc_array list[] = {
+      {"cells", ARC_UPPER, 0, 0, {1, CELLS}, cells},
+      {"h", ARC_UPPER, 0, 0, {(size_t)d->nx, nz}, s->depth[ARC_UPPER]},
+      {"h", ARC_LOWER, 0, 0, {(size_t)space_sites(s, ARC_LOWER) / nz, nz}, s->depth[ARC_LOWER]}};
+  *count = 3;
+  return arc_arrays_copy(list, *count);
+}
+
+static int whole(double value) {
+  return value >= 0 && value <= 1e5 && value == floor(value);
+}
+
+static arc_status read_cells(const arc_array *state, size_t count, arc_halfspace_def *d,
+                             arc_error *error) {
+  const arc_array *cells = arc_array_find(state, count, ARC_UPPER, "cells");
+  if (cells && arc_array_count(cells) == CELLS) {
+    const double *v = cells->values;
+    if (whole(v[NX]) && whole(v[NZ]) && whole(v[TRACK])) {
+      d->size_x = v[SIZE_X];
+      d->size_z = v[SIZE_Z];
+      d->nx = (int)v[NX];
+      d->nz = (int)v[NZ];
+      d->track = (int)v[TRACK];
+      d->groove = v[GROOVE];
+      return ARC_OK;
+    }
+  }
+  return arc_fail(error, ARC_ARGUMENT,
+                  "state: expected cells of %d numbers, of which three are "
+                  "whole",
+                  CELLS);
+}
+
+static arc_status read_depths(space_shape *s, int b, const arc_array *state, size_t count,
+                              arc_error *error) {
+  static const double most = 1e6; /* [mm] */
+  const arc_array *h = arc_array_find(state, count, (arc_body)b, "h");
+  const size_t n = (size_t)space_sites(s, b);
+  if (!h || arc_array_count(h) != n)
+    return arc_fail(error, ARC_ARGUMENT, "state: expected h of %zu depths of the %s", n,
+                    arc_body_name((arc_body)b));
+  for (size_t i = 0; i < n; i++) {
+    if (!(fabs(h->values[i]) < most))
+      return arc_fail(error, ARC_ARGUMENT, "state: expected depths in mm, got h[%zu] = %g", i,
+                      h->values[i]);
+    s->depth[b][i] = h->values[i];
+  }
+  return ARC_OK;
+}
+
+arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_array *state,
+                          size_t count, arc_shape **shape, arc_error *error) {
+  (void)def;
+  *shape = NULL;
+  arc_halfspace_def cells = arc_space_bodies(arc_model_definition(model));
+  space_shape *s = NULL;
+  arc_status status = read_cells(state, count, &cells, error);
+  if (status == ARC_OK) status = arc_space_create(model, &cells, &s, error);
+  *shape = (arc_shape *)(void *)s;
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    status = read_depths(s, b, state, count, error);
+  if (status != ARC_OK && s) arc_space_discard(shape);
+  return status;
+}

@@ -1,0 +1,128 @@
+/* Surfaces over x and z: maps and sections. */
+#include "lua/engine/surface_maps.h"
+
+#include "lua/engine/classes.h"
+#include "lua/base/array.h"
+#include "lua/base/error.h"
+#include "lua/base/scripts.h"
+#include "lua/base/strict.h"
+
+#include <string.h>
+
+void model_check_meshed(lua_State *L, const arc_model *model, const char *where) {
+  if (arc_model_has_maps(arc_model_definition(model)))
+    error_raise(L, ARC_ARGUMENT, where,
+                "expected bodies with meshes, got half-spaces (geometry = \"3-D\"), which have "
+                "none");
+}
+
+/* Sites of a map: row i is at x[i * nz], column j at z[j]. */
+typedef struct lattice {
+  const double *x, *z;
+  size_t nx, nz;
+} lattice;
+
+static lattice lattice_of(const arc_array *arrays, size_t count, arc_body body) {
+  const arc_array *x = arc_array_find(arrays, count, body, "x"),
+                  *z = arc_array_find(arrays, count, body, "z");
+  lattice l = {x->values, z->values, 0, 0};
+  const size_t n = x->size[0];
+  while (l.nz < n && l.x[l.nz] == l.x[0]) l.nz++;
+  l.nx = l.nz > 0 ? n / l.nz : 0;
+  return l;
+}
+
+/* Sets { x positions } of a lattice as the field of the table on top. */
+static void set_x(lua_State *L, const char *field, const lattice *l) {
+  lua_createtable(L, (int)l->nx, 0);
+  for (size_t i = 0; i < l->nx; i++) {
+    lua_pushnumber(L, l->x[i * l->nz]);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+  }
+  lua_setfield(L, -2, field);
+}
+
+void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_body body,
+                      const char *name, const char *unit) {
+  const lattice l = lattice_of(arrays, count, body);
+  const arc_array *values = arc_array_find(arrays, count, body, name);
+  script_require(L, "archard.map.made");
+  lua_getfield(L, -1, "new");
+  lua_remove(L, -2);
+  lua_createtable(L, 0, 4);
+  set_x(L, "x", &l);
+  array_set(L, "z", l.z, l.nz);
+  array_set(L, "y", values->values, l.nx * l.nz);
+  lua_pushstring(L, unit);
+  lua_setfield(L, -2, "unit");
+  lua_call(L, 1, 1);
+}
+
+/* The two neighbours of a place and the share of the second one. */
+static void find(lua_State *L, const char *where, const char *axis, const double *at, size_t step,
+                 size_t n, double wanted, size_t *first, double *share) {
+  size_t i = 0;
+  *first = 0;
+  *share = 0;
+  if (n == 1) return;
+  if (!(wanted >= at[0] && wanted <= at[(n - 1) * step]))
+    error_raise(L, ARC_ARGUMENT, where, "field '%s': expected a place from %f to %f mm, got %f",
+                axis, at[0], at[(n - 1) * step], wanted);
+  while (i + 2 < n && at[(i + 1) * step] <= wanted) i++;
+  *first = i;
+  *share = (wanted - at[i * step]) / (at[(i + 1) * step] - at[i * step]);
+}
+
+/* One array along the section. */
+static void push_line(lua_State *L, const double *values, const lattice *l, int at_x, size_t first,
+                      double share) {
+  const size_t n = at_x ? l->nz : l->nx, along = at_x ? 1 : l->nz, across = at_x ? l->nz : 1;
+  lua_createtable(L, (int)n, 0);
+  for (size_t i = 0; i < n; i++) {
+    const double *v = &values[i * along + first * across];
+    lua_pushnumber(L, share > 0 ? (1 - share) * v[0] + share * v[across] : v[0]);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+  }
+}
+
+static const arc_setting places[] = {ARGS_OTHER("x"), ARGS_OTHER("z"), {.name = NULL}};
+
+/* Reads the table at `index`; returns whether the section is one at an x. */
+static int read_place(lua_State *L, int index, const char *where, double *wanted) {
+  *wanted = 0;
+  if (lua_isnoneornil(L, index)) return 0;
+  const args_place place = {where, ""};
+  args_check_table(L, index, where);
+  args_check_names(L, index, place, places);
+  const int at_x = args_given(L, index, "x");
+  if (at_x && args_given(L, index, "z"))
+    error_raise(L, ARC_ARGUMENT, where, "fields 'x' and 'z': expected one of them, got both");
+  if (args_get(L, index, at_x ? "x" : "z") != LUA_TNIL) {
+    if (!lua_isnumber(L, -1)) args_refuse(L, place, at_x ? "x" : "z", "a number in mm");
+    *wanted = lua_tonumber(L, -1);
+  }
+  lua_pop(L, 1);
+  return at_x;
+}
+
+void surface_push_section(lua_State *L, int index, const char *where, const arc_array *arrays,
+                          size_t count, arc_body body, const char *const *names) {
+  const lattice l = lattice_of(arrays, count, body);
+  double wanted, share;
+  size_t first;
+  const int at_x = read_place(L, index, where, &wanted);
+  if (at_x)
+    find(L, where, "x", l.x, l.nz, l.nx, wanted, &first, &share);
+  else
+    find(L, where, "z", l.z, 1, l.nz, wanted, &first, &share);
+  lua_createtable(L, 0, 4);
+  if (at_x)
+    array_set(L, "x", l.z, l.nz), array_set(L, "z", l.z, l.nz);
+  else
+    set_x(L, "x", &l);
+  for (const char *const *name = names; *name; name++) {
+    push_line(L, arc_array_find(arrays, count, body, *name)->values, &l, at_x, first, share);
+    lua_setfield(L, -2, *name);
+  }
+  strict_table(L, where);
+}
