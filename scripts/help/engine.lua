@@ -16,6 +16,8 @@ return {
       .. '"axisymmetric" for that of a ball: what an unworn contact is measured by.' },
   { "hertz.half_width", kind = "field", unit = "mm",
     text = "Half width of the contact, a = sqrt(4 R L_N / (pi t E*)); of a ball cbrt(3 R L_N / (4 E*))." },
+  { "hertz.half_width_z", kind = "field", unit = "mm",
+    text = "Half width across the motion, with geometry = \"3-D\"; NaN of a cylinder." },
   { "hertz.p_max", kind = "field", unit = "MPa",
     text = "Pressure at the centre, p_H = 2 L_N / (pi a t); of a ball 3 L_N / (2 pi a^2)." },
   { "hertz.E_star", kind = "field", unit = "MPa",
@@ -44,6 +46,9 @@ return {
       .. "Gmsh materials = { NAME = } in their place." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
     text = "A half cylinder, its flat built in." },
+  { "body.ball", kind = "function", use = "body.ball{ radius=10, radius_z=50 }", result = "table",
+    text = 'A ball, crowned roller or ellipsoid, for model{ geometry="3-D" }: its surface rises as x^2 / (2 radius) + z^2 / (2 radius_z), '
+      .. "z across the motion." },
   { "body.block", kind = "function", use = "body.block{ width=20, height=10 }", result = "table",
     text = "A block, its base (of an upper one: its top) built in." },
   { "body.punch", kind = "function", use = "body.punch{ flat=1, radius=2, height=10 }", result = "table",
@@ -121,6 +126,9 @@ return {
   { "contact.half_width", kind = "field", unit = "mm",
     text = "Half the width of the contact: good to 0.03 of an element unworn, to 0.07 where worn "
       .. "surfaces meet smoothly, to 0.2 in the mean and 0.6 at worst at the edges of scars." },
+  { "contact.half_width_z", kind = "field", unit = "mm",
+    text = "Half the width across the motion, in 3-D; 0 in the plane." },
+  { "contact.area", kind = "field", unit = "mm2", text = "Area in contact, in 3-D; 0 in the plane." },
   { "contact.p_max", kind = "field", unit = "MPa",
     text = "Largest nodal pressure. At the edge of a scar it grows as the mesh shrinks." },
   { "contact.p_average", kind = "field", unit = "MPa",
@@ -280,6 +288,9 @@ return {
     use = 'w:roughness("cylinder" | "plate")', default = '"cylinder"',
     text = "Roughness of a profile: its sawtooth part (1 for a sawtooth as high as the depth), root mean "
       .. "square over the middle of the contact. Smooth profiles stay under 1e-4." },
+  { "wear.map", kind = "method", use = 'w:map("ball", "depth" | "height" | "pressure")', result = "map",
+    text = "Of a run in 3-D: the wear depth [mm], the worn height [mm] or the pressure under load at x = 0 [MPa] of a body over x "
+      .. 'and z, as a map. What is left out is "depth". w:profile(body, { z = 0 }) and { x = 0 } are sections.' },
   { "wear.stability", kind = "method", use = "w:stability()",
     text = "{ eigenvalue=, jump_limit= }: the growth rate of ripples in 1/cycle, linearised about the "
       .. "present state, and 2 / eigenvalue. Explicit updates with a larger jump get rough." },
@@ -335,6 +346,9 @@ return {
     text = "Half the width of the contact, plate at x = 0, nominal load: good to 0.03 of an element "
       .. "unworn, to 0.07 where worn surfaces meet smoothly, to 0.2 in the mean and 0.6 at worst at the edges of "
       .. "scars (the paper's cases, against 5 um)." },
+  { "wear.half_width_z", kind = "field", unit = "mm",
+    text = "Half the width of that contact across the motion, in 3-D; 0 in the plane." },
+  { "wear.area", kind = "field", unit = "mm2", text = "Area of that contact, in 3-D; 0 in the plane." },
   { "wear.depth", kind = "field", unit = "mm", text = "Largest wear depth of each body." },
   { "wear.depth.cylinder", kind = "field", unit = "mm",
     text = "Largest wear depth of the cylinder." },

@@ -158,7 +158,7 @@ end
 -- What makes one of each kind.
 local kinds = {
   cylinder = { radius = 8 }, block = { width = 18, height = 9 }, disc = { radius = 8 },
-  ring = { inner = 8, outer = 12, fixed = "inner" }, punch = { flat = 2, radius = 6, height = 9 },
+  ring = { inner = 8, outer = 12, fixed = "inner" }, ball = { radius = 8, radius_z = 12 }, punch = { flat = 2, radius = 6, height = 9 },
   profile = { width = 18, height = 9, x = {}, y = {} }, gmsh = {},
 }
 for i = -9, 9 do table.insert(kinds.profile.x, i); table.insert(kinds.profile.y, -i * i / 20) end
@@ -169,11 +169,12 @@ end
 for kind in pairs(body) do ok(kinds[kind], "body." .. kind .. " is tried here") end
 for kind, fields in pairs(kinds) do
   local role = kind == "block" and "lower" or "upper"
+  local with = kind == "ball" and { geometry = "3-D" } or { mesh = coarse } -- half-spaces have no mesh
   for field in pairs(fields) do
     tried_rows[field] = true
     if field ~= "x" and field ~= "y" then
       local value = fields[field]
-      reads_back_model({ mesh = coarse, [role] = body[kind](fields) }, { role .. "." .. field }, value,
+      reads_back_model(merged(with, { [role] = body[kind](fields) }), { role .. "." .. field }, value,
         ("body.%s.%s"):format(kind, field))
     elseif field == "y" then
       local m = model(settings.nest(settings.flatten("rows", { is = model{ mesh = coarse, upper = body[kind](fields) } })).is)
@@ -233,7 +234,7 @@ end
 
 for _, row in ipairs(known.hertz) do
   if not row.group then
-    local h, value = tried(row, function(v) return hertz{ [row.path] = v } end)
+    local h, value = tried(row, function(v) return hertz{ geometry = row.path == "radius_z" and "3-D" or nil, [row.path] = v } end)
     same(h[row.path], value, "hertz." .. row.path)
   end
 end

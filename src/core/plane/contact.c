@@ -234,7 +234,10 @@ arc_status arc_contact_finish(arc_contact **contact, arc_status status,
   (void)error;
 #endif
   if (status == ARC_ZONE) status = tell_zones(*contact, error);
-  if (status != ARC_OK) arc_contact_destroy(contact);
+  if (status != ARC_OK) {
+    arc_plane_end_contact(*contact);
+    *contact = NULL;
+  }
   return status;
 }
 
@@ -266,6 +269,7 @@ arc_status arc_plane_solve(const arc_shape *shape, const arc_contact_def *def,
 }
 
 void arc_plane_end_contact(arc_contact *c) {
+  if (!c) return;
   arc_pose_free(&c->pose);
   arc_tangential_free(&c->compliance);
   arc_friction_workspace_free(&c->workspace);

@@ -1,0 +1,124 @@
+-- Three dimensions: balls and rollers on flats as half-spaces, from the definition to the file.
+local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
+local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
+
+local m = model{ geometry = "3-D" }
+ok(tostring(m):find("half-spaces", 1, true), "print(model): " .. tostring(m))
+ok(tostring(m):find("radius 10 mm along x, 10 mm along z", 1, true), "alone it is a ball of 10 mm")
+
+-- --- Hertz -----------------------------------------------------------------------------------------
+local h = hertz{ geometry = "3-D", radius = 5, radius_z = 20, load = 20 }
+near(h.half_width, 0.0683891, 1e-5, "half width along x by formula")
+near(h.half_width_z, 0.171021, 1e-5, "half width along z")
+near(h.p_max, 816.46, 1e-5, "largest pressure")
+near(h.approach, 1.19891e-3, 1e-5, "approach")
+fails(function() hertz{ radius_z = 3 } end, "3-D", "two radii need geometry = \"3-D\"")
+
+local roller = model{ geometry = "3-D", upper = body.ball{ radius = 5, radius_z = 20 }, lower = body.block{} }
+local c = contact{ model = roller, load = 20 }
+near(c.p_max, h.p_max, 3e-3, "a crowned roller's pressure")
+near(c.half_width, h.half_width, 0.02, "its half widths")
+near(c.half_width_z, h.half_width_z, 0.02, "in both directions")
+near(c.approach, h.approach, 3e-3, "its approach")
+near(c.area, math.pi * h.half_width * h.half_width_z, 0.03, "its area")
+
+-- --- one contact -----------------------------------------------------------------------------------
+c = contact{ model = m, load = 10 }
+near(c.p_center, 615.942, 3e-3, "pressure in the centre")
+near(c.approach, 7.75179e-4, 2e-3, "approach")
+local map = c:pressure()
+near(map:volume().net, 10, 1e-3, "the pressures carry the load")
+local line = c:pressure{ z = 0 }
+is(#line.x, #line.p, "a section is a line")
+near(math.max(table.unpack(line.p)), c.p_max, 1e-12, "through the largest pressure")
+local across = c:pressure{ x = 0 }
+near(across.p[#across.p // 2], line.p[#line.p // 2], 1e-9, "the same in z as in x")
+fails(function() c:pressure{ z = 9 } end, "'z': expected a place", "a section beside the window")
+fails(function() c:pressure{ y = 0 } end, "unknown field 'y'", "an unknown section")
+near(c:move{ x = 0.05 }.p_max, c.p_max, 1e-2, "a moved contact")
+
+-- --- wear ------------------------------------------------------------------------------------------
+local function run(changes)
+  local all = { model = m, load = 10, stroke = 0.04, alpha = 0.3, distance = 200 }
+  for name, value in pairs(changes or {}) do all[name] = value end
+  return wear(all)
+end
+local w = run()
+is(w.scheme, "implicit", "implicit unless told otherwise")
+is(w.tolerance, 1e-3, "with a tolerance")
+w:run{ distance = 100 }
+local file = os.tmpname()
+os.remove(file)
+w:save(file)
+local opened, copy = wear.open(file), w:clone()
+os.remove(file)
+w:run()
+opened:run()
+copy:run()
+local function same(a, b)
+  for name, column in pairs(a.history) do
+    for i, x in ipairs(column) do
+      local y = b.history[name][i]
+      if x ~= y and (x == x or y == y) then return false end
+    end
+  end
+  return true
+end
+ok(same(w, opened), "a run that was saved goes on to the same bits")
+ok(same(w, copy), "a copy, too")
+near(w.volume.ball, 0.3 * 1e-8 * 10 * 200, 1e-9, "the ball's volume is alpha k L d")
+near(w.volume.block, 0.7 * 1e-8 * 10 * 200, 1e-9, "the flat's the rest")
+is(w.depth.cylinder, w.depth.ball, "bodies answer to their usual words")
+ok(w.history.area[#w.history.area] > w.history.area[1], "the history has areas")
+is(#w.history.half_width_z, #w.history.distance, "and widths across")
+local depth = w:map("ball")
+near(depth:volume().net, w.volume.ball, 1e-9, "a map's volume is the run's")
+near(w:map("block", "depth"):volume().net, w.volume.block, 1e-9, "the flat's, too")
+local profile = w:profile("block", { z = 0 })
+near(math.max(table.unpack(profile.h)), w.depth.block, 1e-12, "a section along x")
+is(#w:profile("ball", { x = 0 }).h, #depth.z, "a section along z")
+ok(tostring(w):find("3-D, half-spaces", 1, true), "print(w): " .. tostring(w))
+
+local staged = run{ jump = "auto" }
+staged:run()
+is(staged.scheme, "explicit", "a jump asks for the explicit scheme")
+near(staged.depth.block, w.depth.block, 3e-3, "explicit updates come to the same")
+
+local there = run{ distance = 50 }
+local sampled = wear{ model = m, alpha = 0.3, distance = 50, load = 10,
+  loading = { t = { 0, 0.5, 1 }, x = { -0.02, 0.02, -0.02 }, load = { 10, 10, 10 } } }
+there:run()
+sampled:run()
+near(sampled.depth.ball, there.depth.ball, 5e-3, "the stroke as a loading of one's own")
+
+local s = study{ base = { model = { geometry = "3-D" }, load = 10, stroke = 0.04, distance = 20 }, vary = { alpha = { 0, 1 } } }
+s:run{ progress = false, workers = 1 }
+is(#s:cases(), 2, "a study of runs in 3-D")
+s:close()
+
+-- --- what is not there -----------------------------------------------------------------------------
+for _, wrong in ipairs{
+  { { friction = 0.1 }, "'friction'" }, { { slide = "z" }, "'slide'" }, { { track = 5 }, "'track'" },
+  { { law = "power" }, "'law'" }, { { update = "increment" }, "'update'" }, { { slip = "total" }, "'slip'" },
+  { { local_factor = function() return 1 end }, "'local_factor'" }, { { stroke = 1e4 }, "'increments'" },
+} do
+  fails(function() run(wrong[1]) end, wrong[2], "refused: " .. wrong[2])
+end
+for _, wrong in ipairs{
+  { { mesh = { rows = 2 } }, "mesh.rows" }, { { mesh = { far = 1 } }, "mesh.far" }, { { mesh = { height = 1 } }, "mesh.height" },
+  { { mesh = { element = "CPE4" } }, "mesh.element" }, { { thickness = 2 }, "thickness" }, { { axis = 1 }, "axis" },
+  { { lower = body.block{ height = 1 } }, "lower.height" }, { { upper = body.cylinder{} }, "upper" },
+  { { upper = body.block{} }, "upper" },
+} do
+  wrong[1].geometry = "3-D"
+  fails(function() model(wrong[1]) end, wrong[2], "refused: " .. wrong[2])
+end
+fails(function() model{ upper = body.ball{} } end, "3-D", "a ball in the plane")
+fails(function() contact{ model = m, friction = 0.1 } end, "'friction'", "friction of a contact")
+fails(function() return w.mesh end, "no meshes", "no meshes")
+fails(function() w:contact():stress() end, "half-spaces", "no stresses")
+fails(function() w:combined() end, "half-spaces", "no combined profile")
+fails(function() export.inp(m, "x.inp") end, "half-spaces", "no input deck")
+fails(function() w:set{ mesh = { size = 0.01 } } end, "mesh", "cells stay")
+fails(function() wear{ model = m, worn = { cylinder = function() return 0 end } } end, "worn", "depths by functions")
+

@@ -1,0 +1,64 @@
+-- Wear in three dimensions against an independent computation of the same problem, and its exact
+-- symmetries: volumes, exchange of bodies, mirror across the motion.
+-- Long
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within, below = figures.within, figures.below
+
+local m = model{ geometry = "3-D" }
+local function run(load, stroke, alpha, distance)
+  local w = wear{ model = m, load = load, stroke = stroke, alpha = alpha, distance = distance, k = 1e-8 }
+  w:run()
+  return w
+end
+
+-- --- ball of 10 mm, 10 N, 1320 mm: depths of both bodies [mm] --------------------------------------
+-- The stroke of half a contact width has four positions: 1 %.
+local short = {
+  [0] = { 0, 1.97333e-3 }, [0.25] = { 5.1384e-4, 1.47537e-3 }, [0.5] = { 1.01401e-3, 9.8532e-4 },
+  [0.75] = { 1.50853e-3, 4.9526e-4 }, [1] = { 2.00459e-3, 0 },
+}
+local runs = {}
+for alpha, depth in pairs(short) do
+  local w = run(10, 0.04, alpha, 1320)
+  runs[alpha] = w
+  if alpha > 0 then within(w.depth.ball, depth[1], 0.01, ("stroke 0.04, alpha %g: ball"):format(alpha)) end
+  if alpha < 1 then within(w.depth.block, depth[2], 0.01, ("stroke 0.04, alpha %g: flat"):format(alpha)) end
+  within(w.volume.total, 1e-8 * 10 * 1320, 1e-9, ("stroke 0.04, alpha %g: volume"):format(alpha))
+  if alpha > 0 then within(w.volume.ball, alpha * 1e-8 * 10 * 1320, 1e-9, ("stroke 0.04, alpha %g: ball's"):format(alpha)) end
+end
+
+-- --- 30 N, 3000 mm -----------------------------------------------------------------------------------
+for _, case in ipairs{
+  { 0.12, 0.5, 2.7963e-3, 2.3964e-3, 0.53850 }, { 0.12, 0, 0, 5.0166e-3 },
+  { 0.36, 0.5, 3.1105e-3, 1.8247e-3, 0.63027 }, { 0.36, 0, 0, 4.3547e-3 }, { 0.36, 1, 5.2699e-3, 0 },
+} do
+  local w = run(30, case[1], case[2], 3000)
+  local name = ("30 N, stroke %g, alpha %g: "):format(case[1], case[2])
+  if case[3] > 0 then within(w.depth.ball, case[3], 0.005, name .. "ball") end
+  if case[4] > 0 then within(w.depth.block, case[4], 0.005, name .. "flat") end
+  if case[5] then within(w.depth_partition, case[5], 0.005, name .. "alpha-tilde") end
+  within(w.volume.total, 9e-4, 1e-9, name .. "volume")
+end
+
+-- --- symmetries ------------------------------------------------------------------------------------
+-- Across the motion, site by site; the flat's scar is the same in both halves of the stroke.
+local function asymmetry(t)
+  local nx, nz, most, largest = #t.x, #t.z, 0, 0
+  for i = 1, nx do
+    for j = 1, nz do
+      most = math.max(most, math.abs(t.y[(i - 1) * nz + j] - t.y[(i - 1) * nz + nz + 1 - j]))
+      largest = math.max(largest, t.y[(i - 1) * nz + j])
+    end
+  end
+  return most / largest
+end
+below(asymmetry(runs[0.25]:map "ball"), 1e-9, "mirror across the motion: ball")
+below(asymmetry(runs[0.25]:map "block"), 1e-9, "mirror across the motion: flat")
+
+-- The flat above and the ball below: the same bodies wear by the same shares in the same motion.
+local turned = model{ geometry = "3-D", upper = body.block{}, lower = body.ball{ radius = 10 } }
+local w = wear{ model = turned, load = 10, stroke = 0.04, alpha = 0.75, distance = 1320, k = 1e-8 }
+w:run()
+within(w.volume.ball, runs[0.25].volume.ball, 1e-9, "exchange of bodies: volumes")
+within(w.depth.ball, runs[0.25].depth.ball, 1e-3, "exchange of bodies: the ball's depth")
+within(w.depth.block, runs[0.25].depth.block, 1e-3, "exchange of bodies: the flat's depth")
