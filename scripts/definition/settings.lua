@@ -34,7 +34,7 @@ local function as_table(where, name, value)
     check.fail(where, ("field '%s': a %s cannot be kept in a run file; expected a number, a text, "
       .. "a boolean, a material, a model or a table of them"):format(name, class or type(value)))
   end
-  local flat, outside = {}, class == "model" and value.mesh.upper.rows == 0
+  local flat, outside = {}, class == "model" and (value.mesh.upper or {}).rows == 0
   for _, setting in ipairs(known[class]) do
     local own = (not setting.group or setting.class) and not implied[setting.path]
     local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- which tells its material itself
