@@ -8,7 +8,7 @@ local al3d = { magic = "AliconaImaging\0\r\n" }
 local function take_tag(source, tags)
   local name = source:take_text(20, "the name of a tag")
   local value = source:take_text(30, "the value of a tag")
-  if source:take("c2", "the end of a tag") ~= "\r\n" then 
+  if source:take("c2", "the end of a tag") ~= "\r\n" then
     source:refuse("expected tag %q to end with a line, it does not", name)
   end
   tags[name] = value
