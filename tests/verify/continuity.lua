@@ -1,5 +1,6 @@
 -- What is smooth in nature is smooth here: sweeps over what is given, and inputs that differ by rounding. A step is what a result
 -- goes from one point to the next beyond what it goes before and after. ARCHARD_POINTS points of each sweep (24).
+-- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local points = tonumber(os.getenv("ARCHARD_POINTS")) or 24
 local most, noise = 2e-3, 1e-9
