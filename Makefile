@@ -289,12 +289,13 @@ private      = cholmod blas sqlite fftw omp
 requires     = $(strip $(foreach p,$(private),$($(p)_pc)))
 private_libs = $(strip $(foreach p,$(private),$(if $($(p)_pc),,$($(p)_libs)))) -lm
 
-# The loader finds a new library in its cache only.
+# The loader finds a new library in its cache only, which ldconfig fills from the folders that it knows.
 install: all
 	@$(MAKE) --no-print-directory install-files
 	@if [ -n $(call quoted,$(DESTDIR)) ]; then :; \
-	elif [ "$$(id -u)" = 0 ] && PATH=$$PATH:/sbin:/usr/sbin ldconfig 2>/dev/null; then :; \
-	else echo "Programs find $(soname) after: sudo ldconfig $(LIBDIR)"; fi
+	elif PATH=$$PATH:/sbin:/usr/sbin; [ "$$(id -u)" = 0 ] && ldconfig 2>/dev/null && \
+	  ldconfig -p | grep -qF $(call quoted,=> $(LIBDIR)/$(soname)); then :; \
+	else printf '%s\n' $(call quoted,Programs find $(soname) after: sudo ldconfig "$(LIBDIR)"); fi
 
 # What is there, without building it.
 to     = $(call quoted,$(DESTDIR)$(1))
