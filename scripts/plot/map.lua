@@ -3,14 +3,19 @@
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
+local naming = require "archard.plot.naming"
 
 local pictures = {}
 
 local most = 240 -- points along the longer side that pictures show
 
-local function check_map(where, object)
+local function is_map(object)
   local class = type(object) == "table" and getmetatable(object)
-  if not (class and class.__name == "map") then
+  return type(class) == "table" and rawget(class, "__name") == "map"
+end
+
+local function check_map(where, object)
+  if not is_map(object) then
     check.fail(where, "expected a map as the first argument, got " .. check.shown(object))
   end
   return object
@@ -52,11 +57,26 @@ local function field_of(t, place)
   return field
 end
 
+local map_options = { body = check.text, what = check.one_of{ "depth", "height", "pressure" } }
+
+-- The map itself, that of a run, or the pressures of a contact in three dimensions.
+local function map_of(where, object, options)
+  if type(object) ~= "userdata" then return check_map(where, object) end
+  local of_run = naming.get(object, "map")
+  if of_run then
+    local body = naming.body(where, object, options.body or naming.bodies(object)[1])
+    return check.as(where, of_run, object, body, options.what or "depth")
+  end
+  local pressure = naming.get(object, "pressure")
+  local fine, t = pcall(pressure or error, object)
+  return check_map(where, fine and is_map(t) and t or object)
+end
+
 -- plot.map(t, { levels=, vrange=, ... })
 function pictures.map(t, options)
   local where = "plot.map"
-  check_map(where, t)
-  options = draw.options(where, options, {})
+  options = draw.options(where, options, map_options)
+  t = map_of(where, t, options)
   local shown = thinned(t, most)
   local given = { field_of(shown, function(i, j) return shown.x[i], shown.z[j] end) }
   given.xlabel, given.ylabel, given.vlabel, given.title = "x / mm", "z / mm", label_of(t), t.name

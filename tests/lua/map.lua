@@ -167,6 +167,8 @@ holds(drawn(plot.surface, map{ x = { 0, 1 }, z = { 0, 1 }, y = zero }), "exagger
 plot.map(sampled(bilinear, 600, 300), { file = name .. ".png" })
 local file <close> = assert(io.open(name .. ".png", "rb"))
 is(file:read(4), "\x89PNG", "a picture of a large map")
+local pressed = contact{ model = model{ geometry = "3-D" }, load = 10 }
+holds(drawn(plot.map, pressed), { "pressure", "@" }, "the pressures of a contact in three dimensions")
 os.remove(name)
 os.remove(name .. ".txt")
 os.remove(name .. ".png")

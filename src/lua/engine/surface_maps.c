@@ -55,6 +55,8 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
   array_set(L, "y", values->values, l.nx * l.nz);
   lua_pushstring(L, unit);
   lua_setfield(L, -2, "unit");
+  lua_pushstring(L, name[0] == 'p' ? "pressure" : name[0] == 'h' ? "depth" : "height");
+  lua_setfield(L, -2, "name");
   lua_call(L, 1, 1);
 }
 
