@@ -96,6 +96,30 @@ s:run{ progress = false, workers = 1 }
 is(#s:cases(), 2, "a study of runs in 3-D")
 s:close()
 
+-- --- windows grow by themselves, tracks with the stroke ---------------------------------------------
+local function growing() return wear{ model = m, load = 10, stroke = 0.04, alpha = 0.5, distance = 300, k = { distance = { 0, 1000 }, value = { 1e-8, 1e-8 } } } end
+local grown = growing()
+local narrow = grown:map("ball").x
+grown:run{ distance = 150 }
+grown:save(file)
+local rest = wear.open(file)
+os.remove(file)
+grown:run()
+rest:run()
+ok(#grown:map("ball").x > #narrow, "the window has grown")
+ok(same(grown, rest), "to the same bits from a file")
+near(grown.volume.total, 1e-8 * 10 * 300, 1e-9, "and no wear is lost")
+local longer = wear{ worn = w, load = 10, stroke = 0.5, distance = 10 }
+longer:run()
+near(longer.volume.total, 1e-6, 1e-9, "a worn pair goes on under a longer stroke")
+
+local groove = wear{ model = m, load = 10, stroke = 1, alpha = 0.5, distance = 100, procedure = "NSP" }
+groove:run()
+near(groove.volume.block, 0.5 * 1e-8 * 10 * 100, 1e-9, "long strokes as a groove")
+near(math.max(table.unpack(groove:profile("block", { x = 0 }).h)), groove.depth.block, 1e-12, "which has one section")
+fails(function() groove:map "block" end, "{ x = 0 }", "and no map")
+fails(function() run{ procedure = "NSP", stroke = 0.1 } end, "'procedure'", "a groove shorter than two contacts")
+
 -- --- what is not there -----------------------------------------------------------------------------
 for _, wrong in ipairs{
   { { friction = 0.1 }, "'friction'" }, { { slide = "z" }, "'slide'" }, { { track = 5 }, "'track'" },

@@ -69,7 +69,7 @@ static void check_gaps(const history *h) {
   const tangential_compliance *g = &h->compliance;
   const friction_workspace *w = &h->workspace;
   pose plain;
-  assert_int_equal(arc_pose_create(&plain, h->shape->model), ARC_OK);
+  assert_int_equal(arc_pose_create(&plain, h->shape->handle.model), ARC_OK);
   check_ok(arc_pose_update(&plain, h->shape, p->x, why));
   for (int c = 0; c < p->count; c++) {
     const double m = p->slope[p->lo + c];

@@ -1,6 +1,8 @@
 /* Half-spaces as a kind of pair: the table, and what is short. */
 #include "core/space/space_kind.h"
 
+#include "core/base/callbacks.h"
+
 #include <math.h>
 
 /* --- runs --------------------------------------------------------------------------------------
@@ -26,6 +28,19 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
   if (unworn)
     arc_space_warn(arc_model_definition(w->model), d, arc_wear_last(w)->half_width, callbacks);
+}
+
+/* A groove has no ends: a stroke of fewer contact widths has. */
+static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
+  static const double enough = 3;
+  const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
+  const double widths = d->groove / (2 * arc_wear_last(w)->half_width);
+  if (d->groove == 0 || widths >= enough) return 0;
+  arc_warn(callbacks,
+           "procedure \"NSP\" takes the track as a groove without ends, and the stroke is %.2g "
+           "contact widths by now: below %g depths are off by more than 3 %%; use \"SP\"",
+           widths, enough);
+  return 1;
 }
 
 /* --- surfaces ----------------------------------------------------------------------------------
@@ -222,6 +237,7 @@ const arc_kind arc_space_kind = {
     .end = end,
     .bytes = bytes,
     .warn = warn,
+    .warn_coarse = warn_short,
     .surfaces = arc_space_surfaces,
     .unworn = unworn,
     .copy = arc_space_copy,

@@ -46,6 +46,10 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
                       const char *name, const char *unit) {
   const lattice l = lattice_of(arrays, count, body);
   const arc_array *values = arc_array_find(arrays, count, body, name);
+  if (l.nx < 2)
+    error_raise(L, ARC_ARGUMENT, "map",
+                "a groove (procedure = \"NSP\") is the same all along x: expected a section, "
+                "w:profile(body, { x = 0 })");
   script_require(L, "archard.map.made");
   lua_getfield(L, -1, "new");
   lua_remove(L, -2);
