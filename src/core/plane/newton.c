@@ -305,8 +305,10 @@ static double pressure_error(newton *s, pose *p, const double *off) {
   return peak > 0 ? largest / peak : 0;
 }
 
-/* Of the poses at the ends and in the middle of the path: those at hand, of the last solution. */
+/* Of the poses at the ends and in the middle of the path: those at hand, of the last solution. A
+ * run in closed form has no path, and pressures that no depth changes. */
 static double largest_pressure_error(newton *s, const double *off) {
+  if (s->at->run->manner.closed) return 0;
   const wear_block *block = path_of(s->at->run)->block;
   const int first = s->at->window.first, last = s->at->window.last;
   const int points[] = {first, first + (last - first) / 2, last};
