@@ -51,7 +51,8 @@ int wear_map(lua_State *L) {
   lua_settop(L, 3);
   if (is_meshed(wear))
     error_raise(L, ARC_ARGUMENT, where,
-                "expected a run with geometry = \"3-D\"; in the plane w:profile() has the depths");
+                "expected a run with geometry = \"3-D\", got one in the plane; w:profile() has its "
+                "depths");
   const arc_body body = wear_body(L, wear, where);
   const int which = args_choice(L, 3, (args_place){where, ""}, "what", what, 0);
   const arc_array *arrays = push_surfaces(L, wear, where, &count);
