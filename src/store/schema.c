@@ -70,6 +70,8 @@ static const char views[] = "CREATE VIEW history_of AS SELECT case_id, label, st
       "distance_mm") ", body, '" name "', " array " FROM older_state s GROUP BY case_id, body;"
 /* clang-format off */
 static const char to_arrays[] =
+    "ALTER TABLE history ADD COLUMN half_width_z_mm;"
+    "ALTER TABLE history ADD COLUMN area_mm2;"
     PACKED("x", "x_mm")
     PACKED("h", "h_mm")
     PACKED("y", "y_mm")
