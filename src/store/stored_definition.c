@@ -228,8 +228,8 @@ void arc_stored_run_free(arc_stored_run *run) {
 static int copy_value(const arc_value *from, kept *to) {
   const size_t numbers = from->array ? from->count * sizeof(double) : 0;
   const size_t name = strlen(from->name) + 1, text = from->text ? strlen(from->text) + 1 : 0;
-  char *memory = malloc(numbers + name + text);
-  *to = (kept){*from, memory};
+  *to = (kept){*from, malloc(numbers + name + text)};
+  char *memory = to->memory;
   if (!memory) return 0;
   if (from->array) to->value.array = memcpy(memory, from->array, numbers);
   to->value.name = memcpy(memory + numbers, from->name, name);
