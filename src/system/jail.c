@@ -367,7 +367,7 @@ static void drop_rights(void) {
 /* --- limits ----------------------------------------------------------------------------------- */
 
 /* Not more than so much, also of the limit that could be raised again. */
-static int limit(int what, double most) {
+static int limit(enum __rlimit_resource what, double most) {
   struct rlimit l;
   if (getrlimit(what, &l) != 0) return 0;
   if (l.rlim_max == RLIM_INFINITY || (double)l.rlim_max > most) l.rlim_max = (rlim_t)most;

@@ -58,13 +58,13 @@ static arc_status unworn(arc_model *model, arc_geometry geometry, double refresh
 
 static wear_sites sites(const arc_shape *shape, arc_body body) {
   const space_shape *s = space_shape_of(shape);
-  return (wear_sites){space_sites(s, body), s->grid->x[body], s->depth[body]};
+  return (wear_sites){space_sites(s, (int)body), s->grid->x[body], s->depth[body]};
 }
 
 /* In the middle, into the shape's own arrays. */
 static arc_profile profile(const arc_shape *shape, arc_body body) {
   const space_shape *s = space_shape_of(shape);
-  const int nz = arc_halfspace_definition(s->grid->h)->nz, rows = space_sites(s, body) / nz;
+  const int nz = arc_halfspace_definition(s->grid->h)->nz, rows = space_sites(s, (int)body) / nz;
   const double *recess = arc_halfspace_recess(s->grid->h, body);
   double *x = s->line[body], *h = x + rows, *y = h + rows;
   for (int i = 0; i < rows; i++) {
