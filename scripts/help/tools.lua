@@ -253,7 +253,7 @@ return {
   { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance"',
     text = "The abscissa." },
   { "plot.history{titles}", type = "list of strings", text = "Names of the objects in the key." },
-  { "plot.map", kind = "function", takes = "plot", use = 'plot.map(t)  plot.map(t, { levels=12, file="t.png" })',
+  { "plot.map", kind = "function", takes = "plot", use = 'plot.map(t)  plot.map(w, "height")  plot.map(t, { levels=12, file="t.png" })',
     text = "A map, one of a run or the pressures of a contact in three dimensions, from above, x to the right and z upwards in equal scales: colours with contours and a scale, in characters in the "
       .. "terminal. Values of both signs are white at zero. Maps of more than 240 points along a side are drawn by means." },
   { "plot.map{body}", type = "string", text = "Of a run in three dimensions: whose map; the upper body's where left out." },

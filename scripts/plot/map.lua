@@ -72,9 +72,10 @@ local function map_of(where, object, options)
   return check_map(where, fine and is_map(t) and t or object)
 end
 
--- plot.map(t, { levels=, vrange=, ... })
+-- plot.map(t, { levels=, vrange=, ... }), plot.map(w, "height")
 function pictures.map(t, options)
   local where = "plot.map"
+  if type(options) == "string" then options = { what = options } end
   options = draw.options(where, options, map_options)
   t = map_of(where, t, options)
   local shown = thinned(t, most)

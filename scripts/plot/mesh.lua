@@ -147,6 +147,7 @@ function mesh.mesh(model, options)
   if not meshes then
     check.fail(where, "expected a model or a wear run as the first argument, got " .. check.shown(model))
   end
+  if not meshes[naming.bodies(model)[1]] then check.fail(where, "expected bodies with meshes, got a model that has none") end
   options = draw.options(where, options, mesh_options)
   local box = view_of(where, model, options.zoom)
   local defaults = { equal = true, title = "mesh" }

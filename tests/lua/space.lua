@@ -146,3 +146,5 @@ fails(function() export.inp(m, "x.inp") end, "half-spaces", "no input deck")
 fails(function() w:set{ mesh = { size = 0.01 } } end, "mesh", "cells stay")
 fails(function() wear{ model = m, worn = { cylinder = function() return 0 end } } end, "worn", "depths by functions")
 
+fails(function() plot.mesh(m) end, "a model that has none", "no mesh to draw")
+fails(function() plot.map(w, "width") end, "what", "a map of another name")
