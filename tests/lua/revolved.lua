@@ -16,7 +16,7 @@ end
 
 -- --- models -------------------------------------------------------------------------------------
 
-fails(function() model{ geometry = "moving" } end, [[expected "plane strain", "plane stress", "axisymmetric" or "springs"]], "a geometry that is none")
+fails(function() model{ geometry = "moving" } end, [[expected "plane strain", "plane stress", "axisymmetric", "springs" or "3-D"]], "a geometry that is none")
 fails(function() model{ axis = 3 } end, [[field 'axis': expected geometry = "axisymmetric" beside it, got "plane strain"]], "an axis of plane bodies")
 fails(function() model(ball{ thickness = 2 }) end, "field 'thickness': bodies of revolution have none, got 2 mm", "thickness of a ring")
 fails(function() model(ball{ axis = 4 }) end, "field 'axis': expected 0 or more than the 10 mm that the upper body reaches", "an axis inside the body")
