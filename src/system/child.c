@@ -67,7 +67,7 @@ static int use_own_memory(rlim_t bytes) {
   if (bytes == 0 || HAS_SHADOW) return 0;
   if (getrlimit(RLIMIT_AS, &all) != 0 || getrlimit(RLIMIT_DATA, &data) != 0) return errno;
   all.rlim_cur = all.rlim_max;
-  bytes += ARC_CHILD_OWN_MEMORY;
+  bytes += ARC_CHILD_OWN_MEMORY + arc_room_own();
   if (data.rlim_max == RLIM_INFINITY || data.rlim_max > bytes) data.rlim_max = bytes;
   data.rlim_cur = data.rlim_max;
   return setrlimit(RLIMIT_AS, &all) == 0 && setrlimit(RLIMIT_DATA, &data) == 0 ? 0 : errno;

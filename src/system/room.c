@@ -10,6 +10,7 @@
 enum { MOST_CHILDREN = 512 };
 
 static struct {
+  double own; /* data of this process when the limit began: what a child needs before its script */
   int limited, count;
   struct loan {
     pid_t child;
@@ -17,12 +18,15 @@ static struct {
   } loans[MOST_CHILDREN];
 } room;
 
-static double mapped(void) {
-  double pages = 0;
+/* Bytes of this process that are mapped, and those of them that are data; 0 where nothing says. */
+static double mapped(double *data) {
+  double all = 0, private = 0;
   FILE *file = fopen("/proc/self/statm", "r");
-  if (file && fscanf(file, "%lf", &pages) != 1) pages = 0;
+  if (file && fscanf(file, "%lf %*s %*s %*s %*s %lf", &all, &private) != 2) all = private = 0;
   if (file) fclose(file);
-  return pages * (double)sysconf(_SC_PAGESIZE);
+  const double page = (double)sysconf(_SC_PAGESIZE);
+  if (data) *data = private * page;
+  return all * page;
 }
 
 /* Changes the limit of this process by so many bytes. */
@@ -36,7 +40,7 @@ static void shift(double bytes) {
 void arc_room_limit(double bytes) {
   struct rlimit limit;
   if (getrlimit(RLIMIT_AS, &limit) != 0) return;
-  const double wanted = mapped() + bytes, largest = 0x1p62;
+  const double wanted = mapped(&room.own) + bytes, largest = 0x1p62;
   if (wanted < largest && (limit.rlim_cur == RLIM_INFINITY || (double)limit.rlim_cur > wanted))
     limit.rlim_cur = (rlim_t)wanted;
   room.limited = limit.rlim_cur != RLIM_INFINITY && setrlimit(RLIMIT_AS, &limit) == 0;
@@ -45,7 +49,7 @@ void arc_room_limit(double bytes) {
 rlim_t arc_room_take(double part) {
   struct rlimit limit;
   if (!room.limited || room.count == MOST_CHILDREN || getrlimit(RLIMIT_AS, &limit) != 0) return 0;
-  const double bytes = floor(part * fmax(0, (double)limit.rlim_cur - mapped()));
+  const double bytes = floor(part * fmax(0, (double)limit.rlim_cur - mapped(NULL)));
   shift(-bytes);
   return (rlim_t)bytes + 1;
 }
@@ -56,6 +60,10 @@ void arc_room_lend(rlim_t bytes, pid_t child) {
     shift((double)(bytes - 1));
   else
     room.loans[room.count++] = (struct loan){child, bytes};
+}
+
+rlim_t arc_room_own(void) {
+  return (rlim_t)room.own;
 }
 
 void arc_room_return(pid_t child) {

@@ -9,6 +9,10 @@
  * them. Before, and without it, nothing here does anything. */
 void arc_room_limit(double bytes);
 
+/* Data [bytes] that this process had when its limit began: its libraries' buffers (128 MiB of
+ * OpenBLAS), which a child needs as well. */
+rlim_t arc_room_own(void);
+
 /* Takes a part of what is left, for a child that is about to start; 0: without limit. */
 rlim_t arc_room_take(double part);
 
