@@ -55,16 +55,18 @@ local function noted(folder)
   return describe(folder, word, shares, name ~= "-" and name or nil)
 end
 
--- A killed program may have left its journal beside a run file.
+-- A killed program may have left its journal or its lock beside a run file.
 local function remove_store(path)
-  for _, ending in ipairs{ "", "-journal" } do os.remove(path .. ending) end
+  for _, ending in ipairs{ "", "-journal", ".lock" } do os.remove(path .. ending) end
 end
 
--- What this and earlier jobs left in the folder, but nothing that is somebody else's.
+-- What this and earlier jobs left in the folder, also a journal whose run file is gone, but nothing that is somebody else's.
 local function clear(job)
   local names = process.files(job.folder) or {}
   for _, name in ipairs(names) do
-    if name:find "^%w+%-of%-%d+%.log$" or name:find "^%d+%-of%-%d+%.archard$" then remove_store(job.folder .. "/" .. name) end
+    if name:find "^%w+%-of%-%d+%.log$" or name:find "^%d+%-of%-%d+%.archard" or name:find "^%.archard%-part%-" then
+      remove_store(job.folder .. "/" .. name)
+    end
   end
   remove_store(job.blank)
   for _, path in ipairs{ job.script, job.note, job.folder } do os.remove(path) end
