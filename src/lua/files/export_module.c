@@ -62,8 +62,13 @@ static const arc_contact *push_contact(lua_State *L, const char *where) {
   return contact;
 }
 
-static void need_meshes(lua_State *L, const arc_mesh *mesh, const char *where) {
-  if (!mesh) error_raise(L, ARC_ARGUMENT, where, "expected a model with meshes");
+/* The model at index 1, which has to have meshes. */
+static const arc_model *meshed_model(lua_State *L, const char *where) {
+  const arc_model *model = box_check(L, 1, &model_class, where)->thing;
+  model_check_meshed(L, model, where);
+  if (!arc_model_mesh(model, ARC_UPPER))
+    error_raise(L, ARC_ARGUMENT, where, "expected a model with meshes");
+  return model;
 }
 
 /* --- VTK ------------------------------------------------------------------------------------- */
@@ -92,10 +97,7 @@ static void write_vtk(lua_State *L, const char *file, const arc_mesh *mesh, vtk_
 }
 
 static vtk_source read_source(lua_State *L) {
-  if (box_test(L, 1, &model_class))
-    model_check_meshed(L, box_check(L, 1, &model_class, vtk_where)->thing, vtk_where);
-  if (box_test(L, 1, &model_class))
-    return (vtk_source){.model = box_check(L, 1, &model_class, vtk_where)->thing};
+  if (box_test(L, 1, &model_class)) return (vtk_source){.model = meshed_model(L, vtk_where)};
   vtk_source from = {.contact = push_contact(L, vtk_where)};
   if (!from.contact)
     error_raise(L, ARC_ARGUMENT, vtk_where,
@@ -124,7 +126,6 @@ static int export_vtk(lua_State *L) {
     return 1;
   }
   const vtk_source from = read_source(L);
-  need_meshes(L, arc_model_mesh(from.model, ARC_UPPER), vtk_where);
   for (int body = 0; body < ARC_BODIES; body++)
     write_vtk(L, export_push_path(L, path, name_in(from.model, (arc_body)body), ".vtk"),
               arc_model_mesh(from.model, (arc_body)body), from);
@@ -201,10 +202,9 @@ static int export_msh(lua_State *L) {
     const arc_mesh *one = mesh_of(L, 1, where);
     mesh[one->body] = one;
   } else if (box_test(L, 1, &model_class)) {
-    model_check_meshed(L, box_check(L, 1, &model_class, where)->thing, where);
+    const arc_model *model = meshed_model(L, where);
     for (int body = 0; body < ARC_BODIES; body++)
-      mesh[body] = arc_model_mesh(box_check(L, 1, &model_class, where)->thing, (arc_body)body);
-    need_meshes(L, mesh[ARC_UPPER], where);
+      mesh[body] = arc_model_mesh(model, (arc_body)body);
   } else {
     error_raise(L, ARC_ARGUMENT, where, "expected a model or a mesh, got %s",
                 names_push_shown(L, 1));
