@@ -1,5 +1,7 @@
 -- The plane or sphere through a map's heights by least squares of the vertical distances. A sphere is that through a
--- point with a slope and a curvature, which has no trouble where it is nearly a plane. Leans on nothing.
+-- point with a slope and a curvature, which has no trouble where it is nearly a plane. Leans on lib/linear.lua.
+
+local solve = require "archard.lib.linear"
 
 local form = { kinds = { "plane", "sphere" } }
 local models = {}
@@ -18,27 +20,6 @@ function models.sphere(u, v, p)
   local rise = 2 * (t * u + s * v) + k * far
   return p[1] + rise / sum, 1, 2 * u / sum + rise * (t / c + q / d) / sum ^ 2, 2 * v / sum + rise * (s / c + r / d) / sum ^ 2,
     far / sum + rise * (q * u + r * v) / d / sum ^ 2
-end
-
--- Solves a x = b by elimination with pivots; nil where a is singular.
-local function solve(a, b)
-  local n = #a
-  for i = 1, n do
-    local best = i
-    for r = i + 1, n do if math.abs(a[r][i]) > math.abs(a[best][i]) then best = r end end
-    a[i], a[best], b[i], b[best] = a[best], a[i], b[best], b[i]
-    if not (math.abs(a[i][i]) > 1e-12) then return nil end
-    for r = i + 1, n do
-      local share = a[r][i] / a[i][i]
-      for c = i, n do a[r][c] = a[r][c] - share * a[i][c] end
-      b[r] = b[r] - share * b[i]
-    end
-  end
-  for i = n, 1, -1 do
-    for c = i + 1, n do b[i] = b[i] - a[i][c] * b[c] end
-    b[i] = b[i] / a[i][i]
-  end
-  return b
 end
 
 local function zeros(n)
@@ -73,12 +54,14 @@ end
 
 -- One step of Gauss and Newton, halved until the form reaches all points and fits no worse.
 local function advance(self, points, a, b, rr)
-  local step = solve(a, b)
+  local right = {}
+  for i = 1, #b do right[i] = { b[i] } end
+  local step = solve(a, right, 1e-12)
   if not step then return nil end
   for halvings = 0, 40 do
     local p, size = {}, 0
     for i = 1, #step do
-      p[i] = self.p[i] + step[i] / 2 ^ halvings
+      p[i] = self.p[i] + step[i][1] / 2 ^ halvings
       size = math.max(size, math.abs(p[i] - self.p[i]))
     end
     local a2, b2, rr2 = normal(self, points, p)

@@ -2,6 +2,8 @@
 -- scatter does to a value or an area. A circle is that through a point with a slope and a curvature,
 -- which has no trouble where it is nearly a line.
 
+local solve = require "archard.lib.linear"
+
 local form = { kinds = { "line", "circle" } }
 local shape = {}
 shape.__index = shape
@@ -20,24 +22,6 @@ function models.circle(u, p)
   local sum, rise = c + d, u * (2 * t + k * u)
   return p[1] + rise / sum, 1, 2 * u / sum + rise * (t / c + q / d) / sum ^ 2,
     u * u / sum + rise * q * u / d / sum ^ 2
-end
-
--- Solves a x = b for each of the right sides in b, by elimination with pivots; nil where it cannot.
-local function solve(a, b)
-  local n = #a
-  for i = 1, n do
-    local best = i
-    for r = i + 1, n do if math.abs(a[r][i]) > math.abs(a[best][i]) then best = r end end
-    a[i], a[best], b[i], b[best] = a[best], a[i], b[best], b[i]
-    if math.abs(a[i][i]) < 1e-280 then return nil end
-    for r = 1, n do
-      local share = r ~= i and a[r][i] / a[i][i] or 0
-      for c = i, n do a[r][c] = a[r][c] - share * a[i][c] end
-      for c = 1, #b[r] do b[r][c] = b[r][c] - share * b[i][c] end
-    end
-  end
-  for i = 1, n do for c = 1, #b[i] do b[i][c] = b[i][c] / a[i][i] end end
-  return b
 end
 
 -- Sums over the points: J'J, J'r, r'r; nil where the form does not reach a point.
@@ -61,7 +45,7 @@ end
 
 -- A step of Gauss and Newton, halved until the form reaches all points and fits no worse.
 local function advance(self, x, z, is_used, a, b, rr)
-  local step, old = solve(a, b), self.p
+  local step, old = solve(a, b, 1e-280), self.p
   if not step then return nil end
   local share, size = 1, 0
   for _ = 1, 40 do
@@ -104,7 +88,7 @@ function form.fit(kind, x, z, is_used)
     if size < 1e-13 then break end
   end
   a = normal(self, x, z, is_used)
-  self.inverse = solve(a, identity(#self.p))
+  self.inverse = solve(a, identity(#self.p), 1e-280)
   self.count, self.deviation = count, self.half * math.sqrt(rr / math.max(1, count - #self.p))
   return self.inverse and self or nil
 end
