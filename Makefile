@@ -214,7 +214,7 @@ check:
 
 # Everything: long files too, and those of tests/lua once more with a collector that never rests.
 check-full:
-	@scripts/setup test
+	@scripts/setup test full
 	@$(MAKE) --no-print-directory -j$(jobs) test-programs
 	@BUILD=$(BUILD) SANITIZER=$(SANITIZER) tests/run -a
 
@@ -368,7 +368,6 @@ deb-check: deb
 
 # The README's commands, as printed, on a root that has git, make and gcc.
 readme-check:
-	@scripts/setup root
 	@mkdir -p $(BUILD)
 	scripts/deb/readme $(BUILD)
 

@@ -55,7 +55,7 @@ local hostile = dofile(here .. "/lib/hostile.lua")(world)
 
 -- --- what can be called --------------------------------------------------------------------------
 
--- Long, in other processes, or with what the rest of the test stands on.
+-- Those that take long, run in other processes, or with what the rest of the test stands on.
 local left_out = { ["examples.run"] = true, ["study.submit"] = true, ["study.figures"] = true, ["session.open"] = true,
   ["study.close"] = true, ["plot.save"] = true }
 local long = { fit = true, ["fit.design"] = true, calibrate = true }

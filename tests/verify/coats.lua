@@ -1,5 +1,4 @@
 -- Layers and coats: pressures against transforms.
--- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 

@@ -1,6 +1,5 @@
 -- What the choices of a run change: moving or frozen geometry, rigid or total slip,
 -- increments, element height.
--- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 

@@ -1,6 +1,5 @@
 -- Soft bodies: nothing locks where nu nears 1/2. Hertz' pressures and, on a plate that stays flat, the
 -- worn ones depend on the contact modulus alone.
--- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 

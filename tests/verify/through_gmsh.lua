@@ -1,7 +1,6 @@
 -- The same shapes through Gmsh files: meshes that Gmsh has made of tests/files/gmsh/*.geo, and archard's
 -- own, written and read. Contact and wear over several updates, beside archard's own bodies, on which the
 -- other tests of this folder have the closed forms. Gmsh itself is not needed.
--- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
