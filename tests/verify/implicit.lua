@@ -32,20 +32,27 @@ local function depth_error(w, coarse, fine, body)
   return worst
 end
 
+-- Mean error of the pressures over the mean pressure: single nodes at the edge of the contact are the mesh's.
+local function pressure_error(w, coarse, fine)
+  local p, pc, pf, sum, all = w:pressure("cylinder").p, coarse:pressure("cylinder").p, fine:pressure("cylinder").p, 0, 0
+  for i, got in ipairs(p) do
+    sum, all = sum + math.abs(got - 2 * pf[i] + pc[i]), all + got
+  end
+  return sum / all
+end
+
 -- The worst over all updates of a run.
 local function compare(fields, jump, tolerance)
   local coarse, fine = references(fields, jump)
   fields.scheme, fields.tolerance = "implicit", tolerance
   local w = wear(fields)
-  local worst, total = { depth = 0, p_max = 0, p_center = 0 }, fields.distance or 1320
+  local worst, total = { depth = 0, pressure = 0, p_center = 0 }, fields.distance or 1320
   while w.distance < total * (1 - 1e-9) do
     w:step()
     coarse:run{ distance = w.distance, progress = false }
     fine:run{ distance = w.distance, progress = false }
-    for _, name in ipairs{ "p_max", "p_center" } do
-      local expected = 2 * fine[name] - coarse[name]
-      worst[name] = math.max(worst[name], math.abs(w[name] / expected - 1))
-    end
+    worst.p_center = math.max(worst.p_center, math.abs(w.p_center / (2 * fine.p_center - coarse.p_center) - 1))
+    worst.pressure = math.max(worst.pressure, pressure_error(w, coarse, fine))
     for _, body in ipairs{ "cylinder", "plate" } do
       worst.depth = math.max(worst.depth, depth_error(w, coarse, fine, body))
     end
@@ -56,7 +63,7 @@ end
 local function check(what, fields, jump, tolerance)
   local worst, w = compare(fields, jump, tolerance)
   below(worst.depth, tolerance, what .. ": depth at any node, any update, off by")
-  below(worst.p_max, 30 * tolerance, what .. ": largest pressure at any update off by")
+  below(worst.pressure, 10 * tolerance, what .. ": pressures in the mean at any update off by")
   below(worst.p_center, 2 * tolerance, what .. ": centre pressure at any update off by")
   return w
 end

@@ -122,8 +122,8 @@ typedef struct arc_kind {
    * called), `start` gives k times the rate at z = 0, `stage` solves from the present z, whose rate
    * is given, and gives that of the solution, with z = known + h rate to the bit
    * (ARC_NOT_CONVERGED: try a shorter step). `error` filters stiff ripples out of the estimated
-   * errors of depths, and returns the largest share by which they change a pressure, over the
-   * largest; negative: it cannot tell. `end_stages` gives a step's even wear, peak and normal
+   * errors of depths, and returns the share of the load, or of the largest pressure, that they
+   * shift; negative: it cannot tell. `end_stages` gives a step's even wear, peak and normal
    * force, where depths are not NULL. */
   arc_status (*begin_stages)(wear_stage *s);
   arc_status (*start)(wear_stage *s, double *rate);

@@ -72,6 +72,9 @@ void arc_path_copy(const wear_path *path, const wear_point *from, wear_point *to
 /* The wear of a window. */
 arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch *watch,
                              wear_rate *rate, arc_error *error);
+/* Sliding [mm] that the points of a window stand for together. */
+double arc_wear_window_sliding(const arc_wear *w, const wear_window *window);
+double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i);
 /* Solves the point window->first only: can the contact be there? */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);
 

@@ -15,7 +15,8 @@ static const double tight = 1e-8, share_of_tolerance = 5e-3;
 /* The kept Jacobian has to reduce the error to this share in each iteration. */
 static const double contraction = 0.4;
 
-static arc_status create(newton *s) {
+/* What Newton's method takes; a contact that rests needs none of it. */
+static arc_status create_moving(newton *s) {
   const size_t n = (size_t)s->n;
   const carve_part parts[] = {{&s->residual, n}, {&s->step, n},      {&s->packed, n},
                               {&s->start, n},    {&s->defect, n},    {&s->last, n},
@@ -29,13 +30,21 @@ static arc_status create(newton *s) {
   return ARC_OK;
 }
 
+static arc_status create_resting(newton *s) {
+  const size_t n = (size_t)s->n;
+  const carve_part parts[] = {{&s->residual, n}, {&s->step, n},  {&s->per_force, n},
+                              {&s->opening, n},  {&s->moved, n}, {&s->force, n}};
+  return ARC_CARVE(parts) ? arc_pose_create(&s->with_wear, s->at->run->model) : ARC_MEMORY;
+}
+
 arc_status arc_newton_begin(wear_stage *stage) {
   newton *s = stage->own = calloc(1, sizeof *s);
   if (!s) return ARC_MEMORY;
   s->at = stage;
   s->n = stage->run->nc + stage->run->np;
+  s->rests = arc_stage_rests(stage);
   stage->window.depth = stage->worn;
-  return create(s);
+  return s->rests ? create_resting(s) : create_moving(s);
 }
 
 static double k_at(const newton *s, int i) {
@@ -48,7 +57,7 @@ static void wear_by_z(newton *s) {
   arc_wear_into_layers(s->at->window.shape, s->at->worn);
 }
 
-static double share_of(const newton *s, int i) {
+double arc_newton_share(const newton *s, int i) {
   const int plate = i >= s->at->run->nc;
   return arc_wear_layer_share(s->at->window.shape, plate ? ARC_PLATE : ARC_CYLINDER,
                               plate ? i - s->at->run->nc : i, s->at->worn[i]);
@@ -73,7 +82,7 @@ static double area_of(const newton *s, const double *rate) {
   return area_on(s, ARC_CYLINDER, rate) + area_on(s, ARC_PLATE, rate + s->at->run->nc);
 }
 
-static arc_status evaluate(newton *s, double *rate, int with_jacobian) {
+arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian) {
   wear_rate *here = &s->at->last;
   *here = (wear_rate){.node = {rate, rate + s->at->run->nc}};
   s->at->window.tangent = with_jacobian ? s->jacobian : NULL;
@@ -97,7 +106,7 @@ static arc_status factorise(newton *s, double h) {
     if (k_at(s, i) > 0 && rates[dense_at(i, i, s->n)] > 0) s->node[m++] = i;
   for (int j = 0; j < m; j++) {
     double *to = &s->matrix[dense_at(0, j, m)];
-    const double by = h * share_of(s, s->node[j]);
+    const double by = h * arc_newton_share(s, s->node[j]);
     for (int i = 0; i < m; i++)
       to[i] = by * k_at(s, s->node[i]) * rates[dense_at(s->node[i], s->node[j], s->n)];
     to[j] += 1;
@@ -120,12 +129,12 @@ static arc_status direction(newton *s, double h, double *x) {
 /* --- a stage --- */
 
 /* residual = z - known - h rate; its largest entry. */
-static double residual_of(newton *s, double h, const double *rate) {
+double arc_newton_residual(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->residual[i] = s->at->z[i] - s->at->known[i] - h * rate[i];
   return largest_of(s->residual, s->n);
 }
 
-static double allowed(const newton *s) {
+double arc_newton_allowed(const newton *s) {
   const double depth = fmax(arc_shape_depth(s->at->window.shape, ARC_CYLINDER),
                             arc_shape_depth(s->at->window.shape, ARC_PLATE));
   const double share =
@@ -133,8 +142,9 @@ static double allowed(const newton *s) {
   return share * (depth + largest_of(s->at->worn, s->n));
 }
 
-static int hopeless(arc_status status) {
-  return status == ARC_STOPPED || status == ARC_CALLBACK || status == ARC_MEMORY;
+int arc_newton_is_hopeless(const newton *s, arc_status status) {
+  return (status == ARC_ZONE && arc_wear_has_outgrown(s->at->run, status)) ||
+         status == ARC_STOPPED || status == ARC_CALLBACK || status == ARC_MEMORY;
 }
 
 /* No node is pulled: the body loses `area` all the same. */
@@ -184,11 +194,11 @@ static void accelerate(newton *s, int it) {
 
 /* With the Jacobian at hand. */
 static arc_status solve_kept(newton *s, double h, double *rate) {
-  const double least = allowed(s);
+  const double least = arc_newton_allowed(s);
   double last = 0, first = 0;
   s->nearer = 0;
   for (int it = 0; it < kept_limit; it++) {
-    residual_of(s, h, rate);
+    arc_newton_residual(s, h, rate);
     memcpy(s->defect, s->residual, (size_t)s->n * sizeof(double));
     if (direction(s, h, s->defect) != ARC_OK) return ARC_NOT_CONVERGED;
     const double size = largest_of(s->defect, s->n), shrinks = it > 0 ? size / last : 0;
@@ -202,10 +212,10 @@ static arc_status solve_kept(newton *s, double h, double *rate) {
       return ARC_OK;
     }
     for (int i = 0; i < s->n; i++) s->at->z[i] -= s->step[i];
-    const arc_status status = evaluate(s, rate, 0);
+    const arc_status status = arc_newton_evaluate(s, rate, 0);
     if (status != ARC_OK) {
       s->nearer = 0;
-      return hopeless(status) ? status : ARC_NOT_CONVERGED;
+      return arc_newton_is_hopeless(s, status) ? status : ARC_NOT_CONVERGED;
     }
     last = size;
   }
@@ -220,10 +230,10 @@ static arc_status line_search(newton *s, double h, double *rate, double *size) {
   for (int half = 0; half <= halvings; half++, share /= 2) {
     for (int i = 0; i < s->n; i++) s->at->z[i] -= (share - last) * s->step[i];
     last = share;
-    const arc_status status = evaluate(s, rate, 1);
-    if (hopeless(status)) return status;
+    const arc_status status = arc_newton_evaluate(s, rate, 1);
+    if (arc_newton_is_hopeless(s, status)) return status;
     if (status != ARC_OK) continue;
-    *size = residual_of(s, h, rate);
+    *size = arc_newton_residual(s, h, rate);
     if (*size < before * (1 - 0.1 * share)) return ARC_OK;
   }
   return ARC_NOT_CONVERGED;
@@ -232,10 +242,10 @@ static arc_status line_search(newton *s, double h, double *rate, double *size) {
 /* With the exact Jacobian of every iterate. */
 static arc_status solve_exactly(newton *s, double h, double *rate) {
   s->jacobian->width = 0;
-  arc_status status = evaluate(s, rate, 1);
-  if (status != ARC_OK) return hopeless(status) ? status : ARC_NOT_CONVERGED;
-  double size = residual_of(s, h, rate);
-  const double least = 0.1 * allowed(s);
+  arc_status status = arc_newton_evaluate(s, rate, 1);
+  if (status != ARC_OK) return arc_newton_is_hopeless(s, status) ? status : ARC_NOT_CONVERGED;
+  double size = arc_newton_residual(s, h, rate);
+  const double least = 0.1 * arc_newton_allowed(s);
   for (int it = 0; it < newton_limit; it++) {
     if (size <= least) return ARC_OK;
     memcpy(s->step, s->residual, (size_t)s->n * sizeof(double));
@@ -256,17 +266,22 @@ static void settle(newton *s, double h, const double *rate) {
  */
 static arc_status renew(newton *s, double *rate) {
   if (!s->nearer) memcpy(s->at->z, s->start, (size_t)s->n * sizeof(double));
-  return evaluate(s, rate, 1);
+  return arc_newton_evaluate(s, rate, 1);
 }
 
 arc_status arc_newton_solve(wear_stage *stage, double h, double *rate) {
   newton *s = stage->own;
+  if (s->rests) {
+    const arc_status rested = arc_stage_solve_rest(s, h, rate);
+    if (rested == ARC_OK) settle(s, h, rate);
+    return rested == ARC_OK || arc_newton_is_hopeless(s, rested) ? rested : ARC_NOT_CONVERGED;
+  }
   memcpy(s->start, s->at->z, (size_t)s->n * sizeof(double));
   arc_status status = solve_kept(s, h, rate);
   if (status == ARC_NOT_CONVERGED) {
     status = renew(s, rate);
     if (status == ARC_OK) status = solve_kept(s, h, rate);
-    if (status != ARC_OK && !hopeless(status)) status = ARC_NOT_CONVERGED;
+    if (status != ARC_OK && !arc_newton_is_hopeless(s, status)) status = ARC_NOT_CONVERGED;
   }
   if (status == ARC_NOT_CONVERGED) {
     if (!s->nearer) memcpy(s->at->z, s->start, (size_t)s->n * sizeof(double));
@@ -278,36 +293,26 @@ arc_status arc_newton_solve(wear_stage *stage, double h, double *rate) {
 }
 
 arc_status arc_newton_start(wear_stage *stage, double *rate) {
-  return evaluate(stage->own, rate, 1);
+  newton *s = stage->own;
+  return arc_newton_evaluate(s, rate, !s->rests);
 }
 
 /* --- the error --- */
 
-/* Largest change of a pose's pressures with depths that are off, over the largest pressure. */
-static double pressure_error(newton *s, pose *p, const double *off) {
-  double *gap = s->packed, sum = 0, total = 0, largest = 0, peak = 0;
+/* What part of the load a pose's forces shift by depths that are off. */
+static double shifted_by(newton *s, pose *p, const double *off) {
   double *below = plane_of(s->at->run)->below;
   arc_pose_to_cylinder(p, off + s->at->run->nc, below);
   for (int k = 0; k < p->active; k++) {
     const int i = p->lo + p->set[k];
-    gap[k] = off[i] + below[i];
+    s->packed[k] = off[i] + below[i];
   }
-  arc_dense_cholesky_solve(p->active, 1, p->factor, p->active, gap, p->active);
-  for (int k = 0; k < p->active; k++) {
-    const double down = p->down[p->set[k]];
-    sum += down * gap[k], total += down * p->ones[k];
-  }
-  for (int k = 0; k < p->active; k++) {
-    const double width = p->wc[p->lo + p->set[k]];
-    largest = fmax(largest, fabs(gap[k] - sum / total * p->ones[k]) / width);
-    peak = fmax(peak, p->f[p->set[k]] / width);
-  }
-  return peak > 0 ? largest / peak : 0;
+  return arc_stage_forces(p, s->packed);
 }
 
 /* Of the poses at the ends and in the middle of the path: those at hand, of the last solution. A
  * run in closed form has no path, and pressures that no depth changes. */
-static double largest_pressure_error(newton *s, const double *off) {
+static double largest_shift(newton *s, const double *off) {
   if (s->at->run->manner.closed) return 0;
   const wear_block *block = path_of(s->at->run)->block;
   const int first = s->at->window.first, last = s->at->window.last;
@@ -316,16 +321,17 @@ static double largest_pressure_error(newton *s, const double *off) {
   for (int i = 0; i < 3; i++) {
     pose *p = &path_of(s->at->run)->pose[block->place[points[i]]];
     if (block->line[points[i]] > 0 && p->active > 0 && !arc_lcp_factorise(p))
-      largest = fmax(largest, pressure_error(s, p, off));
+      largest = fmax(largest, shifted_by(s, p, off));
   }
   return largest;
 }
 
 double arc_newton_error(wear_stage *stage, double h, double *defect) {
   newton *s = stage->own;
+  if (s->rests) return arc_stage_rest_error(s, defect);
   if (direction(s, h, defect) != ARC_OK) return -1;
-  for (int i = 0; i < s->n; i++) defect[i] *= share_of(s, i);
-  return largest_pressure_error(s, defect);
+  for (int i = 0; i < s->n; i++) defect[i] *= arc_newton_share(s, i);
+  return largest_shift(s, defect);
 }
 
 /* --- the end --- */
@@ -349,6 +355,7 @@ void arc_newton_end(wear_stage *stage, double cycles, wear_depths *depth) {
   if (!s) return;
   free(s->residual);
   free(s->pivots);
-  arc_tangent_free(&s->jacobian);
+  arc_pose_free(&s->with_wear);
+  if (s->jacobian) arc_tangent_free(&s->jacobian);
   free(s);
 }

@@ -1,4 +1,5 @@
-/* The equation of an implicit stage in the plane, and what solves it. */
+/* The equation of an implicit stage in the plane, and what solves it: one complementarity problem
+ * where the contact rests, else Newton's method on the depths. */
 #ifndef PLANE_NEWTON_H
 #define PLANE_NEWTON_H
 
@@ -9,7 +10,11 @@ typedef struct newton {
   wear_stage *at;
   int n;       /* nodes of both surfaces */
   double area; /* what a cycle of the last evaluation wears [mm2] */
-  double *residual, *step, *packed;
+  int rests;   /* the contact is one, under one load */
+  double *residual, *step;
+
+  /* of a contact that moves */
+  double *packed;
   double *start;                 /* z of a stage at first */
   double *defect, *last, *taken; /* steps: the plain one, the one before, and as accelerated */
   int nearer;                    /* the last iteration came nearer to the solution */
@@ -18,17 +23,46 @@ typedef struct newton {
   double *matrix; /* [live x live] factors of I + h k J */
   int live, *node, *pivots;
   double h; /* cycles [-] the factors belong to; 0: none */
+
+  /* of one that rests */
+  pose with_wear;        /* it, with the wear of its forces in the compliance */
+  double *per_force;     /* depth that a force on a node wears off it [mm per N/mm] */
+  double *opening;       /* of the gap, per depth [-] */
+  double *moved, *force; /* work; force by cylinder node [N/mm] */
 } newton;
 
 arc_status arc_newton_begin(wear_stage *stage);
 void arc_newton_end(wear_stage *stage, double cycles, wear_depths *depth);
-/* Wear per cycle at z = 0 into `rate`, with the Jacobian. */
+/* Wear per cycle at z = 0 into `rate`. */
 arc_status arc_newton_start(wear_stage *stage, double *rate);
-/* Solves z = known + h rate(z) from the present z, whose rate is `rate`, and with the Jacobian of
- * the last evaluation that had one; rate becomes that of the solution, and z = known + h rate to
- * the bit. ARC_NOT_CONVERGED: try a shorter step. */
+/* Solves z = known + h rate(z) from the present z, whose rate is `rate`, which becomes that of the
+ * solution: z = known + h rate to the bit. ARC_ZONE: the run has grown out of its mesh;
+ * ARC_NOT_CONVERGED: try a shorter step. */
 arc_status arc_newton_solve(wear_stage *stage, double h, double *rate);
-/* Filters stiff ripples out of a defect, and returns the largest change of a pressure with it. */
+/* Filters stiff ripples out of a defect, and returns what part of the load it shifts along the
+ * surface at the most; negative: it cannot tell. */
 double arc_newton_error(wear_stage *stage, double h, double *defect);
+
+/* --- for rest_stage.c --- */
+/* Share of the largest coefficient by which node i wears at the present z. */
+double arc_newton_share(const newton *s, int i);
+/* k times the wear of a cycle at the present z, with the Jacobian or without. */
+arc_status arc_newton_evaluate(newton *s, double *rate, int with_jacobian);
+/* residual = z - known - h rate; its largest entry, and what is small enough [mm]. */
+double arc_newton_residual(newton *s, double h, const double *rate);
+double arc_newton_allowed(const newton *s);
+/* Whether a shorter step would not help either. */
+int arc_newton_is_hopeless(const newton *s, arc_status status);
+
+/* --- rest_stage.c --- */
+/* Whether all points of the window are one contact under one load, with neither friction nor
+ * elastic slip. */
+int arc_stage_rests(const wear_stage *stage);
+arc_status arc_stage_solve_rest(newton *s, double h, double *rate);
+/* Gaps [active] that open on the set of a solved pose become the changes of its forces; returns
+ * what part of the load they shift along the surface at the most. */
+double arc_stage_forces(pose *p, double *gap);
+/* arc_newton_error for the last stage that was solved so. */
+double arc_stage_rest_error(newton *s, double *defect);
 
 #endif

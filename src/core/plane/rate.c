@@ -128,7 +128,7 @@ static void add_increment(const arc_wear *w, const wear_point point[2], int at, 
  * pressure times width is force: so much depth along the normal takes the area k force |dx|. Out of
  * the plane every slope slides all the way, but in holes, where pressures are those on the hole's
  * area; of revolution areas are those seen from above. */
-static double share_of_slope(const arc_wear *w, const wear_window *window, arc_body b, int i) {
+double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i) {
   const shape_side *side = &window->shape->side[b];
   const chart *c = &side->body->chart;
   const int out = w->def.slide == ARC_SLIDE_Z && !c->revolved.on && !c->polar;
@@ -140,7 +140,7 @@ static void incline(const arc_wear *w, const wear_window *window, wear_rate *rat
   const int n = w->nc + w->np;
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < window->shape->side[b].n; i++) {
-      const double share = share_of_slope(w, window, (arc_body)b, i);
+      const double share = arc_wear_slope_share(w, window, (arc_body)b, i);
       const int row = b == ARC_CYLINDER ? i : w->nc + i;
       if (share == 1) continue;
       rate->node[b][i] *= share;
@@ -171,6 +171,12 @@ static double weight(const arc_wear *w, const wear_window *window, int at) {
   const double before = at > window->first ? fabs(b->x[at] - b->x[at - 1]) : 0;
   const double after = at < window->last ? fabs(b->x[at + 1] - b->x[at]) : 0;
   return b->repeat * (w->def.rule == ARC_TRAPEZOID ? (before + after) / 2 : before);
+}
+
+double arc_wear_window_sliding(const arc_wear *w, const wear_window *window) {
+  double sum = 0;
+  for (int at = window->first; at <= window->last; at++) sum += weight(w, window, at);
+  return sum;
 }
 
 static void add_to_jacobian(const arc_wear *w, const wear_window *window, int at) {

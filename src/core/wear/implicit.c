@@ -22,8 +22,8 @@ typedef struct implicit {
 /* Steps share the tolerance: at order 2 the errors of the first ones fade as the pressure flattens.
  * Found on the twenty cases of the paper, at 20, 10 and 5 um. */
 static const double share_per_step = 0.5;
-/* The pressure may be off by so many tolerances, of the largest one. */
-static const double pressure_share = 30;
+/* The forces may be off by so many tolerances: they follow from the depths, and do not add up. */
+static const double pressure_share = 60;
 static const double gamma2 = 0.29289321881345247560; /* 1 - 1 / sqrt(2) */
 
 /* A stage's coefficient of friction; it is asked for before any stage, as what is asked leaves no
