@@ -7,13 +7,24 @@
 #include <math.h>
 
 /* So much wider, in shares of the cylinder's zone, and deeper at once. */
-static const double wider = 0.5, deeper = 2;
+static const double wider = 1, deeper = 2;
 
 /* The element size goes with the contact where nobody chose it: a contact of so many times the
  * elements of a new one may do with half of them. */
-static const double rich = 8;
+static const double rich = 4;
 
 /* --- what has been outgrown ------------------------------------------------------------------- */
+
+/* Half width of the worn part of a body [mm]. */
+static double worn_half(const arc_wear *w, arc_body b) {
+  static const double edge = 0.01; /* of the deepest node */
+  const shape_side *side = &w->shape->side[b];
+  const double least = edge * arc_shape_depth(w->shape, b);
+  double half = 0;
+  for (int i = 0; i < side->n; i++)
+    if (side->h[i] > least) half = fmax(half, fabs(side->settled[2 * i]));
+  return half;
+}
 
 /* A contact, or a wear box, that suddenly needs much more than it did comes of a step that is too
  * long: a larger mesh would hide that. */
@@ -29,6 +40,8 @@ static int has_grown_into_zone(const arc_wear *w) {
       most[ARC_CYLINDER] = fmax(most[ARC_CYLINDER], last->half_width + fabs(under));
       most[ARC_PLATE] = fmax(most[ARC_PLATE], last->half_width + fabs(under - x));
     }
+  for (int b = 0; b < ARC_BODIES && !w->manner.even; b++)
+    most[b] = fmax(most[b], worn_half(w, (arc_body)b));
   return 2 * most[ARC_CYLINDER] > share * mesh->zone[ARC_CYLINDER] ||
          2 * most[ARC_PLATE] > share * mesh->zone[ARC_PLATE];
 }
@@ -83,10 +96,10 @@ static void deepen(const arc_wear *w, arc_model_def *def) {
 static void coarsen(const arc_wear *w, arc_model_def *def) {
   arc_mesh_def *mesh = &def->mesh;
   const double fitted = arc_model_size_for(arc_wear_last(w)->half_width);
-  if (mesh->fineness == 0 || mesh->size * mesh->fineness > fitted / rich) return;
-  mesh->size *= 2;
-  mesh->height *= 2;
-  mesh->rows = (mesh->rows + 1) / 2;
+  for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= fitted / rich; mesh->size *= 2) {
+    mesh->height *= 2;
+    mesh->rows = (mesh->rows + 1) / 2;
+  }
 }
 
 static arc_model_def grown(const arc_wear *w, arc_status why) {
@@ -163,6 +176,7 @@ void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,
   const arc_mesh_def *old = &arc_model_definition(before->model)->mesh;
   const arc_mesh_def *mesh = &arc_model_definition(now->model)->mesh;
   const char *why = "the wear outgrows its mesh";
+  if (old->fineness > 0 && mesh->size > old->size) return; /* elements go with the contact */
   if (arc_wear_layer_rows(before) > 0) why = "layers that wear evenly are taken into the wear box";
   if (mesh->zone[ARC_PLATE] > old->zone[ARC_PLATE]) why = "the contact outgrows its mesh";
   arc_wear_tell_meshes(before, now, why, callbacks);
