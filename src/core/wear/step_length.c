@@ -131,8 +131,11 @@ static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, doub
 
 static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_plan *plan,
                               double *jump, arc_error *error) {
+  const int own = w->def.scheme == ARC_EXPLICIT && !w->def.jump_function &&
+                  arc_law_properties[w->def.law] & ARC_LAW_JUMPS;
   *jump = INFINITY;
-  if (w->def.jump_auto) return plan_automatic(w, callbacks, plan, error);
+  if (own) *jump = w->def.jump; /* a law with a jump in it takes stages, and no more than that */
+  if (w->def.jump_auto || own) return plan_automatic(w, callbacks, plan, error);
   if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
     return adaptive_jump(w, plan->block, jump, error);
   *jump = w->def.jump;
