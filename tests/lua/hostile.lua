@@ -1,6 +1,7 @@
 -- Hostile scripts: every public function and every method and field of every object, with arguments whose
 -- metamethods, callbacks and finalizers close, change and use the objects that the call is about. Nothing
 -- breaks, the message is a text without lines of our own, and what the objects hold stays whole.
+-- Long
 --   ARCHARD_CALLS=100000 ARCHARD_SEED=7 tests/run lua/hostile      more of them, others
 --   ARCHARD_FIRST=1234 ARCHARD_CALLS=1234 ...                      the 1234th of a seed alone
 -- Run once: the collector has its own part in it.

@@ -1,0 +1,47 @@
+-- A ring that wears a block over 3600 m, until the scar is 25 times as wide as the first contact: steps and meshes
+-- that follow the scar, beside much shorter steps, the rigid limit and published depths.
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local below, within = figures.below, figures.within
+
+local metres = { 5, 50, 800, 1600, 3600 }
+local radius, load, k = 20, 65 / 6, 2e-9 -- mm, N/mm, mm2/N
+
+local function ring(fields)
+  fields.model, fields.load, fields.k_cylinder, fields.k_plate = { radius = radius }, load, 0, k
+  fields.slide, fields.distance, fields.scheme = "z", 3600e3, "implicit"
+  local w, depth = wear(fields), {}
+  for i, m in ipairs(metres) do
+    w:run{ distance = 1000 * m, progress = false }
+    depth[i] = w.depth.plate
+  end
+  return depth, w
+end
+
+local function worst(a, b, from)
+  local largest = 0
+  for i = from or 1, #a do largest = math.max(largest, math.abs(a[i] / b[i] - 1)) end
+  return largest
+end
+
+local fine = ring{ tolerance = 2e-5 }
+for _, case in ipairs{ { 1e-3, 2e-4, 190 }, { 1e-2, 1e-3, 75 } } do
+  local tolerance, error, updates = table.unpack(case)
+  local depth, w = ring{ tolerance = tolerance }
+  local what = ("tolerance %g: "):format(tolerance)
+  below(worst(depth, fine), error, what .. "depths against much shorter steps, off by")
+  below(w.update, updates, what .. "updates for 3600 m")
+  within(depth[5] * 1e3, 44.063, 0.0005, what .. "depth at 3600 m, rigid limit [um]")
+  within(depth[3] * 1e3, 16.155, 0.0005, what .. "depth at 800 m, published [um]")
+end
+
+warn "@off" -- of the coarse mesh
+-- Any step converges: all of it in few steps of backward Euler.
+for _, case in ipairs{ { 1, 0.002 }, { 8, 0.001 } } do
+  local steps, error = table.unpack(case)
+  local w = wear{ model = { radius = radius, mesh = { size = 0.05, height = 0.06, zone = { cylinder = 8, plate = 8 } } },
+    load = load, k_cylinder = 0, k_plate = k, slide = "z", distance = 3600e3, scheme = "implicit", order = 1,
+    geometry = "frozen", jump = 3600e3 / 0.22 / steps }
+  w:run{ progress = false }
+  within(w.update, steps, 0, ("%d steps: updates"):format(steps))
+  below(math.abs(w.depth.plate / fine[5] - 1), error, ("%d steps: depth off by"):format(steps))
+end
