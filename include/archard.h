@@ -7,6 +7,7 @@
 #include "archard/body.h"
 #include "archard/contact.h"
 #include "archard/export.h"
+#include "archard/joint.h"
 #include "archard/lock.h"
 #include "archard/material.h"
 #include "archard/measure.h"

@@ -323,3 +323,54 @@ arc_status arc_transform_back(int rows, int columns, double *spectrum, double *v
   end_box(p, to, from);
   return done ? ARC_OK : no_memory(rows, columns, error);
 }
+
+/* --- rows alone ------------------------------------------------------------------------------- */
+
+struct row_transform {
+  size_t values, pairs; /* in all rows */
+  double *from;
+  fftw_complex *to;
+  fftw_plan forward, back;
+};
+
+void arc_rows_destroy(row_transform **transform) {
+  row_transform *t = *transform;
+  *transform = NULL;
+  if (!t) return;
+  destroy_plan(t->forward);
+  destroy_plan(t->back);
+  fftw_free(t->from);
+  fftw_free(t->to);
+  free(t);
+}
+
+row_transform *arc_rows_create(int rows, int box) {
+  row_transform *t = calloc(1, sizeof *t);
+  const int half = box / 2 + 1;
+  if (!t) return NULL;
+  fftw_make_planner_thread_safe();
+  t->values = (size_t)rows * (size_t)box;
+  t->pairs = (size_t)rows * (size_t)half;
+  t->from = fftw_malloc(t->values * sizeof *t->from);
+  t->to = fftw_malloc(t->pairs * sizeof *t->to);
+  if (t->from && t->to) {
+    t->forward = fftw_plan_many_dft_r2c(1, &box, rows, t->from, NULL, 1, box, t->to, NULL, 1, half,
+                                        FFTW_ESTIMATE);
+    t->back = fftw_plan_many_dft_c2r(1, &box, rows, t->to, NULL, 1, half, t->from, NULL, 1, box,
+                                     FFTW_ESTIMATE);
+  }
+  if (!t->forward || !t->back) arc_rows_destroy(&t);
+  return t;
+}
+
+void arc_rows_forward(row_transform *t, const double *values, double *spectrum) {
+  memcpy(t->from, values, t->values * sizeof *values);
+  fftw_execute(t->forward);
+  memcpy(spectrum, t->to, t->pairs * sizeof *t->to);
+}
+
+void arc_rows_back(row_transform *t, const double *spectrum, double *values) {
+  memcpy(t->to, spectrum, t->pairs * sizeof *t->to);
+  fftw_execute(t->back);
+  memcpy(values, t->from, t->values * sizeof *values);
+}

@@ -47,4 +47,14 @@ arc_status arc_transform_forward(int box_rows, int box_columns, const double *va
 arc_status arc_transform_back(int box_rows, int box_columns, double *spectrum, double *values,
                               arc_error *error);
 
+/* Transforms of several rows of `box` (even) numbers each, for kernels that are a convolution along
+ * rows only. values [rows][box]; spectrum [rows][box / 2 + 1] pairs (real, imaginary). Not for two
+ * threads at once. NULL: no memory. */
+typedef struct row_transform row_transform;
+row_transform *arc_rows_create(int rows, int box);
+void arc_rows_destroy(row_transform **t);
+void arc_rows_forward(row_transform *t, const double *values, double *spectrum);
+/* Back, without the factor 1 / box. */
+void arc_rows_back(row_transform *t, const double *spectrum, double *values);
+
 #endif

@@ -1,0 +1,195 @@
+/* One contact of a joint: the head's displacement is three rigid unknowns of the active set. */
+#include "core/sphere/sphere.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+/* Gap of what the cup does not cover [mm]: it never closes. */
+static const double open_gap = 1e3;
+
+static void axis_of(const arc_joint *j, double axis[3]) {
+  const double incl = j->def.inclination * pi / 180;
+  axis[0] = sin(incl), axis[1] = 0, axis[2] = cos(incl);
+}
+
+static double dot(const double a[3], const double b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* --- the problem ------------------------------------------------------------------------------ */
+
+/* Compliance and what wears meanwhile. */
+static arc_status apply(void *context, const double *p, double *u) {
+  arc_joint *j = context;
+  const int n = j->size * j->size;
+  if (j->kernel) {
+    arc_sphere_kernel_apply(j->kernel, p, u);
+    for (int c = 0; c < n; c++) u[c] += j->soft[c] * p[c];
+  } else {
+    for (int c = 0; c < n; c++) u[c] = (1 / j->K + j->soft[c]) * p[c];
+  }
+  return ARC_OK;
+}
+
+static void set_gaps(arc_joint *j, const double R[9]) {
+  const double least = cos(j->def.cover * pi / 180);
+  double axis[3], on_head[3];
+  axis_of(j, axis);
+  for (int c = 0; c < j->size * j->size; c++) {
+    const int site = sphere_site(j, c);
+    const double *n = j->normal + 3 * (size_t)site;
+    arc_sphere_rotate_back(R, n, on_head);
+    j->gap[c] = dot(n, axis) < least ? open_gap
+                                     : j->def.clearance + j->h[ARC_LOWER][site] +
+                                           arc_sphere_cubic(j, j->h[ARC_UPPER], on_head);
+  }
+}
+
+static void set_softness(arc_joint *j, const sphere_stand *at) {
+  for (int c = 0; c < j->size * j->size; c++) {
+    const int site = sphere_site(j, c);
+    const double k = at->k ? at->k[site] : 1;
+    j->soft[c] = at->omega ? at->dose * k * arc_sphere_sliding(j, at->omega, site) : 0;
+  }
+}
+
+/* Half angles of caps to start from, shares of the window's, one after the other. */
+static const double caps[] = {0.5, 0.25, 0.8, 0.12, 0.06};
+enum { attempts = sizeof caps / sizeof *caps };
+
+/* Pressures to start from: at first those kept, or a cap about the load. */
+static void start(arc_joint *j, const sphere_stand *at, int attempt) {
+  const size_t n = (size_t)j->size * (size_t)j->size;
+  double sum = 0;
+  if (attempt == 0 && at->instant >= 0 && at->instant < j->kept_count)
+    memcpy(j->press, j->kept + (size_t)at->instant * n, n * sizeof *j->press);
+  else
+    memset(j->press, 0, n * sizeof *j->press);
+  for (size_t c = 0; c < n; c++) sum += j->press[c];
+  if (sum > 0) return;
+  const double load = sqrt(dot(at->load, at->load)),
+               least = cos(fmax(3, caps[attempt] * j->size / 2) * j->d);
+  for (size_t c = 0; c < n; c++) {
+    const double cosine = dot(j->normal + 3 * (size_t)sphere_site(j, (int)c), at->load) / load;
+    j->press[c] = cosine > least && j->gap[c] < open_gap ? cosine - least : 0;
+  }
+}
+
+static int touches_rim(const arc_joint *j) {
+  const int m = j->size;
+  for (int i = 0; i < m; i++)
+    if (j->press[i] > 0 || j->press[(m - 1) * m + i] > 0 || j->press[i * m] > 0 ||
+        j->press[i * m + m - 1] > 0)
+      return 1;
+  return 0;
+}
+
+static void keep(arc_joint *j, int instant) {
+  const size_t n = (size_t)j->size * (size_t)j->size;
+  if (instant < 0) return;
+  if (instant >= j->kept_count) {
+    double *more = realloc(j->kept, ((size_t)instant + 1) * n * sizeof *more);
+    if (!more) return; /* starts from nothing then */
+    memset(more + (size_t)j->kept_count * n, 0,
+           ((size_t)(instant + 1 - j->kept_count)) * n * sizeof *more);
+    j->kept = more;
+    j->kept_count = instant + 1;
+  }
+  memcpy(j->kept + (size_t)instant * n, j->press, n * sizeof *j->press);
+}
+
+static arc_status check_load(const arc_joint *j, const double load[3], arc_error *error) {
+  double axis[3];
+  axis_of(j, axis);
+  const double size = sqrt(dot(load, load));
+  if (!(size > 0) || !isfinite(size))
+    return arc_fail(error, ARC_ARGUMENT, "field 'load': expected N above 0, got %g", size);
+  if (load[2] > 0 && dot(load, axis) > size * cos(fmin(90, j->def.cover) * pi / 180)) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'direction': expected a load into the cup, got one %.3g degrees from its "
+                  "axis",
+                  acos(fmax(-1, fmin(1, dot(load, axis) / size))) * 180 / pi);
+}
+
+/* Whether the load points into the window, some cells and degrees from its rim. */
+static int holds(const arc_joint *j, const double load[3]) {
+  const double lat = asin(load[0] / sqrt(dot(load, load))), lon = atan2(load[1], load[2]);
+  const double margin = fmax(4 * j->d, pi / 18);
+  return j->size >= j->rows - 2 || fmax(fabs(lat), fabs(lon)) + margin <= j->size * j->d / 2;
+}
+
+arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approach[3],
+                            int *iterations, arc_error *error) {
+  static const double unit[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  arc_status status = check_load(j, at->load, error);
+  while (status == ARC_OK && !holds(j, at->load)) status = arc_sphere_grow(j, error);
+  for (int attempt = 0; status == ARC_OK;) {
+    active_count count = {0};
+    set_gaps(j, at->rotation ? at->rotation : unit);
+    set_softness(j, at);
+    start(j, at, attempt);
+    const active_problem problem = {.blocks = 1,
+                                    .cells = j->size * j->size,
+                                    .modes = 3,
+                                    .gap = j->gap,
+                                    .area = j->cell,
+                                    .mode = j->mode,
+                                    .load = at->load,
+                                    .apply = apply,
+                                    .context = j,
+                                    .tolerance = 1e-7};
+    status = arc_active_set_solve(&problem, j->work, j->press, approach, &count, error);
+    *iterations += count.iterations;
+    if (status == ARC_OK && !touches_rim(j)) {
+      keep(j, at->instant);
+      return ARC_OK;
+    }
+    if (status == ARC_OK) {
+      status = arc_sphere_grow(j, error);
+      attempt = 0;
+    } else if (status != ARC_MEMORY && ++attempt < attempts) {
+      status = ARC_OK;
+    }
+  }
+  return status;
+}
+
+/* --- what it came to -------------------------------------------------------------------------- */
+
+static double rim_margin(const arc_joint *j) {
+  double axis[3], farthest = 0;
+  axis_of(j, axis);
+  for (int i = 0; i < j->sites; i++)
+    if (j->p[i] > 0)
+      farthest = fmax(farthest, acos(fmax(-1, fmin(1, dot(j->normal + 3 * (size_t)i, axis)))));
+  return j->def.cover - farthest * 180 / pi;
+}
+
+arc_status arc_joint_press(arc_joint *j, const double rotation[9], const double load[3],
+                           const arc_callbacks *callbacks, arc_joint_contact *contact,
+                           arc_error *error) {
+  const sphere_stand at = {.rotation = rotation, .load = load, .instant = -1};
+  arc_joint_contact made = {0};
+  if (callbacks && callbacks->stop && callbacks->stop(callbacks->context))
+    return arc_fail(error, ARC_STOPPED, "stopped");
+  const arc_status status = arc_sphere_solve(j, &at, made.approach, &made.iterations, error);
+  if (status != ARC_OK) return status;
+  memset(j->p, 0, (size_t)j->sites * sizeof *j->p);
+  for (int c = 0; c < j->size * j->size; c++) {
+    j->p[sphere_site(j, c)] = j->press[c];
+    made.p_max = fmax(made.p_max, j->press[c]);
+    made.area += j->press[c] > 0 ? j->cell[c] : 0;
+    made.normal_force += j->press[c] * j->cell[c];
+  }
+  const double size = sqrt(dot(load, load));
+  const double n[3] = {load[0] / size, load[1] / size, load[2] / size};
+  made.p_center = arc_sphere_cubic(j, j->p, n);
+  made.half_angle =
+      acos(fmax(-1, 1 - made.area / (2 * pi * j->def.radius * j->def.radius))) * 180 / pi;
+  made.rim_margin = rim_margin(j);
+  *contact = made;
+  return ARC_OK;
+}

@@ -1,0 +1,202 @@
+/* Wear of both bodies. Work p |s| is that of the cup's cells; the head takes it where it has turned
+ * to, and as much of it in all. */
+#include "core/base/carve.h"
+#include "core/sphere/sphere.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* An update while it is made. */
+typedef struct sweep {
+  arc_joint *j;
+  const arc_joint_wear_def *def;
+  double cycles;
+  double *from[ARC_BODIES]; /* [sites] depths before it */
+  double *gain[ARC_BODIES]; /* [sites] what an explicit one takes off at its end */
+  double *shear, *mean;     /* [sites][3], [sites] of this cycle */
+  double *k, *loss, *share; /* [sites] coefficient, k N p |s| of an instant [mm], cross-shear */
+  arc_joint_record record;
+} sweep;
+
+static int begin(sweep *s) {
+  const size_t n = (size_t)s->j->sites;
+  const carve_part parts[] = {{&s->from[0], n}, {&s->from[1], n},   {&s->gain[0], n},
+                              {&s->gain[1], n}, {&s->shear, 3 * n}, {&s->mean, n},
+                              {&s->k, n},       {&s->loss, n},      {&s->share, n}};
+  if (!ARC_CARVE(parts)) return 0;
+  for (int b = 0; b < ARC_BODIES; b++) memcpy(s->from[b], s->j->h[b], n * sizeof(double));
+  return 1;
+}
+
+/* Adds p |s| t t' of a cell, t the direction of sliding in (theta, phi). */
+static void add_shear(sweep *s, const double w[3], int site, double p) {
+  const double *n = s->j->normal + 3 * (size_t)site;
+  const double slide[3] = {w[1] * n[2] - w[2] * n[1], w[2] * n[0] - w[0] * n[2],
+                           w[0] * n[1] - w[1] * n[0]};
+  const double sine = sqrt(n[1] * n[1] + n[2] * n[2]), f = n[1] / sine, g = n[2] / sine;
+  const double across = -sine * slide[0] + n[0] * (f * slide[1] + g * slide[2]),
+               along = g * slide[1] - f * slide[2];
+  const double length = sqrt(across * across + along * along);
+  if (length == 0) return;
+  double *t = s->shear + 3 * (size_t)site;
+  t[0] += p * across * across / length;
+  t[1] += p * across * along / length;
+  t[2] += p * along * along / length;
+}
+
+/* The head's part of an instant's wear, scaled to the cup's volume. */
+static void wear_head(sweep *s, const double R[9], double volume, double *to) {
+  arc_joint *j = s->j;
+  const double alpha = s->def->alpha, edge = cos(0.7072 * j->size * j->d);
+  double *mine = s->share, sum = 0; /* `share` is read only between updates */
+  for (int i = 0; i < j->sites; i++) {
+    double n[3];
+    const double *m = j->normal + 3 * (size_t)i;
+    mine[i] = 0;
+    if (R[6] * m[0] + R[7] * m[1] + R[8] * m[2] < edge) continue;
+    arc_sphere_rotate(R, m, n);
+    mine[i] = arc_sphere_linear(j, s->loss, n);
+    sum += mine[i] * j->area[i];
+  }
+  if (sum <= 0) return;
+  for (int i = 0; i < j->sites; i++) to[i] += alpha * volume / sum * mine[i];
+  s->record.volume[ARC_UPPER] += alpha * volume;
+}
+
+static void deposit(sweep *s, const arc_gait_instant *at) {
+  arc_joint *j = s->j;
+  const int is_explicit = s->def->explicit_scheme;
+  double *const cup = is_explicit ? s->gain[ARC_LOWER] : j->h[ARC_LOWER];
+  double *const head = is_explicit ? s->gain[ARC_UPPER] : j->h[ARC_UPPER];
+  double volume = 0, area = 0;
+  memset(s->loss, 0, (size_t)j->sites * sizeof *s->loss);
+  for (int c = 0; c < j->size * j->size; c++) {
+    const double p = j->press[c];
+    if (p <= 0) continue;
+    const int site = sphere_site(j, c);
+    const double work = p * arc_sphere_sliding(j, at->omega, site);
+    s->loss[site] = s->k[site] * s->cycles * work;
+    cup[site] += (1 - s->def->alpha) * s->loss[site];
+    volume += s->loss[site] * j->area[site];
+    area += j->cell[c];
+    s->record.work += work * j->cell[c];
+    s->record.p_peak = fmax(s->record.p_peak, p);
+    s->mean[site] += p / s->def->instants;
+    add_shear(s, at->omega, site, p);
+  }
+  s->record.area = fmax(s->record.area, area);
+  s->record.loss += volume;
+  s->record.volume[ARC_LOWER] += (1 - s->def->alpha) * volume;
+  if (s->def->alpha > 0) wear_head(s, at->rotation, volume, head);
+}
+
+static double size_of(const double v[3]) {
+  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* All instants once. */
+static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, arc_error *error) {
+  double heaviest = 0;
+  for (int step = 0; step < s->def->instants; step++) {
+    const int i = backwards ? s->def->instants - 1 - step : step;
+    const arc_gait_instant *at = &s->def->instant[i];
+    const sphere_stand stand = {.rotation = at->rotation,
+                                .load = at->load,
+                                .omega = s->def->explicit_scheme ? NULL : at->omega,
+                                .k = s->k,
+                                .dose = s->cycles,
+                                .instant = i};
+    double approach[3];
+    if (callbacks && callbacks->stop && callbacks->stop(callbacks->context))
+      return arc_fail(error, ARC_STOPPED, "stopped");
+    const arc_status status =
+        arc_sphere_solve(s->j, &stand, approach, &s->record.iterations, error);
+    if (status != ARC_OK) return status;
+    s->record.solutions++;
+    if (size_of(at->load) > heaviest) {
+      heaviest = size_of(at->load);
+      memcpy(s->record.penetration, approach, sizeof approach);
+    }
+    deposit(s, at);
+  }
+  return ARC_OK;
+}
+
+/* Coefficients of the cup's cells by the last cycle's cross-shear and mean pressure; the first
+ * cycle is passed once without wear for them. */
+static arc_status set_coefficients(sweep *s, const arc_callbacks *callbacks, arc_error *error) {
+  arc_joint *j = s->j;
+  for (int i = 0; i < j->sites; i++) s->k[i] = s->def->k;
+  if (!s->def->k_function) return ARC_OK;
+  const arc_joint_record before = s->record;
+  const double cycles = s->cycles;
+  s->cycles = 0;
+  const arc_status status = run(s, 0, callbacks, error);
+  s->cycles = cycles;
+  const int solutions = s->record.solutions, iterations = s->record.iterations;
+  s->record = before;
+  s->record.solutions = solutions;
+  s->record.iterations = iterations;
+  if (status != ARC_OK) return status;
+  const size_t n = (size_t)j->sites;
+  memcpy(j->shear, s->shear, 3 * n * sizeof(double));
+  arc_joint_cross_shear(j, s->share);
+  for (size_t i = 0; i < n; i++) {
+    s->k[i] = s->def->k_function(s->def->context, s->share[i], s->mean[i]);
+    if (!(s->k[i] >= 0) || !isfinite(s->k[i]))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field 'k': the function returned %g, expected mm2/N from 0 up", s->k[i]);
+  }
+  memset(s->shear, 0, 3 * n * sizeof(double));
+  memset(s->mean, 0, n * sizeof(double));
+  return ARC_OK;
+}
+
+static arc_status check(const arc_joint_wear_def *d, double cycles, arc_error *error) {
+  if (d->instants < 1) return arc_fail(error, ARC_ARGUMENT, "field 'loading': expected a gait");
+  if (!(d->alpha >= 0 && d->alpha <= 1))
+    return arc_fail(error, ARC_ARGUMENT, "field 'alpha': expected 0 to 1, got %g", d->alpha);
+  if (!d->k_function && !(d->k >= 0 && isfinite(d->k)))
+    return arc_fail(error, ARC_ARGUMENT, "field 'k': expected mm2/N from 0 up, got %g", d->k);
+  if (!(cycles >= 0 && isfinite(cycles)))
+    return arc_fail(error, ARC_ARGUMENT, "field 'cycles': expected 0 or more, got %g", cycles);
+  return ARC_OK;
+}
+
+arc_status arc_joint_update(arc_joint *j, const arc_joint_wear_def *def, double cycles,
+                            const arc_callbacks *callbacks, arc_joint_record *record,
+                            arc_error *error) {
+  sweep s = {.j = j, .def = def, .cycles = cycles, .record = *record};
+  arc_status status = check(def, cycles, error);
+  if (status != ARC_OK) return status;
+  if (!begin(&s)) return arc_fail(error, ARC_MEMORY, "out of memory for an update");
+  const size_t n = (size_t)j->sites;
+  s.record.p_peak = s.record.area = s.record.work = 0;
+  status = set_coefficients(&s, callbacks, error);
+  if (status == ARC_OK) status = run(&s, record->updates % 2, callbacks, error);
+  if (status == ARC_OK) {
+    for (int b = 0; b < ARC_BODIES; b++)
+      for (size_t i = 0; i < n; i++) j->h[b][i] += s.gain[b][i];
+    memcpy(j->shear, s.shear, 3 * n * sizeof(double));
+    s.record.cycles += cycles;
+    s.record.updates++;
+    *record = s.record;
+  } else {
+    for (int b = 0; b < ARC_BODIES; b++) memcpy(j->h[b], s.from[b], n * sizeof(double));
+  }
+  free(s.from[0]);
+  return status;
+}
+
+double arc_joint_explicit_limit(const arc_joint *j, const arc_joint_wear_def *def) {
+  const double least = j->kernel ? j->limit * j->d / acos(-1) : 1 / j->K;
+  double sliding = 0;
+  for (int i = 0; i < def->instants; i++) {
+    const double *load = def->instant[i].load, *w = def->instant[i].omega, size = size_of(load);
+    const double turned[3] = {w[1] * load[2] - w[2] * load[1], w[2] * load[0] - w[0] * load[2],
+                              w[0] * load[1] - w[1] * load[0]};
+    sliding += size > 0 ? size_of(turned) / size * j->def.radius : 0;
+  }
+  return 2 * least / (def->k * sliding);
+}
