@@ -1,5 +1,5 @@
 -- help(): what every object, field and method is. The entries are in help/engine.lua,
--- help/tools.lua, help/maps.lua, help/session.lua, help/study.lua, help/fit.lua and help/uncertainty.lua, topics in
+-- help/tools.lua, help/maps.lua, help/joint.lua, help/session.lua, help/study.lua, help/fit.lua and help/uncertainty.lua, topics in
 -- help/topics.lua; this file finds them and shows them. Completion asks here for names that no table
 -- holds, the manual page is written from here. Leans on archard.term and archard.names.
 --
@@ -48,6 +48,7 @@ local function load_entries()
   add(require "archard.help.settings"(require "archard.help.engine"))
   add(require "archard.help.tools")
   add(require "archard.help.maps")
+  add(require "archard.help.joint")
   add(require "archard.help.study")
   add(require "archard.help.fit")
   add(require "archard.help.uncertainty")

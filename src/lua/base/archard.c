@@ -33,6 +33,7 @@ static const luaL_Reg modules[] = {
     {"archard.files", luaopen_archard_files},
     {"archard.random", luaopen_archard_random},
     {"archard.least_squares", luaopen_archard_least_squares},
+    {"archard.sphere", luaopen_archard_sphere},
     {"archard.strict", luaopen_archard_strict},
     {NULL, NULL},
 };
@@ -46,15 +47,18 @@ static const char *const scripted[][2] = {
     {"csv", "archard.lib.csv"},     {"profile", "archard.profile"},
     {"export", "archard.export"},   {"who", "archard.session.who"},
     {"session", "archard.session"}, {"examples", "archard.session.examples"},
-    {"map", "archard.map"},
+    {"map", "archard.map"},         {"gait", "archard.joint.gait"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 
 /* Functions in Lua, whose modules are read at the first call: name of the global, the module and,
  * where that returns a table with several, the name in it. */
 static const char *const functions[][3] = {
-    {"calibrate", "archard.study.calibrate"},  {"time", "archard.lib.time"},
-    {"uniform", DISTRIBUTIONS, "uniform"},     {"normal", DISTRIBUTIONS, "normal"},
+    {"joint", "archard.joint.joint", "new"},
+    {"calibrate", "archard.study.calibrate"},
+    {"time", "archard.lib.time"},
+    {"uniform", DISTRIBUTIONS, "uniform"},
+    {"normal", DISTRIBUTIONS, "normal"},
     {"lognormal", DISTRIBUTIONS, "lognormal"},
 };
 enum { FUNCTIONS = sizeof functions / sizeof *functions };

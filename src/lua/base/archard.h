@@ -57,6 +57,9 @@ int luaopen_archard_names(lua_State *L);
 /* The module `archard.strict`: unknown names as errors. */
 int luaopen_archard_strict(lua_State *L);
 
+/* The module `archard.sphere`: balls in sockets, for scripts/joint. */
+int luaopen_archard_sphere(lua_State *L);
+
 /* The module `archard.settings`: what can be set and what is recorded. */
 int luaopen_archard_settings(lua_State *L);
 

@@ -59,6 +59,12 @@ void push_usual_names(lua_State *L, int index, args_place place, const arc_model
 /* Pushes a material object. */
 void material_push(lua_State *L, arc_material material);
 
+/* --- joints (joint_module.c) --- */
+
+/* Where the definition at index 1 has a joint as its model, calls the joint's method ("contact",
+ * "wear") with the rest of it: 1, and the result is on top. */
+int joint_takes(lua_State *L, const char *method);
+
 /* --- models (model_class.c) --- */
 
 /* Writes the zones that a contact or run needs on a model of `def`, or says why it cannot be. */

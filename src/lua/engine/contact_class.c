@@ -248,6 +248,7 @@ static int solve_new(lua_State *L, int holder, const char *where, const request 
 static int contact_new(lua_State *L) {
   arc_contact_def def = arc_contact_default();
   lua_settop(L, 1);
+  if (joint_takes(L, "contact")) return 1;
   args_read(L, 1, (args_place){"contact", ""}, arc_contact_settings, &def);
   worn_check(L, 1, "contact");
   int worn = lua_gettop(L);

@@ -65,6 +65,7 @@ static void check_coefficients(lua_State *L, const wear_request *request,
 static int wear_new(lua_State *L) {
   lua_remove(L, 1);
   lua_settop(L, 1);
+  if (joint_takes(L, "wear")) return 1;
   wear_request request = wear_request_read(L, 1, 0);
   worn_check(L, 1, "wear");
   int worn = lua_gettop(L);

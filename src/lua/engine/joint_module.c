@@ -1,0 +1,324 @@
+/* The module `archard.sphere`: joints of the engine, for scripts/joint, which checks what users
+ * give. A gait is a list of 15 numbers an instant: rotation, rotation vector, load. */
+#include "archard/joint.h"
+#include "lua/base/archard.h"
+#include "lua/base/array.h"
+#include "lua/base/box.h"
+#include "lua/base/error.h"
+#include "lua/base/interrupt.h"
+#include "lua/engine/classes.h"
+
+#include <lauxlib.h>
+#include <math.h>
+#include <string.h>
+
+enum { numbers = sizeof(arc_gait_instant) / sizeof(double) };
+
+static void destroy(void *thing) {
+  arc_joint *joint = thing;
+  arc_joint_destroy(&joint);
+}
+
+static const box_class sphere_class = {.name = "sphere", .destroy = destroy};
+
+static arc_joint *joint_at(lua_State *L, int index, const char *where) {
+  return box_check(L, index, &sphere_class, where)->thing;
+}
+
+static double number_of(lua_State *L, const char *name, double otherwise) {
+  lua_getfield(L, -1, name);
+  const double value = luaL_optnumber(L, -1, otherwise);
+  lua_pop(L, 1);
+  return value;
+}
+
+/* --- definitions ------------------------------------------------------------------------------ */
+
+static arc_material material_on_top(lua_State *L) {
+  const arc_material usual = arc_material_default();
+  return (arc_material){.E = number_of(L, "E", usual.E), .nu = number_of(L, "nu", usual.nu)};
+}
+
+/* The list of { thickness=, E=, nu= } in a field of the table on top. */
+static void read_layers(lua_State *L, const char *name, arc_layer *layer) {
+  memset(layer, 0, ARC_MOST_LAYERS * sizeof *layer);
+  lua_getfield(L, -1, name);
+  for (int i = 0; i < ARC_MOST_LAYERS && lua_istable(L, -1); i++) {
+    lua_rawgeti(L, -1, i + 1);
+    if (lua_istable(L, -1)) {
+      layer[i].thickness = number_of(L, "thickness", 0);
+      layer[i].material = material_on_top(L);
+    }
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+}
+
+/* create{ radius=, clearance=, inclination=, cover=, size=, foundation=, core=, head=, cup= } */
+static int sphere_create(lua_State *L) {
+  arc_joint_def def = arc_joint_default();
+  arc_error error = {0};
+  arc_joint *joint;
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_settop(L, 1);
+  def.radius = number_of(L, "radius", def.radius);
+  def.clearance = number_of(L, "clearance", def.clearance);
+  def.inclination = number_of(L, "inclination", def.inclination);
+  def.cover = number_of(L, "cover", def.cover);
+  def.size = number_of(L, "size", def.size);
+  lua_getfield(L, -1, "foundation");
+  def.foundation = (arc_foundation)args_choice(L, -1, (args_place){"joint", ""}, "foundation",
+                                               arc_foundation_names, 0);
+  lua_pop(L, 1);
+  lua_getfield(L, -1, "core");
+  luaL_checktype(L, -1, LUA_TTABLE);
+  def.core = material_on_top(L);
+  lua_pop(L, 1);
+  read_layers(L, "head_layers", def.head);
+  read_layers(L, "cup_layers", def.cup);
+  box *made = box_push(L, &sphere_class);
+  const arc_status status = arc_joint_create(&def, &joint, &error);
+  error_check(L, status, &error, "joint", -1);
+  made->thing = joint;
+  return 1;
+}
+
+/* --- gaits ------------------------------------------------------------------------------------ */
+
+static int push_gait(lua_State *L, const arc_gait_instant *gait, int n) {
+  array_push(L, gait->rotation, (size_t)n * numbers);
+  return 1;
+}
+
+static arc_gait_instant *gait_buffer(lua_State *L, int n) {
+  return (arc_gait_instant *)array_buffer(L, (size_t)n * numbers);
+}
+
+static int increments(lua_State *L, int index) {
+  const lua_Integer n = luaL_checkinteger(L, index);
+  luaL_argcheck(L, n >= 1 && n <= 100000, index, "expected 1 to 100000");
+  return (int)n;
+}
+
+/* named(name, increments, angle, load) */
+static int sphere_named(lua_State *L) {
+  arc_error error = {0};
+  const int n = increments(L, 2);
+  const double angle = luaL_optnumber(L, 3, 0), load = luaL_optnumber(L, 4, 0);
+  arc_gait_instant *gait = gait_buffer(L, n);
+  const arc_status status = arc_gait_named(luaL_checkstring(L, 1), n, angle, load, gait, &error);
+  error_check(L, status, &error, "gait", -1);
+  return push_gait(L, gait, n);
+}
+
+static double *list_at(lua_State *L, int index, const char *name, size_t expected) {
+  size_t count;
+  lua_pushvalue(L, index);
+  double *list = array_read(L, (args_place){"gait", ""}, name, &count);
+  if (count != expected)
+    error_raise(L, ARC_ARGUMENT, "gait", "field '%s': expected %d numbers, got %d", name,
+                (int)expected, (int)count);
+  return list;
+}
+
+/* angles(increments, { flexion, adduction, rotation, ... }, { Fx, Fy, Fz, ... }, order) */
+static int sphere_angles(lua_State *L) {
+  arc_error error = {0};
+  const int n = increments(L, 1);
+  const double *angle = list_at(L, 2, "angles", 3 * (2 * (size_t)n + 1));
+  const double *load = list_at(L, 3, "load", 3 * (size_t)n);
+  arc_gait_instant *gait = gait_buffer(L, n);
+  const arc_status status =
+      arc_gait_from_angles(n, angle, load, luaL_checkstring(L, 4), gait, &error);
+  error_check(L, status, &error, "gait", -1);
+  return push_gait(L, gait, n);
+}
+
+static const arc_gait_instant *read_gait(lua_State *L, int index, int *n) {
+  size_t count;
+  lua_pushvalue(L, index);
+  const double *list = array_read(L, (args_place){"wear", ""}, "loading", &count);
+  *n = (int)(count / numbers);
+  return (const arc_gait_instant *)(const void *)list;
+}
+
+/* path(gait, radius) -> track [mm], work [N mm] */
+static int sphere_path(lua_State *L) {
+  int n;
+  const arc_gait_instant *gait = read_gait(L, 1, &n);
+  lua_pushnumber(L, arc_gait_track(n, gait, luaL_checknumber(L, 2)));
+  lua_pushnumber(L, arc_gait_work(n, gait, luaL_checknumber(L, 2)));
+  return 2;
+}
+
+/* --- contact ---------------------------------------------------------------------------------- */
+
+/* press(joint, Fx, Fy, Fz) -> { p_max=, ... } */
+static int sphere_press(lua_State *L) {
+  arc_joint *joint = joint_at(L, 1, "contact");
+  const double load[] = {luaL_checknumber(L, 2), luaL_checknumber(L, 3), luaL_checknumber(L, 4)};
+  const arc_callbacks callbacks = {.stop = interrupt_pending};
+  arc_joint_contact c;
+  arc_error error = {0};
+  const arc_status status = arc_joint_press(joint, NULL, load, &callbacks, &c, &error);
+  error_check(L, status, &error, "contact", -1);
+  lua_createtable(L, 0, 9);
+  array_set_number(L, "p_max", c.p_max);
+  array_set_number(L, "p_center", c.p_center);
+  array_set_number(L, "area", c.area);
+  array_set_number(L, "half_angle", c.half_angle);
+  array_set_number(L, "normal_force", c.normal_force);
+  array_set_number(L, "rim_margin", c.rim_margin);
+  array_set_number(L, "iterations", c.iterations);
+  array_set(L, "approach", c.approach, 3);
+  return 1;
+}
+
+/* --- maps ------------------------------------------------------------------------------------- */
+
+static size_t sites_of(const arc_joint *joint) {
+  return 2 * (size_t)arc_joint_rows(joint) * (size_t)arc_joint_rows(joint);
+}
+
+/* map(joint, what) -> rows, flat list of [rows][2 rows] */
+static int sphere_map(lua_State *L) {
+  static const char *const what[] = {"head", "cup", "pressure", "cross shear", NULL};
+  const arc_joint *joint = joint_at(L, 1, "map");
+  const int which = luaL_checkoption(L, 2, NULL, what);
+  const double *values = which == 2 ? arc_joint_pressure(joint) : NULL;
+  if (which < 2) values = arc_joint_depth(joint, which == 0 ? ARC_UPPER : ARC_LOWER);
+  if (which == 3) {
+    double *share = array_buffer(L, sites_of(joint));
+    arc_joint_cross_shear(joint, share);
+    values = share;
+  }
+  lua_pushinteger(L, arc_joint_rows(joint));
+  array_push(L, values, sites_of(joint));
+  return 2;
+}
+
+/* set(joint, "head"|"cup", depths) */
+static int sphere_set(lua_State *L) {
+  static const char *const body[] = {"head", "cup", NULL};
+  arc_error error = {0};
+  arc_joint *joint = joint_at(L, 1, "wear");
+  const int which = luaL_checkoption(L, 2, NULL, body);
+  const double *depth = list_at(L, 3, "worn", sites_of(joint));
+  const arc_status status =
+      arc_joint_set_depth(joint, which == 0 ? ARC_UPPER : ARC_LOWER, depth, &error);
+  error_check(L, status, &error, "wear", -1);
+  return 0;
+}
+
+/* --- wear ------------------------------------------------------------------------------------- */
+
+typedef struct called {
+  lua_State *L;
+  int function, failed;
+} called;
+
+static double coefficient(void *context, double cross_shear, double p_mean) {
+  called *c = context;
+  if (c->failed) return NAN;
+  lua_pushvalue(c->L, c->function);
+  lua_createtable(c->L, 0, 2);
+  array_set_number(c->L, "cross_shear", cross_shear);
+  array_set_number(c->L, "p_mean", p_mean);
+  c->failed = error_pcall(c->L, 1, 1) != LUA_OK;
+  if (c->failed) return NAN;
+  const double k = lua_isnumber(c->L, -1) ? lua_tonumber(c->L, -1) : NAN;
+  lua_pop(c->L, 1);
+  return k;
+}
+
+/* Field by field, in both directions. */
+static const char *const record_names[] = {
+    "cycles", "updates", "solutions", "volume_head", "volume_cup", "p_peak", "area", "work", NULL};
+
+static void read_record(lua_State *L, int index, arc_joint_record *r) {
+  lua_pushvalue(L, index);
+  r->cycles = number_of(L, "cycles", 0);
+  r->updates = (int)number_of(L, "updates", 0);
+  r->solutions = (int)number_of(L, "solutions", 0);
+  r->volume[ARC_UPPER] = number_of(L, "volume_head", 0);
+  r->volume[ARC_LOWER] = number_of(L, "volume_cup", 0);
+  lua_pop(L, 1);
+}
+
+static int push_record(lua_State *L, const arc_joint_record *r) {
+  const double value[] = {
+      r->cycles, r->updates, r->solutions, r->volume[ARC_UPPER], r->volume[ARC_LOWER],
+      r->p_peak, r->area,    r->work};
+  lua_createtable(L, 0, 9);
+  for (int i = 0; record_names[i]; i++) array_set_number(L, record_names[i], value[i]);
+  array_set(L, "penetration", r->penetration, 3);
+  return 1;
+}
+
+/* update(joint, gait, k, alpha, cycles, explicit, record) -> record */
+static int sphere_update(lua_State *L) {
+  arc_joint_wear_def def = {.alpha = luaL_checknumber(L, 4),
+                            .explicit_scheme = lua_toboolean(L, 6)};
+  called k = {.L = L, .function = 3};
+  arc_joint_record record = {0};
+  arc_error error = {0};
+  const arc_callbacks callbacks = {.stop = interrupt_pending};
+  box *holder = box_check(L, 1, &sphere_class, "wear");
+  const double cycles = luaL_checknumber(L, 5);
+  lua_settop(L, 7);
+  read_record(L, 7, &record);
+  def.instant = read_gait(L, 2, &def.instants);
+  if (lua_isfunction(L, 3)) {
+    def.k_function = coefficient;
+    def.context = &k;
+  } else {
+    def.k = luaL_checknumber(L, 3);
+  }
+  if (holder->busy) error_raise(L, ARC_ARGUMENT, "wear", "it is being worn already");
+  holder->busy = 1;
+  const arc_status status =
+      arc_joint_update(holder->thing, &def, cycles, &callbacks, &record, &error);
+  holder->busy = 0;
+  if (k.failed) error_callback(L, "wear", "the function k");
+  error_check(L, status, &error, "wear", -1);
+  return push_record(L, &record);
+}
+
+/* limit(joint, gait, k) -> cycles of an explicit update */
+static int sphere_limit(lua_State *L) {
+  arc_joint_wear_def def = {.k = luaL_checknumber(L, 3)};
+  const arc_joint *joint = joint_at(L, 1, "wear");
+  def.instant = read_gait(L, 2, &def.instants);
+  lua_pushnumber(L, arc_joint_explicit_limit(joint, &def));
+  return 1;
+}
+
+int joint_takes(lua_State *L, const char *method) {
+  if (!lua_istable(L, 1)) return 0;
+  lua_pushliteral(L, "model");
+  lua_rawget(L, 1);
+  const int is_joint = lua_istable(L, -1) && luaL_getmetafield(L, -1, "__name") == LUA_TSTRING &&
+                       strcmp(lua_tostring(L, -1), "joint") == 0;
+  if (!is_joint) {
+    lua_settop(L, 1);
+    return 0;
+  }
+  lua_settop(L, 2);
+  lua_getfield(L, 2, method);
+  lua_insert(L, 2);
+  args_push_copy(L, 1);
+  lua_pushnil(L);
+  lua_setfield(L, -2, "model");
+  lua_call(L, 2, 1);
+  return 1;
+}
+
+int luaopen_archard_sphere(lua_State *L) {
+  static const luaL_Reg functions[] = {{"create", sphere_create}, {"named", sphere_named},
+                                       {"angles", sphere_angles}, {"path", sphere_path},
+                                       {"press", sphere_press},   {"map", sphere_map},
+                                       {"set", sphere_set},       {"update", sphere_update},
+                                       {"limit", sphere_limit},   {NULL, NULL}};
+  call_new_library(L, functions);
+  return 1;
+}

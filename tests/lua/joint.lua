@@ -1,0 +1,50 @@
+-- Balls in sockets by the Lua interface: defaults, gaits, contact, wear, messages.
+local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
+local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
+
+-- --- gaits -------------------------------------------------------------------------------------------
+near(gait("iso").track, 22.308, 5e-3, "track of the walk")
+near(gait.rocking{ increments = 1000 }.work, 68740, 2e-4, "work of rocking")
+local own = gait{ flexion = function(t) return 21.5 * math.cos(2 * math.pi * t) end, load = 2000 }
+near(own.track, gait.flexion().track, 1e-12, "flexion by a function")
+local list = gait{ flexion = { 0, 10, 0 }, load = { z = 1000 } }
+near(list.track, 20 * math.pi / 180 * 14, 1e-9, "flexion by a list")
+local path = os.tmpname()
+local file = io.open(path, "w")
+file:write("t,flexion,adduction,rotation,load\n0,0,0,0,1000\n0.5,10,0,0,1000\n1,0,0,0,1000\n")
+file:close()
+near(gait.read(path).track, list.track, 1e-9, "and from a table")
+os.remove(path)
+fails(function() gait "isso" end, "did you mean 'iso'", "a gait by a wrong name")
+fails(function() gait{ flexion = function(t) return 20 * t end } end, "20 degrees", "a gait that does not close")
+fails(function() gait{ flexion = 0, order = "xxy" } end, "order", "an order of rotations that is none")
+
+-- --- contact -----------------------------------------------------------------------------------------
+local pe = material{ E = 1000, nu = 0.4 }
+local liner = joint{ head = { material = material{ E = 1e15 } }, cup = { clearance = 0.1, layers = { { thickness = 8, material = pe } } },
+  mesh = { size = 4 } }
+local c = contact{ model = liner, load = 3000 }
+near(c.p_center, 14.738, 5e-3, "centre pressure of a liner")
+near(c.approach[3], 0.158792, 1e-3, "and its displacement")
+is(c.p_max, liner:contact{ load = 3000 }.p_max, "by either call")
+fails(function() contact{ model = liner, direction = { 0, 0, -1 } } end, "180 degrees", "a load out of the cup")
+fails(function() joint{ cup = { clearance = 0 } } end, "cup.clearance", "no clearance")
+fails(function() joint{ cup = { clearence = 0.1 } } end, "did you mean 'clearance'", "a misspelt field")
+fails(function() joint{ head = { layers = { { thickness = 15, material = pe } } } } end, "head.layers", "layers that do not fit")
+
+-- --- wear --------------------------------------------------------------------------------------------
+local w = wear{ model = liner, loading = gait "iso", k = 1e-9, alpha = 0, cycles = 1e6 }
+w:run()
+near(1000 * w.depth.cup, 101.75, 5e-3, "1e6 cycles of walking: depth of the cup [um]")
+near(w.volume.cup, 31.483, 2e-3, "and its volume")
+is(w.volume.head, 0, "alpha = 0 leaves the head")
+near(w.p_peak, 7.965, 0.02, "largest pressure of the last cycle")
+is(#w.history.cycles, 21, "a row an update")
+ok(tostring(w):find("mm3/(N m)", 1, true) and tostring(w):find("per million cycles"), "print(w): " .. tostring(w))
+is(#w:map("cup").values, #w:map("cup").theta * #w:map("cup").phi, "a map")
+near(w:penetration()[3], 0.2, 0.5, "the head sinks in along the load")
+local again = wear{ model = liner, loading = gait "iso", k = 1e-9, alpha = 0, cycles = 1e6 }:run()
+is(again.depth.cup, w.depth.cup, "the same bits again")
+fails(function() wear{ model = liner, k = function() error "mine" end }:run() end, "mine", "an error of k")
+fails(function() wear{ model = liner, alpha = 2 } end, "alpha", "a share above 1")
+fails(function() w:map "cap" end, "cup", "a map that there is not")
