@@ -25,7 +25,8 @@ return {
     text = "A run on a joint of its own; alpha is the head's share of wear. k in mm2/N, or a function of { cross_shear=, p_mean= } of a cell of the "
       .. "cup. updates (20) grow as N^1.5. scheme \"sweep\" has the wear of each instant inside its contact, and is stable for "
       .. "any step; \"explicit\" takes as many updates as its limit needs. w:run{ cycles= }, w.depth.head, w.volume.cup, "
-      .. 'w.depth_partition, w.history, w.p_peak, w:map "cup", "head" or "cross shear", w:penetration().' },
+      .. 'w.depth_partition, w.history, w.p_peak, w:map "cup", "head" or "cross shear", w:penetration(); '
+      .. 'w:flat "cup" is a map{} of it, azimuthal equal-area about the load, as plot.map(w, "cup") draws.' },
   { "gait", kind = "function", use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
     text = "How a joint turns and is loaded over a cycle. \"iso\" has the ranges of the standard's walk, but the shapes between them are "
       .. 'approximate; "prosim" is a simplified walk of simulators. Own ones: flexion, adduction, rotation in degrees, load in N '

@@ -177,6 +177,12 @@ function run_methods:map(what)
   return table_map(self.engine, what)
 end
 
+-- w:flat "cup": the same as a map in mm, azimuthal equal-area about the load.
+function run_methods:flat(what)
+  self:map(what)
+  return require "archard.joint.flat"(self.engine, self.def.radius, what, what == "cross shear" and "-" or "mm")
+end
+
 -- w:penetration(): the head's displacement into the cup under the largest load [mm].
 function run_methods:penetration() return self.record.penetration end
 

@@ -57,10 +57,16 @@ local function field_of(t, place)
   return field
 end
 
-local map_options = { body = check.text, what = check.one_of{ "depth", "height", "pressure" } }
+local map_options = { body = check.text, what = check.text }
+local map_words = check.one_of{ "depth", "height", "pressure" }
 
 -- The map itself, that of a run, or the pressures of a contact in three dimensions.
 local function map_of(where, object, options)
+  local class = type(object) == "table" and getmetatable(object)
+  if type(class) == "table" and rawget(class, "__name") == "joint_wear" then
+    return check.as(where, object.flat, object, options.what or options.body or "cup")
+  end
+  if options.what and not map_words.test(options.what) then check.refuse(where, "what", map_words.expected, options.what) end
   if type(object) ~= "userdata" then return check_map(where, object) end
   local of_run = naming.get(object, "map")
   if of_run then

@@ -1,0 +1,34 @@
+-- Maps of spheres as flat ones: azimuthal equal-area about the load, over the half sphere that the load points into. x runs
+-- anterior, z along the axis of flexion, both in mm; 0 beyond the half sphere.
+
+local made = require "archard.map.made"
+local sphere = require "archard.sphere"
+
+local points = 121 -- along each side
+
+-- The value of a lattice at a direction, linear between cells.
+local function sampled(rows, values, n)
+  local row = math.acos(math.max(-1, math.min(1, n[1]))) / math.pi * rows + 0.5
+  local column = (math.atan(n[2], n[3]) + math.pi) / math.pi * rows + 0.5
+  local i = math.max(1, math.min(rows - 1, math.floor(row)))
+  local k = math.floor(column)
+  local s, t = row - i, column - k
+  local function at(a, b) return values[(a - 1) * 2 * rows + (b - 1) % (2 * rows) + 1] end
+  return (1 - s) * ((1 - t) * at(i, k) + t * at(i, k + 1)) + s * ((1 - t) * at(i + 1, k) + t * at(i + 1, k + 1))
+end
+
+-- (engine, radius, "cup", unit) -> map
+return function(engine, radius, what, unit)
+  local rows, values = sphere.map(engine, what)
+  local reach, x, y = math.sqrt(2) * radius, {}, {}
+  for i = 1, points do x[i] = reach * (2 * (i - 1) / (points - 1) - 1) end
+  for i = 1, points do
+    for k = 1, points do
+      local r = math.sqrt(x[i] ^ 2 + x[k] ^ 2)
+      local angle = 2 * math.asin(math.min(1, r / (2 * radius)))
+      local share = r > 0 and math.sin(angle) / r or 0
+      y[#y + 1] = r <= reach and sampled(rows, values, { share * x[k], share * x[i], math.cos(angle) }) or 0
+    end
+  end
+  return made.new{ x = x, z = table.move(x, 1, points, 1, {}), y = y, unit = unit, name = what }
+end
