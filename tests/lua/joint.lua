@@ -50,7 +50,7 @@ fails(function() wear{ model = liner, alpha = 2 } end, "alpha", "a share above 1
 fails(function() w:map "cap" end, "cup", "a map that there is not")
 local flat = w:flat "cup"
 near(1000 * flat:at(0, 0), 1000 * w.depth.cup, 0.05, "a flat map: deepest about the load")
-local picture = os.tmpname()
+local picture = os.tmpname() .. ".txt"
 plot.map(w, { what = "cup", term = "dumb", file = picture })
 ok(io.open(picture):read "a":find("cup", 1, true), "is drawn")
 os.remove(picture)
