@@ -188,3 +188,9 @@ local rise, depth, pressure = 0, soft.history.depth_plate, soft.history.p_center
 for i = 2, #pressure do rise = math.max(rise, pressure[i] / pressure[i - 1]) end
 ok(rise < 1.05 and pressure[#pressure] > 1.1 * pressure[1], "its pressure rises in steps of less than 5 %")
 ok(off(depth[#depth], 0.05) < 1e-12, "half of it is gone")
+
+-- Worn surfaces may touch more widely than unworn ones ever did: such a run starts with room for all of it.
+local conformal = { k = 1e-6, distance = 660, jump = "auto", worn = { plate = function(x) return math.max(0, (0.81 - x * x) / 20) end } }
+local wide = wear(conformal)
+ok(wide.half_width > 0.8, ("a conformal start: half width %.2f mm"):format(wide.half_width))
+ok(wide:run{ progress = false }.done, "it goes on to its end")

@@ -74,6 +74,7 @@ arc_status arc_wear_evaluate(arc_wear *w, const wear_window *window, wear_watch 
                              wear_rate *rate, arc_error *error);
 /* Sliding [mm] that the points of a window stand for together. */
 double arc_wear_window_sliding(const arc_wear *w, const wear_window *window);
+/* What a slope takes of the wear that the same pressure does on the level. */
 double arc_wear_slope_share(const arc_wear *w, const wear_window *window, arc_body b, int i);
 /* Solves the point window->first only: can the contact be there? */
 arc_status arc_wear_probe(arc_wear *w, const wear_window *window, arc_error *error);

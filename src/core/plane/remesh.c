@@ -10,7 +10,8 @@
 static const double wider = 1, deeper = 2;
 
 /* The element size goes with the contact where nobody chose it: a contact of so many times the
- * elements of a new one may do with half of them. */
+ * elements of a new one may do with half of them. A ring that wears a block to 25 half widths: at 4
+ * its depth is .03 % off the rigid limit, at 3 .13 %. */
 static const double rich = 4;
 
 /* --- what has been outgrown ------------------------------------------------------------------- */

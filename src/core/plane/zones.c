@@ -21,7 +21,7 @@ static double largest_k(const arc_wear_def *def) {
 }
 
 /* Zones of meshes whose elements go with the contact are for one of up to so many times the unworn
- * half width. */
+ * half width: all of the paper's cases (2.5) do with one mesh. */
 static const double outgrown_at = 6;
 
 /* Half width of the widest contact: Hertz' at first, and a flat scar of the whole volume on the

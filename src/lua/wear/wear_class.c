@@ -7,11 +7,16 @@
 
 /* --- construction ---------------------------------------------------------------------------- */
 
+/* Worn surfaces may be wider in contact than unworn ones: for these the zones hold the whole run,
+ * and not the beginning of it. */
 static arc_status needed_zones(const void *asker, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
-  arc_wear_def def = wear_request_settle(asker, model);
+  const wear_request *request = asker;
+  arc_wear_def def = wear_request_settle(request, model);
   arc_status status = arc_wear_check(&def, model, error);
-  if (status == ARC_OK) arc_wear_zones(&def, model, zone);
+  arc_model_def sized = *model;
+  if (request->worn) sized.mesh.fineness = 0;
+  if (status == ARC_OK) arc_wear_zones(&def, &sized, zone);
   return status;
 }
 
@@ -69,6 +74,7 @@ static int wear_new(lua_State *L) {
   wear_request request = wear_request_read(L, 1, 0);
   worn_check(L, 1, "wear");
   int worn = lua_gettop(L);
+  request.worn = !lua_isnil(L, worn);
   arc_model *model = model_argument(L, worn, "wear", request.def.load, needed_zones, &request);
   int holder = lua_gettop(L);
   check_coefficients(L, &request, arc_model_definition(model));

@@ -20,6 +20,7 @@ typedef struct wear_request {
   double distance_before, cycle_before; /* where the run stands that is changed */
   int own_steps;                        /* scheme, jump or tolerance were given, or are a run's */
   int own_k;                            /* k or alpha were given, or are a run's */
+  int worn;                             /* it starts on worn surfaces */
   int functions;                        /* index of the holder of the user's functions, or of nil */
 } wear_request;
 
