@@ -1,0 +1,49 @@
+-- Random pairs worn to 1.2 to 12 unworn half widths, implicit with a tolerance: depths at four distances against a
+-- tenth of the tolerance. ARCHARD_RUNS=300 tests/run verify/random_scars   more of them
+-- Long
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+warn "@off"
+math.randomseed(23)
+
+local function between(low, high) return low * (high / low) ^ math.random() end
+
+-- A pair whose flat scar would have `wide` unworn half widths.
+local function random_run()
+  local radius, load = between(1, 200), between(10, 500)
+  local pair = { radius = radius, cylinder = { E = between(3e3, 4e5) }, plate = { E = between(3e3, 4e5) } }
+  local half = hertz{ radius = radius, load = load, cylinder = pair.cylinder, plate = pair.plate }.half_width
+  local wide, distance = between(1.2, 12), 1320
+  return { model = pair, load = load, stroke = half * between(0.1, 8), alpha = math.random(), distance = distance,
+    k = 2 / 3 * (wide * half) ^ 3 / radius / (load * distance), slide = math.random() < 0.3 and "z" or "x",
+    scheme = "implicit" }, half < radius / 8
+end
+
+local function depths(fields, tolerance)
+  fields.tolerance = tolerance
+  local w, list = wear(fields), {}
+  for _, share in ipairs{ 0.02, 0.1, 0.3, 1 } do
+    w:run{ distance = share * fields.distance, progress = false }
+    list[#list + 1], list[#list + 2] = w.depth.cylinder, w.depth.plate
+  end
+  return list, w.update
+end
+
+local runs, refused, worst, most = 0, 0, 0, 0
+while runs < (tonumber(os.getenv "ARCHARD_RUNS") or 12) do
+  local fields, flat = random_run()
+  local fine, list, updates = false, nil, nil
+  if flat then fine, list, updates = pcall(depths, fields, 1e-3) end
+  if fine then
+    runs = runs + 1
+    for i, depth in ipairs((depths(fields, 1e-4))) do
+      if depth > 0 then worst = math.max(worst, math.abs(list[i] / depth - 1)) end
+    end
+    most = math.max(most, updates)
+  elseif flat then
+    refused = refused + 1
+    figures.ok(tostring(list):find("no larger mesh fits", 1, true), "refused: scars wider than the bodies alone")
+  end
+end
+figures.below(worst, 1e-3, ("depths of %d runs at four distances, off by at most"):format(runs))
+figures.below(most, 250, "their most updates")
+figures.below(refused, 0.1 * runs, "those refused, as the scar is wider than the bodies")
