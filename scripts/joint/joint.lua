@@ -2,6 +2,7 @@
 
 local check = require "archard.lib.check"
 local gait = require "archard.joint.gait"
+local progress = require "archard.lib.progress"
 local sphere = require "archard.sphere"
 local strict = require "archard.strict"
 
@@ -85,6 +86,13 @@ local direction_kind = check.kind("{ x, y, z }, three numbers", function(v)
   return type(v) == "table" and check.number.test(v[1]) and check.number.test(v[2]) and check.number.test(v[3])
 end)
 
+local function show_contact(c)
+  return ("contact of a joint: load %.6g N\n  pressure  largest %.4g MPa, centre %.4g MPa\n"
+    .. "  area      %.4g mm2, half angle %.3g degrees, %.3g degrees to the rim\n"
+    .. "  approach  %.4g, %.4g, %.4g mm (%d iterations)"):format(c.load, c.p_max, c.p_center, c.area, c.half_angle, c.rim_margin,
+    c.approach[1], c.approach[2], c.approach[3], c.iterations)
+end
+
 -- Nearer to the rim than this the complete spheres are off by more than about 1 %.
 local function warn_of_rim(def, margin)
   local liner = def.cup_layers[1]
@@ -107,7 +115,10 @@ function methods:contact(given)
   result.load = load
   result.pressure = table_map(self.engine, "pressure")
   warn_of_rim(self.def, result.rim_margin)
-  return strict.table(result, "contact")
+  strict.table(result, "joint:contact")
+  local shown = getmetatable(result)
+  shown.__tostring, shown.__plain = show_contact, nil
+  return result
 end
 
 -- --- wear ---------------------------------------------------------------------------------------
@@ -155,16 +166,27 @@ local function note(run, record)
   h.cycles[#h.cycles + 1] = run.cycles
 end
 
--- w:run{ cycles= }: up to so many cycles, in updates that grow as N^1.5 (explicit: even ones).
+-- What is shown after each update: a bar on a terminal, or what the user's function makes of the run.
+local function watcher(run, wanted, goal)
+  if wanted == false then return function() end, nil end
+  if type(wanted) == "function" then return wanted, nil end
+  local bar = progress.new{ total = goal, done = run.cycles, label = "wear", unit = "cycles" }
+  return function() bar:update(run.cycles, ("update %d"):format(#run.history.cycles - 1)) end, bar
+end
+
+-- w:run{ cycles=, progress= }: up to so many cycles, in updates that grow as N^1.5 (explicit: even ones). What ends it
+-- on the way, Ctrl-C too, leaves it after its last whole update.
 function run_methods:run(given)
-  given = check.definition("joint_wear:run", given or {}, { cycles = check.positive })
+  given = check.definition("joint_wear:run", given or {}, { cycles = check.positive, progress = check.progress })
   local start, goal = self.cycles, given.cycles or self.goal
   local power = self.scheme == "explicit" and 1 or 1.5
+  local watch, shown <close> = watcher(self, given.progress, goal)
   for i = 1, self.updates do
     local to = start + (goal - start) * (i / self.updates) ^ power
     if to > self.cycles then
       note(self, check.as("joint_wear:run", sphere.update, self.engine, self.loading.instants, self.k, self.alpha,
         to - self.cycles, self.scheme == "explicit", self.record))
+      watch(self)
     end
   end
   return self

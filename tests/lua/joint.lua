@@ -26,6 +26,7 @@ local liner = joint{ head = { material = material{ E = 1e15 } }, cup = { clearan
 local c = contact{ model = liner, load = 3000 }
 near(c.p_center, 14.738, 5e-3, "centre pressure of a liner")
 near(c.approach[3], 0.158792, 1e-3, "and its displacement")
+ok(tostring(c):find("load 3000 N") and tostring(c):find("degrees to the rim"), "print(c): " .. tostring(c))
 is(c.p_max, liner:contact{ load = 3000 }.p_max, "by either call")
 fails(function() contact{ model = liner, direction = { 0, 0, -1 } } end, "180 degrees", "a load out of the cup")
 fails(function() joint{ cup = { clearance = 0 } } end, "cup.clearance", "no clearance")
@@ -46,6 +47,15 @@ near(w:penetration()[3], 0.2, 0.5, "the head sinks in along the load")
 local again = wear{ model = liner, loading = gait "iso", k = 1e-9, alpha = 0, cycles = 1e6 }:run()
 is(again.depth.cup, w.depth.cup, "the same bits again")
 fails(function() wear{ model = liner, k = function() error "mine" end }:run() end, "mine", "an error of k")
+local seen, ended = 0, wear{ model = liner, k = 1e-9 }
+fails(function()
+  ended:run{ progress = function(r)
+    seen = seen + 1
+    if r.cycles > 1e5 then error "enough" end
+  end }
+end, "enough", "a progress function ends a run")
+is(#ended.history.cycles, seen + 1, "after its last whole update")
+ok(ended:run{ progress = false }.cycles == 1e6, "and it goes on")
 fails(function() wear{ model = liner, alpha = 2 } end, "alpha", "a share above 1")
 fails(function() w:map "cap" end, "cup", "a map that there is not")
 local flat = w:flat "cup"
