@@ -221,8 +221,9 @@ typedef struct arc_loading {
   NUMBER(                                                                                          \
       tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                               \
       "Bound on the error of an implicit run's depths, over the deepest, at every node of more "   \
-      "than a twentieth of that; pressures keep to 30 times as much. The run then chooses its "    \
-      "own steps. None: steps of jump.")                                                           \
+      "than a twentieth of that; pressures keep to 10 times as much in the mean, single nodes "    \
+      "at the edge of the contact do not. The run then chooses its own steps. None: steps of "     \
+      "jump.")                                                                                     \
   OTHER(model, "a model object or a table of its fields", "model", ARC_FIXED,                      \
         "The bodies. Without it one is built on first use whose contact zones suit the stroke.")   \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", ARC_FIXED,                 \

@@ -46,12 +46,14 @@ local function compare(fields, jump, tolerance)
   local coarse, fine = references(fields, jump)
   fields.scheme, fields.tolerance = "implicit", tolerance
   local w = wear(fields)
-  local worst, total = { depth = 0, pressure = 0, p_center = 0 }, fields.distance or 1320
+  local worst, total = { depth = 0, pressure = 0, p_center = 0, p_max = 0 }, fields.distance or 1320
   while w.distance < total * (1 - 1e-9) do
     w:step()
     coarse:run{ distance = w.distance, progress = false }
     fine:run{ distance = w.distance, progress = false }
-    worst.p_center = math.max(worst.p_center, math.abs(w.p_center / (2 * fine.p_center - coarse.p_center) - 1))
+    for _, name in ipairs{ "p_center", "p_max" } do
+      worst[name] = math.max(worst[name], math.abs(w[name] / (2 * fine[name] - coarse[name]) - 1))
+    end
     worst.pressure = math.max(worst.pressure, pressure_error(w, coarse, fine))
     for _, body in ipairs{ "cylinder", "plate" } do
       worst.depth = math.max(worst.depth, depth_error(w, coarse, fine, body))
@@ -64,6 +66,7 @@ local function check(what, fields, jump, tolerance)
   local worst, w = compare(fields, jump, tolerance)
   below(worst.depth, tolerance, what .. ": depth at any node, any update, off by")
   below(worst.pressure, 10 * tolerance, what .. ": pressures in the mean at any update off by")
+  below(worst.p_max, 100 * tolerance, what .. ": largest pressure at any update off by")
   below(worst.p_center, 2 * tolerance, what .. ": centre pressure at any update off by")
   return w
 end
