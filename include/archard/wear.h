@@ -402,7 +402,9 @@ arc_status arc_wear_resume(arc_model *model, const arc_wear_def *def, const arc_
                            size_t arrays, const arc_wear_record *history, size_t count,
                            arc_wear **wear, arc_error *error);
 
-/* The zones a model needs for this run, to build one that suits (see arc_mesh_def.zone). */
+/* The zones a model needs for this run, to build one that suits (see arc_mesh_def.zone): for all of
+ * its way, or, where the elements go with the contact (mesh.fineness), for a scar of up to six
+ * unworn half widths: such meshes grow. */
 void arc_wear_zones(const arc_wear_def *def, const arc_model_def *model, double zone[ARC_BODIES]);
 
 /* One geometry update: `jump` cycles, or fewer where the definition's distance ends before. At
