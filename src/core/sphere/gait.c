@@ -76,11 +76,10 @@ arc_status arc_gait_from_angles(int n, const double *degrees, const double *load
   double *rotation = malloc(9 * (2 * (size_t)n + 1) * sizeof *rotation);
   if (!rotation) return arc_fail(error, ARC_MEMORY, "out of memory for a gait");
   for (int i = 0; i <= 2 * n; i++) {
-    double one[9], two[9], three[9], both[9];
-    double *const turn[] = {one, two, three};
+    double turn[3][9] = {{0}}, both[9];
     for (int a = 0; a < 3; a++) about(order[a] - 'x', degrees[3 * i + order[a] - 'x'], turn[a]);
-    multiply(one, two, both);
-    multiply(both, three, rotation + 9 * (size_t)i);
+    multiply(turn[0], turn[1], both);
+    multiply(both, turn[2], rotation + 9 * (size_t)i);
   }
   const arc_status status = arc_gait_from_rotations(n, rotation, load, instant, error);
   free(rotation);
