@@ -138,9 +138,8 @@ function methods:wear(given)
     history = { cycles = { 0 }, volume_head = { 0 }, volume_cup = { 0 }, depth_head = { 0 }, depth_cup = { 0 }, p_peak = { 0 / 0 },
       area = { 0 / 0 } }, record = { cycles = 0, updates = 0 }, cycles = 0, volume = { head = 0, cup = 0 },
     depth = { head = 0, cup = 0 } }
-  if run.scheme == "explicit" and type(run.k) == "number" and run.k > 0 then
-    local limit = sphere.limit(run.engine, run.loading.instants, run.k)
-    run.updates = math.max(run.updates, math.ceil(run.goal / limit))
+  if run.scheme == "explicit" and type(run.k) == "function" then
+    check.fail("joint:wear", "field 'scheme': expected \"sweep\" beside k as a function: its limit of stability is not known")
   end
   return setmetatable(run, run_class)
 end
@@ -166,6 +165,12 @@ local function note(run, record)
   h.cycles[#h.cycles + 1] = run.cycles
 end
 
+-- How many updates cover so many cycles: explicit ones keep below their limit of stability.
+local function updates_for(run, cycles)
+  if run.scheme ~= "explicit" or run.k == 0 then return run.updates end
+  return math.max(run.updates, math.ceil(cycles / sphere.limit(run.engine, run.loading.instants, run.k)))
+end
+
 -- What is shown after each update: a bar on a terminal, or what the user's function makes of the run.
 local function watcher(run, wanted, goal)
   if wanted == false then return function() end, nil end
@@ -181,8 +186,9 @@ function run_methods:run(given)
   local start, goal = self.cycles, given.cycles or self.goal
   local power = self.scheme == "explicit" and 1 or 1.5
   local watch, shown <close> = watcher(self, given.progress, goal)
-  for i = 1, self.updates do
-    local to = start + (goal - start) * (i / self.updates) ^ power
+  local updates = updates_for(self, goal - start)
+  for i = 1, updates do
+    local to = start + (goal - start) * (i / updates) ^ power
     if to > self.cycles then
       note(self, check.as("joint_wear:run", sphere.update, self.engine, self.loading.instants, self.k, self.alpha,
         to - self.cycles, self.scheme == "explicit", self.record))

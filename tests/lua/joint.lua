@@ -56,6 +56,15 @@ fails(function()
 end, "enough", "a progress function ends a run")
 is(#ended.history.cycles, seen + 1, "after its last whole update")
 ok(ended:run{ progress = false }.cycles == 1e6, "and it goes on")
+local explicit = wear{ model = liner, k = 1e-9, cycles = 1e3, scheme = "explicit", updates = 1 }
+local function updates_to(cycles)
+  local before = #explicit.history.cycles
+  explicit:run{ cycles = cycles, progress = false }
+  return #explicit.history.cycles - before
+end
+local few, many = updates_to(1e3), updates_to(4e5)
+ok(many > few and many > 1, ("explicit updates go by the cycles asked for: %d, then %d"):format(few, many))
+fails(function() wear{ model = liner, k = function() return 1e-9 end, scheme = "explicit" } end, "field 'scheme'", "explicit steps of an unknown k")
 fails(function() wear{ model = liner, alpha = 2 } end, "alpha", "a share above 1")
 fails(function() w:map "cap" end, "cup", "a map that there is not")
 local flat = w:flat "cup"
