@@ -133,10 +133,10 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
                               double *const rate[ARC_BODIES], arc_halfspace_report *report,
                               arc_error *error);
 
-/* sum [by body][sites]: over the positions, weight times a value [count][window]: of what is more
- * than linear in pressure, as power laws, and of energies. On failure sum is unchanged. */
+/* sum [sites] of a body: over the positions, weight times a value [count][window], for what is not
+ * proportional to pressure, as power laws, and for energies. On failure sum is unchanged. */
 arc_status arc_halfspace_sum(arc_halfspace *h, const arc_halfspace_position *position, int count,
-                             const double *value, double *const sum[ARC_BODIES], arc_error *error);
+                             const double *value, arc_body body, double *sum, arc_error *error);
 
 /* Wear of a step: depth = known + c factor rate, by body. */
 typedef struct arc_halfspace_wear {

@@ -87,10 +87,12 @@ typedef struct arc_wear_record arc_wear_record;
 typedef arc_status (*arc_state_fn)(void *context, const arc_setting *what,
                                    const arc_wear_record *state, double *value);
 
-/* A factor on k at each of the n nodes of one body: x [mm] own (unworn) position, p [MPa] at one
- * increment, to factor [n]. Anything but ARC_OK refuses the step. */
+/* A factor on k at each of the n nodes of one body: x [mm] own (unworn) position, z [mm] across the
+ * motion (3-D; NULL in the plane), p [MPa] at one increment, to factor [n]. Anything but ARC_OK
+ * refuses the step. */
 typedef arc_status (*arc_local_fn)(void *context, arc_body body, int n, const double *x,
-                                   const double *p, const arc_wear_record *state, double *factor);
+                                   const double *z, const double *p, const arc_wear_record *state,
+                                   double *factor);
 
 /* One block of loading: plate position and load at count >= 2 points of a cycle; both strokes are
  * simulated as they are. A load of 0 is a lift-off: no contact and no wear there. */
@@ -243,11 +245,11 @@ typedef struct arc_loading {
         "degrees to either side: a narrow contact may turn by about 70, a wide one by less, and "  \
         "none all round. \n\ncsv.read(path) reads measured lists.")                                \
   FUNCTION(                                                                                        \
-      local_factor, "a function(body, x, p, state) or { vector = function }", arc_local_fn, 0,     \
+      local_factor, "a function(body, x, p, state, z) or { vector = function }", arc_local_fn, 0,  \
       "Factor on k at each node, for cross-shear and the like. body is \"cylinder\" or "           \
-      "\"plate\", x the node's own position in mm, p its pressure in MPa; the result is 0 or "     \
-      "above. Nodes without pressure are not asked: they do not wear. It is called at every "      \
-      "increment.")
+      "\"plate\", x the node's own position in mm, p its pressure in MPa, z its position across "  \
+      "the motion in mm, with geometry = \"3-D\" only; the result is 0 or above. Nodes without "   \
+      "pressure are left out: they do not wear. It is called at every increment.")
 
 typedef struct arc_wear_def {
   ARC_WEAR_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_QUANTITY,

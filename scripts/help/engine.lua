@@ -209,9 +209,10 @@ return {
     text = "How often the cycle is repeated. The last block may be without: it goes on to the end." },
   { "wear{loading.periodic}", type = "boolean", default = true,
     text = "false: one generic history, with a geometry update at every increment (Eqs. 4-8)." },
-  { "wear{local_factor.vector}", type = "function(body, xs, ps, state)",
+  { "wear{local_factor.vector}", type = "function(body, xs, ps, state, zs)",
     text = "The same for all nodes under pressure in one call, for factors that hang together: xs and "
-      .. "ps are lists, the result is the list of factors, and may be ps itself." },
+      .. "ps are lists, with geometry = \"3-D\" zs too, the result is the list of factors, and may be ps "
+      .. "itself." },
   { "wear{worn.cylinder}", type = "function(x) or table { x=, h= }", unit = "mm",
     text = "Wear depth of the cylinder to start from." },
   { "wear{worn.plate}", type = "function(x) or table { x=, h= }", unit = "mm",

@@ -123,8 +123,8 @@ fails(function() run{ procedure = "NSP", stroke = 0.1 } end, "'procedure'", "a g
 -- --- what is not there -----------------------------------------------------------------------------
 for _, wrong in ipairs{
   { { friction = 0.1 }, "'friction'" }, { { slide = "z" }, "'slide'" }, { { track = 5 }, "'track'" },
-  { { law = "power" }, "'law'" }, { { update = "increment" }, "'update'" }, { { slip = "total" }, "'slip'" },
-  { { local_factor = function() return 1 end }, "'local_factor'" }, { { stroke = 1e4 }, "'increments'" },
+  { { law = "energy" }, "'law'" }, { { update = "increment" }, "'update'" }, { { slip = "total" }, "'slip'" },
+  { { law = "threshold" }, "jump = \"auto\"" }, { { stroke = 1e4 }, "'increments'" },
 } do
   fails(function() run(wrong[1]) end, wrong[2], "refused: " .. wrong[2])
 end

@@ -102,6 +102,7 @@ typedef struct wear_sites {
   int count;
   const double *x; /* [count] unworn position [mm] */
   const double *h; /* [count] wear depth [mm] */
+  const double *z; /* [count] unworn position across the motion [mm]; NULL in the plane */
 } wear_sites;
 
 #endif

@@ -135,7 +135,7 @@ static arc_status start_shape(arc_model *model, const arc_wear_def *def, const a
 
 static wear_sites sites(const arc_shape *shape, arc_body body) {
   const shape_side *side = &shape->side[body];
-  return (wear_sites){side->n, side->x0, side->h};
+  return (wear_sites){side->n, side->x0, side->h, NULL};
 }
 
 static double area(const arc_shape *shape, arc_body body, int i) {

@@ -48,7 +48,8 @@ arc_status arc_wear_place_factors(const arc_wear *w, const arc_wear_record *stat
                                   wear_point *point, arc_error *error) {
   for (int b = 0; b < ARC_BODIES && w->def.local_factor; b++) {
     double *local = point->f[b], *q = point->q[b];
-    const arc_status status = arc_wear_local(w, state, (arc_body)b, point->p[b], local, error);
+    const wear_sites on = w->kind->sites(w->shape, (arc_body)b);
+    const arc_status status = arc_wear_local(w, state, (arc_body)b, &on, point->p[b], local, error);
     if (status != ARC_OK) return status;
     for (int i = 0; i < sites_of(w, b); i++) q[i] *= local[i];
   }

@@ -462,10 +462,21 @@ arc_status arc_positions_solve_each(positions *p, arc_error *error) {
   return status;
 }
 
-void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]) {
+/* The sums of both bodies, or of those that have a c. */
+static void gather(positions *p, int both, double *upper, double *lower) {
   p->s.box = arc_space_window(p->s.h);
-  p->s.upper = rate[ARC_UPPER];
-  p->s.lower = rate[ARC_LOWER];
-  arc_stroke_gather(&p->s, p->pressure, 1);
+  p->s.upper = upper;
+  p->s.lower = lower;
+  arc_stroke_gather(&p->s, p->pressure, both);
   p->s.upper = p->s.lower = NULL;
+}
+
+void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]) {
+  gather(p, 1, rate[ARC_UPPER], rate[ARC_LOWER]);
+}
+
+void arc_positions_sum(positions *p, arc_body body, double *sum) {
+  p->s.c[ARC_UPPER] = body == ARC_UPPER;
+  p->s.c[ARC_LOWER] = body == ARC_LOWER;
+  gather(p, 0, sum, sum);
 }

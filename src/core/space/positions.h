@@ -32,6 +32,8 @@ arc_status arc_positions_solve_each(positions *p, arc_error *error);
 
 /* Sums of weight times pressure of the solution, by site of a body. */
 void arc_positions_rate(positions *p, double *const rate[ARC_BODIES]);
+/* The sum of one body. */
+void arc_positions_sum(positions *p, arc_body body, double *sum);
 
 /* The box that is the whole window. */
 space_box arc_space_window(const arc_halfspace *h);

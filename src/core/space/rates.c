@@ -94,14 +94,23 @@ arc_status arc_halfspace_rate(arc_halfspace *h, const double *const depth[ARC_BO
   return status;
 }
 
+/* Whether the values of positions are mirror images in x, to the bit. */
+static int values_are_mirrored(const arc_halfspace *h, int count, const double *value) {
+  const size_t rows = (size_t)count * (size_t)h->def.nx, nz = (size_t)h->def.nz;
+  for (size_t i = 0; i < rows / 2; i++)
+    if (memcmp(value + i * nz, value + (rows - 1 - i) * nz, nz * sizeof *value) != 0) return 0;
+  return 1;
+}
+
 arc_status arc_halfspace_sum(arc_halfspace *h, const arc_halfspace_position *position, int count,
-                             const double *value, double *const sum[ARC_BODIES], arc_error *error) {
+                             const double *value, arc_body body, double *sum, arc_error *error) {
   const arc_halfspace_options options = {.warm = 1};
+  const int mirror = values_are_mirrored(h, count, value);
   positions p;
   const arc_status status =
-      arc_positions_create(h, NULL, NULL, position, count, 0, &options, value, &p, error);
+      arc_positions_create(h, NULL, NULL, position, count, mirror, &options, value, &p, error);
   if (status != ARC_OK) return status;
-  arc_positions_rate(&p, sum);
+  arc_positions_sum(&p, body, sum);
   arc_positions_free(&p);
   return ARC_OK;
 }

@@ -1,6 +1,8 @@
 /* The wear of a window of a cycle on half-spaces: its positions, each a contact. */
 #include "core/space/space_kind.h"
 
+#include "core/base/carve.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,14 +53,16 @@ arc_status arc_space_path(const arc_wear *w, const wear_window *v, space_path *p
 typedef struct space_tangent {
   space_grid *grid; /* NULL: none yet */
   space_path path;
-  double *pressure; /* [count][window] */
+  double *pressure;           /* [count][window] */
+  double *factor[ARC_BODIES]; /* [sites] growth of the wear with p; NULL: 1; one block */
 } space_tangent;
 
 static void empty(space_tangent *t) {
   arc_space_let_go(&t->grid);
   free(t->path.position);
   free(t->pressure);
-  *t = (space_tangent){NULL, {0, NULL}, NULL};
+  free(t->factor[ARC_UPPER]);
+  *t = (space_tangent){.grid = NULL};
 }
 
 /* Depths of a shape with those of a trial on top; the shape's own where there is none. */
@@ -86,11 +90,26 @@ static arc_status solve(const space_shape *s, const space_path *path, const doub
   return status;
 }
 
+/* Of laws and local factors, in place of the sums of pressure. */
+static arc_status add_law(arc_wear *w, const wear_window *v, space_tangent *t, wear_rate *rate,
+                          arc_error *error) {
+  const space_shape *s = space_shape_of(v->shape);
+  const carve_part parts[] = {{&t->factor[ARC_UPPER], (size_t)w->nc},
+                              {&t->factor[ARC_LOWER], (size_t)w->np}};
+  arc_status status = ARC_OK;
+  if (arc_space_is_linear(w, v->state)) return ARC_OK;
+  if (!ARC_CARVE(parts)) return arc_fail(error, ARC_MEMORY, "out of memory for a cycle");
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    status = arc_space_linearise(w, v->state, s, &t->path, t->pressure, (arc_body)b, rate->node[b],
+                                 t->factor[b], error);
+  return status;
+}
+
 arc_status arc_space_rate(arc_wear *w, const wear_window *v, wear_watch *watch, wear_rate *rate,
                           arc_error *error) {
   const space_shape *s = space_shape_of(v->shape);
   const size_t cells = (size_t)space_sites(s, ARC_UPPER);
-  space_tangent held = {NULL, {0, NULL}, NULL},
+  space_tangent held = {.grid = NULL},
                 *t = v->tangent ? (space_tangent *)(void *)v->tangent : &held;
   double *owned = NULL;
   empty(t);
@@ -103,6 +122,7 @@ arc_status arc_space_rate(arc_wear *w, const wear_window *v, wear_watch *watch, 
     status = solve(s, &t->path, depth, watch, t->pressure, rate, error);
   else
     status = arc_fail(error, ARC_MEMORY, "out of memory for a cycle");
+  if (status == ARC_OK) status = add_law(w, v, t, rate, error);
   free(owned);
   if (v->tangent && status == ARC_OK)
     t->grid = arc_space_hold(s->grid);
@@ -133,20 +153,24 @@ size_t arc_space_tangent_bytes(const arc_wear *w) {
 
 /* Where no iteration can be made: that of a chessboard of wear on an infinite surface, whose
  * compliance is 0.584 cells over E*. */
-static double bound(const arc_wear *w, const double k[ARC_BODIES], const space_path *path) {
-  const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
-  double way = 0;
-  for (int j = 0; j < path->count; j++) way += path->position[j].weight;
-  return (k[ARC_UPPER] + k[ARC_LOWER]) * way * w->manner.modulus /
-         (0.584 * fmin(d->size_x, d->size_z));
+static double bound(const arc_wear *w, const double k[ARC_BODIES], const space_tangent *t) {
+  const arc_halfspace_def *d = arc_halfspace_definition(t->grid->h);
+  double sliding = 0, most[ARC_BODIES] = {0};
+  for (int j = 0; j < t->path.count; j++) sliding += t->path.position[j].weight;
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < sites_of(w, b); i++)
+      most[b] = fmax(most[b], t->factor[b] ? t->factor[b][i] : 1);
+  return (k[ARC_UPPER] * most[ARC_UPPER] + k[ARC_LOWER] * most[ARC_LOWER]) * sliding *
+         w->manner.modulus / (0.584 * fmin(d->size_x, d->size_z));
 }
 
 double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent) {
   const space_tangent *t = (const space_tangent *)(const void *)tangent;
-  const arc_halfspace_wear wear = {.c = {k[ARC_UPPER], k[ARC_LOWER]}};
+  const arc_halfspace_wear wear = {.c = {k[ARC_UPPER], k[ARC_LOWER]},
+                                   .factor = {t->factor[ARC_UPPER], t->factor[ARC_LOWER]}};
   double value = 0;
   if (t->path.count == 0) return 0;
   const arc_status status = arc_halfspace_eigenvalue(t->grid->h, &wear, t->path.position,
                                                      t->path.count, t->pressure, &value, NULL);
-  return status == ARC_OK ? value : bound(w, k, &t->path);
+  return status == ARC_OK ? value : bound(w, k, t);
 }

@@ -58,7 +58,8 @@ static arc_status unworn(arc_model *model, arc_geometry geometry, double refresh
 
 static wear_sites sites(const arc_shape *shape, arc_body body) {
   const space_shape *s = space_shape_of(shape);
-  return (wear_sites){space_sites(s, (int)body), s->grid->x[body], s->depth[body]};
+  return (wear_sites){space_sites(s, (int)body), s->grid->x[body], s->depth[body],
+                      s->grid->z[body]};
 }
 
 /* In the middle, into the shape's own arrays. */

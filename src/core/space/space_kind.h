@@ -10,7 +10,7 @@
 typedef struct space_grid {
   int references;
   arc_halfspace *h;
-  double *x[ARC_BODIES]; /* [sites] where they are [mm] */
+  double *x[ARC_BODIES], *z[ARC_BODIES]; /* [sites] where they are [mm]; one block */
 } space_grid;
 
 /* An arc_shape of this kind. */
@@ -99,6 +99,22 @@ wear_tangent *arc_space_tangent(const arc_wear *w);
 void arc_space_end_tangent(wear_tangent **tangent);
 size_t arc_space_tangent_bytes(const arc_wear *w);
 double arc_space_eigenvalue(const arc_wear *w, const double k[ARC_BODIES], wear_tangent *tangent);
+
+/* --- space_law.c --- */
+/* Whether the wear of a window is k p ds: a linear law, and no local factors of a state. */
+int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state);
+/* Work of pressures [count][window] by site of a body: over the positions, the sum of weight, law,
+ * local factor and pressure [MPa mm]. ARC_MEMORY, and errors of the local factor. */
+arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const space_shape *s,
+                          const space_path *path, const double *pressure, arc_body body,
+                          double *work, arc_error *error);
+/* The same and its linear form about these pressures, by site: for pressures p nearby, work =
+ * factor sum(weight p) + (1 - growth) work, with the growth of the law below. */
+arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
+                               const space_shape *s, const space_path *path, const double *pressure,
+                               arc_body body, double *work, double *factor, arc_error *error);
+/* d ln(law p) / d ln p that the linear form uses, at least 1. */
+double arc_space_law_growth(const arc_wear *w);
 
 /* --- space_stages.c --- */
 arc_status arc_space_begin_stages(wear_stage *s);

@@ -1,6 +1,7 @@
 /* Worn surfaces over x and z on shared cells; as arrays to be stored. */
 #include "core/space/space_kind.h"
 
+#include "core/base/carve.h"
 #include "core/base/memory.h"
 
 #include <math.h>
@@ -51,15 +52,15 @@ static arc_status create_grid(const arc_halfspace_def *cells, space_grid **made,
   if (status == ARC_OK) {
     const size_t nu = (size_t)arc_halfspace_sites(grid->h, ARC_UPPER),
                  nl = (size_t)arc_halfspace_sites(grid->h, ARC_LOWER);
-    grid->x[ARC_UPPER] = malloc((nu + nl) * sizeof(double));
-    if (!grid->x[ARC_UPPER]) status = out_of_memory(error);
-    if (status == ARC_OK) grid->x[ARC_LOWER] = grid->x[ARC_UPPER] + nu;
+    const carve_part parts[] = {{&grid->x[ARC_UPPER], nu},
+                                {&grid->x[ARC_LOWER], nl},
+                                {&grid->z[ARC_UPPER], nu},
+                                {&grid->z[ARC_LOWER], nl}};
+    if (!ARC_CARVE(parts)) status = out_of_memory(error);
   }
   for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
-    for (int i = 0; i < arc_halfspace_sites(grid->h, (arc_body)b); i++) {
-      double z;
-      arc_halfspace_site_at(grid->h, (arc_body)b, i, &grid->x[b][i], &z);
-    }
+    for (int i = 0; i < arc_halfspace_sites(grid->h, (arc_body)b); i++)
+      arc_halfspace_site_at(grid->h, (arc_body)b, i, &grid->x[b][i], &grid->z[b][i]);
   if (status != ARC_OK) arc_space_let_go(&grid);
   *made = grid;
   return status;

@@ -13,6 +13,8 @@ typedef struct stages {
   space_path path;
   double *pressure, *trial;                  /* [count][window] */
   double *known[ARC_BODIES], *z[ARC_BODIES]; /* [sites] depths [mm], those of the shape included */
+  int linear;                                /* the wear is k p ds; else */
+  double *work[ARC_BODIES], *factor[ARC_BODIES]; /* [sites] of own->pressure, see space_law.c */
 } stages;
 
 arc_status arc_space_begin_stages(wear_stage *s) {
@@ -23,8 +25,11 @@ arc_status arc_space_begin_stages(wear_stage *s) {
   if (status != ARC_OK) return status;
   const size_t nc = (size_t)w->nc, np = (size_t)w->np,
                all = (size_t)(own->path.count > 0 ? own->path.count : 1) * nc;
-  const carve_part parts[] = {{&own->pressure, all}, {&own->trial, all}, {&own->known[0], nc},
-                              {&own->known[1], np},  {&own->z[0], nc},   {&own->z[1], np}};
+  const carve_part parts[] = {{&own->pressure, all}, {&own->trial, all},  {&own->known[0], nc},
+                              {&own->known[1], np},  {&own->z[0], nc},    {&own->z[1], np},
+                              {&own->work[0], nc},   {&own->work[1], np}, {&own->factor[0], nc},
+                              {&own->factor[1], np}};
+  own->linear = arc_space_is_linear(w, s->window.state);
   return ARC_CARVE(parts) ? ARC_OK : ARC_MEMORY;
 }
 
@@ -47,6 +52,17 @@ static void note(wear_stage *s, double peak) {
   s->watch->solutions += own->path.count;
 }
 
+/* Work of own->pressure, and its linear form. */
+static arc_status linearise(wear_stage *s) {
+  stages *own = s->own;
+  arc_status status = ARC_OK;
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++)
+    status =
+        arc_space_linearise(s->run, s->window.state, space_shape_of(s->window.shape), &own->path,
+                            own->pressure, (arc_body)b, own->work[b], own->factor[b], &s->error);
+  return status;
+}
+
 arc_status arc_space_start(wear_stage *s, double *rate) {
   stages *own = s->own;
   arc_wear *w = s->run;
@@ -63,30 +79,46 @@ arc_status arc_space_start(wear_stage *s, double *rate) {
   const arc_status status =
       arc_halfspace_rate(shape->grid->h, depth, own->path.position, own->path.count, &options,
                          own->pressure, to, &report, &s->error);
+  note(s, report.p_max);
+  if (status != ARC_OK) return status;
+  if (!own->linear) {
+    if (linearise(s) != ARC_OK) return s->error.status;
+    for (int b = 0; b < ARC_BODIES; b++)
+      memcpy(to[b], own->work[b], (size_t)sites_of(w, b) * sizeof *to[b]);
+  }
   for (int b = 0; b < ARC_BODIES; b++)
     for (int i = 0; i < sites_of(w, b); i++) to[b][i] *= s->k[b];
-  note(s, report.p_max);
-  return status;
+  return ARC_OK;
 }
 
-/* Solves z = known + h k rate(z), whose known part is the shape's and s->known, with `more` on top
- * where not NULL; starts from `pressure`, and leaves those of the solution there. */
-static arc_status solve(wear_stage *s, double h, const double *more, double *pressure,
-                        double *peak) {
+/* Depths of shape and s->known, with `more` on top where not NULL, and what the work of `pressure`
+ * has beside its linear form. */
+static void set_known(wear_stage *s, double h, const double *more) {
   stages *own = s->own;
   arc_wear *w = s->run;
   const space_shape *shape = space_shape_of(s->window.shape);
-  const arc_halfspace_wear wear = {.c = {h * s->k[ARC_UPPER], h * s->k[ARC_LOWER]}};
+  const double rest = own->linear ? 0 : 1 - arc_space_law_growth(w);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const double *fixed = sites_from(w, s->known, b), *on_top = more ? more : NULL;
+    if (on_top && b == ARC_LOWER) on_top += w->nc;
+    for (int i = 0; i < sites_of(w, b); i++)
+      own->known[b][i] = shape->depth[b][i] + fixed[i] + (on_top ? on_top[i] : 0) +
+                         (rest != 0 ? rest * h * s->k[b] * own->work[b][i] : 0);
+  }
+}
+
+/* Solves own->z = own->known + h k rate of the linear form; starts from `pressure`, and leaves
+ * those of the solution there. */
+static arc_status solve(wear_stage *s, double h, double *pressure, double *peak) {
+  stages *own = s->own;
+  const space_shape *shape = space_shape_of(s->window.shape);
+  const arc_halfspace_wear wear = {
+      .c = {h * s->k[ARC_UPPER], h * s->k[ARC_LOWER]},
+      .factor = {own->linear ? NULL : own->factor[0], own->linear ? NULL : own->factor[1]}};
   const arc_halfspace_options options = {.warm = 1, .callbacks = s->watch->callbacks};
   const double *const known[] = {own->known[ARC_UPPER], own->known[ARC_LOWER]};
   double *const to[] = {own->z[ARC_UPPER], own->z[ARC_LOWER]};
   arc_halfspace_report report = {0};
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const double *fixed = sites_from(w, s->known, b);
-    for (int i = 0; i < sites_of(w, b); i++)
-      own->known[b][i] =
-          shape->depth[b][i] + fixed[i] + (more ? more[(b == ARC_UPPER ? 0 : w->nc) + i] : 0);
-  }
   const arc_status status =
       arc_halfspace_stage(shape->grid->h, known, &wear, own->path.position, own->path.count,
                           &options, pressure, to, &report, &s->error);
@@ -94,12 +126,50 @@ static arc_status solve(wear_stage *s, double h, const double *more, double *pre
   return status;
 }
 
+/* own->z becomes the shape's and s->known depths with the work of own->pressure; returns by how
+ * much it changes, over the deepest. */
+static double take_work(wear_stage *s, double h) {
+  stages *own = s->own;
+  arc_wear *w = s->run;
+  double change = 0, deepest = 0;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const double *fixed = sites_from(w, s->known, b),
+                 *depth = space_shape_of(s->window.shape)->depth[b];
+    for (int i = 0; i < sites_of(w, b); i++) {
+      own->known[b][i] = depth[i] + fixed[i];
+      const double z = own->known[b][i] + h * s->k[b] * own->work[b][i];
+      change = fmax(change, fabs(z - own->z[b][i]));
+      deepest = fmax(deepest, z);
+      own->z[b][i] = z;
+    }
+  }
+  return deepest > 0 ? change / deepest : 0;
+}
+
+/* Passes of the linear form until it is the law. */
+static arc_status solve_law(wear_stage *s, double h, double *peak) {
+  enum { most_passes = 20 };
+  static const double settled = 1e-5; /* of the deepest */
+  stages *own = s->own;
+  for (int pass = 0; pass < most_passes; pass++) {
+    set_known(s, h, NULL);
+    arc_status status = solve(s, h, own->pressure, peak);
+    if (status == ARC_OK) status = linearise(s);
+    if (status != ARC_OK) return status;
+    if (take_work(s, h) < settled) return ARC_OK;
+  }
+  return arc_fail(&s->error, ARC_NOT_CONVERGED, "wear and pressures did not settle in %d passes",
+                  most_passes);
+}
+
 arc_status arc_space_stage(wear_stage *s, double h, double *rate) {
   stages *own = s->own;
   arc_wear *w = s->run;
   double peak = 0;
   if (own->path.count > 0) {
-    const arc_status status = solve(s, h, NULL, own->pressure, &peak);
+    set_known(s, h, NULL);
+    const arc_status status =
+        own->linear ? solve(s, h, own->pressure, &peak) : solve_law(s, h, &peak);
     if (status != ARC_OK) return status;
   }
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -125,7 +195,8 @@ double arc_space_error(wear_stage *s, double h, double *defect) {
   double peak = 0, change = 0, largest = 0;
   if (own->path.count == 0) return 0;
   memcpy(own->trial, own->pressure, all * sizeof *own->trial);
-  if (solve(s, h, defect, own->trial, &peak) != ARC_OK) return -1;
+  set_known(s, h, defect);
+  if (solve(s, h, own->trial, &peak) != ARC_OK) return -1;
   const space_shape *shape = space_shape_of(s->window.shape);
   for (int b = 0; b < ARC_BODIES; b++) {
     double *d = sites_from(w, defect, b);

@@ -181,7 +181,7 @@ static arc_status surfaces(arc_model *model, const arc_wear_def *def, const arc_
 }
 
 static wear_sites sites(const arc_shape *shape, arc_body body) {
-  return (wear_sites){under(shape)->count, under(shape)->x, on(shape)->h[body]};
+  return (wear_sites){under(shape)->count, under(shape)->x, on(shape)->h[body], NULL};
 }
 
 static double area(const arc_shape *shape, arc_body body, int i) {
@@ -318,8 +318,9 @@ static arc_status add_point(arc_wear *w, const wear_window *window, double share
   double *p = w->own, *factor = p + s->count, steepest = 0;
   for (int b = 0; b < ARC_BODIES; b++) {
     const int local = w->def.local_factor && window->state;
+    const wear_sites on = w->kind->sites(w->shape, (arc_body)b);
     arc_status status = ARC_OK;
-    if (local) status = arc_wear_local(w, window->state, (arc_body)b, p, factor, error);
+    if (local) status = arc_wear_local(w, window->state, (arc_body)b, &on, p, factor, error);
     if (status != ARC_OK) return status;
     for (int i = 0; i < s->count; i++) {
       const double q = (local ? factor[i] : 1) * arc_wear_law(w, p[i]);

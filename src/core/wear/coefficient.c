@@ -139,20 +139,20 @@ double arc_wear_law_rubbed(const arc_wear *w, double p, double mu) {
 }
 
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_body body,
-                          const double *p, double *factor, arc_error *error) {
+                          const wear_sites *on, const double *p, double *factor, arc_error *error) {
   const arc_wear_def *d = &w->def;
-  const wear_sites on = w->kind->sites(w->shape, body);
-  for (int i = 0; i < on.count; i++) factor[i] = 1;
+  for (int i = 0; i < on->count; i++) factor[i] = 1;
   if (!d->local_factor) return ARC_OK;
-  const arc_status status = d->local_factor(d->context, body, on.count, on.x, p, state, factor);
+  const arc_status status =
+      d->local_factor(d->context, body, on->count, on->x, on->z, p, state, factor);
   if (status != ARC_OK)
     return arc_fail(error, status, "local_factor failed for the %s at distance %g mm",
                     arc_body_name(body), state->distance);
-  for (int i = 0; i < on.count; i++)
+  for (int i = 0; i < on->count; i++)
     if (!(factor[i] >= 0) || !isfinite(factor[i]))
       return arc_fail(error, ARC_ARGUMENT,
                       "field 'local_factor': expected a number >= 0, got %g for the %s at x = %g "
                       "mm, p = %g MPa",
-                      factor[i], arc_body_name(body), on.x[i], p[i]);
+                      factor[i], arc_body_name(body), on->x[i], p[i]);
   return ARC_OK;
 }

@@ -122,10 +122,10 @@ void arc_wear_note_coefficients(const double k[ARC_BODIES], arc_wear_record *rec
 double arc_wear_law(const arc_wear *w, double p);
 /* The same with friction, whose coefficient the energy law takes. */
 double arc_wear_law_rubbed(const arc_wear *w, double p, double mu);
-/* The local factors of one body under pressures p [sites], to factor [sites]; 1 where the run has
- * none. */
+/* The local factors of one body at sites under pressures p [sites], to factor [sites]; 1 where the
+ * run has none. */
 arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_body body,
-                          const double *p, double *factor, arc_error *error);
+                          const wear_sites *on, const double *p, double *factor, arc_error *error);
 /* dq/dp of the law at a node. */
 double arc_wear_law_slope(const arc_wear *w, double p, double q);
 

@@ -85,8 +85,8 @@ static arc_status ask(void *context, const arc_setting *what, const arc_wear_rec
 typedef struct local_call {
   wear_functions *held;
   arc_body body;
-  int n, at; /* nodes; the one at hand, -1: all of them */
-  const double *x, *p;
+  int n, at;               /* nodes; the one at hand, -1: all of them */
+  const double *x, *z, *p; /* z NULL: in the plane */
   double *factor;
 } local_call;
 
@@ -103,7 +103,8 @@ static int each_node(lua_State *L) {
     lua_pushnumber(L, call->x[i]);
     lua_pushnumber(L, call->p[i]);
     lua_pushvalue(L, 2);
-    lua_call(L, 4, 1);
+    if (call->z) lua_pushnumber(L, call->z[i]);
+    lua_call(L, call->z ? 5 : 4, 1);
     if (lua_type(L, -1) != LUA_TNUMBER)
       return luaL_error(L, "expected a number, got %s", luaL_typename(L, -1));
     call->factor[i] = lua_tonumber(L, -1);
@@ -133,7 +134,8 @@ static int all_nodes(lua_State *L) {
   push_loaded(L, call, call->x);
   push_loaded(L, call, call->p);
   lua_pushvalue(L, 2);
-  lua_call(L, 4, 1);
+  if (call->z) push_loaded(L, call, call->z);
+  lua_call(L, call->z ? 5 : 4, 1);
   if (!lua_istable(L, -1))
     return luaL_error(L, "expected an array of factors, got %s", luaL_typename(L, -1));
   lua_Integer at = 0;
@@ -160,10 +162,10 @@ static void name_local_call(const local_call *call, const arc_wear_record *state
              body_names[call->body], call->x[call->at], call->p[call->at], state->distance);
 }
 
-static arc_status ask_local(void *context, arc_body body, int n, const double *x, const double *p,
-                            const arc_wear_record *state, double *factor) {
+static arc_status ask_local(void *context, arc_body body, int n, const double *x, const double *z,
+                            const double *p, const arc_wear_record *state, double *factor) {
   wear_functions *f = context;
-  local_call call = {f, body, n, -1, x, p, factor};
+  local_call call = {f, body, n, -1, x, z, p, factor};
   called_state before;
   lua_State *L = begin(f, state, &before);
   const int top = lua_gettop(L);
@@ -239,7 +241,7 @@ static void push_vector(lua_State *L, args_place place) {
   args_place inside = {place.where, prefix};
   args_check_names(L, -1, inside, names);
   if (lua_getfield(L, -1, "vector") != LUA_TFUNCTION)
-    args_refuse(L, inside, "vector", "a function(body, xs, ps, state)");
+    args_refuse(L, inside, "vector", "a function(body, xs, ps, state, zs)");
 }
 
 /* Pushes the function that the table gives for a setting, or nil; returns whether the table says

@@ -1,0 +1,77 @@
+/* Wear that is not k p ds: laws of pressure and local factors, summed over positions, and their
+ * linear form for implicit stages. */
+#include "core/space/space_kind.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state) {
+  return (arc_law_properties[w->def.law] & ARC_LAW_LINEAR) && !(w->def.local_factor && state);
+}
+
+/* Arrays over the sites of the window, for one position. */
+typedef struct window_sites {
+  double *value; /* [count][window] law times local factor times pressure */
+  double *x;     /* [window] on the body [mm] */
+  double *factor;
+} window_sites;
+
+static arc_status add_local(const arc_wear *w, const arc_wear_record *state, const space_shape *s,
+                            arc_body body, double at, const double *p, const window_sites *v,
+                            double *value, arc_error *error) {
+  const int n = space_sites(s, ARC_UPPER);
+  const wear_sites on = {n, v->x, NULL, s->grid->z[ARC_UPPER]};
+  for (int i = 0; i < n; i++) v->x[i] = s->grid->x[ARC_UPPER][i] - (body == ARC_LOWER ? at : 0);
+  const arc_status status = arc_wear_local(w, state, body, &on, p, v->factor, error);
+  for (int i = 0; i < n; i++) value[i] *= v->factor[i];
+  return status;
+}
+
+static arc_status fill(const arc_wear *w, const arc_wear_record *state, const space_shape *s,
+                       const space_path *path, const double *pressure, arc_body body,
+                       const window_sites *v, arc_error *error) {
+  const int n = space_sites(s, ARC_UPPER);
+  arc_status status = ARC_OK;
+  for (int j = 0; j < path->count && status == ARC_OK; j++) {
+    const double *p = pressure + (size_t)j * (size_t)n;
+    double *value = v->value + (size_t)j * (size_t)n;
+    for (int i = 0; i < n; i++) value[i] = p[i] > 0 ? arc_wear_law(w, p[i]) : 0;
+    if (w->def.local_factor && state)
+      status = add_local(w, state, s, body, path->position[j].x, p, v, value, error);
+  }
+  return status;
+}
+
+arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const space_shape *s,
+                          const space_path *path, const double *pressure, arc_body body,
+                          double *work, arc_error *error) {
+  const size_t n = (size_t)space_sites(s, ARC_UPPER), all = (size_t)path->count * n;
+  window_sites v = {.value = malloc((all + 2 * n) * sizeof *v.value)};
+  if (!v.value) return arc_fail(error, ARC_MEMORY, "out of memory for the wear of a cycle");
+  v.x = v.value + all;
+  v.factor = v.x + n;
+  arc_status status = fill(w, state, s, path, pressure, body, &v, error);
+  if (status == ARC_OK)
+    status = arc_halfspace_sum(s->grid->h, path->position, path->count, v.value, body, work, error);
+  free(v.value);
+  return status;
+}
+
+/* Laws that grow faster than p are followed by their tangent, which keeps long steps from
+ * oscillating; others by the secant, as their tangent has no bound where p is small. */
+double arc_space_law_growth(const arc_wear *w) {
+  return fmax(1, arc_wear_law_slope(w, 1, 1));
+}
+
+arc_status arc_space_linearise(const arc_wear *w, const arc_wear_record *state,
+                               const space_shape *s, const space_path *path, const double *pressure,
+                               arc_body body, double *work, double *factor, arc_error *error) {
+  const double growth = arc_space_law_growth(w), unloaded = arc_wear_law_slope(w, 0, 0);
+  arc_status status = arc_space_work(w, state, s, path, pressure, body, work, error);
+  if (status == ARC_OK)
+    status =
+        arc_halfspace_sum(s->grid->h, path->position, path->count, pressure, body, factor, error);
+  for (int i = 0; i < space_sites(s, (int)body) && status == ARC_OK; i++)
+    factor[i] = factor[i] > 0 ? growth * work[i] / factor[i] : unloaded;
+  return status;
+}
