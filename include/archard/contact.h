@@ -129,7 +129,8 @@ extern const char *const arc_press_names[];
         "The bodies. One is built where none is given.")                                           \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", 0,                         \
         "Shape of the surfaces: that of a wear run; or for each body a function f(x) that gives "  \
-        "the depth, or a measured profile { x={...}, h={...} }, in mm. Left out: unworn.")
+        "the depth, or a measured profile { x={...}, h={...} }, in mm; in 3-D a function f(x, z) " \
+        "or a map of depths. Left out: unworn.")
 
 typedef struct arc_contact_def {
   ARC_CONTACT_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE, ARC_MEMBER_CHOICE, ARC_MEMBER_OTHER)

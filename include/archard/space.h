@@ -14,7 +14,7 @@
 #ifndef ARCHARD_SPACE_H
 #define ARCHARD_SPACE_H
 
-#include "archard/body.h"
+#include "archard/wear.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -172,6 +172,23 @@ arc_status arc_halfspace_regrow(const arc_halfspace *from, const double *const d
  * track for a stroke [mm]; nothing where the bodies' radii make no contact of a point. */
 void arc_halfspace_fit(arc_halfspace_def *def, double load, double volume, double stroke,
                        double increment, double fineness);
+
+/* --- depths to start from -----------------------------------------------------------------------
+ */
+
+/* An unworn shape on a model in 3-D, on the cells that a run of this definition begins with, its
+ * window at least from -half_x to half_x and -half_z to half_z [mm]. ARC_ARGUMENT, ARC_MEMORY;
+ * *shape is NULL then. */
+arc_status arc_space_given_create(arc_model *model, const arc_wear_def *def, double half_x,
+                                  double half_z, arc_shape **shape, arc_error *error);
+/* Number of sites of a body, and where they are [mm]: arrays of the shape. A groove's are at x = 0.
+ */
+int arc_space_given_sites(const arc_shape *shape, arc_body body, const double **x,
+                          const double **z);
+/* Sets the depths of a body [mm] by site. ARC_ARGUMENT (a depth below 0), ARC_ZONE (one above 0 at
+ * the border of the window, beyond which more is worn): the shape is unchanged. */
+arc_status arc_space_given_depths(arc_shape *shape, arc_body body, const double *depth,
+                                  arc_error *error);
 
 /* --- below the surface --------------------------------------------------------------------------
  */

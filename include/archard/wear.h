@@ -230,7 +230,8 @@ typedef struct arc_loading {
         "The bodies. Without it one is built on first use whose contact zones suit the stroke.")   \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", ARC_FIXED,                 \
         "Shape of the surfaces to start from: that of a wear run; or for each body a function "    \
-        "f(x) that gives the depth, or a measured profile { x={...}, h={...} }, in mm. Depths "    \
+        "f(x) that gives the depth, or a measured profile { x={...}, h={...} }, in mm; in 3-D a "  \
+        "function f(x, z) or a map of depths, which is 0 outside the scar. Depths "                \
         "and alpha-tilde count from the unworn shape, volumes from this one.")                     \
   OTHER(loading, "a block { x=, load= } or a list of them", NULL, 0,                               \
         "A cycle of your own instead of stroke and load: x and load as functions of t, which "     \

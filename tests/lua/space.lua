@@ -144,7 +144,25 @@ fails(function() w:contact():stress() end, "half-spaces", "no stresses")
 fails(function() w:combined() end, "half-spaces", "no combined profile")
 fails(function() export.inp(m, "x.inp") end, "half-spaces", "no input deck")
 fails(function() w:set{ mesh = { size = 0.01 } } end, "mesh", "cells stay")
-fails(function() wear{ model = m, worn = { cylinder = function() return 0 end } } end, "worn", "depths by functions")
+
+-- --- depths to start from ---------------------------------------------------------------------------
+local maps = { ball = opened:map "ball", block = opened:map "block" }
+local from_maps, from_run = run{ worn = maps, distance = 20 }, run{ worn = opened, distance = 20 }
+near(from_maps.depth.block, from_run.depth.block, 1e-6, "depths from maps")
+from_maps:run()
+from_run:run()
+near(from_maps.depth.block, from_run.depth.block, 1e-4, "wear on as those of the run that made them")
+local groove_depth = function(x, z) return math.abs(x) < 0.5 and math.max(0, 1e-4 - z * z / 20) or 0 end
+local pressed = contact{ model = m, load = 10, worn = { block = groove_depth } }
+ok(pressed.half_width_z > 1.02 * pressed.half_width, "a groove by a function")
+for _, wrong in ipairs{
+  { function() return 1 end, "0 at the border of the window" }, { function() return -1 end, "expected a depth >= 0 in mm, got -1" },
+  { { x = { 0, 1 }, h = { 0, 1 } }, "a function (x, z) -> depth or a map" }, { { x = { 1 }, y = { 1 }, z = { 1 } }, "expected a map, as map{} makes one" },
+  { _G.map{ x = { -1, 0, 1 }, z = { -1, 0, 1 }, y = { 0, 0, 0, 0, -1, 0, 0, 0, 0 } }, "expected depths >= 0 mm, got -1" },
+} do
+  fails(function() run{ worn = { ball = wrong[1] } } end, wrong[2], "worn: " .. wrong[2])
+end
+fails(function() wear{ worn = { plate = maps.ball } } end, "maps are for geometry", "a map in the plane")
 
 fails(function() plot.mesh(m) end, "a model that has none", "no mesh to draw")
 fails(function() plot.map(w, "width") end, "what", "a map of another name")

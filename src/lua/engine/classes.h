@@ -116,9 +116,15 @@ extern const box_class shape_class; /* thing: arc_shape; internal */
  * object, or a table by body of functions or { x=, h= }. */
 void worn_check(lua_State *L, int index, const char *where);
 
-/* Pushes a box that holds a new shape on `model`, worn as the value at index `worn` says. */
-arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, arc_geometry geometry,
-                           double refresh, const char *where);
+/* Pushes a box that holds a new shape on `model`, worn as the value at index `worn` says, for a run
+ * of this definition. */
+arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
+                           const char *where);
+/* The same in 3-D, of a table by body (worn_map.c). */
+arc_shape *worn_push_map(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
+                         const char *where);
+/* Whether the table at `index` is a map, or has its fields (worn_map.c). */
+int worn_is_map(lua_State *L, int index);
 
 /* The definition of the model that a worn wear object lives on; NULL for anything else. */
 const arc_model_def *worn_model_def(lua_State *L, int worn);

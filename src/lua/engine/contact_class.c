@@ -206,12 +206,16 @@ static arc_status needed_zones(const void *asker, const arc_model_def *model,
 }
 
 /* Pushes what holds the shape; a worn object on the same model lends its own. */
-static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model) {
-  const arc_geometry geometry =
-      arc_model_is_given(model) ? ARC_FROZEN : arc_wear_default().geometry;
+static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model, double load) {
+  arc_wear_def def = arc_wear_default();
+  if (arc_model_is_given(model)) def.geometry = ARC_FROZEN;
+  def.refresh = 0;
+  def.load = load;
+  def.alpha = 1;
+  def.procedure = ARC_NSP; /* at one position */
   box *other = box_test(L, worn, &wear_class);
   if (!other || arc_wear_model(other->thing) != model)
-    return worn_push_shape(L, worn, model, geometry, 0, "contact");
+    return worn_push_shape(L, worn, model, &def, "contact");
   lua_pushvalue(L, worn);
   return arc_wear_shape(other->thing);
 }
@@ -254,7 +258,7 @@ static int contact_new(lua_State *L) {
   int worn = lua_gettop(L);
   arc_model *model = model_argument(L, worn, "contact", def.load, needed_zones, &def);
   int holder = lua_gettop(L);
-  const arc_shape *shape = push_shape(L, worn, model);
+  const arc_shape *shape = push_shape(L, worn, model, def.load);
   return solve_new(L, holder, "contact", &(request){.shape = shape, .def = &def});
 }
 

@@ -107,11 +107,12 @@ void worn_check(lua_State *L, int index, const char *where) {
   args_check_names(L, worn, (args_place){where, "worn."}, by_body);
   for (int body = 0; body < ARC_BODIES; body++) {
     int type = lua_getfield(L, worn, body_names[body]);
-    if (type == LUA_TTABLE)
+    const int map = type == LUA_TTABLE && worn_is_map(L, -1);
+    if (type == LUA_TTABLE && !map)
       push_profile(L, -1, (args_place){where, prefixes[body]});
-    else if (type != LUA_TNIL && type != LUA_TFUNCTION)
+    else if (type != LUA_TNIL && type != LUA_TFUNCTION && !map)
       args_refuse(L, (args_place){where, "worn."}, body_names[body],
-                  "a function of x or a table { x=, h= }");
+                  "a function of x, a table { x=, h= } or, in 3-D, a map");
     lua_settop(L, worn);
   }
 }
@@ -159,6 +160,9 @@ static int sample(lua_State *L, int worn, const arc_shape *shape, arc_body body,
   const arc_profile nodes = arc_shape_profile(shape, body);
   const char *name = body_names[body];
   int type = lua_getfield(L, worn, name), value = lua_gettop(L);
+  if (type == LUA_TTABLE && worn_is_map(L, value))
+    args_refuse(L, (args_place){where, "worn."}, name,
+                "a function of x or a table { x=, h= }: maps are for geometry = \"3-D\"");
   if (type == LUA_TTABLE)
     sample_profile(L, value, (args_place){where, prefixes[body]}, shape, body, depth);
   for (int i = 0; type == LUA_TFUNCTION && i < nodes.count; i++)
@@ -189,18 +193,16 @@ static void wear_body(lua_State *L, int worn, arc_shape *shape, arc_body body, c
   lua_settop(L, top);
 }
 
-arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, arc_geometry geometry,
-                           double refresh, const char *where) {
+arc_shape *worn_push_shape(lua_State *L, int worn, arc_model *model, const arc_wear_def *def,
+                           const char *where) {
   arc_error error = {0};
   arc_shape *shape = NULL;
   worn = lua_absindex(L, worn);
   luaL_checkstack(L, 12, where);
   if (!lua_isnil(L, worn) && arc_model_has_maps(arc_model_definition(model)))
-    error_raise(L, ARC_ARGUMENT, where,
-                "field 'worn': with geometry = \"3-D\" expected a wear object on the same model "
-                "(model = w.model), or nothing");
+    return worn_push_map(L, worn, model, def, where);
   box *holder = box_push(L, &shape_class);
-  arc_status status = arc_shape_create(model, geometry, refresh, &shape, &error);
+  arc_status status = arc_shape_create(model, def->geometry, def->refresh, &shape, &error);
   holder->thing = shape;
   error_check(L, status, &error, where, -1);
   box *other = box_test(L, worn, &wear_class);

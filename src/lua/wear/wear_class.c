@@ -29,7 +29,7 @@ static const arc_shape *push_start(lua_State *L, int worn, arc_model *model,
   if (other && arc_wear_model(other->thing) == model &&
       arc_wear_definition(other->thing)->geometry == def->geometry)
     return arc_wear_shape(other->thing);
-  return worn_push_shape(L, worn, model, def->geometry, def->refresh, "wear");
+  return worn_push_shape(L, worn, model, def, "wear");
 }
 
 /* Makes the holder of functions at `index` the user value of the box on top of the stack. */
