@@ -4,7 +4,7 @@
 local folder = arg[1] or "."
 local function to(ending) return folder .. "/reference" .. ending end
 
-local w = wear{ distance = 660 }:run{ progress = false }
+local w = wear{ distance = 660, jump = 100 }:run{ progress = false }
 w:save(to ".archard")      -- all that it needs to go on, for wear.open and sqlite3
 export.csv(w, to ".csv")   -- its history, each column with its unit
 export.json(w, to ".json") -- definition, results and versions
@@ -18,7 +18,7 @@ end
 
 -- A run goes on where its file was written, to the same bits as if it had not stopped.
 local again = wear.open(to ".archard"):run{ distance = 1320, progress = false }
-local through = wear{ distance = 1320 }:run{ progress = false }
+local through = wear{ distance = 1320, jump = 100 }:run{ progress = false }
 print(("\nplate %.9f um by way of the file, %.9f um in one go\n"):format(1e3 * again.depth.plate,
   1e3 * through.depth.plate))
 

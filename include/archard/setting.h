@@ -42,7 +42,7 @@ enum { ARC_TEXT_SIZE = 32 };
 enum {
   ARC_FUNCTION = 1,  /* a function of the state */
   ARC_SERIES = 2,    /* a table over distance */
-  ARC_AUTOMATIC = 4, /* the word "auto"; 0 in the struct where it has no member of its own */
+  ARC_AUTOMATIC = 4, /* the word "auto"; 0 in the struct */
   ARC_OPTIONAL = 8,  /* 0 in the struct: not given */
   ARC_FIXED = 16     /* cannot be changed in what has been made */
 };
@@ -60,8 +60,8 @@ typedef struct arc_setting {
   const struct arc_setting *group;
   arc_setting_kind kind;
   unsigned forms;
-  size_t offset;                      /* of the member in the struct */
-  size_t function, series, automatic; /* of the members for the other forms; 0: none */
+  size_t offset;           /* of the member in the struct */
+  size_t function, series; /* of the members for the other forms; 0: none */
   double usual, low, high;
   int open;     /* which ends of the range do not belong to it */
   int multiple; /* whole numbers: of what they are multiples; 0: any */
@@ -93,8 +93,7 @@ typedef struct arc_series {
 #define ARC_MEMBER_QUANTITY(name, unit, usual, range, forms, text)                                 \
   double name;                                                                                     \
   arc_state_fn name##_function; /* instead of the number, where not NULL */                        \
-  arc_series name##_series;     /* instead of the number, where it has points */                   \
-  int name##_auto;              /* non-zero: found by the program */
+  arc_series name##_series;     /* instead of the number, where it has points */
 #define ARC_MEMBER_TEXT(name, type, forms, text)              char name[ARC_TEXT_SIZE];
 #define ARC_MEMBER_FUNCTION(name, type, pointer, forms, text) pointer name;
 #define ARC_MEMBER_OTHER(name, type, class_name, forms, text)
@@ -140,7 +139,6 @@ typedef struct arc_series {
    .usual = usual_,                                                                                \
    .function = offsetof(ARC_SETTING_OF, name_##_function),                                         \
    .series = offsetof(ARC_SETTING_OF, name_##_series),                                             \
-   .automatic = offsetof(ARC_SETTING_OF, name_##_auto),                                            \
    ARC_RANGE_##range},
 #define ARC_SETTING_TEXT(name_, type_, forms_, text_)                                              \
   {.name = #name_,                                                                                 \

@@ -28,7 +28,7 @@ extern "C" {
 #pragma GCC visibility push(default)
 
 /* The file's user_version. One more whenever a table changes; see src/store/schema.c. */
-#define ARC_STORE_FORMAT 5
+#define ARC_STORE_FORMAT 6
 
 typedef struct arc_store arc_store;
 

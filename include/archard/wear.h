@@ -148,11 +148,11 @@ typedef struct arc_loading {
   OTHER(cycles, "a number > 0 cycles", NULL, 0,                                                    \
         "Loading cycles to simulate, N = d_t / (r s_t) (Eq. 21). Give this or distance.")          \
   QUANTITY(                                                                                        \
-      jump, "cycles", 100, ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                                 \
-      "Cycles from one geometry update to the next (N-bar). Pressures are kept meanwhile, and "    \
-      "too large a jump makes the surfaces rough. \"auto\" follows an estimate of the error "      \
-      "instead, by updates of second order in several stages, each within the limit of "           \
-      "roughness. A function gets the state before the update.")                                   \
+      jump, "cycles", 0, ABOVE(0), ARC_AUTOMATIC | ARC_FUNCTION,                                   \
+      "Cycles from one geometry update to the next (N-bar). \"auto\" follows an estimate of the "  \
+      "error, by updates of second order in several stages. With a number pressures are kept "     \
+      "between two updates, as in the paper; too large a one makes the surfaces rough. A "         \
+      "function gets the state before the update.")                                                \
   WHOLE(increments, "", 0, EVEN(2, 100000), ARC_AUTOMATIC,                                         \
         "Increments n_c of a full cycle. Half of them are simulated, the way back being like the " \
         "way out (Eq. 22). \"auto\": 100, or more where the plate would move by more than an "     \
@@ -224,8 +224,8 @@ typedef struct arc_loading {
       tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                               \
       "Bound on the error of an implicit run's depths, over the deepest, at every node of more "   \
       "than a twentieth of that; pressures keep to 10 times as much in the mean, single nodes "    \
-      "at the edge of the contact do not. The run then chooses its own steps. None: steps of "     \
-      "jump.")                                                                                     \
+      "at the edge of the contact do not. The run then chooses its own steps. Of implicit runs "   \
+      "with neither tolerance nor jump: 1e-3. None: steps of jump.")                               \
   OTHER(model, "a model object or a table of its fields", "model", ARC_FIXED,                      \
         "The bodies. Without it one is built on first use whose contact zones suit the stroke.")   \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", ARC_FIXED,                 \
@@ -271,8 +271,11 @@ enum {
 
 arc_wear_def arc_wear_default(void);
 
-/* Sets how steps are made, where nothing is given: in 3-D the implicit scheme with a tolerance of
- * 1e-3, in the plane what the settings say. */
+/* Tolerance of implicit runs where neither it nor a jump is given. */
+#define ARC_USUAL_TOLERANCE 1e-3
+
+/* Sets how steps are made, where nothing is given: in 3-D the implicit scheme, in the plane
+ * jump = "auto". */
 void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model);
 
 /* Sets k = k_c + k_p and alpha = k_c / k (Eqs. 18 and 19) from the coefficients of the bodies

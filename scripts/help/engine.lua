@@ -219,7 +219,7 @@ return {
     text = "Wear depth of the plate to start from." },
 
   { "wear.step", kind = "method", use = "w:step(n)",
-    text = "Makes n geometry updates (1 without n), each of jump cycles, the last one shorter so "
+    text = "Makes n geometry updates (1 without n), as long as jump says, the last one shorter so "
       .. "that the distance is met exactly. Returns the record of the last. A step completes or "
       .. "leaves everything as it was." },
   { "wear.run", kind = "method", use = "w:run{ distance= }",

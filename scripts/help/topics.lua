@@ -91,13 +91,16 @@ archard's own meshes, examples/gmsh_pair.geo shows how to make one:
 
   gmsh -2 -order 1 -format msh41 -o gmsh_pair.msh gmsh_pair.geo]] },
   { "steps", [[
-One update of the geometry wears jump cycles together. Past a limit ripples grow and make the surfaces rough: w:stability()
-tells it, and runs past it warn. Longer strokes and smaller elements have lower limits. What to do, from the simplest on:
+One update of the geometry wears many cycles together. How many:
 
-  jump = "auto"        explicit steps that follow an estimate of their error
-  scheme = "implicit"  with tolerance = 1e-3: long steps, by accuracy
+  jump = "auto"        the default: explicit steps that follow an estimate of
+                       their error
+  scheme = "implicit"  long steps by tolerance, 1e-3 where none is given
   jump = 50            fixed, as the paper does: 100 for most at 0.11 mm,
                        20 to 50 for longer strokes, at elements of 20 um
+
+Past a limit a fixed jump lets ripples grow that make the surfaces rough: w:stability() computes it, and runs past it warn.
+Longer strokes and smaller elements have lower limits.
 
 increments divide a cycle: "auto" takes enough of them that the plate moves by less than an eighth of the half width in each.
 w:step() makes one update, w:run() all; Ctrl-C stops after the running step, and w:run() goes on. examples "steps" compares them.]] },

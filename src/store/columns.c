@@ -99,7 +99,6 @@ static void put_instead(FILE *to, const char *path, unsigned forms) {
   fputs("''", to);
   if (forms & ARC_FUNCTION) fprintf(to, ", '%s_function'", path);
   if (forms & ARC_SERIES) fprintf(to, ", '%s_series.value'", path);
-  if (forms & ARC_AUTOMATIC) fprintf(to, ", '%s_auto'", path);
   if (strcmp(path, "stroke") == 0 || strcmp(path, "increments") == 0) fputs(", 'blocks'", to);
 }
 

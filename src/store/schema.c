@@ -128,6 +128,15 @@ static const struct migration {
      "ALTER TABLE surfaces RENAME TO older_surfaces;"
      "ALTER TABLE state RENAME TO older_state;" MAKE_ARRAYS,
      to_arrays},
+    /* "auto" was a value of its own; a case that gave no steps meant 100 cycles. */
+    {5, "",
+     "UPDATE definition SET value = 0.0 WHERE name = 'jump' AND EXISTS (SELECT 1 FROM definition d"
+     "  WHERE d.case_id = definition.case_id AND d.name = 'jump_auto' AND d.value <> 0);"
+     "DELETE FROM definition WHERE name = 'jump_auto';"
+     "INSERT INTO settings SELECT id, 'jump', 100.0 FROM cases WHERE NOT EXISTS (SELECT 1"
+     "  FROM settings WHERE case_id = id AND (name IN ('jump', 'tolerance', 'scheme')"
+     "  OR name = 'model.geometry' AND value = '3-D'))"
+     "  AND EXISTS (SELECT 1 FROM info WHERE name = 'kind' AND value = 'study');"},
 };
 
 enum { MIGRATIONS = sizeof migrations / sizeof *migrations };
@@ -162,7 +171,7 @@ static arc_status migrate(arc_store *store, long long format, arc_error *error) 
   arc_status status = forget_views(store, format, error);
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)
     status = arc_database_run(store->db, migrations[m].names, error);
-  store->older = 1;
+  store->older = format < 5; /* surfaces and state were tables then */
   if (status == ARC_OK) status = arc_store_unseal_sound(store, error);
   store->older = 0;
   for (int m = (int)format - 1; m < MIGRATIONS && status == ARC_OK; m++)

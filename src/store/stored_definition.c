@@ -1,6 +1,6 @@
 /* The engine's definitions as named values. One table says which values there are, of what kind and
  * where they stand in the definitions; it is made from the lists of settings and serves writing,
- * reading and checking: a new setting needs nothing here. Beside a setting NAME stand NAME_auto,
+ * reading and checking: a new setting needs nothing here. Beside a setting NAME stand
  * NAME_function (only that it was one), NAME_series.distance and NAME_series.value. */
 #include "archard/export.h"
 #include "store/store.h"
@@ -61,8 +61,6 @@ static int add_setting(void *context, const char *path, const arc_setting *s, co
   if (s->kind == ARC_CHOICE) plain.kind = SLOT_CHOICE, plain.choices = s->choices;
   if (s->kind == ARC_TEXT) plain.kind = SLOT_TEXT;
   add(list, path, "", plain);
-  if (s->automatic && s->forms & ARC_AUTOMATIC)
-    add(list, path, "_auto", (slot){.kind = SLOT_WHOLE, .at = of + s->automatic});
   if (s->forms & ARC_SERIES) add_series(list, path, (arc_series *)(void *)(of + s->series));
   return 0;
 }

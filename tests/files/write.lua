@@ -1,18 +1,26 @@
 -- Writes the run files by which later programs are tested; run it with a release's own program:
 --   archard tests/files/write.lua tests/files/format-N.
 local prefix = arg and arg[1]
-local base = { geometry = "frozen", increments = 8, distance = 88,
+local base = { geometry = "frozen", increments = 8, distance = 88, jump = 100,
   model = { mesh = { size = 0.06, height = 0.06 } } }
 
 local function new_study() return study{ name = "old", base = base, looks = 1,
   vary = { alpha = { 0.25, 0.5 } } } end
 
-local function new_wear() return wear(base) end
+local function new_wear(jump)
+  local definition = {}
+  for name, value in pairs(base) do definition[name] = value end
+  definition.jump = jump or base.jump
+  return wear(definition)
+end
 
 if arg and arg[0] and arg[0]:find "write%.lua$" then
   local run = new_wear()
   run:step(2)
   run:save(prefix .. "wear")
+  local auto = new_wear "auto"
+  auto:step(2)
+  auto:save(prefix .. "auto")
   new_study():run{ file = prefix .. "study", workers = 1, progress = false }
   new_study():run{ file = prefix .. "share", workers = 1, shard = "1/2", progress = false }
 end

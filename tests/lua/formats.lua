@@ -115,6 +115,13 @@ local function test_format(format)
   same(history_of(run), history_of(direct), of "which goes on")
   is(run:save(path "wear"), run, of "and takes its file's place")
   is(wear.open(path "wear").update, direct.update, of "in today's format")
+
+  if not copy(file "auto", "auto") then return end
+  local automatic, like = wear.open(path "auto"), fresh.wear "auto"
+  is(automatic.jump, "auto", of "a run with its own steps")
+  automatic:run()
+  like:run()
+  same(history_of(automatic), history_of(like), of "which goes on so")
 end
 
 local format = 1

@@ -7,6 +7,7 @@ local bodies = model{ mesh = { zone = { cylinder = 1, plate = 1.3 } } }
 local function run_of(fields)
   fields.model = fields.model or bodies
   fields.increments = fields.increments or not fields.loading and 4 or nil
+  fields.jump = fields.jump or not fields.tolerance and 100 or nil
   return wear(fields)
 end
 

@@ -22,7 +22,7 @@ end
 
 -- `good` is what takes the function's place then; the run stands after five updates, or as many as given.
 local function try(name, fields, parts, good, stands)
-  fields.model, fields.distance = m, 440
+  fields.model, fields.distance, fields.jump = m, 440, fields.jump or 100
   local w = wear(fields)
   stands = stands or 5
   local err = fails(function() w:run() end, parts, name .. ": it is told where and why")
@@ -50,7 +50,7 @@ try("friction", { friction = failing(0.2) }, { "friction(state at distance 110 m
 -- --- those of one call ---------------------------------------------------------------------------
 for _, name in ipairs{ "progress", "stop_when" } do
   asked = 0
-  local w = wear{ model = m, distance = 440 }
+  local w = wear{ model = m, distance = 440, jump = 100 }
   fails(function()
     w:run{ [name] = function(run)
       if run.update < 5 then return end
@@ -64,7 +64,7 @@ for _, name in ipairs{ "progress", "stop_when" } do
 end
 
 asked = 0
-local w = wear{ model = m, distance = 440, local_factor = function(_, _, _, state)
+local w = wear{ model = m, distance = 440, jump = 100, local_factor = function(_, _, _, state)
   if state.update < 5 then return 1 end
   asked = asked + 1
   error "boom"
@@ -75,7 +75,7 @@ is(asked .. " " .. w.update, "1 5", "local_factor: at once, at a whole step")
 -- Wherever it fails first, also where the engine only looks ahead and could go on without.
 for nth = 2, 12 do
   asked = 0
-  local w = wear{ model = m, distance = 440, alpha = function()
+  local w = wear{ model = m, distance = 440, jump = 100, alpha = function()
     asked = asked + 1
     if asked == nth then error "boom" end
     return 0.5

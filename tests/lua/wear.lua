@@ -4,12 +4,13 @@ local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
 -- the definition can be read back
-local w = wear{}
+local automatic = wear{}
 for name, value in pairs{ k = 1e-8, alpha = 0.5, load = 100, stroke = 0.11, total_distance = 1320,
-  jump = 100, increments = "auto", strokes = 2, procedure = "SP", scheme = "explicit", slip = "rigid",
+  jump = "auto", increments = "auto", strokes = 2, procedure = "SP", scheme = "explicit", slip = "rigid",
   rule = "trapezoid", geometry = "moving", distance = 0, cycle = 0, update = 0, done = false } do
-  is(w[name], value, "wear{}." .. name)
+  is(automatic[name], value, "wear{}." .. name)
 end
+local w = wear{ jump = 100 }
 near(w.cycles, 6000, 1e-12, "cycles of the whole distance")
 near(w.p_center, hertz{}.p_max, 5e-3, "unworn: Hertz' pressure")
 is(w.volume.total, 0, "unworn: no volume")

@@ -107,9 +107,9 @@ static void test_stop(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
   check_stops(&def, 31);
-  def.jump_auto = 1;
-  check_stops(&def, 67);
-  def.jump_auto = 0;
+  arc_wear_def automatic = def;
+  automatic.jump = 0;
+  check_stops(&automatic, 67);
   def.increments = 4;
   def.scheme = ARC_IMPLICIT;
   check_stops(&def, 60);
@@ -206,7 +206,7 @@ static void test_copies_go_on(void **state) {
         arc_wear_def def = quick(strokes[s], alphas[a]);
         def.geometry = (arc_geometry)geometry;
         check_goes_on(&def);
-        def.jump_auto = 1; /* the estimates of earlier steps stand in the history */
+        def.jump = 0; /* the estimates of earlier steps stand in the history */
         def.k = 5e-8;
         check_goes_on(&def);
       }

@@ -48,6 +48,7 @@ static arc_wear *given_run(arc_model *model, double distance) {
   def.geometry = ARC_FROZEN;
   def.distance = 330;
   def.increments = 20;
+  def.jump = 100;
   assert_true(arc_wear_def_of_bodies(&def, arc_model_definition(model)));
   must(arc_wear_create(model, &def, NULL, &wear, &error), &error);
   must(arc_wear_run(wear, distance, NULL, &error), &error);

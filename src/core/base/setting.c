@@ -33,13 +33,13 @@ double arc_setting_number(const arc_setting *s, const void *def) {
   return s->kind == ARC_NUMBER ? *(const double *)member : *(const int *)member;
 }
 
-int arc_setting_is_auto(const arc_setting *s, const void *def) {
-  if (s->automatic) return *(const int *)at(def, s->automatic) != 0;
-  return s->forms & ARC_AUTOMATIC && arc_setting_number(s, def) == 0;
-}
-
 arc_series arc_setting_series(const arc_setting *s, const void *def) {
   return s->series ? *(const arc_series *)at(def, s->series) : (arc_series){0};
+}
+
+int arc_setting_is_auto(const arc_setting *s, const void *def) {
+  return s->forms & ARC_AUTOMATIC && arc_setting_number(s, def) == 0 &&
+         !arc_setting_has_function(s, def) && arc_setting_series(s, def).count == 0;
 }
 
 const arc_setting *arc_setting_find(const arc_setting *list, const char *name) {
@@ -111,7 +111,7 @@ const char *arc_setting_expected(const arc_setting *s, char *text, size_t size) 
 
 const char *arc_setting_usual(const arc_setting *s) {
   if (s->kind == ARC_CHOICE) return s->choices[(int)s->usual];
-  if (s->forms & ARC_AUTOMATIC && !s->automatic && s->usual == 0) return "\"auto\"";
+  if (s->forms & ARC_AUTOMATIC && s->usual == 0) return "\"auto\"";
   return s->usual_text && !(s->forms & ARC_OPTIONAL && s->usual == 0) ? s->usual_text : "";
 }
 

@@ -72,7 +72,7 @@ arc_status arc_space_check(const arc_wear_def *d, const arc_model_def *model, ar
 
 void arc_space_usual(arc_wear_def *def) {
   def->scheme = ARC_IMPLICIT;
-  def->tolerance = 1e-3;
+  def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
 static int rests(const arc_wear_def *d) {

@@ -14,6 +14,8 @@ static const double tolerance = 1e-5;
 /* A step as short as this share of the update holds a jump; so near its ends none is looked for,
  * and functions are asked no nearer, so that a jump right there belongs to one update only. */
 static const double shortest = 1e-9, margin = 1e-7;
+/* The same of tables, whose points are known. */
+static const double table_margin = 1e-10;
 /* So much of a step lies before the point of a table that it ends at, where the table may jump. */
 static const double before_point = 1 - 1e-9;
 /* What is a jump: this share of the larger value, over an interval of a table that is so much
@@ -58,7 +60,8 @@ static double total(const double k[WEAR_COEFFICIENTS]) {
 static arc_status ask(dose_way *s, double share, const double y[WEAR_COEFFICIENTS],
                       double k[WEAR_COEFFICIENTS]) {
   const wear_dose gone = {s->plan->times, {y[ARC_CYLINDER], y[ARC_PLATE]}, {0}, NULL, 0, 0};
-  const double inside = fmin(fmax(share, margin), 1 - margin);
+  const double off = arc_wear_has_state_functions(s->w) ? margin : table_margin;
+  const double inside = fmin(fmax(share, off), 1 - off);
   const arc_wear_record state = arc_wear_on_the_way(s->w, s->plan, inside, s->rate, &gone);
   arc_status status =
       arc_wear_coefficients(s->w, state.distance, state.distance, &state, k, s->error);

@@ -51,6 +51,10 @@ int arc_wear_alpha_stays_one(const arc_wear_def *def) {
   return def->alpha == 1 && !def->alpha_function && def->alpha_series.count == 0;
 }
 
+int arc_wear_jump_is_auto(const arc_wear_def *def) {
+  return def->jump == 0 && !def->jump_function;
+}
+
 void arc_wear_def_usual(arc_wear_def *def, const arc_model_def *model) {
   const arc_kind *kind = arc_kind_of(model);
   if (kind->usual) kind->usual(def);
@@ -187,10 +191,9 @@ static arc_status check_scheme(const arc_wear_def *d, arc_error *error) {
                     "field 'tolerance': no step is short enough for law = \"%s\", which jumps; use "
                     "scheme = \"explicit\" with jump = \"auto\"",
                     arc_law_names[d->law]);
-  if (d->jump_auto && d->scheme == ARC_IMPLICIT)
+  if (d->scheme == ARC_IMPLICIT && d->tolerance == 0 && arc_wear_jump_is_auto(d))
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'jump': \"auto\" is for scheme = \"explicit\"; give the implicit scheme "
-                    "a tolerance");
+                    "field 'tolerance': implicit steps of jump = \"auto\" go by it; give one");
   return ARC_OK;
 }
 

@@ -81,6 +81,7 @@ arc_status arc_wear_def_copy(const arc_wear_def *def, arc_wear_def *copy);
 void arc_wear_def_free(arc_wear_def *def);
 /* Whether only the upper body wears, all the time. */
 int arc_wear_alpha_stays_one(const arc_wear_def *def);
+int arc_wear_jump_is_auto(const arc_wear_def *def);
 /* Whether a run is one with friction, and whether its coefficient is one number all the time. */
 int arc_wear_has_friction(const arc_wear_def *def);
 int arc_wear_friction_is_known(const arc_wear_def *def);

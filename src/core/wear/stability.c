@@ -38,7 +38,7 @@ arc_status arc_wear_stability(arc_wear *w, const arc_callbacks *callbacks, doubl
 
 /* Explicit jumps that the user chose, of whole cycles. */
 static int may_ripple(const arc_wear *w, const wear_block *block) {
-  return w->def.scheme == ARC_EXPLICIT && !w->def.jump_auto && block->periodic;
+  return w->def.scheme == ARC_EXPLICIT && !arc_wear_jump_is_auto(&w->def) && block->periodic;
 }
 
 /* What the eigenvalue may have become at most: it is linear in the coefficients together. */

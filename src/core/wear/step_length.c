@@ -134,10 +134,10 @@ static arc_status choose_jump(arc_wear *w, const arc_callbacks *callbacks, wear_
   const int own = w->def.scheme == ARC_EXPLICIT && !w->def.jump_function &&
                   arc_law_properties[w->def.law] & ARC_LAW_JUMPS;
   *jump = INFINITY;
-  if (own) *jump = w->def.jump; /* a law with a jump in it takes stages, and no more than that */
-  if (w->def.jump_auto || own) return plan_automatic(w, callbacks, plan, error);
   if (w->def.scheme == ARC_IMPLICIT && w->def.tolerance > 0)
     return adaptive_jump(w, plan->block, jump, error);
+  if (own && w->def.jump > 0) *jump = w->def.jump; /* stages at a law's jump, no more than that */
+  if (arc_wear_jump_is_auto(&w->def) || own) return plan_automatic(w, callbacks, plan, error);
   *jump = w->def.jump;
   if (!w->def.jump_function) return ARC_OK;
   return arc_wear_ask(w, &arc_wear_settings[ARC_AT_jump], w->def.jump_function, arc_wear_last(w),

@@ -128,8 +128,7 @@ static int other_form(lua_State *L, const arc_setting *s, void *definition) {
   int automatic = 0;
   if (s->forms & ARC_AUTOMATIC && type == LUA_TSTRING)
     automatic = strcmp(lua_tostring(L, -1), "auto") == 0;
-  if (s->automatic) *(int *)(void *)((char *)definition + s->automatic) = automatic;
-  if (automatic && !s->automatic) set_number(s, definition, 0);
+  if (automatic) set_number(s, definition, 0);
   return automatic || (s->forms & ARC_FUNCTION && type == LUA_TFUNCTION) ||
          (s->forms & ARC_SERIES && type == LUA_TTABLE);
 }

@@ -148,7 +148,9 @@ static void read_cycles(lua_State *L, int index, args_place place, wear_request 
 static void settle_scheme(lua_State *L, int index, arc_wear_def *def) {
   if (!args_given(L, index, "scheme")) return;
   if (def->scheme == ARC_EXPLICIT && !args_given(L, index, "tolerance")) def->tolerance = 0;
-  if (def->scheme == ARC_IMPLICIT && !args_given(L, index, "jump")) def->jump_auto = 0;
+  if (def->scheme == ARC_IMPLICIT && def->jump == 0 && !args_given(L, index, "jump") &&
+      def->tolerance == 0)
+    def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
 /* --- coefficients of the bodies --------------------------------------------------------------- */

@@ -39,12 +39,18 @@ static const char *show_partition(const arc_wear_record *record, char *text, siz
   return text;
 }
 
+/* Steps that choose themselves end anywhere in a cycle. */
+static int cycle_digits(double cycle) {
+  return cycle == floor(cycle) || cycle >= 1000 ? 0 : 1;
+}
+
 void record_push_line(lua_State *L, const arc_wear_record *record) {
   char line[200], partition[20];
   snprintf(line, sizeof line,
-           "cycle %5.6g %7.1f mm  p %5.1f MPa  h %5.3f %5.3f um  V %9.3e mm3  a~ %s", record->cycle,
-           record->distance, record->p_center, 1e3 * record->depth_cylinder,
-           1e3 * record->depth_plate, record->volume_cylinder + record->volume_plate,
+           "cycle %5.*f %7.1f mm  p %5.1f MPa  h %5.3f %5.3f um  V %9.3e mm3  a~ %s",
+           cycle_digits(record->cycle), record->cycle, record->distance, record->p_center,
+           1e3 * record->depth_cylinder, 1e3 * record->depth_plate,
+           record->volume_cylinder + record->volume_plate,
            show_partition(record, partition, sizeof partition));
   lua_pushstring(L, line);
 }

@@ -284,7 +284,7 @@ static void show_motion(const arc_wear *wear, char *text, size_t size) {
 static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
   if (settings->tolerance > 0)
     snprintf(text, size, "tolerance %.6g", settings->tolerance);
-  else if (settings->jump_auto)
+  else if (arc_setting_is_auto(&arc_wear_settings[ARC_AT_jump], settings))
     snprintf(text, size, "jump auto");
   else if (settings->jump_function)
     snprintf(text, size, "jump by function");
@@ -294,10 +294,10 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
 
 /* Settings that the first lines tell. */
 static int told_already(const arc_setting *s) {
-  static const int told[] = {
-      ARC_AT_scheme,    ARC_AT_k,        ARC_AT_alpha,      ARC_AT_load,      ARC_AT_stroke,
-      ARC_AT_distance,  ARC_AT_jump,     ARC_AT_increments, ARC_AT_slip,      ARC_AT_rule,
-      ARC_AT_procedure, ARC_AT_geometry, ARC_AT_tolerance,  ARC_AT_tangential};
+  static const int told[] = {ARC_AT_scheme,    ARC_AT_k,         ARC_AT_alpha,    ARC_AT_load,
+                             ARC_AT_stroke,    ARC_AT_distance,  ARC_AT_jump,     ARC_AT_increments,
+                             ARC_AT_slip,      ARC_AT_procedure, ARC_AT_geometry, ARC_AT_tolerance,
+                             ARC_AT_tangential};
   for (size_t i = 0; i < sizeof told / sizeof *told; i++)
     if (s == &arc_wear_settings[told[i]]) return 1;
   return 0;
@@ -415,11 +415,10 @@ static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
            show_alpha(wear, alpha, sizeof alpha));
   luaL_addstring(text, line);
   add_bodies(text, arc_model_definition(arc_wear_model(wear)));
-  snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s slip, %s\n",
+  snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s slip\n",
            arc_procedure_names[arc_wear_procedure(wear)], arc_scheme_names[settings->scheme], steps,
            show_increments(wear, increments, sizeof increments),
-           arc_geometry_names[settings->geometry], arc_slip_names[settings->slip],
-           arc_rule_names[settings->rule]);
+           arc_geometry_names[settings->geometry], arc_slip_names[settings->slip]);
   luaL_addstring(text, line);
   add_others(text, settings);
 }
