@@ -103,6 +103,8 @@ int arc_wear_has_places(const arc_wear *w, const wear_window *window);
 /* The image of point `at`, just solved; `law` has what wears there without factors of places. */
 arc_status arc_wear_reflect(arc_wear *w, const wear_window *window, int at, const wear_point *law,
                             arc_error *error);
+/* Depths [n] become the mean of themselves and their mirror image. */
+void arc_wear_symmetrise(const arc_wear *w, double *depth);
 /* The wear of a first half, and its Jacobian, become those of the whole window; `images`: the wear
  * of the other half, NULL where it is the mirror image. */
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,

@@ -27,18 +27,29 @@ static int is_mirrored_shape(const arc_shape *shape) {
   return 1;
 }
 
+static int is_mirrored_depth(const arc_wear *w, const double *depth) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const double *h = b == ARC_CYLINDER ? depth : depth + w->nc;
+    const int n = sites_of(w, b);
+    for (int i = 0; 2 * i < n; i++)
+      if (h[i] != h[n - 1 - i]) return 0;
+  }
+  return 1;
+}
+
 int arc_wear_has_places(const arc_wear *w, const wear_window *window) {
   return w->def.local_factor && window->state;
 }
 
-/* Meshes from outside may differ inside; the simple rule looks one way; elastic slip, trial depths
- * and what factors of places make of a Jacobian need not be symmetric. */
+/* Meshes from outside may differ inside; the simple rule looks one way; elastic slip and
+ * what factors of places make of a Jacobian need not be symmetric. */
 int arc_wear_is_mirrored(const arc_wear *w, const wear_window *window) {
-  const wear_block *block = path_of(w)->block;
-  return window->first == 0 && window->last == block->count - 1 && !window->depth &&
-         w->def.rule == ARC_TRAPEZOID && w->def.slip == ARC_SLIP_RIGID &&
-         !(window->tangent && arc_wear_has_places(w, window)) && !arc_model_is_given(w->model) &&
-         is_mirrored_way(block) && is_mirrored_shape(window->shape);
+  const wear_block *block = window->block;
+  return window->first == 0 && window->last == block->count - 1 &&
+         (!window->depth || is_mirrored_depth(w, window->depth)) && w->def.rule == ARC_TRAPEZOID &&
+         w->def.slip == ARC_SLIP_RIGID && !(window->tangent && arc_wear_has_places(w, window)) &&
+         !arc_model_is_given(w->model) && is_mirrored_way(block) &&
+         is_mirrored_shape(window->shape);
 }
 
 static void fold(double *a, double *b) {
@@ -65,6 +76,14 @@ static void fold_jacobian(const arc_wear *w, double *value) {
       if (at < other) fold(&value[at], &value[other]);
       if (at == other) value[at] *= 2;
     }
+}
+
+void arc_wear_symmetrise(const arc_wear *w, double *depth) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double *h = sites_from(w, depth, b);
+    const int n = sites_of(w, b);
+    for (int i = 0; 2 * i < n; i++) h[i] = h[n - 1 - i] = (h[i] + h[n - 1 - i]) / 2;
+  }
 }
 
 void arc_wear_add_mirror(const arc_wear *w, const wear_window *window, const wear_rate *images,

@@ -37,6 +37,13 @@ static arc_status create_resting(newton *s) {
   return ARC_CARVE(parts) ? arc_pose_create(&s->with_wear, s->at->run->model) : ARC_MEMORY;
 }
 
+/* To the bit; with friction a cycle is so to rounding at best. */
+static int stays_mirrored(const wear_stage *stage) {
+  const arc_wear *w = stage->run;
+  return !arc_wear_has_friction(&w->def) && !arc_wear_has_places(w, &stage->window) &&
+         arc_wear_is_mirrored(w, &stage->window);
+}
+
 arc_status arc_newton_begin(wear_stage *stage) {
   newton *s = stage->own = calloc(1, sizeof *s);
   if (!s) return ARC_MEMORY;
@@ -44,6 +51,7 @@ arc_status arc_newton_begin(wear_stage *stage) {
   s->n = stage->run->nc + stage->run->np;
   s->rests = arc_stage_rests(stage);
   stage->window.depth = stage->worn;
+  s->mirrored = stays_mirrored(stage);
   return s->rests ? create_resting(s) : create_moving(s);
 }
 
@@ -123,6 +131,7 @@ static arc_status direction(newton *s, double h, double *x) {
   for (int i = 0; i < s->live; i++) s->packed[i] = x[s->node[i]];
   arc_dense_factor_solve(s->live, 1, s->matrix, s->pivots, s->packed);
   for (int i = 0; i < s->live; i++) x[s->node[i]] = s->packed[i];
+  if (s->mirrored) arc_wear_symmetrise(s->at->run, x);
   return ARC_OK;
 }
 

@@ -8,9 +8,10 @@
 /* Arrays [n]. */
 typedef struct newton {
   wear_stage *at;
-  int n;       /* nodes of both surfaces */
-  double area; /* what a cycle of the last evaluation wears [mm2] */
-  int rests;   /* the contact is one, under one load */
+  int n;        /* nodes of both surfaces */
+  double area;  /* what a cycle of the last evaluation wears [mm2] */
+  int rests;    /* the contact is one, under one load */
+  int mirrored; /* depths stay mirror images about x = 0, to the bit */
   double *residual, *step;
 
   /* of a contact that moves */
