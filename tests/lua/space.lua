@@ -158,7 +158,7 @@ ok(pressed.half_width_z > 1.02 * pressed.half_width, "a groove by a function")
 for _, wrong in ipairs{
   { function() return 1 end, "0 at the border of the window" }, { function() return -1 end, "expected a depth >= 0 in mm, got -1" },
   { { x = { 0, 1 }, h = { 0, 1 } }, "a function (x, z) -> depth or a map" }, { { x = { 1 }, y = { 1 }, z = { 1 } }, "expected a map, as map{} makes one" },
-  { _G.map{ x = { -1, 0, 1 }, z = { -1, 0, 1 }, y = { 0, 0, 0, 0, -1, 0, 0, 0, 0 } }, "expected depths >= 0 mm, got -1" },
+  { _G.map{ x = { -1, 0, 1 }, z = { -1, 0, 1 }, y = { 0, 0, 0, 0, -1, 0, 0, 0, 0 } }, "expected depths >= 0 mm" },
 } do
   fails(function() run{ worn = { ball = wrong[1] } } end, wrong[2], "worn: " .. wrong[2])
 end
