@@ -36,6 +36,7 @@ const char *arc_body_name(arc_body body);
   X(SOLID_DISC, "disc", disc)                                                                      \
   X(SOLID_RING, "ring", ring)                                                                      \
   X(SOLID_BALL, "ball", ball)                                                                      \
+  X(SOLID_MAP, "map", map)                                                                         \
   X(SOLID_GMSH, "gmsh", gmsh)
 typedef enum arc_solid { ARC_SOLID_LIST(ARC_CHOICE_ENUM) } arc_solid;
 extern const char *const arc_solid_names[];
@@ -71,7 +72,8 @@ extern const arc_setting arc_layer_settings[]; /* and the material, a group */
          "Its shape; the usual one is a cylinder above, and a block below; \"gmsh\" stands for "   \
          "that in the Gmsh file of its model.")                                                    \
   NUMBER(radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
-         "Radius of a cylinder or disc, or of a punch's rounded edges. Left out: the model's.")    \
+         "Radius of a cylinder or disc, or of a punch's rounded edges. Left out: the model's. Of " \
+         "a map: that of the ball which its heights are added to; left out: none.")                \
   NUMBER(radius_z, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                \
          "Radius of a ball across the motion: a crowned roller, an ellipsoid. Left out: radius.")  \
   NUMBER(width, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
@@ -88,8 +90,10 @@ typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
   double y;            /* stands for the series: 0 */
   arc_series y_series; /* heights of a profile [mm] over x [mm], out of the body; linear between
-                          points, level beyond them. Owned by whoever made the definition; a model
-                          keeps a copy */
+                          points, level beyond them; of a map over the number of the point, z
+                          fastest. Owned by whoever made the definition; a model keeps a copy */
+  double x, z;         /* stand for the series: 0 */
+  arc_series x_series, z_series;    /* of a map: where its points are, x over their number [mm] */
   arc_layer layer[ARC_MOST_LAYERS]; /* from the surface inwards */
 } arc_body_def;
 
@@ -132,6 +136,19 @@ double arc_body_crest(const arc_body_def *def);
 /* How far the surface lies inside the body at x [mm], below its outermost point, the crest; 0 for
  * arcs. */
 double arc_body_inset(const arc_body_def *def, double crest, double x);
+
+/* Whether its surface is a map, with points over x and z. */
+int arc_body_is_map(const arc_body_def *def);
+/* Height of a map at (x, z) [mm], out of the body: cubic between its points, level beyond them. Its
+ * reach from x = z = 0 to the nearest ends [mm], and the longest of its steps. Curvatures of the
+ * parabola that fits it best [1/mm], positive where it is a ball's. */
+double arc_body_map_height(const arc_body_def *def, double x, double z);
+void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
+void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);
+
+/* Copies of a body's series in one block, which is to be freed: *block, NULL where there are none.
+ * ARC_MEMORY: it has no series then. */
+arc_status arc_body_keep_series(arc_body_def *def, double **block);
 
 /* Layers; the lower end of one [mm] that goes by its thickness, 0 of layer -1; the material of one,
  * of `layers` and beyond the body's own. */

@@ -57,6 +57,10 @@ return {
     result = "table",
     text = "A block with a measured or made-up surface: y(x) out of the body in mm, or lists x and y; or "
       .. "body.profile(profile.read(path)), a trace with z." },
+  { "body.map", kind = "function", use = 'body.map{ y=map.read("ball.sdf"):level("sphere"), radius=10 }', result = "table",
+    text = 'A measured or made-up topography, for model{ geometry="3-D" } on either side: heights out of the body at even steps of x and z, as a map '
+      .. "or as map{ x=, z=, y= } takes them. With a radius (and radius_z) they are added to those of a ball. Cubic between the points; contacts "
+      .. "stay within the map, about x = z = 0." },
   { "body.disc", kind = "function", use = "body.disc{ radius=9.95 }", result = "table",
     text = "A whole disc, held by a hub of 0.15 radius in its middle." },
   { "body.ring", kind = "function", use = 'body.ring{ inner=10, outer=20, fixed="outer" }', result = "table",

@@ -159,8 +159,15 @@ end
 local kinds = {
   cylinder = { radius = 8 }, block = { width = 18, height = 9 }, disc = { radius = 8 },
   ring = { inner = 8, outer = 12, fixed = "inner" }, ball = { radius = 8, radius_z = 12 }, punch = { flat = 2, radius = 6, height = 9 },
-  profile = { width = 18, height = 9, x = {}, y = {} }, gmsh = {},
+  profile = { width = 18, height = 9, x = {}, y = {} }, gmsh = {}, map = { radius = 8, radius_z = 12, x = {}, z = {}, y = {} },
 }
+for i = -2, 2 do
+  table.insert(kinds.map.x, i / 2)
+  for j = -3, 3 do
+    if i == 0 then table.insert(kinds.map.z, j / 4) end
+    table.insert(kinds.map.y, (i * i - j) / 1e4)
+  end
+end
 for i = -9, 9 do table.insert(kinds.profile.x, i); table.insert(kinds.profile.y, -i * i / 20) end
 local rows_of_bodies, tried_rows = {}, {}
 for _, row in ipairs(known.body) do
@@ -169,16 +176,18 @@ end
 for kind in pairs(body) do ok(kinds[kind], "body." .. kind .. " is tried here") end
 for kind, fields in pairs(kinds) do
   local role = kind == "block" and "lower" or "upper"
-  local with = kind == "ball" and { geometry = "3-D" } or { mesh = coarse } -- half-spaces have no mesh
+  local spatial = kind == "ball" or kind == "map" -- half-spaces have no mesh
+  local with = spatial and { geometry = "3-D" } or { mesh = coarse }
   for field in pairs(fields) do
     tried_rows[field] = true
-    if field ~= "x" and field ~= "y" then
+    if type(fields[field]) ~= "table" then
       local value = fields[field]
       reads_back_model(merged(with, { [role] = body[kind](fields) }), { role .. "." .. field }, value,
         ("body.%s.%s"):format(kind, field))
     elseif field == "y" then
-      local m = model(settings.nest(settings.flatten("rows", { is = model{ mesh = coarse, upper = body[kind](fields) } })).is)
-      ok(#m.upper.y == 19 and m.upper.y[3] == fields.y[3] and m.upper.x[1] == fields.x[1], "points of a profile")
+      local m = model(settings.nest(settings.flatten("rows", { is = model(merged(with, { upper = body[kind](fields) })) })).is)
+      ok(#m.upper.y == #fields.y and m.upper.y[3] == fields.y[3] and m.upper.x[1] == fields.x[1], "points of a " .. kind)
+      ok(kind ~= "map" or #m.upper.z == 7 and m.upper.z[7] == 0.75, "of a map along z too")
     end
   end
 end

@@ -99,19 +99,8 @@ static void discard(void *job) {
 /* Profiles belong to whoever asked: a model has its own. */
 static arc_status keep_profiles(elastic_model *m) {
   arc_status status = ARC_OK;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    arc_series *y = &m->handle.def.body[b].y_series;
-    const size_t n = (size_t)y->count;
-    if (n == 0) continue;
-    m->profile[b] = malloc(2 * n * sizeof(double));
-    if (m->profile[b]) {
-      memcpy(m->profile[b], y->distance, n * sizeof(double));
-      memcpy(m->profile[b] + n, y->value, n * sizeof(double));
-    } else {
-      status = ARC_MEMORY;
-    }
-    *y = (arc_series){(int)n, m->profile[b], m->profile[b] ? m->profile[b] + n : NULL};
-  }
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (arc_body_keep_series(&m->handle.def.body[b], &m->profile[b]) != ARC_OK) status = ARC_MEMORY;
   return status;
 }
 

@@ -153,9 +153,10 @@ static arc_status check_space(const arc_model_def *def, arc_error *error) {
   for (int b = 0; b < ARC_BODIES; b++)
     if (arc_body_is_spatial(&def->body[b]))
       return arc_fail(error, ARC_ARGUMENT,
-                      "field '%s': a ball needs geometry = \"3-D\" (or a body.cylinder{} with "
+                      "field '%s': a %s needs geometry = \"3-D\" (a ball is a body.cylinder{} with "
                       "\"axisymmetric\"), got \"%s\"",
-                      arc_model_role_name((arc_body)b), arc_space_names[def->geometry]);
+                      arc_model_role_name((arc_body)b), arc_solid_names[def->body[b].kind],
+                      arc_space_names[def->geometry]);
   if (def->geometry != ARC_AXISYMMETRIC && def->axis == 0) return ARC_OK;
   if (def->geometry != ARC_AXISYMMETRIC)
     return arc_fail(error, ARC_ARGUMENT,

@@ -3,6 +3,7 @@
 #include "core/mesh/body_name.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 const char *const arc_solid_names[] = {ARC_SOLID_LIST(ARC_CHOICE_NAME) NULL};
@@ -27,6 +28,13 @@ const arc_setting arc_layer_settings[] = {
     .text = "Layer " #number ", counted from the surface."                                         \
   }
 
+#define AXIS(axis)                                                                                 \
+  {                                                                                                \
+    .name = #axis, .unit = "mm", .kind = ARC_NUMBER, .forms = ARC_SERIES | ARC_OPTIONAL,           \
+    .offset = offsetof(arc_body_def, axis), .series = offsetof(arc_body_def, axis##_series),       \
+    ARC_RANGE_ANY, .text = "Where the points of a map are along " #axis "."                        \
+  }
+
 #define ARC_SETTING_OF arc_body_def
 const arc_setting arc_body_settings[] = {
     ARC_BODY_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_CHOICE,
@@ -38,6 +46,8 @@ const arc_setting arc_body_settings[] = {
                                         .series = offsetof(arc_body_def, y_series),
                                         ARC_RANGE_ANY,
                                         .text = "Heights of a profile over x, out of the body."},
+    AXIS(x),
+    AXIS(z),
     LAYER(1),
     LAYER(2),
     LAYER(3),
@@ -61,7 +71,7 @@ arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double rad
   const int usual = b.kind == ARC_SOLID_USUAL || b.kind == ARC_SOLID_GMSH;
   if (usual) b.kind = role == ARC_UPPER ? ARC_SOLID_CYLINDER : ARC_SOLID_BLOCK;
   const body_shape *shape = arc_body_shape_of(&b);
-  if (b.radius == 0) b.radius = radius;
+  if (b.radius == 0 && shape->form != FORM_MAP) b.radius = radius;
   if (shape->resolve) shape->resolve(&b);
   if (b.width == 0) b.width = 2 * radius;
   if (b.height == 0) b.height = radius;
@@ -80,6 +90,27 @@ int arc_body_is_spatial(const arc_body_def *b) {
   for (const char *const *own = arc_body_fields(b->kind); *own; own++)
     if (strcmp(*own, "radius_z") == 0) return 1;
   return 0;
+}
+
+arc_status arc_body_keep_series(arc_body_def *b, double **block) {
+  arc_series *const series[] = {&b->y_series, &b->x_series, &b->z_series};
+  enum { COUNT = sizeof series / sizeof *series };
+  size_t all = 0;
+  for (int k = 0; k < COUNT; k++) all += 2 * (size_t)series[k]->count;
+  double *to = *block = all > 0 ? malloc(all * sizeof *to) : NULL;
+  for (int k = 0; k < COUNT; k++) {
+    const size_t n = to ? (size_t)series[k]->count : 0;
+    const arc_series kept = {(int)n, to, to ? to + n : NULL};
+    if (n > 0) memcpy(to, series[k]->distance, n * sizeof *to);
+    if (n > 0) memcpy(to + n, series[k]->value, n * sizeof *to);
+    *series[k] = kept;
+    if (to) to += 2 * n;
+  }
+  return all == 0 || *block ? ARC_OK : ARC_MEMORY;
+}
+
+int arc_body_is_map(const arc_body_def *b) {
+  return arc_body_shape_of(b)->form == FORM_MAP;
 }
 
 int arc_body_is_core(const arc_body_def *b) {

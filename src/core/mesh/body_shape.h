@@ -9,6 +9,7 @@ typedef enum body_form {
   FORM_RECTANGLE, /* its surface has a height over x, which fades towards the base */
   FORM_POINTS,    /* the same, through points that are given */
   FORM_WALL,      /* between two arcs */
+  FORM_MAP,       /* points over x and z, a half-space's */
   FORM_CORE       /* a solid arc, closed by a fan at its centre */
 } body_form;
 

@@ -82,10 +82,10 @@ static arc_status with_room(space_contact *c, const arc_callbacks *callbacks, ar
     arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
     const int ahead = 2 * (int)ceil(fabs(c->handle.def.x) / cells.size_x);
     space_shape *larger;
-    cells.nx += 2 * (cells.nx / 4 + 2);
-    cells.nz += 2 * (cells.nz / 4 + 2);
-    if (cells.groove == 0) cells.track = cells.nx + ahead;
-    status = arc_space_regrow(s, &cells, &larger, error);
+    if (cells.groove == 0) cells.track = (int)fmax(cells.track, cells.nx + ahead);
+    status =
+        arc_space_widen(arc_model_definition(arc_shape_model(c->handle.shape)), 4, &cells, error);
+    if (status == ARC_OK) status = arc_space_regrow(s, &cells, &larger, error);
     if (status != ARC_OK) break;
     arc_space_discard(&c->handle.shape);
     c->handle.shape = (arc_shape *)(void *)larger;

@@ -138,15 +138,12 @@ static arc_status grow(const arc_wear *w, arc_status why, const arc_callbacks *c
                        arc_wear **result, arc_error *error) {
   const space_shape *s = space_shape_of(w->shape);
   arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
-  const int beyond = cells.track > 0 ? cells.track - cells.nx : 0;
   space_shape *larger = NULL;
   (void)why;
   (void)callbacks;
   *result = NULL;
-  cells.nx += 2 * (cells.nx / 8 + 2);
-  cells.nz += 2 * (cells.nz / 8 + 2);
-  if (cells.groove == 0) cells.track = cells.nx + beyond;
-  arc_status status = arc_space_regrow(s, &cells, &larger, error);
+  arc_status status = arc_space_widen(arc_model_definition(w->model), 8, &cells, error);
+  if (status == ARC_OK) status = arc_space_regrow(s, &cells, &larger, error);
   if (status != ARC_OK) return status;
   arc_shape *shape = (arc_shape *)(void *)larger;
   status = arc_wear_restore(w->model, &w->def, shape, w->history, w->records, result, error);

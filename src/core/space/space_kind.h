@@ -55,6 +55,12 @@ arc_halfspace_def arc_space_bodies(const arc_model_def *def);
  * number of cells to an increment [mm] (0: any). */
 void arc_space_fit(const arc_model_def *def, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells);
+/* Takes off a window what lies beyond the bodies' maps. */
+void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);
+/* A larger window, on each side by 1 / part of its cells or so, as far as maps go; ARC_ZONE: they
+ * go no farther. */
+arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
+                           arc_error *error);
 /* Width of a cell as it is asked for [mm]. */
 double arc_space_cell(const arc_model_def *def, double load);
 /* Warns of contacts that are no half-spaces', of a half width [mm] under a load. */

@@ -5,9 +5,15 @@
 #include "core/elastic/pair.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 static const double usual_cells = 8; /* over the unworn contact's half width */
+
+typedef struct space_model {
+  arc_model handle;
+  double *series[ARC_BODIES]; /* of maps */
+} space_model;
 
 /* --- checks ------------------------------------------------------------------------------------
  */
@@ -21,7 +27,7 @@ static arc_status check_body(const arc_model_def *def, arc_body body, arc_error 
   const arc_body_def solid = arc_model_solid(def, body), *own = &def->body[body];
   const int lower = body == ARC_LOWER;
   if (!arc_body_is_spatial(&solid) && !arc_body_is_flat(&solid))
-    return refuse(error, arc_model_role_name(body), "a body.ball{} or a body.block{}");
+    return refuse(error, arc_model_role_name(body), "a body.ball{}, body.map{} or body.block{}");
   if (own->height > 0 || own->width > 0)
     return refuse(error, lower ? "lower.height" : "upper.height",
                   "a block without width and height: a half-space, which may have layers");
@@ -48,6 +54,30 @@ static arc_status check_sizes(const arc_model_def *def, arc_error *error) {
   return ARC_OK;
 }
 
+/* Relative curvatures along x and z, those of maps by the parabolas that fit them best [1/mm]. */
+static void find_curvatures(const arc_model_def *def, double *x, double *z) {
+  const arc_halfspace_def d = arc_space_bodies(def);
+  *x = *z = 0;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
+    double of_map[2] = {0};
+    if (arc_body_is_map(&solid)) arc_body_map_curvature(&solid, &of_map[0], &of_map[1]);
+    *x += (d.body[b].radius_x > 0 ? 1 / d.body[b].radius_x : 0) + of_map[0];
+    *z += (d.body[b].radius_z > 0 ? 1 / d.body[b].radius_z : 0) + of_map[1];
+  }
+}
+
+static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
+  double x, z;
+  find_curvatures(def, &x, &z);
+  if (x > 0 && z > 0) return ARC_OK;
+  return arc_fail(error, ARC_GEOMETRY,
+                  "field 'upper': with geometry = \"3-D\" expected surfaces between which the gap "
+                  "grows on all sides, got relative radii of %g mm along x and %g mm along z; give "
+                  "a map the radius of its ball, or take more of its form",
+                  1 / x, 1 / z);
+}
+
 arc_status arc_space_check_model(const arc_model_def *def, arc_error *error) {
   arc_status status = arc_settings_check(arc_model_settings, "", def, error);
   if (status == ARC_OK) status = check_sizes(def, error);
@@ -56,8 +86,13 @@ arc_status arc_space_check_model(const arc_model_def *def, arc_error *error) {
   const arc_body_def upper = arc_model_solid(def, ARC_UPPER),
                      lower = arc_model_solid(def, ARC_LOWER);
   if (status == ARC_OK && arc_body_is_flat(&upper) && arc_body_is_flat(&lower))
-    return refuse(error, "upper", "a body.ball{} on one side");
-  return status;
+    return refuse(error, "upper", "a body.ball{} or body.map{} on one side");
+  for (int b = 0; b < ARC_BODIES && status == ARC_OK; b++) {
+    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
+    if (arc_body_is_map(&solid))
+      status = arc_body_check(&solid, b == ARC_UPPER ? "upper." : "lower.", error);
+  }
+  return status == ARC_OK ? check_curvature(def, error) : status;
 }
 
 /* --- models ------------------------------------------------------------------------------------
@@ -69,23 +104,39 @@ arc_status arc_space_build(const arc_model_def *def, const arc_callbacks *callba
   *result = NULL;
   const arc_status status = arc_space_check_model(def, error);
   if (status != ARC_OK) return status;
-  arc_model *model = calloc(1, sizeof *model);
+  space_model *model = calloc(1, sizeof *model);
   if (!model) return arc_fail(error, ARC_MEMORY, "out of memory for a model");
-  *model = (arc_model){.kind = arc_kind_of(def), .references = 1, .def = *def};
-  *result = model;
-  return ARC_OK;
+  model->handle = (arc_model){.kind = arc_kind_of(def), .references = 1, .def = *def};
+  *result = &model->handle;
+  arc_status kept = ARC_OK;
+  for (int b = 0; b < ARC_BODIES; b++)
+    if (arc_body_keep_series(&model->handle.def.body[b], &model->series[b]) != ARC_OK)
+      kept = ARC_MEMORY;
+  if (kept == ARC_OK) return ARC_OK;
+  arc_space_end_model(*result);
+  *result = NULL;
+  return arc_fail(error, ARC_MEMORY, "out of memory for a map");
 }
 
 void arc_space_end_model(arc_model *model) {
-  free(model);
+  space_model *m = (space_model *)(void *)model;
+  for (int b = 0; b < ARC_BODIES; b++) free(m->series[b]);
+  free(m);
 }
 
 size_t arc_space_model_bytes(const arc_model *model) {
-  return sizeof *model;
+  size_t points = 0;
+  for (int b = 0; b < ARC_BODIES; b++) points += (size_t)model->def.body[b].y_series.count;
+  return sizeof(space_model) + 2 * points * sizeof(double);
 }
 
 /* --- bodies and cells --------------------------------------------------------------------------
  */
+
+/* An arc_recess_fn of a map, the body's definition. */
+static double recess_of(void *context, double x, double z) {
+  return -arc_body_map_height(context, x, z);
+}
 
 arc_halfspace_def arc_space_bodies(const arc_model_def *def) {
   arc_halfspace_def d = {.size_x = 0};
@@ -96,18 +147,17 @@ arc_halfspace_def arc_space_bodies(const arc_model_def *def) {
     if (!arc_body_is_spatial(&solid)) continue;
     d.body[b].radius_x = solid.radius;
     d.body[b].radius_z = solid.radius_z;
+    if (!arc_body_is_map(&solid)) continue;
+    d.body[b].recess = recess_of;
+    d.body[b].context = (void *)(uintptr_t)&def->body[b];
   }
   return d;
 }
 
 arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load) {
-  const arc_halfspace_def d = arc_space_bodies(def);
   arc_hertz_ellipse hertz = {0, 0, 0, 0};
-  double x = 0, z = 0;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    if (d.body[b].radius_x > 0) x += 1 / d.body[b].radius_x;
-    if (d.body[b].radius_z > 0) z += 1 / d.body[b].radius_z;
-  }
+  double x, z;
+  find_curvatures(def, &x, &z);
   arc_hertz_ellipse_of(1 / x, 1 / z, arc_contact_modulus(def->geometry, def->material), load,
                        &hertz, NULL);
   return hertz;
@@ -124,17 +174,65 @@ void arc_space_fit(const arc_model_def *def, double load, double volume, double 
                    double increment, arc_halfspace_def *cells) {
   const arc_hertz_ellipse hertz = arc_space_hertz(def, load);
   const double least = fmin(hertz.half_width, hertz.half_width_z);
+  arc_halfspace_def smooth = arc_space_bodies(def);
+  double x, z;
+  find_curvatures(def, &x, &z);
+  smooth.body[ARC_UPPER].radius_x = 1 / x;
+  smooth.body[ARC_UPPER].radius_z = 1 / z;
+  smooth.body[ARC_LOWER].radius_x = smooth.body[ARC_LOWER].radius_z = 0;
+  arc_halfspace_fit(&smooth, load, volume, stroke, increment, least / arc_space_cell(def, load));
   *cells = arc_space_bodies(def);
-  arc_halfspace_fit(cells, load, volume, stroke, increment, least / arc_space_cell(def, load));
+  cells->size_x = smooth.size_x;
+  cells->size_z = smooth.size_z;
+  cells->nx = smooth.nx;
+  cells->nz = smooth.nz;
+  cells->track = smooth.track;
+  arc_space_limit(def, cells);
+}
+
+/* The most cells that lie within `half` of 0, odd. */
+static int cells_within(double half, double size) {
+  return 2 * (int)fmax(4, fmin(floor(half / size + 1e-9), 1e6)) + 1;
+}
+
+void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells) {
+  const int beyond = cells->track > 0 ? cells->track - cells->nx : 0;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double half_x, half_z, step;
+    if (!arc_body_is_map(&def->body[b])) continue;
+    arc_body_map_extent(&def->body[b], &half_x, &half_z, &step);
+    if (b == ARC_LOWER && cells->groove == 0) half_x -= beyond / 2 * cells->size_x;
+    cells->nx = (int)fmin(cells->nx, cells_within(half_x, cells->size_x));
+    cells->nz = (int)fmin(cells->nz, cells_within(half_z, cells->size_z));
+  }
+  if (cells->groove == 0) cells->track = cells->nx + beyond;
+}
+
+arc_status arc_space_widen(const arc_model_def *def, int part, arc_halfspace_def *cells,
+                           arc_error *error) {
+  const arc_halfspace_def before = *cells;
+  const int beyond = cells->track > 0 ? cells->track - cells->nx : 0;
+  cells->nx += 2 * (cells->nx / part + 2);
+  cells->nz += 2 * (cells->nz / part + 2);
+  if (cells->groove == 0) cells->track = cells->nx + beyond;
+  arc_space_limit(def, cells);
+  if (cells->nx > before.nx || cells->nz > before.nz) return ARC_OK;
+  return arc_fail(
+      error, ARC_ZONE,
+      "the contact reaches the end of the part of a map that lies symmetrically about x "
+      "= z = 0, %.3g x %.3g mm of it at any position: expected a larger map, or less "
+      "load, stroke or distance",
+      before.nx * before.size_x, before.nz * before.size_z);
 }
 
 void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, double half_width,
                     const arc_callbacks *callbacks) {
-  static const double small = 0.2; /* contact over radius: slopes no longer count as small */
-  const double fewest = 4;         /* cells in the half width */
-  double least = INFINITY;
-  for (int b = 0; b < ARC_BODIES; b++)
-    if (cells->body[b].radius_x > 0) least = fmin(least, cells->body[b].radius_x);
+  static const double small = 0.2;  /* contact over radius: slopes no longer count as small */
+  const double fewest = 4;          /* cells in the half width */
+  static const double coarse = 1.5; /* cells over steps of a map */
+  double x, z;
+  find_curvatures(def, &x, &z);
+  const double least = 1 / x;
   if (half_width > small * least)
     arc_warn(callbacks,
              "the contact's half width %.3g mm is %.2g of the radius %.3g mm: half-spaces hold up "
@@ -145,5 +243,14 @@ void arc_space_warn(const arc_model_def *def, const arc_halfspace_def *cells, do
              "the contact's half width %.3g mm has fewer than %g cells of %.3g mm: use mesh.size = "
              "\"auto\" or a smaller one",
              half_width, fewest, cells->size_x);
-  (void)def;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double half_x, half_z, step;
+    if (!arc_body_is_map(&def->body[b])) continue;
+    arc_body_map_extent(&def->body[b], &half_x, &half_z, &step);
+    if (cells->size_x > coarse * step)
+      arc_warn(callbacks,
+               "cells of %.3g mm are wider than the steps of the %s body's map, %.3g mm: finer "
+               "roughness is left out; use mesh.size",
+               cells->size_x, arc_model_role_name((arc_body)b), step);
+  }
 }

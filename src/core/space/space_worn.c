@@ -19,6 +19,7 @@ arc_status arc_space_given_create(arc_model *model, const arc_wear_def *def, dou
   cells.nx = (int)fmax(cells.nx, odd_cells(half_x, cells.size_x));
   cells.nz = (int)fmax(cells.nz, odd_cells(half_z, cells.size_z));
   if (cells.groove == 0) cells.track = cells.nx + beyond;
+  arc_space_limit(arc_model_definition(model), &cells);
   return arc_space_create(model, &cells, (space_shape **)(void *)shape, error);
 }
 

@@ -5,6 +5,7 @@
 #include "lua/base/call.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
+#include "lua/base/scripts.h"
 #include "lua/engine/classes.h"
 
 #include <stdio.h>
@@ -21,9 +22,13 @@ static int is_own(arc_solid kind, const char *name) {
   return 0;
 }
 
-/* Its surface goes through points. */
+/* Its surface goes through points over x; over x and z. */
 static int has_points(arc_solid kind) {
-  return is_own(kind, "y");
+  return is_own(kind, "y") && !is_own(kind, "z");
+}
+
+static int has_map(arc_solid kind) {
+  return is_own(kind, "z");
 }
 
 static int is_known(arc_solid kind, const char *name) {
@@ -281,6 +286,62 @@ static void read_profile(lua_State *L, int index, args_place place, double radiu
   lua_settop(L, top);
 }
 
+/* --- maps ------------------------------------------------------------------------------------- */
+
+/* A list of the table at `index` as a series over the number of the point, in a buffer on top. */
+static arc_series push_numbers(lua_State *L, int index, args_place place, const char *name) {
+  size_t count;
+  if (lua_getfield(L, index, name) != LUA_TTABLE)
+    args_refuse(L, place, name, "a list of numbers in mm, as body.map{ y=map } makes it");
+  const double *values = array_read(L, place, name, &count);
+  if (count > ARRAY_MOST / 2)
+    error_raise(L, ARC_ARGUMENT, place.where, "field '%s%s': expected at most %d numbers, got %f",
+                place.prefix, name, ARRAY_MOST / 2, (double)count);
+  double *both = array_buffer(L, 2 * count + 1);
+  for (size_t i = 0; i < count; i++) both[i] = (double)i;
+  memcpy(both + count, values, count * sizeof *values);
+  return (arc_series){(int)count, both, both + count};
+}
+
+static void read_map(lua_State *L, int index, args_place place, arc_body_def *def) {
+  const char *const names[] = {"x", "z", "y"};
+  arc_series *const to[] = {&def->x_series, &def->z_series, &def->y_series};
+  const int top = lua_gettop(L);
+  for (int k = 0; k < 3; k++) {
+    *to[k] = push_numbers(L, index, place, names[k]);
+    call_keep(L);
+    lua_settop(L, top);
+  }
+}
+
+static int is_map_object(lua_State *L, int index) {
+  if (luaL_getmetafield(L, index, "__name") == LUA_TNIL) return 0;
+  const int is = lua_type(L, -1) == LUA_TSTRING && strcmp(lua_tostring(L, -1), "map") == 0;
+  lua_pop(L, 1);
+  return is;
+}
+
+/* Sets x, z and y of the table at index 2 from a map at index 1, in its field y, or that its fields
+ * make. */
+static void take_map(lua_State *L, args_place place) {
+  static const char *const names[] = {"x", "z", "y", "unit"};
+  lua_pushvalue(L, 1);
+  if (!is_map_object(L, 1)) lua_getfield(L, 1, "y");
+  if (!is_map_object(L, -1)) {
+    script_require(L, "archard.map.made");
+    lua_getfield(L, -1, "new");
+    lua_newtable(L);
+    for (int k = 0; k < 3; k++) lua_getfield(L, 1, names[k]), lua_setfield(L, -2, names[k]);
+    lua_call(L, 1, 1);
+  }
+  lua_getfield(L, -1, "unit");
+  if (lua_type(L, -1) != LUA_TSTRING || strcmp(lua_tostring(L, -1), "mm") != 0)
+    args_refuse(L, place, "y", "a map of heights in mm");
+  lua_pop(L, 1);
+  for (int k = 0; k < 3; k++) lua_getfield(L, -1, names[k]), lua_setfield(L, 2, names[k]);
+  lua_settop(L, 2);
+}
+
 /* --- reading ---------------------------------------------------------------------------------- */
 
 static arc_solid read_kind(lua_State *L, int index, args_place place) {
@@ -307,6 +368,7 @@ static void read_at(lua_State *L, int index, args_place place, double radius, ar
   read_layers(L, index, place, def);
   read_materials(L, index, place, def);
   if (has_points(kind)) read_profile(L, index, place, radius, def);
+  if (has_map(kind)) read_map(L, index, place, def);
 }
 
 /* The usual pair's words for a material have no say beside a body, which has its own. */
@@ -388,9 +450,15 @@ static void set_shape(lua_State *L, const arc_body_def *def) {
   if (def->name[0]) lua_pushstring(L, def->name), lua_setfield(L, -2, "name");
   for (const arc_setting *s = arc_body_settings; s->name; s++)
     if (is_own(def->kind, s->name)) set_given(L, s, def);
-  const arc_series y = def->y_series;
-  if (!has_points(def->kind)) return;
-  array_set(L, "x", y.distance, (size_t)y.count);
+  const arc_series y = def->y_series, x = def->x_series, z = def->z_series;
+  if (has_map(def->kind)) {
+    array_set(L, "x", x.value, (size_t)x.count);
+    array_set(L, "z", z.value, (size_t)z.count);
+  } else if (has_points(def->kind)) {
+    array_set(L, "x", y.distance, (size_t)y.count);
+  } else {
+    return;
+  }
   array_set(L, "y", y.value, (size_t)y.count);
 }
 
@@ -436,7 +504,11 @@ static int make(lua_State *L) {
   if (lua_isnil(L, 1)) lua_newtable(L), lua_replace(L, 1);
   args_check_table(L, 1, where);
   if (has_points(kind)) take_measured(L);
-  args_push_copy(L, 1);
+  if (has_map(kind) && is_map_object(L, 1))
+    lua_newtable(L);
+  else
+    args_push_copy(L, 1);
+  if (has_map(kind)) take_map(L, place);
   lua_pushstring(L, arc_solid_names[kind]);
   lua_setfield(L, 2, "kind");
   read_at(L, 2, place, arc_model_default().radius, &def, &material);

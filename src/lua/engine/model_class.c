@@ -300,7 +300,12 @@ static int push_half_spaces(lua_State *L, const arc_model_def *def) {
     snprintf(line, sizeof line, "\n  %-8s  E %.6g MPa, nu %.6g", body_name(def, (arc_body)b),
              def->material[b].E, def->material[b].nu);
     luaL_addstring(&text, line);
-    if (arc_body_is_spatial(&solid)) {
+    if (solid.y_series.count > 0) {
+      snprintf(line, sizeof line, ", map of %d x %d points", solid.x_series.count,
+               solid.z_series.count);
+      luaL_addstring(&text, line);
+    }
+    if (arc_body_is_spatial(&solid) && solid.radius > 0) {
       snprintf(line, sizeof line, ", radius %.6g mm along x, %.6g mm along z", solid.radius,
                solid.radius_z);
       luaL_addstring(&text, line);
