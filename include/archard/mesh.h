@@ -48,7 +48,8 @@ extern const char *const arc_space_names[];
       "balls half of that; where rounded edges or kinks touch, the width over which the pressure " \
       "rises there takes the half width's place, as far as 320 elements go; at the most an "       \
       "eighth of the waves of a rough profile, but for waves that ripple the pressure by less "    \
-      "than a thousandth.")                                                                        \
+      "than a thousandth; of wear runs in partial slip at the most a fifth of the rim that "       \
+      "slips at either edge of the contact, as far as 320 elements go.")                           \
   NUMBER(fineness, "", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
          "Divides the size that \"auto\" finds: 2 halves it. Left out: 1. A size that is given "   \
          "has none.")                                                                              \

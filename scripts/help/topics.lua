@@ -61,7 +61,7 @@ of these. On leaving the prompt with runs that are in no file it asks whether to
 A model{} meshes both bodies and condenses them once; contact and wear then work on the surfaces alone. Elements under the
 contact are mesh.size wide and mesh.height high, and grow towards mesh.far. Where no size is given it follows the contact that
 the model is built for, layers and all: 5.4 elements to the half width, twice as many of a ball, as many to the rounded edge of a
-punch, eight to a wave of a rough profile; mesh.fineness = 2 halves them. Where you give a size, four to the half width are the least that makes sense.
+punch, eight to a wave of a rough profile, in wear runs five to a rim that slips; mesh.fineness = 2 halves them. Where you give a size, four to the half width are the least that makes sense.
 plot.mesh(m, { zoom = "wear box" }) shows them, hertz{} tells the half width.
 
 mesh.zone is the full width of the fine contact zone of each body; without a model it suits. A run that outgrows its zone or its

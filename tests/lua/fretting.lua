@@ -237,6 +237,26 @@ is((heard.take() or ""):find "the surfaces slip over", nil, "none where they hav
 run{ stroke = 0.1, cycles = 100 }:run{ progress = false }
 is((heard.take() or ""):find "the surfaces slip over", nil, "none in gross slip")
 
+-- elements that nobody chose follow the rims, under a force and under a stroke; those that are given stay
+local function automatic(fields, mesh)
+  local all = { friction = 0.6, load = 100, k = 1e-7, cycles = 100, increments = 24, model = { mesh = mesh } }
+  for name, value in pairs(fields) do all[name] = value end
+  return wear(all)
+end
+local a, under_force = hertz{}.half_width, automatic{ tangential = 42 }
+local rim, size = a * (1 - math.sqrt(1 - 0.7)), under_force.model.mesh.size
+ok(rim / size >= 5 and rim / size < 6, "five elements in a rim")
+near((a - rim) / size % 1, 0.5, 0.01, "halfway between nodes what sticks ends")
+under_force:run{ progress = false }
+is((heard.take() or ""):find "the surfaces slip over", nil, "which needs no warning")
+near(under_force.stick_width, 2 * (a - rim), 1e-3, "and is measured so")
+local x = under_force:loop().x
+local under_stroke = automatic{ stroke = math.max(table.unpack(x)) - math.min(table.unpack(x)) }
+near(under_stroke.model.mesh.size, size, 0.1, "a stroke that takes the same force has the same elements")
+near(automatic({ tangential = 42 }, { size = 0.02 }).model.mesh.size, 0.02, 1e-12, "a size that is given stays")
+near(automatic{ stroke = 0.1 }.model.mesh.size, 0.02, 1e-3, "in gross slip there are no rims")
+fails(function() automatic{ tangential = 61 } end, { "expected less than friction times the load" }, "more force than friction carries")
+
 -- pictures
 local function picture(draw)
   local stem = os.tmpname()

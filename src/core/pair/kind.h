@@ -6,7 +6,7 @@
 
 #include "core/pair/cycle.h"
 
-/* Runs that outgrow their sites. */
+/* Runs that outgrow their sites. Verbs marked with a * may be NULL. */
 typedef struct arc_growth {
   /* Whether a run cannot go on before it grows; says why. */
   int (*must_grow)(const arc_wear *w, arc_error *why);
@@ -19,6 +19,9 @@ typedef struct arc_growth {
                      arc_wear **result, arc_error *error);
   arc_status (*remesh)(const arc_wear *w, const arc_mesh_def *mesh, const arc_callbacks *callbacks,
                        arc_wear **result, arc_error *error);
+  /* * A new run like one just created, on sites fine enough for what its cycles need; *finer NULL:
+   * those it has are, or somebody chose them. */
+  arc_status (*resolve)(arc_wear *w, arc_wear **finer, arc_error *error);
   /* Reports growth, a wanted mesh, and a step that failed although the run could grow. */
   void (*report)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);
   void (*report_mesh)(const arc_wear *before, const arc_wear *now, const arc_callbacks *callbacks);

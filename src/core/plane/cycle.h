@@ -225,6 +225,14 @@ void arc_wear_tell_grown(const arc_wear *before, const arc_wear *now,
 arc_status arc_wear_refuse(const arc_wear *w, const arc_error *why, const arc_error *trouble,
                            arc_error *error);
 
+/* --- rims.c --- */
+/* A run like one just created, on meshes whose elements resolve the rims that slip; *finer NULL
+ * where they do, where sizes are given, and without friction. */
+arc_status arc_wear_resolve(arc_wear *w, arc_wear **finer, arc_error *error);
+/* The largest size [mm] that resolves the rims of the last update; INFINITY where there are none.
+ */
+double arc_wear_rim_size(const arc_wear *w);
+
 /* --- layers.c --- */
 /* The depth from h on [mm] that a depth due at the largest wear coefficient of the layers under
  * node i of a body comes to at their own. */

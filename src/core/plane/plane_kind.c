@@ -191,6 +191,7 @@ static const arc_growth growth = {
     .has_room = arc_wear_has_room,
     .grow = arc_wear_grow,
     .remesh = arc_wear_remesh,
+    .resolve = arc_wear_resolve,
     .report = arc_wear_tell_grown,
     .report_mesh = report_mesh,
     .refuse = arc_wear_refuse,

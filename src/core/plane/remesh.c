@@ -96,8 +96,9 @@ static void deepen(const arc_wear *w, arc_model_def *def) {
 
 static void coarsen(const arc_wear *w, arc_model_def *def) {
   arc_mesh_def *mesh = &def->mesh;
-  const double fitted = arc_model_size_for(arc_wear_last(w)->half_width);
-  for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= fitted / rich; mesh->size *= 2) {
+  const double fitted = arc_model_size_for(arc_wear_last(w)->half_width) / rich;
+  const double most = fmin(fitted, arc_wear_rim_size(w) / 2);
+  for (; mesh->fineness > 0 && mesh->size * mesh->fineness <= most; mesh->size *= 2) {
     mesh->height *= 2;
     mesh->rows = (mesh->rows + 1) / 2;
   }

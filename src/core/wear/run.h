@@ -130,6 +130,10 @@ arc_status arc_wear_local(const arc_wear *w, const arc_wear_record *state, arc_b
 /* dq/dp of the law at a node. */
 double arc_wear_law_slope(const arc_wear *w, double p, double q);
 
+/* As arc_wear_create, on the meshes of the model whatever cycles need. */
+arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const arc_shape *start,
+                              arc_wear **wear, arc_error *error);
+
 /* --- record.c --- */
 /* Loads and travel of a record: a cycle of a block, or increment `first` of a generic one. */
 void arc_wear_note_motion(const arc_wear *w, const wear_block *block, int first,

@@ -72,14 +72,31 @@ static arc_status take_up(arc_model *model, const arc_wear_def *def, const arc_s
   return status;
 }
 
-arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
-                           arc_wear **result, arc_error *error) {
+arc_status arc_wear_create_on(arc_model *model, const arc_wear_def *def, const arc_shape *start,
+                              arc_wear **result, arc_error *error) {
   *result = NULL;
   arc_status status = arc_wear_check(def, arc_model_definition(model), error);
   if (status == ARC_OK) status = take_up(model, def, start, NULL, 0, result, error);
   if (status == ARC_OK) status = check_reach(*result, error);
   if (status == ARC_OK) status = first_record(*result, error);
   if (status != ARC_OK) arc_wear_destroy(result);
+  return status;
+}
+
+/* A run takes the place of another. */
+static void replace(arc_wear **w, arc_wear *by) {
+  arc_wear_destroy(w);
+  *w = by;
+}
+
+arc_status arc_wear_create(arc_model *model, const arc_wear_def *def, const arc_shape *start,
+                           arc_wear **result, arc_error *error) {
+  arc_wear *finer = NULL;
+  arc_status status = arc_wear_create_on(model, def, start, result, error);
+  const arc_growth *growth = status == ARC_OK ? (*result)->kind->growth : NULL;
+  if (growth && growth->resolve) status = growth->resolve(*result, &finer, error);
+  if (status != ARC_OK) arc_wear_destroy(result);
+  if (finer) replace(result, finer);
   return status;
 }
 
@@ -115,12 +132,6 @@ void arc_wear_destroy(arc_wear **wear) {
   arc_model_release(&w->model);
   free(w);
   *wear = NULL;
-}
-
-/* A run takes the place of another. */
-static void replace(arc_wear **w, arc_wear *by) {
-  arc_wear_destroy(w);
-  *w = by;
 }
 
 /* Puts a changed run on more sites where its contact would leave those it has. */

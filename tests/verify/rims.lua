@@ -1,0 +1,22 @@
+-- Partial slip on the meshes that runs get by themselves, whose elements follow the rims that slip: volume, energy and depth after 10000
+-- cycles against twice the fineness.
+-- Long
+local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
+local within = figures.within
+
+local function worn(case, fineness)
+  local bodies = { mesh = { fineness = fineness }, plate = case.plate }
+  local w = wear{ model = bodies, friction = 0.6, tangential = case.force, stroke = case.stroke, k = 1e-7, cycles = 10000, jump = "auto" }
+  return w:run{ progress = false }
+end
+
+for label, case in pairs{
+  ["0.3 mu L"] = { force = 18 }, ["0.7 mu L"] = { force = 42 }, ["0.9 mu L"] = { force = 54 }, ["0.95 mu L"] = { force = 57 },
+  ["a plate of 420 GPa"] = { force = 54, plate = { E = 420e3 } }, ["a plate of 3 GPa"] = { force = 30, plate = { E = 3e3, nu = 0.35 } },
+  ["a stroke"] = { stroke = 0.002 },
+} do
+  local usual, fine = worn(case, 1), worn(case, 2)
+  within(usual.volume.total, fine.volume.total, 0.01, label .. ": volume")
+  within(usual.energy, fine.energy, 0.01, label .. ": energy")
+  within(usual.depth.plate, fine.depth.plate, 0.015, label .. ": depth")
+end
