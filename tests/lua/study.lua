@@ -173,12 +173,12 @@ holds(bad:table{ format = "csv" }, '\n2,2,,,,,,,,,,,"failed: ', "empty cells in 
 -- What a run warns of is told by the study.
 errors = {}
 io.stderr = { write = function(_, ...) errors[#errors + 1] = table.concat{ ... } end }
-local ripples = small{ vary = { jump = { 50, 800 } } }:run{ file = path "ripples", progress = false }
+local ripples = small{ vary = { jump = { 50, 530 } } }:run{ file = path "ripples", progress = false }
 local told = table.concat(errors)
 errors = {}
-small{ vary = { jump = { 50, 800, 810, 820, 830 } } }:run{ file = path "more", progress = false }
+small{ vary = { jump = { 50, 530, 540, 550, 560 } } }:run{ file = path "more", progress = false }
 io.stderr = quiet
-holds(told, { "case 2", "warning: jump = 800 cycles is past the stability limit" },
+holds(told, { "case 2", "warning: jump = 530 cycles is past the stability limit" },
   "a jump past the stability limit is told of")
 is(told:find("case 1", 1, true), nil, "and no other")
 holds(table.concat(errors), "4 cases (2, 3, 4, 5) have warnings", "many are told of in one line")
@@ -187,7 +187,7 @@ ripples = study.open(path "ripples"):cases()
 is(ripples[1].warning, nil, "a quiet case has no warning")
 holds(ripples[2].warning, "ripples will grow", "the run file keeps the others'")
 holds(tostring(ripples[2]), "ripples will grow", "print(case) tells of it")
-holds(study.open(path "ripples"):table(), "done, warned: jump = 800 cycles is past", "the table too")
+holds(study.open(path "ripples"):table(), "done, warned: jump = 530 cycles is past", "the table too")
 holds(study.open(path "ripples"):table(), "half_w", "which keeps its columns")
 
 -- Histories and series are settings as any other.

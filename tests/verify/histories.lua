@@ -101,11 +101,11 @@ within(switched.volume.plate, 0.75e-6 * 3520, 1e-9, "alpha switched: volume of t
 
 -- By w:set, by a function and by tables with a step: where updates end at the switch, all one.
 local function step_at(s) return s.distance < 440 and 0.25 or 0.75 end
-local by_function = wear{ alpha = step_at }:run()
-local by_set = wear{ alpha = 0.25 }:run{ distance = 440 }:set{ alpha = 0.75 }:run()
+local by_function = wear{ alpha = step_at, jump = 100 }:run()
+local by_set = wear{ alpha = 0.25, jump = 100 }:run{ distance = 440 }:set{ alpha = 0.75 }:run()
 same_bits(by_function, by_set, "alpha switched by a function and by set")
 within(by_set.volume.cylinder, 1e-6 * (0.25 * 440 + 0.75 * 880), 1e-9, "its volume of the cylinder [mm3]")
-local by_worn = wear{ alpha = 0.75, worn = wear{ alpha = 0.25 }:run{ distance = 440 }, distance = 880 }:run()
+local by_worn = wear{ alpha = 0.75, jump = 100, worn = wear{ alpha = 0.25, jump = 100 }:run{ distance = 440 }, distance = 880 }:run()
 ok(by_worn.p_center == by_set.p_center and by_worn.depth.plate == by_set.depth.plate,
   "alpha switched by set and by a new run that starts worn: the same bits")
 
@@ -175,7 +175,7 @@ local first = { x = triangle, load = 120, cycles = 1500, increments = 40 }
 local second = { x = function(at) return 1.6 * triangle(at) end, load = saw, cycles = 700, increments = 60 }
 local bodies = model{ mesh = { zone = { cylinder = 1, plate = 1.4 } } }
 local function blocks(loading, more)
-  local fields = { model = bodies, load = 100, loading = loading }
+  local fields = { model = bodies, load = 100, loading = loading, jump = 100 }
   for name, value in pairs(more or {}) do fields[name] = value end
   return wear(fields)
 end
@@ -212,8 +212,8 @@ within(generic.p_center, continuous.p_center, 2e-3, "centre pressure [MPa]")
 -- A power of the pressure, as a law and as a factor. The law acts on pairs of points, under one pressure; a factor sees the
 -- nodal pressures of each body, and the plate's are means over elements that do not meet the cylinder's.
 local function law_and_factor(alpha)
-  local law = wear{ alpha = alpha, law = "power", law_pressure = 300, law_exponent = 0.5, distance = 440 }:run()
-  local factor = wear{ alpha = alpha, local_factor = function(_, _, p) return (p / 300) ^ 0.5 end, distance = 440 }:run()
+  local law = wear{ alpha = alpha, law = "power", law_pressure = 300, law_exponent = 0.5, distance = 440, jump = 100 }:run()
+  local factor = wear{ alpha = alpha, local_factor = function(_, _, p) return (p / 300) ^ 0.5 end, distance = 440, jump = 100 }:run()
   return law, factor
 end
 local law, factor = law_and_factor(1)

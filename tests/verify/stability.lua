@@ -73,12 +73,14 @@ for _, case in ipairs{ { 0, 0.44, 30 }, { 0, 0.22, 50 }, { 0.5, 0.22, 50 } } do
 end
 
 -- The limit is looked at again where the coefficients grow, the share moves, the path widens; a run that
--- keeps within it says nothing.
+-- keeps within it says nothing. One that ripples ends before its pressures mean nothing.
 local warnings = require "archard.warnings"
 warnings.keep()
 local function told(fields)
-  wear(fields):run{ progress = false }
-  return warnings.take() or ""
+  local w = wear(fields)
+  local ended, problem = pcall(w.run, w, { progress = false })
+  figures.ok(ended or w.p_max < 2 * w.p_center, "pressures mean something to the end")
+  return (warnings.take() or "") .. (ended and "" or tostring(problem))
 end
 local past = { -- name, fields
   { "k that jumps", { stroke = 0.22, jump = 100, distance = 400,
@@ -93,9 +95,9 @@ local past = { -- name, fields
 }
 for _, case in ipairs(past) do
   local text = told(case[2])
-  figures.ok(text:find("past the stability limit of %d+ at distance"), case[1] .. " past the limit: " .. text:sub(1, 90))
-  local _, times = text:gsub("past the stability", "")
-  figures.ok(times == 1, case[1] .. ": said once")
+  figures.ok(text:find("past the stability limit of %d+"), case[1] .. " past the limit: " .. text:sub(1, 90))
+  local _, times = text:gsub("ripples will grow", "")
+  figures.ok(times <= 1, case[1] .. ": said once")
 end
 for name, fields in pairs{
   ["k that falls"] = { jump = 100, distance = 660, k = function(s) return 1e-8 * math.exp(-s.distance / 500) end },

@@ -227,7 +227,7 @@ fails(function() with{ n = 16, seed = 6, indices = true }:run{ file = path("w1")
   "another study", "another seed is another study")
 
 -- --- sensitivities -------------------------------------------------------------------------------
-local thin = wear{ k = 1e-12, distance = 44 }
+local thin = wear{ k = 1e-12, distance = 44, jump = 100 }
 thin:run{ progress = false }
 local t = thin:sensitivity{ of = { "depth_cylinder", "volume_plate" }, to = { "k", "load", "alpha" } }
 near(t.depth_cylinder.k.elasticity[1], 1, 1e-8, "the depth of the first update is linear in k")
@@ -239,7 +239,7 @@ near(t.volume_plate.alpha.elasticity[2], -1, 1e-10, "the plate loses what the cy
 
 -- With all stresses scaled (load and E up, k down) the depth stays and the pressure follows: exact at
 -- every distance, whatever the mesh.
-local w = wear{ distance = 330 }
+local w = wear{ distance = 330, jump = 100 }
 w:run{ progress = false }
 local g = w:sensitivity{ of = { "depth_cylinder", "depth_plate", "p_center" }, to = { "k", "load", "E" }, over = 0 }
 local worst = 0
@@ -253,7 +253,7 @@ tap.note(("scaling of stresses holds to %.1e"):format(worst))
 ok(worst < 1e-4, "sensitivities obey the scaling of stresses to 1e-4")
 -- Against differences extrapolated by hand.
 local function depth(load)
-  local run = wear{ distance = 330, load = load, model = w.model }
+  local run = wear{ distance = 330, jump = 100, load = load, model = w.model }
   run:run{ progress = false }
   return run.depth.cylinder
 end

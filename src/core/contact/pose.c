@@ -166,6 +166,22 @@ void arc_pose_peaks(const pose *p, double *center, double *largest) {
   }
 }
 
+double arc_pose_ripple(const pose *p, const arc_shape *shape, double reach) {
+  const double *cyl = shape->side[ARC_CYLINDER].settled, *width = p->wc + p->lo;
+  const double middle = cyl[2 * lowest(p)];
+  double largest = 0, sum = 0;
+  int count = 0;
+  for (int k = 1; k + 1 < p->count; k++) {
+    if (fabs(cyl[2 * (p->lo + k)] - middle) > reach) continue;
+    const double here = p->f[k] / width[k],
+                 beside = (p->f[k - 1] / width[k - 1] + p->f[k + 1] / width[k + 1]) / 2;
+    largest = fmax(largest, fabs(here - beside));
+    sum += here;
+    count++;
+  }
+  return sum > 0 ? largest * count / sum : 0;
+}
+
 /* Integral of the pressure along x over the candidates' cells between from and to [N/mm]. */
 static double force_between(const pose *p, const double *cyl, double from, double to) {
   double sum = 0;

@@ -101,6 +101,10 @@ void arc_pose_transfer(const pose *p, const double *from, double *to);
 /* Pressure [MPa] at the cylinder's lowest node, that under the load, and the largest at any of its
  * nodes. */
 void arc_pose_peaks(const pose *p, double *center, double *largest);
+/* How far pressures jump between neighbouring nodes of the cylinder within `reach` [mm] of the
+ * lowest one: the largest distance of one from the mean of the two beside it, over the mean of all
+ * [-]. */
+double arc_pose_ripple(const pose *p, const arc_shape *shape, double reach);
 /* The largest pressure averaged over a length [mm] of the cylinder's surface along x, of pressures
  * constant around each node. */
 double arc_pose_average(const pose *p, const arc_shape *shape, double length);

@@ -113,6 +113,9 @@ typedef struct arc_kind {
   /* The wear of a window. */
   arc_status (*rate)(arc_wear *w, const wear_window *window, wear_watch *watch, wear_rate *rate,
                      arc_error *error);
+  /* * How far pressures jump between neighbouring sites, over their mean [-], on the surfaces that
+   * were measured last into the record. */
+  double (*ripple)(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
   /* * The fretting loop of a whole cycle. */
   arc_status (*loop)(arc_wear *w, const wear_window *window, wear_watch *watch, arc_loop **loop,
                      arc_error *error);

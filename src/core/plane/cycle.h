@@ -163,6 +163,7 @@ double arc_wear_spin_share(const arc_wear *w, const shape_side *side, int i);
 /* --- measures.c --- */
 /* alpha = 0 over the whole plate: the contact never changes. */
 int arc_plane_stays_as_it_is(const arc_wear_def *def, const arc_model_def *model);
+double arc_plane_ripple(const arc_wear *w, const arc_shape *shape, const arc_wear_record *measured);
 double arc_plane_roughness(const arc_wear *w, arc_body body);
 /* Largest depth of the plate [mm]; of a track, its mean depth as wide as the contact is. The record
  * has volume and half width. */

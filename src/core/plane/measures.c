@@ -71,6 +71,13 @@ arc_status arc_plane_measure(arc_wear *w, const arc_shape *shape, arc_wear_recor
   return ARC_OK;
 }
 
+double arc_plane_ripple(const arc_wear *w, const arc_shape *shape,
+                        const arc_wear_record *measured) {
+  static const double middle = 0.8; /* pressures fall steeply at the edges */
+  if (stays_hertzian(w, shape)) return 0;
+  return arc_pose_ripple(&plane_of(w)->reference, shape, middle * measured->half_width);
+}
+
 double arc_plane_roughness(const arc_wear *w, arc_body body) {
   const arc_profile profile = arc_shape_profile(w->shape, body);
   const double deepest = arc_shape_depth(w->shape, body);

@@ -228,6 +228,7 @@ const arc_kind arc_plane_kind = {
     .wear = arc_plane_wear,
     .measure = arc_plane_measure,
     .rate = arc_wear_evaluate,
+    .ripple = arc_plane_ripple,
     .loop = arc_wear_fret_loop,
     .tangent = arc_tangent_create,
     .end_tangent = arc_tangent_free,

@@ -228,6 +228,7 @@ static arc_status try_step(arc_wear *w, double limit, const arc_callbacks *callb
   if (status != ARC_OK || !*moved) return status;
   status = attempt_with_cuts(w, &plan, &watch, &out, error);
   if (status == ARC_OK) status = meet_targets(w, &plan, &watch, targets, &out, error);
+  if (status == ARC_OK) status = arc_wear_refuse_ripples(w, &plan, &out, callbacks, error);
   if (status == ARC_OK) status = arc_wear_solve_next_cycle(w, &plan, &out, callbacks, error);
   if (status == ARC_OK) status = arc_wear_append(w, &out.record, error);
   if (status != ARC_OK) w->start.block = NULL;

@@ -101,6 +101,10 @@ arc_status arc_wear_solve_next_cycle(arc_wear *w, const wear_plan *plan, wear_ou
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks);
 /* Tells, once for a definition, that the last update, of this block, was longer than is stable;
  * looks where its coefficients have grown, or the path changed, since the last look. */
+/* Refuses an outcome whose pressures jump between neighbours by half of their mean, after a step
+ * past the stability limit: ARC_NOT_CONVERGED. */
+arc_status arc_wear_refuse_ripples(arc_wear *w, const wear_plan *plan, const wear_outcome *out,
+                                   const arc_callbacks *callbacks, arc_error *error);
 void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_callbacks *callbacks);
 
 #endif
