@@ -2,9 +2,10 @@
  * solutions.
  *
  * With C = A^-1 - A^-1 1 1' A^-1 / (1' A^-1 1) on the active set, deeper surfaces h change the
- * forces of a pose by -C (h_c + B h_p). C hardly differs between neighbouring poses, so that of
- * one, the head, serves a group of them; their B do differ, and it is their mean that couples the
- * surfaces. Groups lie symmetric about x = 0, so that symmetric runs stay so. */
+ * forces of a pose by -C (h_c + B h_p). C hardly differs between neighbouring poses with the
+ * same active set, so that of one, the head, serves a group of them; their B do differ, and it is
+ * their mean that couples the surfaces. Groups lie symmetric about x = 0, so that symmetric runs
+ * stay so. */
 #include "core/base/dense.h"
 #include "core/plane/cycle.h"
 
@@ -13,7 +14,8 @@
 #include <string.h>
 
 typedef struct jacobian_group {
-  int m;                 /* size of the head's active set; 0: no head yet */
+  pose *head;            /* solved at point `at` */
+  int at, m;             /* size of its active set */
   int *node;             /* [nc] the set, by surface node */
   int *from, *to;        /* [nc] plate nodes in a cylinder node's rows of B: from .. to - 1 */
   int low, high;         /* in those of the set */
@@ -31,8 +33,8 @@ wear_tangent *arc_tangent_create(const arc_wear *w) {
   wear_tangent *j = calloc(1, sizeof *j);
   jacobian_group *g = calloc(1, sizeof *g);
   double *value = malloc(n * n * sizeof(double));
-  int *node = malloc(3 * c * sizeof(int));
-  double *scale = malloc((n + c * c + 3 * c * p) * sizeof(double));
+  int *node = calloc(3 * c, sizeof(int));
+  double *scale = calloc(n + c * c + 3 * c * p, sizeof(double));
   if (!j || !g || !value || !node || !scale) {
     free(j), free(g), free(value), free(node), free(scale);
     return NULL;
@@ -65,10 +67,23 @@ size_t arc_tangent_bytes(const arc_wear *w) {
   return (n * n + n + c * c + 3 * c * p) * sizeof(double);
 }
 
+/* An empty group, which the memory of a new one is. */
+static void empty(wear_tangent *j) {
+  jacobian_group *g = j->group;
+  g->points = 0;
+  g->total = 0;
+  memset(g->scale, 0, (size_t)(j->nc + j->np) * sizeof(double));
+  for (int i = 0; i < j->nc; i++) {
+    const size_t rows = g->to[i] > g->from[i] ? (size_t)(g->to[i] - g->from[i]) : 0;
+    if (rows > 0) memset(&g->mean[dense_at(g->from[i], i, j->np)], 0, rows * sizeof(double));
+    g->from[i] = j->np, g->to[i] = 0;
+  }
+}
+
 void arc_wear_jacobian_clear(wear_tangent *j) {
   const size_t n = (size_t)(j->nc + j->np);
   memset(j->value, 0, n * n * sizeof(double));
-  j->group->points = 0;
+  empty(j);
 }
 
 /* --- a group --- */
@@ -82,18 +97,11 @@ static void fill_c(const pose *p, double *c) {
     for (int s = 0; s < m; s++) c[dense_at(s, t, m)] -= p->ones[s] * p->ones[t] / total;
 }
 
-static void begin(wear_tangent *j) {
+/* Takes C and B of the head; returns 0 where A is not definite, which the solution had it to be. */
+static int take_head(wear_tangent *j) {
   jacobian_group *g = j->group;
-  g->m = g->points = 0;
-  g->total = 0;
-  memset(g->scale, 0, (size_t)(j->nc + j->np) * sizeof(double));
-  memset(g->mean, 0, (size_t)j->nc * (size_t)j->np * sizeof(double));
-  for (int i = 0; i < j->nc; i++) g->from[i] = j->np, g->to[i] = 0;
-}
-
-static void lead(wear_tangent *j, pose *p) {
-  jacobian_group *g = j->group;
-  if (arc_lcp_factorise(p)) return; /* as the solution had it to be */
+  pose *p = g->head;
+  if (arc_lcp_factorise(p)) return 0;
   g->m = p->active;
   g->wc = p->wc;
   g->wp = p->wp;
@@ -104,6 +112,7 @@ static void lead(wear_tangent *j, pose *p) {
     for (int q = 0; q < p->width && p->first[k] + q < p->np; q++)
       g->own[dense_at(p->first[k] + q, i, j->np)] = p->b[k * p->width + q];
   }
+  return 1;
 }
 
 static void join(const arc_wear *w, const pose *p, const wear_point *point, double share,
@@ -192,12 +201,13 @@ static void find_range(jacobian_group *g, int np) {
 
 void arc_wear_jacobian_finish(wear_tangent *j) {
   jacobian_group *g = j->group;
-  if (g->points == 0 || g->m == 0 || g->total == 0) return;
-  find_range(g, j->np);
-  add_cylinder(j);
-  add_coupling(j);
-  add_plate(j);
-  g->points = 0;
+  if (g->points > 0 && g->total > 0 && take_head(j)) {
+    find_range(g, j->np);
+    add_cylinder(j);
+    add_coupling(j);
+    add_plate(j);
+  }
+  empty(j);
 }
 
 /* --- which group --- */
@@ -212,27 +222,27 @@ static double off_centre(const wear_tangent *j, const wear_block *block, int at)
   return fabs(fabs(block->pose_x[at]) - centre);
 }
 
-static int same_group(const wear_tangent *j, const wear_block *block, const wear_window *window,
-                      int a, int b) {
-  return window->first <= b && b <= window->last && block->line[a] == block->line[b] &&
-         block->angle[a] == block->angle[b] && bin_of(j, block, a) == bin_of(j, block, b);
+static int same_set(const pose *a, const pose *b) {
+  return a->lo == b->lo && a->active == b->active &&
+         memcmp(a->set, b->set, (size_t)a->active * sizeof *a->set) == 0;
+}
+
+/* Nearby points under the same load at which the same nodes touch. */
+static int belongs(const wear_tangent *j, const wear_block *block, int at, const pose *p) {
+  const jacobian_group *g = j->group;
+  const int to = g->at;
+  return g->points > 0 && block->line[at] == block->line[to] &&
+         block->angle[at] == block->angle[to] && bin_of(j, block, at) == bin_of(j, block, to) &&
+         same_set(p, g->head);
 }
 
 /* The point nearest to the centre of its group; of two, the one further out. */
-static int is_head(const wear_tangent *j, const wear_block *block, const wear_window *window,
-                   int at) {
+static int is_better_head(const wear_tangent *j, const wear_block *block, int at) {
   static const double even = 1e-9;
-  if (j->width == 0) return 1;
-  const double own = off_centre(j, block, at);
-  for (int step = -1; step <= 1; step += 2)
-    for (int o = at + step; same_group(j, block, window, at, o); o += step) {
-      const double other = off_centre(j, block, o);
-      if (other < own - even * j->width) return 0;
-      if (other > own + even * j->width) continue;
-      const double further = fabs(block->pose_x[o]) - fabs(block->pose_x[at]);
-      if (further > 0 || (further == 0 && o < at)) return 0;
-    }
-  return 1;
+  const int head = j->group->at;
+  const double nearer = off_centre(j, block, head) - off_centre(j, block, at);
+  if (fabs(nearer) > even * j->width) return nearer > 0;
+  return fabs(block->pose_x[at]) > fabs(block->pose_x[head]);
 }
 
 void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at, double share,
@@ -240,12 +250,9 @@ void arc_wear_jacobian_add(const arc_wear *w, const wear_window *window, int at,
   wear_tangent *j = window->tangent;
   const wear_block *block = path_of(w)->block;
   pose *p = &path_of(w)->pose[block->place[at]];
-  const int apart = j->group->points == 0 || !same_group(j, block, window, at, at - 1);
-  if (apart) {
-    arc_wear_jacobian_finish(j);
-    begin(j);
-  }
-  if (is_head(j, block, window, at)) lead(j, p);
+  const int joins = belongs(j, block, at, p);
+  if (!joins) arc_wear_jacobian_finish(j);
+  if (!joins || is_better_head(j, block, at)) j->group->head = p, j->group->at = at;
   join(w, p, &path_of(w)->point[at % 2], share, way, j);
 }
 

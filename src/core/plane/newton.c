@@ -1,6 +1,6 @@
 /* Newton on the depths of both surfaces. The Jacobian and its factors are kept over the stages of a
- * step, as long as the iteration contracts well; then they are renewed, and at last the exact ones
- * are used in every iteration, with a line search. Leans on rate.c and jacobian.c. */
+ * step for as long as the iteration contracts well; a step with new ones is halved until the
+ * residual falls. Leans on rate.c and jacobian.c. */
 #include "core/plane/newton.h"
 #include "core/base/carve.h"
 #include "core/base/dense.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { newton_limit = 15, kept_limit = 8, halvings = 5 };
+enum { newton_limit = 15, halvings = 5 };
 /* Of the largest depth at hand; with a tolerance, a share of it. */
 static const double tight = 1e-8, share_of_tolerance = 5e-3;
 /* The kept Jacobian has to reduce the error to this share in each iteration. */
@@ -18,15 +18,15 @@ static const double contraction = 0.4;
 /* What Newton's method takes; a contact that rests needs none of it. */
 static arc_status create_moving(newton *s) {
   const size_t n = (size_t)s->n;
-  const carve_part parts[] = {{&s->residual, n}, {&s->step, n},      {&s->packed, n},
-                              {&s->start, n},    {&s->defect, n},    {&s->last, n},
-                              {&s->taken, n},    {&s->matrix, n * n}};
+  const carve_part parts[] = {{&s->residual, n},  {&s->step, n}, {&s->packed, n},
+                              {&s->defect, n},    {&s->last, n}, {&s->taken, n},
+                              {&s->matrix, n * n}};
   s->pivots = malloc(2 * n * sizeof(int));
   s->jacobian = arc_tangent_create(s->at->run);
   if (!ARC_CARVE(parts) || !s->pivots || !s->jacobian) return ARC_MEMORY;
   s->node = s->pivots + n;
   const shape_side *plate = &s->at->window.shape->side[ARC_PLATE];
-  s->jacobian->width = s->coarse = 2 * arc_shape_width(plate, plate->n / 2);
+  s->jacobian->width = 2 * arc_shape_width(plate, plate->n / 2);
   return ARC_OK;
 }
 
@@ -187,7 +187,8 @@ static double product(const double *a, const double *b, int n) {
 
 /* What a kept Jacobian misses is mostly one mode, that of nodes which have entered the contact
  * since: the secant through the last two iterates (Anderson's, depth 1) takes it out. step becomes
- * the better one; defect is the plain one, of which `last` and `taken` are the previous. */
+ * the better one; defect is the plain one; `last` is the previous one of these, `taken` what was
+ * stepped then. */
 static void accelerate(newton *s, int it) {
   const size_t bytes = (size_t)s->n * sizeof(double);
   memcpy(s->step, s->defect, bytes);
@@ -198,68 +199,57 @@ static void accelerate(newton *s, int it) {
     for (int i = 0; i < s->n; i++) s->step[i] -= share * (s->taken[i] + s->last[i]);
   }
   memcpy(s->last, s->defect, bytes);
-  memcpy(s->taken, s->step, bytes);
 }
 
-/* With the Jacobian at hand. */
-static arc_status solve_kept(newton *s, double h, double *rate) {
-  const double least = arc_newton_allowed(s);
-  double last = 0, first = 0;
-  s->nearer = 0;
-  for (int it = 0; it < kept_limit; it++) {
-    arc_newton_residual(s, h, rate);
-    memcpy(s->defect, s->residual, (size_t)s->n * sizeof(double));
-    if (direction(s, h, s->defect) != ARC_OK) return ARC_NOT_CONVERGED;
-    const double size = largest_of(s->defect, s->n), shrinks = it > 0 ? size / last : 0;
-    if (it == 0) first = size;
-    s->nearer = size < first;
+/* What is left of an iterate: the residual, and the step to where it vanishes; *size is the largest
+ * entry of that. */
+static arc_status find_defect(newton *s, double h, const double *rate, double *size) {
+  arc_newton_residual(s, h, rate);
+  memcpy(s->defect, s->residual, (size_t)s->n * sizeof(double));
+  const arc_status status = direction(s, h, s->defect);
+  *size = largest_of(s->defect, s->n);
+  return status;
+}
+
+/* Along the step, which is halved so often at most, until the residual falls. A contact that leaves
+ * its zone on the way counts as no fall. */
+static arc_status walk(newton *s, double h, double *rate, int most) {
+  const double before = arc_newton_residual(s, h, rate);
+  double share = 1, last = 0;
+  arc_status status = ARC_NOT_CONVERGED;
+  for (int half = 0; half <= most; half++, share /= 2) {
+    for (int i = 0; i < s->n; i++) s->at->z[i] -= (share - last) * s->step[i];
+    last = share;
+    status = arc_newton_evaluate(s, rate, 0);
+    if (arc_newton_is_hopeless(s, status)) return status;
+    if (status == ARC_OK && arc_newton_residual(s, h, rate) < before * (1 - 0.1 * share)) break;
+  }
+  for (int i = 0; i < s->n; i++) s->taken[i] = last * s->step[i];
+  return status;
+}
+
+/* With the Jacobian at hand for as long as it contracts well, then with one of the present iterate.
+ */
+static arc_status solve_moving(newton *s, double h, double *rate) {
+  double last = 0, size;
+  for (int it = 0, since = 0; it < newton_limit; it++, since++) {
+    arc_status status = find_defect(s, h, rate, &size);
+    if (status == ARC_OK && since > 0 && size > contraction * last) {
+      since = 0;
+      status = arc_newton_evaluate(s, rate, 1);
+      if (status == ARC_OK) status = find_defect(s, h, rate, &size);
+    }
+    if (status != ARC_OK) return status;
+    const double least = arc_newton_allowed(s), shrinks = since > 0 ? size / last : 1;
     if (it > 0 && size <= 0.02 * least) return ARC_OK;
-    if (it > 1 && shrinks > contraction) return ARC_NOT_CONVERGED;
-    accelerate(s, it);
-    if (it > 0 && fmax(shrinks, 0.02) * size <= least) {
+    accelerate(s, since);
+    if (since > 0 && fmax(shrinks, 0.02) * size <= least) {
       take_last(s, h, rate);
       return ARC_OK;
     }
-    for (int i = 0; i < s->n; i++) s->at->z[i] -= s->step[i];
-    const arc_status status = arc_newton_evaluate(s, rate, 0);
-    if (status != ARC_OK) {
-      s->nearer = 0;
-      return arc_newton_is_hopeless(s, status) ? status : ARC_NOT_CONVERGED;
-    }
+    status = walk(s, h, rate, since == 0 ? halvings : 0);
+    if (status != ARC_OK) return status;
     last = size;
-  }
-  return ARC_NOT_CONVERGED;
-}
-
-/* Along the step, halved until the residual falls. A contact that leaves its zone on the way counts
- * as no fall. */
-static arc_status line_search(newton *s, double h, double *rate, double *size) {
-  const double before = *size;
-  double share = 1, last = 0;
-  for (int half = 0; half <= halvings; half++, share /= 2) {
-    for (int i = 0; i < s->n; i++) s->at->z[i] -= (share - last) * s->step[i];
-    last = share;
-    const arc_status status = arc_newton_evaluate(s, rate, 1);
-    if (arc_newton_is_hopeless(s, status)) return status;
-    if (status != ARC_OK) continue;
-    *size = arc_newton_residual(s, h, rate);
-    if (*size < before * (1 - 0.1 * share)) return ARC_OK;
-  }
-  return ARC_NOT_CONVERGED;
-}
-
-/* With the exact Jacobian of every iterate. */
-static arc_status solve_exactly(newton *s, double h, double *rate) {
-  s->jacobian->width = 0;
-  arc_status status = arc_newton_evaluate(s, rate, 1);
-  if (status != ARC_OK) return arc_newton_is_hopeless(s, status) ? status : ARC_NOT_CONVERGED;
-  double size = arc_newton_residual(s, h, rate);
-  const double least = 0.1 * arc_newton_allowed(s);
-  for (int it = 0; it < newton_limit; it++) {
-    if (size <= least) return ARC_OK;
-    memcpy(s->step, s->residual, (size_t)s->n * sizeof(double));
-    if (direction(s, h, s->step) != ARC_OK) return ARC_NOT_CONVERGED;
-    if ((status = line_search(s, h, rate, &size)) != ARC_OK) return status;
   }
   return ARC_NOT_CONVERGED;
 }
@@ -271,34 +261,11 @@ static void settle(newton *s, double h, const double *rate) {
   if (s->area > 0) s->at->last.energy *= area_of(s, rate) / s->area;
 }
 
-/* A new Jacobian, at the iterate that an iteration left or, where that is no nearer, at its start.
- */
-static arc_status renew(newton *s, double *rate) {
-  if (!s->nearer) memcpy(s->at->z, s->start, (size_t)s->n * sizeof(double));
-  return arc_newton_evaluate(s, rate, 1);
-}
-
 arc_status arc_newton_solve(wear_stage *stage, double h, double *rate) {
   newton *s = stage->own;
-  if (s->rests) {
-    const arc_status rested = arc_stage_solve_rest(s, h, rate);
-    if (rested == ARC_OK) settle(s, h, rate);
-    return rested == ARC_OK || arc_newton_is_hopeless(s, rested) ? rested : ARC_NOT_CONVERGED;
-  }
-  memcpy(s->start, s->at->z, (size_t)s->n * sizeof(double));
-  arc_status status = solve_kept(s, h, rate);
-  if (status == ARC_NOT_CONVERGED) {
-    status = renew(s, rate);
-    if (status == ARC_OK) status = solve_kept(s, h, rate);
-    if (status != ARC_OK && !arc_newton_is_hopeless(s, status)) status = ARC_NOT_CONVERGED;
-  }
-  if (status == ARC_NOT_CONVERGED) {
-    if (!s->nearer) memcpy(s->at->z, s->start, (size_t)s->n * sizeof(double));
-    status = solve_exactly(s, h, rate);
-  }
-  s->jacobian->width = s->coarse;
+  const arc_status status = s->rests ? arc_stage_solve_rest(s, h, rate) : solve_moving(s, h, rate);
   if (status == ARC_OK) settle(s, h, rate);
-  return status;
+  return status == ARC_OK || arc_newton_is_hopeless(s, status) ? status : ARC_NOT_CONVERGED;
 }
 
 arc_status arc_newton_start(wear_stage *stage, double *rate) {

@@ -16,11 +16,8 @@ typedef struct newton {
 
   /* of a contact that moves */
   double *packed;
-  double *start;                 /* z of a stage at first */
   double *defect, *last, *taken; /* steps: the plain one, the one before, and as accelerated */
-  int nearer;                    /* the last iteration came nearer to the solution */
   wear_tangent *jacobian;
-  double coarse;  /* jacobian->width of a kept one */
   double *matrix; /* [live x live] factors of I + h k J */
   int live, *node, *pivots;
   double h; /* cycles [-] the factors belong to; 0: none */
