@@ -40,6 +40,8 @@ typedef struct arc_halfspace_def {
   int track;             /* rows of the lower body: nx and an even number more; 0: nx */
   double groove;         /* [mm] > 0: the lower body is the same all along x, has one row of sites
                             of this length, and its wear is spread over it (long strokes, circles) */
+  int turned;            /* the lower body moves along z: size_x, nx and track count along z, size_z
+                            and nz along x; radii, recess, sites and extents keep their axes */
   int periodic;          /* the window repeats in x and z; without a track */
   int workers;           /* threads over positions; 0 and 1: the caller alone */
 } arc_halfspace_def;

@@ -205,7 +205,7 @@ typedef struct arc_loading {
          "Of a pin on a disc: mean radius of its track, beyond the contact's. A cycle is a "       \
          "revolution then, in place of "                                                           \
          "stroke. The disc stays flat; its depth is told as the mean over the track, as wide as "  \
-         "the contact is by then.")                                                                \
+         "the contact is by then. In 3-D it wears to a track the same all round.")                 \
   CHOICE(rule, rule, ARC_TRAPEZOID, 0, "Integration over the increments: Eq. (4) or Eq. (5).")     \
   CHOICE(geometry, geometry, ARC_MOVING, ARC_FIXED,                                                \
          "Whether the worn nodes change the stiffness of the surface layer, or the gap alone.")    \

@@ -120,9 +120,45 @@ near(math.max(table.unpack(groove:profile("block", { x = 0 }).h)), groove.depth.
 fails(function() groove:map "block" end, "{ x = 0 }", "and no map")
 fails(function() run{ procedure = "NSP", stroke = 0.1 } end, "'procedure'", "a groove shorter than two contacts")
 
+-- --- across, and round -----------------------------------------------------------------------------
+local function on_flat(rx, rz) return model{ geometry = "3-D", upper = body.ball{ radius = rx, radius_z = rz }, lower = body.block{} } end
+local function factor(x) return x > 0 and 2 or 1 end
+local across = run{ model = on_flat(20, 5), slide = "z", distance = 10, local_factor = function(_, _, _, _, z) return factor(z) end }
+local along = run{ model = on_flat(5, 20), distance = 10, local_factor = function(_, x) return factor(x) end }
+across:run{ distance = 5 }
+across:save(file)
+local resumed = wear.open(file, { local_factor = across.local_factor })
+os.remove(file)
+across:run()
+along:run{ distance = 5 }
+along:run()
+resumed:run()
+is(across.depth.block, along.depth.block, "a motion along z with the radii exchanged: the same to the bit")
+is(across.volume.ball, along.volume.ball, "and the volume")
+is(resumed.depth.block, across.depth.block, "from a file, too")
+is(across.half_width_z, along.half_width, "half widths keep their axes")
+local turned, straight = across:map "block", along:map "block"
+ok(#turned.x == #straight.z and #turned.z == #straight.x, "maps keep theirs")
+near(turned:at(0.01, 0.03), straight:at(0.03, 0.01), 1e-12, "the same map, turned")
+is(#across:profile("block", { x = 0 }).h, #turned.z, "sections, too")
+fails(function() across:set{ slide = "x", distance = 20 } end, "'slide'", "no other axis for worn surfaces")
+fails(function() run{ model = on_flat(20, 5), worn = across } end, "'slide'", "nor as a start")
+fails(function() contact{ model = across.model, worn = across, x = 0.1 } end, "'x'", "nor a contact beside the middle")
+
+fails(function() wear{ model = m, load = 10, track = 0.1, cycles = 2 } end, "'track': expected more than the contact's width", "a narrow track")
+fails(function() wear{ model = m, load = 10, track = 5, cycles = 2, procedure = "SP" } end, "'procedure'", "a track with both ways")
+local disc = wear{ model = m, load = 10, track = 10, cycles = 2, alpha = 0.3 }
+disc:run()
+near(disc.distance, 2 * 2 * math.pi * 10, 1e-12, "a pin on a disc: a cycle is a revolution")
+near(disc.volume.block, 0.7 * 1e-8 * 10 * disc.distance, 1e-9, "the disc's share")
+local track = disc:profile("block", { x = 0 })
+local section = 0
+for i = 2, #track.x do section = section + (track.h[i] + track.h[i - 1]) / 2 * (track.x[i] - track.x[i - 1]) end
+near(section * 2 * math.pi * 10, disc.volume.block, 1e-3, "is the section of the track all round")
+
 -- --- what is not there -----------------------------------------------------------------------------
 for _, wrong in ipairs{
-  { { friction = 0.1 }, "'friction'" }, { { slide = "z" }, "'slide'" }, { { track = 5 }, "'track'" },
+  { { friction = 0.1 }, "'friction'" },
   { { law = "energy" }, "'law'" }, { { update = "increment" }, "'update'" }, { { slip = "total" }, "'slip'" },
   { { law = "threshold" }, "jump = \"auto\"" }, { { stroke = 1e4 }, "'increments'" },
 } do

@@ -58,7 +58,8 @@ static double middle(const field *f) {
   return (v[i * n + j] + v[k * n + j] + v[i * n + l] + v[k * n + l]) / 4;
 }
 
-static arc_halfspace_extent extent_of(const field *f, double size_x, double size_z) {
+/* size_x: of a row's cells, along the motion. */
+static arc_halfspace_extent extent_of(const arc_halfspace_def *d, const field *f, double size_x) {
   arc_halfspace_extent e = {0};
   int inside = 0;
   for (int i = 0; i < f->rows; i++)
@@ -66,17 +67,17 @@ static arc_halfspace_extent extent_of(const field *f, double size_x, double size
       e.largest = fmax(e.largest, f->value[(size_t)i * (size_t)f->columns + (size_t)j]);
       inside += at(f, i, j) > f->level;
     }
-  e.area = inside * size_x * size_z;
+  e.area = inside * size_x * d->size_z;
   e.center = middle(f);
-  find_extent(f, 0, size_x, &e.half_width, &e.center_x);
-  find_extent(f, 1, size_z, &e.half_width_z, &e.center_z);
+  find_extent(f, d->turned, d->turned ? d->size_z : size_x, &e.half_width, &e.center_x);
+  find_extent(f, !d->turned, d->turned ? size_x : d->size_z, &e.half_width_z, &e.center_z);
   return e;
 }
 
 arc_halfspace_extent arc_halfspace_contact_extent(const arc_halfspace *h, const double *pressure) {
   const arc_halfspace_def *d = &h->def;
   const field f = {.value = pressure, .rows = d->nx, .columns = d->nz, .power = 2};
-  return extent_of(&f, d->size_x, d->size_z);
+  return extent_of(d, &f, d->size_x);
 }
 
 arc_halfspace_extent arc_halfspace_scar(const arc_halfspace *h, arc_body body, const double *depth,
@@ -85,5 +86,5 @@ arc_halfspace_extent arc_halfspace_scar(const arc_halfspace *h, arc_body body, c
   const int rows = body == ARC_UPPER ? d->nx : h->rows;
   field f = {.value = depth, .rows = rows, .columns = d->nz, .power = 1};
   for (int k = 0; k < rows * d->nz; k++) f.level = fmax(f.level, share * depth[k]);
-  return extent_of(&f, arc_halfspace_site_area(h, body) / d->size_z, d->size_z);
+  return extent_of(d, &f, arc_halfspace_site_area(h, body) / d->size_z);
 }

@@ -61,6 +61,8 @@ static arc_status check_cells(const arc_halfspace_def *d, arc_error *error) {
   if (status == ARC_OK)
     status = check_number("groove", d->groove, d->groove >= 0 && isfinite(d->groove),
                           "a length, or 0", error);
+  if (status == ARC_OK)
+    status = check_number("turned", d->turned, d->turned == 0 || d->turned == 1, "0 or 1", error);
   if (status == ARC_OK && d->periodic)
     status = check_number("periodic", d->periodic,
                           rows_of(d) == d->nx && d->nx % 2 == 0 && d->nz % 2 == 0,
@@ -181,9 +183,10 @@ static void find_recess(arc_halfspace *h, int body) {
   const int rows = body == ARC_UPPER ? d->nx : h->rows;
   for (int i = 0; i < rows; i++)
     for (int j = 0; j < d->nz; j++) {
-      const double x = space_x(d, rows, i), z = space_z(d, j);
+      const double along = space_x(d, rows, i), across = space_z(d, j);
+      const double x = d->turned ? across : along, z = d->turned ? along : across;
       double y = 0;
-      if (b->radius_x != 0 && d->groove * body == 0) y += x * x / (2 * b->radius_x);
+      if (b->radius_x != 0) y += x * x / (2 * b->radius_x);
       if (b->radius_z != 0) y += z * z / (2 * b->radius_z);
       if (b->recess) y += b->recess(b->context, x, z);
       h->recess[body][(size_t)i * (size_t)d->nz + (size_t)j] = y;
@@ -286,8 +289,10 @@ double arc_halfspace_site_area(const arc_halfspace *h, arc_body body) {
 
 void arc_halfspace_site_at(const arc_halfspace *h, arc_body body, int site, double *x, double *z) {
   const arc_halfspace_def *d = &h->def;
-  *x = space_x(d, body == ARC_UPPER ? d->nx : h->rows, site / d->nz);
-  *z = space_z(d, site % d->nz);
+  const double along = space_x(d, body == ARC_UPPER ? d->nx : h->rows, site / d->nz),
+               across = space_z(d, site % d->nz);
+  *x = d->turned ? across : along;
+  *z = d->turned ? along : across;
 }
 
 const double *arc_halfspace_recess(const arc_halfspace *h, arc_body body) {
@@ -337,7 +342,7 @@ void arc_halfspace_fit(arc_halfspace_def *d, double load, double volume, double 
     if (b[k].radius_z != 0) curvature[1] += 1 / b[k].radius_z;
   }
   arc_hertz_ellipse hertz;
-  const double rx = 1 / curvature[0], rz = 1 / curvature[1];
+  const double rx = 1 / curvature[d->turned != 0], rz = 1 / curvature[d->turned == 0];
   if (estimate(d, rx, rz, load, &hertz) != ARC_OK) return;
   const double usual = fmin(hertz.half_width, hertz.half_width_z) / fineness;
   d->size_x = increment > 0 ? increment / fmax(1, round(increment / usual)) : usual;

@@ -113,10 +113,15 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
   space_contact *c = calloc(1, sizeof *c);
   if (!c) return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
   const int unworn = is_unworn(space_shape_of(shape));
+  if (!unworn && space_turned(space_shape_of(shape)) && def->x != 0) {
+    free(c);
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'x': expected 0 on surfaces that were worn along z, got %g mm", def->x);
+  }
   c->handle.def = *def;
   if (unworn) {
     arc_halfspace_def cells;
-    arc_space_fit(md, def->load, 0, 2 * fabs(def->x), fabs(def->x), &cells);
+    arc_space_fit(md, 0, def->load, 0, 2 * fabs(def->x), fabs(def->x), &cells);
     status = arc_space_create(model, &cells, (space_shape **)(void *)&c->handle.shape, error);
   } else {
     status = arc_space_copy(shape, &c->handle.shape, error);
@@ -161,10 +166,12 @@ static void fill(const space_shape *s, int b, const double *pressure, double at,
   for (int i = 0; i < n; i++) {
     const double inside = recess[i] + s->depth[b][i];
     const int row = i / d->nz - (b == ARC_LOWER ? ahead : 0);
-    arc_halfspace_site_at(s->grid->h, (arc_body)b, i, &values[X * n + i], &values[Z * n + i]);
-    values[H * n + i] = s->depth[b][i];
-    values[Y * n + i] = b == ARC_UPPER ? inside : -inside;
-    values[P * n + i] = row >= 0 && row < d->nx ? fmax(0, pressure[row * d->nz + i % d->nz]) : 0;
+    const int to = d->turned ? i % d->nz * rows + i / d->nz : i; /* z fastest */
+    values[X * n + to] = s->grid->x[b][i];
+    values[Z * n + to] = s->grid->z[b][i];
+    values[H * n + to] = s->depth[b][i];
+    values[Y * n + to] = b == ARC_UPPER ? inside : -inside;
+    values[P * n + to] = row >= 0 && row < d->nx ? fmax(0, pressure[row * d->nz + i % d->nz]) : 0;
   }
 }
 

@@ -14,16 +14,21 @@ static arc_status refuse(arc_error *error, const char *field, const char *why) {
 static arc_status check_built(const arc_wear_def *d, arc_error *error) {
   if (arc_wear_has_friction(d)) return refuse(error, "friction", "there is none yet: expected 0");
   if (d->tangential > 0) return refuse(error, "tangential", "expected none: there is no friction");
-  if (d->slide == ARC_SLIDE_Z)
-    return refuse(error, "slide", "expected \"x\"; exchange radius and radius_z instead");
   if (d->spin > 0) return refuse(error, "spin", "expected none");
-  if (d->track > 0) return refuse(error, "track", "expected none yet");
+  if (d->track > 0 && d->blocks > 0)
+    return refuse(error, "track", "expected stroke and load: a cycle is a revolution");
   if (d->slip == ARC_SLIP_TOTAL) return refuse(error, "slip", "expected \"rigid\"");
   if (d->update == ARC_UPDATE_INCREMENT) return refuse(error, "update", "expected \"cycle\"");
   if (arc_law_properties[d->law] & ARC_LAW_OF_SHEAR)
     return refuse(error, "law", "there is no friction yet: expected a law of pressure");
   if (d->load_angle != 0) return refuse(error, "load_angle", "expected 0: it is that of holes");
   return ARC_OK;
+}
+
+/* The contact stays at one position: NSP, or a pin on a disc. */
+static int rests(const arc_wear_def *d) {
+  return d->track > 0 || d->procedure == ARC_NSP ||
+         (d->procedure == ARC_AUTO && arc_wear_alpha_stays_one(d));
 }
 
 static arc_status check_increments(const arc_wear_def *d, const arc_model_def *model,
@@ -48,10 +53,19 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
 
 static arc_status check_groove(const arc_wear_def *d, const arc_model_def *model,
                                arc_error *error) {
-  if (d->procedure != ARC_NSP || arc_wear_alpha_stays_one(d)) return ARC_OK;
+  const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
+  const int turned = d->slide == ARC_SLIDE_Z;
+  const double scar = 2 * (turned ? hertz.half_width_z : hertz.half_width);
+  const double widest = 2 * fmax(hertz.half_width, hertz.half_width_z);
+  if (d->track > 0 && d->procedure == ARC_SP)
+    return refuse(error, "procedure", "expected \"NSP\" with track: the contact stays where it is");
+  if (d->track > 0 && d->track <= widest)
+    return arc_fail(error, ARC_GEOMETRY,
+                    "field 'track': expected more than the contact's width %g mm, got %g mm",
+                    widest, d->track);
+  if (d->track > 0 || d->procedure != ARC_NSP || arc_wear_alpha_stays_one(d)) return ARC_OK;
   if (d->blocks > 0)
     return refuse(error, "procedure", "\"NSP\" is for a plain stroke: expected no loading");
-  const double scar = 2 * arc_space_hertz(model, d->load).half_width;
   if (d->stroke >= 2 * scar) return ARC_OK;
   return arc_fail(error, ARC_ARGUMENT,
                   "field 'procedure': \"NSP\" takes the track as a groove: expected a stroke of "
@@ -63,7 +77,7 @@ arc_status arc_space_check(const arc_wear_def *d, const arc_model_def *model, ar
   arc_status status = check_built(d, error);
   if (status == ARC_OK) status = check_loading(d, error);
   if (status == ARC_OK) status = check_groove(d, model, error);
-  if (status == ARC_OK && d->procedure != ARC_NSP) status = check_increments(d, model, error);
+  if (status == ARC_OK && !rests(d)) status = check_increments(d, model, error);
   return status;
 }
 
@@ -75,14 +89,10 @@ void arc_space_usual(arc_wear_def *def) {
   def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
-static int rests(const arc_wear_def *d) {
-  return d->procedure == ARC_NSP || (d->procedure == ARC_AUTO && arc_wear_alpha_stays_one(d));
-}
-
 wear_manner arc_space_manner(const arc_wear_def *def, const arc_model_def *model) {
   return (wear_manner){.procedure = rests(def) ? ARC_NSP : ARC_SP,
                        .strokes = 2,
-                       .stroke = def->stroke,
+                       .stroke = arc_wear_def_stroke(def),
                        .modulus = arc_contact_modulus(model->geometry, model->material),
                        .thickness = 1,
                        .rests = rests(def)};
@@ -137,9 +147,10 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   const int plain = def->blocks == 0 && !rests(def);
   const double increment = plain ? def->stroke / (arc_space_increments(def, model) / 2) : 0;
   arc_halfspace_def cells;
-  arc_space_fit(model, def->load, volume_of(def), stroke_of(def), increment, &cells);
+  arc_space_fit(model, def->slide == ARC_SLIDE_Z, def->load, volume_of(def), stroke_of(def),
+                increment, &cells);
   if (rests(def) && !arc_wear_alpha_stays_one(def)) {
-    cells.groove = def->stroke;
+    cells.groove = def->track > 0 ? 2 * acos(-1) * def->track : def->stroke;
     cells.track = 0;
   }
   return cells;

@@ -24,6 +24,20 @@ static size_t bytes(const arc_wear *w) {
   return (size_t)arc_halfspace_bytes(d, 2) + arc_space_tangent_bytes(w);
 }
 
+/* A stroke along the other axis would need other surfaces; a track is to be a narrow one. */
+static arc_status check_reach(arc_wear *w, arc_error *error) {
+  const int turned = w->def.slide == ARC_SLIDE_Z;
+  const arc_wear_record *last = w->records > 0 ? arc_wear_last(w) : NULL;
+  if (space_turned(space_shape_of(w->shape)) != turned)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'slide': in 3-D expected \"%s\", along which these surfaces were worn",
+                    arc_slide_names[!turned]);
+  if (w->def.track == 0 || !last || w->def.track > 2 * last->half_width) return ARC_OK;
+  return arc_fail(error, ARC_GEOMETRY,
+                  "field 'track': expected more than the contact's width %g mm, got %g mm",
+                  2 * last->half_width, w->def.track);
+}
+
 static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) {
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
   if (unworn)
@@ -34,8 +48,10 @@ static void warn(const arc_wear *w, int unworn, const arc_callbacks *callbacks) 
 static int warn_short(const arc_wear *w, const arc_callbacks *callbacks) {
   static const double enough = 3;
   const arc_halfspace_def *d = arc_halfspace_definition(space_shape_of(w->shape)->grid->h);
-  const double widths = d->groove / (2 * arc_wear_last(w)->half_width);
-  if (d->groove == 0 || widths >= enough) return 0;
+  const arc_wear_record *last = arc_wear_last(w);
+  const double along = space_along(space_shape_of(w->shape), last->half_width, last->half_width_z);
+  const double widths = d->groove / (2 * along);
+  if (d->groove == 0 || w->def.track > 0 || widths >= enough) return 0;
   arc_warn(callbacks,
            "procedure \"NSP\" takes the track as a groove without ends, and the stroke is %.2g "
            "contact widths by now: below %g depths are off by more than 3 %%; use \"SP\"",
@@ -52,7 +68,7 @@ static arc_status unworn(arc_model *model, arc_geometry geometry, double refresh
   arc_halfspace_def cells;
   (void)geometry;
   (void)refresh;
-  arc_space_fit(arc_model_definition(model), arc_contact_default().load, 0, 0, 0, &cells);
+  arc_space_fit(arc_model_definition(model), 0, arc_contact_default().load, 0, 0, 0, &cells);
   return arc_space_create(model, &cells, (space_shape **)(void *)shape, error);
 }
 
@@ -62,15 +78,16 @@ static wear_sites sites(const arc_shape *shape, arc_body body) {
                       s->grid->z[body]};
 }
 
-/* In the middle, into the shape's own arrays. */
+/* Along the motion in the middle, into the shape's own arrays. */
 static arc_profile profile(const arc_shape *shape, arc_body body) {
   const space_shape *s = space_shape_of(shape);
-  const int nz = arc_halfspace_definition(s->grid->h)->nz, rows = space_sites(s, (int)body) / nz;
+  const arc_halfspace_def *d = arc_halfspace_definition(s->grid->h);
+  const int nz = d->nz, rows = space_sites(s, (int)body) / nz;
   const double *recess = arc_halfspace_recess(s->grid->h, body);
   double *x = s->line[body], *h = x + rows, *y = h + rows;
   for (int i = 0; i < rows; i++) {
     const int at = i * nz + nz / 2;
-    x[i] = s->grid->x[body][at];
+    x[i] = d->turned ? s->grid->z[body][at] : s->grid->x[body][at];
     h[i] = s->depth[body][at];
     y[i] = (body == ARC_UPPER ? 1 : -1) * (recess[at] + h[i]);
   }
@@ -185,10 +202,13 @@ static arc_status contact(const arc_wear *w, arc_contact **result, arc_error *er
   return arc_contact_solve(w->shape, &def, NULL, result, error);
 }
 
-/* The sawtooth part along x, in the middle. */
+/* The sawtooth part along the motion, in the middle. */
 static double roughness(const arc_wear *w, arc_body body) {
   const arc_profile line = profile(w->shape, body);
-  const double reach = 0.8 * arc_wear_last(w)->half_width, most = deepest(w->shape, body);
+  const arc_wear_record *last = arc_wear_last(w);
+  const double most = deepest(w->shape, body);
+  const double reach =
+      0.8 * space_along(space_shape_of(w->shape), last->half_width, last->half_width_z);
   const double saw = arc_measure_sawtooth(line.x, line.h, (size_t)line.count, -reach, reach);
   return most > 0 ? saw / most : 0;
 }
@@ -234,6 +254,7 @@ const arc_kind arc_space_kind = {
     .begin = begin,
     .end = end,
     .bytes = bytes,
+    .check_reach = check_reach,
     .warn = warn,
     .warn_coarse = warn_short,
     .surfaces = arc_space_surfaces,

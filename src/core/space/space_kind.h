@@ -37,6 +37,16 @@ static inline const space_shape *space_shape_of(const arc_shape *shape) {
   return (const space_shape *)(const void *)shape;
 }
 
+/* Whether the lower body moves along z. */
+static inline int space_turned(const space_shape *s) {
+  return arc_halfspace_definition(s->grid->h)->turned;
+}
+
+/* Half the width of a contact along the motion [mm]. */
+static inline double space_along(const space_shape *s, double half_width, double half_width_z) {
+  return space_turned(s) ? half_width_z : half_width;
+}
+
 static inline int space_sites(const space_shape *s, int body) {
   return arc_halfspace_sites(s->grid->h, (arc_body)body);
 }
@@ -51,9 +61,9 @@ size_t arc_space_model_bytes(const arc_model *model);
 arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load);
 /* The half-spaces of a model, without cells. */
 arc_halfspace_def arc_space_bodies(const arc_model_def *def);
-/* Cells for a load [N], a volume worn at the end [mm3], positions within stroke / 2 [mm], a whole
- * number of cells to an increment [mm] (0: any). */
-void arc_space_fit(const arc_model_def *def, double load, double volume, double stroke,
+/* Cells for a motion along x, or along z (turned), a load [N], a volume worn at the end [mm3],
+ * positions within stroke / 2 [mm], a whole number of cells to an increment [mm] (0: any). */
+void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells);
 /* Takes off a window what lies beyond the bodies' maps. */
 void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells);

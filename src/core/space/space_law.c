@@ -12,7 +12,7 @@ int arc_space_is_linear(const arc_wear *w, const arc_wear_record *state) {
 /* Arrays over the sites of the window, for one position. */
 typedef struct window_sites {
   double *value; /* [count][window] law times local factor times pressure */
-  double *x;     /* [window] on the body [mm] */
+  double *at;    /* [window] along the motion, on the body [mm] */
   double *factor;
 } window_sites;
 
@@ -20,8 +20,10 @@ static arc_status add_local(const arc_wear *w, const arc_wear_record *state, con
                             arc_body body, double at, const double *p, const window_sites *v,
                             double *value, arc_error *error) {
   const int n = space_sites(s, ARC_UPPER);
-  const wear_sites on = {n, v->x, NULL, s->grid->z[ARC_UPPER]};
-  for (int i = 0; i < n; i++) v->x[i] = s->grid->x[ARC_UPPER][i] - (body == ARC_LOWER ? at : 0);
+  const double *x = s->grid->x[ARC_UPPER], *z = s->grid->z[ARC_UPPER];
+  const int turned = space_turned(s);
+  const wear_sites on = {n, turned ? x : v->at, NULL, turned ? v->at : z};
+  for (int i = 0; i < n; i++) v->at[i] = (turned ? z[i] : x[i]) - (body == ARC_LOWER ? at : 0);
   const arc_status status = arc_wear_local(w, state, body, &on, p, v->factor, error);
   for (int i = 0; i < n; i++) value[i] *= v->factor[i];
   return status;
@@ -48,8 +50,8 @@ arc_status arc_space_work(const arc_wear *w, const arc_wear_record *state, const
   const size_t n = (size_t)space_sites(s, ARC_UPPER), all = (size_t)path->count * n;
   window_sites v = {.value = malloc((all + 2 * n) * sizeof *v.value)};
   if (!v.value) return arc_fail(error, ARC_MEMORY, "out of memory for the wear of a cycle");
-  v.x = v.value + all;
-  v.factor = v.x + n;
+  v.at = v.value + all;
+  v.factor = v.at + n;
   arc_status status = fill(w, state, s, path, pressure, body, &v, error);
   if (status == ARC_OK)
     status = arc_halfspace_sum(s->grid->h, path->position, path->count, v.value, body, work, error);

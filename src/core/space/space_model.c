@@ -170,13 +170,14 @@ double arc_space_cell(const arc_model_def *def, double load) {
   return fmin(hertz.half_width, hertz.half_width_z) / (usual_cells * finer);
 }
 
-void arc_space_fit(const arc_model_def *def, double load, double volume, double stroke,
+void arc_space_fit(const arc_model_def *def, int turned, double load, double volume, double stroke,
                    double increment, arc_halfspace_def *cells) {
   const arc_hertz_ellipse hertz = arc_space_hertz(def, load);
   const double least = fmin(hertz.half_width, hertz.half_width_z);
   arc_halfspace_def smooth = arc_space_bodies(def);
   double x, z;
   find_curvatures(def, &x, &z);
+  smooth.turned = turned;
   smooth.body[ARC_UPPER].radius_x = 1 / x;
   smooth.body[ARC_UPPER].radius_z = 1 / z;
   smooth.body[ARC_LOWER].radius_x = smooth.body[ARC_LOWER].radius_z = 0;
@@ -187,6 +188,7 @@ void arc_space_fit(const arc_model_def *def, double load, double volume, double 
   cells->nx = smooth.nx;
   cells->nz = smooth.nz;
   cells->track = smooth.track;
+  cells->turned = turned;
   arc_space_limit(def, cells);
 }
 
@@ -201,9 +203,10 @@ void arc_space_limit(const arc_model_def *def, arc_halfspace_def *cells) {
     double half_x, half_z, step;
     if (!arc_body_is_map(&def->body[b])) continue;
     arc_body_map_extent(&def->body[b], &half_x, &half_z, &step);
-    if (b == ARC_LOWER && cells->groove == 0) half_x -= beyond / 2 * cells->size_x;
-    cells->nx = (int)fmin(cells->nx, cells_within(half_x, cells->size_x));
-    cells->nz = (int)fmin(cells->nz, cells_within(half_z, cells->size_z));
+    double along = cells->turned ? half_z : half_x, across = cells->turned ? half_x : half_z;
+    if (b == ARC_LOWER && cells->groove == 0) along -= beyond / 2 * cells->size_x;
+    cells->nx = (int)fmin(cells->nx, cells_within(along, cells->size_x));
+    cells->nz = (int)fmin(cells->nz, cells_within(across, cells->size_z));
   }
   if (cells->groove == 0) cells->track = cells->nx + beyond;
 }

@@ -147,6 +147,10 @@ static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'procedure': a groove (\"NSP\") cannot follow other wear, or another "
                     "stroke");
+  if (cells.turned != wanted.turned)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field 'slide': expected \"%s\", along which the starting shape was worn",
+                    arc_slide_names[cells.turned]);
   const double way = (wanted.track - wanted.nx) * wanted.size_x;
   const int beyond = 2 * (int)ceil(way / 2 / cells.size_x - 1e-9);
   if (cells.groove > 0 || cells.track >= cells.nx + beyond)
@@ -225,10 +229,10 @@ static arc_status read_depths(space_shape *s, int b, const arc_array *state, siz
 
 arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_array *state,
                           size_t count, arc_shape **shape, arc_error *error) {
-  (void)def;
   *shape = NULL;
   arc_halfspace_def cells = arc_space_bodies(arc_model_definition(model));
   space_shape *s = NULL;
+  cells.turned = def->slide == ARC_SLIDE_Z;
   arc_status status = read_cells(state, count, &cells, error);
   if (status == ARC_OK) status = arc_space_create(model, &cells, &s, error);
   *shape = (arc_shape *)(void *)s;

@@ -16,8 +16,8 @@ arc_status arc_space_given_create(arc_model *model, const arc_wear_def *def, dou
   if (!(fmax(half_x / cells.size_x, half_z / cells.size_z) < most))
     return arc_fail(error, ARC_ARGUMENT, "field 'worn': expected depths within %g mm, got %g",
                     most * cells.size_x, fmax(half_x, half_z));
-  cells.nx = (int)fmax(cells.nx, odd_cells(half_x, cells.size_x));
-  cells.nz = (int)fmax(cells.nz, odd_cells(half_z, cells.size_z));
+  cells.nx = (int)fmax(cells.nx, odd_cells(cells.turned ? half_z : half_x, cells.size_x));
+  cells.nz = (int)fmax(cells.nz, odd_cells(cells.turned ? half_x : half_z, cells.size_z));
   if (cells.groove == 0) cells.track = cells.nx + beyond;
   arc_space_limit(arc_model_definition(model), &cells);
   return arc_space_create(model, &cells, (space_shape **)(void *)shape, error);

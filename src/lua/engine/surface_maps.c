@@ -46,7 +46,7 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
                       const char *name, const char *unit) {
   const lattice l = lattice_of(arrays, count, body);
   const arc_array *values = arc_array_find(arrays, count, body, name);
-  if (l.nx < 2)
+  if (l.nx < 2 || l.nz < 2)
     error_raise(L, ARC_ARGUMENT, "map",
                 "a groove (procedure = \"NSP\") is the same all along x: expected a section, "
                 "w:profile(body, { x = 0 })");

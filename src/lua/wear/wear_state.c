@@ -427,6 +427,7 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_record *record = arc_wear_last(wear);
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
   const char *upper = body_name(model, ARC_UPPER), *lower = body_name(model, ARC_LOWER);
+  const int means = arc_wear_definition(wear)->track > 0 && !arc_model_has_maps(model);
   char line[600], partition[40] = "none yet";
   if (isfinite(record->depth_partition))
     snprintf(partition, sizeof partition, "%.4f", record->depth_partition);
@@ -438,8 +439,7 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
            record->cycle, arc_wear_cycles(wear), record->distance,
            arc_wear_definition(wear)->distance, record->update, record->update == 1 ? "" : "s",
            record->p_center, record->p_max, record->half_width, upper, record->depth_cylinder,
-           lower, record->depth_plate,
-           arc_wear_definition(wear)->track > 0 ? " (mean over its track)" : "", partition, upper,
+           lower, record->depth_plate, means ? " (mean over its track)" : "", partition, upper,
            record->volume_cylinder, lower, record->volume_plate,
            record->volume_cylinder + record->volume_plate);
   luaL_addstring(text, line);
