@@ -82,6 +82,7 @@ typedef struct arc_halfspace_position {
 /* How solutions are made; NULL in calls: the defaults. */
 typedef struct arc_halfspace_options {
   double tolerance;               /* of gaps, share of the largest displacement; 0: 1e-5 */
+  const double *gap;              /* [window] added to the gap of a single contact [mm]; NULL */
   int warm;                       /* start from the pressures that are given; 0: from the shapes */
   const arc_callbacks *callbacks; /* asked to stop; NULL */
 } arc_halfspace_options;
@@ -106,6 +107,67 @@ arc_status arc_halfspace_solve(arc_halfspace *h, const double *const depth[ARC_B
 arc_status arc_halfspace_gaps(arc_halfspace *h, const double *const depth[ARC_BODIES],
                               const arc_halfspace_position *position, const double *pressure,
                               double approach, double *gap, arc_error *error);
+
+/* --- friction ------------------------------------------------------------------------------------
+ *
+ * q is the shear on the upper body along +x and +z (on the lower one along -x, -z). A lower body
+ * that moves by xi drags it along: slip of its surface over the upper one's is
+ *
+ *   E = xi - C q + N p,   gap has N q in addition,   |q| <= friction p, dE = 0 where less, else
+ *                                                    along q
+ *
+ * with the compliance C of both bodies to shear, and N, which is zero for like bodies, between
+ * shear and pressure. Results depend on the path: a contact is followed over increments.
+ */
+
+/* A contact with friction, and what its next increment starts from. One block at `pressure`, to be
+ * freed with arc_halfspace_friction_end; zeros are bodies apart. */
+typedef struct arc_halfspace_friction {
+  double *pressure; /* [window] [MPa] */
+  double *q[2];     /* [window] along x and z [MPa] */
+  double *slip[2];  /* [window] E [mm], of sites that are apart too */
+  double *moved[2]; /* [window] slip of the last increment [mm] */
+  double *stick;    /* [window] 1: stuck in the last increment */
+  double xi[2];     /* [mm] */
+  double force[2];  /* [N] that drives the lower body */
+  double approach;  /* [mm] */
+  double energy;    /* [N mm] dissipated so far */
+  double work;      /* [N mm] the share of the last increment */
+} arc_halfspace_friction;
+
+/* One increment, to given forces or motions. */
+typedef struct arc_halfspace_increment {
+  double friction;                 /* > 0 */
+  arc_halfspace_position position; /* at its end; the weight is not used */
+  int by_force[2];                 /* along x and z: force instead of xi */
+  double xi[2];                    /* [mm] at the end */
+  double force[2];                 /* [N] at the end; less than friction times the load */
+} arc_halfspace_increment;
+
+/* What increments cost. */
+typedef struct arc_halfspace_effort {
+  int sweeps;                         /* between pressure and shear; 1 for like bodies */
+  int sets, iterations, applications; /* of shear: sets, steps of conjugate gradients, of C */
+  int flipping;   /* sets where single cells went on changing between stick and slip */
+  int unfinished; /* increments of unlike bodies that ended before pressures settled */
+} arc_halfspace_effort;
+
+/* ARC_MEMORY; zeros. */
+arc_status arc_halfspace_friction_begin(const arc_halfspace *h, arc_halfspace_friction *state,
+                                        arc_error *error);
+void arc_halfspace_friction_end(arc_halfspace_friction *state);
+/* The state on a window of the same cells, larger on all sides, with slip in the rest of it. */
+arc_status arc_halfspace_friction_widen(const arc_halfspace *from,
+                                        const arc_halfspace_friction *state, arc_halfspace *to,
+                                        arc_halfspace_friction *wide, arc_error *error);
+
+/* Takes a state over one increment. Work is that of the mean of friction times pressure over each
+ * site's slip. Errors as of arc_halfspace_solve, and ARC_ARGUMENT for forces that friction does not
+ * carry, layers, rigid bases, windows that repeat: the state is unchanged. *effort is added to. */
+arc_status arc_halfspace_slide(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                               const arc_halfspace_increment *increment,
+                               const arc_halfspace_options *options, arc_halfspace_friction *state,
+                               arc_halfspace_effort *effort, arc_error *error);
 
 /* Extents of a contact or scar. */
 typedef struct arc_halfspace_extent {

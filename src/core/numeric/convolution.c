@@ -18,6 +18,7 @@ struct convolution {
   int stride;             /* complex numbers from row to row of the spectrum */
   int padded;             /* numbers from row to row of the values */
   double *symbol;         /* by blocks of columns, [box_rows][columns of the block] each, scaled */
+  int imaginary;          /* times the imaginary unit */
   fftw_plan into, out_of; /* rows, in place */
   fftw_plan down[2], up[2]; /* columns: of whole blocks, of the last one */
 };
@@ -123,20 +124,25 @@ size_t arc_convolution_bytes(const convolution *c) {
 
 /* --- the symbol ------------------------------------------------------------------------------- */
 
-/* Row i of the box has the symbol of row min(i, box_rows - i). */
-static void store_symbol(convolution *c, const double *symbol) {
-  const double scale = 1 / ((double)c->box_rows * c->box_columns);
+static int is_imaginary(lag_parity parity) {
+  return parity == ODD_ROWS || parity == ODD_COLUMNS;
+}
+
+/* Row i of the box has the symbol of row min(i, box_rows - i), with the other sign where odd. */
+static void store_symbol(convolution *c, lag_parity parity, const double *symbol) {
+  const double size = (double)c->box_rows * c->box_columns;
   double *to = c->symbol;
   for (int first = 0; first < c->half; first += block)
     for (int i = 0; i < c->box_rows; i++) {
-      const int row = i <= c->box_rows / 2 ? i : c->box_rows - i;
+      const int mirrored = i > c->box_rows / 2, row = mirrored ? c->box_rows - i : i;
+      const double scale = (mirrored && parity & ODD_ROWS ? -1 : 1) / size;
       for (int j = first; j < c->half && j < first + block; j++)
         *to++ = scale * symbol[(size_t)row * (size_t)c->half + (size_t)j];
     }
 }
 
-arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int box_columns,
-                                       const double *symbol, convolution **made, arc_error *error) {
+static arc_status create(int rows, int columns, int box_rows, int box_columns, lag_parity parity,
+                         const double *symbol, convolution **made, arc_error *error) {
   *made = NULL;
   convolution_work *work = NULL;
   convolution *c = calloc(1, sizeof *c);
@@ -144,6 +150,7 @@ arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int 
   if (complete) {
     *c = (convolution){.rows = rows, .columns = columns, .box_rows = box_rows};
     c->box_columns = box_columns;
+    c->imaginary = is_imaginary(parity);
     c->half = box_columns / 2 + 1;
     c->stride = c->half + c->half % 2;
     c->padded = (box_columns + 3) / 4 * 4;
@@ -152,7 +159,7 @@ arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int 
     complete = c->symbol && work && plan(c, work);
   }
   if (complete)
-    store_symbol(c, symbol);
+    store_symbol(c, parity, symbol);
   else
     arc_convolution_destroy(&c);
   arc_convolution_work_free(&work);
@@ -162,9 +169,16 @@ arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int 
                              columns);
 }
 
-/* Wraps the kernel on the box, transforms it, and keeps its real part: it is even. */
-arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, const void *context,
-                                  double *symbol, arc_error *error) {
+arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int box_columns,
+                                       const double *symbol, convolution **made, arc_error *error) {
+  return create(rows, columns, box_rows, box_columns, EVEN_LAGS, symbol, made, error);
+}
+
+/* Wraps the kernel on the box, transforms it, and keeps the part that is not zero. */
+static arc_status find_symbol(int box_rows, int box_columns, lag_parity parity, lag_fn kernel,
+                              const void *context, double *symbol, arc_error *error) {
+  const double up = parity & ODD_ROWS ? -1 : 1, back = parity & ODD_COLUMNS ? -1 : 1;
+  const size_t part = is_imaginary(parity) ? 1 : 0;
   const size_t rows = (size_t)box_rows, columns = (size_t)box_columns, half = columns / 2 + 1;
   double *values = malloc(rows * columns * sizeof *values);
   double *spectrum = malloc(rows * half * 2 * sizeof *spectrum);
@@ -174,18 +188,25 @@ arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, 
       for (size_t j = 0; j < half; j++) {
         const double k = kernel(context, (int)i, (int)j);
         const size_t across = (rows - i) % rows, along = (columns - j) % columns;
-        values[i * columns + j] = values[across * columns + j] = k;
-        values[i * columns + along] = values[across * columns + along] = k;
+        values[across * columns + along] = up * back * k;
+        values[across * columns + j] = up * k;
+        values[i * columns + along] = back * k;
+        values[i * columns + j] = k;
       }
     status = arc_transform_forward(box_rows, box_columns, values, spectrum, error);
   } else {
     arc_fail(error, ARC_MEMORY, "out of memory for a kernel of %d x %d", box_rows, box_columns);
   }
   if (status == ARC_OK)
-    for (size_t k = 0; k < (rows / 2 + 1) * half; k++) symbol[k] = spectrum[2 * k];
+    for (size_t k = 0; k < (rows / 2 + 1) * half; k++) symbol[k] = spectrum[2 * k + part];
   free(values);
   free(spectrum);
   return status;
+}
+
+arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, const void *context,
+                                  double *symbol, arc_error *error) {
+  return find_symbol(box_rows, box_columns, EVEN_LAGS, kernel, context, symbol, error);
 }
 
 /* A kernel that is zero beyond the window's lags, which nothing asks for. */
@@ -200,8 +221,8 @@ static double within(const void *context, int row, int column) {
   return row < l->rows && column < l->columns ? l->kernel(l->context, row, column) : 0;
 }
 
-arc_status arc_convolution_create(int rows, int columns, lag_fn kernel, const void *context,
-                                  convolution **made, arc_error *error) {
+arc_status arc_convolution_create(int rows, int columns, lag_parity parity, lag_fn kernel,
+                                  const void *context, convolution **made, arc_error *error) {
   const limited l = {kernel, context, rows, columns};
   const int box_rows = arc_transform_length(2 * rows - 1),
             box_columns = arc_transform_length(2 * columns - 1);
@@ -211,9 +232,9 @@ arc_status arc_convolution_create(int rows, int columns, lag_fn kernel, const vo
   if (!symbol)
     return arc_fail(error, ARC_MEMORY, "out of memory for a window of %d x %d cells", rows,
                     columns);
-  arc_status status = arc_convolution_symbol(box_rows, box_columns, within, &l, symbol, error);
+  arc_status status = find_symbol(box_rows, box_columns, parity, within, &l, symbol, error);
   if (status == ARC_OK)
-    status = arc_convolution_from_symbol(rows, columns, box_rows, box_columns, symbol, made, error);
+    status = create(rows, columns, box_rows, box_columns, parity, symbol, made, error);
   free(symbol);
   return status;
 }
@@ -241,32 +262,83 @@ ARC_WIDE static void multiply(size_t count, const double *symbol, double *restri
   }
 }
 
-/* Columns first .. first + width - 1 through transform, symbol and back. */
-static void pass_block(const convolution *c, convolution_work *w, int first, int width,
-                       const double *symbol) {
-  const int kind = width == block ? 0 : 1;
+ARC_WIDE static void turn(size_t count, const double *symbol, double *restrict pairs) {
+  for (size_t k = 0; k < count; k++) {
+    const double real = pairs[2 * k];
+    pairs[2 * k] = -symbol[k] * pairs[2 * k + 1];
+    pairs[2 * k + 1] = symbol[k] * real;
+  }
+}
+
+ARC_WIDE static void multiply_pair(size_t count, const double *const symbol[3],
+                                   double *restrict first, double *restrict second) {
+  for (size_t k = 0; k < 2 * count; k++) {
+    const double a = first[k], b = second[k];
+    first[k] = symbol[0][k / 2] * a + symbol[1][k / 2] * b;
+    second[k] = symbol[1][k / 2] * a + symbol[2][k / 2] * b;
+  }
+}
+
+/* Columns first .. first + width - 1 as waves, and back from them. */
+static void lower_block(const convolution *c, convolution_work *w, int first, int width) {
   const size_t bytes = (size_t)width * sizeof *w->columns, n = (size_t)width;
   for (size_t i = 0; i < (size_t)c->rows; i++)
     memcpy(w->columns + i * n, w->spectrum + i * (size_t)c->stride + first, bytes);
   memset(w->columns + (size_t)c->rows * n, 0, (size_t)(c->box_rows - c->rows) * bytes);
-  fftw_execute_dft(c->down[kind], w->columns, w->waves);
-  multiply((size_t)c->box_rows * n, symbol, (double *)w->waves);
-  fftw_execute_dft(c->up[kind], w->waves, w->columns);
+  fftw_execute_dft(c->down[width == block ? 0 : 1], w->columns, w->waves);
+}
+
+static void raise_block(const convolution *c, convolution_work *w, int first, int width) {
+  const size_t bytes = (size_t)width * sizeof *w->columns, n = (size_t)width;
+  fftw_execute_dft(c->up[width == block ? 0 : 1], w->waves, w->columns);
   for (size_t i = 0; i < (size_t)c->rows; i++)
     memcpy(w->spectrum + i * (size_t)c->stride + first, w->columns + i * n, bytes);
 }
 
-void arc_convolution_apply(const convolution *c, convolution_work *w, const double *p, double *u) {
+static int block_width(const convolution *c, int first) {
+  return c->half - first < block ? c->half - first : block;
+}
+
+static void load_spectrum(const convolution *c, convolution_work *w, const double *p) {
   load_rows(c, w->values, p);
   fftw_execute_dft_r2c(c->into, w->values, w->spectrum);
-  const double *symbol = c->symbol;
-  for (int first = 0; first < c->half; first += block) {
-    const int width = c->half - first < block ? c->half - first : block;
-    pass_block(c, w, first, width, symbol);
-    symbol += (size_t)c->box_rows * (size_t)width;
-  }
+}
+
+static void store_spectrum(const convolution *c, convolution_work *w, double *u) {
   fftw_execute_dft_c2r(c->out_of, w->spectrum, w->values);
   store_rows(c, w->values, u);
+}
+
+void arc_convolution_apply(const convolution *c, convolution_work *w, const double *p, double *u) {
+  load_spectrum(c, w, p);
+  for (int first = 0; first < c->half; first += block) {
+    const int width = block_width(c, first);
+    const size_t pairs = (size_t)c->box_rows * (size_t)width;
+    const double *symbol = c->symbol + (size_t)first * (size_t)c->box_rows;
+    lower_block(c, w, first, width);
+    if (c->imaginary)
+      turn(pairs, symbol, (double *)w->waves);
+    else
+      multiply(pairs, symbol, (double *)w->waves);
+    raise_block(c, w, first, width);
+  }
+  store_spectrum(c, w, u);
+}
+
+void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],
+                                const double *const p[2], double *const u[2]) {
+  const convolution *c = k[0];
+  for (int i = 0; i < 2; i++) load_spectrum(c, work[i], p[i]);
+  for (int first = 0; first < c->half; first += block) {
+    const int width = block_width(c, first);
+    const size_t from = (size_t)first * (size_t)c->box_rows;
+    const double *const symbol[3] = {k[0]->symbol + from, k[1]->symbol + from, k[2]->symbol + from};
+    for (int i = 0; i < 2; i++) lower_block(c, work[i], first, width);
+    multiply_pair((size_t)c->box_rows * (size_t)width, symbol, (double *)work[0]->waves,
+                  (double *)work[1]->waves);
+    for (int i = 0; i < 2; i++) raise_block(c, work[i], first, width);
+  }
+  for (int i = 0; i < 2; i++) store_spectrum(c, work[i], u[i]);
 }
 
 /* --- whole boxes ------------------------------------------------------------------------------ */

@@ -1,5 +1,5 @@
-/* Convolutions of cell values with even kernels, by Fourier transforms. convolution.c is the one
- * file that includes fftw3.h. */
+/* Convolutions of cell values with even or odd kernels, by Fourier transforms. convolution.c is the
+ * one file that includes fftw3.h. */
 #ifndef NUMERIC_CONVOLUTION_H
 #define NUMERIC_CONVOLUTION_H
 
@@ -11,20 +11,27 @@
 typedef struct convolution convolution;
 typedef struct convolution_work convolution_work;
 
-/* Kernel at a lag of so many rows and columns, both >= 0; it is even in both. */
+/* Kernel at a lag of so many rows and columns, both >= 0; its parity gives the other lags. Kernels
+ * are 0 at the lag 0 of a direction in which they are odd. */
 typedef double (*lag_fn)(const void *context, int row, int column);
+typedef enum lag_parity {
+  EVEN_LAGS,
+  ODD_ROWS,
+  ODD_COLUMNS,
+  ODD_BOTH = ODD_ROWS | ODD_COLUMNS
+} lag_parity;
 
 /* The least even length from n upwards with no prime factor above 5. */
 int arc_transform_length(int n);
 
 /* Without periodic images: the box is at least twice the window. ARC_MEMORY. */
-arc_status arc_convolution_create(int rows, int columns, lag_fn kernel, const void *context,
-                                  convolution **made, arc_error *error);
-/* With a given symbol, the transform of the kernel on a box of box_rows x box_columns (even):
+arc_status arc_convolution_create(int rows, int columns, lag_parity parity, lag_fn kernel,
+                                  const void *context, convolution **made, arc_error *error);
+/* With a given symbol, the transform of an even kernel on a box of box_rows x box_columns (even):
  * symbol [box_rows / 2 + 1][box_columns / 2 + 1]. */
 arc_status arc_convolution_from_symbol(int rows, int columns, int box_rows, int box_columns,
                                        const double *symbol, convolution **made, arc_error *error);
-/* The symbol of a kernel wrapped on such a box, into symbol as above. */
+/* The symbol of an even kernel wrapped on such a box, into symbol as above. */
 arc_status arc_convolution_symbol(int box_rows, int box_columns, lag_fn kernel, const void *context,
                                   double *symbol, arc_error *error);
 void arc_convolution_destroy(convolution **c);
@@ -38,6 +45,11 @@ void arc_convolution_work_free(convolution_work **work);
  * made for a convolution at least as large. */
 void arc_convolution_apply(const convolution *c, convolution_work *work, const double *p,
                            double *u);
+
+/* u[0] := k[0] * p[0] + k[1] * p[1], u[1] := k[1] * p[0] + k[2] * p[1], with two transforms each.
+ * The kernels are of one window, and none is odd in one direction alone. u may be p. */
+void arc_convolution_apply_pair(const convolution *const k[3], convolution_work *const work[2],
+                                const double *const p[2], double *const u[2]);
 
 /* One transform of a box for pictures: `spectrum` [box_rows][box_columns / 2 + 1] pairs (real,
  * imaginary). forward: of values [box_rows][box_columns]; back: values from a spectrum, which is

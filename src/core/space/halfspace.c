@@ -1,5 +1,5 @@
 /* Two half-spaces: what follows from their definition once and for all. */
-#include "core/space/halfspace.h"
+#include "core/space/cerruti.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -126,7 +126,8 @@ arc_status arc_space_convolution(arc_halfspace *h, int level_x, int level_z,
   arc_status status = ARC_OK;
   pthread_mutex_lock(&h->lock);
   if (!*kept)
-    status = arc_convolution_create(h->level_x[level_x], h->level_z[level_z], lag, h, kept, error);
+    status = arc_convolution_create(h->level_x[level_x], h->level_z[level_z], EVEN_LAGS, lag, h,
+                                    kept, error);
   *found = *kept;
   pthread_mutex_unlock(&h->lock);
   return status;
@@ -260,6 +261,7 @@ void arc_halfspace_destroy(arc_halfspace **made) {
       arc_convolution_destroy(&h->convolution[i][j]);
       arc_convolution_destroy(&h->inverse[i][j]);
     }
+  arc_cerruti_destroy(&h->shear);
   for (int w = 0; h->work && w < h->def.workers; w++) arc_convolution_work_free(&h->work[w]);
   arc_team_destroy(&h->team);
   pthread_mutex_destroy(&h->lock);

@@ -10,6 +10,15 @@
 
 enum { SPACE_LEVELS = 5 };
 
+/* Displacements along the surface: of the pair by shear, and between shear and pressure where the
+ * bodies differ. For the whole window. */
+typedef struct space_shear_kernels {
+  double self[2];         /* of a cell on itself along x and z [mm/MPa] */
+  convolution *along[3];  /* x by qx, x by qz (and z by qx), z by qz */
+  convolution *couple[2]; /* gap by qx and qz; NULL: like bodies */
+  convolution_work *work; /* a second one, for pairs of fields */
+} space_shear_kernels;
+
 struct arc_halfspace {
   arc_halfspace_def def;
   int cells;      /* of the window */
@@ -18,9 +27,10 @@ struct arc_halfspace {
   double *recess[ARC_BODIES];
   int level_x[SPACE_LEVELS], level_z[SPACE_LEVELS]; /* sizes of boxes, largest first */
   convolution *convolution[SPACE_LEVELS][SPACE_LEVELS], *inverse[SPACE_LEVELS][SPACE_LEVELS];
-  pthread_mutex_t lock;    /* of these, which are made when first wanted */
-  convolution_work **work; /* of each worker */
-  double *scratch;         /* [workers][2][window] */
+  space_shear_kernels *shear; /* NULL until a contact with friction is solved */
+  pthread_mutex_t lock;       /* of these, which are made when first wanted */
+  convolution_work **work;    /* of each worker */
+  double *scratch;            /* [workers][2][window] */
   work_team *team;
 };
 
@@ -39,6 +49,8 @@ arc_status arc_space_inverse(arc_halfspace *h, int level_x, int level_z, const c
 /* Displacement of a cell's centre by unit pressure on a rectangle a x b [half sides], whose centre
  * is (x, z) away, times E* of the couple (Love). */
 double arc_space_love(double x, double z, double a, double b);
+/* u ln(v + r) with r^2 = u^2 + v^2, of which the integrals over rectangles are made. */
+double arc_space_term(double u, double v);
 
 /* Compliance of the pair to waves of q [1/mm]: displacement per pressure [mm/MPa]. */
 double arc_space_symbol(const arc_halfspace_def *def, double q);

@@ -11,15 +11,15 @@ static const double pi = 3.14159265358979323846;
 /* --- half-space
  * ----------------------------------------------------------------------------------- */
 
-/* u ln(v + r), which for v < 0 would lose its digits. */
-static double term(double u, double v) {
+/* For v < 0 it would lose its digits. */
+double arc_space_term(double u, double v) {
   const double r = hypot(u, v);
   if (u == 0) return 0;
   return u * (v >= 0 ? log(v + r) : 2 * log(fabs(u)) - log(r - v));
 }
 
 static double corner(double u, double v) {
-  return term(u, v) + term(v, u);
+  return arc_space_term(u, v) + arc_space_term(v, u);
 }
 
 double arc_space_love(double x, double z, double a, double b) {

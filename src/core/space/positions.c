@@ -112,7 +112,9 @@ arc_status arc_positions_create(arc_halfspace *h, const double *const depth[ARC_
                        bodies_are_even(h, depth, wear, is_even);
   *p = (positions){.s = {.h = h, .count = mirrored ? (count + 1) / 2 : count}, .depth = depth};
   p->s.mirrored = mirrored;
-  p->s.even = bodies_are_even(h, depth, wear, is_even_across);
+  p->s.extra = options ? options->gap : NULL;
+  p->s.even = bodies_are_even(h, depth, wear, is_even_across) &&
+              is_even_across(p->s.extra, h->def.nx, h->def.nz);
   if (wear)
     for (int b = 0; b < ARC_BODIES; b++) {
       p->s.c[b] = wear->c[b];

@@ -205,4 +205,8 @@ void arc_stroke_gap(const stroke *s, const double *const depth[ARC_BODIES], int 
   const double *const recess[ARC_BODIES] = {s->h->recess[ARC_UPPER], s->h->recess[ARC_LOWER]};
   arc_stroke_read(s, recess, position, gap);
   if (depth) add_read(s, depth, position, gap);
+  const space_box *box = &s->box;
+  for (int i = 0; s->extra && i < box->nx; i++)
+    for (int j = 0; j < box->nz; j++)
+      gap[i * box->nz + j] += s->extra[(box->x + i) * s->h->def.nz + box->z + j];
 }

@@ -1,0 +1,234 @@
+/* Increments of a contact with friction: pressures with shear held, shear with pressures held, in
+ * turn until both stand (once for like bodies). */
+#include "core/space/stick_slip.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- states ----------------------------------------------------------------------------------- */
+
+enum { FIELDS = 8 };
+
+static void place_fields(arc_halfspace_friction *s, double *block, size_t n) {
+  s->pressure = block;
+  for (size_t i = 0; i < 2; i++) {
+    s->q[i] = block + (1 + i) * n;
+    s->slip[i] = block + (3 + i) * n;
+    s->moved[i] = block + (5 + i) * n;
+  }
+  s->stick = block + 7 * n;
+}
+
+arc_status arc_halfspace_friction_begin(const arc_halfspace *h, arc_halfspace_friction *state,
+                                        arc_error *error) {
+  const size_t n = (size_t)h->cells;
+  double *block = calloc(FIELDS * n, sizeof *block);
+  *state = (arc_halfspace_friction){.pressure = block};
+  if (!block) return arc_fail(error, ARC_MEMORY, "out of memory for a contact with friction");
+  place_fields(state, block, n);
+  return ARC_OK;
+}
+
+void arc_halfspace_friction_end(arc_halfspace_friction *state) {
+  free(state->pressure);
+  *state = (arc_halfspace_friction){.pressure = NULL};
+}
+
+/* E of a state [2][window]. */
+static void find_slip(const arc_halfspace *h, const double *pressure, const double *const q[2],
+                      const double xi[2], double *const slip[2]) {
+  arc_cerruti_shear(h, q, slip);
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < h->cells; k++) slip[i][k] = xi[i] - slip[i][k];
+  arc_cerruti_add_slip(h, pressure, slip);
+}
+
+arc_status arc_halfspace_friction_widen(const arc_halfspace *from,
+                                        const arc_halfspace_friction *state, arc_halfspace *to,
+                                        arc_halfspace_friction *wide, arc_error *error) {
+  const arc_halfspace_def *a = &from->def, *b = &to->def;
+  const int rows = (b->nx - a->nx) / 2, columns = (b->nz - a->nz) / 2;
+  const space_shear_kernels *kernels;
+  arc_halfspace_friction made;
+  arc_status status = arc_cerruti_kernels(to, &kernels, error);
+  if (status == ARC_OK) status = arc_halfspace_friction_begin(to, &made, error);
+  if (status != ARC_OK) return status;
+  double *block = made.pressure;
+  made = *state;
+  place_fields(&made, block, (size_t)to->cells);
+  for (int f = 0; f < FIELDS; f++)
+    for (int i = 0; i < a->nx; i++)
+      memcpy(block + (size_t)f * (size_t)to->cells + (size_t)(i + rows) * (size_t)b->nz + columns,
+             state->pressure + (size_t)f * (size_t)from->cells + (size_t)i * (size_t)a->nz,
+             (size_t)a->nz * sizeof *block);
+  find_slip(to, made.pressure, (const double *const[2]){made.q[0], made.q[1]}, made.xi, made.slip);
+  *wide = made;
+  return ARC_OK;
+}
+
+/* --- one increment ---------------------------------------------------------------------------- */
+
+/* Sites with less than this share of the largest pressure carry no shear. */
+static const double carrying = 1e-4;
+
+typedef struct increment {
+  arc_halfspace *h;
+  const double *const *depth;
+  const arc_halfspace_increment *to;
+  arc_halfspace_options options;
+  const arc_halfspace_friction *from;
+  double *pressure, *before, *gap, *bound, *known[2], *held[2]; /* [window], one block */
+  double approach, tolerance;
+  stick_slip_work w;
+} increment;
+
+static arc_status take(increment *s, arc_error *error) {
+  double **const field[] = {&s->pressure, &s->before,   &s->gap,     &s->bound,
+                            &s->known[0], &s->known[1], &s->held[0], &s->held[1]};
+  const size_t n = (size_t)s->h->cells, fields = sizeof field / sizeof *field;
+  double *block = calloc(fields * n, sizeof *block);
+  if (!block) return arc_fail(error, ARC_MEMORY, "out of memory for a contact with friction");
+  for (size_t f = 0; f < fields; f++) *field[f] = block + f * n;
+  const arc_status status = arc_stick_slip_begin(&s->w, (int)n, error);
+  if (status != ARC_OK) return status;
+  memcpy(s->pressure, s->from->pressure, n * sizeof(double));
+  for (int i = 0; i < 2; i++) {
+    memcpy(s->w.q[i], s->from->q[i], n * sizeof(double));
+    s->w.xi[i] = s->to->by_force[i] ? s->from->xi[i] : s->to->xi[i];
+  }
+  for (size_t k = 0; k < n; k++) s->w.state[k] = s->from->stick[k] > 0 ? SHEAR_STICK : SHEAR_SLIP;
+  return ARC_OK;
+}
+
+static double largest(const double *value, int n) {
+  double most = 0;
+  for (int k = 0; k < n; k++) most = fmax(most, value[k]);
+  return most;
+}
+
+/* Pressures with shear held. *change: the largest, as a share of the largest pressure. */
+static arc_status press(increment *s, double *change, arc_error *error) {
+  const size_t n = (size_t)s->h->cells;
+  double p = 0;
+  memcpy(s->before, s->pressure, n * sizeof *s->before);
+  memset(s->gap, 0, n * sizeof *s->gap);
+  arc_cerruti_add_gap(s->h, (const double *const[2]){s->held[0], s->held[1]}, s->gap);
+  s->options.gap = s->gap;
+  s->options.warm = 1;
+  const arc_status status = arc_halfspace_solve(s->h, s->depth, &s->to->position, &s->options,
+                                                s->pressure, &s->approach, NULL, error);
+  *change = 0;
+  for (size_t k = 0; k < n && status == ARC_OK; k++) {
+    p = fmax(p, s->pressure[k]);
+    *change = fmax(*change, fabs(s->pressure[k] - s->before[k]));
+  }
+  if (p > 0) *change /= p;
+  return status;
+}
+
+/* Shear with pressures held. */
+static arc_status shear(increment *s, arc_halfspace_effort *effort, arc_error *error) {
+  const int n = s->h->cells;
+  const double least = carrying * largest(s->pressure, n);
+  stick_slip_count count = {0};
+  for (int k = 0; k < n; k++)
+    s->bound[k] = s->pressure[k] > least ? s->to->friction * s->pressure[k] : 0;
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < n; k++) s->known[i][k] = -s->from->slip[i][k];
+  arc_cerruti_add_slip(s->h, s->pressure, s->known);
+  const stick_slip_problem problem = {.h = s->h,
+                                      .bound = s->bound,
+                                      .known = {s->known[0], s->known[1]},
+                                      .by_force = {s->to->by_force[0], s->to->by_force[1]},
+                                      .force = {s->to->force[0], s->to->force[1]},
+                                      .tolerance = s->tolerance,
+                                      .callbacks = s->options.callbacks};
+  const arc_status status = arc_stick_slip_solve(&problem, &s->w, &count, error);
+  effort->sets += count.sets;
+  effort->iterations += count.iterations;
+  effort->applications += count.applications;
+  effort->flipping += count.flipping;
+  return status;
+}
+
+/* The shear that pressures are solved with comes closer to the last solution: by a share after many
+ * sweeps, against their going to and fro. */
+static void hold(increment *s, double share) {
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < s->h->cells; k++) s->held[i][k] += share * (s->w.q[i][k] - s->held[i][k]);
+}
+
+static arc_status sweep(increment *s, arc_halfspace_effort *effort, arc_error *error) {
+  enum { most_sweeps = 60, plain_sweeps = 15 };
+  static const double settled = 1e-6, relaxed = 0.7;
+  const int like = s->h->shear->couple[0] == NULL;
+  for (int k = 0; k < most_sweeps; k++) {
+    double change;
+    hold(s, k > plain_sweeps ? relaxed : 1);
+    arc_status status = press(s, &change, error);
+    effort->sweeps++;
+    if (status != ARC_OK) return status;
+    if (k > 0 && change <= settled) { /* those that shear belongs to */
+      memcpy(s->pressure, s->before, (size_t)s->h->cells * sizeof *s->pressure);
+      return ARC_OK;
+    }
+    status = shear(s, effort, error);
+    if (status != ARC_OK || like) return status;
+  }
+  effort->unfinished++;
+  return ARC_OK;
+}
+
+/* Work of a site: the mean of its bounds over its slip. Sites that stick do none. */
+static double work_of(const increment *s, const double *pressure, const double *const moved[2],
+                      int k) {
+  if (s->w.state[k] == SHEAR_STICK) return 0;
+  const double mean = s->to->friction * (s->from->pressure[k] + pressure[k]) / 2;
+  return mean * hypot(moved[0][k], moved[1][k]);
+}
+
+static void store(const increment *s, arc_halfspace_friction *state) {
+  const int n = s->h->cells;
+  const double area = s->h->def.size_x * s->h->def.size_z;
+  double sum = 0;
+  for (int i = 0; i < 2; i++) {
+    state->xi[i] = s->w.xi[i];
+    state->force[i] = 0;
+    for (int k = 0; k < n; k++) {
+      state->q[i][k] = s->w.q[i][k];
+      state->force[i] += area * s->w.q[i][k];
+      state->moved[i][k] = s->w.slip[i][k];
+      state->slip[i][k] += s->w.slip[i][k];
+    }
+  }
+  for (int k = 0; k < n; k++) {
+    sum += work_of(s, s->pressure, (const double *const[2]){state->moved[0], state->moved[1]}, k);
+    state->stick[k] = s->w.state[k] == SHEAR_STICK;
+    state->pressure[k] = s->pressure[k];
+  }
+  state->work = area * sum;
+  state->energy += state->work;
+  state->approach = s->approach;
+}
+
+arc_status arc_halfspace_slide(arc_halfspace *h, const double *const depth[ARC_BODIES],
+                               const arc_halfspace_increment *to,
+                               const arc_halfspace_options *options, arc_halfspace_friction *state,
+                               arc_halfspace_effort *effort, arc_error *error) {
+  static const double finer = 0.1, usual = 1e-5;
+  const space_shear_kernels *kernels;
+  arc_halfspace_effort ignored = {0};
+  increment s = {.h = h, .depth = depth, .to = to, .from = state};
+  arc_status status = arc_cerruti_kernels(h, &kernels, error);
+  if (status != ARC_OK) return status;
+  if (options) s.options = *options;
+  if (!(s.options.tolerance > 0)) s.options.tolerance = usual;
+  s.tolerance = finer * s.options.tolerance;
+  status = take(&s, error);
+  if (status == ARC_OK) status = sweep(&s, effort ? effort : &ignored, error);
+  if (status == ARC_OK) store(&s, state);
+  arc_stick_slip_end(&s.w);
+  free(s.pressure);
+  return status;
+}

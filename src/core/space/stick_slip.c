@@ -1,0 +1,204 @@
+/* Stick and slip over a contact: sets of cells, and directions of slip. */
+#include "core/space/stick_slip.h"
+
+#include "core/base/callbacks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+arc_status arc_stick_slip_begin(stick_slip_work *w, int cells, arc_error *error) {
+  enum { fields = 15 };
+  const size_t n = (size_t)cells;
+  *w = (stick_slip_work){.block = calloc(fields * n, sizeof *w->block),
+                         .state = calloc(n, sizeof *w->state)};
+  if (!w->block || !w->state) {
+    arc_stick_slip_end(w);
+    return arc_fail(error, ARC_MEMORY, "out of memory for the shear of %d cells", cells);
+  }
+  double **const pair[] = {w->q, w->slip, w->tangent, w->r, w->z, w->d, w->a}, *at = w->block;
+  for (size_t k = 0; k < sizeof pair / sizeof *pair; k++)
+    for (int i = 0; i < 2; i++, at += n) pair[k][i] = at;
+  w->diagonal = at;
+  return ARC_OK;
+}
+
+void arc_stick_slip_end(stick_slip_work *w) {
+  free(w->block);
+  free(w->state);
+  *w = (stick_slip_work){.block = NULL};
+}
+
+/* --- cells ------------------------------------------------------------------------------------ */
+
+static double size_of(double *const v[2], int k) {
+  return hypot(v[0][k], v[1][k]);
+}
+
+static void scale(stick_slip_work *w, int k, double factor) {
+  w->q[0][k] *= factor;
+  w->q[1][k] *= factor;
+}
+
+/* q of a slipping cell back to the circle, along which it was changed. */
+static void round_cell(stick_slip_work *w, int k, double bound) {
+  const double q = size_of(w->q, k);
+  if (q > 0) scale(w, k, bound / q);
+}
+
+/* Where cells start: as they were, while their shear is on the circle. */
+static void start(const stick_slip_problem *p, stick_slip_work *w) {
+  static const double nearly = 1 - 1e-9;
+  for (int k = 0; k < p->h->cells; k++) {
+    const double q = size_of(w->q, k), bound = p->bound[k];
+    if (bound == 0) {
+      w->state[k] = SHEAR_NONE;
+      scale(w, k, 0);
+    } else if (q > bound || (w->state[k] == SHEAR_SLIP && q > nearly * bound)) {
+      w->state[k] = SHEAR_SLIP;
+      round_cell(w, k, bound);
+    } else {
+      w->state[k] = SHEAR_STICK;
+    }
+  }
+}
+
+/* Under a force some cells have to stick: where all of them are beyond the circle, those that are
+ * farthest beyond it start to slip first. */
+static double limit_of(const stick_slip_problem *p, const stick_slip_work *w) {
+  double least = INFINITY, most = 0;
+  for (int k = 0; k < p->h->cells; k++)
+    if (w->state[k] == SHEAR_STICK) {
+      least = fmin(least, size_of(w->q, k) / p->bound[k]);
+      most = fmax(most, size_of(w->q, k) / p->bound[k]);
+    }
+  const int forced = p->by_force[0] || p->by_force[1];
+  return forced && least > 1 && most > 0 ? (least + most) / 2 : 1;
+}
+
+/* Cells that stick with more shear than they carry slip. Returns how many. */
+static int begin_slip(const stick_slip_problem *p, stick_slip_work *w, char *fresh) {
+  const double limit = limit_of(p, w);
+  int changes = 0;
+  for (int k = 0; k < p->h->cells; k++) {
+    fresh[k] = 0;
+    if (w->state[k] == SHEAR_NONE) continue;
+    const double q = size_of(w->q, k);
+    if (w->state[k] == SHEAR_STICK && q <= p->bound[k]) continue;
+    if (w->state[k] == SHEAR_STICK && q > limit * p->bound[k]) {
+      w->state[k] = SHEAR_SLIP;
+      fresh[k] = 1;
+      changes++;
+    }
+    round_cell(w, k, p->bound[k]);
+  }
+  return changes;
+}
+
+/* slip of the present q and xi; returns the largest displacement. */
+static double find_slip(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
+  double most = 0;
+  arc_cerruti_shear(p->h, (const double *const[2]){w->q[0], w->q[1]}, w->a);
+  count->applications++;
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < p->h->cells; k++) {
+      most = fmax(most, fabs(w->a[i][k]));
+      w->slip[i][k] = p->known[i][k] + w->xi[i] - w->a[i][k];
+    }
+  return most;
+}
+
+/* Cells that would slip against their shear stick; the others get tangent and diagonal. */
+static int end_slip(const stick_slip_problem *p, stick_slip_work *w, const char *fresh) {
+  int changes = 0;
+  for (int k = 0; k < p->h->cells; k++) {
+    if (w->state[k] != SHEAR_SLIP) continue;
+    const double n[2] = {w->q[0][k] / p->bound[k], w->q[1][k] / p->bound[k]};
+    const double along = w->slip[0][k] * n[0] + w->slip[1][k] * n[1];
+    if (along < 0 && !fresh[k]) {
+      w->state[k] = SHEAR_STICK;
+      changes++;
+      continue;
+    }
+    w->tangent[0][k] = -n[1];
+    w->tangent[1][k] = n[0];
+    w->diagonal[k] = fmax(along, 0) / p->bound[k];
+  }
+  return changes;
+}
+
+/* --- the loop --------------------------------------------------------------------------------- */
+
+/* Share of the bounds that the given forces are missed by. */
+static double force_error(const stick_slip_problem *p, const stick_slip_work *w) {
+  const double area = p->h->def.size_x * p->h->def.size_z;
+  double sum[2] = {0, 0}, carried = 0, most = 0;
+  for (int k = 0; k < p->h->cells; k++) {
+    sum[0] += w->q[0][k];
+    sum[1] += w->q[1][k];
+    carried += p->bound[k];
+  }
+  for (int i = 0; i < 2; i++)
+    if (p->by_force[i]) most = fmax(most, fabs(sum[i] - p->force[i] / area));
+  return most / carried;
+}
+
+static void stick_all(const stick_slip_problem *p, stick_slip_work *w) {
+  for (int k = 0; k < p->h->cells; k++) w->state[k] = p->bound[k] > 0 ? SHEAR_STICK : SHEAR_NONE;
+}
+
+static arc_status check_forces(const stick_slip_problem *p, arc_error *error) {
+  const double area = p->h->def.size_x * p->h->def.size_z;
+  const double force = hypot(p->by_force[0] ? p->force[0] : 0, p->by_force[1] ? p->force[1] : 0);
+  double carried = 0;
+  for (int k = 0; k < p->h->cells; k++) carried += p->bound[k] * area;
+  if (force < carried || force == 0) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT,
+                  "field 'tangential': expected less than friction times the load, %g N, got %g N",
+                  carried, force);
+}
+
+static int carrying(const stick_slip_problem *p) {
+  int n = 0;
+  for (int k = 0; k < p->h->cells; k++) n += p->bound[k] > 0;
+  return n;
+}
+
+static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char *fresh,
+                          stick_slip_count *count, arc_error *error) {
+  enum { most_sets = 100, patience = 25 };
+  static const double few = 0.03;
+  const int cells = carrying(p);
+  double missed = 0;
+  for (int pass = 0; pass < most_sets; pass++) {
+    if (callbacks_stop(p->callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
+    int changes = begin_slip(p, w, fresh);
+    const double wanted = p->tolerance * find_slip(p, w, count);
+    changes += end_slip(p, w, fresh);
+    const double residual = arc_stick_slip_residual(p, w);
+    missed = force_error(p, w);
+    const int held = missed <= p->tolerance, solved = held && residual <= wanted;
+    count->sets++;
+    if (changes == 0 && solved) return ARC_OK;
+    if (pass >= patience && held && changes <= few * cells) {
+      count->flipping++;
+      return ARC_OK;
+    }
+    if (!arc_stick_slip_newton(p, w, wanted / 2, count)) stick_all(p, w);
+  }
+  return arc_fail(error, ARC_NOT_CONVERGED,
+                  "stick and slip did not converge in %d sets of cells: force off by %.2g",
+                  most_sets, missed);
+}
+
+arc_status arc_stick_slip_solve(const stick_slip_problem *p, stick_slip_work *w,
+                                stick_slip_count *count, arc_error *error) {
+  arc_status status = check_forces(p, error);
+  if (status != ARC_OK) return status;
+  char *fresh = calloc((size_t)p->h->cells, 1);
+  if (!fresh) return arc_fail(error, ARC_MEMORY, "out of memory for the shear of a contact");
+  start(p, w);
+  status = iterate(p, w, fresh, count, error);
+  free(fresh);
+  return status;
+}

@@ -1,0 +1,206 @@
+/* The linear problem of a Newton step on stick and slip: conjugate gradients with the resultants
+ * held by projection, preconditioned by the operator's diagonal. */
+#include "core/space/stick_slip.h"
+
+#include <math.h>
+#include <string.h>
+
+static int cells_of(const stick_slip_problem *p) {
+  return p->h->cells;
+}
+
+/* The part of v that cells are free to take, at one cell. */
+static void free_part(const stick_slip_work *w, int k, const double v[2], double part[2]) {
+  part[0] = part[1] = 0;
+  if (w->state[k] == SHEAR_NONE) return;
+  if (w->state[k] == SHEAR_STICK) {
+    part[0] = v[0];
+    part[1] = v[1];
+    return;
+  }
+  const double t[2] = {w->tangent[0][k], w->tangent[1][k]}, s = v[0] * t[0] + v[1] * t[1];
+  part[0] = s * t[0];
+  part[1] = s * t[1];
+}
+
+/* The same divided by the operator's diagonal. */
+static void precondition_cell(const stick_slip_problem *p, const stick_slip_work *w, int k,
+                              const double v[2], double z[2]) {
+  const double *self = p->h->shear->self;
+  free_part(w, k, v, z);
+  if (w->state[k] == SHEAR_STICK) {
+    z[0] /= self[0];
+    z[1] /= self[1];
+  } else if (w->state[k] == SHEAR_SLIP) {
+    const double t[2] = {w->tangent[0][k], w->tangent[1][k]};
+    const double whole = self[0] * t[0] * t[0] + self[1] * t[1] * t[1] + w->diagonal[k];
+    z[0] /= whole;
+    z[1] /= whole;
+  }
+}
+
+static double dot(int n, double *const a[2], double *const b[2]) {
+  double sum = 0;
+  for (int k = 0; k < n; k++) sum += a[0][k] * b[0][k] + a[1][k] * b[1][k];
+  return sum;
+}
+
+/* The projection that holds the given forces: the sums of M^-1 of a unit motion, inverted. */
+typedef struct holding {
+  double inverse[2][2];
+  int singular;
+} holding;
+
+static holding find_holding(const stick_slip_problem *p, const stick_slip_work *w) {
+  static const double unit[2][2] = {{1, 0}, {0, 1}};
+  static const double least = 1e-9;
+  double g[2][2] = {{0, 0}, {0, 0}};
+  for (int k = 0; k < cells_of(p); k++)
+    for (int i = 0; i < 2; i++) {
+      double z[2];
+      if (w->state[k] == SHEAR_NONE || !p->by_force[i]) continue;
+      precondition_cell(p, w, k, unit[i], z);
+      for (int j = 0; j < 2; j++) g[i][j] += p->by_force[j] ? z[j] : 0;
+    }
+  holding h = {{{0, 0}, {0, 0}}, 0};
+  if (p->by_force[0] && p->by_force[1]) {
+    const double det = g[0][0] * g[1][1] - g[0][1] * g[1][0], trace = g[0][0] + g[1][1];
+    h.singular = !(det > least * trace * trace);
+    if (h.singular) return h;
+    h.inverse[0][0] = g[1][1] / det;
+    h.inverse[1][1] = g[0][0] / det;
+    h.inverse[0][1] = h.inverse[1][0] = -g[0][1] / det;
+    return h;
+  }
+  for (int i = 0; i < 2; i++)
+    if (p->by_force[i]) {
+      h.singular = !(g[i][i] > 0);
+      h.inverse[i][i] = h.singular ? 0 : 1 / g[i][i];
+    }
+  return h;
+}
+
+/* Motion whose M^-1 sums to `sum`. */
+static void motion_of(const holding *h, const double sum[2], double motion[2]) {
+  for (int i = 0; i < 2; i++) motion[i] = h->inverse[i][0] * sum[0] + h->inverse[i][1] * sum[1];
+}
+
+/* z := M^-1 (r - motion), of no sums along given forces. */
+static void precondition(const stick_slip_problem *p, const stick_slip_work *w, const holding *h,
+                         double motion[2]) {
+  const int n = cells_of(p);
+  double sum[2] = {0, 0};
+  for (int k = 0; k < n; k++) {
+    double z[2];
+    precondition_cell(p, w, k, (const double[2]){w->r[0][k], w->r[1][k]}, z);
+    sum[0] += z[0];
+    sum[1] += z[1];
+  }
+  motion_of(h, sum, motion);
+  for (int k = 0; k < n; k++) {
+    double z[2];
+    precondition_cell(p, w, k, (const double[2]){w->r[0][k] - motion[0], w->r[1][k] - motion[1]},
+                      z);
+    w->z[0][k] = z[0];
+    w->z[1][k] = z[1];
+  }
+}
+
+/* a := C d + D d, of what cells are free to take. */
+static void apply(const stick_slip_problem *p, stick_slip_work *w, stick_slip_count *count) {
+  arc_cerruti_shear(p->h, (const double *const[2]){w->d[0], w->d[1]}, w->a);
+  count->applications++;
+  for (int k = 0; k < cells_of(p); k++) {
+    double part[2];
+    free_part(w, k, (const double[2]){w->a[0][k], w->a[1][k]}, part);
+    for (int i = 0; i < 2; i++)
+      w->a[i][k] = part[i] + (w->state[k] == SHEAR_SLIP ? w->diagonal[k] * w->d[i][k] : 0);
+  }
+}
+
+static void step(const stick_slip_problem *p, stick_slip_work *w, double length) {
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < cells_of(p); k++) {
+      w->q[i][k] += length * w->d[i][k];
+      w->r[i][k] -= length * w->a[i][k];
+    }
+}
+
+/* Changes q so that it sums to the given forces. */
+static void hold_forces(const stick_slip_problem *p, stick_slip_work *w, const holding *h,
+                        stick_slip_count *count) {
+  const double area = p->h->def.size_x * p->h->def.size_z;
+  double lacking[2] = {0, 0}, motion[2];
+  for (int i = 0; i < 2; i++) {
+    if (!p->by_force[i]) continue;
+    lacking[i] = p->force[i] / area;
+    for (int k = 0; k < cells_of(p); k++) lacking[i] -= w->q[i][k];
+  }
+  motion_of(h, lacking, motion);
+  if (motion[0] == 0 && motion[1] == 0) return;
+  for (int k = 0; k < cells_of(p); k++) {
+    double z[2];
+    precondition_cell(p, w, k, motion, z);
+    w->d[0][k] = z[0];
+    w->d[1][k] = z[1];
+  }
+  apply(p, w, count);
+  step(p, w, 1);
+}
+
+/* What is left of r where the motion may change: the largest. */
+static double largest_residual(const stick_slip_problem *p, const stick_slip_work *w,
+                               const double motion[2]) {
+  double most = 0;
+  for (int k = 0; k < cells_of(p); k++) {
+    double part[2];
+    free_part(w, k, (const double[2]){w->r[0][k] - motion[0], w->r[1][k] - motion[1]}, part);
+    most = fmax(most, fmax(fabs(part[0]), fabs(part[1])));
+  }
+  return most;
+}
+
+double arc_stick_slip_residual(const stick_slip_problem *p, const stick_slip_work *w) {
+  double most = 0;
+  for (int k = 0; k < cells_of(p); k++) {
+    double part[2];
+    free_part(w, k, (const double[2]){w->slip[0][k], w->slip[1][k]}, part);
+    most = fmax(most, fmax(fabs(part[0]), fabs(part[1])));
+  }
+  return most;
+}
+
+int arc_stick_slip_newton(const stick_slip_problem *p, stick_slip_work *w, double least,
+                          stick_slip_count *count) {
+  enum { most_steps = 400 };
+  static const double inexact = 0.1;
+  const int n = cells_of(p);
+  const holding h = find_holding(p, w);
+  double motion[2], product = 0;
+  if (h.singular) return 0;
+  for (int k = 0; k < n; k++) {
+    double part[2];
+    free_part(w, k, (const double[2]){w->slip[0][k], w->slip[1][k]}, part);
+    w->r[0][k] = part[0];
+    w->r[1][k] = part[1];
+  }
+  hold_forces(p, w, &h, count);
+  precondition(p, w, &h, motion);
+  const double wanted = fmax(least, inexact * largest_residual(p, w, motion));
+  for (int i = 0; i < 2; i++) memset(w->d[i], 0, (size_t)n * sizeof(double));
+  for (int k = 0; k < most_steps && largest_residual(p, w, motion) > wanted; k++) {
+    const double before = product;
+    product = dot(n, w->r, w->z);
+    const double share = before > 0 ? product / before : 0;
+    for (int i = 0; i < 2; i++)
+      for (int c = 0; c < n; c++) w->d[i][c] = w->z[i][c] + share * w->d[i][c];
+    apply(p, w, count);
+    const double curvature = dot(n, w->d, w->a);
+    if (!(curvature > 0)) break;
+    step(p, w, product / curvature);
+    precondition(p, w, &h, motion);
+    count->iterations++;
+  }
+  for (int i = 0; i < 2; i++) w->xi[i] -= motion[i];
+  return 1;
+}

@@ -1,0 +1,294 @@
+/* Stick and slip in space: kernels, Mindlin, Vermeulen and Johnson, symmetries, random paths. */
+#include "space_shared.h"
+
+#include "core/numeric/convolution.h"
+#include "core/space/cerruti.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* --- kernels ---------------------------------------------------------------------------------- */
+
+static double lag_value(const void *context, int row, int column) {
+  const lag_parity parity = *(const lag_parity *)context;
+  if ((parity & ODD_ROWS && row == 0) || (parity & ODD_COLUMNS && column == 0)) return 0;
+  return 1 / (1.0 + row + 0.3 * column * column);
+}
+
+static double direct(lag_parity parity, const double *p, int rows, int columns, int i, int j) {
+  double sum = 0;
+  for (int k = 0; k < rows; k++)
+    for (int l = 0; l < columns; l++) {
+      const int sign =
+          (parity & ODD_ROWS && k > i ? -1 : 1) * (parity & ODD_COLUMNS && l > j ? -1 : 1);
+      sum += sign * lag_value(&parity, abs(i - k), abs(j - l)) * p[k * columns + l];
+    }
+  return sum;
+}
+
+/* Kernels of all parities against the sum itself; a pair of fields against each by itself. */
+static void test_parity(void **state) {
+  (void)state;
+  enum { rows = 9, columns = 14, cells = rows * columns };
+  random_start(7);
+  convolution *c[4];
+  double p[2][cells], u[2][cells];
+  for (int k = 0; k < cells; k++) p[0][k] = random_in(-1, 1), p[1][k] = random_in(-1, 1);
+  for (int k = 0; k < 4; k++) {
+    const lag_parity parity = (lag_parity)k;
+    check_ok(arc_convolution_create(rows, columns, parity, lag_value, &parity, &c[k], why));
+    convolution_work *work = arc_convolution_work(c[k]);
+    arc_convolution_apply(c[k], work, p[0], u[0]);
+    for (int i = 0; i < rows; i++)
+      for (int j = 0; j < columns; j++)
+        check_near(u[0][i * columns + j], direct(parity, p[0], rows, columns, i, j), 1e-12);
+    arc_convolution_work_free(&work);
+  }
+  const convolution *const three[3] = {c[EVEN_LAGS], c[ODD_BOTH], c[EVEN_LAGS]};
+  convolution_work *work[2] = {arc_convolution_work(c[0]), arc_convolution_work(c[0])};
+  arc_convolution_apply_pair(three, work, (const double *const[2]){p[0], p[1]},
+                             (double *const[2]){u[0], u[1]});
+  for (int i = 0; i < rows; i++)
+    for (int j = 0; j < columns; j++)
+      for (int f = 0; f < 2; f++)
+        check_near(u[f][i * columns + j],
+                   direct(EVEN_LAGS, p[f], rows, columns, i, j) +
+                       direct(ODD_BOTH, p[1 - f], rows, columns, i, j),
+                   1e-12);
+  for (int f = 0; f < 2; f++) arc_convolution_work_free(&work[f]);
+  for (int k = 0; k < 4; k++) arc_convolution_destroy(&c[k]);
+}
+
+/* Rectangles beside their integrals by the rule of midpoints. */
+static void test_rectangles(void **state) {
+  (void)state;
+  enum { points = 200 };
+  static const double at[4][2] = {{0.7, 0.2}, {-0.5, 1.1}, {2, -3}, {0, 0.9}};
+  const double a = 0.2, b = 0.3, part = 4 * a * b / (points * points);
+  for (int k = 0; k < 4; k++) {
+    double got[3], sum[4] = {0};
+    for (int i = 0; i < points; i++)
+      for (int j = 0; j < points; j++) {
+        const double x = at[k][0] + a * (2 * (i + 0.5) / points - 1),
+                     z = at[k][1] + b * (2 * (j + 0.5) / points - 1), r = hypot(x, z);
+        sum[0] += part * x * x / (r * r * r);
+        sum[1] += part * x * z / (r * r * r);
+        sum[2] += part * z * z / (r * r * r);
+        sum[3] += part * x / (r * r);
+      }
+    arc_cerruti_integrals(at[k][0], at[k][1], a, b, got);
+    for (int i = 0; i < 3; i++) check_near(got[i], sum[i], 1e-5);
+    check_near(arc_cerruti_couple(at[k][0], at[k][1], a, b), sum[3], 1e-5);
+  }
+}
+
+/* --- contacts --------------------------------------------------------------------------------- */
+
+static arc_material elastic(double E, double nu) {
+  arc_material m = arc_material_default();
+  m.E = E;
+  m.nu = nu;
+  return m;
+}
+
+/* A contact with friction on its way. */
+typedef struct rubbing {
+  arc_halfspace *h;
+  arc_halfspace_friction s;
+  arc_halfspace_increment to;
+  arc_halfspace_effort effort;
+  double work; /* [N mm] of the last leg */
+} rubbing;
+
+static void slide(rubbing *r) {
+  check_ok(arc_halfspace_slide(r->h, NULL, &r->to, NULL, &r->s, &r->effort, why));
+  r->work += r->s.work;
+}
+
+static rubbing press(const arc_halfspace_def *def, double load, double friction) {
+  rubbing r = {.h = make_space(def)};
+  r.to = (arc_halfspace_increment){.friction = friction, .position = {.load = load}};
+  check_ok(arc_halfspace_friction_begin(r.h, &r.s, why));
+  slide(&r);
+  return r;
+}
+
+static void end(rubbing *r) {
+  arc_halfspace_friction_end(&r->s);
+  arc_halfspace_destroy(&r->h);
+}
+
+/* To forces in equal increments. */
+static void pull(rubbing *r, double x, double z, int increments) {
+  const double from[2] = {r->s.force[0], r->s.force[1]};
+  r->to.by_force[0] = r->to.by_force[1] = 1;
+  r->work = 0;
+  for (int i = 1; i <= increments; i++) {
+    const double share = (double)i / increments;
+    r->to.force[0] = from[0] + share * (x - from[0]);
+    r->to.force[1] = from[1] + share * (z - from[1]);
+    slide(r);
+  }
+}
+
+static void move(rubbing *r, double x, double z) {
+  r->to.by_force[0] = r->to.by_force[1] = 0;
+  r->to.xi[0] = x;
+  r->to.xi[1] = z;
+  r->work = 0;
+  slide(r);
+}
+
+static double stick_area(const rubbing *r) {
+  const arc_halfspace_def *d = arc_halfspace_definition(r->h);
+  return sum_of(r->s.stick, d->nx * d->nz) * d->size_x * d->size_z;
+}
+
+/* Shear within its bound, and slip along it where it is there. */
+static void check_coulomb(const rubbing *r, double scale) {
+  const arc_halfspace_def *d = arc_halfspace_definition(r->h);
+  for (int k = 0; k < d->nx * d->nz; k++) {
+    const double q = hypot(r->s.q[0][k], r->s.q[1][k]), bound = r->to.friction * r->s.pressure[k];
+    check_below(q - bound, 1e-8 * scale + 1e-300);
+    if (r->s.stick[k] == 0)
+      assert_true(r->s.q[0][k] * r->s.moved[0][k] + r->s.q[1][k] * r->s.moved[1][k] >=
+                  -1e-12 * scale);
+  }
+}
+
+/* A ball of 10 mm under 10 N, friction 0.5; cells of a share of the contact's half width. */
+static rubbing mindlin(double nu, int cells, double *a) {
+  arc_halfspace_def def = ball(10, 1, cells);
+  def.body[0].material = def.body[1].material = elastic(200e3, nu);
+  *a = cbrt(3 * 10 * 10.0 / (4 * 200e3 / (2 * (1 - nu * nu))));
+  def.size_x = def.size_z = 2.3 * *a / cells;
+  return press(&def, 10, 0.5);
+}
+
+/* Mindlin's displacement and loop; at nu = 0.3 shear across the motion takes .42 % off the loop. */
+static void test_mindlin(void **state) {
+  (void)state;
+  static const double share[4] = {0.2, 0.4, 0.7, 0.95};
+  for (int k = 0; k < 5; k++) {
+    const double nu = k < 4 ? 0 : 0.3, f = k < 4 ? share[k] : 0.6, P = 10, mu = 0.5;
+    double a;
+    rubbing r = mindlin(nu, 65, &a);
+    const double S = 4 * (2 - nu) * (1 + nu) / 200e3, c = cbrt(1 - f);
+    const double xi = 3 * mu * P / (16 * a) * S * (1 - c * c);
+    const double loop = 0.9 * mu * mu * P * P / a * S * (1 - pow(c, 5) - 5 * f / 6 * (1 + c * c));
+    pull(&r, f * mu * P, 0, 2);
+    check_share(r.s.xi[0], xi, k < 4 ? 5e-5 : 1e-3);
+    check_near(sqrt(stick_area(&r) / pi), c * a, 2.3 * a / 65 / 2);
+    pull(&r, -f * mu * P, 0, 2);
+    check_share(r.s.xi[0], -xi, k < 4 ? 5e-5 : 1e-3);
+    check_share(2 * r.work, k < 4 ? loop : loop * (1 - 0.0042), k < 4 ? 4e-3 : 5e-4);
+    check_near(r.s.force[0], -f * mu * P, 1e-5);
+    check_near(r.s.force[1], 0, 1e-9);
+    check_coulomb(&r, 600);
+    assert_int_equal(r.effort.flipping, 0);
+    end(&r);
+  }
+}
+
+/* Vermeulen and Johnson: an ellipse at nu = 0, motion along either axis. */
+static void test_ellipse(void **state) {
+  (void)state;
+  for (int along = 0; along < 2; along++) {
+    arc_halfspace_def def = ball(5, 0.006, 29);
+    def.body[0].material = def.body[1].material = elastic(200e3, 0);
+    def.body[ARC_UPPER].radius_z = 20;
+    def.size_x = def.size_z = 0.0713 / 11.3;
+    def.nz = 67;
+    rubbing r = press(&def, 20, 0.5);
+    pull(&r, along == 0 ? 6 : 0, along == 0 ? 0 : 6, 2);
+    check_share(r.s.xi[along], 2.9180e-4, 2e-4);
+    check_near(r.s.xi[1 - along], 0, 1e-9);
+    pull(&r, along == 0 ? -6 : 0, along == 0 ? 0 : -6, 2);
+    check_share(2 * r.work, 3.4945e-4, 5e-3);
+    end(&r);
+  }
+}
+
+/* --- symmetries ------------------------------------------------------------------------------- */
+
+/* A path of forces and motions, turned by quarters; E of the bodies apart, or exchanged. */
+static rubbing along_path(const arc_halfspace_def *def, int turned, int mirrored) {
+  static const double force[2][2] = {{1.5, 0.4}, {-2, 1}};
+  const double sign = mirrored ? -1 : 1;
+  rubbing r = press(def, 10, 0.4);
+  for (int k = 0; k < 2; k++)
+    pull(&r, turned ? force[k][1] : sign * force[k][0], turned ? force[k][0] : force[k][1], 2);
+  const double to[2] = {sign * 5e-4, 2e-4};
+  move(&r, turned ? to[1] : to[0], turned ? to[0] : to[1]);
+  return r;
+}
+
+static void check_same(const rubbing *a, const rubbing *b, int turned, int mirrored,
+                       int exchanged) {
+  const int n = arc_halfspace_definition(a->h)->nx;
+  const double sign = mirrored ? -1 : 1;
+  check_share(b->s.energy, a->s.energy, 1e-6);
+  check_share(b->s.force[turned], sign * a->s.force[0], 1e-6);
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) {
+      const int x = mirrored || exchanged ? n - 1 - i : i, z = exchanged ? n - 1 - j : j;
+      const int k = turned ? z * n + x : x * n + z;
+      check_near(b->s.pressure[k], a->s.pressure[i * n + j], 1e-2);
+      check_near(b->s.q[turned][k], sign * a->s.q[0][i * n + j], 2e-2);
+      check_near(b->s.q[1 - turned][k], a->s.q[1][i * n + j], 2e-2);
+    }
+}
+
+/* Turned by exchanging x and z; mirrored in x; and with the bodies exchanged: seen from the other
+ * body all of it is turned by half a turn, with the same forces. */
+static void test_symmetries(void **state) {
+  (void)state;
+  arc_halfspace_def def = ball(10, 0.0095, 25);
+  def.body[ARC_LOWER].material = elastic(3600, 0.4);
+  def.size_x = def.size_z = 0.03;
+  rubbing plain = along_path(&def, 0, 0), turned = along_path(&def, 1, 0),
+          mirrored = along_path(&def, 0, 1);
+  check_same(&plain, &turned, 1, 0, 0);
+  check_same(&plain, &mirrored, 0, 1, 0);
+  arc_halfspace_def other = def;
+  other.body[ARC_LOWER] = def.body[ARC_UPPER];
+  other.body[ARC_UPPER] = def.body[ARC_LOWER];
+  rubbing exchanged = along_path(&other, 0, 0);
+  check_same(&plain, &exchanged, 0, 0, 1);
+  check_coulomb(&plain, 100);
+  end(&plain);
+  end(&turned);
+  end(&mirrored);
+  end(&exchanged);
+}
+
+/* A failed increment leaves the state; layers and windows that repeat are refused. */
+static void test_refused(void **state) {
+  (void)state;
+  double a;
+  rubbing r = mindlin(0.3, 21, &a);
+  pull(&r, 2, 0, 1);
+  const double xi = r.s.xi[0], q = r.s.q[0][21 * 10 + 10];
+  r.to.force[0] = 5.1;
+  check_refused(arc_halfspace_slide(r.h, NULL, &r.to, NULL, &r.s, NULL, why), ARC_ARGUMENT,
+                "tangential");
+  assert_true(r.s.xi[0] == xi && r.s.q[0][21 * 10 + 10] == q);
+  end(&r);
+  arc_halfspace_def def = ball(10, 0.01, 21);
+  def.body[ARC_LOWER].depth = 1;
+  arc_halfspace *h = make_space(&def);
+  arc_halfspace_friction s;
+  const arc_halfspace_increment to = {.friction = 0.5, .position = {.load = 1}};
+  check_ok(arc_halfspace_friction_begin(h, &s, why));
+  check_refused(arc_halfspace_slide(h, NULL, &to, NULL, &s, NULL, why), ARC_ARGUMENT, "friction");
+  arc_halfspace_friction_end(&s);
+  arc_halfspace_destroy(&h);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_parity),     cmocka_unit_test(test_rectangles),
+      cmocka_unit_test(test_mindlin),    cmocka_unit_test(test_ellipse),
+      cmocka_unit_test(test_symmetries), cmocka_unit_test(test_refused),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
