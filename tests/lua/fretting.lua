@@ -5,7 +5,7 @@ local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 
 local m = model{ mesh = { size = 0.02, height = 0.025 } }
 local function run(fields)
-  local all = { model = m, friction = 0.6, load = 100, k = 1e-7, jump = 50, cycles = 400, increments = 24 }
+  local all = { model = m, friction = 0.6, load = 100, k = 1e-7, jump = 20, cycles = 400, increments = 24 }
   for name, value in pairs(fields) do all[name] = value end
   if all.stroke == false then all.stroke, all.tangential = nil, all.tangential or 30 end
   return wear(all)
@@ -59,7 +59,7 @@ table_of_mu:run{ progress = false }
 near(table_of_mu.volume.total, 1e-7 * table_of_mu.energy, 1e-9, "V = k E where friction changes")
 near(table_of_mu.largest_shear, 90, 0.05, "to its last value")
 local short = run{ stroke = 0.1, law = "energy", jump = 10, friction = table_of_mu.friction }:run{ progress = false }
-for label, fields in pairs{ ["jump 100"] = { jump = 100 }, ["jump auto"] = { jump = "auto" },
+for label, fields in pairs{ ["jump 50"] = { jump = 50 }, ["jump auto"] = { jump = "auto" },
   implicit = { scheme = "implicit", jump = 100 } } do
   fields.stroke, fields.law, fields.friction = 0.1, "energy", table_of_mu.friction
   near(run(fields):run{ progress = false }.volume.total, short.volume.total, 1e-3, label .. ": friction on the way of an update")
@@ -189,7 +189,7 @@ end
 near(cycle_of[2], cycle_of[1], 1e-4, "nothing jumps where bodies are nearly alike")
 
 -- friction that hardly is: the wear of the plain run, which slides rigidly
-local plain, slight = run{ friction = 0, stroke = 0.2 }, run{ friction = 1e-6, stroke = 0.2 }
+local plain, slight = run{ friction = 0, stroke = 0.2, jump = 10 }, run{ friction = 1e-6, stroke = 0.2, jump = 10 }
 plain:run{ progress = false } slight:run{ progress = false }
 near(slight.volume.total, plain.volume.total, 1e-3, "without shear slip is nearly the way")
 near(slight.depth.plate, plain.depth.plate, 5e-3, "and depths as without friction")
@@ -314,7 +314,7 @@ for _, thickness in ipairs{ 1, 5 } do
   is(err.code, "ARGUMENT", "its code")
   is(w.update, 0, "the run stays where it was")
 end
-local later = run{ stroke = 0.1, cycles = 100, jump = 50, friction = function(state) return state.cycle < 20 and 0.6 or 0 end }
+local later = run{ stroke = 0.1, cycles = 100, jump = 20, friction = function(state) return state.cycle < 20 and 0.6 or 0 end }
 later:run{ progress = false }
 is(later.gross, 0, "where friction has gone nothing is told of it")
 is(later.cycle_energy, 0, "nor dissipated")

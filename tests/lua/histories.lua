@@ -181,7 +181,7 @@ fails(function() run_of{ local_factor = { vector = function() end } } end, "expe
   "no factors")
 fails(function() run_of{ local_factor = { vektor = print } } end, "did you mean 'vector'", "misspelt vector")
 fails(function() run_of{ local_factor = 3 } end,
-  "field 'local_factor': expected a function(body, x, p, state) or { vector = function }, got 3", "a number")
+  "field 'local_factor': expected a function(body, x, p, state, z) or { vector = function }, got 3", "a number")
 
 fails(function() run_of{ law = "threshold", scheme = "implicit", tolerance = 1e-3 } end,
   "no step is short enough for law", "a law that jumps, with a tolerance")
@@ -226,8 +226,8 @@ local lifted, nearly = lifting(0), lifting(1e-9) -- cos(pi / 2) is 6e-17
 near(lifted.volume.total, 1e-8 * lifted.load_distance, 1e-12, "a load that lifts off by a function")
 ok(lifted.solutions < 5000, ("in few increments: %d solutions"):format(lifted.solutions))
 near(nearly.volume.total, lifted.volume.total, 1e-9, "and one that does so nearly")
-local out = run_of{ slide = "z", geometry = "frozen", jump = 1, distance = 2000, loading = { x = { 0, 1000, 0 }, load = { 100, 50, 100 } } }:run()
-near(out.volume.total, 1e-8 * 75 * 2000, 1e-12, "a long way out of the plane")
+local out = run_of{ slide = "z", geometry = "frozen", k = 1e-11, jump = 1, distance = 2000, loading = { x = { 0, 1000, 0 }, load = { 100, 50, 100 } } }:run()
+near(out.volume.total, 1e-11 * 75 * 2000, 1e-12, "a long way out of the plane")
 ok(out.solutions < 1000, ("has only its load to follow: %d solutions"):format(out.solutions))
 
 local function bad(loading, parts, what) fails(function() run_of{ loading = loading } end, parts, what) end
@@ -307,7 +307,7 @@ w:set{ k = 2e-8 }
 w:run()
 near(w.distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "other changes leave the place in the loading")
 near(w.volume.total - volume, 2e-8 * 200 * 9, 1e-9, "and its loads")
-w:set{ stroke = 0.2, distance = 200 }
+w:set{ stroke = 0.2, distance = 200, jump = "auto" }
 is(w.loading, false, "stroke goes back to the plain stroke")
 near(w:run().distance, 200, 1e-12, "and on it goes")
 w:set{ scheme = "implicit", tolerance = 1e-3 }:set{ scheme = "explicit" }
