@@ -75,6 +75,7 @@ sweep("fineness", 0.8, 1.6, { "V", "depth_cylinder", "depth_plate" },
   worn(function(x) return { model = { mesh = { fineness = x } } } end))
 -- the elements go with the rims that slip: half widths of worn contacts are .15 of an element off, largest depths that of a node
 sweep("a tangential force", 20, 40, { "V", "p_center" }, fretted(function(x) return { tangential = x } end))
+sweep("the plate's E, with friction", 380e3, 450e3, { "V", "p_center" }, fretted(function(x) return { model = { plate = { E = x } } } end))
 
 -- A load that stays but for its rounding is one that stays.
 local function under(load)

@@ -52,7 +52,6 @@ typedef struct tangential_compliance {
   long version; /* of the pose it was made for; 0: none */
   double x;
   int flat;   /* no slopes anywhere */
-  int alike;  /* shear does not move gaps, but by slopes and the bodies' outer shapes */
   double *nt; /* [count x count] gaps under shear forces */
   double *tn; /* [count x count] its transpose */
   double *tt; /* [count x count] */
@@ -199,7 +198,7 @@ int arc_friction_bracket(friction_task *k);
 /* Notes where the plate turns, before the increment's forces are taken over. */
 void arc_friction_turn(const friction_task *k, friction_state *s);
 /* Loops that the present way has closed are forgotten, and add what they still had to. */
-void arc_friction_close_loops(friction_state *s, double force);
+void arc_friction_close_loops(friction_state *s);
 /* How far the present way has come, as a force on surfaces without shear [N/mm]. */
 double arc_friction_rise(const friction_memory *m, double force);
 

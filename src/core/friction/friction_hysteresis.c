@@ -50,9 +50,9 @@ static double close_loop(friction_memory *m) {
   return rest;
 }
 
-void arc_friction_close_loops(friction_state *s, double force) {
+void arc_friction_close_loops(friction_state *s) {
   friction_memory *m = &s->memory;
-  while (m->sense * (force - loop_end(m)) > 0) {
+  while (m->sense * (s->tangential - loop_end(m)) > -rounding * s->line) {
     const double rest = close_loop(m);
     s->between += rest;
     s->energy += rest;
@@ -83,7 +83,7 @@ void arc_friction_turn(const friction_task *k, friction_state *s) {
   if (m->count == 0)
     m->fresh = is_free(s, k->step->mu);
   else
-    arc_friction_close_loops(s, s->tangential + m->sense * rounding * s->line);
+    arc_friction_close_loops(s);
   note_turn(m, s->tangential);
   m->sense = sense;
 }

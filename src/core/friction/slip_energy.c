@@ -15,8 +15,8 @@
  * is to pressures and gaps, force is to shear and slip. What is left are terms of fourth order in
  * the element. A way after a turn is twice one of half its length from surfaces without shear
  * (friction_hysteresis.c): the ends are always those of such a way, whatever forces were before.
- * Bodies unlike each other have neither one pressure under one load nor nodes that slip in that
- * order: there the sum is left as it is. */
+ * Between bodies unlike each other pressures follow the shear and nodes may slip in another order:
+ * there the ends are worth less, but still far more than nothing. */
 #include "core/friction/friction.h"
 #include "core/base/dense.h"
 
@@ -183,7 +183,7 @@ static void add_way(friction_task *k, friction_state *s) {
 
 void arc_friction_between(friction_task *k, friction_state *s) {
   guess_reserve(k);
-  if (s->memory.sense == 0 || !k->g->alike) return;
-  arc_friction_close_loops(s, s->tangential);
+  if (s->memory.sense == 0) return;
+  arc_friction_close_loops(s);
   add_way(k, s);
 }

@@ -5,21 +5,12 @@
 #include "core/base/wide.h"
 #include "core/friction/friction.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Bodies count as alike up to this Dundurs' beta: sums over nodes with their ends (slip_energy.c)
- * are nearer to finer meshes' than without. Beyond, increments begin to tell in the ends. */
-static const double coupled = 0.1;
-
 arc_status arc_tangential_create(tangential_compliance *g, const arc_model *model) {
   const size_t nc = (size_t)arc_model_mesh(model, ARC_CYLINDER)->surface;
-  const arc_model_def *def = arc_model_definition(model);
-  *g = (tangential_compliance){.nc = (int)nc,
-                               .np = arc_model_mesh(model, ARC_PLATE)->surface,
-                               .alike = fabs(arc_contact_mismatch(def->geometry, def->material)) <=
-                                        coupled};
+  *g = (tangential_compliance){.nc = (int)nc, .np = arc_model_mesh(model, ARC_PLATE)->surface};
   g->nt = malloc(3 * nc * nc * sizeof(double));
   if (!g->nt) return ARC_MEMORY;
   g->tn = g->nt + nc * nc;
