@@ -50,7 +50,7 @@ return {
     text = 'A ball, crowned roller or ellipsoid, for model{ geometry="3-D" }: its surface rises as x^2 / (2 radius) + z^2 / (2 radius_z), '
       .. "z across the motion." },
   { "body.block", kind = "function", use = "body.block{ width=20, height=10 }", result = "table",
-    text = "A block, its base (of an upper one: its top) built in." },
+    text = 'A block, its base (of an upper one: its top) built in. With geometry="3-D" a half-space, or with a height a layer on a rigid base.' },
   { "body.punch", kind = "function", use = "body.punch{ flat=1, radius=2, height=10 }", result = "table",
     text = "A block with a flat of full width `flat` and edges rounded by `radius` beside it." },
   { "body.profile", kind = "function", use = "body.profile{ y=function(x) return 1e-4*math.cos(60*x) end }",

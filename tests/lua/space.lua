@@ -167,7 +167,7 @@ end
 for _, wrong in ipairs{
   { { mesh = { rows = 2 } }, "mesh.rows" }, { { mesh = { far = 1 } }, "mesh.far" }, { { mesh = { height = 1 } }, "mesh.height" },
   { { mesh = { element = "CPE4" } }, "mesh.element" }, { { thickness = 2 }, "thickness" }, { { axis = 1 }, "axis" },
-  { { lower = body.block{ height = 1 } }, "lower.height" }, { { upper = body.cylinder{} }, "upper" },
+  { { lower = body.block{ width = 1 } }, "lower.width" }, { { upper = body.cylinder{} }, "upper" },
   { { upper = body.block{} }, "upper" },
 } do
   wrong[1].geometry = "3-D"

@@ -52,6 +52,8 @@ near(below.volume.lower, 1e-8 * 10 * 10, 1e-9, "a rough flat below, which moves"
 -- --- ends, and what is no body -----------------------------------------------------------------------
 fails(function() contact{ model = pair(body.map(cap), block), load = 3000 } end, "reaches the end of the part of a map", "a contact beyond the map")
 fails(function() pair(body.map(flat), block) end, "expected surfaces between which the gap grows on all sides", "two flats")
+local cup = map{ x = x, z = z, y = function(u, v) return (u * u + v * v) / 20.4 end }
+fails(function() pair(ball, body.map(cup)) end, "joint{}", "a ball in its socket")
 fails(function() model{ upper = body.map(cap) } end, "a map needs geometry = \"3-D\"", "a map in the plane")
 fails(function() body.map{ x = { 0, 1, 2, 3, 5 }, z = z, y = function() return 0 end } end, "even steps", "uneven steps")
 fails(function() body.map{ x = { 0, 1, 2 }, z = { 0, 1, 2 }, y = function() return 0 end } end, "at least 4 points", "three points")

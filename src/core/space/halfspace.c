@@ -322,9 +322,8 @@ static double reach(double contact, double r, double other, double volume) {
   return hypot(contact, sqrt(2 * r * depth));
 }
 
-/* Contact of the relative radii with the modulus that waves about as long as the contact meet. */
-static arc_status estimate(const arc_halfspace_def *d, double rx, double rz, double load,
-                           arc_hertz_ellipse *hertz) {
+arc_status arc_space_estimate(const arc_halfspace_def *d, double rx, double rz, double load,
+                              arc_hertz_ellipse *hertz) {
   double compliance = arc_space_surface_compliance(d);
   arc_status status = arc_hertz_ellipse_of(rx, rz, 1 / compliance, load, hertz, NULL);
   for (int k = 0; k < 8 && arc_space_thinnest(d) > 0 && status == ARC_OK; k++) {
@@ -345,7 +344,7 @@ void arc_halfspace_fit(arc_halfspace_def *d, double load, double volume, double 
   }
   arc_hertz_ellipse hertz;
   const double rx = 1 / curvature[d->turned != 0], rz = 1 / curvature[d->turned == 0];
-  if (estimate(d, rx, rz, load, &hertz) != ARC_OK) return;
+  if (arc_space_estimate(d, rx, rz, load, &hertz) != ARC_OK) return;
   const double usual = fmin(hertz.half_width, hertz.half_width_z) / fineness;
   d->size_x = increment > 0 ? increment / fmax(1, round(increment / usual)) : usual;
   d->size_z = d->size_x;

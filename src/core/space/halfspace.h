@@ -62,6 +62,11 @@ arc_status arc_space_add_layers(const arc_halfspace_def *def, double *kernel, ar
 /* Thickness of the thinnest top layer, or depth of a body without; 0: homogeneous half-spaces. */
 double arc_space_thinnest(const arc_halfspace_def *def);
 
+/* Hertz' contact of relative radii along and across the motion [mm] under a load [N], with the
+ * modulus that waves about as long as the contact meet; errors of arc_hertz_ellipse_of. */
+arc_status arc_space_estimate(const arc_halfspace_def *def, double radius_x, double radius_z,
+                              double load, arc_hertz_ellipse *hertz);
+
 /* A first guess of pressures under a load from the gap of a window. */
 void arc_space_guess(const arc_halfspace *h, const double *gap, double load, double *pressure);
 

@@ -3,6 +3,7 @@
 
 #include "core/base/callbacks.h"
 #include "core/elastic/pair.h"
+#include "core/space/halfspace.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -27,10 +28,15 @@ static arc_status check_body(const arc_model_def *def, arc_body body, arc_error 
   const arc_body_def solid = arc_model_solid(def, body), *own = &def->body[body];
   const int lower = body == ARC_LOWER;
   if (!arc_body_is_spatial(&solid) && !arc_body_is_flat(&solid))
-    return refuse(error, arc_model_role_name(body), "a body.ball{}, body.map{} or body.block{}");
-  if (own->height > 0 || own->width > 0)
-    return refuse(error, lower ? "lower.height" : "upper.height",
-                  "a block without width and height: a half-space, which may have layers");
+    return refuse(error, arc_model_role_name(body),
+                  "a body.ball{}, body.map{} or body.block{} (a ball in its socket: joint{})");
+  if (own->width > 0)
+    return refuse(error, lower ? "lower.width" : "upper.width", "none: blocks have no sides");
+  if (own->height > 0 && arc_body_interface(own, arc_body_layers(own) - 1) >= own->height)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field '%s.height': expected more than the %g mm of its layers, got %g mm",
+                    arc_model_role_name(body), arc_body_interface(own, arc_body_layers(own) - 1),
+                    own->height);
   for (int l = 0; l < arc_body_layers(own); l++)
     if (own->layer[l].material.k > 0)
       return refuse(error, lower ? "lower.layers" : "upper.layers",
@@ -54,22 +60,42 @@ static arc_status check_sizes(const arc_model_def *def, arc_error *error) {
   return ARC_OK;
 }
 
-/* Relative curvatures along x and z, those of maps by the parabolas that fit them best [1/mm]. */
+/* Curvatures of a body along x and z, of a map by the parabola that fits it best [1/mm]. */
+static void body_curvatures(const arc_model_def *def, arc_body body, double *x, double *z) {
+  const arc_body_def solid = arc_model_solid(def, body);
+  *x = *z = 0;
+  if (!arc_body_is_spatial(&solid)) return;
+  if (arc_body_is_map(&solid)) arc_body_map_curvature(&solid, x, z);
+  if (solid.radius > 0) *x += 1 / solid.radius;
+  if (solid.radius_z > 0) *z += 1 / solid.radius_z;
+}
+
+/* Relative ones of the pair. */
 static void find_curvatures(const arc_model_def *def, double *x, double *z) {
-  const arc_halfspace_def d = arc_space_bodies(def);
   *x = *z = 0;
   for (int b = 0; b < ARC_BODIES; b++) {
-    const arc_body_def solid = arc_model_solid(def, (arc_body)b);
-    double of_map[2] = {0};
-    if (arc_body_is_map(&solid)) arc_body_map_curvature(&solid, &of_map[0], &of_map[1]);
-    *x += (d.body[b].radius_x > 0 ? 1 / d.body[b].radius_x : 0) + of_map[0];
-    *z += (d.body[b].radius_z > 0 ? 1 / d.body[b].radius_z : 0) + of_map[1];
+    double of_x, of_z;
+    body_curvatures(def, (arc_body)b, &of_x, &of_z);
+    *x += of_x;
+    *z += of_z;
   }
 }
 
 static arc_status check_curvature(const arc_model_def *def, arc_error *error) {
-  double x, z;
+  static const double conformal = 0.1; /* relative curvature over that of the more curved body */
+  double x, z, most = 0;
   find_curvatures(def, &x, &z);
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double of_x, of_z;
+    body_curvatures(def, (arc_body)b, &of_x, &of_z);
+    most = fmax(most, fmax(fabs(of_x), fabs(of_z)));
+  }
+  if (x > 0 && z > 0 && fmax(x, z) < conformal * most)
+    return arc_fail(
+        error, ARC_GEOMETRY,
+        "field 'upper': with geometry = \"3-D\" expected surfaces that part soon, got "
+        "radii that differ by less than a tenth of themselves: a ball in its socket is a "
+        "joint{}");
   if (x > 0 && z > 0) return ARC_OK;
   return arc_fail(error, ARC_GEOMETRY,
                   "field 'upper': with geometry = \"3-D\" expected surfaces between which the gap "
@@ -144,6 +170,7 @@ arc_halfspace_def arc_space_bodies(const arc_model_def *def) {
     const arc_body_def solid = arc_model_solid(def, (arc_body)b);
     d.body[b].material = def->material[b];
     for (int l = 0; l < ARC_MOST_LAYERS; l++) d.body[b].layer[l] = solid.layer[l];
+    d.body[b].depth = def->body[b].height; /* of a rigid base */
     if (!arc_body_is_spatial(&solid)) continue;
     d.body[b].radius_x = solid.radius;
     d.body[b].radius_z = solid.radius_z;
@@ -158,8 +185,8 @@ arc_hertz_ellipse arc_space_hertz(const arc_model_def *def, double load) {
   arc_hertz_ellipse hertz = {0, 0, 0, 0};
   double x, z;
   find_curvatures(def, &x, &z);
-  arc_hertz_ellipse_of(1 / x, 1 / z, arc_contact_modulus(def->geometry, def->material), load,
-                       &hertz, NULL);
+  const arc_halfspace_def bodies = arc_space_bodies(def);
+  arc_space_estimate(&bodies, 1 / x, 1 / z, load, &hertz);
   return hertz;
 }
 

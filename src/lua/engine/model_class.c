@@ -310,6 +310,10 @@ static int push_half_spaces(lua_State *L, const arc_model_def *def) {
                solid.radius_z);
       luaL_addstring(&text, line);
     }
+    if (def->body[b].height > 0) {
+      snprintf(line, sizeof line, ", %.6g mm on a rigid base", def->body[b].height);
+      luaL_addstring(&text, line);
+    }
     for (int l = 0; l < arc_body_layers(&solid); l++) {
       snprintf(line, sizeof line, ", layer %.6g mm of E %.6g MPa", solid.layer[l].thickness,
                solid.layer[l].material.E);
