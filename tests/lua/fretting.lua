@@ -54,6 +54,8 @@ for label, fields in pairs{ ["gross slip"] = { stroke = 0.1 }, ["partial slip"] 
     near(w.cycle_energy, w:loop().energy, 1e-12, label .. ": records tell of the last cycle")
   end
 end
+local over_plate = run{ stroke = 20, law = "energy", alpha = 0.4, scheme = "implicit", cycles = 2 }:run{ progress = false }
+near(over_plate.volume.total, 1e-7 * over_plate.energy, 1e-12, "V = k E of implicit steps over the whole plate")
 local table_of_mu = run{ stroke = 0.1, law = "energy", friction = { distance = { 0, 80 }, value = { 0.3, 0.9 } } }
 table_of_mu:run{ progress = false }
 near(table_of_mu.volume.total, 1e-7 * table_of_mu.energy, 1e-9, "V = k E where friction changes")

@@ -69,6 +69,7 @@ is(history.distance[1], 0, "its beginning the start")
 for name, case in pairs{ explicit = {}, by_half = { rule = "simple" },
   implicit = { scheme = "implicit", tolerance = 1e-3 }, over_the_plate = { stroke = 20, increments = 10 },
   increments = { update = "increment", geometry = "frozen" },
+  moving_increments = { update = "increment", k = 1e-6, jump = 1, distance = 22, increments = 20 },
   thick = { model = { thickness = 3 }, load = 300 },
   loading = { distance = false, loading = { increments = 20, cycles = 40,
     x = function(t) return 0.055 * math.sin(2 * math.pi * t) end,
@@ -81,8 +82,8 @@ for name, case in pairs{ explicit = {}, by_half = { rule = "simple" },
   run:run()
   local sum = run.load_distance
   if not run.loading then near(sum / (run.load * run.distance), 1, 1e-12, name .. ": the load over the way") end
-  near(run.volume.cylinder / (0.25 * def.k * sum), 1, 1e-9, name .. ": volume of the cylinder over k_c times it")
-  near(run.volume.plate / (0.75 * def.k * sum), 1, 1e-9, name .. ": volume of the plate over k_p times it")
+  near(run.volume.cylinder / (0.25 * def.k * sum), 1, 1e-12, name .. ": volume of the cylinder over k_c times it")
+  near(run.volume.plate / (0.75 * def.k * sum), 1, 1e-12, name .. ": volume of the plate over k_p times it")
   is(run.history.load_distance[#run.history.load_distance], sum, name .. ": in the history")
 end
 

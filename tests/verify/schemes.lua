@@ -86,7 +86,10 @@ for _, jump in ipairs{ 200, 300, 1000 } do
   end
 end
 local calm = roughest(run{ jump = 100 })
-figures.above(roughest(run{ jump = 300 }) / calm, 100, "N-bar = 300, explicit: times as rough as at 100")
+local rough = wear{ jump = 300 }
+local ended, problem = pcall(rough.run, rough)
+ok(not ended and problem.message:find "ripples" ~= nil, "N-bar = 300, explicit: ends in ripples")
+figures.above(roughest(rough) / calm, 100, "times as rough before as at 100")
 
 -- Automatic explicit updates: no number set by hand ------------------------------------------------------------
 

@@ -38,6 +38,7 @@ typedef struct plane_cycle {
   double *slip;          /* [4 n] of an increment; or what mirror images wear */
   double *down;          /* [n] how much lower depths of the window make the surface, see
                             arc_shape_downward */
+  double *width;         /* [n] of the nodes' cells [mm] in the window before */
   double *plate, *below; /* [np], [nc] depths of the plate, and those under the cylinder's nodes */
 } plane_cycle;
 

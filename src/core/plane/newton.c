@@ -254,11 +254,14 @@ static arc_status solve_moving(newton *s, double h, double *rate) {
   return ARC_NOT_CONVERGED;
 }
 
-/* The energy goes with the wear: the last step was not evaluated any more. */
+/* The energy, and what it wears evenly, go with the wear: the last step was not evaluated any more.
+ */
 static void settle(newton *s, double h, const double *rate) {
   for (int i = 0; i < s->n; i++) s->at->z[i] = s->at->known[i] + h * rate[i];
   wear_by_z(s);
-  if (s->area > 0) s->at->last.energy *= area_of(s, rate) / s->area;
+  const double share = s->area > 0 ? area_of(s, rate) / s->area : 1;
+  s->at->last.energy *= share;
+  s->at->last.even *= share;
 }
 
 arc_status arc_newton_solve(wear_stage *stage, double h, double *rate) {

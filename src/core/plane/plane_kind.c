@@ -19,6 +19,7 @@ static arc_status begin(arc_wear *w) {
   const size_t n = (size_t)(w->nc + w->np);
   const carve_part parts[] = {{&own->slip, 4 * n},
                               {&own->down, n},
+                              {&own->width, n},
                               {&own->plate, (size_t)w->np},
                               {&own->below, (size_t)w->nc}};
   if (!ARC_CARVE(parts)) return ARC_MEMORY;
@@ -41,7 +42,7 @@ static size_t bytes(const arc_wear *w) {
   const plane_cycle *own = w->own;
   const wear_path *path = &own->path;
   const size_t n = (size_t)(w->nc + w->np), poses = (size_t)path->poses;
-  size_t sum = (poses + 1) * arc_pose_bytes(&own->reference) + 21 * n * sizeof(double) +
+  size_t sum = (poses + 1) * arc_pose_bytes(&own->reference) + 22 * n * sizeof(double) +
                2 * arc_shape_bytes(w->shape);
   if (path->compliance) sum += poses * arc_tangential_bytes(&path->compliance[0]);
   if (path->rubs) sum += arc_friction_workspace_bytes(&path->workspace);

@@ -97,12 +97,31 @@ static int same_as_before(const arc_wear *w, const wear_window *window, int at) 
   return stays && at > window->first && line[at] == line[at - 1] && angle[at] == angle[at - 1];
 }
 
+/* Nodes' cells of a window's shape [mm]. */
+static void note_widths(const arc_wear *w, const wear_window *window) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < window->shape->side[b].n; i++)
+      sites_from(w, plane_of(w)->width, b)[i] = arc_shape_width(&window->shape->side[b], i);
+}
+
+/* What the window before left off with: its surfaces have been worn since, and it is their forces,
+ * pressure times width, that go on. */
+static void keep_forces(const arc_wear *w, const wear_window *window, wear_point *point) {
+  for (int b = 0; b < ARC_BODIES; b++)
+    for (int i = 0; i < window->shape->side[b].n; i++)
+      point->q[b][i] *=
+          sites_from(w, plane_of(w)->width, b)[i] / arc_shape_width(&window->shape->side[b], i);
+}
+
 /* The solved point `at` of a window, from the one before it. */
 static arc_status reach_point(arc_wear *w, const wear_window *window, int at, wear_watch *watch,
                               arc_error *error) {
   wear_point *now = &path_of(w)->point[at % 2];
   if (callbacks_stop(watch->callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
-  if (window->chained && at == window->first) return ARC_OK;
+  if (window->chained && at == window->first) {
+    keep_forces(w, window, now);
+    return ARC_OK;
+  }
   if (!same_as_before(w, window, at)) return solve_point(w, window, at, watch, now, error);
   arc_path_copy(path_of(w), &path_of(w)->point[(at + 1) % 2], now);
   return ARC_OK;
@@ -250,6 +269,7 @@ static arc_status integrate(arc_wear *w, const wear_window *window, wear_watch *
     }
   }
   if (window->tangent) arc_wear_jacobian_finish(window->tangent);
+  note_widths(w, window);
   return ARC_OK;
 }
 

@@ -37,6 +37,27 @@ static arc_status solve(implicit *s, double h, double *rate) {
   return s->at.run->kind->stage(&s->at, h, rate);
 }
 
+/* What a cycle does besides the wear of sites, at a stage. */
+typedef struct sums {
+  double energy, even, pressed;
+} sums;
+
+static sums of_last(const implicit *s) {
+  return (sums){s->at.last.energy, s->at.last.even, s->at.last.pressed};
+}
+
+/* Of the whole step, from the end of it and `part` of each stage before: what all have alike stays
+ * to the bit. */
+static void sum_up(double cycles, double part, sums start, sums middle, sums end,
+                   wear_depths *depth) {
+  depth->energy =
+      cycles * (end.energy + part * ((start.energy - end.energy) + (middle.energy - end.energy)));
+  depth->even = cycles * (end.even + part * ((start.even - end.even) + (middle.even - end.even)));
+  depth->pressed =
+      cycles *
+      (end.pressed + part * ((start.pressed - end.pressed) + (middle.pressed - end.pressed)));
+}
+
 /* Backward Euler; its error, to s->defect, by comparison with the trapezoid. */
 static arc_status first_order(implicit *s, double cycles, wear_depths *depth) {
   double *defect = s->defect;
@@ -46,7 +67,7 @@ static arc_status first_order(implicit *s, double cycles, wear_depths *depth) {
   if (status == ARC_OK) status = solve(s, cycles, s->rate[2]);
   for (int i = 0; i < s->n && status == ARC_OK; i++)
     defect[i] = cycles * (s->rate[2][i] - s->rate[0][i]) / 2;
-  depth->energy = cycles * s->at.last.energy;
+  sum_up(cycles, 0, of_last(s), of_last(s), of_last(s), depth);
   return status;
 }
 
@@ -60,13 +81,13 @@ static arc_status second_order(implicit *s, double cycles, wear_depths *depth) {
   arc_status status = friction_at(s, c, &mu[0]);
   if (status == ARC_OK) status = friction_at(s, 1, &mu[1]);
   if (status != ARC_OK) return status;
-  depth->energy = cycles * part * s->at.last.energy;
+  const sums start = of_last(s);
   for (int i = 0; i < s->n; i++) s->at.known[i] = h * s->rate[0][i];
   memcpy(s->rate[1], s->rate[0], bytes);
   s->at.window.mu = mu[0];
   status = solve(s, h, s->rate[1]);
   if (status != ARC_OK) return status;
-  depth->energy += cycles * part * s->at.last.energy;
+  const sums middle = of_last(s);
   for (int i = 0; i < s->n; i++) s->at.known[i] = cycles * part * (s->rate[0][i] + s->rate[1][i]);
   memcpy(s->rate[2], s->rate[1], bytes);
   s->at.window.mu = mu[1];
@@ -74,7 +95,7 @@ static arc_status second_order(implicit *s, double cycles, wear_depths *depth) {
   for (int i = 0; i < s->n && status == ARC_OK; i++)
     defect[i] = cycles * ((b0 - part) * s->rate[0][i] + (b1 - part) * s->rate[1][i] +
                           (b2 - g) * s->rate[2][i]);
-  depth->energy += h * s->at.last.energy;
+  sum_up(cycles, part, start, middle, of_last(s), depth);
   return status;
 }
 
@@ -146,9 +167,8 @@ arc_status arc_wear_implicit(arc_wear *w, const wear_window *window, const wear_
     arc_fail(&s.at.error, status, "out of memory for an implicit step");
   else
     status = run(&s, depth);
-  depth->even = w->manner.even ? dose->cycles * dose->k[ARC_LOWER] * s.at.last.even : 0;
+  depth->even = status == ARC_OK && w->manner.even ? dose->k[ARC_LOWER] * depth->even : 0;
   depth->peak = s.at.last.peak;
-  depth->pressed = dose->cycles * s.at.last.pressed;
   if (w->kind->end_stages)
     w->kind->end_stages(&s.at, dose->cycles, status == ARC_OK ? depth : NULL);
   free(s.at.z);
