@@ -124,7 +124,8 @@ extern const char *const arc_press_names[];
   CHOICE(press, press, ARC_PRESS_FRICTION, 0,                                                      \
          "Whether friction acts while the bodies are pressed together, or only from then on.")     \
   WHOLE(increments, "", 0, WITHIN(1, 100000), ARC_AUTOMATIC,                                       \
-        "Steps in which the load is put on with friction, the plate's base held. \"auto\": 20.")   \
+        "Steps in which the load is put on with friction, the plate's base held. \"auto\": four "  \
+        "while the contact's edge crosses an element, at least 20.")                               \
   OTHER(model, "a model object or a table of its fields", "model", 0,                              \
         "The bodies. One is built where none is given.")                                           \
   OTHER(worn, "a wear object or a table { cylinder=, plate= }", "wear", 0,                         \

@@ -153,7 +153,9 @@ typedef struct friction_step {
 
 /* Increment i of n of those in which bodies are pressed to a step: the width of the contact grows
  * in equal steps. */
-enum { arc_press_increments = 20 }; /* where their number is not the user's */
+/* How many, where nobody chose it: four while the contact's edge crosses an element, at least 20.
+ */
+int arc_friction_press_increments(const arc_model *model, double load);
 friction_step arc_friction_pressing(const friction_step *to, int i, int n);
 
 /* Goes one increment on from `s`, on a pose just brought up to date and measured at the position

@@ -1,6 +1,7 @@
 /* What friction remembers: room and copies; how it begins. */
 #include "core/friction/friction.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,6 +38,13 @@ void arc_friction_free(friction_state *s) {
 
 size_t arc_friction_bytes(const friction_state *s) {
   return numbers_of(s) * sizeof *s->f;
+}
+
+int arc_friction_press_increments(const arc_model *model, double load) {
+  static const double an_element = 4, least = 20, most = 400;
+  const arc_model_def *def = arc_model_definition(model);
+  const double elements = arc_model_half_width(def, load) / def->mesh.size;
+  return (int)fmin(most, fmax(least, ceil(an_element * elements)));
 }
 
 friction_step arc_friction_pressing(const friction_step *to, int i, int n) {

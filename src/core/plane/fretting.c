@@ -94,7 +94,7 @@ static int shear_when_pressed(const arc_wear *w) {
 static arc_status press(fretting *r, arc_error *error) {
   const wear_block *b = path_of(r->w)->block;
   const int rubs = r->w->def.press == ARC_PRESS_FRICTION && shear_when_pressed(r->w);
-  const int count = rubs ? arc_press_increments : 1, at = b->press;
+  const int count = rubs ? arc_friction_press_increments(r->w->model, b->load) : 1, at = b->press;
   const friction_step to = {.mu = rubs ? r->window->mu : 0, .line = b->line[at], .x = b->x[at]};
   arc_status status = ARC_OK;
   for (int i = 1; i <= count && status == ARC_OK; i++) {

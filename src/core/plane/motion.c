@@ -29,10 +29,11 @@ static arc_status go_to(arc_contact *c, double pairing, const friction_step *ste
  */
 arc_status arc_contact_press(arc_contact *c, arc_error *error) {
   const int rubs = c->handle.def.press == ARC_PRESS_FRICTION;
+  const int usual =
+      arc_friction_press_increments(c->handle.shape->handle.model, c->handle.def.load);
   const friction_step to = {
       .mu = rubs ? c->handle.def.friction : 0, .line = contact_line(c), .x = c->handle.def.x};
-  const int wanted = c->handle.def.increments > 0 ? c->handle.def.increments : arc_press_increments;
-  const int n = rubs ? wanted : 1;
+  const int wanted = c->handle.def.increments, n = rubs ? wanted > 0 ? wanted : usual : 1;
   arc_status status = ARC_OK;
   for (int i = 1; i <= n && status == ARC_OK; i++) {
     const friction_step step = arc_friction_pressing(&to, i, n);
