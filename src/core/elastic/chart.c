@@ -1,5 +1,7 @@
 /* Charts of pairs. */
 #include "core/elastic/chart.h"
+#include "core/elastic/pair.h"
+#include "core/mesh/body_shape.h"
 
 #include <math.h>
 #include <string.h>
@@ -15,6 +17,19 @@ chart arc_chart_of(const arc_model_def *def) {
                      .pin = arc_body_radius(&other)};
   }
   return (chart){.revolved = {def->geometry == ARC_AXISYMMETRIC, def->axis}};
+}
+
+int arc_model_is_hole(const arc_model_def *def) {
+  return arc_chart_of(def).polar;
+}
+
+double arc_model_way(const arc_model_def *def, double degrees) {
+  return arc_chart_of(def).radius * arc_radians(degrees);
+}
+
+int arc_model_slides_along(const arc_model_def *def) {
+  const arc_body_def lower = arc_model_solid(def, ARC_LOWER);
+  return arc_model_is_hole(def) || arc_body_is_flat(&lower);
 }
 
 /* z as (2 side R y - x^2 - y^2) / (R + r), side times: R - r cancels near the surface. */

@@ -52,11 +52,13 @@ void arc_revolved_stiffness(const element *e, elasticity d, double *k);
 double arc_revolved_swelling(const element *e, double gradient[6]);
 void arc_revolved_stress(const element *e, elasticity d, const double *u, double stress[3]);
 
-/* Gradients of the corner functions: of a triangle, and at a point of a quadrilateral; both return
- * the Jacobian's determinant. Those of functions of xi and eta from their slopes there. */
+/* Gradients (gradients.c) of the corner functions: of a triangle, and at a point of a
+ * quadrilateral; both return the Jacobian's determinant. Those of functions of xi and eta from
+ * their slopes there. Those of the two bubbles, by the determinant at the point. */
 double arc_triangle_gradients(const element *e, double g[][2]);
 double arc_quad_gradients(const element *e, double xi, double eta, double g[][2]);
 void arc_quad_to_space(const element *e, double xi, double eta, int n, double slope[][2],
                        double g[][2]);
+void arc_bubble_gradients(const element *e, double xi, double eta, double det, double g[][2]);
 
 #endif

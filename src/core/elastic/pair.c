@@ -1,6 +1,5 @@
 /* Pairs of bodies: what they are called, and what two shapes are to each other. */
 #include "core/elastic/pair.h"
-#include "core/elastic/chart.h"
 #include "core/mesh/body_shape.h"
 
 #include <math.h>
@@ -215,19 +214,6 @@ int arc_model_is_hertzian(const arc_model_def *def) {
   if (def->geometry == ARC_AXISYMMETRIC && def->axis > 0) return 0; /* a line that is bent */
   return arc_body_is_core(&upper) && arc_body_is_flat(&lower) && arc_body_layers(&upper) == 0 &&
          arc_body_layers(&lower) == 0;
-}
-
-int arc_model_is_hole(const arc_model_def *def) {
-  return arc_chart_of(def).polar;
-}
-
-double arc_model_way(const arc_model_def *def, double degrees) {
-  return arc_chart_of(def).radius * arc_radians(degrees);
-}
-
-int arc_model_slides_along(const arc_model_def *def) {
-  const arc_body_def lower = arc_model_solid(def, ARC_LOWER);
-  return arc_model_is_hole(def) || arc_body_is_flat(&lower);
 }
 
 double arc_model_width(const arc_model_def *def) {

@@ -1,4 +1,4 @@
-/* lua/files/export.h - the parts of the export of files among themselves. */
+/* lua/files/export.h - what export_csv.c offers to the export of files. */
 #ifndef LUA_EXPORT_H
 #define LUA_EXPORT_H
 

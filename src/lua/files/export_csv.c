@@ -10,6 +10,20 @@
 
 #include <string.h>
 
+const char *export_ending(const char *path) {
+  const char *name = strrchr(path, '/');
+  return strrchr(name ? name : path, '.');
+}
+
+const char *export_push_path(lua_State *L, const char *path, const char *body, const char *usual) {
+  const char *ending = export_ending(path);
+  size_t stem = ending ? (size_t)(ending - path) : strlen(path);
+  lua_pushlstring(L, path, stem);
+  lua_pushfstring(L, "%s-%s%s", lua_tostring(L, -1), body, ending ? ending : usual);
+  lua_remove(L, -2);
+  return lua_tostring(L, -1);
+}
+
 static const char where[] = "export.csv";
 
 enum { MOST_COLUMNS = 100000 };

@@ -13,20 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *export_ending(const char *path) {
-  const char *name = strrchr(path, '/');
-  return strrchr(name ? name : path, '.');
-}
-
-const char *export_push_path(lua_State *L, const char *path, const char *body, const char *usual) {
-  const char *ending = export_ending(path);
-  size_t stem = ending ? (size_t)(ending - path) : strlen(path);
-  lua_pushlstring(L, path, stem);
-  lua_pushfstring(L, "%s-%s%s", lua_tostring(L, -1), body, ending ? ending : usual);
-  lua_remove(L, -2);
-  return lua_tostring(L, -1);
-}
-
 /* The file name at index 2, with the first of the endings where it has none; it is replaced. */
 static const char *path_ending(lua_State *L, const char *where, const char *const endings[],
                                const char *expected) {
