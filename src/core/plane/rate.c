@@ -105,12 +105,20 @@ static void note_widths(const arc_wear *w, const wear_window *window) {
 }
 
 /* What the window before left off with: its surfaces have been worn since, and it is their forces,
- * pressure times width, that go on. */
-static void keep_forces(const arc_wear *w, const wear_window *window, wear_point *point) {
-  for (int b = 0; b < ARC_BODIES; b++)
-    for (int i = 0; i < window->shape->side[b].n; i++)
-      point->q[b][i] *=
-          sites_from(w, plane_of(w)->width, b)[i] / arc_shape_width(&window->shape->side[b], i);
+ * pressure times width, that go on. Work with elastic slip meets the plate through its pose. */
+static arc_status keep_forces(arc_wear *w, const wear_window *window, wear_point *point,
+                              arc_error *error) {
+  for (int b = 0; b < ARC_BODIES; b++) {
+    double *width = sites_from(w, plane_of(w)->width, b);
+    for (int i = 0; i < window->shape->side[b].n; i++) {
+      const double now = arc_shape_width(&window->shape->side[b], i), share = width[i] / now;
+      point->p[b][i] *= share;
+      point->q[b][i] *= share;
+      width[i] = now;
+    }
+  }
+  const int meets = w->def.slip == ARC_SLIP_TOTAL && path_of(w)->block->line[window->first] > 0;
+  return meets ? arc_wear_prepare(w, window, window->first, error) : ARC_OK;
 }
 
 /* The solved point `at` of a window, from the one before it. */
@@ -118,10 +126,7 @@ static arc_status reach_point(arc_wear *w, const wear_window *window, int at, we
                               arc_error *error) {
   wear_point *now = &path_of(w)->point[at % 2];
   if (callbacks_stop(watch->callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
-  if (window->chained && at == window->first) {
-    keep_forces(w, window, now);
-    return ARC_OK;
-  }
+  if (window->chained && at == window->first) return keep_forces(w, window, now, error);
   if (!same_as_before(w, window, at)) return solve_point(w, window, at, watch, now, error);
   arc_path_copy(path_of(w), &path_of(w)->point[(at + 1) % 2], now);
   return ARC_OK;
