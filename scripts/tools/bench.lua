@@ -277,6 +277,27 @@ local function joints()
   walk("the same on springs", "0.1", liner, 1e-9, 0)
 end
 
+-- Half-spaces in three dimensions: contacts that fill most of N x N cells, a worn history, and its memory.
+local function half_spaces(quick)
+  io.write("\nhalf-spaces in three dimensions\n")
+  local half = hertz{ geometry = "3-D", load = 10 }.half_width
+  for _, cells in ipairs{ 64, 128, 256, 512 } do
+    local m = model{ geometry = "3-D", mesh = { size = 2.3 * half / cells } }
+    local best = math.huge
+    for _ = 1, 3 do best = math.min(best, (timed(function() contact{ model = m, load = 10 } end))) end
+    line(("contact on %d x %d cells, with its kernel"):format(cells, cells), string.format("%.0f", 1e3 * best), "ms")
+  end
+  for _, fineness in ipairs(quick and { 1 } or { 1, 2 }) do
+    local m = model{ geometry = "3-D", upper = body.ball{ radius = 5 }, lower = body.block{}, mesh = { fineness = fineness } }
+    local width = hertz{ geometry = "3-D", radius = 5, load = 20 }.half_width
+    local w = wear{ model = m, load = 20, stroke = 2 * width, distance = 6000 }
+    local seconds = timed(function() w:run{ progress = false } end)
+    line(("R 5, 20 N, stroke 2a, 6000 mm at a/%d, %d updates"):format(8 * fineness, w.update), string.format("%.2f", seconds),
+      "s", fineness == 1 and "2.5" or "30")
+    line("  peak memory so far", string.format("%.0f", peak_memory() or 0 / 0), "MB")
+  end
+end
+
 -- Milliseconds from the program's start to its end, by the clock: the best of ten.
 local function starting()
   local term, best = require "archard.term", math.huge
@@ -301,6 +322,7 @@ for _, geometry in ipairs{ "moving", "frozen" } do samples(mode == "quick" and 6
 sensitivities()
 fitting()
 joints()
+half_spaces(mode == "quick")
 io.write("\n10000 cycles of 100 increments, an update at every increment, geometry frozen\n")
 package.path = arg[0]:match("^.*/") .. "?.lua"
 require "million"(line)
