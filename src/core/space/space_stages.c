@@ -186,13 +186,25 @@ arc_status arc_space_stage(wear_stage *s, double h, double *rate) {
   return ARC_OK;
 }
 
+/* The share of the load of a position that is elsewhere in the trial. */
+static double shifted(const stages *own, int position, int cells) {
+  const double *p = own->pressure + (size_t)position * (size_t)cells,
+               *trial = own->trial + (size_t)position * (size_t)cells;
+  double change = 0, load = 0;
+  for (int i = 0; i < cells; i++) {
+    change += fabs(trial[i] - p[i]);
+    load += p[i];
+  }
+  return load > 0 ? change / (2 * load) : 0;
+}
+
 /* A defect of the known part, seen through the stage: what stiff ripples it has, pressures take
  * back within the step. */
 double arc_space_error(wear_stage *s, double h, double *defect) {
   stages *own = s->own;
   arc_wear *w = s->run;
   const size_t all = (size_t)own->path.count * (size_t)w->nc;
-  double peak = 0, change = 0, largest = 0;
+  double peak = 0;
   if (own->path.count == 0) return 0;
   memcpy(own->trial, own->pressure, all * sizeof *own->trial);
   set_known(s, h, defect);
@@ -203,9 +215,7 @@ double arc_space_error(wear_stage *s, double h, double *defect) {
     const double *z = sites_from(w, s->z, b);
     for (int i = 0; i < sites_of(w, b); i++) d[i] = own->z[b][i] - shape->depth[b][i] - z[i];
   }
-  for (size_t i = 0; i < all; i++) {
-    change = fmax(change, fabs(own->trial[i] - own->pressure[i]));
-    largest = fmax(largest, own->pressure[i]);
-  }
-  return largest > 0 ? change / largest : 0;
+  double largest = 0;
+  for (int j = 0; j < own->path.count; j++) largest = fmax(largest, shifted(own, j, w->nc));
+  return largest;
 }
