@@ -24,7 +24,7 @@ local function worst(a, b, from)
 end
 
 local fine = ring{ tolerance = 2e-5 }
-for _, case in ipairs{ { 1e-3, 2e-4, 190 }, { 1e-2, 1e-3, 75 } } do
+for _, case in ipairs{ { 1e-3, 1e-4, 60 }, { 1e-2, 3e-4, 40 } } do
   local tolerance, error, updates = table.unpack(case)
   local depth, w = ring{ tolerance = tolerance }
   local what = ("tolerance %g: "):format(tolerance)

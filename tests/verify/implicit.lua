@@ -64,7 +64,7 @@ end
 
 local function check(what, fields, jump, tolerance)
   local worst, w = compare(fields, jump, tolerance)
-  below(worst.depth, tolerance, what .. ": depth at any node, any update, off by")
+  below(worst.depth, 0.6 * tolerance, what .. ": depth at any node, any update, off by")
   below(worst.pressure, 10 * tolerance, what .. ": pressures in the mean at any update off by")
   below(worst.p_max, 100 * tolerance, what .. ": largest pressure at any update off by")
   below(worst.p_center, 2 * tolerance, what .. ": centre pressure at any update off by")
@@ -79,16 +79,17 @@ end
 
 -- Cases of the paper, at several element sizes -------------------------------------------------------
 
-local cases = { -- element [um], stroke, alpha, longest explicit update, most solutions
-  { 20, 0.11, 0.5, 10, 13e3 }, { 20, 0.22, 0.75, 5, 12e3 }, { 20, 0.44, 0.25, 2.5, 9e3 }, { 20, 20, 0.5, 0.1, 250 },
-  { 10, 0.11, 0.5, 10, 19e3 }, { 10, 0.44, 0.75, 2.5, 19e3 }, { 10, 20, 1, 0.1, 500 }, { 5, 0.11, 0.5, 10, 25e3 },
-  { 5, 20, 1, 0.1, 950 },
+local cases = { -- element [um], stroke, alpha, longest explicit update, most solutions, most updates
+  { 20, 0.11, 0.5, 10, 14e3, 20 }, { 20, 0.22, 0.75, 5, 13e3, 20 }, { 20, 0.44, 0.25, 2.5, 9e3, 15 },
+  { 20, 20, 0.5, 0.1, 250, 18 }, { 10, 0.11, 0.5, 10, 21e3, 25 }, { 10, 0.44, 0.75, 2.5, 19e3, 25 },
+  { 10, 20, 1, 0.1, 500, 25 }, { 5, 0.11, 0.5, 10, 25e3, 25 }, { 5, 20, 1, 0.1, 950, 28 },
 }
 for _, case in ipairs(cases) do
-  local um, stroke, alpha, jump, most = table.unpack(case)
+  local um, stroke, alpha, jump, most, updates = table.unpack(case)
   local what = ("%g um, s = %g, alpha = %g"):format(um, stroke, alpha)
   local w = check(what, { model = mesh(um), geometry = "frozen", stroke = stroke, alpha = alpha }, jump, 1e-3)
   below(w.solutions, most, what .. ": contact solutions")
+  below(w.update, updates + 1, what .. ": updates")
   within(w.volume.total, 1.32e-3, 1e-9, what .. ": volume [mm3]")
   below(figures.asymmetry(w:profile("cylinder").h), 1e-9, what .. ": asymmetry")
 end

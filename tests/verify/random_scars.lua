@@ -45,5 +45,5 @@ while runs < (tonumber(os.getenv "ARCHARD_RUNS") or 12) do
   end
 end
 figures.below(worst, 1e-3, ("depths of %d runs at four distances, off by at most"):format(runs))
-figures.below(most, 250, "their most updates")
+figures.below(most, 100, "their most updates")
 figures.below(refused, 0.1 * runs, "those refused, as the scar is wider than the bodies")

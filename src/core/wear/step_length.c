@@ -26,7 +26,7 @@ static double cycles_for(const wear_block *block, const double k[ARC_BODIES], do
 /* An update may wear this share of the natural depth, or of what is worn already. */
 static const double first_bite = 0.15, later_bite = 0.05;
 /* The first implicit one, whose error nobody knows yet. */
-static const double first_implicit_bite = 0.02;
+static const double first_implicit_bite = 0.06;
 /* Share of the stability limit 2 / eigenvalue that automatic updates use. */
 static const double safe_share = 0.6;
 
@@ -96,26 +96,18 @@ static arc_status plan_automatic(arc_wear *w, const arc_callbacks *callbacks, we
   return ARC_OK;
 }
 
-/* What the last step's error would be at most, by it and by the one before: the error of single
- * steps falls by chance, as nodes enter the contact early or late in them. */
-static double error_of_last(const arc_wear *w, double order) {
-  const arc_wear_record *now = arc_wear_last(w);
-  if (w->records < 3 || !(now[-1].jump > 0)) return now->error;
-  return fmax(now->error, now[-1].error * pow(now->jump / now[-1].jump, order));
-}
-
 /* The next adaptive step from the last ones' estimated errors; history alone decides, so that a
  * stored run goes on alike. */
 static arc_status adaptive_jump(const arc_wear *w, const wear_block *block, double *jump,
                                 arc_error *error) {
-  static const double most_growth = 1.5, least_growth = 0.2, safety = 0.85;
+  static const double most_growth = 2, least_growth = 0.2, safety = 0.85;
   const arc_wear_record *now = arc_wear_last(w);
   double k[ARC_BODIES];
   const arc_status status = arc_wear_coefficients_now(w, k, error);
   if (status != ARC_OK) return status;
   if (now->error > 0) {
     const double order = w->def.order == 1 ? 2 : 3;
-    const double growth = safety * pow(error_of_last(w, order), -1 / order);
+    const double growth = safety * pow(now->error, -1 / order);
     const double before =
         w->records > 2 ? now[-1].jump : 0; /* a last step may have been cut short */
     *jump = fmin(most_growth * fmax(now->jump, before), now->jump * fmax(least_growth, growth));
