@@ -257,6 +257,8 @@ local under_stroke = automatic{ stroke = math.max(table.unpack(x)) - math.min(ta
 near(under_stroke.model.mesh.size, size, 0.1, "a stroke that takes the same force has the same elements")
 near(automatic({ tangential = 42 }, { size = 0.02 }).model.mesh.size, 0.02, 1e-12, "a size that is given stays")
 near(automatic{ stroke = 0.1 }.model.mesh.size, 0.02, 1e-3, "in gross slip there are no rims")
+local unresolved = automatic({ tangential = 6, jump = "auto", cycles = 2000 }, { size = 0.01 }):run{ progress = false }
+ok(unresolved.update < 400, ("rims of a quarter of an element: %d updates"):format(unresolved.update))
 fails(function() automatic{ tangential = 61 } end, { "expected less than friction times the load" }, "more force than friction carries")
 
 -- pictures

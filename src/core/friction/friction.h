@@ -111,10 +111,6 @@ typedef struct friction_memory {
   int count; /* of turns, each between the two before it */
   friction_turn turn[ARC_FRICTION_TURNS];
   double energy; /* [N] of the present way */
-  /* The sum's end where ways begin, of the nodes in contact and the pose it was found for. */
-  friction_terms start;
-  int first, last;
-  double x; /* [mm] */
 } friction_memory;
 
 /* What is carried from increment to increment; nothing else has influence on the next solution. */

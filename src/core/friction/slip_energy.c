@@ -115,23 +115,12 @@ static int shear_unsheared(friction_task *k, double force) {
   return 1;
 }
 
-/* The sum's end where ways begin, which is the same until other nodes touch. */
-static int find_start(friction_task *k, friction_memory *m) {
-  const pose *p = k->p;
-  const int first = p->lo + p->set[0], last = p->lo + p->set[p->active - 1];
-  if (m->first == first && m->last == last && m->x == p->x) return 1;
-  if (!shear_unsheared(k, 0) || !find_terms(k, &m->start)) return 0;
-  m->first = first;
-  m->last = last;
-  m->x = p->x;
-  return 1;
-}
-
-/* What the sum up to `rise` is off [N]. */
-static int sum_error(friction_task *k, friction_memory *m, double rise, double *energy) {
-  friction_terms end;
-  if (!find_start(k, m) || !shear_unsheared(k, rise) || !find_terms(k, &end)) return 0;
-  *energy = rise * (m->start.even + end.even) + m->start.odd - end.odd;
+/* What the sum up to `rise` is off [N], both ends under the present pressures. */
+static int sum_error(friction_task *k, double rise, double *energy) {
+  friction_terms start, end;
+  if (!shear_unsheared(k, 0) || !find_terms(k, &start)) return 0;
+  if (!shear_unsheared(k, rise) || !find_terms(k, &end)) return 0;
+  *energy = rise * (start.even + end.even) + start.odd - end.odd;
   return 1;
 }
 
@@ -172,7 +161,7 @@ static void add_way(friction_task *k, friction_state *s) {
   friction_memory *m = &s->memory;
   const int first = m->count == 1;
   double energy;
-  if (!sum_error(k, m, arc_friction_rise(m, s->tangential), &energy)) return;
+  if (!sum_error(k, arc_friction_rise(m, s->tangential), &energy)) return;
   take_reserve(k);
   if (!(first && m->fresh)) energy *= 2;
   const double more = first && !m->fresh ? 0 : energy - m->energy;

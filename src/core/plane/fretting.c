@@ -269,15 +269,14 @@ static void add_edges(fretting *r, double energy) {
   arc_wear_share(w, p, point, r->work, r->on, r->rate);
 }
 
-/* What is dissipated between the nodes wears where the nodes do; at the contact's edges where none
- * slips. */
+/* What is dissipated between the nodes wears where the nodes do, as far as they do as much; the
+ * rest at the contact's edges. */
 static void add_between(fretting *r) {
   const double energy = path_of(r->w)->block->repeat * (path_of(r->w)->state.between - r->between);
-  if (r->rate->energy + energy <= 0) return;
-  if (r->rate->energy > 0)
-    scale_rate(r, 1 + energy / r->rate->energy);
-  else
-    add_edges(r, energy);
+  const double own = r->rate->energy, shared = fmin(energy, own);
+  if (own + energy <= 0) return;
+  if (own > 0) scale_rate(r, 1 + shared / own);
+  if (energy > shared) add_edges(r, energy - shared);
 }
 
 static arc_status run_cycles(fretting *r, arc_error *error) {
