@@ -163,6 +163,12 @@ double arc_look_key_rows(const arc_writer *w) {
   return lines_of_key(w->title_count, longest, w->canvas->columns);
 }
 
+double arc_panel_columns(const arc_writer *w) {
+  int rows, columns;
+  arc_plot_grid(w->figure, &rows, &columns);
+  return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns / columns; /* it is over the frame */
+}
+
 double arc_look_own_key_rows(const arc_writer *w, const arc_plot_panel *panel) {
   size_t longest = 0, count = 0;
   if (arc_look_one_key(w) || panel->key != ARC_PLOT_KEY_BELOW) return 0;

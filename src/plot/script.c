@@ -65,12 +65,6 @@ static double left_of_frames(const arc_writer *w, double least, double rows) {
   return fmax(least, wide + (labelled && !w->canvas->text ? 3.2 : 0));
 }
 
-double arc_panel_columns(const arc_writer *w) {
-  int rows, columns;
-  arc_plot_grid(w->figure, &rows, &columns);
-  return (w->canvas->text ? 0.95 : 0.82) * w->canvas->columns / columns; /* it is over the frame */
-}
-
 static arc_plot_frame frame_of(const arc_writer *w, size_t number) {
   int rows, columns;
   arc_plot_grid(w->figure, &rows, &columns);

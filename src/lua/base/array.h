@@ -1,8 +1,9 @@
-/* lua/array.h - arrays of numbers between Lua tables (from 1) and C (from 0). */
+/* lua/array.h - arrays of numbers as Lua tables (from 1). */
 #ifndef LUA_ARRAY_H
 #define LUA_ARRAY_H
 
-#include "lua/base/args.h"
+#include <lua.h>
+#include <stddef.h>
 
 /* Pushes a table of `count` numbers. */
 void array_push(lua_State *L, const double *values, size_t count);
@@ -15,19 +16,5 @@ void array_set_number(lua_State *L, const char *name, double value);
 
 /* Pushes a userdata that the collector frees, and returns its room for `count` doubles. */
 double *array_buffer(lua_State *L, size_t count);
-
-/* The number of items in the list on top of the stack, as it stands: metamethods are not asked. A
- * list of more than `most` is refused. All sizes that scripts give come from here. */
-size_t array_length(lua_State *L, args_place place, const char *name, size_t most);
-
-enum { ARRAY_MOST = 100000000 }; /* numbers in a list */
-
-/* Reads the table on top of the stack, a list of finite numbers, into a buffer pushed on the stack
- * (the table stays below). Errors name the field and the position. */
-double *array_read(lua_State *L, args_place place, const char *name, size_t *count);
-
-/* The same of any numbers, NaN and infinite ones too: values that are kept or written as they are.
- */
-double *array_read_any(lua_State *L, args_place place, const char *name, size_t *count);
 
 #endif

@@ -1,7 +1,7 @@
 /* Bodies: body.cylinder{}, body.block{}, ... are tables that say what a body is, checked when made;
  * a model reads them. */
 #include "lua/engine/bodies.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/call.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"

@@ -2,7 +2,7 @@
  * give. A gait is a list of 15 numbers an instant: rotation, rotation vector, load. */
 #include "archard/joint.h"
 #include "lua/base/archard.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/box.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"

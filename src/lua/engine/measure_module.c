@@ -4,7 +4,7 @@
 #include "lua/engine/classes.h"
 #include "lua/engine/measure_module.h"
 #include "lua/base/archard.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/base/strict.h"
 

@@ -1,5 +1,5 @@
 /* The stress field of a contact: for each body a table of arrays by node. */
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"

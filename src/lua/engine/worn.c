@@ -1,6 +1,6 @@
 /* The field `worn` of contacts and wear runs: a wear object, or by body a function x -> depth or a
  * profile { x=, h= }; turned into a shape of the engine. */
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"

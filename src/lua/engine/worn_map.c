@@ -1,7 +1,7 @@
 /* The field `worn` in three dimensions: by body a function (x, z) -> depth or a map of depths,
  * sampled on the cells that the run begins with. */
 #include "archard/space.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/engine/classes.h"

@@ -1,6 +1,6 @@
 /* Columns of numbers in files: histories, pressures, stresses, and plain tables of arrays. */
 #include "archard/export.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/base/strict.h"
 #include "lua/base/names.h"

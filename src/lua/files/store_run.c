@@ -1,5 +1,5 @@
 /* Runs in a run file, as Lua sees them; and wear:save, wear.open, which keep one run in a file. */
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/base/file_name.h"
 #include "lua/files/store_module.h"

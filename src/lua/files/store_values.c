@@ -1,5 +1,5 @@
 /* Named values between Lua tables and run files. */
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/files/store_module.h"
 

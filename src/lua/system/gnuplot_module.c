@@ -6,7 +6,7 @@
  * error in the middle leaks nothing.
  */
 #include "lua/base/archard.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/interrupt.h"
 
 #include "plot/plot.h"

@@ -6,7 +6,7 @@
  * raises is raised again once GSL has been left and its memory freed.
  */
 #include "lua/base/archard.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/error.h"
 
 #include <gsl/gsl_errno.h>

@@ -3,7 +3,7 @@
  * input that nobody waits for it any more.
  */
 #include "lua/base/archard.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/call.h"
 #include "lua/base/box.h"
 #include "lua/base/confine.h"

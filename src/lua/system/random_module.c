@@ -4,7 +4,7 @@
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
 #include "lua/base/args.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_qrng.h>

@@ -1,5 +1,5 @@
 /* Class wear: the definition table of a run. */
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"

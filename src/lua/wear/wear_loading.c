@@ -1,7 +1,7 @@
 /* The field `loading` of a run: blocks of plate position and load over a cycle, given as functions
  * of t, as arrays or as numbers; sampled once, here. */
 #include "archard/measure.h"
-#include "lua/base/array.h"
+#include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/wear/wear_class.h"
