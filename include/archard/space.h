@@ -263,6 +263,12 @@ arc_status arc_space_given_depths(arc_shape *shape, arc_body body, const double 
 arc_status arc_halfspace_stress(const arc_halfspace *h, const double *pressure, double nu, double y,
                                 double *stress, arc_error *error);
 
+/* The same below the contact of a model in 3-D, on the window of its shape; y = 0 is the surface of
+ * either body, and y < 0 inside it. ARC_ARGUMENT: the body has layers or a base, or was worn along
+ * z. */
+arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, double y,
+                                    double *stress, arc_error *error);
+
 /* --- closed form ---------------------------------------------------------------------------------
  */
 

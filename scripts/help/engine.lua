@@ -177,7 +177,9 @@ return {
     text = "How far the plate's surface has slipped over the cylinder's nodes since the bodies came "
       .. "together, { x=, s= } in mm, along +x. Nodes that do not touch go on too. Takes no body." },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
-    text = "Displacements and stresses inside both bodies: a field for plot.stress, export.vtk and export.csv." },
+    text = "Displacements and stresses inside both bodies: a field for plot.stress, export.vtk and export.csv. In 3-D c:stress{ y=-0.05 }, a plane below "
+      .. 'the surface, c:stress{ z=0 } or { x=0 }, a section down to three half widths, of body="lower" or another: maps sxx, syy, szz, sxy, '
+      .. "syz, sxz, mises in MPa for plot.map, over x and z; of a section over x (z) and y, which takes the place of z." },
   { "contact.close", kind = "method", use = "c:close()",
     text = "Lets go of it now instead of when it is collected." },
   { "stress", kind = "object", use = "f = c:stress()",

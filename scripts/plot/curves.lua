@@ -118,12 +118,12 @@ end
 
 -- One panel of wear depths of the bodies that the words mean; depth grows downwards, as the groove
 -- does.
-local function profile_panel(where, objects, names, of_body, scale)
+local function profile_panel(where, objects, names, of_body, scale, section)
   local panel, reach = {}, 0
   for i, object in ipairs(objects) do
     for _, word in ipairs(of_body) do
       local body = naming.body(where, object, word)
-      local profile = object:profile(body)
+      local profile = object:profile(body, section)
       reach = reach_of(profile.x, profile.h, reach)
       panel[#panel + 1] = { x = profile.x, y = scaled(profile.h, 1000),
         title = #of_body > 1 and body or #objects > 1 and names[i] or nil,
@@ -132,6 +132,22 @@ local function profile_panel(where, objects, names, of_body, scale)
   end
   panel.xrange, panel.yrange, panel.vlabel = range_of(reach), { 0 }, scale and scale.label
   return panel
+end
+
+local function is_spatial(object)
+  local has, model = pcall(function() return object.model end)
+  return has and type(model) == "userdata" and model.geometry == "3-D"
+end
+
+-- Two panels of a run in 3-D: along x, and across.
+local function sections(where, objects, names, of_body, scale, options)
+  local panels = {}
+  for i, axis in ipairs{ "x", "z" } do
+    panels[i] = profile_panel(where, objects, names, of_body, scale, { [axis == "x" and "z" or "x"] = 0 })
+    panels[i].xlabel = axis .. " / mm"
+    panels[i].xrange, panels[i].yrange = options.xrange or panels[i].xrange, options.yrange or panels[i].yrange
+  end
+  return panels
 end
 
 -- A measured trace on the one panel there is; depths above zero are shown as well.
@@ -152,7 +168,10 @@ function curves.profile(...)
   local body, word = body_word(where, objects, words, options)
   local names, scale = naming.names_of(where, objects, options.titles)
   local defaults = { xlabel = "x / mm", ylabel = "wear depth / µm", ydown = true }
-  if body or #objects == 1 then
+  if (body or #objects == 1) and is_spatial(objects[1]) and not options.measured then
+    defaults.panels, defaults.layout = sections(where, objects, names, body and { word } or roles, scale, options), { 1, 2 }
+    defaults.title = title_of(body and "wear of the " .. body or "wear", objects, options)
+  elseif body or #objects == 1 then
     for name, value in pairs(profile_panel(where, objects, names, body and { word } or roles,
       scale)) do
       defaults[name] = value

@@ -176,7 +176,26 @@ end
 fails(function() model{ upper = body.ball{} } end, "3-D", "a ball in the plane")
 fails(function() contact{ model = m, friction = 0.1 } end, "'friction'", "friction of a contact")
 fails(function() return w.mesh end, "no meshes", "no meshes")
-fails(function() w:contact():stress() end, "half-spaces", "no stresses")
+
+local below = c:stress{ z = 0 }
+local largest, where = 0, nil
+for k, value in ipairs(below.mises.y) do
+  if value > largest then largest, where = value, below.mises.z[(k - 1) % #below.mises.z + 1] end
+end
+near(largest, 0.620 * c.p_max, 0.01, "von Mises below a ball: 0.62 p0")
+near(-where, 0.48 * c.half_width, 0.1, "0.48 a deep")
+local surface = c:stress{ y = 0, body = "ball" }
+near(surface.syy:at(0, 0), -c.p_center, 1e-2, "at the surface the pressure")
+near(surface.sxx:at(0, 0), -0.8 * c.p_center, 2e-2, "and (1 + 2 nu) / 2 of it along x")
+near(c:stress{ x = 0 }.szz:at(0, 0), surface.szz:at(0, 0), 1e-9, "sections and planes agree")
+fails(function() c:stress() end, "expected a table", "stresses without a place")
+fails(function() c:stress{} end, "got none", "no place")
+fails(function() c:stress{ x = 0, y = -1 } end, "got x and y", "two places")
+fails(function() c:stress{ y = 1 } end, "'y'", "above the surface")
+fails(function() c:stress{ z = 9 } end, "'z': expected a number from", "beside the window")
+fails(function()
+  contact{ model = { geometry = "3-D", lower = body.block{ height = 1 } }, load = 10 }:stress{ y = -0.1 }
+end, "homogeneous half-space", "stresses in layers")
 fails(function() w:combined() end, "half-spaces", "no combined profile")
 fails(function() export.inp(m, "x.inp") end, "half-spaces", "no input deck")
 fails(function() w:set{ mesh = { size = 0.01 } } end, "mesh", "cells stay")

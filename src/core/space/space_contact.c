@@ -150,6 +150,24 @@ arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
   return arc_contact_solve(arc_contact_shape(from), &def, callbacks, contact, error);
 }
 
+/* --- below -------------------------------------------------------------------------------------
+ */
+
+arc_status arc_space_contact_stress(const arc_contact *contact, arc_body body, double y,
+                                    double *stress, arc_error *error) {
+  const space_contact *c = (const space_contact *)(const void *)contact;
+  const arc_halfspace *h = space_shape_of(c->handle.shape)->grid->h;
+  const arc_halfspace_body *b = &arc_halfspace_definition(h)->body[body];
+  if (b->layer[0].thickness > 0 || b->depth > 0)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "stresses below the %s: expected a homogeneous half-space, got one with layers "
+                    "or a rigid base",
+                    arc_body_name(body));
+  if (space_turned(space_shape_of(c->handle.shape)))
+    return arc_fail(error, ARC_ARGUMENT, "stresses of surfaces that were worn along z: none yet");
+  return arc_halfspace_stress(h, c->pressure, b->material.nu, y, stress, error);
+}
+
 /* --- as arrays ---------------------------------------------------------------------------------
  */
 

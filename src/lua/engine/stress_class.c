@@ -2,6 +2,7 @@
 #include "lua/base/array_read.h"
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
+#include "lua/engine/surface_maps.h"
 #include "lua/base/error.h"
 #include "lua/base/strict.h"
 
@@ -161,7 +162,8 @@ int stress_new(lua_State *L) {
       {"__tostring", stress_tostring}, {"__index", stress_index}, {NULL, NULL}};
   const arc_contact *contact = box_self(L, &contact_class, "contact:stress")->thing;
   luaL_checkstack(L, 12, "contact:stress");
-  model_check_meshed(L, arc_contact_model(contact), "contact:stress");
+  if (arc_model_has_maps(arc_model_definition(arc_contact_model(contact))))
+    return stress_push_space(L, contact, 2, "contact:stress");
   lua_createtable(L, 0, 2);
   for (int body = 0; body < ARC_BODIES; body++) {
     push_field(L, contact, (arc_body)body);

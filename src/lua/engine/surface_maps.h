@@ -4,7 +4,7 @@
 #define LUA_SURFACE_MAPS_H
 
 #include "archard/array.h"
-#include "archard/model.h"
+#include "archard/contact.h"
 #include "lua/base/args.h"
 
 /* Pushes the values `name` of a body as a map; `unit` of the values. */
@@ -16,5 +16,10 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
  * an x it is z, which the table has too. */
 void surface_push_section(lua_State *L, int index, const char *where, const arc_array *arrays,
                           size_t count, arc_body body, const char *const *names);
+
+/* Pushes stresses of a contact in 3-D (stress_map.c) by the table at `index`: { y= } a plane, { z=
+ * } or { x= } a section, body= "lower" or another word for a body: a table of maps sxx .. sxz,
+ * mises [MPa]; a section's are over x (z) and depth, which stands for z. */
+int stress_push_space(lua_State *L, const arc_contact *contact, int index, const char *where);
 
 #endif
