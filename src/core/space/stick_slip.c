@@ -108,14 +108,16 @@ static double find_slip(const stick_slip_problem *p, stick_slip_work *w, stick_s
   return most;
 }
 
-/* Cells that would slip against their shear stick; the others get tangent and diagonal. */
-static int end_slip(const stick_slip_problem *p, stick_slip_work *w, const char *fresh) {
+/* Cells that would slip against their shear by more than `nothing` [mm] stick; the others get
+ * tangent and diagonal. */
+static int end_slip(const stick_slip_problem *p, stick_slip_work *w, double nothing,
+                    const char *fresh) {
   int changes = 0;
   for (int k = 0; k < p->h->cells; k++) {
     if (w->state[k] != SHEAR_SLIP) continue;
     const double n[2] = {w->q[0][k] / p->bound[k], w->q[1][k] / p->bound[k]};
     const double along = w->slip[0][k] * n[0] + w->slip[1][k] * n[1];
-    if (along < 0 && !fresh[k]) {
+    if (along < -nothing && !fresh[k]) {
       w->state[k] = SHEAR_STICK;
       changes++;
       continue;
@@ -129,18 +131,18 @@ static int end_slip(const stick_slip_problem *p, stick_slip_work *w, const char 
 
 /* --- the loop --------------------------------------------------------------------------------- */
 
-/* Share of the bounds that the given forces are missed by. */
-static double force_error(const stick_slip_problem *p, const stick_slip_work *w) {
+/* What the given forces are missed by, over what friction carries; returns the larger share. */
+static double force_error(const stick_slip_problem *p, const stick_slip_work *w, double missed[2]) {
   const double area = p->h->def.size_x * p->h->def.size_z;
-  double sum[2] = {0, 0}, carried = 0, most = 0;
+  double sum[2] = {0, 0}, carried = 0;
   for (int k = 0; k < p->h->cells; k++) {
     sum[0] += w->q[0][k];
     sum[1] += w->q[1][k];
     carried += p->bound[k];
   }
   for (int i = 0; i < 2; i++)
-    if (p->by_force[i]) most = fmax(most, fabs(sum[i] - p->force[i] / area));
-  return most / carried;
+    missed[i] = p->by_force[i] ? (p->force[i] / area - sum[i]) / carried : 0;
+  return fmax(fabs(missed[0]), fabs(missed[1]));
 }
 
 static void stick_all(const stick_slip_problem *p, stick_slip_work *w) {
@@ -166,17 +168,17 @@ static int carrying(const stick_slip_problem *p) {
 
 static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char *fresh,
                           stick_slip_count *count, arc_error *error) {
-  enum { most_sets = 100, patience = 25 };
+  enum { most_sets = 60, patience = 25 };
   static const double few = 0.03;
   const int cells = carrying(p);
-  double missed = 0;
+  double missed, each[2];
   for (int pass = 0; pass < most_sets; pass++) {
     if (callbacks_stop(p->callbacks)) return arc_fail(error, ARC_STOPPED, "stopped on request");
     int changes = begin_slip(p, w, fresh);
     const double wanted = p->tolerance * find_slip(p, w, count);
-    changes += end_slip(p, w, fresh);
+    changes += end_slip(p, w, wanted, fresh);
     const double residual = arc_stick_slip_residual(p, w);
-    missed = force_error(p, w);
+    missed = force_error(p, w, each);
     const int held = missed <= p->tolerance, solved = held && residual <= wanted;
     count->sets++;
     if (changes == 0 && solved) return ARC_OK;
@@ -191,14 +193,77 @@ static arc_status iterate(const stick_slip_problem *p, stick_slip_work *w, char 
                   most_sets, missed);
 }
 
+/* --- by the motion ---------------------------------------------------------------------------- */
+
+/* Displacement along an axis under all the shear that friction carries there. */
+static double yielding(const stick_slip_problem *p, stick_slip_work *w, int axis) {
+  double sum = 0, product = 0;
+  for (int k = 0; k < p->h->cells; k++) {
+    w->d[axis][k] = p->bound[k];
+    w->d[1 - axis][k] = 0;
+  }
+  arc_cerruti_shear(p->h, (const double *const[2]){w->d[0], w->d[1]}, w->a);
+  for (int k = 0; k < p->h->cells; k++) {
+    sum += p->bound[k];
+    product += p->bound[k] * w->a[axis][k];
+  }
+  return product / sum;
+}
+
+/* Broyden's, Fletcher's, Goldfarb's and Shanno's update of the inverse, for a step and the change
+ * of what was missed. */
+static void update(double inverse[2][2], const double step[2], const double change[2]) {
+  const double along = -(step[0] * change[0] + step[1] * change[1]);
+  double y[2] = {-change[0], -change[1]}, left[2], curved;
+  if (!(along > 0)) return;
+  for (int i = 0; i < 2; i++) left[i] = inverse[i][0] * y[0] + inverse[i][1] * y[1];
+  curved = 1 + (y[0] * left[0] + y[1] * left[1]) / along;
+  for (int i = 0; i < 2; i++)
+    for (int j = 0; j < 2; j++)
+      inverse[i][j] += (curved * step[i] * step[j] - step[i] * left[j] - left[i] * step[j]) / along;
+}
+
+/* The motion under which friction gives the forces: they are the gradient of a convex function of
+ * it. Slower, and for forces near those of full slip, where sets need not settle. */
+static arc_status find_motion(const stick_slip_problem *forced, stick_slip_work *w, char *fresh,
+                              stick_slip_count *count, arc_error *error) {
+  enum { most_motions = 100 };
+  stick_slip_problem p = *forced;
+  double inverse[2][2] = {{yielding(&p, w, 0), 0}, {0, yielding(&p, w, 1)}};
+  double before[2] = {0, 0}, missed[2], step[2] = {0, 0};
+  p.by_force[0] = p.by_force[1] = 0;
+  for (int k = 0; k < most_motions; k++) {
+    const arc_status status = iterate(&p, w, fresh, count, error);
+    if (status != ARC_OK) return status;
+    if (force_error(forced, w, missed) <= p.tolerance) return ARC_OK;
+    if (k > 0)
+      update(inverse, step, (const double[2]){missed[0] - before[0], missed[1] - before[1]});
+    for (int i = 0; i < 2; i++) {
+      before[i] = missed[i];
+      step[i] = forced->by_force[i] ? inverse[i][0] * missed[0] + inverse[i][1] * missed[1] : 0;
+    }
+    for (int i = 0; i < 2; i++) w->xi[i] += step[i];
+  }
+  return arc_fail(error, ARC_NOT_CONVERGED,
+                  "no motion gives the tangential force: off by %.2g of "
+                  "friction times load",
+                  fmax(fabs(missed[0]), fabs(missed[1])));
+}
+
 arc_status arc_stick_slip_solve(const stick_slip_problem *p, stick_slip_work *w,
                                 stick_slip_count *count, arc_error *error) {
   arc_status status = check_forces(p, error);
   if (status != ARC_OK) return status;
   char *fresh = calloc((size_t)p->h->cells, 1);
   if (!fresh) return arc_fail(error, ARC_MEMORY, "out of memory for the shear of a contact");
+  const double xi[2] = {w->xi[0], w->xi[1]};
   start(p, w);
   status = iterate(p, w, fresh, count, error);
+  if (status == ARC_NOT_CONVERGED && (p->by_force[0] || p->by_force[1])) {
+    w->xi[0] = xi[0];
+    w->xi[1] = xi[1];
+    status = find_motion(p, w, fresh, count, error);
+  }
   free(fresh);
   return status;
 }
