@@ -167,16 +167,21 @@ size_t arc_contact_bytes(const arc_contact *contact);
   NUMBER(x, "mm", 0, ANY, ARC_OPTIONAL, "Position the plate's base goes to.")                      \
   NUMBER(load, "N", 0, ABOVE(0), ARC_OPTIONAL,                                                     \
          "Normal load at the end; as before where left out.")                                      \
+  NUMBER(z, "mm", 0, ANY, ARC_OPTIONAL,                                                            \
+         "Position the lower body goes to across x, in 3-D; as before where left out.")            \
   NUMBER(                                                                                          \
       tangential, "N", 0, ANY, ARC_OPTIONAL,                                                       \
       "Force that drives the plate along x, at the end; instead of x, less than friction times "   \
       "the load.")                                                                                 \
+  NUMBER(tangential_z, "N", 0, ANY, ARC_OPTIONAL,                                                  \
+         "Force that drives the lower body along z, at the end, in 3-D; instead of z.")            \
   WHOLE(increments, "", 1, WITHIN(1, 100000), 0,                                                   \
         "Steps of equal size; more where load and motion change together, or materials differ.")
 
 typedef struct arc_motion_def {
   ARC_MOTION_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_WHOLE)
-  int by_force; /* `tangential` counts, not `x` */
+  int by_force;   /* `tangential` counts, not `x` */
+  int by_force_z; /* `tangential_z` counts, not `z` */
 } arc_motion_def;
 
 extern const arc_setting arc_motion_settings[];
@@ -208,7 +213,10 @@ typedef struct arc_contact_result {
   double tangential;   /* [N] drives the plate along x; without friction what slopes bear */
   double energy;       /* [N mm] dissipated by friction since the bodies came together, by the slip
                           between nodes too */
-  int iterations;      /* active-set iterations */
+  double z;            /* [mm] position of the lower body across x; 0 in the plane */
+  double tangential_z; /* [N] drives the lower body along z; 0 in the plane */
+  double stick;        /* share of the area that stuck in the last increment [-]; 0 in the plane */
+  int iterations;      /* active-set iterations; with friction in space: sets of cells */
 } arc_contact_result;
 arc_contact_result arc_contact_get(const arc_contact *contact);
 
@@ -280,7 +288,9 @@ arc_status arc_contact_field(const arc_contact *contact, arc_body body, arc_fiel
                              arc_error *error);
 void arc_field_destroy(arc_field **field);
 /* The pressures of both bodies as arrays, those of a body together: x, (in space z,) p [sites, 1],
- * in the frame of the upper body; of a map site by site along z, then x. One block, to be freed
+ * in the frame of the upper body; of a map site by site along z, then x. With friction in space
+ * also, of the upper body: shear on it along x and z and its size, q, qz, shear [MPa], and slip of
+ * the lower body's surface over it, s, sz, slip [mm]. One block, to be freed
  * with free(). ARC_MEMORY. */
 arc_status arc_contact_surfaces(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                 arc_error *error);

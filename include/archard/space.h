@@ -137,7 +137,7 @@ typedef struct arc_halfspace_friction {
 
 /* One increment, to given forces or motions. */
 typedef struct arc_halfspace_increment {
-  double friction;                 /* > 0 */
+  double friction;                 /* >= 0 */
   arc_halfspace_position position; /* at its end; the weight is not used */
   int by_force[2];                 /* along x and z: force instead of xi */
   double xi[2];                    /* [mm] at the end */
@@ -155,6 +155,8 @@ typedef struct arc_halfspace_effort {
 /* ARC_MEMORY; zeros. */
 arc_status arc_halfspace_friction_begin(const arc_halfspace *h, arc_halfspace_friction *state,
                                         arc_error *error);
+arc_status arc_halfspace_friction_copy(const arc_halfspace *h, const arc_halfspace_friction *from,
+                                       arc_halfspace_friction *copy, arc_error *error);
 void arc_halfspace_friction_end(arc_halfspace_friction *state);
 /* The state on a window of the same cells, larger on all sides, with slip in the rest of it. */
 arc_status arc_halfspace_friction_widen(const arc_halfspace *from,

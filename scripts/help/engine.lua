@@ -153,11 +153,16 @@ return {
     text = "Pressure at the surface nodes of a body, as { x=, p= } in mm and MPa; x is counted from "
       .. "the cylinder's axis." },
   { "contact.move", kind = "method", class = "contact",
-    use = "c:move{ x= | tangential=, load=, increments= }",
+    use = "c:move{ x= | tangential=, z= | tangential_z=, load=, increments= }",
     text = "The contact after the plate's base has gone to x, or has been driven by a tangential "
       .. "force, and the load has changed; linear in all of them, c stays as it is. Coulomb "
       .. "friction keeps its history: which points slipped, and how far. Where neither x nor tangential "
-      .. "is given the base is held. x may go far: then the bodies slide over each other." },
+      .. "is given the base is held. x may go far: then the bodies slide over each other. In 3-D the same goes for z and "
+      .. "tangential_z; increments follow paths that turn, and loads that rise while cells stick: such steps are right to first order "
+      .. "in their length. A force that turns in a circle loses 8 % of its work with 64 increments a turn." },
+  { "contact.z", kind = "field", unit = "mm", text = "Position of the lower body along z, in 3-D with friction; 0 in the plane." },
+  { "contact.tangential_z", kind = "field", unit = "N",
+    text = "Force that drives the lower body along z, in 3-D with friction; 0 in the plane." },
   { "contact.tangential", kind = "field", unit = "N",
     text = "Force that drives the plate along x. Without friction that which slopes bear." },
   { "contact.energy", kind = "field", unit = "N mm",
@@ -168,14 +173,16 @@ return {
       .. "alone, up to 45, 15 and 6 % off where one, one and a half and two elements slip." },
   { "contact.stick", kind = "field", unit = "mm",
     text = "The zones that stuck in the last increment, a list of { left=, right= }; empty in gross "
-      .. "slip. Between nodes to 0.15 of an element, to 0.3 where fewer than six stick." },
+      .. "slip. Between nodes to 0.15 of an element, to 0.3 where fewer than six stick. In 3-D a number: the share of the contact's area." },
   { "contact.shear", kind = "method", values = { "cylinder", "plate" },
     use = 'c:shear("cylinder" | "plate")', default = '"cylinder"',
     text = "Shear traction at the surface nodes of a body, as { x=, q= } in mm and MPa: on the "
-      .. "cylinder along +x, on the plate along -x. |q| is friction times the pressure at most." },
+      .. "cylinder along +x, on the plate along -x. |q| is friction times the pressure at most. In 3-D c:shear() is the map "
+      .. 'of |q| on the upper body, c:shear("x") and c:shear("z") are those of its parts, c:shear{ z=0 } is a section { x=, q=, qz= }.' },
   { "contact.slip", kind = "method", use = "c:slip()",
     text = "How far the plate's surface has slipped over the cylinder's nodes since the bodies came "
-      .. "together, { x=, s= } in mm, along +x. Nodes that do not touch go on too. Takes no body." },
+      .. "together, { x=, s= } in mm, along +x. Nodes that do not touch go on too. Takes no body. In 3-D a map of its "
+      .. 'size, c:slip("x") and c:slip("z") of its parts, c:slip{ z=0 } a section { x=, s=, sz= }.' },
   { "contact.stress", kind = "method", class = "stress", use = "c:stress()",
     text = "Displacements and stresses inside both bodies: a field for plot.stress, export.vtk and export.csv. In 3-D c:stress{ y=-0.05 }, a plane below "
       .. 'the surface, c:stress{ z=0 } or { x=0 }, a section down to three half widths, of body="lower" or another: maps sxx, syy, szz, sxy, '

@@ -221,12 +221,14 @@ return {
   { "plot.pressure{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.shear", kind = "function", takes = "plot", use = "plot.shear(c, { body= })",
     text = "Shear traction of a contact with friction against x, between the bounds that friction "
-      .. "times pressure sets; where it sticks is shaded. Takes the options of plot{} too." },
+      .. "times pressure sets; where it sticks is shaded. In 3-D a map of its size, or of its part along an axis. Takes the options of plot{} too." },
+  { "plot.shear{axis}", values = { "x", "z" }, text = "The part to show in 3-D; left out: the size." },
   { "plot.shear{body}", values = { "cylinder", "plate" }, default = '"cylinder"',
     text = "Which body's nodes." },
   { "plot.slip", kind = "function", takes = "plot", use = "plot.slip(c1, c2, ...)",
     text = "How far the plate's surface has slipped over the cylinder's, in um against x, within the "
-      .. "contact. Takes the options of plot{} too." },
+      .. "contact. In 3-D, of one contact, a map of its size, or of its part along an axis. Takes the options of plot{} too." },
+  { "plot.slip{axis}", values = { "x", "z" }, text = "The part to show in 3-D; left out: the size." },
   { "plot.slip{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.loop", kind = "function", takes = "plot", use = "plot.loop(w, before, ...)",
     text = "Fretting loops: the force in N that drives the plate over its position in um, in the steady cycle of "

@@ -3,6 +3,7 @@
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
 local draw = require "archard.plot.draw"
+local map = require "archard.plot.map"
 local naming = require "archard.plot.naming"
 
 local shear = {}
@@ -31,14 +32,30 @@ local function around(contact)
   return { edges.left - room, edges.right + room }
 end
 
--- plot.shear(c, { body=, ... })
+local axes = check.one_of{ "x", "z" }
+
+local function refuse_axis(where, options)
+  if options.axis then check.fail(where, "field 'axis': expected none in the plane, where all is along x") end
+end
+
+-- In 3-D: the map of a contact's method, by its size or its part along an axis, in the same units.
+local function draw_map(where, contact, method, options)
+  options = draw.options(where, options, { axis = axes })
+  local axis = options.axis
+  options.axis = nil
+  map.map(method(contact, axis), options)
+end
+
+-- plot.shear(c, { body=, ... }); in 3-D plot.shear(c, { axis=, ... })
 function shear.shear(contact, options)
   local where = "plot.shear"
   if type(contact) ~= "userdata" or not curves.get(contact, "stick") then
     check.fail(where, "expected a contact, got " .. check.shown(contact))
   end
   if contact.friction == 0 then check.fail(where, "expected a contact with friction, got friction 0") end
-  options = draw.options(where, options, { body = check.text })
+  if type(contact.stick) == "number" then return draw_map(where, contact, contact.shear, options) end
+  options = draw.options(where, options, { body = check.text, axis = axes })
+  refuse_axis(where, options)
   local body = naming.body(where, contact, options.body or "upper")
   local q = contact:shear(body)
   local upper, lower, most = bounds_of(contact:pressure(body), contact.friction)
@@ -67,10 +84,15 @@ local function slip_within(contact)
   return { x = x, y = s }
 end
 
--- plot.slip(c1, c2, ..., { titles=, ... })
+-- plot.slip(c1, c2, ..., { titles=, ... }); in 3-D plot.slip(c, { axis=, ... })
 function shear.slip(...)
   local where = "plot.slip"
-  local objects, words, options = curves.split(where, "stick", { titles = check.table }, ...)
+  local first, second = ...
+  if type(first) == "userdata" and type(curves.get(first, "stick")) == "number" then
+    return draw_map(where, first, first.slip, second)
+  end
+  local objects, words, options = curves.split(where, "stick", { titles = check.table, axis = axes }, ...)
+  refuse_axis(where, options)
   if words[1] then check.fail(where, "expected contacts, got the word " .. check.shown(words[1])) end
   local names = naming.names_of(where, objects, options.titles)
   local given = { xlabel = "x / mm", ylabel = "slip / µm", title = "slip" }

@@ -174,7 +174,6 @@ for _, wrong in ipairs{
   fails(function() model(wrong[1]) end, wrong[2], "refused: " .. wrong[2])
 end
 fails(function() model{ upper = body.ball{} } end, "3-D", "a ball in the plane")
-fails(function() contact{ model = m, friction = 0.1 } end, "'friction'", "friction of a contact")
 fails(function() return w.mesh end, "no meshes", "no meshes")
 
 local below = c:stress{ z = 0 }

@@ -272,7 +272,7 @@ static rubbing random_contact(double *stuck) {
   double compliance = 0;
   for (int b = 0; b < ARC_BODIES; b++) compliance += 1 / arc_material_E_star(def.body[b].material);
   const double a = cbrt(0.75 * 10 * 10 * compliance);
-  def.size_x = def.size_z = 2.9 * a / 17;
+  def.size_x = def.size_z = 3.1 * a / 17;
   *stuck = mu * 10 * compliance / a;
   return press(&def, 10 * random_in(0.5, 1), mu);
 }

@@ -47,15 +47,23 @@ arc_motion_def arc_contact_motion(const arc_contact *c) {
   arc_settings_default(arc_motion_settings, &motion);
   motion.x = c->handle.def.x;
   motion.load = c->handle.def.load;
+  motion.z = c->handle.result.z;
   motion.tangential = c->handle.result.tangential;
-  motion.by_force = 0;
+  motion.tangential_z = c->handle.result.tangential_z;
+  motion.by_force = motion.by_force_z = 0;
   return motion;
 }
 
 static arc_status check_motion(const arc_contact *from, const arc_motion_def *motion,
                                arc_error *error) {
   const arc_status status = arc_settings_check(arc_motion_settings, "", motion, error);
-  if (status != ARC_OK || !motion->by_force) return status;
+  if (status != ARC_OK) return status;
+  if (motion->z != 0 || motion->by_force_z)
+    return arc_fail(error, ARC_ARGUMENT,
+                    "field '%s': expected none in the plane, where nothing moves along z, got %g",
+                    motion->by_force_z ? "tangential_z" : "z",
+                    motion->by_force_z ? motion->tangential_z : motion->z);
+  if (!motion->by_force) return status;
   if (!from->rubs)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'tangential': expected none, as the contact has no friction, got %g N",

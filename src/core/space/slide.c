@@ -30,6 +30,18 @@ arc_status arc_halfspace_friction_begin(const arc_halfspace *h, arc_halfspace_fr
   return ARC_OK;
 }
 
+arc_status arc_halfspace_friction_copy(const arc_halfspace *h, const arc_halfspace_friction *from,
+                                       arc_halfspace_friction *copy, arc_error *error) {
+  const size_t n = (size_t)h->cells;
+  const arc_status status = arc_halfspace_friction_begin(h, copy, error);
+  if (status != ARC_OK) return status;
+  double *block = copy->pressure;
+  *copy = *from;
+  place_fields(copy, block, n);
+  memcpy(block, from->pressure, FIELDS * n * sizeof *block);
+  return ARC_OK;
+}
+
 void arc_halfspace_friction_end(arc_halfspace_friction *state) {
   free(state->pressure);
   *state = (arc_halfspace_friction){.pressure = NULL};

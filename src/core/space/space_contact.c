@@ -11,6 +11,7 @@
 void arc_space_end_contact(arc_contact *contact) {
   space_contact *c = (space_contact *)(void *)contact;
   arc_space_discard(&c->handle.shape);
+  arc_halfspace_friction_end(&c->rubbing);
   free(c->pressure);
   free(c);
 }
@@ -18,18 +19,14 @@ void arc_space_end_contact(arc_contact *contact) {
 size_t arc_space_contact_bytes(const arc_contact *contact) {
   const space_contact *c = (const space_contact *)(const void *)contact;
   const space_shape *s = space_shape_of(c->handle.shape);
+  const int fields = c->rubbing.pressure ? 11 : 3;
   return sizeof *c +
-         (size_t)(3 * space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER)) * sizeof(double);
+         (size_t)(fields * space_sites(s, ARC_UPPER) + space_sites(s, ARC_LOWER)) * sizeof(double);
 }
 
 static arc_status check(const arc_contact_def *def, arc_error *error) {
   const arc_status status = arc_settings_check(arc_contact_settings, "", def, error);
   if (status != ARC_OK) return status;
-  if (def->friction > 0)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'friction': with geometry = \"3-D\" there is none yet: expected 0, got "
-                    "%g",
-                    def->friction);
   if (def->load_angle != 0)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'load_angle': expected 0 but in a hole, got %g degrees",
@@ -47,17 +44,8 @@ static arc_status solve_at(const space_shape *s, double x, double load,
                              error);
 }
 
-static arc_status solve_contact(space_contact *c, const arc_callbacks *callbacks,
-                                arc_error *error) {
+void arc_space_read_result(space_contact *c, double approach, int iterations) {
   const space_shape *s = space_shape_of(c->handle.shape);
-  const size_t cells = (size_t)space_sites(s, ARC_UPPER);
-  arc_halfspace_report report = {0};
-  double approach = 0;
-  c->pressure = calloc(cells, sizeof *c->pressure);
-  if (!c->pressure) return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
-  const arc_status status = solve_at(s, c->handle.def.x, c->handle.def.load, callbacks, c->pressure,
-                                     &approach, &report, error);
-  if (status != ARC_OK) return status;
   const arc_halfspace_extent e = arc_halfspace_contact_extent(s->grid->h, c->pressure);
   c->handle.result = (arc_contact_result){.p_center = e.center,
                                           .p_max = e.largest,
@@ -69,7 +57,48 @@ static arc_status solve_contact(space_contact *c, const arc_callbacks *callbacks
                                           .right = e.center_x + e.half_width,
                                           .normal_force = c->handle.def.load,
                                           .approach = approach,
-                                          .iterations = report.iterations};
+                                          .iterations = iterations};
+}
+
+static arc_status solve_contact(space_contact *c, const arc_callbacks *callbacks,
+                                arc_error *error) {
+  const space_shape *s = space_shape_of(c->handle.shape);
+  const size_t cells = (size_t)space_sites(s, ARC_UPPER);
+  arc_halfspace_report report = {0};
+  double approach = 0;
+  c->pressure = calloc(cells, sizeof *c->pressure);
+  if (!c->pressure) return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
+  const arc_status status = solve_at(s, c->handle.def.x, c->handle.def.load, callbacks, c->pressure,
+                                     &approach, &report, error);
+  if (status != ARC_OK) return status;
+  arc_space_read_result(c, approach, report.iterations);
+  return ARC_OK;
+}
+
+arc_status arc_space_widen_contact(space_contact *c, arc_error *error) {
+  const space_shape *s = space_shape_of(c->handle.shape);
+  arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
+  const int ahead = 2 * (int)ceil(fabs(c->handle.def.x) / cells.size_x);
+  space_shape *larger;
+  if (cells.groove == 0) cells.track = (int)fmax(cells.track, cells.nx + ahead);
+  arc_status status =
+      arc_space_widen(arc_model_definition(arc_shape_model(c->handle.shape)), 4, &cells, error);
+  if (status == ARC_OK) status = arc_space_regrow(s, &cells, &larger, error);
+  if (status != ARC_OK) return status;
+  if (c->rubbing.pressure) {
+    arc_halfspace_friction wide;
+    status = arc_halfspace_friction_widen(s->grid->h, &c->rubbing, larger->grid->h, &wide, error);
+    if (status != ARC_OK) {
+      arc_space_discard((arc_shape **)(void *)&larger);
+      return status;
+    }
+    arc_halfspace_friction_end(&c->rubbing);
+    c->rubbing = wide;
+  }
+  arc_space_discard(&c->handle.shape);
+  c->handle.shape = (arc_shape *)(void *)larger;
+  free(c->pressure);
+  c->pressure = NULL;
   return ARC_OK;
 }
 
@@ -78,20 +107,8 @@ static arc_status with_room(space_contact *c, const arc_callbacks *callbacks, ar
   enum { most_tries = 12 };
   arc_status status = solve_contact(c, callbacks, error);
   for (int i = 0; i < most_tries && status == ARC_ZONE; i++) {
-    const space_shape *s = space_shape_of(c->handle.shape);
-    arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
-    const int ahead = 2 * (int)ceil(fabs(c->handle.def.x) / cells.size_x);
-    space_shape *larger;
-    if (cells.groove == 0) cells.track = (int)fmax(cells.track, cells.nx + ahead);
-    status =
-        arc_space_widen(arc_model_definition(arc_shape_model(c->handle.shape)), 4, &cells, error);
-    if (status == ARC_OK) status = arc_space_regrow(s, &cells, &larger, error);
-    if (status != ARC_OK) break;
-    arc_space_discard(&c->handle.shape);
-    c->handle.shape = (arc_shape *)(void *)larger;
-    free(c->pressure);
-    c->pressure = NULL;
-    status = solve_contact(c, callbacks, error);
+    status = arc_space_widen_contact(c, error);
+    if (status == ARC_OK) status = solve_contact(c, callbacks, error);
   }
   return status;
 }
@@ -104,6 +121,33 @@ static int is_unworn(const space_shape *s) {
   return 1;
 }
 
+/* Hands a contact on, or ends it. */
+static arc_status finish(space_contact *c, arc_status status, const arc_callbacks *callbacks,
+                         arc_contact **result) {
+  if (status == ARC_OK) {
+    const space_shape *s = space_shape_of(c->handle.shape);
+    *result = (arc_contact *)(void *)c;
+    arc_space_warn(arc_model_definition(arc_shape_model(c->handle.shape)),
+                   arc_halfspace_definition(s->grid->h), c->handle.result.half_width, callbacks);
+  } else if (c) {
+    arc_space_end_contact((arc_contact *)(void *)c);
+  }
+  return status;
+}
+
+/* *copy NULL: out of memory. */
+static arc_status copy_contact(const space_contact *from, space_contact **copy, arc_error *error) {
+  const arc_halfspace *h = space_shape_of(from->handle.shape)->grid->h;
+  space_contact *c = *copy = calloc(1, sizeof *c);
+  if (!c) return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
+  c->handle.def = from->handle.def;
+  c->handle.result = from->handle.result;
+  c->origin = from->origin;
+  const arc_status status = arc_space_copy(from->handle.shape, &c->handle.shape, error);
+  if (status != ARC_OK) return status;
+  return arc_halfspace_friction_copy(h, &from->rubbing, &c->rubbing, error);
+}
+
 arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
                            const arc_callbacks *callbacks, arc_contact **result, arc_error *error) {
   arc_model *model = arc_shape_model(shape);
@@ -113,38 +157,49 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
   space_contact *c = calloc(1, sizeof *c);
   if (!c) return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
   const int unworn = is_unworn(space_shape_of(shape));
-  if (!unworn && space_turned(space_shape_of(shape)) && def->x != 0) {
+  if (!unworn && space_turned(space_shape_of(shape)) && (def->x != 0 || def->friction > 0)) {
     free(c);
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'x': expected 0 on surfaces that were worn along z, got %g mm", def->x);
+                    "field '%s': expected 0 on surfaces that were worn along z, got %g",
+                    def->x != 0 ? "x" : "friction", def->x != 0 ? def->x : def->friction);
   }
   c->handle.def = *def;
   if (unworn) {
     arc_halfspace_def cells;
-    arc_space_fit(md, 0, def->load, 0, 2 * fabs(def->x), fabs(def->x), &cells);
+    if (def->friction > 0)
+      arc_space_fit_friction(md, def->load, &cells);
+    else
+      arc_space_fit(md, 0, def->load, 0, 2 * fabs(def->x), fabs(def->x), &cells);
     status = arc_space_create(model, &cells, (space_shape **)(void *)&c->handle.shape, error);
   } else {
     status = arc_space_copy(shape, &c->handle.shape, error);
   }
-  if (status == ARC_OK) status = with_room(c, callbacks, error);
-  if (status == ARC_OK) {
-    const space_shape *s = space_shape_of(c->handle.shape);
-    *result = (arc_contact *)(void *)c;
-    arc_space_warn(md, arc_halfspace_definition(s->grid->h), c->handle.result.half_width,
-                   callbacks);
-  } else {
-    arc_space_end_contact((arc_contact *)(void *)c);
-  }
-  return status;
+  if (status == ARC_OK)
+    status =
+        def->friction > 0 ? arc_space_press(c, callbacks, error) : with_room(c, callbacks, error);
+  return finish(c, status, callbacks, result);
 }
 
+/* A contact with friction goes on from where it is; one without is that of the place. */
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error) {
+  const space_contact *before = (const space_contact *)(const void *)from;
   arc_contact_def def = *arc_contact_definition(from);
-  if (motion->by_force)
+  if (before->rubbing.pressure) {
+    space_contact *c = NULL;
+    arc_status status = copy_contact(before, &c, error);
+    if (status == ARC_OK) status = arc_space_rub(c, motion, callbacks, error);
+    return finish(c, status, callbacks, contact);
+  }
+  if (motion->by_force || motion->by_force_z || motion->z != 0)
     return arc_fail(error, ARC_ARGUMENT,
-                    "field 'tangential': expected none, as the contact has no friction, got %g N",
-                    motion->tangential);
+                    "field '%s': expected none, as the contact has no friction, got %g",
+                    motion->by_force     ? "tangential"
+                    : motion->by_force_z ? "tangential_z"
+                                         : "z",
+                    motion->by_force     ? motion->tangential
+                    : motion->by_force_z ? motion->tangential_z
+                                         : motion->z);
   def.x = motion->x;
   if (motion->load > 0) def.load = motion->load;
   return arc_contact_solve(arc_contact_shape(from), &def, callbacks, contact, error);
@@ -193,27 +248,33 @@ static void fill(const space_shape *s, int b, const double *pressure, double at,
   }
 }
 
-/* Arrays of a solved contact; those of `wanted` names. */
+/* Arrays of friction on the upper body. */
+enum { FRICTION_ARRAYS = 6 };
+
+/* Arrays of a solved contact; those of `wanted` names, and those of `more` [FRICTION_ARRAYS] (NULL:
+ * none). */
 static arc_status show(const space_shape *s, const double *pressure, double at, double update,
-                       double distance, const int *wanted, int count, arc_array **result,
-                       size_t *arrays, arc_error *error) {
+                       double distance, const int *wanted, int count, const arc_array *more,
+                       arc_array **result, size_t *arrays, arc_error *error) {
   const size_t n[] = {(size_t)space_sites(s, ARC_UPPER), (size_t)space_sites(s, ARC_LOWER)};
   double *values = malloc(NAMES * (n[0] + n[1]) * sizeof *values);
-  arc_array list[ARC_BODIES * NAMES];
+  arc_array list[ARC_BODIES * NAMES + FRICTION_ARRAYS];
+  const int extra = more ? FRICTION_ARRAYS : 0, all = ARC_BODIES * count + extra;
   *result = NULL;
   if (values) {
     double *of[] = {values, values + NAMES * n[0]};
     for (int b = 0; b < ARC_BODIES; b++) fill(s, b, pressure, at, of[b]);
+    for (int i = 0; i < extra; i++) list[count + i] = more[i];
     for (int i = 0; i < ARC_BODIES * count; i++) {
       const int b = i / count, name = wanted[i % count];
-      list[i] = (arc_array){names[name], (arc_body)b, update,
-                            distance,    {n[b], 1},   of[b] + (size_t)name * n[b]};
+      list[b == ARC_UPPER ? i : i + extra] = (arc_array){
+          names[name], (arc_body)b, update, distance, {n[b], 1}, of[b] + (size_t)name * n[b]};
     }
-    *result = arc_arrays_copy(list, (size_t)(ARC_BODIES * count));
+    *result = arc_arrays_copy(list, (size_t)all);
   }
   free(values);
   if (!*result) return arc_fail(error, ARC_MEMORY, "out of memory for the surfaces of a contact");
-  *arrays = (size_t)(ARC_BODIES * count);
+  *arrays = (size_t)all;
   return ARC_OK;
 }
 
@@ -221,8 +282,22 @@ arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfac
                                   arc_error *error) {
   static const int wanted[] = {X, Z, P};
   const space_contact *c = (const space_contact *)(const void *)contact;
-  return show(space_shape_of(c->handle.shape), c->pressure, c->handle.def.x, 0, 0, wanted, 3,
-              surfaces, count, error);
+  const space_shape *s = space_shape_of(c->handle.shape);
+  const arc_halfspace_friction *f = &c->rubbing;
+  const size_t n = (size_t)space_sites(s, ARC_UPPER);
+  if (!f->pressure)
+    return show(s, c->pressure, c->handle.def.x, 0, 0, wanted, 3, NULL, surfaces, count, error);
+  double *size = malloc(2 * n * sizeof *size);
+  if (!size) return arc_fail(error, ARC_MEMORY, "out of memory for the surfaces of a contact");
+  arc_space_sizes(c, size, size + n);
+  const arc_array more[FRICTION_ARRAYS] = {
+      {"q", ARC_UPPER, 0, 0, {n, 1}, f->q[0]},     {"qz", ARC_UPPER, 0, 0, {n, 1}, f->q[1]},
+      {"shear", ARC_UPPER, 0, 0, {n, 1}, size},    {"s", ARC_UPPER, 0, 0, {n, 1}, f->slip[0]},
+      {"sz", ARC_UPPER, 0, 0, {n, 1}, f->slip[1]}, {"slip", ARC_UPPER, 0, 0, {n, 1}, size + n}};
+  const arc_status status =
+      show(s, c->pressure, c->handle.def.x, 0, 0, wanted, 3, more, surfaces, count, error);
+  free(size);
+  return status;
 }
 
 arc_status arc_space_show(const arc_wear *w, arc_array **surfaces, size_t *count,
@@ -238,8 +313,8 @@ arc_status arc_space_show(const arc_wear *w, arc_array **surfaces, size_t *count
   if (!pressure) return arc_fail(error, ARC_MEMORY, "out of memory for the surfaces of a run");
   arc_status status = solve_at(s, 0, w->def.load, NULL, pressure, &approach, &report, error);
   if (status == ARC_OK)
-    status =
-        show(s, pressure, 0, last->update, last->distance, wanted, NAMES, surfaces, count, error);
+    status = show(s, pressure, 0, last->update, last->distance, wanted, NAMES, NULL, surfaces,
+                  count, error);
   free(pressure);
   return status;
 }

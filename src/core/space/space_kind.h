@@ -24,7 +24,9 @@ typedef struct space_shape {
 /* An arc_contact of this kind. */
 typedef struct space_contact {
   contact_handle handle;
-  double *pressure; /* [window] [MPa] */
+  double *pressure;               /* [window] [MPa] */
+  arc_halfspace_friction rubbing; /* with friction; all zero without */
+  double origin;                  /* [mm] x at which xi was 0 */
 } space_contact;
 
 /* Positions that a window solves, and its pressures. */
@@ -145,11 +147,25 @@ arc_status arc_space_solve(const arc_shape *shape, const arc_contact_def *def,
 arc_status arc_space_move(const arc_contact *from, const arc_motion_def *motion,
                           const arc_callbacks *callbacks, arc_contact **contact, arc_error *error);
 void arc_space_end_contact(arc_contact *contact);
+/* On a larger window and track, where the last solution failed with ARC_ZONE. */
+arc_status arc_space_widen_contact(space_contact *c, arc_error *error);
+/* The result of present pressures. */
+void arc_space_read_result(space_contact *c, double approach, int iterations);
 size_t arc_space_contact_bytes(const arc_contact *contact);
 arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                   arc_error *error);
 arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
+/* --- space_friction.c --- */
+/* The bodies pressed together by the contact's definition; a motion from there. */
+arc_status arc_space_press(space_contact *c, const arc_callbacks *callbacks, arc_error *error);
+arc_status arc_space_rub(space_contact *c, const arc_motion_def *motion,
+                         const arc_callbacks *callbacks, arc_error *error);
+/* Cells that resolve where stick ends. */
+void arc_space_fit_friction(const arc_model_def *def, double load, arc_halfspace_def *cells);
+/* Sizes of shear [window] [MPa] and slip [window] [mm] of a contact with friction. */
+void arc_space_sizes(const space_contact *c, double *shear, double *slip);
+
 arc_status arc_space_show(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);
 
 #endif

@@ -37,6 +37,8 @@ NUMBER_FIELD(contact, normal_force, result(L).normal_force)
 NUMBER_FIELD(contact, approach, result(L).approach)
 NUMBER_FIELD(contact, tangential, result(L).tangential)
 NUMBER_FIELD(contact, energy, result(L).energy)
+NUMBER_FIELD(contact, z, result(L).z)
+NUMBER_FIELD(contact, tangential_z, result(L).tangential_z)
 
 static int contact_iterations(lua_State *L) {
   lua_pushinteger(L, result(L).iterations);
@@ -56,11 +58,18 @@ static int contact_edges(lua_State *L) {
   return push_edges(L, solved.left, solved.right);
 }
 
-/* contact.stick: the zones that stick, from left to right */
+static const arc_model_def *model_of(const arc_contact *contact) {
+  return arc_model_definition(arc_contact_model(contact));
+}
+
+/* contact.stick: the zones that stick, from left to right; in 3-D their share of the area */
 static int contact_stick(lua_State *L) {
   const arc_contact *contact = self(L);
   double edges[2];
-  model_check_meshed(L, arc_contact_model(contact), "contact.stick");
+  if (arc_model_has_maps(model_of(contact))) {
+    lua_pushnumber(L, arc_contact_get(contact).stick);
+    return 1;
+  }
   lua_newtable(L);
   for (int i = 0; arc_contact_stick(contact, i, edges); i++) {
     push_edges(L, edges[0], edges[1]);
@@ -73,10 +82,6 @@ static int contact_model(lua_State *L) {
   self(L);
   lua_getiuservalue(L, 1, 1);
   return 1;
-}
-
-static const arc_model_def *model_of(const arc_contact *contact) {
-  return arc_model_definition(arc_contact_model(contact));
 }
 
 static int contact_tostring(lua_State *L) {
@@ -134,6 +139,34 @@ arc_array **arrays_push_holder(lua_State *L) {
   return held;
 }
 
+/* Shear or slip: a map of its size, or of its part along "x" or "z"; or both parts of a section. */
+static int push_friction(lua_State *L, const arc_contact *contact, const char *where,
+                         const char *unit, const char *size, const char *const *names) {
+  size_t count;
+  arc_error error = {0};
+  if (arc_contact_definition(contact)->friction == 0)
+    error_raise(L, ARC_ARGUMENT, where, "expected a contact with friction, got friction 0");
+  lua_settop(L, 2);
+  arc_array **held = arrays_push_holder(L);
+  error_check(L, arc_contact_surfaces(contact, held, &count, &error), &error, where, -1);
+  if (lua_istable(L, 2)) {
+    surface_push_section(L, 2, where, *held, count, ARC_UPPER, names);
+    return 1;
+  }
+  const char *axis = lua_isstring(L, 2) ? lua_tostring(L, 2) : "";
+  const int along_x = strcmp(axis, "x") == 0, along_z = strcmp(axis, "z") == 0;
+  if (!lua_isnoneornil(L, 2) && !along_x && !along_z)
+    error_raise(L, ARC_ARGUMENT, where,
+                "expected \"x\", \"z\", a section { z = } or nothing, got %s",
+                names_push_shown(L, 2));
+  surface_push_map(L, *held, count, ARC_UPPER,
+                   along_x   ? names[0]
+                   : along_z ? names[1]
+                             : size,
+                   unit);
+  return 1;
+}
+
 /* contact:pressure() -> map, contact:pressure{ z = 0 } -> { x=, p= } */
 static int push_spatial(lua_State *L, const arc_contact *contact) {
   static const char where[] = "contact:pressure", *const names[] = {"p", NULL};
@@ -159,10 +192,12 @@ static int contact_pressure(lua_State *L) {
   return 1;
 }
 
-/* contact:shear(body) -> { x=, q= } */
+/* contact:shear(body) -> { x=, q= }; in 3-D contact:shear() -> map */
 static int contact_shear(lua_State *L) {
+  static const char *const names[] = {"q", "qz", NULL};
   const arc_contact *contact = self(L);
-  model_check_meshed(L, arc_contact_model(contact), "contact:shear");
+  if (arc_model_has_maps(model_of(contact)))
+    return push_friction(L, contact, "contact:shear", "MPa", "shear", names);
   const arc_body body = body_argument(L, 2, "contact:shear", model_of(contact), ARC_UPPER);
   const arc_shear shear = arc_contact_shear(contact, body);
   lua_createtable(L, 0, 2);
@@ -171,11 +206,13 @@ static int contact_shear(lua_State *L) {
   return 1;
 }
 
-/* contact:slip() -> { x=, s= } at the cylinder's nodes */
+/* contact:slip() -> { x=, s= } at the cylinder's nodes; in 3-D a map */
 static int contact_slip(lua_State *L) {
+  static const char *const names[] = {"s", "sz", NULL};
   const arc_contact *contact = self(L);
   int count;
-  model_check_meshed(L, arc_contact_model(contact), "contact:slip");
+  if (arc_model_has_maps(model_of(contact)))
+    return push_friction(L, contact, "contact:slip", "mm", "slip", names);
   const double *slip = arc_contact_slip(contact, &count);
   if (lua_gettop(L) > 1)
     error_raise(L, ARC_ARGUMENT, "contact:slip",
@@ -262,7 +299,7 @@ static int contact_new(lua_State *L) {
   return solve_new(L, holder, "contact", &(request){.shape = shape, .def = &def});
 }
 
-/* contact:move{ x=, load=, tangential=, increments= } */
+/* contact:move{ x=, z=, load=, tangential=, tangential_z=, increments= } */
 static int contact_move(lua_State *L) {
   const arc_contact *from = self(L);
   const args_place place = {"contact:move", ""};
@@ -273,6 +310,10 @@ static int contact_move(lua_State *L) {
   if (motion.by_force && args_given(L, 2, "x"))
     error_raise(L, ARC_ARGUMENT, place.where,
                 "fields 'x' and 'tangential': expected one of them, the plate is moved or pulled");
+  motion.by_force_z = args_given(L, 2, "tangential_z");
+  if (motion.by_force_z && args_given(L, 2, "z"))
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "fields 'z' and 'tangential_z': expected one of them, got both");
   lua_getiuservalue(L, 1, 1);
   return solve_new(L, lua_gettop(L), place.where, &(request){.from = from, .motion = &motion});
 }
@@ -289,6 +330,8 @@ static const luaL_Reg fields[] = {
     {"normal_force", contact_normal_force},
     {"tangential", contact_tangential},
     {"energy", contact_energy},
+    {"z", contact_z},
+    {"tangential_z", contact_tangential_z},
     {"stick", contact_stick},
     {"iterations", contact_iterations},
     {"model", contact_model},

@@ -42,6 +42,15 @@ static void set_x(lua_State *L, const char *field, const lattice *l) {
   lua_setfield(L, -2, field);
 }
 
+static const char *title_of(const char *name) {
+  static const char *const titles[][2] = {
+      {"p", "pressure"},     {"h", "depth"},          {"y", "height"},       {"q", "shear along x"},
+      {"s", "slip along x"}, {"qz", "shear along z"}, {"sz", "slip along z"}};
+  for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
+    if (strcmp(name, titles[i][0]) == 0) return titles[i][1];
+  return name;
+}
+
 void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_body body,
                       const char *name, const char *unit) {
   const lattice l = lattice_of(arrays, count, body);
@@ -59,7 +68,7 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
   array_set(L, "y", values->values, l.nx * l.nz);
   lua_pushstring(L, unit);
   lua_setfield(L, -2, "unit");
-  lua_pushstring(L, name[0] == 'p' ? "pressure" : name[0] == 'h' ? "depth" : "height");
+  lua_pushstring(L, title_of(name));
   lua_setfield(L, -2, "name");
   lua_call(L, 1, 1);
 }

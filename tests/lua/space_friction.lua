@@ -1,0 +1,89 @@
+-- contact with friction in three dimensions: pressing, moving, what can be read of it, what is refused.
+local here = arg[0]:match("^(.*)/") or "."
+local tap = dofile(here .. "/lib/tap.lua")
+local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
+
+local function ball_on(lower, mesh)
+  return model{ geometry = "3-D", upper = body.ball{ radius = 10 }, lower = lower or body.block{}, mesh = mesh }
+end
+local m = ball_on(nil, { size = 0.0044 })
+
+-- pressed
+local c = contact{ model = m, load = 10, friction = 0.5 }
+is(c.stick, 1, "all of it sticks")
+is(c.energy, 0, "nothing is dissipated")
+near(c.p_center, contact{ model = m, load = 10 }.p_center, 1e-3, "like bodies press as without friction")
+near(contact{ model = ball_on(), load = 10, friction = 0.5 }:shear().x[2] - contact{ model = ball_on(), load = 10, friction = 0.5 }:shear().x[1],
+  0.0880442 / 28, 1e-4, "28 cells over the half width where nobody chose")
+
+-- moved: Mindlin
+local d = c:move{ tangential = 3, increments = 2 }
+near(d.tangential, 3, 1e-4, "the force")
+near(d.x, 2.1504e-4, 1e-3, "the displacement under it")
+near(d.stick, 0.4 ^ (2 / 3), 0.03, "the share that sticks")
+ok(d.tangential_z == 0 or math.abs(d.tangential_z) < 1e-6, "nothing across")
+is(c.tangential, 0, "the contact it starts from stays")
+local e = d:move{ tangential = -3, increments = 2 }
+near(2 * (e.energy - d.energy), 1.2829e-4, 5e-3, "the energy of a loop")
+near(e:move{ x = d.x, increments = 2 }.tangential, 3, 2e-3, "moved back as far, the force is the same")
+is(d:move{}.x, d.x, "a motion that goes nowhere changes nothing")
+holds(tostring(d), { "friction  0.5", "tangential force 3 N" }, "print(contact)")
+
+-- across, and round corners
+local z = c:move{ tangential_z = 3, increments = 2 }
+near(z.z, d.x, 2e-6, "along z as along x in a round contact")
+near(z.energy, d.energy, 5e-6, "with the same energy")
+local corner = d:move{ tangential = 3, tangential_z = 2, increments = 2 }
+near(corner.tangential_z, 2, 1e-4, "both forces")
+ok(corner.energy > d.energy and corner.z > 1e-4, "it moves and dissipates")
+local slid = c:move{ x = 2e-3 }
+near(slid.tangential, 5, 1e-4, "gross slip")
+is(slid.stick, 0, "nothing sticks")
+ok(slid:move{ x = 1.9e-3 }.stick > 0.3, "back, it sticks again")
+
+-- loads
+local more = d:move{ load = 15, increments = 2 }
+near(more.approach, contact{ model = m, load = 15, friction = 0.5 }.approach, 1e-5, "a larger load widens the window")
+near(more.tangential_z, 0, 1e-6, "nothing across")
+near(d:move{ tangential = 3, load = 8 }.tangential, 3, 1e-4, "a smaller load under the force")
+
+-- maps and sections
+local q, s = d:shear{ z = 0 }, d:slip()
+local p = d:pressure{ z = 0 }
+for i = 1, #q.x do if math.abs(q.q[i]) > 0.5 * p.p[i] * (1 + 1e-12) then ok(false, "|q| is friction times p at most") end end
+near(d:shear():at(0, 0), d:shear("x"):at(0, 0), 1e-6, "the middle is sheared along x")
+ok(math.abs(d:shear("z"):at(0, 0)) < 1e-3, "not across")
+ok(s:at(0, 0) < 1e-9 and s:at(0.085, 0) > 1e-5, "the middle sticks, the rim slips")
+is(s.unit, "mm", "slip is a length")
+
+-- unlike bodies
+local soft = contact{ model = ball_on(body.block{ material = { E = 3600, nu = 0.4 } }, { size = 0.0125 }), load = 10, friction = 0.1, increments = 8 }
+ok(soft.stick > 0.3 and soft.stick < 0.6, "the rim slips while unlike bodies are pressed together")
+is(contact{ model = soft.model, load = 10, friction = 0.1, press = "frictionless" }.energy, 0, "but not without friction then")
+
+-- plots
+local function picture(draw)
+  local name = os.tmpname()
+  draw(name .. ".gp")
+  local file = io.open(name .. ".gp")
+  local text = file and file:read("a") or ""
+  if file then file:close() end
+  os.remove(name .. ".gp")
+  os.remove(name)
+  return text
+end
+holds(picture(function(file) plot.shear(d, { file = file }) end), "shear / MPa", "plot.shear")
+holds(picture(function(file) plot.slip(d, { axis = "x", file = file }) end), "slip along x / µm", "plot.slip")
+
+-- refused
+local err = fails(function() c:move{ tangential = 5 } end, { "field 'tangential'", "less than", "5 N" }, "more than mu P")
+is(err.where, "contact:move", "its place")
+fails(function() c:move{ tangential = 4, tangential_z = 4 } end, "less than", "both together")
+fails(function() c:move{ z = 0, tangential_z = 1 } end, "fields 'z' and 'tangential_z'", "both at once")
+fails(function() c:shear("y") end, '"x", "z"', "an axis there is not")
+fails(function() contact{ model = m, load = 10 }:shear() end, "expected a contact with friction", "no shear without friction")
+fails(function() contact{ model = m, load = 10 }:move{ z = 1e-4 } end, "field 'z'", "no motion across without friction")
+fails(function() contact{ friction = 0.5 }:move{ tangential_z = 1 } end, "field 'tangential_z'", "nor in the plane")
+fails(function()
+  contact{ model = ball_on(body.block{ height = 1 }), load = 10, friction = 0.1 }
+end, { "field 'friction'", "rigid base" }, "no shear of layers")
