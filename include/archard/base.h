@@ -51,6 +51,11 @@ const char *arc_status_text(arc_status status);
 /* The name of a status without its prefix, e.g. "MEMORY". Never NULL. */
 const char *arc_status_name(arc_status status);
 
+/* The file that a name means, in path [PATH_MAX]: absolute and behind all links, there already or
+ * in a folder that is there. A name of a descriptor of this process ("/dev/stdout") means that.
+ * Returns 0, or an errno: ENOENT (no such folder), ENOTDIR, ELOOP, ENAMETOOLONG, EACCES. */
+int arc_file_resolve(const char *name, char *path);
+
 /* What a file is for. */
 typedef enum arc_file_use { ARC_FILE_READ, ARC_FILE_WRITE } arc_file_use;
 

@@ -4,6 +4,7 @@
 #include "archard/lock.h"
 #include "store/journal.h"
 
+#include <limits.h>
 #include <math.h>
 #include <pthread.h>
 #include <sqlite3.h>
@@ -255,39 +256,28 @@ static arc_status configure(database *db, arc_error *error) {
       error);
 }
 
-static void free_database(database *db) {
-  if (!db) return;
-  free(db->path);
-  free(db->name);
-  free(db);
-}
-
-/* A name as SQLite takes it for that of a file: it reads "file:..." as a URI, which may lead
- * elsewhere and past the guard, and ":memory:" as none. No name at all is its own business. */
-static char *plain_name(const char *path) {
-  const char *before = path[0] == '/' || !path[0] ? "" : "./";
-  char *plain = malloc(strlen(before) + strlen(path) + 1);
-  if (plain) strcat(strcpy(plain, before), path);
-  return plain;
-}
-
 static database *new_database(const char *path, const char *name) {
   database *db = calloc(1, sizeof *db);
   if (!db) return NULL;
-  db->path = plain_name(path);
+  db->path = strdup(path);
   db->name = strdup(name);
   if (db->path && db->name) return db;
-  free_database(db);
+  arc_database_close(&db);
   return NULL;
 }
 
+/* SQLite gets absolute paths: it reads "file:..." as a URI, which may lead elsewhere and past the
+ * guard, and ":memory:" as none. */
 arc_status arc_database_open(const char *path, const char *name, int writable, int create,
                              database **result, arc_error *error) {
   *result = NULL;
+  char whole[PATH_MAX] = ""; /* of no name SQLite makes something of its own */
+  const int why = *path ? arc_file_resolve(path, whole) : 0;
+  if (why) return arc_fail(error, ARC_IO, "%s: %s", name, strerror(why));
   arc_lock_kind locks = ARC_LOCK_NONE; /* nobody else knows of a new file */
-  arc_status status = create ? ARC_OK : arc_lock_look(path, name, &locks, error);
+  arc_status status = create ? ARC_OK : arc_lock_look(whole, name, &locks, error);
   if (status != ARC_OK) return status;
-  database *db = new_database(path, name);
+  database *db = new_database(whole, name);
   if (!db) return arc_fail(error, ARC_MEMORY, "%s: out of memory", name);
   db->locks = locks;
   /* a store belongs to one thread: locks at every value bound cost a third of storing */
@@ -304,7 +294,9 @@ arc_status arc_database_open(const char *path, const char *name, int writable, i
 void arc_database_close(database **db) {
   if (!db || !*db) return;
   sqlite3_close_v2((*db)->handle);
-  free_database(*db);
+  free((*db)->path);
+  free((*db)->name);
+  free(*db);
   *db = NULL;
 }
 

@@ -4,6 +4,7 @@
  * once: it is played back, and the file of that name is deleted. Archard changes one file at a
  * time, so such a journal is a stranger's. */
 #include "store/journal.h"
+#include "archard/base.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -38,7 +39,5 @@ int arc_journal_is_sound(const char *journal) {
 int arc_journal_stands(const char *path) {
   char name[PATH_MAX + sizeof "-journal"];
   struct stat facts;
-  if (!realpath(path, name)) snprintf(name, PATH_MAX, "%s", path);
-  strcat(name, "-journal");
-  return lstat(name, &facts) == 0;
+  return arc_file_resolve(path, name) == 0 && lstat(strcat(name, "-journal"), &facts) == 0;
 }

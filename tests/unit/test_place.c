@@ -4,6 +4,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <signal.h>
 #include <sys/file.h>
 #include <sys/resource.h>
@@ -96,6 +97,35 @@ static void test_links_are_followed(void **state) {
   arc_error error;
   assert_int_equal(put("round", "x", &error), ARC_IO);
   assert_non_null(strstr(error.message, strerror(ELOOP)));
+}
+
+/* What a name means, for all who open, make or confine files. */
+static void test_names_mean_files(void **state) {
+  (void)state;
+  char meant[PATH_MAX], expected[PATH_MAX], descriptor[40];
+  mkdir("meant", 0700);
+  write_to("meant/file", "text");
+  assert_int_equal(symlink("meant/new", "to-new"), 0);
+  assert_int_equal(symlink("../meant/../to-new", "meant/chain"), 0);
+  assert_int_equal(symlink("ring", "ring"), 0);
+  static const struct meaning {
+    const char *name, *file; /* below this folder */
+  } known[] = {{"meant/file", "/meant/file"}, {"./meant//../meant/file", "/meant/file"},
+               {"meant/none", "/meant/none"}, {"to-new", "/meant/new"},
+               {"meant/chain", "/meant/new"}, {"file:meant", "/file:meant"},
+               {"meant/", "/meant"},          {"meant/..", ""}};
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+    assert_int_equal(arc_file_resolve(known[i].name, meant), 0);
+    snprintf(expected, sizeof expected, "%s%s", folder, known[i].file);
+    assert_string_equal(meant, expected);
+  }
+  snprintf(descriptor, sizeof descriptor, "/proc/%ld/fd/1", (long)getpid());
+  assert_int_equal(arc_file_resolve("/dev/stdout", meant), 0);
+  assert_string_equal(meant, descriptor);
+  assert_int_equal(arc_file_resolve("", meant), ENOENT);
+  assert_int_equal(arc_file_resolve("none/file", meant), ENOENT);
+  assert_int_equal(arc_file_resolve("meant/file/x", meant), ENOTDIR);
+  assert_int_equal(arc_file_resolve("ring", meant), ELOOP);
 }
 
 static void test_permissions_stay(void **state) {
@@ -276,15 +306,11 @@ static void test_scratch(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_whole_or_not),
-      cmocka_unit_test(test_links_are_followed),
-      cmocka_unit_test(test_permissions_stay),
-      cmocka_unit_test(test_refused),
-      cmocka_unit_test(test_devices_are_written_to),
-      cmocka_unit_test(test_no_room),
-      cmocka_unit_test(test_strays),
-      cmocka_unit_test(test_locks_by_name),
-      cmocka_unit_test(test_together),
+      cmocka_unit_test(test_whole_or_not),     cmocka_unit_test(test_links_are_followed),
+      cmocka_unit_test(test_names_mean_files), cmocka_unit_test(test_permissions_stay),
+      cmocka_unit_test(test_refused),          cmocka_unit_test(test_devices_are_written_to),
+      cmocka_unit_test(test_no_room),          cmocka_unit_test(test_strays),
+      cmocka_unit_test(test_locks_by_name),    cmocka_unit_test(test_together),
       cmocka_unit_test(test_scratch),
   };
   return cmocka_run_group_tests_name("place", tests, set_up, tear_down);

@@ -65,8 +65,8 @@ static int locks_of(const char *path) {
 /* Whether a file can be made beside it. */
 static int has_room_beside(const char *path) {
   char folder[PATH_MAX];
-  const char *slash = strrchr(path, '/');
-  snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path + 1) : 1, slash ? path : ".");
+  if (arc_file_resolve(path, folder) != 0) return 0;
+  strrchr(folder, '/')[1] = '\0';
   return access(folder, W_OK) == 0;
 }
 

@@ -5,8 +5,8 @@
  */
 #include "archard/place.h"
 #include "core/base/owner.h"
+#include "core/base/resolve.h"
 
-#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -94,54 +94,6 @@ static arc_status check_name(const char *path, arc_error *error) {
              : arc_fail(error, ARC_ARGUMENT, "'%.200s...': the path is too long", path);
 }
 
-/* Whether the folder is the one of this process' descriptors, or of a thread's. */
-static int holds_descriptors(const char *folder) {
-  char own[PATH_MAX], whole[PATH_MAX];
-  if (!realpath("/proc/self", own) || !realpath(folder, whole)) return 0;
-  const size_t length = strlen(own), end = strlen(whole);
-  return strncmp(whole, own, length) == 0 && whole[length] == '/' &&
-         strcmp(whole + end - strlen("/fd"), "/fd") == 0;
-}
-
-/* "/proc/self/fd/1", in whatever words, names a descriptor of this process, not the file that
- * stands behind it; -1 for other names. "/dev/stdout" is a link to it. */
-static int own_descriptor(const char *path) {
-  char folder[PATH_MAX], *end;
-  const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-  if (!isdigit((unsigned char)*name)) return -1;
-  snprintf(folder, sizeof folder, "%.*s", (int)(name - path), path);
-  const long number = strtol(name, &end, 10);
-  if (*end || number >= INT_MAX) return -1;
-  return holds_descriptors(slash ? folder : ".") ? (int)number : -1;
-}
-
-/* Replaces the name in `target` by what the symbolic link says. Returns an errno. */
-static int follow(char target[PATH_MAX]) {
-  char link[PATH_MAX];
-  ssize_t length = readlink(target, link, sizeof link - 1);
-  if (length < 0) return errno;
-  link[length] = '\0';
-  char *slash = strrchr(target, '/');
-  char *name = link[0] != '/' && slash ? slash + 1 : target;
-  if ((size_t)(name - target) + (size_t)length >= PATH_MAX) return ENAMETOOLONG;
-  memcpy(name, link, (size_t)length + 1);
-  return 0;
-}
-
-/* The file that a name means: not yet there, or itself and no symbolic link. Returns an errno. */
-static int resolve(const char *path, char target[PATH_MAX]) {
-  struct stat facts;
-  snprintf(target, PATH_MAX, "%s", path);
-  for (int links = 0; links < 40; links++) {
-    if (own_descriptor(target) >= 0) return 0;
-    if (lstat(target, &facts) != 0) return errno == ENOENT ? 0 : errno;
-    if (!S_ISLNK(facts.st_mode)) return 0;
-    int why = follow(target);
-    if (why) return why;
-  }
-  return ELOOP;
-}
-
 /* An open descriptor takes what it was opened for. Returns an errno. */
 static int look_at_own(arc_place *place) {
   const int flags = fcntl(place->own, F_GETFL);
@@ -154,7 +106,7 @@ static int look_at_own(arc_place *place) {
 static int look_at(arc_place *place, mode_t *mode) {
   struct stat facts;
   *mode = 0;
-  place->own = own_descriptor(place->target);
+  place->own = arc_file_descriptor(place->target);
   if (place->own >= 0) return look_at_own(place);
   if (stat(place->target, &facts) != 0) return errno == ENOENT ? 0 : errno;
   if (S_ISDIR(facts.st_mode)) return EISDIR;
@@ -164,24 +116,13 @@ static int look_at(arc_place *place, mode_t *mode) {
   return 0;
 }
 
-/* Sets the folder: absolute, for whoever writes may stand in another one. Returns an errno. */
-static int set_folder(arc_place *place, const char *folder) {
-  char whole[PATH_MAX];
-  if (!realpath(folder, whole)) return errno;
-  if (strlen(whole) + 1 >= PATH_MAX - NAME_MAX) return ENAMETOOLONG;
-  if (has_control(whole)) return EILSEQ;
-  place->folder = (size_t)snprintf(place->path, PATH_MAX, "%s%s", whole, whole[1] ? "/" : "");
-  return 0;
-}
-
-static int set_folder_of_target(arc_place *place) {
-  char folder[PATH_MAX];
-  if (place->stream) return set_folder(place, P_tmpdir);
-  snprintf(folder, sizeof folder, "%s", place->target);
-  char *slash = strrchr(folder, '/');
-  if (slash == folder) slash++;
-  if (slash) *slash = '\0';
-  return set_folder(place, slash ? folder : ".");
+/* Sets the folder of a path that is absolute, with its slash, for whoever writes may stand in
+ * another one. Returns an errno. */
+static int set_folder(arc_place *place, const char *path) {
+  place->folder = (size_t)(strrchr(path, '/') - path) + 1;
+  if (place->folder >= PATH_MAX - NAME_MAX) return ENAMETOOLONG;
+  memcpy(place->path, path, place->folder);
+  return has_control(place->path) ? EILSEQ : 0;
 }
 
 /* --- taking ----------------------------------------------------------------------------------- */
@@ -236,9 +177,9 @@ arc_status arc_place_take(const char *path, arc_place **result, arc_error *error
   if (status != ARC_OK) return status;
   arc_place *place = new_place(path);
   if (!place) return arc_fail(error, ARC_MEMORY, "out of memory for writing '%.200s'", path);
-  int why = resolve(path, place->target);
+  int why = arc_file_resolve(path, place->target);
   if (!why) why = look_at(place, &mode);
-  if (!why) why = set_folder_of_target(place);
+  if (!why) why = set_folder(place, place->stream ? P_tmpdir "/" : place->target);
   if (!why) why = take(place, mode);
   return given(place, why, result, error);
 }
@@ -247,7 +188,8 @@ arc_status arc_place_scratch(const char *folder, arc_place **result, arc_error *
   *result = NULL;
   arc_place *place = new_place(folder);
   if (!place) return arc_fail(error, ARC_MEMORY, "out of memory for a file in '%.200s'", folder);
-  int why = set_folder(place, folder);
+  char whole[PATH_MAX + 1];
+  int why = realpath(folder, whole) ? set_folder(place, strcat(whole, "/")) : errno;
   if (!why) why = take(place, S_IRUSR | S_IWUSR);
   return given(place, why, result, error);
 }

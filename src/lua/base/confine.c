@@ -5,7 +5,6 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 /* Without links; "" while nothing is confined. */
 static struct { char read[PATH_MAX], write[PATH_MAX]; } confined;
@@ -33,23 +32,10 @@ static int is_below(const char *path, const char *folder) {
   return path[length] == '/' || path[length] == '\0' || folder[length - 1] == '/';
 }
 
-/* The folder that a new file of this name would be in, without links; zero where there is none. A
- * link to nothing is no new file. */
-static int resolve_new(const char *path, char whole[PATH_MAX]) {
-  char folder[PATH_MAX];
-  struct stat there;
-  const char *slash = strrchr(path, '/');
-  const size_t length = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
-  if (lstat(path, &there) == 0 || length >= sizeof folder) return 0;
-  memcpy(folder, slash ? path : ".", length);
-  folder[length] = '\0';
-  return realpath(folder, whole) != NULL;
-}
-
 arc_status arc_file_allowed(const char *path, arc_file_use use, arc_error *error) {
   char whole[PATH_MAX];
   if (!confined.read[0]) return ARC_OK;
-  const int known = realpath(path, whole) != NULL || resolve_new(path, whole);
+  const int known = arc_file_resolve(path, whole) == 0;
   if (known && is_below(whole, confined.write)) return ARC_OK;
   if (use == ARC_FILE_WRITE)
     return arc_fail(error, ARC_IO,

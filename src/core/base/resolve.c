@@ -1,0 +1,52 @@
+/* The file that a name means, for whatever opens, makes or confines files. Leans on POSIX. */
+#include "core/base/resolve.h"
+#include "archard/base.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Appends the last part of a name to its folder, which is there. */
+static int in_folder(const char *name, char whole[PATH_MAX]) {
+  char folder[PATH_MAX];
+  const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
+  snprintf(folder, sizeof folder, "%.*s", slash ? (int)(last - name) : 1, slash ? name : ".");
+  if (!realpath(folder, whole)) return errno;
+  const size_t length = whole[1] ? strlen(whole) : 0;
+  if (length + 1 + strlen(last) >= PATH_MAX) return ENAMETOOLONG;
+  whole[length] = '/';
+  strcpy(whole + length + 1, last);
+  return 0;
+}
+
+int arc_file_descriptor(const char *path) {
+  char own[PATH_MAX], *end;
+  const char *last = strrchr(path, '/');
+  if (!last || !isdigit((unsigned char)last[1]) || !realpath("/proc/self", own)) return -1;
+  const size_t length = strlen(own);
+  const int inside = strncmp(path, own, length) == 0 && path[length] == '/';
+  if (!inside || last - path < 3 || strncmp(last - 3, "/fd", 3) != 0) return -1;
+  const long number = strtol(last + 1, &end, 10);
+  return *end || number >= INT_MAX ? -1 : (int)number;
+}
+
+int arc_file_resolve(const char *name, char *path) {
+  char next[PATH_MAX], link[PATH_MAX];
+  if (!*name || strlen(name) >= PATH_MAX) return *name ? ENAMETOOLONG : ENOENT;
+  strcpy(next, name);
+  for (int links = 0; links < 40; links++) {
+    const int why = in_folder(next, path);
+    if (why || arc_file_descriptor(path) >= 0) return why;
+    const ssize_t length = readlink(path, link, sizeof link - 1);
+    if (length < 0 && errno == EINVAL) return realpath(strcpy(next, path), path) ? 0 : errno;
+    if (length < 0) return errno == ENOENT ? 0 : errno;
+    link[length] = '\0';
+    const int kept = link[0] == '/' ? 0 : (int)(strrchr(path, '/') + 1 - path);
+    if (snprintf(next, sizeof next, "%.*s%s", kept, path, link) >= PATH_MAX) return ENAMETOOLONG;
+  }
+  return ELOOP;
+}
