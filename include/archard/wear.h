@@ -220,6 +220,8 @@ typedef struct arc_loading {
   WHOLE(order, "", 2, WITHIN(1, 2), 0,                                                             \
         "Order of the implicit scheme: pressures of the end of the update, or of its start, a "    \
         "stage on the way and its end (TR-BDF2).")                                                 \
+  WHOLE(workers, "", 1, WITHIN(1, 64), ARC_FIXED,                                                  \
+        "Threads that share the positions of a stroke in 3-D; results are the same to the bit.")   \
   NUMBER(                                                                                          \
       tolerance, "", 0, BETWEEN(0, 1), ARC_OPTIONAL,                                               \
       "Bound on the error of an implicit run's depths, over the deepest, at every node of more "   \

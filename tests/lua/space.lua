@@ -79,17 +79,21 @@ near(math.max(table.unpack(profile.h)), w.depth.block, 1e-12, "a section along x
 is(#w:profile("ball", { x = 0 }).h, #depth.z, "a section along z")
 ok(tostring(w):find("3-D, half-spaces", 1, true), "print(w): " .. tostring(w))
 
+local shared = run{ distance = 50, workers = 3 }
+local alone = run{ distance = 50 }
+shared:run()
+alone:run()
+ok(same(shared, alone), "three workers: the same bits")
+
 local staged = run{ jump = "auto" }
 staged:run()
 is(staged.scheme, "explicit", "a jump asks for the explicit scheme")
 near(staged.depth.block, w.depth.block, 3e-3, "explicit updates come to the same")
 
-local there = run{ distance = 50 }
 local sampled = wear{ model = m, alpha = 0.3, distance = 50, load = 10,
   loading = { t = { 0, 0.5, 1 }, x = { -0.02, 0.02, -0.02 }, load = { 10, 10, 10 } } }
-there:run()
 sampled:run()
-near(sampled.depth.ball, there.depth.ball, 5e-3, "the stroke as a loading of one's own")
+near(sampled.depth.ball, alone.depth.ball, 5e-3, "the stroke as a loading of one's own")
 
 local s = study{ base = { model = { geometry = "3-D" }, load = 10, stroke = 0.04, distance = 20 }, vary = { alpha = { 0, 1 } } }
 s:run{ progress = false, workers = 1 }

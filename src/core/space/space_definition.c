@@ -149,6 +149,7 @@ arc_halfspace_def arc_space_cells(const arc_wear_def *def, const arc_model_def *
   arc_halfspace_def cells;
   arc_space_fit(model, def->slide == ARC_SLIDE_Z, def->load, volume_of(def), stroke_of(def),
                 increment, &cells);
+  cells.workers = def->workers;
   if (rests(def) && !arc_wear_alpha_stays_one(def)) {
     cells.groove = def->track > 0 ? 2 * acos(-1) * def->track : def->stroke;
     cells.track = 0;

@@ -233,6 +233,7 @@ arc_status arc_space_load(arc_model *model, const arc_wear_def *def, const arc_a
   arc_halfspace_def cells = arc_space_bodies(arc_model_definition(model));
   space_shape *s = NULL;
   cells.turned = def->slide == ARC_SLIDE_Z;
+  cells.workers = def->workers;
   arc_status status = read_cells(state, count, &cells, error);
   if (status == ARC_OK) status = arc_space_create(model, &cells, &s, error);
   *shape = (arc_shape *)(void *)s;
