@@ -70,5 +70,5 @@ for _, s in ipairs(shapes) do
   of = s.name .. ", own mesh written and read: "
   within(e.p_center, d.p_center, 1e-9, of .. "centre pressure [MPa]")
   within(e.half_width, d.half_width, 1e-9, of .. "half width [mm]")
-  compare(s, of, run(s, again, { geometry = "frozen" }), run(s, own, { geometry = "frozen" }), 1e-9)
+  compare(s, of, run(s, again, { geometry = "frozen" }), run(s, own, { geometry = "frozen" }), 5e-8) -- steps are solved to 1e-8
 end
