@@ -160,6 +160,9 @@ local section = 0
 for i = 2, #track.x do section = section + (track.h[i] + track.h[i - 1]) / 2 * (track.x[i] - track.x[i - 1]) end
 near(section * 2 * math.pi * 10, disc.volume.block, 1e-3, "is the section of the track all round")
 
+local turned_pair = model{ geometry = "3-D", upper = body.block{}, lower = body.ball{} }
+fails(function() run{ model = turned_pair, procedure = "NSP", stroke = 1 } end, "a lower body.block{}", "a groove on a ball")
+
 -- --- what is not there -----------------------------------------------------------------------------
 for _, wrong in ipairs{
   { { friction = 0.1 }, "'friction'" },

@@ -328,6 +328,15 @@ static double deepest(const space_shape *s, int b) {
   return most;
 }
 
+arc_status arc_space_hold_load(const space_shape *s, double load, arc_error *error) {
+  arc_halfspace_report report;
+  double approach, *pressure = calloc((size_t)space_sites(s, ARC_UPPER), sizeof *pressure);
+  if (!pressure) return arc_fail(error, ARC_MEMORY, "out of memory for a contact solution");
+  const arc_status status = solve_at(s, 0, load, NULL, pressure, &approach, &report, error);
+  free(pressure);
+  return status;
+}
+
 arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error) {
   const space_shape *s = space_shape_of(shape);

@@ -53,6 +53,10 @@ static arc_status check_loading(const arc_wear_def *d, arc_error *error) {
 
 static arc_status check_groove(const arc_wear_def *d, const arc_model_def *model,
                                arc_error *error) {
+  const arc_body_def lower = arc_model_solid(model, ARC_LOWER);
+  if (rests(d) && !arc_wear_alpha_stays_one(d) && !arc_body_is_flat(&lower))
+    return refuse(error, d->track > 0 ? "track" : "procedure",
+                  "expected a lower body.block{}, which is the same all along");
   const arc_hertz_ellipse hertz = arc_space_hertz(model, d->load);
   const int turned = d->slide == ARC_SLIDE_Z;
   const double scar = 2 * (turned ? hertz.half_width_z : hertz.half_width);

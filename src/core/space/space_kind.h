@@ -154,6 +154,8 @@ void arc_space_read_result(space_contact *c, double approach, int iterations);
 size_t arc_space_contact_bytes(const arc_contact *contact);
 arc_status arc_space_show_contact(const arc_contact *contact, arc_array **surfaces, size_t *count,
                                   arc_error *error);
+/* ARC_ZONE where a load's contact [N] reaches the edge of the window; errors of a solution. */
+arc_status arc_space_hold_load(const space_shape *s, double load, arc_error *error);
 arc_status arc_space_measure(arc_wear *w, const arc_shape *shape, arc_wear_record *record,
                              arc_error *error);
 /* --- space_friction.c --- */

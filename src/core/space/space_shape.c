@@ -159,12 +159,35 @@ static arc_status take_over(arc_model *model, const arc_wear_def *def, const arc
   return arc_space_regrow(worn, &cells, (space_shape **)(void *)shape, error);
 }
 
+/* Widens the window until the contact is inside: layers and maps make others than the estimate. */
+static arc_status hold_contact(const arc_model_def *model, double load, arc_shape **shape,
+                               arc_error *error) {
+  enum { most_tries = 12 };
+  arc_status status = arc_space_hold_load(space_shape_of(*shape), load, error);
+  for (int i = 0; i < most_tries && status == ARC_ZONE; i++) {
+    const space_shape *s = space_shape_of(*shape);
+    arc_halfspace_def cells = *arc_halfspace_definition(s->grid->h);
+    space_shape *larger = NULL;
+    status = arc_space_widen(model, 4, &cells, error);
+    if (status == ARC_OK) status = arc_space_regrow(s, &cells, &larger, error);
+    if (status != ARC_OK) break;
+    arc_space_discard(shape);
+    *shape = (arc_shape *)(void *)larger;
+    status = arc_space_hold_load(larger, load, error);
+  }
+  if (status != ARC_OK) arc_space_discard(shape);
+  return status;
+}
+
 arc_status arc_space_surfaces(arc_model *model, const arc_wear_def *def, const arc_shape *from,
                               arc_shape **shape, arc_error *error) {
+  const arc_model_def *bodies = arc_model_definition(model);
+  const arc_halfspace_def cells = arc_space_cells(def, bodies);
   *shape = NULL;
-  if (from) return take_over(model, def, from, shape, error);
-  const arc_halfspace_def cells = arc_space_cells(def, arc_model_definition(model));
-  return arc_space_create(model, &cells, (space_shape **)(void *)shape, error);
+  const arc_status status =
+      from ? take_over(model, def, from, shape, error)
+           : arc_space_create(model, &cells, (space_shape **)(void *)shape, error);
+  return status == ARC_OK ? hold_contact(bodies, def->load, shape, error) : status;
 }
 
 /* --- as arrays ---------------------------------------------------------------------------------
