@@ -91,7 +91,9 @@ for _, case in ipairs(cases) do
   below(w.solutions, most, what .. ": contact solutions")
   below(w.update, updates + 1, what .. ": updates")
   within(w.volume.total, 1.32e-3, 1e-9, what .. ": volume [mm3]")
-  below(figures.asymmetry(w:profile("cylinder").h), 1e-9, what .. ": asymmetry")
+  local off = figures.asymmetry(w:profile("cylinder").h)
+  local rests = stroke == 20 -- one contact for the whole stroke: symmetric to rounding
+  ok(off == 0 or rests and off < 1e-9, ("%s: asymmetry %.2g, to the bit where the contact moves"):format(what, off))
 end
 
 -- Others: a soft cylinder, moving nodes, a tighter tolerance ------------------------------------------

@@ -44,6 +44,14 @@ while runs < (tonumber(os.getenv "ARCHARD_RUNS") or 12) do
     figures.ok(tostring(list):find("no larger mesh fits", 1, true), "refused: scars wider than the bodies alone")
   end
 end
+-- The reference pair worn to a scar of ten half widths, on meshes that follow it.
+local wide = { k = 1e-5, distance = 2000, scheme = "implicit" }
+local list, updates = depths(wide, 1e-3)
+for i, depth in ipairs((depths(wide, 1e-4))) do
+  figures.within(list[i], depth, 5e-4, ("reference pair, k = 1e-5: depth %d [mm]"):format(i))
+end
+figures.below(updates, 100, "reference pair, k = 1e-5: updates")
+
 figures.below(worst, 1e-3, ("depths of %d runs at four distances, off by at most"):format(runs))
 figures.below(most, 100, "their most updates")
 figures.below(refused, 0.1 * runs, "those refused, as the scar is wider than the bodies")
