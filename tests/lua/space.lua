@@ -46,6 +46,7 @@ end
 local w = run()
 is(w.scheme, "implicit", "implicit unless told otherwise")
 is(w.tolerance, 1e-3, "with a tolerance")
+is(run{ tolerance = 1e-2 }.tolerance, 1e-2, "or one of its own")
 w:run{ distance = 100 }
 local file = os.tmpname()
 os.remove(file)

@@ -90,7 +90,7 @@ arc_status arc_space_check(const arc_wear_def *d, const arc_model_def *model, ar
 
 void arc_space_usual(arc_wear_def *def) {
   def->scheme = ARC_IMPLICIT;
-  def->tolerance = ARC_USUAL_TOLERANCE;
+  if (def->tolerance == 0) def->tolerance = ARC_USUAL_TOLERANCE;
 }
 
 wear_manner arc_space_manner(const arc_wear_def *def, const arc_model_def *model) {

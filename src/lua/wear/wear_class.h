@@ -18,7 +18,7 @@ typedef struct wear_request {
   arc_wear_def def;
   double cycles;                        /* in place of a distance; 0: not given */
   double distance_before, cycle_before; /* where the run stands that is changed */
-  int own_steps;                        /* scheme, jump or tolerance were given, or are a run's */
+  int own_steps;                        /* scheme or jump were given, or are a run's */
   int own_k;                            /* k or alpha were given, or are a run's */
   int worn;                             /* it starts on worn surfaces */
   int functions;                        /* index of the holder of the user's functions, or of nil */

@@ -214,8 +214,8 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
   list_settings(settings, changed);
   read_bodies(L, index, place, &request);
   request.own_k = request.own_k || args_given(L, index, "k") || args_given(L, index, "alpha");
-  request.own_steps = request.own_steps || args_given(L, index, "scheme") ||
-                      args_given(L, index, "jump") || args_given(L, index, "tolerance");
+  request.own_steps =
+      request.own_steps || args_given(L, index, "scheme") || args_given(L, index, "jump");
   args_read(L, index, place, settings, &request.def);
   read_cycles(L, index, place, &request);
   settle_scheme(L, index, &request.def);
