@@ -301,7 +301,7 @@ install: all
 to     = $(call quoted,$(DESTDIR)$(1))
 man_pages   = man/archard.1 $(made_pages)
 man_folder  = $(MANDIR)/man$(subst .,,$(suffix $(1)))
-documents   = README.md CHANGELOG.md SECURITY.md LICENSE man/theory.md
+documents   = README.md CHANGELOG.md SECURITY.md LICENSE man/theory.md man/accuracy.md man/speed.md CITATION.cff
 below       = $(subst $(PREFIX)/,$${prefix}/,$(1))
 install-files:
 	install -d $(call to,$(BINDIR)) $(call to,$(LIBDIR)/pkgconfig) $(call to,$(INCLUDEDIR)/archard) $(call to,$(LUADIR)) \

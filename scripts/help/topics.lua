@@ -15,6 +15,36 @@ times the number: 1e-8 mm2/N = 1e-5 mm3/(N m).
 
 Run files carry units in the names of columns (half_width_mm), and have a view of them all (units).]] },
 
+  { "glossary", [[
+Terms, with the symbol of the paper where it has one.
+
+  alpha          wear partition factor k_c / (k_c + k_p): the upper body's
+                 share of the wear
+  alpha-tilde    depth partition factor: the upper body's share of the depth
+  approach       rigid displacement of one body towards the other [mm]
+  cycle          one period of the motion, N of them in a run
+  gross slip     the whole contact slips; partial slip: only its rims do
+  half width     b, half the width of the contact [mm]
+  increment      a part of a cycle, n_c of them; one contact problem each
+  jump           N-bar, cycles worn off together in one update
+  k              wear coefficient k_c + k_p [mm2/N]; volume per force and
+                 distance
+  load           L, normal force [N]
+  mu             friction
+  p_center       pressure at the deepest point, p_max the largest, p_peak
+                 the largest over a cycle [MPa]
+  procedure      SP: the sliding plate is simulated; NSP: one contact
+                 problem an update
+  ripple         sawtooth in worn surfaces, by a jump past the stability limit
+  scar           the worn part of a surface
+  sliding        d_t, travelled distance, both strokes counted [mm]
+  slip           tangential displacement of one surface over the other [mm]
+  stick zone     the part of a contact that does not slip
+  stroke         s_t, from one end of the motion to the other [mm]
+  update         one change of the geometry by wear
+  volume         V, wear volume [mm3]; V = k L d_t
+  zone           the part of a body's surface with contact elements]] },
+
   { "axisymmetric", [[
 model{ geometry = "axisymmetric" } turns the section about a vertical axis: the cylinder is a ball, the block a disc, a punch a
 pin with a flat end; loads are whole forces, volumes mm3 of the whole ring, and half_width is the radius of the contact. With
