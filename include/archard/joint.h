@@ -155,6 +155,22 @@ typedef struct arc_joint_record {
 arc_status arc_joint_update(arc_joint *joint, const arc_joint_wear_def *def, double cycles,
                             const arc_callbacks *callbacks, arc_joint_record *record,
                             arc_error *error);
+/* A step whose error is held, of `most` cycles at the most: two updates of half its length against
+ * one of the whole, whose depths differ by `tolerance`, at the most, of what all cycles so far
+ * would take at this step's pace. *step [cycles]: what to try, then what to try next.
+ * ARC_NOT_CONVERGED where no length does. On failure all is as it was. */
+arc_status arc_joint_advance(arc_joint *joint, const arc_joint_wear_def *def, double tolerance,
+                             double most, double *step, const arc_callbacks *callbacks,
+                             arc_joint_record *record, arc_error *error);
+
+/* All that a joint of the same definition needs to go on to the same bits: [count] numbers; and
+ * back from what may be anybody's: ARC_FORMAT, ARC_MEMORY (pressures to start from may be lost). */
+size_t arc_joint_state_count(const arc_joint *joint);
+void arc_joint_state(const arc_joint *joint, double *state);
+arc_status arc_joint_set_state(arc_joint *joint, const double *state, size_t count,
+                               arc_error *error);
+size_t arc_joint_bytes(const arc_joint *joint); /* about what it takes of memory */
+
 /* Cycles that an explicit update may have at the most. */
 double arc_joint_explicit_limit(const arc_joint *joint, const arc_joint_wear_def *def);
 

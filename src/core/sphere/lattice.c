@@ -153,7 +153,7 @@ static void leave_window(arc_joint *j) {
   j->kept_count = 0;
 }
 
-static arc_status open_window(arc_joint *j, int size, arc_error *error) {
+arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error) {
   leave_window(j);
   j->size = size;
   const size_t n = (size_t)size * (size_t)size;
@@ -171,6 +171,16 @@ static arc_status open_window(arc_joint *j, int size, arc_error *error) {
   return ARC_OK;
 }
 
+arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error) {
+  const size_t count = (size_t)instants * (size_t)j->size * (size_t)j->size;
+  double *kept = calloc(count > 0 ? count : 1, sizeof *kept);
+  if (!kept) return arc_fail(error, ARC_MEMORY, "out of memory for pressures to start from");
+  free(j->kept);
+  j->kept = kept;
+  j->kept_count = instants;
+  return ARC_OK;
+}
+
 arc_status arc_sphere_grow(arc_joint *j, arc_error *error) {
   const int most = j->rows - 2, wanted = j->size + 2 * (j->size / 8 + 1);
   if (j->size >= most)
@@ -178,7 +188,7 @@ arc_status arc_sphere_grow(arc_joint *j, arc_error *error) {
                     "the contact reaches %.0f degrees from the direction of the load: expected a "
                     "contact that leaves the poles of the cup free",
                     most * j->d * 90 / pi);
-  return open_window(j, wanted < most ? wanted : most, error);
+  return arc_sphere_open(j, wanted < most ? wanted : most, error);
 }
 
 /* --- joints ----------------------------------------------------------------------------------- */
@@ -220,7 +230,7 @@ arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_erro
   }
   if (status == ARC_OK) {
     place_cells(j);
-    status = open_window(j, 2 * (int)ceil(first_window / 2 * pi / 180 / j->d), error);
+    status = arc_sphere_open(j, 2 * (int)ceil(first_window / 2 * pi / 180 / j->d), error);
   }
   if (status != ARC_OK) arc_joint_destroy(&j);
   *made = j;

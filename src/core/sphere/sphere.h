@@ -49,6 +49,13 @@ static inline int sphere_site(const arc_joint *j, int cell) {
   return row * 2 * j->rows + j->rows - j->size / 2 + cell % j->size;
 }
 
+/* A window of so many rows; ARC_MEMORY. Pressures to start from are lost. */
+arc_status arc_sphere_open(arc_joint *j, int size, arc_error *error);
+/* So many instants to start from, of pressures 0; ARC_MEMORY. */
+arc_status arc_sphere_make_kept(arc_joint *j, int instants, arc_error *error);
+/* Back to an earlier state of this joint; a window that has grown since stays, and its pressures to
+ * start from are lost. */
+void arc_sphere_restore(arc_joint *j, const double *state);
 /* Larger window; ARC_ZONE where there is none, ARC_MEMORY. Pressures to start from are lost. */
 arc_status arc_sphere_grow(arc_joint *j, arc_error *error);
 

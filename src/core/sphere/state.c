@@ -1,0 +1,97 @@
+/* All that a joint needs to go on to the same bits, as one list of numbers: rows of the lattice,
+ * rows of the window, instants with pressures to start from; maps of head and cup, the last cycle's
+ * cross-shear, pressures of the last contact; those to start from. */
+#include "core/sphere/sphere.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { header = 3, maps = 6 /* per site */ };
+
+static size_t window_of(const arc_joint *j) {
+  return (size_t)j->size * (size_t)j->size;
+}
+
+size_t arc_joint_state_count(const arc_joint *j) {
+  return header + maps * (size_t)j->sites + (size_t)j->kept_count * window_of(j);
+}
+
+/* The lists of a state in their order. */
+typedef struct state_part {
+  double *at;
+  size_t count;
+} state_part;
+
+enum { parts = 5 };
+
+static void list_parts(const arc_joint *j, state_part part[parts]) {
+  const size_t n = (size_t)j->sites;
+  part[0] = (state_part){j->h[ARC_UPPER], n};
+  part[1] = (state_part){j->h[ARC_LOWER], n};
+  part[2] = (state_part){j->shear, 3 * n};
+  part[3] = (state_part){j->p, n};
+  part[4] = (state_part){j->kept, (size_t)j->kept_count * window_of(j)};
+}
+
+void arc_joint_state(const arc_joint *j, double *state) {
+  state_part part[parts];
+  list_parts(j, part);
+  state[0] = j->rows, state[1] = j->size, state[2] = j->kept_count;
+  state += header;
+  for (int i = 0; i < parts; state += part[i++].count)
+    if (part[i].count > 0) memcpy(state, part[i].at, part[i].count * sizeof *state);
+}
+
+void arc_sphere_restore(arc_joint *j, const double *state) {
+  state_part part[parts];
+  j->kept_count = (int)state[1] == j->size ? (int)state[2] : 0;
+  list_parts(j, part);
+  state += header;
+  for (int i = 0; i < parts; state += part[i++].count)
+    if (part[i].count > 0) memcpy(part[i].at, state, part[i].count * sizeof *state);
+}
+
+static arc_status refuse(arc_error *error, const char *what) {
+  return arc_fail(error, ARC_FORMAT, "the stored state is damaged: %s", what);
+}
+
+/* Whether a number of the header is a whole one in a range. */
+static int is_whole(double value, double low, double high) {
+  return value >= low && value <= high && value == floor(value);
+}
+
+static arc_status check(const arc_joint *j, const double *state, size_t count, arc_error *error) {
+  const size_t most = 100000; /* instants, as of gaits */
+  if (count < header) return refuse(error, "it ends too early");
+  if (state[0] != j->rows) return refuse(error, "it is of other cells");
+  if (!is_whole(state[1], 2, j->rows) || fmod(state[1], 2) != 0)
+    return refuse(error, "its contact has no size that there is");
+  if (!is_whole(state[2], 0, (double)most)) return refuse(error, "its gait has no instants");
+  const size_t fixed = header + maps * (size_t)j->sites;
+  if (count != fixed + (size_t)state[2] * (size_t)state[1] * (size_t)state[1])
+    return refuse(error, "it has another length");
+  for (size_t i = header; i < count; i++)
+    if (!isfinite(state[i])) return refuse(error, "not all of it is numbers");
+  for (size_t i = fixed; i < count; i++)
+    if (state[i] < 0) return refuse(error, "pressures are negative");
+  for (size_t i = header; i < header + 2 * (size_t)j->sites; i++)
+    if (!(fabs(state[i]) < j->def.radius)) return refuse(error, "depths are beyond the radius");
+  return ARC_OK;
+}
+
+arc_status arc_joint_set_state(arc_joint *j, const double *state, size_t count, arc_error *error) {
+  arc_status status = check(j, state, count, error);
+  if (status == ARC_OK && (int)state[1] != j->size)
+    status = arc_sphere_open(j, (int)state[1], error);
+  if (status == ARC_OK) status = arc_sphere_make_kept(j, (int)state[2], error);
+  if (status == ARC_OK) arc_sphere_restore(j, state);
+  return status;
+}
+
+size_t arc_joint_bytes(const arc_joint *j) {
+  const size_t n = window_of(j), size = (size_t)j->size;
+  size_t numbers = 10 * (size_t)j->sites + (15 + (size_t)j->kept_count) * n;
+  if (j->kernel)
+    numbers += (size_t)j->kernel->waves * size * (size + 4) + 4096 /* the remainder's table */;
+  return sizeof *j + numbers * sizeof(double);
+}
