@@ -23,10 +23,15 @@ return {
       .. "direction is that of the load in the cup's frame: x medial-lateral, y anterior, z into the cup." },
   { "joint.wear", kind = "method", use = 'j:wear{ loading=gait "iso", k=3e-11, alpha=0.5, cycles=1e6 }',
     text = "A run on a joint of its own; alpha is the head's share of wear. k in mm2/N, or a function of { cross_shear=, p_mean= } of a cell of the "
-      .. "cup. updates (20) grow as N^1.5. scheme \"sweep\" has the wear of each instant inside its contact, and is stable for "
-      .. "any step; \"explicit\" takes as many updates as its limit needs. w:run{ cycles= }, w.depth.head, w.volume.cup, "
-      .. 'w.depth_partition, w.history, w.p_peak, w:map "cup", "head" or "cross shear", w:penetration(); '
-      .. 'w:flat "cup" is a map{} of it, azimuthal equal-area about the load, as plot.map(w, "cup") draws.' },
+      .. "cup. loading: a gait, or blocks {{ gait=, cycles= }, ...}, the last of which lasts. Steps are as long as halves and whole agree within "
+      .. "tolerance (0.02 of the depth so far; depths come out ten times as exact, or better); or updates=20 of lengths that grow as N^1.5. "
+      .. "scheme \"sweep\" has the wear of each instant inside its contact, and is stable for any step; \"explicit\" keeps "
+      .. "below its limit, which print(w) shows. worn={ head=, cup= }: shapes to start from, depths in mm as a function of theta and phi "
+      .. 'in degrees, or a w:map of a run. w:run{ cycles= }, w.depth.head, w.volume.cup, w.depth_partition, w.history, w.p_peak, '
+      .. 'w:map "cup", "head", "cross shear" or "pressure", w:penetration(), w:save(path); w:flat "cup" is a map{} of it, azimuthal '
+      .. 'equal-area about the load, as plot.map(w, "cup") draws. Studies and fits know plain wear{} runs alone.' },
+  { "joint.open", kind = "function", use = 'joint.open("hip.archard", { k=f })',
+    text = "A run of a joint that w:save(path) kept: it goes on to the same bits. A k that is a function is given again." },
   { "gait", kind = "function", use = 'gait "iso"   gait{ flexion={ 0, 20, 0 }, load=2000 }',
     text = "How a joint turns and is loaded over a cycle. \"iso\" has the ranges of the standard's walk, but the shapes between them are "
       .. 'approximate; "prosim" is a simplified walk of simulators. Own ones: flexion, adduction, rotation in degrees, load in N '

@@ -259,7 +259,11 @@ return {
     text = "A map, one of a run or the pressures of a contact in three dimensions, from above, x to the right and z upwards in equal scales: colours with contours and a scale, in characters in the "
       .. "terminal. Values of both signs are white at zero. Maps of more than 240 points along a side are drawn by means." },
   { "plot.map{body}", type = "string", text = "Of a run in three dimensions: whose map; the upper body's where left out." },
-  { "plot.map{what}", values = { "depth", "height", "pressure" }, default = '"depth"', text = "Of a run: which map; of a joint's \"cup\", \"head\" or \"cross shear\"." },
+  { "plot.map{what}", values = { "depth", "height", "pressure" }, default = '"depth"', text = "Of a run: which map; of a joint's \"cup\", \"head\", \"cross shear\" or \"pressure\"." },
+  { "plot.track", kind = "function", takes = "plot", use = 'plot.track(gait "iso")   plot.track(g, { radius=18 })',
+    text = "Paths of points of a joint's head over its cup in a cycle, in mm, azimuthal equal-area about the nominal load: of the head's pole, and of "
+      .. "six points at 30 degrees from it. Between increments they are straight: a gait of more shows rounder ones." },
+  { "plot.track{radius}", type = "number > 0", unit = "mm", default = "14", text = "Of the head." },
   { "plot.surface", kind = "function", takes = "plot", use = 'plot.surface(t)  plot.surface(t, { exaggeration=100 })',
     text = "A map seen obliquely from the front, coloured by its values, with every fifth of 50 rows as a line. Lengths along x and "
       .. "heights are in scale but for the factor of exaggeration, which stands in the title; lengths along z are halved." },

@@ -17,8 +17,38 @@ local function sampled(rows, values, n)
   return (1 - s) * ((1 - t) * at(i, k) + t * at(i, k + 1)) + s * ((1 - t) * at(i + 1, k) + t * at(i + 1, k + 1))
 end
 
+local flat = {}
+
+-- Where a direction lies, nil beyond the half sphere.
+function flat.point(radius, n)
+  if n[3] < 0 then return nil end
+  local share = radius * math.sqrt(2 / (1 + n[3]))
+  return share * n[2], share * n[1]
+end
+
+-- A curve of directions n(s) over s in [0, 1], with gaps beyond the half sphere.
+function flat.curve(radius, n, count)
+  local x, y = {}, {}
+  for i = 0, count do
+    local px, py = flat.point(radius, n(i / count))
+    x[i + 1], y[i + 1] = px or 0 / 0, py or 0 / 0
+  end
+  return { x = x, y = y }
+end
+
+-- The rim of a cup: its opening, `cover` degrees from its axis.
+function flat.rim(def)
+  local tilt, cover = math.rad(def.inclination or 0), math.rad(def.cover or 90)
+  local c, s = math.cos(tilt), math.sin(tilt)
+  return flat.curve(def.radius, function(t)
+    local a = 2 * math.pi * t
+    local x, y, z = math.sin(cover) * math.cos(a), math.sin(cover) * math.sin(a), math.cos(cover)
+    return { c * x + s * z, y, c * z - s * x + 1e-12 }
+  end, 180)
+end
+
 -- (engine, radius, "cup", unit) -> map
-return function(engine, radius, what, unit)
+function flat.map(engine, radius, what, unit)
   local rows, values = sphere.map(engine, what)
   local reach, x, y = math.sqrt(2) * radius, {}, {}
   for i = 1, points do x[i] = reach * (2 * (i - 1) / (points - 1) - 1) end
@@ -32,3 +62,5 @@ return function(engine, radius, what, unit)
   end
   return made.new{ x = x, z = table.move(x, 1, points, 1, {}), y = y, unit = unit, name = what }
 end
+
+return flat

@@ -2,21 +2,10 @@
 -- cycle, as instants of the engine.
 
 local check = require "archard.lib.check"
+local made = require "archard.joint.made"
 local sphere = require "archard.sphere"
 
-local class = { __name = "gait", __methods = {}, __fields = { "increments", "track", "work", "name" } }
-
 local module = {}
-
-function class:__tostring()
-  return ("gait: %s, %d increments\n  of a head of 28 mm: track of the load %.4g mm, work %.4g N m a cycle"):format(self.name,
-    self.increments, self.track, self.work / 1000)
-end
-
-local function made(name, increments, instants)
-  local track, work = sphere.path(instants, 14)
-  return setmetatable({ name = name, increments = increments, instants = instants, track = track, work = work }, class)
-end
 
 local usual = 20
 local named = { iso = true, prosim = true }
@@ -74,7 +63,7 @@ local function from_fields(given)
     local f = over_time(by_axis and "load." .. name or "load", value, given.t)
     for i = 0, n - 1 do loads[3 * i + k] = f((i + 0.5) / n) end
   end
-  return made("own", n, sphere.angles(n, angles, loads, given.order or "xyz"))
+  return made("own", sphere.angles(n, angles, loads, given.order or "xyz"))
 end
 
 local function simple(name, usual_angle)
@@ -83,7 +72,7 @@ local function simple(name, usual_angle)
     check.definition(where, given or {}, { angle = check.positive, load = check.positive, increments = check.count })
     given = given or {}
     local n = given.increments or usual
-    return made(name, n, sphere.named(name, n, given.angle or usual_angle, given.load or 2000))
+    return made(name, sphere.named(name, n, given.angle or usual_angle, given.load or 2000))
   end
 end
 
@@ -111,6 +100,6 @@ return setmetatable(module, { __call = function(_, given)
   if not named[given] then
     check.fail("gait", ('expected "iso" or "prosim", got %s%s'):format(check.shown(given), check.hint(given, { "iso", "prosim" })))
   end
-  return made(given == "iso" and "iso-like (the shapes between its ranges are approximate)" or given, usual,
+  return made(given == "iso" and "iso-like (the shapes between its ranges are approximate)" or given,
     sphere.named(given, usual))
 end })

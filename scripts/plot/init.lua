@@ -2,7 +2,7 @@
 -- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/naming.lua (titles and keys),
 -- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses), plot/map.lua (maps),
 -- plot/shear.lua, plot/loop.lua and plot/fretting_map.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies),
--- plot/fit.lua and plot/animate.lua.
+-- plot/track.lua (gaits), plot/fit.lua and plot/animate.lua.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -18,6 +18,7 @@ local plot = {
   slip = later("archard.plot.shear", "slip"),
   map = later("archard.plot.map", "map"),
   surface = later("archard.plot.map", "surface"),
+  track = later "archard.plot.track",
   mesh = later("archard.plot.mesh", "mesh"),
   stress = later("archard.plot.mesh", "stress"),
   fretting_map = later "archard.plot.fretting_map",

@@ -3,6 +3,7 @@
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
+local merged = require "archard.lib.merged"
 local naming = require "archard.plot.naming"
 
 local pictures = {}
@@ -60,10 +61,14 @@ end
 local map_options = { body = check.text, what = check.text }
 local map_words = check.one_of{ "depth", "height", "pressure" }
 
+local function is_joint_run(object)
+  local class = type(object) == "table" and getmetatable(object)
+  return type(class) == "table" and rawget(class, "__name") == "joint_wear"
+end
+
 -- The map itself, that of a run, or the pressures of a contact in three dimensions.
 local function map_of(where, object, options)
-  local class = type(object) == "table" and getmetatable(object)
-  if type(class) == "table" and rawget(class, "__name") == "joint_wear" then
+  if is_joint_run(object) then
     return check.as(where, object.flat, object, options.what or options.body or "cup")
   end
   if options.what and not map_words.test(options.what) then check.refuse(where, "what", map_words.expected, options.what) end
@@ -78,16 +83,28 @@ local function map_of(where, object, options)
   return check_map(where, fine and is_map(t) and t or object)
 end
 
--- plot.map(t, { levels=, vrange=, ... }), plot.map(w, "height")
-function pictures.map(t, options)
+-- plot.map(t, { levels=, vrange=, ... }), plot.map(w, "height", { ... })
+function pictures.map(object, options, more)
   local where = "plot.map"
-  if type(options) == "string" then options = { what = options } end
+  if type(options) == "string" then
+    if more ~= nil and type(more) ~= "table" then
+      check.fail(where, "expected a table of options at the end, got " .. check.shown(more))
+    end
+    options = merged(more or {}, { what = options })
+  elseif more ~= nil then
+    check.fail(where, "expected a word and then a table of options, got " .. check.shown(options))
+  end
   options = draw.options(where, options, map_options)
-  t = map_of(where, t, options)
+  local t = map_of(where, object, options)
   local shown = thinned(t, most)
   local given = { field_of(shown, function(i, j) return shown.x[i], shown.z[j] end) }
   given.xlabel, given.ylabel, given.vlabel, given.title = "x / mm", "z / mm", label_of(t), t.name
   given.xrange, given.yrange = { t.x[1], t.x[#t.x] }, { t.z[1], t.z[#t.z] }
+  if is_joint_run(object) and t.name ~= "head" then
+    local rim = require "archard.joint.flat".rim(object.def)
+    rim.title, rim.colour, rim.width = "rim", "black", 1
+    given[2] = rim
+  end
   given.equal, given.levels = true, 8 -- none at zero, where a levelled surface crosses all over
   draw.draw(where, draw.over(given, options))
 end

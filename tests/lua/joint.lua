@@ -40,23 +40,56 @@ near(1000 * w.depth.cup, 101.75, 5e-3, "1e6 cycles of walking: depth of the cup 
 near(w.volume.cup, 31.483, 2e-3, "and its volume")
 is(w.volume.head, 0, "alpha = 0 leaves the head")
 near(w.p_peak, 7.965, 0.02, "largest pressure of the last cycle")
-is(#w.history.cycles, 21, "a row an update")
+ok(#w.history.cycles > 5 and #w.history.cycles < 20, "a row a step, whose errors are held: " .. #w.history.cycles)
+is(w.history.cycles[#w.history.cycles], 1e6, "up to all cycles")
 ok(tostring(w):find("mm3/(N m)", 1, true) and tostring(w):find("per million cycles"), "print(w): " .. tostring(w))
 is(#w:map("cup").values, #w:map("cup").theta * #w:map("cup").phi, "a map")
 near(w:penetration()[3], 0.2, 0.5, "the head sinks in along the load")
-local again = wear{ model = liner, loading = gait "iso", k = 1e-9, alpha = 0, cycles = 1e6 }:run()
-is(again.depth.cup, w.depth.cup, "the same bits again")
-fails(function() wear{ model = liner, k = function() error "mine" end }:run() end, "mine", "an error of k")
-local seen, ended = 0, wear{ model = liner, k = 1e-9 }
+local springs = joint{ foundation = "winkler", mesh = { size = 6 },
+  cup = { clearance = 0.1, layers = { { thickness = 8, material = pe } } } }
+local one = wear{ model = springs, k = 1e-9 }:run()
+is(wear{ model = springs, k = 1e-9 }:run().depth.cup, one.depth.cup, "the same bits again")
+fails(function() wear{ model = springs, k = function() error "mine" end }:run() end, "mine", "an error of k")
+local seen, ended = 0, wear{ model = springs, k = 1e-9 }
 fails(function()
   ended:run{ progress = function(r)
     seen = seen + 1
     if r.cycles > 1e5 then error "enough" end
   end }
 end, "enough", "a progress function ends a run")
-is(#ended.history.cycles, seen + 1, "after its last whole update")
+is(#ended.history.cycles, seen + 1, "after its last whole step")
 ok(ended:run{ progress = false }.cycles == 1e6, "and it goes on")
-local explicit = wear{ model = liner, k = 1e-9, cycles = 1e3, scheme = "explicit", updates = 1 }
+local twenty = wear{ model = liner, k = 1e-9, alpha = 0, updates = 20 }:run{ progress = false }
+is(#twenty.history.cycles, 21, "a row an update, of updates asked for")
+near(twenty.depth.cup, w.depth.cup, 3e-4, "and much the same depth")
+fails(function() wear{ model = springs, updates = 5, tolerance = 0.1 } end, "got both", "updates and a tolerance")
+
+local function bits(list)
+  local words = {}
+  for i = 1, #list do words[i] = ("%a"):format(list[i]) end
+  return table.concat(words, " ")
+end
+
+-- --- shapes to start from, blocks of gaits ------------------------------------------------------------
+local worn = wear{ model = springs, k = 1e-9, cycles = 1, worn = { cup = function(theta, phi) return 0.02 * math.cos(math.rad(2 * phi)) end } }
+near(worn.depth.cup, 0.02, 1e-2, "worn by a function")
+local copy = wear{ model = springs, k = 1e-9, cycles = 1, worn = { cup = worn:map "cup" } }
+ok(bits(copy:map "cup".values) == bits(worn:map "cup".values), "and by the map of a run")
+fails(function() wear{ model = springs, worn = { cup = { 1, 2 } } } end, "worn.cup", "a list of another length")
+fails(function() wear{ model = springs, worn = { cap = function() return 0 end } } end, "did you mean 'cup'", "a body that there is not")
+fails(function() wear{ model = springs, worn = { cup = function() return "x" end } }:run() end, "worn.cup(", "no depth")
+fails(function() wear{ model = springs, loading = { { gait = gait "iso" }, { gait = gait "iso" } } } end, "loading[1]", "a block without an end")
+local blocks = wear{ model = springs, k = 1e-9, cycles = 3e5, loading = { { gait = gait "prosim", cycles = 1e5 }, { gait = gait "iso" } } }
+blocks:run{ progress = false }
+local ends = {}
+for _, cycles in ipairs(blocks.history.cycles) do ends[cycles] = true end
+ok(ends[1e5] and blocks.loading.name:find "iso", "a block ends where it is to")
+
+-- --- grids too coarse ---------------------------------------------------------------------------------
+local loose = joint{ cup = { clearance = 2, layers = { { thickness = 20, material = material{ E = 230e3, nu = 0.3 } } } }, mesh = { size = 4 } }
+fails(function() contact{ model = loose, load = 50 } end, "cells small enough for the contact, got", "a grid too coarse for a contact")
+fails(function() wear{ model = loose, loading = gait.flexion{ load = 50 } }:run() end, "mesh.size", "and for a run")
+local explicit = wear{ model = springs, k = 1e-9, cycles = 1e3, scheme = "explicit", updates = 1 }
 local function updates_to(cycles)
   local before = #explicit.history.cycles
   explicit:run{ cycles = cycles, progress = false }
@@ -64,12 +97,20 @@ local function updates_to(cycles)
 end
 local few, many = updates_to(1e3), updates_to(4e5)
 ok(many > few and many > 1, ("explicit updates go by the cycles asked for: %d, then %d"):format(few, many))
-fails(function() wear{ model = liner, k = function() return 1e-9 end, scheme = "explicit" } end, "field 'scheme'", "explicit steps of an unknown k")
-fails(function() wear{ model = liner, alpha = 2 } end, "alpha", "a share above 1")
+fails(function() wear{ model = springs, k = function() return 1e-9 end, scheme = "explicit" } end, "field 'scheme'", "explicit steps of an unknown k")
+fails(function() wear{ model = springs, alpha = 2 } end, "alpha", "a share above 1")
 fails(function() w:map "cap" end, "cup", "a map that there is not")
 local flat = w:flat "cup"
 near(1000 * flat:at(0, 0), 1000 * w.depth.cup, 0.05, "a flat map: deepest about the load")
 local picture = os.tmpname() .. ".txt"
 plot.map(w, { what = "cup", term = "dumb", file = picture })
 ok(io.open(picture):read "a":find("cup", 1, true), "is drawn")
+plot.map(w, "cup", { term = "dumb", file = picture, title = "mine" })
+ok(io.open(picture):read "a":find("mine", 1, true), "with a word and options")
+plot.map(w, "pressure", { file = picture .. ".gp" })
+ok(io.open(picture .. ".gp"):read "a":find("rim", 1, true), "with the rim of the cup")
+plot.track(gait "iso", { term = "dumb", file = picture })
+ok(io.open(picture):read "a":find("paths of points", 1, true), "paths of points of the head")
+fails(function() plot.track(w) end, "expected a gait", "of a gait alone")
 os.remove(picture)
+os.remove(picture .. ".gp")

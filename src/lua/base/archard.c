@@ -42,23 +42,21 @@ static const luaL_Reg modules[] = {
 
 /* Classes in Lua: name of the global, and the module of scripts/ that returns its value. */
 static const char *const scripted[][2] = {
-    {"help", "archard.help"},       {"plot", "archard.plot"},
-    {"study", "archard.study"},     {"fit", "archard.fit"},
-    {"csv", "archard.lib.csv"},     {"profile", "archard.profile"},
-    {"export", "archard.export"},   {"who", "archard.session.who"},
-    {"session", "archard.session"}, {"examples", "archard.session.examples"},
-    {"map", "archard.map"},         {"gait", "archard.joint.gait"},
+    {"help", "archard.help"},         {"plot", "archard.plot"},
+    {"study", "archard.study"},       {"fit", "archard.fit"},
+    {"csv", "archard.lib.csv"},       {"profile", "archard.profile"},
+    {"export", "archard.export"},     {"who", "archard.session.who"},
+    {"session", "archard.session"},   {"examples", "archard.session.examples"},
+    {"map", "archard.map"},           {"gait", "archard.joint.gait"},
+    {"joint", "archard.joint.joint"},
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 
 /* Functions in Lua, whose modules are read at the first call: name of the global, the module and,
  * where that returns a table with several, the name in it. */
 static const char *const functions[][3] = {
-    {"joint", "archard.joint.joint", "new"},
-    {"calibrate", "archard.study.calibrate"},
-    {"time", "archard.lib.time"},
-    {"uniform", DISTRIBUTIONS, "uniform"},
-    {"normal", DISTRIBUTIONS, "normal"},
+    {"calibrate", "archard.study.calibrate"},  {"time", "archard.lib.time"},
+    {"uniform", DISTRIBUTIONS, "uniform"},     {"normal", DISTRIBUTIONS, "normal"},
     {"lognormal", DISTRIBUTIONS, "lognormal"},
 };
 enum { FUNCTIONS = sizeof functions / sizeof *functions };

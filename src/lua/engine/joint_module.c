@@ -80,6 +80,7 @@ static int sphere_create(lua_State *L) {
   const arc_status status = arc_joint_create(&def, &joint, &error);
   error_check(L, status, &error, "joint", -1);
   made->thing = joint;
+  box_weigh(L, arc_joint_bytes(joint));
   return 1;
 }
 
@@ -255,33 +256,85 @@ static int push_record(lua_State *L, const arc_joint_record *r) {
   return 1;
 }
 
-/* update(joint, gait, k, alpha, cycles, explicit, record) -> record */
-static int sphere_update(lua_State *L) {
-  arc_joint_wear_def def = {.alpha = luaL_checknumber(L, 4),
-                            .explicit_scheme = lua_toboolean(L, 6)};
-  called k = {.L = L, .function = 3};
-  arc_joint_record record = {0};
-  arc_error error = {0};
-  const arc_callbacks callbacks = {.stop = interrupt_pending};
-  box *holder = box_check(L, 1, &sphere_class, "wear");
-  const double cycles = luaL_checknumber(L, 5);
-  lua_settop(L, 7);
-  read_record(L, 7, &record);
-  def.instant = read_gait(L, 2, &def.instants);
+/* What updates and steps have in common: (joint, gait, k, alpha, cycles, record, ...). */
+typedef struct worn {
+  box *holder;
+  arc_joint_wear_def def;
+  called k;
+  arc_joint_record record;
+  double cycles;
+} worn;
+
+static const arc_callbacks interruptible = {.stop = interrupt_pending};
+
+static void begin_wear(lua_State *L, worn *w, int arguments) {
+  *w = (worn){.holder = box_check(L, 1, &sphere_class, "wear"),
+              .def.alpha = luaL_checknumber(L, 4),
+              .k = {.L = L, .function = 3},
+              .cycles = luaL_checknumber(L, 5)};
+  lua_settop(L, arguments);
+  read_record(L, 6, &w->record);
+  w->def.instant = read_gait(L, 2, &w->def.instants);
   if (lua_isfunction(L, 3)) {
-    def.k_function = coefficient;
-    def.context = &k;
+    w->def.k_function = coefficient;
+    w->def.context = &w->k;
   } else {
-    def.k = luaL_checknumber(L, 3);
+    w->def.k = luaL_checknumber(L, 3);
   }
-  if (holder->busy) error_raise(L, ARC_ARGUMENT, "wear", "it is being worn already");
-  holder->busy = 1;
+  if (w->holder->busy) error_raise(L, ARC_ARGUMENT, "wear", "it is being worn already");
+  w->holder->busy = 1;
+}
+
+static int end_wear(lua_State *L, worn *w, arc_status status, arc_error *error) {
+  w->holder->busy = 0;
+  if (w->k.failed) error_callback(L, "wear", "the function k");
+  error_check(L, status, error, "wear", -1);
+  return push_record(L, &w->record);
+}
+
+/* update(joint, gait, k, alpha, cycles, record, explicit) -> record */
+static int sphere_update(lua_State *L) {
+  worn w;
+  arc_error error = {0};
+  begin_wear(L, &w, 7);
+  w.def.explicit_scheme = lua_toboolean(L, 7);
   const arc_status status =
-      arc_joint_update(holder->thing, &def, cycles, &callbacks, &record, &error);
-  holder->busy = 0;
-  if (k.failed) error_callback(L, "wear", "the function k");
-  error_check(L, status, &error, "wear", -1);
-  return push_record(L, &record);
+      arc_joint_update(w.holder->thing, &w.def, w.cycles, &interruptible, &w.record, &error);
+  return end_wear(L, &w, status, &error);
+}
+
+/* advance(joint, gait, k, alpha, most, record, tolerance, step) -> record, next step */
+static int sphere_advance(lua_State *L) {
+  worn w;
+  arc_error error = {0};
+  const double tolerance = luaL_checknumber(L, 7);
+  double step = luaL_checknumber(L, 8);
+  begin_wear(L, &w, 8);
+  const arc_status status = arc_joint_advance(w.holder->thing, &w.def, tolerance, w.cycles, &step,
+                                              &interruptible, &w.record, &error);
+  end_wear(L, &w, status, &error);
+  lua_pushnumber(L, step);
+  return 2;
+}
+
+/* state(joint) -> list of numbers; set_state(joint, list) */
+static int sphere_state(lua_State *L) {
+  const arc_joint *joint = joint_at(L, 1, "wear");
+  const size_t count = arc_joint_state_count(joint);
+  double *state = array_buffer(L, count);
+  arc_joint_state(joint, state);
+  array_push(L, state, count);
+  return 1;
+}
+
+static int sphere_set_state(lua_State *L) {
+  arc_error error = {0};
+  size_t count;
+  arc_joint *joint = joint_at(L, 1, "joint.open");
+  lua_settop(L, 2);
+  const double *state = array_read_any(L, (args_place){"joint.open", ""}, "state", &count);
+  error_check(L, arc_joint_set_state(joint, state, count, &error), &error, "joint.open", -1);
+  return 0;
 }
 
 /* limit(joint, gait, k) -> cycles of an explicit update */
@@ -314,11 +367,19 @@ int joint_takes(lua_State *L, const char *method) {
 }
 
 int luaopen_archard_sphere(lua_State *L) {
-  static const luaL_Reg functions[] = {{"create", sphere_create}, {"named", sphere_named},
-                                       {"angles", sphere_angles}, {"path", sphere_path},
-                                       {"press", sphere_press},   {"map", sphere_map},
-                                       {"set", sphere_set},       {"update", sphere_update},
-                                       {"limit", sphere_limit},   {NULL, NULL}};
+  static const luaL_Reg functions[] = {{"create", sphere_create},
+                                       {"named", sphere_named},
+                                       {"angles", sphere_angles},
+                                       {"path", sphere_path},
+                                       {"press", sphere_press},
+                                       {"map", sphere_map},
+                                       {"set", sphere_set},
+                                       {"update", sphere_update},
+                                       {"limit", sphere_limit},
+                                       {"advance", sphere_advance},
+                                       {"state", sphere_state},
+                                       {"set_state", sphere_set_state},
+                                       {NULL, NULL}};
   call_new_library(L, functions);
   return 1;
 }

@@ -1,0 +1,161 @@
+-- Runs of joints as flat tables of named values, of which run files and sessions are made, and back. Leans on archard.store.
+
+local check = require "archard.lib.check"
+local made = require "archard.joint.made"
+local runs = require "archard.joint.run"
+local sphere = require "archard.sphere"
+local store = require "archard.store"
+
+local file = {}
+
+-- --- definitions --------------------------------------------------------------------------------
+
+local plain = { "radius", "clearance", "inclination", "cover", "size", "foundation" }
+
+local function flat_layers(layers)
+  local list = {}
+  for _, layer in ipairs(layers) do
+    list[#list + 1], list[#list + 2], list[#list + 3] = layer.thickness, layer.E, layer.nu
+  end
+  return #list > 0 and list or nil
+end
+
+local function layers_from(list)
+  local layers = {}
+  for i = 1, #(list or {}), 3 do layers[#layers + 1] = { thickness = list[i], E = list[i + 1], nu = list[i + 2] } end
+  return layers
+end
+
+-- Fields "joint.NAME" of a definition.
+function file.flat_joint(def)
+  local flat = { ["joint.core"] = { def.core.E, def.core.nu }, ["joint.head_layers"] = flat_layers(def.head_layers),
+    ["joint.cup_layers"] = flat_layers(def.cup_layers) }
+  for _, name in ipairs(plain) do flat["joint." .. name] = def[name] end
+  return flat
+end
+
+function file.joint_from(flat)
+  local core = flat["joint.core"]
+  local def = { core = { E = core[1], nu = core[2] }, head_layers = layers_from(flat["joint.head_layers"]),
+    cup_layers = layers_from(flat["joint.cup_layers"]) }
+  for _, name in ipairs(plain) do def[name] = flat["joint." .. name] end
+  return def
+end
+
+function file.flat_gait(g, prefix)
+  return { [prefix .. "name"] = g.name, [prefix .. "instants"] = g.instants }
+end
+
+function file.gait_from(flat, prefix)
+  local instants = flat[prefix .. "instants"] or {}
+  return made(flat[prefix .. "name"], table.move(instants, 1, #instants, 1, {}))
+end
+
+-- --- runs ---------------------------------------------------------------------------------------
+
+local settings = { "k", "alpha", "goal", "updates", "scheme", "tolerance", "step" }
+local counted = { "updates", "solutions" }
+
+local function add(to, from)
+  for name, value in pairs(from) do to[name] = value end
+end
+
+-- Of a run in between: what it was defined with, and all that it has come to.
+function file.flat_run(run)
+  local definition, results = file.flat_joint(run.def), { state = sphere.state(run.engine) }
+  for _, name in ipairs(settings) do definition[name] = run[name] end
+  if type(run.k) == "function" then definition.k = "function" end
+  for i, block in ipairs(run.blocks) do
+    add(definition, file.flat_gait(block.gait, ("loading.%d."):format(i)))
+    if block.cycles < math.huge then definition[("loading.%d.cycles"):format(i)] = block.cycles end
+  end
+  for name, column in pairs(run.history) do results["history." .. name] = column end
+  for name, value in pairs(run.record) do results["record." .. name] = value end
+  return definition, results
+end
+
+local function blocks_from(flat)
+  local blocks = {}
+  while flat[("loading.%d.name"):format(#blocks + 1)] do
+    local prefix = ("loading.%d."):format(#blocks + 1)
+    blocks[#blocks + 1] = { gait = file.gait_from(flat, prefix), cycles = flat[prefix .. "cycles"] }
+  end
+  return blocks
+end
+
+local function take(results, prefix)
+  local part = {}
+  for name, value in pairs(results) do
+    local rest = name:match("^" .. prefix .. "%.(.+)$")
+    if rest then part[rest] = type(value) == "table" and table.move(value, 1, #value, 1, {}) or value end
+  end
+  return part
+end
+
+-- The function again where k is one; whole numbers as they were.
+local function k_of(definition, functions)
+  if definition.k ~= "function" then return definition.k end
+  local k = type(functions) == "table" and functions.k
+  if type(k) ~= "function" then
+    check.fail("joint.open", "field 'k': the run has one that is a function: give the function again, { k = f }")
+  end
+  return k
+end
+
+function file.run_from(definition, results, functions)
+  local blocks = blocks_from(definition)
+  local run = runs.new(file.joint_from(definition), { loading = blocks, k = k_of(definition, functions),
+    alpha = definition.alpha, cycles = definition.goal, scheme = definition.scheme,
+    updates = definition.updates and math.tointeger(definition.updates) })
+  run.tolerance, run.step = definition.tolerance, definition.step
+  sphere.set_state(run.engine, results.state)
+  local record = take(results, "record")
+  for _, name in ipairs(counted) do record[name] = math.tointeger(record[name]) end
+  runs.restore(run, record, take(results, "history"))
+  return run
+end
+
+-- --- run files ----------------------------------------------------------------------------------
+
+local function check_path(where, path)
+  if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
+end
+
+-- The file is there whole or not at all; one of a joint is replaced, anything else refused.
+function file.save(run, path)
+  check_path("joint_wear:save", path)
+  local definition, results = file.flat_run(run)
+  check.as("joint_wear:save", function()
+    local to <close> = store.replace(path, "joint")
+    to:begin()
+    to:set_info("program", "archard " .. require "archard".version)
+    to:add(1, "wear of a joint")
+    to:set_values(1, "definition", definition)
+    to:set_values(1, "results", results)
+    to:mark(1, "done")
+    to:commit()
+    to:publish()
+  end)
+  return run
+end
+
+function file.open(path, functions)
+  check_path("joint.open", path)
+  local definition, results
+  check.as("joint.open", function()
+    local from <close> = store.open(path, "read")
+    from:check()
+    local kind = from:info "kind"
+    if kind ~= "joint" then
+      check.fail("joint.open", ("%s: expected a file of w:save of a joint, got a run file of kind %s"):format(path, tostring(kind)),
+        "FORMAT")
+    end
+    definition, results = from:values(1, "definition"), from:values(1, "results")
+  end)
+  local fine, run = pcall(file.run_from, definition, results, functions)
+  if fine then return run end
+  if type(run) == "table" and run.message then error(run, 0) end
+  check.fail("joint.open", path .. ": the file is damaged: " .. tostring(run), "FORMAT")
+end
+
+return file

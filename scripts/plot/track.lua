@@ -1,0 +1,42 @@
+-- plot.track: paths of points of a joint's head over its cup in a cycle, azimuthal equal-area about the nominal load.
+
+local check = require "archard.lib.check"
+local draw = require "archard.plot.draw"
+local flat = require "archard.joint.flat"
+
+-- Points of the head: the pole, and six at 30 degrees from it.
+local function points()
+  local list, s, c = { { 0, 0, 1 } }, math.sin(math.rad(30)), math.cos(math.rad(30))
+  for i = 0, 5 do list[i + 2] = { s * math.cos(math.rad(60 * i)), s * math.sin(math.rad(60 * i)), c } end
+  return list
+end
+
+-- Where a point is in an instant: rotations are the first nine of its fifteen numbers.
+local function turned(instants, i, m)
+  local n = {}
+  for k = 1, 3 do
+    local at = 15 * i + 3 * (k - 1)
+    n[k] = instants[at + 1] * m[1] + instants[at + 2] * m[2] + instants[at + 3] * m[3]
+  end
+  return n
+end
+
+-- plot.track(g, { radius=14, ... })
+return function(g, options)
+  local where = "plot.track"
+  local class = type(g) == "table" and getmetatable(g)
+  if type(class) ~= "table" or rawget(class, "__name") ~= "gait" then
+    check.fail(where, "expected a gait as the first argument, got " .. check.shown(g))
+  end
+  options = draw.options(where, options, { radius = check.positive })
+  local radius, count, given = options.radius or 14, g.increments, {}
+  for number, m in ipairs(points()) do
+    local path = flat.curve(radius, function(t) return turned(g.instants, math.floor(t * count + 0.5) % count, m) end, count)
+    path.title = number == 1 and "pole" or number == 2 and "30 degrees from it" or nil
+    path.series = number == 1 and 1 or 2
+    given[number] = path
+  end
+  given.xlabel, given.ylabel, given.equal = "x / mm, anterior", "z / mm, along the axis of flexion", true
+  given.title = ("%s: paths of points of the head over the cup"):format(g.name)
+  draw.draw(where, draw.over(given, options))
+end

@@ -1,0 +1,47 @@
+-- Runs of joints in files: opened ones, and those that go on, are the same to the bit.
+local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
+local is, ok, fails = tap.is, tap.ok, tap.fails
+
+local pe = material{ E = 1000, nu = 0.4 }
+local liner = joint{ head = { material = material{ E = 1e15 }, layers = { { thickness = 2, material = pe } } },
+  cup = { clearance = 0.1, inclination = 20, cover = 85, layers = { { thickness = 8, material = pe }, { thickness = 2, material = pe } } },
+  mesh = { size = 6 } }
+
+local function bits(list)
+  local words = {}
+  for i = 1, #list do words[i] = ("%a"):format(list[i]) end
+  return table.concat(words, " ")
+end
+local function same(a, b, what)
+  is(("%a"):format(b.cycles), ("%a"):format(a.cycles), what .. ": cycles")
+  is(b.record.solutions, a.record.solutions, what .. ": contacts")
+  for _, map in ipairs{ "head", "cup", "cross shear", "pressure" } do
+    ok(bits(b:map(map).values) == bits(a:map(map).values), what .. ": " .. map)
+  end
+  for name, column in pairs(a.history) do is(bits(b.history[name]), bits(column), what .. ": " .. name) end
+end
+local kept = os.tmpname()
+os.remove(kept)
+local function sheared(s) return 1e-9 * math.min(0.2 + 3.2 * s.cross_shear, 1) end
+for what, def in pairs{ steps = { k = 1e-9 }, updates = { k = 1e-9, updates = 8 }, shear = { k = sheared, updates = 4 },
+  blocks = { k = 1e-9, loading = { { gait = gait "prosim", cycles = 2e5 }, { gait = gait.rocking() } } },
+  explicit = { k = 1e-9, cycles = 2e5, scheme = "explicit" } } do
+  def.model, def.cycles = liner, def.cycles or 5e5
+  local whole, first = wear(def):run{ progress = false }, wear(def)
+  pcall(first.run, first, { progress = function(r) if r.cycles > 0.1 * def.cycles then error "stop" end end })
+  ok(first.cycles < def.cycles, what .. ": stopped at " .. first.cycles)
+  first:save(kept)
+  if what == "shear" then fails(function() joint.open(kept) end, "field 'k'", "a function is to be given again") end
+  local again = joint.open(kept, { k = sheared })
+  same(first, again, what .. ", opened")
+  is(tostring(again), tostring(first), what .. ": print")
+  same(whole, again:run{ progress = false }, what .. ", gone on with")
+end
+fails(function() joint.open(kept .. ".none") end, "none", "a file that there is not")
+local foreign = io.open(kept, "w")
+foreign:write "mine"
+foreign:close()
+fails(function() joint.open(kept) end, "run file", "a file of another kind")
+fails(function() wear{ model = liner }:save(kept) end, kept, "which is not replaced")
+os.remove(kept)
+
