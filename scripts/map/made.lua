@@ -11,10 +11,17 @@ local fields = { x = check.list, z = check.list, y = values, unit = check.text, 
 
 local function copied(list) return table.move(list, 1, #list, 1, {}) end
 
+-- What a user's function raises stays as it is: Lua would put our line before what coroutines raise.
+local function called(f, x, z)
+  local fine, value = pcall(f, x, z)
+  if not fine then error(value, 0) end
+  return value or false
+end
+
 -- The values of a function at all points.
 local function sampled(f, x, z)
   local y = {}
-  for i = 1, #x do for j = 1, #z do y[#y + 1] = f(x[i], z[j]) or false end end
+  for i = 1, #x do for j = 1, #z do y[#y + 1] = called(f, x[i], z[j]) end end
   return y
 end
 

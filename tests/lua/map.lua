@@ -46,6 +46,9 @@ holds(tostring(map{ x = { 0, 1 }, z = { 0, 1 }, y = { 0, 100, 0, 7 }, unit = "MP
   { "map: pressure at 2 x 2 points", "x 0 to 1 mm, step 1000 um", "0 to 100 MPa" }, "print")
 
 fails(function() map{ x = { 0, 1 }, z = { 0, 1 } } end, "field 'y': expected a list of numbers, or a function (x, z) -> number, got nil", "no values")
+local ended = coroutine.wrap(function() return 1 end)
+local fine, why = pcall(map, { x = { 0, 1 }, z = { 0, 1 }, y = ended })
+is(why, "cannot resume dead coroutine", "what a function raises has no line of ours before it")
 fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = { 1, 2, 3 } } end, { "field 'y': expected 2 x 2 = 4 values", "got 3" }, "too few values")
 fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = { 1, 2, 0 / 0, 3 } } end,
   { "field 'y[3]': expected a finite number (at x = 1, z = 0 mm), got" }, "no number")
