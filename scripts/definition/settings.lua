@@ -110,7 +110,7 @@ function settings.nest(flat)
   return nested
 end
 
-local most_cases = 1000000
+local most_cases, most_values = 1000000, 4000000 -- of all cases together: 200 bytes each
 
 -- Refuses more cases than a study can have.
 function settings.check_count(where, name, count, how)
@@ -150,7 +150,10 @@ local function refuse_many(where, axes)
   for i, axis in ipairs(axes) do
     count, words[i] = count * #axis.values, ("%d of %s"):format(#axis.values, axis.name)
   end
-  settings.check_count(where, "vary", count, table.concat(words, " times "))
+  local how, values = table.concat(words, " times "), count * #axes
+  settings.check_count(where, "vary", count, how)
+  if values <= most_values then return end
+  check.fail(where, ("field 'vary': expected at most %d values in all cases, got %.0f (%s)"):format(most_values, values, how))
 end
 
 -- All combinations; the last name changes fastest.

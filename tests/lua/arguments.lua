@@ -119,6 +119,13 @@ end
 fails(function() study{ vary = { load = many, alpha = many, stroke = many } } end,
   "field 'vary': expected at most 1000000 cases, got 1000000000 (1000 of alpha times 1000 of load times 1000 of stroke)",
   "a thousand million cases are refused before they are made")
+local pairs_of = {}
+for _, name in ipairs{ "alpha", "load", "stroke", "k", "p", "distance", "jump", "tolerance", "increments", "friction",
+  "thickness", "refresh", "law_pressure", "law_exponent", "law_threshold", "cycles", "spin", "track", "fill" } do
+  pairs_of[name] = { 0.1, 0.2 }
+end
+fails(function() study{ vary = pairs_of } end, "field 'vary': expected at most 4000000 values in all cases, got 9961472",
+  "half a million cases of 19 values each, too")
 fails(function() study{ n = 1000000, indices = true, sample = { k = uniform{ 1, 2 }, load = uniform{ 1, 2 } } } end,
   "expected at most 1000000 cases, got 4000000 (1000000 samples, with indices 4 cases each)", "samples likewise")
 
