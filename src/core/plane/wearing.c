@@ -138,6 +138,18 @@ static double scar_layer_dose(const arc_wear *w) {
   return p > 0 ? depth / p : INFINITY;
 }
 
+/* Nor does an update see how the compliance changes as a scar gets deep beside its width. A scar of
+ * .28 half widths: the depth of the body that wears less was .17 % off without this limit, .10 %
+ * with it, .04 % with half of it. */
+static double scar_dose(const arc_wear *w) {
+  static const double deeper = 0.02; /* of the half width of the contact */
+  const arc_wear_record *now = arc_wear_last(w);
+  const int no_scar = w->manner.even && now->alpha == 0;
+  if (w->def.geometry == ARC_FROZEN || no_scar || !(now->p_center > 0)) return INFINITY;
+  return deeper * now->half_width / now->p_center;
+}
+
 double arc_plane_layer_dose(const arc_wear *w, int scars) {
-  return fmin(even_layer_dose(w), scars ? scar_layer_dose(w) : INFINITY);
+  const double even = even_layer_dose(w);
+  return scars ? fmin(even, fmin(scar_layer_dose(w), scar_dose(w))) : even;
 }
