@@ -23,7 +23,10 @@ own.is_taken = is_ours
 function own.class(value)
   local metatable = debug.getmetatable(value)
   local address = type(metatable) == "table" and help.address_of(value)
-  if not address or address:find("[.{]") or type(value) == "function" then return type(value) end
+  if not address or address:find("[.{]") or type(value) == "function" then
+    local name = type(value) == "table" and type(metatable) == "table" and not metatable.__plain and rawget(metatable, "__name")
+    return type(name) == "string" and name or type(value)
+  end
   return rawequal((require "archard")[address], value) and "program" or address
 end
 

@@ -45,3 +45,8 @@ fails(function() joint.open(kept) end, "run file", "a file of another kind")
 fails(function() wear{ model = liner }:save(kept) end, kept, "which is not replaced")
 os.remove(kept)
 
+-- Sessions do not hold them, and say so.
+w = wear{ model = liner, k = 1e-9, cycles = 10 }
+local text = session.save(kept)
+ok(text:find("not kept: w (joint_wear)", 1, true), "a session says what it does not keep: " .. text)
+os.remove(kept)
