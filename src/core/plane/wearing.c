@@ -138,6 +138,17 @@ static double scar_layer_dose(const arc_wear *w) {
   return p > 0 ? depth / p : INFINITY;
 }
 
+/* Wear coefficient of the layers that lie open, over the largest of the body: the most of all nodes
+ * that have worn, at first of any. */
+static double open_share(const arc_wear *w, arc_body body) {
+  const shape_side *side = &w->shape->side[body];
+  double most = 0;
+  for (int i = 0; i < side->n; i++)
+    if (side->h[i] > 0 || w->records == 1)
+      most = fmax(most, arc_wear_layer_share(w->shape, body, i, 0));
+  return most;
+}
+
 /* Nor does an update see how the compliance changes as a scar gets deep beside its width. A scar of
  * .28 half widths: the depth of the body that wears less was .17 % off without this limit, .10 %
  * with it, .04 % with half of it. */
@@ -146,7 +157,9 @@ static double scar_dose(const arc_wear *w) {
   const arc_wear_record *now = arc_wear_last(w);
   const int no_scar = w->manner.even && now->alpha == 0;
   if (w->def.geometry == ARC_FROZEN || no_scar || !(now->p_center > 0)) return INFINITY;
-  return deeper * now->half_width / now->p_center;
+  const double share = now->alpha * open_share(w, ARC_CYLINDER) +
+                       (1 - now->alpha) * open_share(w, ARC_PLATE);
+  return share > 0 ? deeper * now->half_width / (share * now->p_center) : INFINITY;
 }
 
 double arc_plane_layer_dose(const arc_wear *w, int scars) {
