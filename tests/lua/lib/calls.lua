@@ -55,7 +55,7 @@ return function(folder)
     ["plot.pressure"] = { w }, ["plot.profile"] = { w }, ["plot.history"] = { w }, ["plot.mesh"] = { m },
     ["plot.stress"] = { objects.contact }, ["plot.shear"] = { objects.contact }, ["plot.slip"] = { objects.contact },
     ["plot.loop"] = { w }, ["plot.map"] = { objects.map }, ["plot.surface"] = { objects.map }, ["plot.response"] = { s }, ["plot.bands"] = { s }, ["plot.tornado"] = { s },
-    ["plot.animate"] = { w }, ["plot.fit"] = { objects.design }, ["export.pvd"] = { w, path "w.pvd" },
+    ["plot.animate"] = { w }, ["plot.track"] = { gait.rocking() }, ["plot.fit"] = { objects.design }, ["export.pvd"] = { w, path "w.pvd" },
     ["profile.read"] = { path "waves.csv" }, ["study.merge"] = { path "s.archard" },
     ["map.read"] = { path "heights.txt" },
   }
