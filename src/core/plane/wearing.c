@@ -157,8 +157,8 @@ static double scar_dose(const arc_wear *w) {
   const arc_wear_record *now = arc_wear_last(w);
   const int no_scar = w->manner.even && now->alpha == 0;
   if (w->def.geometry == ARC_FROZEN || no_scar || !(now->p_center > 0)) return INFINITY;
-  const double share = now->alpha * open_share(w, ARC_CYLINDER) +
-                       (1 - now->alpha) * open_share(w, ARC_PLATE);
+  const double share =
+      now->alpha * open_share(w, ARC_CYLINDER) + (1 - now->alpha) * open_share(w, ARC_PLATE);
   return share > 0 ? deeper * now->half_width / (share * now->p_center) : INFINITY;
 }
 
