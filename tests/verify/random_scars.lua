@@ -52,6 +52,11 @@ for i, depth in ipairs((depths(wide, 1e-4))) do
 end
 figures.below(updates, 120, "reference pair, k = 1e-5: updates")
 
+-- A stroke of one element: steps of any length converged only with a Jacobian for each part of it.
+local _, short = depths({ model = { radius = 42.317, cylinder = { E = 372e3 }, plate = { E = 18114 } }, load = 34.81, stroke = 0.05842,
+  alpha = 0.61729, distance = 1320, k = 3.5677e-6, scheme = "implicit" }, 1e-3)
+figures.below(short, 60, "a stroke of one element: updates")
+
 figures.below(worst, 1e-3, ("depths of %d runs at four distances, off by at most"):format(runs))
 figures.below(most, 100, "their most updates")
 figures.below(refused, 0.1 * runs, "those refused, as the scar is wider than the bodies")
