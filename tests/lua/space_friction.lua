@@ -87,3 +87,4 @@ fails(function() contact{ friction = 0.5 }:move{ tangential_z = 1 } end, "field 
 fails(function()
   contact{ model = ball_on(body.block{ height = 1 }), load = 10, friction = 0.1 }
 end, { "field 'friction'", "rigid base" }, "no shear of layers")
+fails(function() c:stress{ y = 0.05 } end, "friction in 3-D", "no stresses below without those of shear")
