@@ -198,17 +198,6 @@ end
 
 -- --- finding by name ---------------------------------------------------------------------------
 
--- The known name nearest to `name`, or to its last part, if one is near enough to be a slip of the
--- keys.
-local function nearest(name)
-  local known = {}
-  for _, entry in ipairs(ordered) do
-    known[#known + 1], known[#known + 2] = entry.name, entry.address
-  end
-  for _, topic in ipairs(topics) do known[#known + 1] = topic.name end
-  return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
-end
-
 local function spoken(name)
   return (name:gsub("%s+", ""):gsub("%(.*%)$", ""):gsub("[{:]$", ""):gsub(":", "."))
 end
@@ -243,28 +232,54 @@ function help.find(name)
   return found
 end
 
--- Topics and entries in which all words of the text stand.
+-- The examples as entries; none where they are not installed.
+local function example_entries()
+  local fine, list = pcall(require "archard.lib.examples_folder".entries)
+  return fine and list or {}
+end
+
+-- Topics, entries and examples in which all words of the text stand, or that explain what the text is
+-- another word for; and how many of them are surely meant.
 function help.matches(text)
-  if type(text) ~= "string" then return {} end
+  if type(text) ~= "string" then return {}, 0 end
   load_entries()
-  return require "archard.help.search"(table.move(ordered, 1, #ordered, #topics + 1,
-    table.move(topics, 1, #topics, 1, {})), text)
+  local list = table.move(topics, 1, #topics, 1, {})
+  table.move(ordered, 1, #ordered, #list + 1, list)
+  local examples = example_entries()
+  table.move(examples, 1, #examples, #list + 1, list)
+  return require "archard.help.search"(list, text)
 end
 
 -- --- showing -----------------------------------------------------------------------------------
 
 local show = require "archard.help.show"
 
+-- The known name nearest to `name`, or to its last part, if one is near enough to be a slip of the
+-- keys.
+local function nearest(name)
+  local known = {}
+  for _, entry in ipairs(ordered) do
+    known[#known + 1], known[#known + 2] = entry.name, entry.address
+  end
+  for _, topic in ipairs(topics) do known[#known + 1] = topic.name end
+  return names.nearest(name, known) or names.nearest(name:match("[^.]+$") or name, known)
+end
+
+-- The entries of a name; else those that a search finds; else the name that it may be a misspelling of.
 local function explain_name(name)
   local found = help.find(name)
-  if #found == 0 then
-    local near = nearest(spoken(name))
-    return ("no help for %q%s; help() lists what there is, help.search looks into all texts"):format(name,
-      near and (", did you mean %q?"):format(near) or "")
+  if #found == 0 then found = help.find(name:lower()) end
+  if #found > 0 then
+    local texts = {}
+    for i, entry in ipairs(found) do texts[i] = show.entry(help, entry) end
+    return table.concat(texts, "\n\n")
   end
-  local texts = {}
-  for i, entry in ipairs(found) do texts[i] = show.entry(help, entry) end
-  return table.concat(texts, "\n\n")
+  local sure
+  found, sure = help.matches(name)
+  if sure > 0 then return show.found(found, name, math.min(sure, 12)) end
+  local near = nearest(spoken(name))
+  local search = #found > 0 and ("help.search %q finds parts of words"):format(name) or "help() lists the objects and topics"
+  return ("no help for %q%s; %s"):format(name, near and (", did you mean %q?"):format(near) or "", search)
 end
 
 -- The text help(value) prints.
@@ -279,11 +294,11 @@ function help.text(...)
   return ("no help for this %s; help() lists what there is"):format(type(value))
 end
 
--- help.search(text): a list of what tells of it.
+-- help.search(text): a list of the texts that contain it.
 function help.search(text)
   local found = help.matches(text)
   if not found[1] then
-    return print(('nothing tells of %s; it is called as help.search "units"'):format(names.shown(text)))
+    return print(('no text contains %s; it is called as help.search "units"'):format(names.shown(text)))
   end
   pager.show(show.found(found, text))
 end

@@ -48,9 +48,12 @@ function show.facts(entry)
   return table.concat(facts, ", ")
 end
 
-function show.first_sentence(text)
+-- Ends after so many letters at most.
+function show.first_sentence(text, most)
   local flat = text:gsub("%s+", " ")
-  return flat:match("^(.-[.])%s%u") or flat
+  local sentence = flat:match("^(.-[.])%s%u") or flat
+  if #sentence <= (most or math.huge) then return sentence end
+  return sentence:sub(1, most):match("^(.*)%s") .. " ..."
 end
 
 -- A table of entries: name, then the facts and the first sentence.
@@ -73,14 +76,17 @@ end
 
 show.listing = listing
 
--- What a search has found, by address.
-function show.found(found, text)
+-- What a search has found, by address, at most so many.
+function show.found(found, text, most)
   local list = {}
-  for i, entry in ipairs(found) do
+  for i = 1, math.min(#found, most or #found) do
+    local entry = found[i]
     local title = entry.kind == "topic" and ('help "%s"'):format(entry.address) or entry.address
-    list[i] = { name = title, text = show.first_sentence(entry.text) }
+    list[i] = { name = title, text = show.first_sentence(entry.text, 150) }
   end
+  local left = #found - #list
   return listing(("%d about %s"):format(#list, text), list)
+    .. (left > 0 and ('\n\nmore: help.search "%s"'):format(text) or "")
 end
 
 local function of_kind(entries, wanted)

@@ -3,6 +3,7 @@
 local check = require "archard.lib.check"
 local itself = require "archard.lib.itself"
 local process = require "archard.process"
+local text_file = require "archard.lib.text_file"
 
 local folder = {}
 
@@ -24,6 +25,37 @@ function folder.find()
   local module = not found and itself.module()
   found = found or module and look(module, beside_module)
   return found or check.fail("examples", "they are not there: looked in share/archard/examples beside " .. bin, "MISSING")
+end
+
+-- As the files are called, in the order of the course: "01_contact", ...
+function folder.names()
+  local list = {}
+  for _, file in ipairs(process.files(folder.find())) do
+    list[#list + 1] = file:match("^([^.].*)%.lua$")
+  end
+  table.sort(list)
+  return list
+end
+
+-- The first sentence of the comment that an example begins with.
+local function title(path)
+  local head = {}
+  for line in text_file.read(path):gmatch("[^\n]+") do
+    if not line:find("^%-%-") then break end
+    head[#head + 1] = line:gsub("^%-%-%s*", "")
+  end
+  local text = table.concat(head, " ")
+  return text:match("^(.-[.])%s") or text
+end
+
+-- A list as help's entries are, each with the listed name and the first sentence.
+function folder.entries()
+  local list = {}
+  for i, name in ipairs(folder.names()) do
+    list[i] = { kind = "example", name = name, address = ('examples "%s"'):format(name:gsub("^%d+_", "")),
+      text = title(folder.find() .. "/" .. name .. ".lua") }
+  end
+  return list
 end
 
 -- Reads the parts of a larger example: a function(name) -> what FOLDER/NAME.lua returns, which is called
