@@ -2,8 +2,8 @@
 -- looks like. Leans on archard.lib.pretty and archard.term.
 
 -- The user may overwrite any global: keep what is needed here.
-local load, print, select, rawset, type = load, print, select, rawset, type
-local table, string, io = table, string, io
+local error, load, print, rawget, rawset, select, type = error, load, print, rawget, rawset, select, type
+local table, string, io, os = table, string, io, os
 local globals = _G
 
 local names = require "archard.names"
@@ -62,8 +62,27 @@ local function note_locals(text)
   io.stderr:write("note: a local lives in its own chunk only; leave out 'local' to keep the value\n")
 end
 
+-- Lines as in IPython and Octave: ?name and name? explain, !command runs in the shell, clear clears the
+-- screen unless a global has that name. Returns what does it, or nil.
+local function short_command(text)
+  local word = text:match("^%s*%?%s*([%w_.:{}]+)%s*$") or text:match("^%s*([%w_.:{}]+)%s*%?%s*$")
+  if word then return function() require "archard".help(word) end end
+  local line = text:match("^%s*!%s*(.+)$")
+  if line then
+    return function()
+      if not os.execute then error("programs of the system are not run in the sandbox", 0) end
+      os.execute(line)
+    end
+  end
+  if text:find("^%s*clear%s*$") and rawget(globals, "clear") == nil and term.is_terminal() then
+    return function() io.write("\27[H\27[2J") end
+  end
+end
+
 -- compile(text, name, line) -> function; or nil, message; or nil, nil where more lines are needed.
 function prompt.compile(text, name, line)
+  local short = short_command(text)
+  if short then return short end
   local expression = text:gsub("^%s*=", "")
   local chunk, as_expression = load_at("return " .. expression, name, line)
   if chunk then return load_at(handed_on("", expression), name, line) or chunk end

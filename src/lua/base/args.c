@@ -41,11 +41,11 @@ void args_unknown(lua_State *L, args_place place, const arc_setting *list, const
     error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (did you mean '%s'?)",
                 place.prefix, name, search.best);
   static const char *const of_model[] = {"radius", "thickness", "cylinder", "plate", "mesh", NULL};
-  for (int i = 0; of_model[i] && place.prefix[0] == '\0'; i++)
-    if (strcmp(name, of_model[i]) == 0)
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "unknown field '%s': it is a field of model{}, as in model = { %s = ... }", name,
-                  name);
+  for (int i = 0; of_model[i] && place.prefix[0] == '\0'; i++) names_offer(&search, of_model[i]);
+  if (search.best)
+    error_raise(L, ARC_ARGUMENT, place.where,
+                "unknown field '%s': it is a field of model{}, as in model = { %s = ... }", name,
+                search.best);
   error_raise(L, ARC_ARGUMENT, place.where, "unknown field '%s%s' (known: %s)", place.prefix, name,
               push_known(L, list));
 }

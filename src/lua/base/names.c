@@ -33,12 +33,33 @@ static int distance_of(const char *a, const char *b) {
   return cost[la][lb];
 }
 
+/* Symbols and terms of books and other programs. */
+static const char *meaning_of(const char *name) {
+  static const char *const pairs[][2] = {
+      {"mu", "friction"},      {"R", "radius"},     {"r", "radius"},
+      {"diameter", "radius"},  {"P", "load"},       {"F", "load"},
+      {"L", "load"},           {"force", "load"},   {"N", "cycles"},
+      {"Q", "tangential"},     {"v", "nu"},         {"poisson", "nu"},
+      {"young", "E"},          {"e", "E"},          {"s", "stroke"},
+      {"amplitude", "stroke"}, {"d", "distance"},   {"cores", "workers"},
+      {"threads", "workers"},  {"color", "colour"},
+  };
+  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+    if (strcmp(name, pairs[i][0]) == 0) return pairs[i][1];
+  return "";
+}
+
+/* One letter is no misspelling of another. */
 names_search names_begin(const char *name) {
   const size_t length = strlen(name);
-  return (names_search){name, NULL, length > LONGEST ? 0 : 1 + (int)length / 4};
+  return (names_search){name, NULL, length > LONGEST || length < 2 ? 0 : 1 + (int)length / 4};
 }
 
 void names_offer(names_search *search, const char *known) {
+  if (strcmp(known, meaning_of(search->name)) == 0) {
+    search->best = known;
+    search->limit = -1;
+  }
   int distance = distance_of(search->name, known);
   if (distance > search->limit) return;
   if (search->best && distance == search->limit && strcmp(known, search->best) >= 0) return;

@@ -6,7 +6,8 @@
 
 #include <lua.h>
 
-/* A search for the known name nearest to `name`. */
+/* A search for the known name that `name` means: the one of a symbol or a term of books (mu, R, Q),
+ * else the nearest. */
 typedef struct names_search {
   const char *name;
   const char *best; /* NULL where none is near; of those equally near the first by the alphabet */
