@@ -122,7 +122,7 @@ return {
   { "plot{error}", type = "list", text = "In a curve: half lengths of error bars in y." },
   { "plot{points}", type = "table { x=, y=, error=, title= }",
     text = "Measured points over the curves, as plot.points takes them." },
-  { "plot{title}", type = "string", text = "Title of the plot; in a curve, its name in the key." },
+  { "plot{title}", type = "string or false", text = "Title of the plot, false for none; in a curve, its name in the key." },
   { "plot{term}", values = require "archard.plot.draw".terms,
     text = "Where to draw. Where left out, the best the terminal can do: a picture where it answers "
       .. "that it shows kitty's or sixel, else curves in Braille dots where it has colours and UTF-8 "
@@ -149,8 +149,8 @@ return {
   { "plot{style}", values = require "archard.gnuplot".styles,
     default = '"lines"', text = "How curves are drawn; also of one curve." },
   { "plot{colour}", type = "string or boolean",
-    text = 'In a curve: "#rrggbb" or the name of a colour. Of the plot: true or false for colours '
-      .. "in the terminal." },
+    text = 'In a curve: "#rrggbb" or the name of a colour. Of the plot: "grey" or false for greys in files and '
+      .. "no colours in the terminal." },
   { "plot{series}", type = "whole number >= 1",
     text = "In a curve: which of the eight colours and marks; the next one where left out." },
   { "plot{dash}", type = "whole number >= 1",
@@ -174,15 +174,18 @@ return {
   { "plot.default", kind = "field", type = "table",
     text = "Options where a call does not give them: term, size (of pictures in the terminal and in "
       .. "windows), file_size (in pixels), colour, key. Any other is refused." },
-  { "plot.style", kind = "function", values = { "paper", "slides", "screen" },
+  { "plot.style", kind = "function", values = { "paper", "journal", "slides", "screen" },
     use = 'plot.style{ "paper", width="page" }',
     text = "Sizes of the figures in files from now on. paper: 85 mm wide (170 mm where panels stand "
-      .. "side by side), letters of 8 points, png with 600 pixels to an inch; slides: 254 mm, 20 points, 150; screen: in "
+      .. "side by side), letters of 8 points, png with 600 pixels to an inch; journal: the same without the titles that plots give "
+      .. "themselves; slides: 254 mm, 20 points, 150; screen: in "
       .. "pixels, as at the start. Returns what holds." },
   { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page" },
     text = "Width of the figure: of a column, of the page, or in mm." },
   { "plot.style{height}", type = "number in [15, 1000]", unit = "mm", text = "Height of the figure." },
   { "plot.style{font}", type = "string", text = "Name of the letters, such as Helvetica." },
+  { "plot.style{title}", type = "boolean", text = "Whether plots write titles of their own; title= of a call always stands." },
+  { "plot.style{colour}", type = "string or boolean", text = '"grey" or false: greys, lines told apart by dashes and marks.' },
   { "plot.style{points}", type = "number in [3, 72]", unit = "pt", text = "Size of the letters." },
   { "plot.style{lines}", type = "number in [0.1, 10]",
     text = "Width of lines and size of marks, relative to the screen's." },

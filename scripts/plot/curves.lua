@@ -294,7 +294,7 @@ function curves.history(...)
   local defaults = #panels == 1 and panels[1] or { panels = panels, layout = { #panels, 1 } }
   defaults.xlabel = against[abscissa] or abscissa
   defaults.title = title_of(history_name(objects[1], columns), objects, options)
-  draw.draw(where, draw.over(defaults, options))
+  draw.draw(where, draw.over(defaults, options, "stacked"))
 end
 
 curves.get, curves.summary, curves.quantity_of = get, naming.summary, quantity_of

@@ -9,6 +9,7 @@ local output = require "archard.plot.output"
 local csv = require "archard.plot.csv"
 local merged = require "archard.lib.merged"
 local strict = require "archard.strict"
+local style = require "archard.plot.style"
 
 local draw = {}
 
@@ -35,8 +36,9 @@ local places = check.kind("{ at = { numbers }, words = { strings } }, as many", 
   return type(v) == "table" and type(v.at) == "table" and type(v.words) == "table"
     and #v.at == #v.words and #v.at > 0
 end)
+local title = check.kind("a string, or false for none", function(v) return type(v) == "string" or v == false end)
 local panel_fields = {
-  title = check.text, xlabel = check.text, ylabel = check.text, xrange = check.range,
+  title = title, xlabel = check.text, ylabel = check.text, xrange = check.range,
   yrange = check.range, logx = check.flag, logy = check.flag, xdown = check.flag,
   ydown = check.flag, key = check.one_of(key_places, check.flag), style = check.one_of(styles),
   equal = check.flag, levels = check.count, vlabel = check.text, vrange = check.range,
@@ -44,7 +46,8 @@ local panel_fields = {
   yplaces = places,
 }
 local output_fields = {
-  term = check.one_of(terms), file = check.file, size = check.size, colour = check.flag,
+  term = check.one_of(terms), file = check.file, size = check.size,
+  colour = check.one_of({ "grey" }, check.flag),
 }
 local figure_fields = merged(panel_fields, output_fields,
   { panels = check.table, layout = check.grid, letters = check.flag })
@@ -58,8 +61,13 @@ function draw.options(where, options, own)
   return check.fields(where, options or {}, merged(figure_fields, own))
 end
 
+-- What holds of options that a picture's function made: `titled` by it, not by the call; `stacked`: panels that may
+-- as well stand side by side.
+local made = setmetatable({}, { __mode = "k" })
+
 -- A picture as its function means it, with the options of plot{} before what it says itself.
-function draw.over(defaults, options)
+function draw.over(defaults, options, nature)
+  made[defaults] = { titled = options.title == nil, stacked = nature == "stacked" and not options.layout }
   for name, value in pairs(options) do
     if figure_fields[name] then defaults[name] = value end
   end
@@ -69,7 +77,7 @@ end
 -- --- from options to a figure -------------------------------------------------------------------
 
 -- C strings end at a zero.
-local function words(text) return text and (text:gsub("%z", " ")) end
+local function words(text) return text and (text:gsub("%z", " ")) or nil end
 
 local function counted(list)
   local numbers = {}
@@ -194,13 +202,14 @@ end
 
 local function to_figure(where, given)
   check.fields(where, given, figure_fields)
+  local nature = made[given] or {}
   if not given.panels then
-    return { panels = { to_panel(where, given) } }
+    return { panels = { to_panel(where, given) }, titled = nature.titled }
   end
   if #given.panels == 0 then check.refuse(where, "panels", "a list of panels", given.panels) end
   local layout = given.layout or {}
   local figure = { title = words(given.title), rows = layout[1], columns = layout[2], panels = {},
-    one_key = given.key == nil }
+    one_key = given.key == nil, titled = nature.titled, stacked = nature.stacked }
   for number, panel in ipairs(given.panels) do
     if type(panel) ~= "table" then
       check.fail(where, ("panel %d: expected a table, got %s"):format(number,
@@ -239,10 +248,24 @@ local function on(figure, surface)
   return merged(figure, { panels = panels })
 end
 
+-- A figure as the style wants it in a file: without a title that nobody gave, with panels side by side.
+local function styled(figure)
+  local result = merged(figure)
+  if figure.stacked then result.rows, result.columns = style.grid(figure.rows, figure.columns) end
+  if not figure.titled or style.titled() then return result end
+  result.title = nil
+  if not figure.rows and #figure.panels == 1 then
+    local panel = merged(figure.panels[1])
+    panel.title, result.panels = nil, { panel }
+  end
+  return result
+end
+
 -- Draws a figure; returns the picture where it is one for the terminal.
 local function paint(where, figure, given, moving)
-  local to = output.choose(where, figure, given, moving)
-  local picture = run(where, gnuplot.draw, on(figure, output.surface(to)), to)
+  local shown = given.file and styled(figure) or figure
+  local to = output.choose(where, shown, given, moving)
+  local picture = run(where, gnuplot.draw, on(shown, output.surface(to)), to)
   last, last_given = figure, given
   return type(picture) == "string" and output.written(picture, to) or nil
 end
@@ -254,7 +277,7 @@ local function show(picture)
 end
 
 local default_fields = { term = check.one_of(terms), size = check.size, file_size = check.size,
-  colour = check.flag, key = check.one_of(key_places, check.flag) }
+  colour = output_fields.colour, key = check.one_of(key_places, check.flag) }
 local default_names = keys(default_fields)
 
 -- A name that is none is an error where it is written or read.
@@ -323,7 +346,7 @@ end
 
 -- Writes a figure to a file, and its data beside it.
 local function save(where, figure, file, options)
-  local given = { file = file, size = options.size, term = options.term }
+  local given = { file = file, size = options.size, term = options.term, colour = options.colour }
   paint(where, figure, given)
   files.write(where, file:gsub("%.[^./]*$", "") .. ".csv", csv(figure))
 end

@@ -36,10 +36,17 @@ local function text_size(figure)
   return width, math.max(height, rows > 1 and 12 * rows + 2 or 0)
 end
 
-local function to_text(figure, given, fine)
-  local width, height = text_size(figure)
+-- What a call says of colours, or plot.default: true, false for greys and plain characters, nil where neither does.
+local function colours_of(given)
   local colour = given.colour
   if colour == nil then colour = output.default.colour end
+  if colour == "grey" then return false end
+  return colour
+end
+
+local function to_text(figure, given, fine)
+  local width, height = text_size(figure)
+  local colour = colours_of(given)
   if colour == nil then colour = fine or term.colour() end
   return { medium = "text", width = width, height = height, colour = colour, fine = fine,
     ascii = not term.utf8() }
@@ -64,8 +71,7 @@ local function shows_dots() return term.utf8() and not os.getenv "XTERM_VERSION"
 -- What the terminal can do best: pixels where it answers so, else dots, where it has colours and
 -- UTF-8, else characters.
 local function best(figure, given, moving)
-  local colour = given.colour
-  if colour == nil then colour = output.default.colour end
+  local colour = colours_of(given)
   if colour == nil then colour = term.colour() end
   if not colour or not term.is_terminal() then return to_text(figure, given, false) end
   local pictures = not moving and term.pictures()
@@ -113,7 +119,14 @@ end
 
 -- --- which ---------------------------------------------------------------------------------------
 
-function output.choose(where, figure, given, moving)
+-- Pixels are grey where colours are refused; those of files where the style says so.
+local function is_grey(given)
+  local colour = colours_of(given)
+  if colour == nil and given.file then colour = style.colour() end
+  return colour == false or colour == "grey"
+end
+
+local function chosen(where, figure, given, moving)
   local kind = given.term
   if given.file then
     if kind and not file_kinds[kind] and kind ~= "dumb" then
@@ -137,6 +150,12 @@ function output.choose(where, figure, given, moving)
     to.width = math.floor(size[1] * (wide or 8 * columns) / columns)
     to.height = math.floor(size[2] * (high or 16 * lines) / lines)
   end
+  return to
+end
+
+function output.choose(where, figure, given, moving)
+  local to = chosen(where, figure, given, moving)
+  to.grey = is_grey(given)
   return to
 end
 

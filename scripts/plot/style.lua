@@ -14,10 +14,12 @@ local presets = {
   screen = { name = "screen" },
   paper = { name = "paper", column = 85, page = 170, points = 8, lines = 0.8, dpi = 600,
     shape = 0.72 },
+  journal = { name = "journal", column = 85, page = 170, points = 8, lines = 0.8, dpi = 600,
+    shape = 0.72, title = false },
   slides = { name = "slides", column = 254, page = 254, points = 20, lines = 1.8, dpi = 150,
     shape = 0.5625 },
 }
-style.names = { "paper", "slides", "screen" }
+style.names = { "paper", "journal", "slides", "screen" }
 
 local current = presets.screen
 
@@ -30,7 +32,7 @@ end
 local fields = {
   width = check.one_of({ "column", "page" }, of_numbers(20, 1000)), height = of_numbers(15, 1000),
   font = check.text, points = of_numbers(3, 72), dpi = of_numbers(30, 2400),
-  lines = of_numbers(0.1, 10),
+  lines = of_numbers(0.1, 10), title = check.flag, colour = check.one_of({ "grey" }, check.flag),
 }
 
 -- What a style may have: its options, and what a preset brings besides.
@@ -43,7 +45,7 @@ local function refuse_on_screen(given)
   for _, name in ipairs { "width", "height", "dpi" } do
     if given[name] ~= nil then
       check.fail("plot.style", ("field '%s': the screen's figures have their size in pixels, by size "
-        .. 'of the plot; give "paper" or "slides" for one in mm'):format(name))
+        .. 'of the plot; give "paper", "journal" or "slides" for one in mm'):format(name))
     end
   end
 end
@@ -57,7 +59,7 @@ function style.choose(given)
   end
   local name, options = given[1] == nil and current.name or given[1], {}
   if not presets[name] then
-    check.refuse("plot.style", "1", '"paper", "slides" or "screen"', name)
+    check.refuse("plot.style", "1", '"paper", "journal", "slides" or "screen"', name)
   end
   for key, value in pairs(given) do
     if key ~= 1 then options[key] = value end
@@ -76,12 +78,20 @@ local function width_of(columns)
   return current[width] or width
 end
 
--- One panel has the style's shape; panels in a grid are a little higher than wide, for their titles.
+local highest_panel, highest = 60, 240 -- mm: what a reader takes in at once; a page of a journal
+
+-- One panel has the style's shape; panels in a grid are a little lower than wide.
 local function height_of(width, rows, columns, size)
   if current.height then return current.height end
   if size then return width * size[2] / size[1] end
   if rows * columns == 1 then return width * current.shape end
-  return math.min(width * 1.4, width / columns * 0.85 * rows + 8)
+  return math.min(highest, width / columns * 0.85 * rows + 8, highest_panel * rows + 8)
+end
+
+-- Panels that a picture sets below each other stand side by side where they share a page: rows, columns.
+function style.grid(rows, columns)
+  if current.page and columns == 1 and rows <= 3 and current.width ~= "column" then return 1, rows end
+  return rows, columns
 end
 
 -- Units of an inch where there are no pixels: those of a browser; a thousandth, to round little.
@@ -100,7 +110,11 @@ function style.apply(output, rows, columns, size, ending)
   output.height = math.floor(height / 25.4 * dpi + 0.5)
 end
 
--- Whether pictures have a size of their own, in mm.
+-- Whether pictures have a size of their own, in mm; and titles that no call gives.
 function style.in_mm() return current.column ~= nil end
+function style.titled() return current.title ~= false end
+
+-- What a picture's colours are where no call says it: true, false or "grey"; nil where the style says nothing.
+function style.colour() return current.colour end
 
 return style

@@ -131,6 +131,7 @@ arc_status arc_canvas_choose(const arc_plot_figure *figure, const arc_plot_outpu
   canvas->colour = output->medium == ARC_PLOT_TEXT && output->colour;
   int eight_bit = found && strcmp(found->terminal, "x11") == 0; /* the letters of the X server */
   canvas->ascii = (canvas->text && output->ascii) || eight_bit;
+  canvas->grey = !canvas->text && output->grey;
   canvas->fine = canvas->colour && !canvas->ascii && output->fine;
   choose_size(figure, output, canvas);
   choose_letters(output, found, canvas);

@@ -10,6 +10,7 @@ typedef struct arc_canvas {
   const char *terminal; /* gnuplot's name; NULL: none is set (a script for the user) */
   int text;             /* non-zero: characters, else pixels */
   int ascii, colour;    /* of a text */
+  int grey;             /* of pixels: no colours */
   int window;           /* the user can zoom in it */
   int vector;           /* every polygon costs bytes in the file */
   int width, height;    /* characters or pixels */

@@ -11,6 +11,8 @@ enum { SERIES = 8, KEY_ENTRIES = 8 };
 /* Distinct also for eyes that see fewer colours; for characters the terminal's own six. */
 static const char *const pixel_colours[SERIES] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                   "#e69f00", "#56b4e9", "#000000", "#7f7f7f"};
+static const char *const grey_colours[SERIES] = {"#000000", "#808080", "#484848", "#a0a0a0",
+                                                 "#606060", "#b4b4b4", "#242424", "#909090"};
 static const char *const text_colours[SERIES] = {"red",  "green",  "blue", "magenta",
                                                  "cyan", "yellow", "red",  "green"};
 
@@ -25,7 +27,8 @@ void arc_look_series(arc_writer *w) {
     else if (!w->canvas->text)
       arc_text_format(
           w->out, "set linetype %d linecolor rgb '%s' linewidth 1.6 pointtype %d pointsize 0.7\n",
-          i + 1, pixel_colours[i], (int[]){7, 5, 9, 11, 13, 6, 4, 8}[i]);
+          i + 1, (w->canvas->grey ? grey_colours : pixel_colours)[i],
+          (int[]){7, 5, 9, 11, 13, 6, 4, 8}[i]);
 }
 
 void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after) {
@@ -232,6 +235,32 @@ static void style_words(arc_writer *w, const arc_plot_panel *panel, const arc_pl
   if (!w->canvas->text) arc_text_word(w->out, " fillstyle transparent solid 0.35 noborder");
 }
 
+/* gnuplot's own red, green and blue of a name or #rrggbb. */
+static unsigned rgb_of(const char *colour) {
+  static const struct {
+    const char *name;
+    unsigned rgb;
+  } names[] = {{"red", 0xff0000},     {"green", 0x00ff00},  {"blue", 0x0000ff},
+               {"magenta", 0xff00ff}, {"cyan", 0x00ffff},   {"yellow", 0xffff00},
+               {"white", 0xffffff},   {"grey", 0xbebebe},   {"orange", 0xffa500},
+               {"brown", 0xa52a2a},   {"purple", 0xc080ff}, {"violet", 0xee82ee},
+               {"pink", 0xffc0c0},    {"navy", 0x000080},   {"gold", 0xffd700}};
+  if (*colour == '#') return (unsigned)strtoul(colour + 1, NULL, 16);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (strcmp(names[i].name, colour) == 0) return names[i].rgb;
+  return 0; /* black */
+}
+
+/* Rec. 601: the luminance that printers take a colour to. */
+static void colour_words(arc_writer *w, const char *colour) {
+  unsigned rgb = rgb_of(colour);
+  unsigned y = (299 * (rgb >> 16) + 587 * (rgb >> 8 & 255) + 114 * (rgb & 255)) / 1000;
+  if (w->canvas->grey)
+    arc_text_format(w->out, " linecolor rgb '#%02x%02x%02x'", y, y, y);
+  else
+    arc_writer_words(w, " linecolor rgb ", colour, "");
+}
+
 static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve,
                  size_t position) {
   pen p = pen_of(w, curve, position);
@@ -240,7 +269,7 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
   if (is_scaled(w, curve))
     arc_text_format(w->out, " linecolor palette cb %.17g", curve->value);
   else if (curve->colour)
-    arc_writer_words(w, " linecolor rgb ", curve->colour, "");
+    colour_words(w, curve->colour);
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
   int chosen = curve->colour && curve->dash == 0; /* by a colour: the line stays full */
   if (p.dash > 1 && !chosen && curve->style != ARC_PLOT_POINTS && !w->canvas->text &&

@@ -190,14 +190,16 @@ static void ground_words(arc_writer *w, const arc_plot_panel *panel) {
 
 /* Colours for values of one sign, and others, with white at zero, for values of both. */
 static void colour_words(arc_writer *w, const arc_plot_panel *panel, const double range[2]) {
-  int lines = panel->field == NULL; /* the lightest colours of a field would be lost on white */
-  arc_text_word(w->out, !lines && range[0] < 0 && range[1] > 0
-                            ? "set palette defined (0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', "
-                              "3 '#f4a582', 4 '#b2182b')\n"
-                        : lines ? "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', "
-                                  "3 '#3fae5f', 4 '#c9a800')\n"
-                                : "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', "
-                                  "3 '#5ec962', 4 '#fde725')\n");
+  static const char *const palettes[][2] = {
+      /* values of one sign, of both, of curves: the lightest of a field would be lost on white */
+      {"0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725'",
+       "0 '#f7f7f7', 1 '#303030'"},
+      {"0 '#2166ac', 1 '#92c5de', 2 '#f7f7f7', 3 '#f4a582', 4 '#b2182b'",
+       "0 '#f7f7f7', 1 '#303030'"},
+      {"0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#3fae5f', 4 '#c9a800'",
+       "0 '#b0b0b0', 1 '#000000'"}};
+  int which = !panel->field ? 2 : range[0] < 0 && range[1] > 0;
+  arc_text_format(w->out, "set palette defined (%s)\n", palettes[which][w->canvas->grey]);
   arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
   arc_writer_label(w, "set cblabel ", panel->value.label ? panel->value.label : "",
                    " offset 1,0\n");

@@ -183,6 +183,7 @@ typedef struct arc_plot_output {
   int width, height;    /* characters for text, else pixels; 0: chosen by the figure */
   int colour;           /* text: non-zero writes ANSI colours */
   int ascii;            /* text: non-zero writes no character beyond ASCII */
+  int grey;             /* pixels: non-zero draws in greys, a colour by its luminance */
   int fine;             /* text with colour: curves in Braille dots, eight to a character */
   double dpi;           /* pixels of an inch, for files; 0: 100 */
   double points;        /* size of the letters [pt]; 0: the usual one */

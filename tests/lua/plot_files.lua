@@ -84,7 +84,7 @@ do
   plot.style "slides"
   plot { line, file = folder .. "/c.png" }
   ok(png_size("c.png") == 1500, "slides: 254 mm at 150 dpi")
-  refused(function() plot.style "poster" end, '"paper", "slides" or "screen"', "no such style")
+  refused(function() plot.style "poster" end, '"paper", "journal", "slides" or "screen"', "no such style")
   refused(function() plot.style { "paper", widht = 3 } end, "did you mean 'width'", "a wrong option")
   refused(function() plot.style { "paper", width = 5 } end, "a number in [20, 1000]", "5 mm")
   refused(function() plot.style { "screen", width = 85 } end, "size in pixels", "mm on the screen")

@@ -252,6 +252,7 @@ static arc_plot_output read_output(reader *r) {
   output.height = read_count(r, "height");
   output.colour = read_flag(r, "colour");
   output.ascii = read_flag(r, "ascii");
+  output.grey = read_flag(r, "grey");
   output.fine = read_flag(r, "fine");
   output.dpi = read_number(r, "dpi", 0);
   output.points = read_number(r, "points", 0);
