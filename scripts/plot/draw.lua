@@ -10,6 +10,7 @@ local csv = require "archard.plot.csv"
 local merged = require "archard.lib.merged"
 local strict = require "archard.strict"
 local style = require "archard.plot.style"
+local units = require "archard.plot.units"
 
 local draw = {}
 
@@ -62,12 +63,13 @@ function draw.options(where, options, own)
 end
 
 -- What holds of options that a picture's function made: `titled` by it, not by the call; `stacked`: panels that may
--- as well stand side by side.
+-- as well stand side by side; `x`, `y`: its axes, which are in the unit that suits them.
 local made = setmetatable({}, { __mode = "k" })
 
 -- A picture as its function means it, with the options of plot{} before what it says itself.
 function draw.over(defaults, options, nature)
-  made[defaults] = { titled = options.title == nil, stacked = nature == "stacked" and not options.layout }
+  made[defaults] = { titled = options.title == nil, stacked = nature == "stacked" and not options.layout,
+    x = options.xlabel == nil, y = options.ylabel == nil }
   for name, value in pairs(options) do
     if figure_fields[name] then defaults[name] = value end
   end
@@ -204,12 +206,12 @@ local function to_figure(where, given)
   check.fields(where, given, figure_fields)
   local nature = made[given] or {}
   if not given.panels then
-    return { panels = { to_panel(where, given) }, titled = nature.titled }
+    return { panels = { to_panel(where, given) }, nature = nature }
   end
   if #given.panels == 0 then check.refuse(where, "panels", "a list of panels", given.panels) end
   local layout = given.layout or {}
   local figure = { title = words(given.title), rows = layout[1], columns = layout[2], panels = {},
-    one_key = given.key == nil, titled = nature.titled, stacked = nature.stacked }
+    one_key = given.key == nil, nature = nature }
   for number, panel in ipairs(given.panels) do
     if type(panel) ~= "table" then
       check.fail(where, ("panel %d: expected a table, got %s"):format(number,
@@ -235,13 +237,33 @@ local function run(where, f, ...)
   return result
 end
 
--- A figure without the curves that are not for a surface.
+local fewest, few = 4, 30 -- points of a line that are marked, since what is between them is not known
+
+-- Whether a curve goes on from left to right through few points of what is shown.
+local function has_few_points(curve, axis)
+  local low, high = math.min(axis.min or -math.huge, axis.max or -math.huge), math.max(axis.max or math.huge, axis.min or math.huge)
+  local count = 0
+  for i, x in ipairs(curve.x) do
+    if i > 1 and not (x > curve.x[i - 1]) then return false end
+    if x >= low and x <= high then count = count + 1 end
+    if count > few then return false end
+  end
+  return count >= fewest
+end
+
+-- A figure as it is on a surface: units that suit it, no curves that are for another one, points where pixels show them.
 local function on(figure, surface)
   local panels = {}
+  for _, name in ipairs{ "x", "y" } do
+    if figure.nature[name] then figure = units.shown(figure, name) end
+  end
   for i, panel in ipairs(figure.panels) do
     local curves = {}
     for _, curve in ipairs(panel.curves) do
-      if curve.on == nil or curve.on == surface then curves[#curves + 1] = curve end
+      local marked = surface == "pixels" and not curve.style and not curve.error and has_few_points(curve, panel.x)
+      if curve.on == nil or curve.on == surface then
+        curves[#curves + 1] = marked and merged(curve, { style = "linespoints" }) or curve
+      end
     end
     panels[i] = merged(panel, { curves = curves })
   end
@@ -251,8 +273,8 @@ end
 -- A figure as the style wants it in a file: without a title that nobody gave, with panels side by side.
 local function styled(figure)
   local result = merged(figure)
-  if figure.stacked then result.rows, result.columns = style.grid(figure.rows, figure.columns) end
-  if not figure.titled or style.titled() then return result end
+  if figure.nature.stacked then result.rows, result.columns = style.grid(figure.rows, figure.columns) end
+  if not figure.nature.titled or style.titled() then return result end
   result.title = nil
   if not figure.rows and #figure.panels == 1 then
     local panel = merged(figure.panels[1])
@@ -318,7 +340,7 @@ function draw.points(where, given)
     check.fail(where, "expected a table { x=, y=, error= }, got " .. check.shown(given))
   end
   check.fields(where, given, merged(curve_fields, output_fields, { panel = check.count }))
-  local number, figure = given.panel or 1, last and merged(last) or { panels = { { x = {}, y = {},
+  local number, figure = given.panel or 1, last and merged(last) or { nature = {}, panels = { { x = {}, y = {},
     value = {}, key = "below", curves = {} } } }
   if not figure.panels[number] then
     check.fail(where, ("field 'panel': expected one of the %d panels of the last picture, got %d")

@@ -1,5 +1,5 @@
 -- plot: curves, and the pictures of contact and wear. Only gathers what users see; the work is in
--- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/naming.lua (titles and keys),
+-- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/units.lua, plot/naming.lua (titles and keys),
 -- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses), plot/map.lua (maps),
 -- plot/shear.lua, plot/loop.lua and plot/fretting_map.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies),
 -- plot/track.lua (gaits), plot/fit.lua and plot/animate.lua.

@@ -166,6 +166,7 @@ local function said(object, setting)
   local low, high = span_of(object, name)
   if none_at_zero[name] and get(object, "stroke") and (high or value) == 0 then return nil end
   if low then return (setting[2]:gsub("%%g", "%%s")):format(show_span(low, high)) end
+  if name == "cycle" and type(value) == "number" and value >= 100 then value = math.floor(value + 0.5) end
   local as_word = setting[2]:find("%s", 1, true)
   if type(value) == "number" then return setting[2]:format(as_word and ("%g"):format(value) or value) end
   return as_word and type(value) == "string" and setting[2]:format(value) or nil -- in a file anything may stand

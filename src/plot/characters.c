@@ -12,8 +12,11 @@
 
 #include "plot/figure.h"
 
-static const char point[] = "\342\227\217"; /* a filled circle */
-static const char dash[] = "\342\240\222";  /* two dots in the middle: a line in the key */
+/* Circle, square, triangle and diamond, filled and then open. */
+static const char marks[ARC_DOT_MARKS][4] = {"\342\227\217", "\342\226\240", "\342\226\262",
+                                             "\342\227\206", "\342\227\213", "\342\226\241",
+                                             "\342\226\263", "\342\227\207"};
+static const char dash[] = "\342\240\222"; /* two dots in the middle: a line in the key */
 
 enum { BLACK = 0, NO_COLOUR = -1, BYTES = 4 };
 
@@ -88,21 +91,28 @@ static const cell *dot_at(const screen *s, size_t row, size_t column) {
   return row < s->rows && column < s->columns ? &s->cells[row * s->columns + column] : &blank;
 }
 
+/* The mark that a character stands for, NULL: none. */
+static const char *mark_of(char c) {
+  return c >= ARC_DOT_MARK && c < ARC_DOT_MARK + ARC_DOT_MARKS ? marks[c - ARC_DOT_MARK] : NULL;
+}
+
 /* The eight dots of a character, in the colour most of them have; a mark takes its place whole. */
 static void set_dots(const screen *dots, size_t row, size_t column, cell *to) {
   static const int bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
-  int pattern = 0, mark = 0, count[9] = {0}, colour = NO_COLOUR;
+  const char *mark = NULL;
+  int pattern = 0, count[9] = {0}, colour = NO_COLOUR;
   for (size_t r = 0; r < 4; r++)
     for (size_t c = 0; c < 2; c++) {
       const cell *dot = dot_at(dots, 4 * row + r, 2 * column + c);
       if (!dot->length) continue;
       pattern |= bits[r][c];
-      int is_mark = *dot->bytes == ARC_DOT_MARK;
-      if (++count[dot->colour + 1] > count[colour + 1] || (is_mark && !mark)) colour = dot->colour;
-      mark |= is_mark;
+      const char *point = mark_of(*dot->bytes);
+      int more = ++count[dot->colour + 1] > count[colour + 1];
+      if ((more && !mark) || (point && !mark)) colour = dot->colour;
+      if (point && !mark) mark = point;
     }
   const char braille[] = {(char)0xe2, (char)(0xa0 | pattern >> 6), (char)(0x80 | (pattern & 0x3f))};
-  set_cell(to, mark ? point : braille, pattern ? 3 : 0, colour);
+  set_cell(to, mark ? mark : braille, pattern ? 3 : 0, colour);
 }
 
 /* A point on the frame is seen; of a line there the frame itself. */
@@ -111,7 +121,7 @@ static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size
   if (c->colour != NO_COLOUR || !strchr("|+-", *c->bytes)) return 0;
   for (size_t i = 0; i < 8; i++) {
     const cell *dot = dot_at(dots, 4 * row + i / 2, 2 * column + i % 2);
-    found |= dot->length && *dot->bytes == ARC_DOT_MARK;
+    found |= dot->length && mark_of(*dot->bytes) != NULL;
   }
   return found;
 }
@@ -120,8 +130,8 @@ static int is_point_on_frame(const screen *dots, const cell *c, size_t row, size
 static void lay_over(const screen *dots, size_t row, size_t column, cell *c) {
   if (!c->length || c->colour == BLACK || is_point_on_frame(dots, c, row, column))
     set_dots(dots, row, column, c);
-  else if (c->colour != NO_COLOUR && *c->bytes == ARC_DOT_MARK)
-    set_cell(c, point, 3, c->colour);
+  else if (c->colour != NO_COLOUR && mark_of(*c->bytes))
+    set_cell(c, mark_of(*c->bytes), 3, c->colour);
   else if (c->colour != NO_COLOUR && strchr("+-", *c->bytes))
     set_cell(c, dash, 3, c->colour);
 }
@@ -145,11 +155,11 @@ static void write_colour(writer *w, int colour) {
 }
 
 static void write_cell(writer *w, const cell *c) {
-  static const char marks[] =
+  static const char lines[] =
       "=*#&$%@="; /* black, red, green, yellow, blue, magenta, cyan, white */
   write_colour(w, c->colour);
   if (c->colour != NO_COLOUR && strchr("+-|", *c->bytes))
-    arc_text_add(w->out, &marks[c->colour], 1);
+    arc_text_add(w->out, &lines[c->colour], 1);
   else
     arc_text_add(w->out, c->bytes, (size_t)c->length);
 }

@@ -22,8 +22,9 @@ typedef struct arc_canvas {
   const char *family;   /* of the letters */
 } arc_canvas;
 
-/* The character of a point among those of lines, on a surface of dots. */
-enum { ARC_DOT_MARK = 'Q' };
+/* The characters of points among those of lines, on a surface of dots: one for each of the eight
+ * marks. */
+enum { ARC_DOT_MARK = 'J', ARC_DOT_MARKS = 8 };
 
 /* What a panel shows of the plane; may be turned round. */
 typedef struct arc_plot_box {
@@ -48,11 +49,15 @@ typedef struct arc_writer {
 
 /* The numbers of an axis. */
 typedef struct arc_ticks {
-  double step;    /* 0: gnuplot's choice */
-  int digits;     /* significant ones a label shows */
-  size_t longest; /* characters of the longest label */
-  int powers;     /* written as 7e-4 */
-  int decimals;   /* of the 7 */
+  double step;     /* 0: gnuplot's choice */
+  int digits;      /* significant ones a label shows */
+  size_t longest;  /* characters of the longest label */
+  int powers;      /* written as 7e-4 */
+  int decimals;    /* of the 7 */
+  int decades;     /* between labels of a logarithmic axis; 0: none, or gnuplot's choice */
+  int first, last; /* its decades, 10^first to 10^last */
+  int parts;       /* labelled besides the powers: 1 all multiples, 3 twice and five times */
+  int bare;        /* powers without the 7 */
 } arc_ticks;
 
 /* Ticks of an axis that shows from..to (in either order), at most about `most` of them; labels
@@ -102,12 +107,21 @@ int arc_look_scale(const arc_writer *w, const arc_plot_panel *panel, double rang
 /* Colour (from 1) by which a curve, the position-th of its panel, is drawn. */
 int arc_look_colour(const arc_writer *w, const arc_plot_curve *curve, size_t position);
 
+/* Whether a line of dots has marks upon it; panel NULL: of any. Their data, within the box, and the
+ * words of the plot command that draw them. */
+int arc_dot_marked(const arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve);
+void arc_dot_marks_block(arc_writer *w, size_t number, const arc_plot_box *box);
+void arc_dot_marks_words(arc_writer *w, size_t number);
+
 /* The settings, data and plot command of one panel. `framed`: the frame is imposed, else gnuplot
  * finds its own margins. */
 void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed);
 
 /* Characters of the longest number beside a panel whose frame is so many rows high. */
 size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double rows);
+
+/* Characters that stand beyond the right end of a frame so wide; 0: whatever gnuplot leaves. */
+double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns);
 
 /* Whether one key stands for all panels; the number of a title in it; the rows it takes. */
 int arc_look_one_key(const arc_writer *w);
@@ -133,6 +147,10 @@ void arc_data_curve(const arc_plot_panel *panel, const arc_plot_curve *curve, ar
 
 /* Smallest and largest of what a panel holds, its own ranges taking precedence. */
 arc_plot_box arc_plot_extent(const arc_plot_panel *panel);
+
+/* Moves ends of the axes so that curves are clear of the frame: a range's end along which a curve
+ * runs lies a little beyond it, open ends of logarithmic axes at 1, 2 or 5 times a power of ten. */
+void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel);
 
 /* Smallest and largest value of the field inside the box, or as the panel's value axis says. */
 void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]);

@@ -13,8 +13,8 @@ static const char *const pixel_colours[SERIES] = {"#0072b2", "#d55e00", "#009e73
                                                   "#e69f00", "#56b4e9", "#000000", "#7f7f7f"};
 static const char *const grey_colours[SERIES] = {"#000000", "#808080", "#484848", "#a0a0a0",
                                                  "#606060", "#b4b4b4", "#242424", "#909090"};
-static const char *const text_colours[SERIES] = {"red",  "green",  "blue", "magenta",
-                                                 "cyan", "yellow", "red",  "green"};
+static const char *const text_colours[SERIES] = {"blue",  "red",    "cyan", "magenta",
+                                                 "green", "yellow", "blue", "red"};
 
 /* As long as the eye keeps them apart without colours; the first is a full line. */
 static const char *const dashes[SERIES] = {"solid",  "(9,5)",         "(3,3)", "(9,4,2,4)",
@@ -283,12 +283,13 @@ static void title_words(arc_writer *w, const char *title) {
   arc_writer_label(w, "", title, "");
 }
 
-/* Points have one mark where the curves come as dots. */
-static void mark_words(arc_writer *w, const arc_plot_curve *curve) {
+/* Points have the mark of their colour where the curves come as dots. */
+static void mark_words(arc_writer *w, const arc_plot_curve *curve, size_t position) {
   int marked = curve->error || curve->style == ARC_PLOT_POINTS;
   if (w->canvas->text && (w->canvas->dots || w->canvas->fine) &&
       (marked || curve->style == ARC_PLOT_LINESPOINTS))
-    arc_text_format(w->out, " pointtype '%c'", ARC_DOT_MARK);
+    arc_text_format(w->out, " pointtype '%c'",
+                    ARC_DOT_MARK + pen_of(w, curve, position).series - 1);
 }
 
 /* Where the curves come as dots: black holds their place, and the key has their colours. */
@@ -298,10 +299,11 @@ static void place_holder(arc_writer *w, const arc_plot_panel *panel, size_t posi
   arc_text_word(w->out, " linecolor rgb 'black' notitle");
   if (!in_key(w, panel, position)) return;
   if (sample.error) sample.style = ARC_PLOT_POINTS;
+  if (arc_dot_marked(w, panel, &sample)) sample.style = ARC_PLOT_LINESPOINTS;
   sample.error = NULL;
   arc_text_word(w->out, ", NaN");
   look(w, panel, &sample, position);
-  mark_words(w, &sample);
+  mark_words(w, &sample, position);
   title_words(w, sample.title);
 }
 
@@ -312,7 +314,7 @@ void arc_look_curve(arc_writer *w, const arc_plot_panel *panel, size_t position)
     return;
   }
   look(w, panel, curve, position);
-  mark_words(w, curve);
+  mark_words(w, curve, position);
   title_words(w, in_key(w, panel, position) ? curve->title : "");
 }
 
@@ -346,7 +348,9 @@ void arc_look_draw_key(arc_writer *w) {
     arc_plot_curve sample = curve ? *curve : (arc_plot_curve){.title = NULL};
     sample.error = NULL; /* NaN has no bars */
     if (curve && curve->error) sample.style = ARC_PLOT_POINTS;
+    if (curve && arc_dot_marked(w, NULL, curve)) sample.style = ARC_PLOT_LINESPOINTS;
     look(w, NULL, &sample, position);
+    mark_words(w, &sample, position);
     title_words(w, w->titles[i]);
   }
   arc_text_word(w->out, "\n");

@@ -12,9 +12,22 @@ static int is_letter(unsigned char c) {
   return isalpha(c) || c >= 0x80;
 }
 
+/* Bytes of the accents that end at `at`, U+0300 to U+036F, which belong to the letter before them.
+ */
+static size_t accents_before(const char *words, const char *at) {
+  size_t length = 0;
+  while (at - length >= words + 2) {
+    unsigned char first = (unsigned char)at[-(long)length - 2],
+                  second = (unsigned char)at[-(long)length - 1];
+    if (first != 0xcc && !(first == 0xcd && second < 0xb0)) break;
+    length += 2;
+  }
+  return length;
+}
+
 /* Bytes of the character that ends at `at`; it must begin a word. 0: none that can bear a mark. */
 static size_t symbol_before(const char *words, const char *at) {
-  size_t length = 1;
+  size_t length = 1 + accents_before(words, at);
   while (at - length > words && ((unsigned char)at[-(long)length] & 0xc0) == 0x80) length++;
   if ((size_t)(at - words) < length || !is_letter((unsigned char)at[-(long)length])) return 0;
   const char *before = at - length;

@@ -118,19 +118,42 @@ static void frame_words(arc_writer *w, const arc_plot_frame *frame) {
                   frame->top);
 }
 
+static void tic_format(arc_writer *w, const char *axis, const arc_ticks *ticks) {
+  const char *power = w->canvas->text ? "e%T" : "10^{%T}",
+             *times = w->canvas->text ? "" : "\303\227";
+  if (ticks->bare)
+    arc_text_format(w->out, "set format %s '%s%s'\n", axis, w->canvas->text ? "1" : "", power);
+  else if (ticks->powers)
+    arc_text_format(w->out, "set format %s '%%.%dt%s%s'\n", axis, ticks->decimals, times, power);
+  else
+    arc_text_format(w->out, "set format %s '%%.%dg'\n", axis, ticks->digits);
+}
+
+static void log_places(arc_writer *w, const char *axis, const arc_ticks *ticks) {
+  arc_text_format(w->out, "set %stics (", axis);
+  for (int power = ticks->first; power <= ticks->last; power++)
+    for (int part = 1; part < (ticks->decades == 1 ? 10 : 2); part++) {
+      int shown = part == 1 ? (power - ticks->first) % ticks->decades == 0
+                            : ticks->parts == 1 || (ticks->parts == 3 && part % 3 == 2 && part < 8);
+      arc_text_format(w->out, "%s%s%de%d%s", power == ticks->first && part == 1 ? "" : ", ",
+                      shown ? "" : "'' ", part, power, shown ? "" : " 1");
+    }
+  arc_text_word(w->out, ") enhanced\n");
+}
+
 /* Numbers need room: gnuplot writes them over each other. In a window it chooses anew when the user
  * zooms. */
 static void tic_words(arc_writer *w, const char *axis, arc_ticks ticks) {
-  const char *times = w->canvas->text ? "e%T" : "\303\22710^{%T}";
-  if (ticks.powers)
-    arc_text_format(w->out, "set format %s '%%.%dt%s'\n", axis, ticks.decimals, times);
-  else
-    arc_text_format(w->out, "set format %s '%%.%dg'\n", axis, ticks.digits);
+  tic_format(w, axis, &ticks);
+  if (ticks.decades && !w->canvas->window) {
+    log_places(w, axis, &ticks);
+    return;
+  }
   if (ticks.step == 0 || w->canvas->window)
     arc_text_format(w->out, "set %stics autofreq enhanced\n", axis);
   else
     arc_text_format(w->out, "set %stics %.17g enhanced\n", axis, ticks.step);
-  if (ticks.powers) arc_text_format(w->out, "set %stics add ('0' 0)\n", axis);
+  if (ticks.powers && !ticks.bare) arc_text_format(w->out, "set %stics add ('0' 0)\n", axis);
 }
 
 /* Words at places of an axis. */
@@ -176,6 +199,23 @@ size_t arc_panel_label(const arc_writer *w, const arc_plot_panel *panel, double 
                   ? longest
                   : arc_text_characters(panel->y.words[i]);
   return longest;
+}
+
+/* The last number along x stands half beyond the frame. */
+static double half_number(const arc_writer *w, const arc_plot_panel *panel, double columns) {
+  arc_plot_box box = arc_plot_extent(panel);
+  arc_ticks ticks = ticks_of_x(w, panel, &box, columns);
+  size_t last = panel->x.places && panel->x.place_count
+                    ? arc_text_characters(panel->x.words[panel->x.place_count - 1])
+                    : ticks.longest;
+  return 0.55 * (double)last + 0.8;
+}
+
+double arc_panel_right(const arc_writer *w, const arc_plot_panel *panel, double columns) {
+  double range[2];
+  int free = panel->field || arc_look_scale(w, panel, range); /* the scale stands there */
+  if (w->canvas->text || free || panel->key == ARC_PLOT_KEY_RIGHT) return 0;
+  return fmax(arc_labels_room(panel), half_number(w, panel, columns));
 }
 
 /* A grid would lie over a field; characters have neither choice. */
@@ -326,6 +366,7 @@ static void plot_command(arc_writer *w, size_t number, const grid *g, const arc_
                     panel->curves[i].error ? ":3" : "");
     arc_look_curve(w, panel, i);
   }
+  arc_dot_marks_words(w, number);
   arc_text_word(w->out, "\n");
 }
 
@@ -376,8 +417,8 @@ static void margins(arc_writer *w, const arc_plot_panel *panel, const arc_plot_f
     arc_text_format(w->out, "set tmargin %d\n",
                     1 + arc_title_lines(panel->title, arc_panel_columns(w)) +
                         (panel->y.label != NULL));
-  else if (arc_labels_room(panel) > 0)
-    arc_text_format(w->out, "set rmargin %g\n", arc_labels_room(panel));
+  else if (arc_panel_right(w, panel, frame->columns) > 0)
+    arc_text_format(w->out, "set rmargin %g\n", arc_panel_right(w, panel, frame->columns));
 }
 
 void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, int framed) {
@@ -393,6 +434,8 @@ void arc_panel_write(arc_writer *w, size_t number, const arc_plot_frame *frame, 
   if (g.values && !w->canvas->text) image_block(w, number, &g);
   curve_blocks(w, number);
   size_t contours = contour_block(w, number, &box, range);
+  arc_plot_box seen = to_ticks(w, panel, frame->rows);
+  arc_dot_marks_block(w, number, &seen);
   margins(w, panel, frame, framed);
   settings(w, panel, &box, frame, framed, range);
   if (w->canvas->dots) hide_words(w, panel);

@@ -23,7 +23,8 @@ static double longest_title(const arc_plot_panel *panel) {
   return (double)longest;
 }
 
-static room room_around(const arc_writer *w, double columns) {
+/* `columns`: of a line of a panel's title; `wide`: of a panel with all around it. */
+static room room_around(const arc_writer *w, double columns, double wide) {
   const arc_plot_figure *figure = w->figure;
   int text = w->canvas->text;
   room r = {text ? 8 : 7.5, text ? 2 : 2.5, 0.7, 2};
@@ -34,7 +35,7 @@ static room room_around(const arc_writer *w, double columns) {
     double range[2];
     if (panel->field) r.right = text ? 25 : 13;
     if (arc_look_scale(w, panel, range)) r.right = 13;
-    if (!text) r.right = fmax(r.right, arc_labels_room(panel));
+    r.right = fmax(r.right, arc_panel_right(w, panel, wide));
     if (panel->key == ARC_PLOT_KEY_RIGHT) r.right = fmax(r.right, longest_title(panel) + 9);
     if (panel->x.label) r.bottom = text ? 3 : 3.2;
     r.top = fmax(r.top, text ? titled + labelled + 1 : titled ? 1.5 + titled : 0.7);
@@ -72,7 +73,7 @@ static arc_plot_frame frame_of(const arc_writer *w, size_t number) {
   if (above > 0 && !w->canvas->text) above += 0.6;
   double below = arc_look_key_rows(w) + (arc_look_one_key(w) && !w->canvas->text ? 0.6 : 0);
   double wide = w->canvas->columns / columns;
-  room r = room_around(w, arc_panel_columns(w));
+  room r = room_around(w, arc_panel_columns(w), wide);
   double high = (w->canvas->rows - above - below) / rows;
   double left = wide * (double)(number % (size_t)columns);
   r.left = left_of_frames(w, r.left, high - r.top - r.bottom - own_keys(w));
@@ -109,19 +110,12 @@ static void several_panels(arc_writer *w) {
   arc_text_word(w->out, "unset multiplot\n");
 }
 
-/* The figure's title is the panel's where there is one panel without a title. */
 static void one_panel(arc_writer *w) {
-  arc_plot_panel panel = w->figure->panels[0];
-  arc_plot_figure figure = *w->figure;
-  if (!panel.title) panel.title = figure.title;
-  figure.panels = &panel;
-  arc_writer inner = *w;
-  inner.figure = &figure;
-  arc_plot_frame frame = frame_of(&inner, 0);
-  arc_panel_write(&inner, 0, &frame, 0);
+  arc_plot_frame frame = frame_of(w, 0);
+  arc_panel_write(w, 0, &frame, 0);
 }
 
-static void write_figure(const arc_plot_figure *figure, const arc_canvas *canvas,
+static void write_panels(const arc_plot_figure *figure, const arc_canvas *canvas,
                          arc_text *script) {
   arc_writer w = {figure, canvas, script, NULL, 0};
   arc_look_collect(&w);
@@ -133,6 +127,25 @@ static void write_figure(const arc_plot_figure *figure, const arc_canvas *canvas
       several_panels(&w);
   }
   free(w.titles);
+}
+
+static void write_figure(const arc_plot_figure *figure, const arc_canvas *canvas,
+                         arc_text *script) {
+  arc_plot_figure shown = *figure;
+  arc_plot_panel *panels = calloc(figure->panel_count, sizeof *panels);
+  if (!panels) {
+    script->failed = 1;
+    return;
+  }
+  for (size_t i = 0; i < figure->panel_count; i++) {
+    panels[i] = figure->panels[i];
+    arc_plot_clear(canvas, &panels[i]);
+  }
+  /* the figure's title is the panel's where there is one panel without a title */
+  if (figure->panel_count == 1 && !panels->title) panels->title = figure->title;
+  shown.panels = panels;
+  write_panels(&shown, canvas, script);
+  free(panels);
 }
 
 /* gnuplot reads numbers with a point, whatever the user's country writes. */

@@ -77,25 +77,43 @@ static arc_ticks with_step(double low, double high, double step) {
   return ticks;
 }
 
-/* Decades, and ranges that are not known: gnuplot's choice. */
-static int is_free(const arc_plot_axis *axis, double span) {
-  return axis->log || !isfinite(span) || span == 0;
+/* Ranges that are not known: gnuplot's choice. */
+static int is_free(double span) {
+  return !isfinite(span) || span == 0;
 }
 
-static arc_ticks free_ticks(const arc_plot_axis *axis) {
+/* Where decades are few their halves and fifths are shown as well. One form for all: 0.0001 beside
+ * 1e-05 would be two. */
+static arc_ticks log_ticks(double low, double high, double most) {
+  int first = (int)floor(log10(low) + 1e-9), last = (int)ceil(log10(high) - 1e-9);
+  arc_ticks ticks = {.digits = DIGITS,
+                     .decades = (int)ceil((last - first + 1) / fmax(2, most)),
+                     .first = first,
+                     .last = last};
+  if (last - first <= 2 && 3 * (last - first) <= most + 2) ticks.parts = high > 5.1 * low ? 3 : 1;
+  ticks.powers = first < -2 || last > 4;
+  ticks.bare = ticks.powers && !ticks.parts;
+  int digits = last > -first ? last + 1 : 2 - first,
+      signs = (first < 0) + (abs(first) > 9 || abs(last) > 9);
+  ticks.longest = (size_t)(!ticks.powers ? digits : ticks.bare ? 3 + signs : 4 + signs);
+  return ticks;
+}
+
+static arc_ticks free_ticks(const arc_plot_axis *axis, double low, double high, double most) {
+  if (axis->log && low > 0 && isfinite(high)) return log_ticks(low, high, most);
   return (arc_ticks){.digits = DIGITS, .longest = axis->log ? 6 : 5};
 }
 
 arc_ticks arc_ticks_up(const arc_plot_axis *axis, double from, double to, double most) {
   double low = fmin(from, to), high = fmax(from, to);
-  if (is_free(axis, high - low)) return free_ticks(axis);
+  if (axis->log || is_free(high - low)) return free_ticks(axis, low, high, most);
   return with_step(low, high, round_step(high - low, most));
 }
 
 arc_ticks arc_ticks_across(const arc_plot_axis *axis, double from, double to, double most,
                            double columns) {
   double low = fmin(from, to), high = fmax(from, to), span = high - low;
-  if (is_free(axis, span)) return free_ticks(axis);
+  if (axis->log || is_free(span)) return free_ticks(axis, low, high, most);
   arc_ticks ticks = with_step(low, high, round_step(span, most));
   while (((double)ticks.longest + 2) * span > columns * ticks.step && ticks.step < span / 2)
     ticks = with_step(low, high, round_step(3 * ticks.step, 2));

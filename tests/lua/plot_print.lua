@@ -77,4 +77,69 @@ do
   refused(function() plot { line, colour = "gray" } end, "grey", "a word that is none")
 end
 
+-- --- axes ----------------------------------------------------------------------------------------
+
+local function drawn(options)
+  return script_of(function(file)
+    options.file = file
+    plot(options)
+  end)
+end
+
+do
+  local script = drawn { { x = { 1e-9, 1e-7, 1e-5 }, y = { 3, 4, 40 } }, logx = true, logy = true }
+  has(script, "set format x '10^{%T}'", "one form for all numbers of a logarithmic axis")
+  has(script, "set format y '%.6g'", "plain ones where all are short")
+  local low, high = script:match "set yrange %[(%S+):(%S+)%]"
+  ok(math.abs(low / 2 - 1) < 1e-6 and math.abs(high / 50 - 1) < 1e-6, "open ends at 1, 2 or 5 times a power of ten")
+  has(script, "5e1", "where decades are few, their halves are shown")
+  script = drawn { { x = { 1, 2, 3, 4 }, y = { 0, 0, 5, 0 } }, yrange = { 0 } }
+  low = script:match "set yrange %[(%S+):"
+  ok(tonumber(low) < 0 and tonumber(low) > -0.5, "a line along an end of the range is seen whole")
+  low = drawn({ { x = { 1, 2, 3, 4 }, y = { 0, 1, 5, 0 } }, yrange = { 0 } }):match "set yrange %[(%S+):"
+  ok(tonumber(low) == 0, "an end that is only touched stays")
+  local top, bottom = drawn({ { x = { 1, 2, 3 }, y = { 0, 4, 0.5 } }, ydown = true, yrange = { 0 } })
+    :match "set yrange %[(%S+):(%S+)%] noreverse"
+  ok(tonumber(top) > 4 and tonumber(bottom) == 0, "a groove does not end on the frame")
+  local margin = drawn({ { x = { 0, 2.5e7 }, y = { 0, 1 } } }):match "set rmargin (%S+)"
+  ok(tonumber(margin) > 3, "half of the last number fits beside the frame")
+  has(drawn { line, ylabel = "α̃_x" }, 'set ylabel "α̃_{x}"', "a letter with an accent bears an index")
+end
+
+-- --- units ---------------------------------------------------------------------------------------
+
+do
+  local function history(distances, depths, options)
+    local far = pictures.stand_in {}
+    local columns = { distance = distances, depth_plate = depths }
+    local long = setmetatable({}, { __index = function(_, name) return name == "history" and columns or far[name] end })
+    return script_of(function(file)
+      options.file = file
+      plot.history(long, "depth_plate", options)
+    end)
+  end
+  local script = history({ 0, 1e6, 2e6 }, { 0, 1e-5, 2e-5 }, {})
+  has(script, 'set xlabel "distance / m"', "distances in m")
+  has(script, 'set ylabel "wear depth / nm"', "depths in nm")
+  has(script, "\n1000 10\n2000 20\n", "and so are the numbers")
+  has(history({ 0, 1e7, 2.5e7 }, { 0, 1e-3, 2e-3 }, {}), 'set xlabel "distance / km"', "in km")
+  script = history({ 0, 1e6, 2e6 }, { 0, 1e-3, 2e-3 }, { xlabel = "distance / mm" })
+  has(script, "\n1000000 1\n", "a label that is given is true to its numbers")
+  plot.history(run, "depth_plate", { file = folder .. "/p.gp" })
+  has(script_of(function(file) plot.points { x = { 10 }, y = { 1 }, file = file } end), "\n10 1\n",
+    "points that come later are in mm and µm")
+end
+
+-- --- marks ---------------------------------------------------------------------------------------
+
+do
+  local many = { x = {}, y = {} }
+  for i = 1, 100 do many.x[i], many.y[i] = i, i * i end
+  has(drawn { line }, "with linespoints", "few points of a line are marked")
+  has(drawn { many }, "with lines ", "many are not")
+  has(drawn { many, xrange = { 1, 10 } }, "with linespoints", "it counts what is shown")
+  has(drawn { { x = line.x, y = line.y, style = "lines" } }, "with lines ", 'nor where style = "lines"')
+  lacks(drawn { { x = { 0, 1, 1, 0, 0 }, y = { 0, 0, 1, 1, 0 } } }, "linespoints", "nor corners of an outline")
+end
+
 pictures.remove()

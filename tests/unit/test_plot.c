@@ -202,13 +202,36 @@ static void test_text_colour(void **state) {
   char *picture;
   output.colour = 1;
   assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
-  assert_non_null(strstr(picture, "\033[1;32m#")); /* the second curve's colour and mark */
+  assert_non_null(strstr(picture, "\033[1;31m*")); /* the second curve's colour and mark */
   for (char *line = picture; *line; line = strchr(line, '\n') + 1) { /* each line ends uncoloured */
     size_t length = strcspn(line, "\n");
     char *last = NULL;
     for (char *at = line; (at = strchr(at, '\033')) && at < line + length; at++) last = at;
     if (last) assert_memory_equal(last, "\033[0m", 4);
   }
+  free(picture);
+}
+
+/* Lines of dots differ without their colours: each has marks, and the key shows them. */
+static void test_dot_marks(void **state) {
+  arc_plot_curve c[2] = {curve("one"), curve("two")};
+  arc_plot_panel panel = panel_of(c, 2);
+  arc_plot_figure figure = {.panels = &panel, .panel_count = 1};
+  arc_plot_output output = as_text;
+  static const char *const marks[] = {"\342\227\217", "\342\226\240"}; /* circle, square */
+  char *picture;
+  output.colour = output.fine = 1;
+  assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
+  for (int i = 0; i < 2; i++) {
+    int count = 0;
+    for (char *at = picture; (at = strstr(at, marks[i])); at++) count++;
+    assert_in_range(count, 4,
+                    6); /* five upon the curve, where none hides another, and one in the key */
+  }
+  free(picture);
+  figure.panels = &panel, panel.curve_count = 1;
+  assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
+  assert_null(strstr(picture, marks[0])); /* one alone needs none */
   free(picture);
 }
 
@@ -434,6 +457,7 @@ int main(void) {
       cmocka_unit_test(test_strange_file_names),
       cmocka_unit_test(test_text_picture),
       cmocka_unit_test(test_text_colour),
+      cmocka_unit_test(test_dot_marks),
       cmocka_unit_test(test_ascii),
       cmocka_unit_test(test_files),
       cmocka_unit_test(test_file_whole_or_not),

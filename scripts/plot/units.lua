@@ -1,0 +1,84 @@
+-- Lengths along the axes of pictures in the unit that their size asks for: distances in m or km, depths in nm. The figure
+-- keeps its own numbers, so that points that come later are in those. Leans on nothing but the form of a figure.
+
+local merged = require "archard.lib.merged"
+
+local units = {}
+
+-- Labels of axes that may be shown in another unit; a mm in them, and the length [mm] up to which each is used.
+local lengths = { distance = true, ["wear depth"] = true, ["sum of wear depths"] = true, slip = true }
+local known = { { "nm", 1e6, 1e-4 }, { "µm", 1e3, 1 }, { "mm", 1, 1e4 }, { "m", 1e-3, 1e7 }, { "km", 1e-6, math.huge } }
+
+local function in_mm(unit)
+  for _, each in ipairs(known) do
+    if each[1] == unit then return 1 / each[2] end
+  end
+end
+
+-- What an axis shows and a mm of its unit; nil: no length of these.
+local function length_of(axis)
+  local what, unit = (axis.label or ""):match "^(.-) / (%S+)$"
+  if lengths[what] and in_mm(unit) then return what, in_mm(unit) end
+end
+
+-- The largest number that an axis shows.
+local function reach_of(panel, name)
+  local most, axis = 0, panel[name]
+  for _, curve in ipairs(panel.curves) do
+    for _, value in ipairs(curve[name]) do
+      if value == value and math.abs(value) < math.huge then most = math.max(most, math.abs(value)) end
+    end
+  end
+  if axis.min and axis.max then most = math.max(math.abs(axis.min), math.abs(axis.max)) end
+  return most
+end
+
+-- The largest lengths [mm] of a figure's axes, by what they show: panels of one kind have one unit.
+local function reaches_of(figure, name)
+  local reaches = {}
+  for _, panel in ipairs(figure.panels) do
+    local what, mm = length_of(panel[name])
+    if what then reaches[what] = math.max(reaches[what] or 0, mm * reach_of(panel, name)) end
+  end
+  return reaches
+end
+
+local function unit_for(reach)
+  for _, each in ipairs(known) do
+    if reach < each[3] then return each[1], each[2] end
+  end
+end
+
+local function scaled(list, factor)
+  local result = {}
+  for i = 1, #list do result[i] = factor * list[i] end
+  return result
+end
+
+-- The panel with one of its axes in another unit.
+local function in_unit(panel, name, label, factor)
+  local axis, curves = merged(panel[name]), {}
+  axis.label = label
+  axis.min, axis.max = axis.min and factor * axis.min, axis.max and factor * axis.max
+  for i, curve in ipairs(panel.curves) do
+    curves[i] = merged(curve, { [name] = scaled(curve[name], factor) })
+    if name == "y" and curve.error then curves[i].error = scaled(curve.error, factor) end
+  end
+  return merged(panel, { [name] = axis, curves = curves })
+end
+
+-- The figure with lengths along its axis `name` ("x" or "y") in the unit that suits them.
+function units.shown(figure, name)
+  local reaches, result = reaches_of(figure, name), merged(figure)
+  result.panels = {}
+  for i, panel in ipairs(figure.panels) do
+    local what, mm = length_of(panel[name])
+    local fits = what and reaches[what] > 0 and not panel[name].log
+    local unit, per_mm = unit_for(fits and reaches[what] or 0)
+    local factor = fits and mm * per_mm or 1
+    result.panels[i] = math.abs(factor - 1) < 1e-9 and panel or in_unit(panel, name, ("%s / %s"):format(what, unit), factor)
+  end
+  return result
+end
+
+return units

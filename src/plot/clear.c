@@ -1,0 +1,87 @@
+/* Ends of axes that leave curves clear of the frame. Leans on figure.c for the extent of a panel.
+ *
+ * gnuplot cuts a line that runs along an end of the range in half, ends a reversed axis on the last
+ * point, and takes logarithmic axes to the next decade.
+ */
+#include <math.h>
+
+#include "plot/figure.h"
+
+static const double BEYOND = 0.025, MARGIN = 0.04; /* of the range */
+
+/* --- logarithmic ------------------------------------------------------------------------------ */
+
+/* Of 1, 2 and 5 times the powers of ten the greatest that is not above the value. */
+static double step_below(double value) {
+  double power = pow(10, floor(log10(value) + 1e-9)), share = value / power * (1 + 1e-9);
+  return power * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
+}
+
+static double step_above(double value) {
+  double below = step_below(value), power = pow(10, floor(log10(below) + 1e-9));
+  if (below >= value * (1 - 1e-9)) return below;
+  return below / power < 1.5 ? 2 * power : below / power < 3 ? 5 * power : 10 * power;
+}
+
+/* Smallest and largest positive number of the curves along x (along = 0) or y. */
+static void positive_reach(const arc_plot_panel *panel, int along, double *low, double *high) {
+  *low = INFINITY, *high = 0;
+  for (size_t i = 0; i < panel->curve_count; i++)
+    for (size_t j = 0; j < panel->curves[i].count; j++) {
+      double value = along ? panel->curves[i].y[j] : panel->curves[i].x[j];
+      if (!(value > 0) || !isfinite(value)) continue;
+      *low = fmin(*low, value), *high = fmax(*high, value);
+    }
+}
+
+static void clear_log(const arc_plot_panel *panel, int along, arc_plot_axis *axis) {
+  double low, high;
+  positive_reach(panel, along, &low, &high);
+  if (!(low <= high) || (!isnan(axis->min) && !isnan(axis->max))) return;
+  double from = step_below(low), to = step_above(high);
+  if (from == to) from = step_below(0.9 * low), to = step_above(1.1 * high);
+  double bottom = axis->min,
+         top = axis->max; /* numbers at open ends are within them for gnuplot, too */
+  if (isnan(bottom)) bottom = (isnan(top) || from < top ? from : top / 10) * (1 - 1e-9);
+  if (isnan(top)) top = (to > bottom ? to : 10 * bottom) * (1 + 1e-9);
+  axis->min = axis->reverse ? top : bottom;
+  axis->max = axis->reverse ? bottom : top;
+}
+
+/* --- linear ----------------------------------------------------------------------------------- */
+
+/* Whether a curve runs along a height: two points one after the other. */
+static int runs_along(const arc_plot_panel *panel, double height, double span) {
+  for (size_t i = 0; i < panel->curve_count; i++) {
+    const arc_plot_curve *curve = &panel->curves[i];
+    if (curve->style == ARC_PLOT_FILLED || curve->style == ARC_PLOT_POINTS) continue;
+    for (size_t j = 1; j < curve->count; j++)
+      if (fabs(curve->y[j] - height) <= 1e-3 * span &&
+          fabs(curve->y[j - 1] - height) <= 1e-3 * span)
+        return 1;
+  }
+  return 0;
+}
+
+static void clear_linear(const arc_plot_panel *panel, arc_plot_axis *y) {
+  arc_plot_box box = arc_plot_extent(panel);
+  double span = box.y1 - box.y0;
+  if (!(fabs(span) > 0) || !isfinite(span)) return;
+  if (!isnan(y->min) && runs_along(panel, y->min, fabs(span))) y->min -= BEYOND * span;
+  if (!isnan(y->max) && runs_along(panel, y->max, fabs(span))) y->max += BEYOND * span;
+  if (y->reverse && isnan(y->max)) y->max = box.y1 + MARGIN * span;
+  if (y->reverse && isnan(y->min)) y->min = box.y0 - MARGIN * span;
+  if (!y->reverse) return;
+  double low = y->min;
+  y->min = y->max, y->max = low; /* both ends are given: from the lower end to the upper one */
+  y->reverse = 0;
+}
+
+void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel) {
+  if (panel->field) return;
+  if (panel->x.log) clear_log(panel, 0, &panel->x);
+  if (panel->y.log)
+    clear_log(panel, 1, &panel->y);
+  else if (!canvas->text && !panel->equal && !panel->y.places)
+    clear_linear(panel, &panel->y);
+}
