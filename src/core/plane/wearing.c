@@ -149,17 +149,23 @@ static double open_share(const arc_wear *w, arc_body body) {
   return most;
 }
 
-/* Nor does an update see how the compliance changes as a scar gets deep beside its width. A scar of
- * .28 half widths: the depth of the body that wears less was .17 % off without this limit, .10 %
- * with it, .04 % with half of it. */
+/* Nor does an update see how the compliance changes as a scar gets deeper by dh: the elastic
+ * displacement u = p b / E, b the half width, changes by about u dh / b, and depths h are off by a
+ * share of p dh / (E h). Of 300 random runs with these limits two had a depth .12 and .15 % off at
+ * a tolerance of .1 %, scars of 1/7 of the radius, that of the body which wears less; the others
+ * were within .1 %. */
 static double scar_dose(const arc_wear *w) {
-  static const double deeper = 0.02; /* of the half width of the contact */
+  static const double late = 5, deeper = 0.1; /* of the tolerance; of the half width */
   const arc_wear_record *now = arc_wear_last(w);
   const int no_scar = w->manner.even && now->alpha == 0;
   if (w->def.geometry == ARC_FROZEN || no_scar || !(now->p_center > 0)) return INFINITY;
+  const double tolerance = w->def.tolerance > 0 ? w->def.tolerance : ARC_USUAL_TOLERANCE;
+  const double h = fmax(arc_plane_natural_depth(w), now->depth_cylinder + now->depth_plate);
+  const double depth =
+      fmin(late * tolerance * h * felt_modulus(w) / now->p_center, deeper * now->half_width);
   const double share =
       now->alpha * open_share(w, ARC_CYLINDER) + (1 - now->alpha) * open_share(w, ARC_PLATE);
-  return share > 0 ? deeper * now->half_width / (share * now->p_center) : INFINITY;
+  return share > 0 ? depth / (share * now->p_center) : INFINITY;
 }
 
 double arc_plane_layer_dose(const arc_wear *w, int scars) {
