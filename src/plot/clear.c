@@ -63,18 +63,27 @@ static int runs_along(const arc_plot_panel *panel, double height, double span) {
   return 0;
 }
 
+/* An axis with both ends says by their order which is the lower one. */
+static arc_plot_axis turned_round(arc_plot_axis axis) {
+  double low = fmin(axis.min, axis.max), high = fmax(axis.min, axis.max);
+  axis.min = high, axis.max = low, axis.reverse = 0;
+  return axis;
+}
+
 static void clear_linear(const arc_plot_panel *panel, arc_plot_axis *y) {
   arc_plot_box box = arc_plot_extent(panel);
   double span = box.y1 - box.y0;
   if (!(fabs(span) > 0) || !isfinite(span)) return;
   if (!isnan(y->min) && runs_along(panel, y->min, fabs(span))) y->min -= BEYOND * span;
   if (!isnan(y->max) && runs_along(panel, y->max, fabs(span))) y->max += BEYOND * span;
+  if (isnan(y->max) && box.y1 != 0 && runs_along(panel, box.y1, fabs(span)))
+    y->max = box.y1 + MARGIN * span;
+  if (isnan(y->min) && box.y0 != 0 && runs_along(panel, box.y0, fabs(span)))
+    y->min = box.y0 - MARGIN * span;
   if (y->reverse && isnan(y->max)) y->max = box.y1 + MARGIN * span;
   if (y->reverse && isnan(y->min)) y->min = box.y0 - MARGIN * span;
-  if (!y->reverse) return;
-  double low = y->min;
-  y->min = y->max, y->max = low; /* both ends are given: from the lower end to the upper one */
-  y->reverse = 0;
+  int turned = y->reverse && !isnan(y->min) && !isnan(y->max);
+  if (turned) *y = turned_round(*y);
 }
 
 void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel) {

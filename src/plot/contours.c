@@ -42,11 +42,23 @@ void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, doubl
 
 /* --- triangles -------------------------------------------------------------------------------- */
 
-/* The two triangles of a polygon; the second is flat where the polygon is a triangle. */
-static void triangle_of(const arc_plot_field *field, size_t polygon, int half, corner t[3]) {
-  t[0] = corner_of(field, polygon, 0);
-  t[1] = corner_of(field, polygon, half ? 2 : 1);
-  t[2] = corner_of(field, polygon, half ? 3 : 2);
+/* The triangles of a polygon about its middle, which has the mean of its corners: two of them
+ * across would make lines jagged. One is flat where the polygon is a triangle, whose values stay
+ * linear. */
+enum { TRIANGLES = 4 };
+
+static void triangle_of(const arc_plot_field *field, size_t polygon, int which, corner t[3]) {
+  corner c[4], middle = {0, 0, 0};
+  for (int k = 0; k < 4; k++) c[k] = corner_of(field, polygon, k);
+  int corners = c[2].x == c[3].x && c[2].y == c[3].y ? 3 : 4;
+  for (int k = 0; k < corners; k++) {
+    middle.x += c[k].x / corners;
+    middle.y += c[k].y / corners;
+    middle.value += c[k].value / corners;
+  }
+  t[0] = middle;
+  t[1] = c[which];
+  t[2] = c[(which + 1) % 4];
 }
 
 static double twice_area(const corner t[3]) {
@@ -75,13 +87,15 @@ static size_t contour_triangle(const corner t[3], double level, arc_text *script
 size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
                           const double range[2], int levels, arc_text *script) {
   size_t segments = 0;
+  double step = arc_field_step(range, levels);
+  double first = step * (floor(range[0] / step + 1e-9) + 1);
+  int count = levels > 0 ? (int)ceil((range[1] - first) / step - 1e-9) : 0;
   for (size_t i = 0; i < field->count; i++)
-    for (int half = 0; half < 2 && touches(field, i, box); half++)
-      for (int k = 1; k <= levels; k++) {
+    for (int part = 0; part < TRIANGLES && touches(field, i, box); part++)
+      for (int k = 0; k < count; k++) {
         corner t[3];
-        triangle_of(field, i, half, t);
-        segments +=
-            contour_triangle(t, range[0] + (range[1] - range[0]) * k / (levels + 1), script);
+        triangle_of(field, i, part, t);
+        segments += contour_triangle(t, first + k * step, script);
       }
   return segments;
 }
@@ -127,9 +141,9 @@ void arc_field_raster(const arc_plot_field *field, const arc_plot_box *box, int 
   raster r = {box->x0 + dx / 2, dx, box->y0 + dy / 2, dy, columns, rows, values};
   for (int i = 0; i < columns * rows; i++) values[i] = NAN;
   for (size_t i = 0; i < field->count; i++)
-    for (int half = 0; half < 2 && touches(field, i, box); half++) {
+    for (int part = 0; part < TRIANGLES && touches(field, i, box); part++) {
       corner t[3];
-      triangle_of(field, i, half, t);
+      triangle_of(field, i, part, t);
       raster_triangle(t, &r);
     }
 }

@@ -155,7 +155,11 @@ void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel);
 /* Smallest and largest value of the field inside the box, or as the panel's value axis says. */
 void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]);
 
-/* Contour lines at `levels` values inside the range, as rows of segments. Returns how many. */
+/* The round step between about so many contour lines in a range; theirs are its multiples within.
+ */
+double arc_field_step(const double range[2], int levels);
+
+/* Contour lines as rows of segments, one every step. Returns how many segments. */
 size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
                           const double range[2], int levels, arc_text *script);
 

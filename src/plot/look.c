@@ -20,6 +20,10 @@ static const char *const text_colours[SERIES] = {"blue",  "red",    "cyan", "mag
 static const char *const dashes[SERIES] = {"solid",  "(9,5)",         "(3,3)", "(9,4,2,4)",
                                            "(16,5)", "(9,4,2,4,2,4)", "(5,4)", "(16,4,5,4)"};
 
+/* Points alone are open: what lies under them is seen, and others at the same place. */
+static const int line_marks[SERIES] = {7, 5, 9, 11, 13, 15, 2, 1};
+static const int open_marks[SERIES] = {6, 4, 8, 10, 12, 14, 2, 1};
+
 void arc_look_series(arc_writer *w) {
   for (int i = 0; i < SERIES; i++)
     if (w->canvas->text && w->canvas->colour)
@@ -27,8 +31,7 @@ void arc_look_series(arc_writer *w) {
     else if (!w->canvas->text)
       arc_text_format(
           w->out, "set linetype %d linecolor rgb '%s' linewidth 1.6 pointtype %d pointsize 0.7\n",
-          i + 1, (w->canvas->grey ? grey_colours : pixel_colours)[i],
-          (int[]){7, 5, 9, 11, 13, 6, 4, 8}[i]);
+          i + 1, (w->canvas->grey ? grey_colours : pixel_colours)[i], line_marks[i]);
 }
 
 void arc_writer_words(arc_writer *w, const char *before, const char *words, const char *after) {
@@ -271,6 +274,8 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
   else if (curve->colour)
     colour_words(w, curve->colour);
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
+  if (curve->style == ARC_PLOT_POINTS && !w->canvas->text)
+    arc_text_format(w->out, " pointtype %d pointsize 0.9", open_marks[p.series - 1]);
   int chosen = curve->colour && curve->dash == 0; /* by a colour: the line stays full */
   if (p.dash > 1 && !chosen && curve->style != ARC_PLOT_POINTS && !w->canvas->text &&
       !is_scaled(w, curve))

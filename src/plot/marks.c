@@ -4,6 +4,7 @@
  * after ^. Everything else gnuplot could take for a mark is escaped.
  */
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "plot/text.h"
@@ -51,13 +52,29 @@ static size_t marked(const char *words, const char *at) {
   return count ? sign + count : 0;
 }
 
+/* Bytes of the exponent e-08 of a number that ends before `at`; 0: it is none. `power` receives it.
+ */
+static size_t exponent_at(const char *words, const char *at, int *power) {
+  const char *begin = at;
+  if (*at != 'e' || (at[1] != '-' && at[1] != '+') || !isdigit((unsigned char)at[2])) return 0;
+  while (begin > words && (isdigit((unsigned char)begin[-1]) || begin[-1] == '.')) begin--;
+  unsigned char before = begin > words ? (unsigned char)begin[-1] : ' ';
+  char *end;
+  *power = (int)strtol(at + 1, &end, 10);
+  if (begin == at || isalnum(before) || before == '_' || before >= 0x80) return 0;
+  return is_letter((unsigned char)*end) || *end == '.' || *end == '_' ? 0 : (size_t)(end - at);
+}
+
 int arc_text_marked(const char *words) {
+  int power;
   for (const char *at = words; *at; at++)
-    if ((*at == '_' || *at == '^') && marked(words, at) > 0) return 1;
+    if (((*at == '_' || *at == '^') && marked(words, at) > 0) || exponent_at(words, at, &power))
+      return 1;
   return 0;
 }
 
 void arc_text_enhanced(arc_text *text, const char *words) {
+  int power;
   for (const char *at = words; *at; at++) {
     size_t count = *at == '_' || *at == '^' ? marked(words, at) : 0;
     if (count > 0) {
@@ -66,6 +83,9 @@ void arc_text_enhanced(arc_text *text, const char *words) {
       arc_text_add(text, at + 1, count);
       arc_text_word(text, "}");
       at += count;
+    } else if ((count = exponent_at(words, at, &power)) > 0) {
+      arc_text_format(text, "\303\22710^{%d}", power);
+      at += count - 1;
     } else {
       if (strchr("_^{}@&~\\", *at)) arc_text_word(text, "\\");
       arc_text_add(text, at, 1);

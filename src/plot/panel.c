@@ -86,26 +86,35 @@ static void grow(double *low, double *high, double share) {
   *high += more;
 }
 
-/* For characters with equal scales the box is widened to the shape of the frame, a character being
- * twice as high as wide. */
+/* Panels with equal scales whose frames are given, a character being twice as high as wide: the box
+ * is widened to the shape of the frame, so that frames stand in line. Of fields there would be
+ * nothing to see there. */
+static int fills_frame(const arc_writer *w, const arc_plot_panel *panel) {
+  return panel->equal && (w->canvas->text || (w->figure->panel_count > 1 && !panel->field));
+}
+
 static arc_plot_box shown_box(const arc_writer *w, const arc_plot_panel *panel,
                               const arc_plot_frame *frame) {
   arc_plot_box box = arc_plot_extent(panel);
   if (isnan(panel->x.min) && isnan(panel->x.max)) grow(&box.x0, &box.x1, 0.06);
   if (isnan(panel->y.min) && isnan(panel->y.max)) grow(&box.y0, &box.y1, 0.06);
-  if (!panel->equal || !w->canvas->text) return box;
-  double per_column = fabs(box.x1 - box.x0) / frame->columns;
-  double per_row = fabs(box.y1 - box.y0) / frame->rows;
-  if (2 * per_column > per_row && per_row > 0)
-    grow(&box.y0, &box.y1, 2 * per_column / per_row - 1);
-  else if (per_column > 0)
-    grow(&box.x0, &box.x1, per_row / (2 * per_column) - 1);
+  if (!fills_frame(w, panel)) return box;
+  double wide =
+      w->canvas->text ? 1 : (frame->right - frame->left) * w->canvas->width / frame->columns;
+  double high =
+      w->canvas->text ? 2 : (frame->top - frame->bottom) * w->canvas->height / frame->rows;
+  double per_x = fabs(box.x1 - box.x0) / (wide * frame->columns);
+  double per_y = fabs(box.y1 - box.y0) / (high * frame->rows);
+  if (per_x > per_y && per_y > 0)
+    grow(&box.y0, &box.y1, per_x / per_y - 1);
+  else if (per_x > 0)
+    grow(&box.x0, &box.x1, per_y / per_x - 1);
   return box;
 }
 
 static void box_words(arc_writer *w, const arc_plot_panel *panel, const arc_plot_box *box) {
-  arc_text_word(w->out,
-                panel->equal && !w->canvas->text ? "set size ratio -1\n" : "set size noratio\n");
+  arc_text_word(w->out, panel->equal && !fills_frame(w, panel) ? "set size ratio -1\n"
+                                                               : "set size noratio\n");
   if (!panel->equal && !panel->field) return;
   if (box->x0 != box->x1) arc_text_format(w->out, "set xrange [%.17g:%.17g]\n", box->x0, box->x1);
   if (box->y0 != box->y1) arc_text_format(w->out, "set yrange [%.17g:%.17g]\n", box->y0, box->y1);
@@ -241,6 +250,10 @@ static void colour_words(arc_writer *w, const arc_plot_panel *panel, const doubl
   int which = !panel->field ? 2 : range[0] < 0 && range[1] > 0;
   arc_text_format(w->out, "set palette defined (%s)\n", palettes[which][w->canvas->grey]);
   arc_text_format(w->out, "set cbrange [%.17g:%.17g]\n", range[0], range[1]);
+  if (panel->field && panel->levels) /* the lines stand at the numbers of the scale */
+    arc_text_format(w->out, "set cbtics %.17g\n", arc_field_step(range, panel->levels));
+  else
+    arc_text_word(w->out, "set cbtics autofreq\n");
   arc_writer_label(w, "set cblabel ", panel->value.label ? panel->value.label : "",
                    " offset 1,0\n");
 }

@@ -5,8 +5,9 @@
  * characters is handed to the caller.
  *
  * Texts are UTF-8 and no character in them has a meaning for gnuplot. They are shown as they stand
- * but for three forms of the field: \alpha is the Greek letter; what follows a single letter and _
- * (p_H, \alpha_c) is lowered, and digits after ^ (mm^2, 10^-8) are raised, where there are pixels.
+ * but for some forms of the field: \alpha is the Greek letter; what follows a single letter and _
+ * (p_H, \alpha_c) is lowered, and digits after ^ (mm^2, 10^-8) are raised, where there are pixels;
+ * there 5e-08 is written as a power of ten.
  * The arrays and texts of a figure stay the caller's and are only read.
  */
 #ifndef ARCHARD_PLOT_H

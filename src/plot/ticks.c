@@ -20,6 +20,10 @@ static double round_step(double span, double steps) {
   return power * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10);
 }
 
+double arc_field_step(const double range[2], int levels) {
+  return round_step(range[1] - range[0], levels + 1);
+}
+
 /* As many as tell neighbours apart: 100.001 and 100.002 need six. */
 static int digits_of(double low, double high, double step) {
   double largest = fmax(fabs(low), fabs(high));
