@@ -85,6 +85,15 @@ end
 
 -- --- the pictures -------------------------------------------------------------------------------
 
+-- Pressures from the last zero before the contact to the first one after it.
+local function over_contact(x, p)
+  local first, last = 1, #p
+  while first < #p and p[first + 1] == 0 do first = first + 1 end
+  while last > first and p[last - 1] == 0 do last = last - 1 end
+  if last - first < 2 then return x, p end -- there is none
+  return table.move(x, first, last, 1, {}), table.move(p, first, last, 1, {})
+end
+
 -- plot.pressure(w1, w2, ..., { scaled=, body=, ... })
 function curves.pressure(...)
   local where = "plot.pressure"
@@ -93,7 +102,7 @@ function curves.pressure(...)
   local body, word = body_word(where, objects, words, options)
   body, word = body or naming.bodies(objects[1])[1], word or "upper"
   local names, scale = naming.names_of(where, objects, options.titles)
-  local given, reach = {}, 0
+  local given, reach, named = {}, 0, #objects > 1 or options.titles
   for i, object in ipairs(objects) do
     local pressure = object:pressure(naming.body(where, object, word))
     local a, p_h = 1, 1
@@ -101,15 +110,15 @@ function curves.pressure(...)
       local hertz = scale_of(where, object)
       a, p_h = hertz.half_width, hertz.p_max
     end
-    local x, p = scaled(pressure.x, 1 / a), scaled(pressure.p, 1 / p_h)
+    local x, p = over_contact(scaled(pressure.x, 1 / a), scaled(pressure.p, 1 / p_h))
     reach = reach_of(x, p, reach)
-    given[i] = { x = x, y = p, title = #objects > 1 and names[i] or nil,
+    given[i] = { x = x, y = p, title = named and names[i] or nil,
       value = scale and scale.values[i] }
   end
   given = draw.over({
     xlabel = options.scaled and "x / a" or "x / mm",
     ylabel = options.scaled and "p / p_H" or "p / MPa",
-    xrange = range_of(reach), yrange = { 0 }, vlabel = scale and scale.label,
+    xrange = range_of(reach), yrange = not options.logy and { 0 } or nil, vlabel = scale and scale.label,
     title = title_of("contact pressure of the " .. body, objects, options),
     table.unpack(given),
   }, options)
@@ -245,10 +254,32 @@ local function from_second(list)
   return result
 end
 
--- The row before the first update has no jump.
+-- What is chosen for an update holds from the row before to its own: a change is a step, not a slope.
+local chosen = { alpha = true, load = true, travel = true }
+
+local function steps_of(x, y)
+  local xs, ys = {}, {}
+  for i = 1, #x do
+    local row = math.max(i, 2) -- the first row is before the first update
+    if i > 1 and y[i] ~= y[i - 1] and i > 2 then xs[#xs + 1], ys[#ys + 1] = x[i - 1], y[i] end
+    xs[#xs + 1], ys[#ys + 1] = x[i], y[row] or y[i]
+  end
+  return xs, ys
+end
+
+-- The row before the first update has no jump, and the last one goes no further than the run.
+local function jumps_of(x, y)
+  if #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
+  if #y > 2 and y[#y] < y[#y - 1] then
+    x, y = table.move(x, 1, #x - 1, 1, {}), table.move(y, 1, #y - 1, 1, {})
+  end
+  return x, y
+end
+
 local function history_curve(where, history, abscissa, column, factor)
   local x, y = column_of(where, history, abscissa), column_of(where, history, column)
-  if column == "jump" and #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
+  if column == "jump" then x, y = jumps_of(x, y) end
+  if chosen[column] then x, y = steps_of(x, y) end
   return { x = x, y = scaled(y, factor) }
 end
 
@@ -283,7 +314,7 @@ function curves.history(...)
         local curve = history_curve(where, history, abscissa, own, panel.factor)
         curve.series, curve.dash = #objects > 1 and i or c, #panel.columns > 1 and c or nil
         curve.value = scale and #panel.columns == 1 and scale.values[i] or nil
-        curve.title = history_title(column, body, names[i], #panel.columns > 1, #objects > 1)
+        curve.title = history_title(column, body, names[i], #panel.columns > 1, #objects > 1 or options.titles)
         panel[#panel + 1] = curve
       end
     end

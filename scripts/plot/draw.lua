@@ -162,7 +162,7 @@ local most_in_key = 8
 local function name_at_ends(panel)
   local titled = 0
   for _, curve in ipairs(panel.curves) do
-    if curve.title and not curve.value then titled = titled + 1 end
+    if curve.title and not curve.value and curve.on ~= "characters" then titled = titled + 1 end
   end
   for _, curve in ipairs(panel.curves) do curve.labelled = titled > most_in_key and curve.title ~= nil end
 end
@@ -239,16 +239,35 @@ end
 
 local fewest, few = 4, 30 -- points of a line that are marked, since what is between them is not known
 
--- Whether a curve goes on from left to right through few points of what is shown.
-local function has_few_points(curve, axis)
+-- How many points a curve that goes on from left to right has in what is shown, runs of zeros aside, where nothing is; nil
+-- of any other curve.
+local function count_shown(curve, axis)
   local low, high = math.min(axis.min or -math.huge, axis.max or -math.huge), math.max(axis.max or math.huge, axis.min or math.huge)
   local count = 0
   for i, x in ipairs(curve.x) do
-    if i > 1 and not (x > curve.x[i - 1]) then return false end
-    if x >= low and x <= high then count = count + 1 end
-    if count > few then return false end
+    if i > 1 and not (x > curve.x[i - 1]) then return nil end
+    if x >= low and x <= high and (curve.y[i] ~= 0 or curve.y[i - 1] ~= 0) then count = count + 1 end
   end
-  return count >= fewest
+  return count
+end
+
+-- The curves of a figure whose points are marked: lines of few points, unless others of them have many.
+local function marked_of(figure)
+  local marked = {}
+  for _, panel in ipairs(figure.panels) do
+    for _, curve in ipairs(panel.curves) do
+      local count = not curve.style and not curve.error and not curve.value and count_shown(curve, panel.x)
+      if count and count > few then return {} end
+      marked[curve] = count and count >= fewest
+    end
+  end
+  return marked
+end
+
+-- Characters have no scale beside them that says what the values are: the title does.
+local function with_label(title, label)
+  if not label or not title or title:find(label, 1, true) then return title or label end
+  return label:sub(1, #title) == title and label or title .. ", " .. label
 end
 
 -- A figure as it is on a surface: units that suit it, no curves that are for another one, points where pixels show them.
@@ -257,15 +276,16 @@ local function on(figure, surface)
   for _, name in ipairs{ "x", "y" } do
     if figure.nature[name] then figure = units.shown(figure, name) end
   end
+  local marked = surface == "pixels" and marked_of(figure) or {}
   for i, panel in ipairs(figure.panels) do
     local curves = {}
     for _, curve in ipairs(panel.curves) do
-      local marked = surface == "pixels" and not curve.style and not curve.error and has_few_points(curve, panel.x)
       if curve.on == nil or curve.on == surface then
-        curves[#curves + 1] = marked and merged(curve, { style = "linespoints" }) or curve
+        curves[#curves + 1] = marked[curve] and merged(curve, { style = "linespoints" }) or curve
       end
     end
     panels[i] = merged(panel, { curves = curves })
+    if surface == "characters" and panel.field then panels[i].title = with_label(panel.title, panel.value.label) end
   end
   return merged(figure, { panels = panels })
 end

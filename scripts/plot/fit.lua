@@ -68,16 +68,21 @@ local function loop_panel(item)
   }
 end
 
+local few = 40 -- data; of more the model would be hidden, and is a thicker line over them
+
 local function main_panel(item)
   if item.kind == "loop" then return loop_panel(item) end
   local label, factor = label_of(item)
   local x, name = across(item)
+  local model = { x = x, y = scaled(item.model, factor), series = 1, title = "model", width = #x > few and 1.6 or nil,
+    style = #x == 1 and "points" or "lines" }
+  local data = { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
+    colour = #x > few and "grey" or "black", series = 1, title = "data" }
+  local first, second = model, data
+  if #x > few then first, second = data, model end
   return {
     band_of(x, item.low, item.high, factor),
-    { x = x, y = scaled(item.model, factor), series = 1, title = "model",
-      style = #x == 1 and "points" or "lines" },
-    { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
-      colour = "black", title = "data" },
+    first, second,
     title = item.title, ylabel = label, xlabel = name,
     ydown = item.x and true or nil, xrange = range_of(x),
     yrange = range_of(scaled(item.low, factor), scaled(item.high, factor),
@@ -90,14 +95,14 @@ local function residual_panel(item)
   local range, most = range_of(x), 3
   for _, value in ipairs(item.residual) do most = math.max(most, 1.1 * math.abs(value)) end
   return { { x = range, y = { 0, 0 }, colour = "grey" },
-    { x = x, y = item.residual, style = "points", colour = "black" },
+    { x = x, y = item.residual, style = "points", colour = "black", series = 1 },
     xrange = range, yrange = { -most, most },
     ylabel = "residual / error", xlabel = name }
 end
 
 local function curve_panel(name, curve)
   return { band_of(curve.distance, curve.low, curve.high, 1),
-    { x = curve.distance, y = curve.value, series = 1, title = "fit" },
+    { x = curve.distance, y = curve.value, series = 1, title = "fit", style = "lines" },
     title = name .. " over the distance", xlabel = naming.axis_of("distance"), ylabel = naming.axis_of(name) }
 end
 

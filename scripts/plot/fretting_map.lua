@@ -33,18 +33,34 @@ local function add_grounds(given, map, partial, gross, from, to)
   for i, regime in ipairs(n > 1 and regimes or {}) do given[i] = ground(map, regime, at[i], at[i + 1]) end
 end
 
--- The conditions that were asked about; where there is no ground they say what they stand for.
-local function add_conditions(given, map, regime, surface)
-  local curve = { x = {}, y = {}, style = "points", series = regime.series, on = surface,
-    title = (surface == "characters" or #map.load == 1) and title_of(regime) or nil }
+-- The conditions of a regime, or of any where it is nil.
+local function conditions_of(map, regime)
+  local curve = { x = {}, y = {}, style = "points" }
   for i, load in ipairs(map.load) do
     for j, motion in ipairs(map.motion) do
-      if map.regime[i][j] == regime.name then
+      if not regime or map.regime[i][j] == regime.name then
         curve.x[#curve.x + 1], curve.y[#curve.y + 1] = 1000 * motion, load
       end
     end
   end
-  if #curve.x > 0 then given[#given + 1] = curve end
+  return #curve.x > 0 and curve or nil
+end
+
+-- Where there is a ground it tells the regime, and the conditions that were computed lie upon it in black; where there
+-- is none they say what they stand for.
+local function add_conditions(given, map)
+  local ground = #map.load > 1
+  for _, regime in ipairs(regimes) do
+    local curve = conditions_of(map, regime)
+    if curve then
+      curve.series, curve.title, curve.on = regime.series, title_of(regime), ground and "characters" or nil
+      given[#given + 1] = curve
+    end
+  end
+  if not ground then return end
+  local all = conditions_of(map)
+  all.series, all.colour, all.title, all.on = 1, "black", "computed", "pixels"
+  given[#given + 1] = all
 end
 
 -- Two borders, or their ends at the one load there is.
@@ -68,9 +84,7 @@ return function(map, options)
   local given = {}
   add_grounds(given, map, partial, gross, least, most)
   add_borders(given, map, partial, gross)
-  for _, regime in ipairs(regimes) do
-    for _, surface in ipairs{ "pixels", "characters" } do add_conditions(given, map, regime, surface) end
-  end
+  add_conditions(given, map)
   given.yrange = { options.logy and map.load[1] / 1.1 or 0, 1.05 * map.load[#map.load] } -- clear of the frame
   given.xlabel, given.ylabel, given.xrange = "amplitude of the motion / µm", "load / N", { least, most }
   given.title = ("running condition fretting map: μ = %g"):format(map.friction)

@@ -99,6 +99,9 @@ function pictures.map(object, options, more)
   local shown = thinned(t, most)
   local given = { field_of(shown, function(i, j) return shown.x[i], shown.z[j] end) }
   given.xlabel, given.ylabel, given.vlabel, given.title = "x / mm", "z / mm", label_of(t), t.name
+  if is_joint_run(object) and (t.name == "cup" or t.name == "head") then
+    given.vlabel, given.title = "wear depth / " .. unit_of(t), "wear of the " .. t.name
+  end
   given.xrange, given.yrange = { t.x[1], t.x[#t.x] }, { t.z[1], t.z[#t.z] }
   if is_joint_run(object) and t.name ~= "head" then
     local rim = require "archard.joint.flat".rim(object.def)

@@ -241,6 +241,28 @@ local function field_of(where, object)
     .. check.shown(object))
 end
 
+-- Largest number of a body within the view.
+local function largest_of(body, component, box)
+  local most = 0
+  for i, value in ipairs(body[component]) do
+    local x, y = body.x[i], body.y[i]
+    if not box or (x >= box[1] and x <= box[2] and y >= box[3] and y <= box[4]) then most = math.max(most, value) end
+  end
+  return most
+end
+
+local much = 3 -- times the stresses of the softer body, which would be all dark
+
+-- Label and range of the colours: where one body bears much more than the other, the range is the other's and the label
+-- says how far the one goes beyond it.
+local function scale_of(bodies, component, box, label)
+  if #bodies < 2 or not (component == "mises" or component == "shear") then return label end
+  local first, second = largest_of(bodies[1], component, box), largest_of(bodies[2], component, box)
+  local low, high = math.min(first, second), math.max(first, second)
+  if low <= 0 or high <= much * low then return label end
+  return ("%s, yellow up to %.3g"):format(label, high), { 0, low }
+end
+
 -- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... })
 function mesh.stress(object, options)
   local where = "plot.stress"
@@ -267,9 +289,9 @@ function mesh.stress(object, options)
   if not field.x[1] then check.fail(where, "no element lies in the part to be shown") end
   table.insert(defaults, 1, field)
   defaults.xlabel, defaults.ylabel = axes_of(options)
-  defaults.vlabel = labels[component]
+  defaults.vlabel, defaults.vrange = scale_of(shown, component, box, labels[component])
   defaults.equal, defaults.levels = true, 9
-  defaults.title = labels[component]
+  defaults.title = naming.title_of("stress", { contact or stress }, options)
   if box then defaults.xrange, defaults.yrange = { box[1], box[2] }, { box[3], box[4] } end
   draw.draw(where, draw.over(defaults, options))
 end

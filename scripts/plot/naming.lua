@@ -66,7 +66,7 @@ end
 -- Field, how its numbers or words are said, its name where it is neither, and on an axis.
 local settings = {
   { "alpha", "α = %g", "α", axis = "α" }, { "stroke", "s = %g mm", axis = "s / mm" },
-  { "load", "load %g N", axis = "load / N" }, { "k", "k = %g", "k", axis = "k / (mm²/N)" },
+  { "load", "load %g N", axis = "load / N" }, { "k", "k = %g mm²/N", "k", axis = "k / (mm²/N)" },
   { "x", "x = %g mm", axis = "x / mm" }, { "jump", "jump %s", "jump", axis = "cycles of an update" },
   { "procedure", "procedure %s", follows = true }, { "scheme", "scheme %s" },
   { "tolerance", "tolerance %g", axis = "tolerance" },

@@ -41,22 +41,23 @@ end
 
 local function length_of(bar) return math.abs(bar.whole or bar.value) end
 
--- Bars lie at heights 1, 2, ..., the longest on top, `half` wide to both sides; the first has the title.
-local function add_bars(curves, bars, field, half, series, title)
+-- Bars lie about heights 1, 2, ..., the longest on top, from `below` to `above` of them; the first has the title.
+local function add_bars(curves, bars, field, below, above, series, title)
   for i, bar in ipairs(bars) do
     local to = bar[field]
-    curves[#curves + 1] = { x = { 0, to, to, 0, 0 }, y = { i - half, i - half, i + half, i + half, i - half },
+    curves[#curves + 1] = { x = { 0, to, to, 0, 0 }, y = { i + below, i + below, i + above, i + above, i + below },
       style = "filled", series = series, title = i == 1 and title or nil }
   end
 end
 
+-- Two bars of a name stand beside each other: one upon the other would have a third colour.
 local function curves_of(bars)
   local curves = {}
   if bars[1].whole then
-    add_bars(curves, bars, "whole", 0.35, 1, "with all it takes part in")
-    add_bars(curves, bars, "value", 0.2, 2, "by itself")
+    add_bars(curves, bars, "whole", 0.02, 0.36, 1, "with all it takes part in")
+    add_bars(curves, bars, "value", -0.36, -0.02, 2, "by itself")
   else
-    add_bars(curves, bars, "value", 0.35, 1)
+    add_bars(curves, bars, "value", -0.35, 0.35, 1)
   end
   return curves
 end

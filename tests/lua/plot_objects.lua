@@ -73,7 +73,7 @@ do
     plot.history(first, second, { file = file, size = { 120, 30 } })
   end)
   has(text, "k by function, jump auto, scheme explicit", "every setting that differs is named")
-  has(text, "k = 1e-08, jump 100, scheme implicit", "for every curve")
+  has(text, "k = 1e-08 mm²/N, jump 100, scheme implicit", "for every curve")
   first.history.jump = { 0, 40, 60 }
   plot.history(first, "jump", { file = folder .. "/jump.gp" })
   ok((read("jump.gp") or ""):find("END\n10 40\n20 60\nEND", 1, true), "jumps begin at the first update")

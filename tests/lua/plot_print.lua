@@ -137,9 +137,32 @@ do
   for i = 1, 100 do many.x[i], many.y[i] = i, i * i end
   has(drawn { line }, "with linespoints", "few points of a line are marked")
   has(drawn { many }, "with lines ", "many are not")
+  lacks(drawn { line, many }, "linespoints", "nor few beside them: marks are not for a kind of curve")
   has(drawn { many, xrange = { 1, 10 } }, "with linespoints", "it counts what is shown")
   has(drawn { { x = line.x, y = line.y, style = "lines" } }, "with lines ", 'nor where style = "lines"')
   lacks(drawn { { x = { 0, 1, 1, 0, 0 }, y = { 0, 0, 1, 1, 0 } } }, "linespoints", "nor corners of an outline")
+end
+
+-- --- what is chosen ------------------------------------------------------------------------------
+
+do
+  local columns = { distance = { 0, 10, 20, 30 }, alpha = { 0.5, 0.5, 0.5, 0.1 }, jump = { 0, 40, 50, 7 },
+    depth_plate = { 0, 1e-3, 2e-3, 3e-3 } }
+  local changed = setmetatable({}, { __index = function(_, name) return name == "history" and columns or run[name] end })
+  local function history(column, options)
+    return script_of(function(file)
+      plot.history(changed, column, { file = file, titles = options and { "mine" } })
+    end)
+  end
+  has(history "alpha", "\n20 0.5\n20 0.1", "a setting that changes is a step")
+  lacks(history "jump", "\n30 7\n", "the last update, which the end of the run cuts, has no say in the choice of steps")
+  has(history("depth_plate", true), 'title "mine"', "a title that is given is in the key")
+  has(script_of(function(file) plot.pressure(run, { file = file, logy = true }) end), "set logscale y", "pressures take logy")
+  local panels = script_of(function(file)
+    plot { { x = { 1, 2 }, y = { 1, 2 }, title = "k = 5e-10 mm²/N" }, file = file }
+  end)
+  has(panels, "k = 5×10^{-10} mm²/N", "powers of ten are written as such")
+  lacks(drawn { { x = { 1, 2 }, y = { 1, 2 }, title = "run5e-10" } }, "×", "but not in names")
 end
 
 pictures.remove()
