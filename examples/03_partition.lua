@@ -9,7 +9,7 @@ local plate = { title = "Plate", xlabel = "x / mm", ylabel = "wear depth / µm",
 local function add(panel, w, body)
   local profile, depth = w:profile(body), {}
   for i, h in ipairs(profile.h) do depth[i] = 1e3 * h end
-  panel[#panel + 1] = { x = profile.x, y = depth, title = ("alpha %g"):format(w.alpha) }
+  panel[#panel + 1] = { x = profile.x, y = depth, title = ("α = %g"):format(w.alpha) }
 end
 
 print(" alpha  cylinder  plate [um]  their share  centre pressure [MPa]")
@@ -22,4 +22,4 @@ for _, alpha in ipairs{ 0, 0.25, 0.5, 0.75, 1 } do
 end
 print()
 
-plot{ panels = { cylinder, plate } }
+plot{ panels = { cylinder, plate }, yrange = { 0, 4 } }

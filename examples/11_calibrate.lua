@@ -30,10 +30,13 @@ local course = calibrate{
 }
 print(course)
 local band = course.band.k
-plot{ { x = course.k.distance, y = course.k.value, title = "k" },
-  { x = band.distance, y = band.low, title = "range of its mean, low", dash = 2, series = 2 },
-  { x = band.distance, y = band.high, title = "high", dash = 2, series = 2 },
-  xlabel = "distance / mm", ylabel = "k / (mm2/N)" }
+local range = { x = {}, y = {}, style = "filled", series = 2, title = "range of its mean" } -- there below, back above
+for i, d in ipairs(band.distance) do range.x[i], range.y[i] = d, band.low[i] end
+for i = #band.distance, 1, -1 do
+  range.x[#range.x + 1], range.y[#range.y + 1] = band.distance[i], band.high[i]
+end
+plot{ range, { x = course.k.distance, y = course.k.value, title = "k", style = "lines", series = 1 },
+  xlabel = "distance / mm", ylabel = "k / (mm²/N)" }
 
 local running_in = wear{ k = course.k, alpha = course.alpha, stroke = 0.22, jump = "auto" }
 running_in:run()

@@ -25,5 +25,5 @@ local depth = {}
 for i, h in ipairs(w.history.depth_plate) do depth[i] = 1e3 * h end
 plot{ { x = w.history.cycle, y = depth, title = "archard" },
   { x = cycles, y = level_set, style = "points", title = "level set" },
-  { x = cycles, y = mesh_motion, style = "points", title = "mesh motion" },
+  { x = cycles, y = mesh_motion, style = "points", series = 4, title = "mesh motion" },
   xlabel = "cycles", ylabel = "depth of the flat / µm", title = "McColl's fretting case" }

@@ -4,7 +4,7 @@
 
 local bodies = model{ mesh = { size = 0.02, height = 0.025 } }
 local k = 2e-8 -- mm3 per N mm
-local curves = {}
+local curves, most = {}, 0
 print "friction  energy / N mm  volume / mm3     V / E   depth of the plate / um"
 for i, friction in ipairs{ 0.3, 0.6, 0.9 } do
   local w = wear{ model = bodies, friction = friction, load = 100, stroke = 0.05, k = k, law = "energy",
@@ -12,11 +12,15 @@ for i, friction in ipairs{ 0.3, 0.6, 0.9 } do
   w:run{ progress = false }
   print(("%8.1f %14.1f %13.4e %9.3e %12.4f"):format(friction, w.energy, w.volume.total, w.volume.total / w.energy,
     1e3 * w.depth.plate))
-  local volume = {}
-  for j, v in ipairs(w.history.volume_cylinder) do volume[j] = 1e3 * (v + w.history.volume_plate[j]) end
-  curves[i] = { x = w.history.energy, y = volume, title = ("friction %g"):format(friction) }
+  curves[i] = { x = {}, y = {}, style = "points", title = ("friction %g"):format(friction) }
+  for j = i, #w.history.energy, 3 do -- some of each, so that they stand beside each other
+    table.insert(curves[i].x, w.history.energy[j])
+    table.insert(curves[i].y, w.history.volume_cylinder[j] + w.history.volume_plate[j])
+  end
+  most = math.max(most, w.energy)
 end
 print()
 
-plot{ curves[1], curves[2], curves[3], xlabel = "energy / N mm", ylabel = "volume / 0.001 mm³",
-  title = "one line for all: V = k E" }
+curves[4] = { x = { 0, most }, y = { 0, k * most }, colour = "black", title = "V = k E" }
+curves.xlabel, curves.ylabel, curves.title = "energy / N mm", "volume / mm³", "One line for all"
+plot(curves)

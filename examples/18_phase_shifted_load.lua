@@ -22,4 +22,20 @@ for i, degrees in ipairs{ 0, 45, 90 } do
 end
 print()
 
-plot.loop(loops[1], loops[2], loops[3], { titles = titles })
+-- Most of the motion is elastic: what is left of it shows the loops, which lie upon each other else.
+local top, bottom = 1, 1
+for i, force in ipairs(loops[1].tangential) do
+  if force > loops[1].tangential[top] then top = i end
+  if force < loops[1].tangential[bottom] then bottom = i end
+end
+local compliance = (loops[1].x[top] - loops[1].x[bottom])
+  / (loops[1].tangential[top] - loops[1].tangential[bottom])
+local curves = { xlabel = "tangential force / N", ylabel = "position less its elastic part / µm",
+  title = "Fretting loops at three shifts of phase" }
+for i, loop in ipairs(loops) do
+  local left = {}
+  for j, x in ipairs(loop.x) do left[j] = 1e3 * (x - compliance * loop.tangential[j]) end
+  curves[i] = { x = loop.tangential, y = left,
+    title = ("%s, %.2e N mm a loop"):format(titles[i], loop.energy) }
+end
+plot(curves)

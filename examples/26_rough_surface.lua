@@ -13,4 +13,4 @@ for i, load in ipairs{ 10, 30, 80 } do -- N
   contacts[i], titles[i] = c, ("%g N"):format(load)
   print(("%3g N: crest at %.0f MPa, contact over %.3f mm"):format(load, c.p_center, 2 * c.half_width))
 end
-plot.pressure(contacts[1], contacts[2], contacts[3], { titles = titles, title = "Waves of 0.1 um" })
+plot.pressure(contacts[1], contacts[2], contacts[3], { titles = titles, title = "Waves of 0.1 µm" })

@@ -21,4 +21,5 @@ for _, turns in ipairs{ 2, 20, 200 } do
     w.p_center, 2 * w.half_width, 1e3 * w.depth_cylinder, 1e3 * h, 1e3 * w.depth_plate))
   contacts[#contacts + 1], titles[#titles + 1] = w:contact(), ("%g turns"):format(turns)
 end
-plot.pressure(contacts[1], contacts[2], contacts[3], contacts[4], { titles = titles, title = "A ball on a disc" })
+plot.pressure(contacts[1], contacts[2], contacts[3], contacts[4], { titles = titles, logy = true,
+  title = "A ball on a disc" })

@@ -23,4 +23,5 @@ for _, case in ipairs{ { "copper alone", k, 0 }, { "both", k, k } } do
     w.p_center, w.depth_cylinder, w.depth_plate, w.volume_cylinder, w.volume_plate, w.update, os.clock() - began))
   contacts[#contacts + 1], titles[#titles + 1] = w:contact(), what
 end
-plot.pressure(contacts[1], contacts[2], contacts[3], { titles = titles, title = "A copper ring on a steel ring" })
+plot.pressure(contacts[1], contacts[2], contacts[3], { titles = titles,
+  title = "A copper ring on a steel ring, both elastic however high the pressure" })

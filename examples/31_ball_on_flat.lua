@@ -14,5 +14,11 @@ print(w)
 print(("%d updates in %.1f s"):format(w.update, os.clock() - began))
 
 local along, across = w:profile("block", { z = 0 }), w:profile("block", { x = 0 })
-plot{ title = "Scar of the flat", xlabel = "x or z [mm]", ylabel = "wear depth [mm]",
-  { x = along.x, y = along.h, title = "along the motion" }, { x = across.x, y = across.h, title = "across it" } }
+local function um(depths)
+  local result = {}
+  for i, h in ipairs(depths) do result[i] = 1e3 * h end
+  return result
+end
+plot{ title = "Scar of the flat", xlabel = "x or z / mm", ylabel = "wear depth / µm", ydown = true,
+  { x = along.x, y = um(along.h), title = "along the motion, z = 0" },
+  { x = across.x, y = um(across.h), title = "across it, x = 0" } }

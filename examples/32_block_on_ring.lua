@@ -28,9 +28,10 @@ for i, m in ipairs(metres) do
     1e3 * rigid(k * load / width * 1000 * m), w.half_width, w.update))
   local p = w:profile "plate"
   local curve = { x = p.x, y = {}, title = m .. " m" }
-  for j, h in ipairs(p.h) do curve.y[j] = -1e3 * h end
+  for j, h in ipairs(p.h) do curve.y[j] = 1e3 * h end
   curves[i] = curve
 end
 print(("%.1f s of computing"):format(os.clock() - began))
 
-plot{ curves[1], curves[2], curves[3], title = "A block worn by a ring", xlabel = "x / mm", ylabel = "depth / um" }
+plot{ curves[1], curves[2], curves[3], title = "A block worn by a ring", xlabel = "x / mm",
+  ylabel = "wear depth / µm", ydown = true }

@@ -16,4 +16,4 @@ for _, turns in ipairs{ 5, 25, 100 } do
   for i, h in ipairs(section.h) do depths[i] = 1e3 * h end
   lines[#lines + 1] = { x = section.x, y = depths, title = ("%g turns"):format(turns) }
 end
-plot{ title = "Track of a disc, across the motion", xlabel = "z / mm", ylabel = "wear depth / um", ydown = true, table.unpack(lines) }
+plot{ title = "Track of a disc, across the motion", xlabel = "z / mm", ylabel = "wear depth / µm", ydown = true, table.unpack(lines) }

@@ -27,7 +27,7 @@ local function view(model, which)
     xrange = box and { -half, half }, yrange = box and { -below, above } }
   for series, name in ipairs{ "cylinder", "plate" } do
     local curve = require "archard.plot.mesh".edges(model.mesh[name], box)
-    curve.series, curve.width = series, half and half < 0.2 and 1 or 0.5
+    curve.series, curve.dash, curve.width = series, 1, half and half < 0.2 and 1 or 0.5
     panel[#panel + 1] = curve
     if half and half < 0.2 then panel[#panel + 1] = floor_of(model.mesh[name]) end
   end
