@@ -13,9 +13,9 @@ local forecast = wear{ k = measured.k, alpha = measured.alpha, stroke = 0.22, ju
 forecast:run()
 print(forecast)
 
--- Depths alone cannot tell k, but which alpha shares them so.
+-- Depths give both as well, by a few runs.
 print(calibrate{ depth = { cylinder = forecast.depth.cylinder, plate = forecast.depth.plate },
-  k = measured.k, stroke = 0.22, jump = 50, distance = 2640 })
+  load = 100, stroke = 0.22, jump = 50, distance = 2640 })
 
 -- Volumes on the way show how k and alpha change as the surfaces run in; three tests, six readings.
 local course = calibrate{

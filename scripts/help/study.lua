@@ -197,9 +197,9 @@ return {
       .. "(Eq. 12) with the spread of repeated tests, and ranges of the means. Volumes at several "
       .. "distances, calibrate{ distance={...}, volume={ cylinder={...}, plate={...} }, load=100 }, "
       .. "give them as tables for wear{}: w = wear{ k=c.k, alpha=c.alpha } loses the measured volumes. "
-      .. "Depths give the alpha whose simulated "
-      .. "alpha-tilde is the measured one: calibrate{ depth={ cylinder=1.2e-3, plate=1.7e-3 }, "
-      .. "stroke=0.44 }, with further fields of wear{}." },
+      .. "Depths give the k and alpha of the run that makes them: calibrate{ depth={ cylinder=1.2e-3, "
+      .. "plate=1.7e-3 }, load=100, distance=1320, stroke=0.44 }, with further fields of wear{}. A k that is "
+      .. "given is kept, and refused where both depths together are more than 5 % off." },
   { "calibrate{volume}", type = "table { cylinder=, plate= }", unit = "mm3",
     text = "Worn volumes of both bodies: numbers, or lists of as many tests; the first of one body "
       .. "and the first of the other are of one test. 0 for what is too little to measure. With a list "
@@ -215,7 +215,7 @@ return {
   { "calibrate{error}", type = "number", unit = "mm3",
     text = "Standard deviation of a volume reading, for low and high of a single test." },
   { "calibrate{accuracy}", type = "number", default = 1e-4,
-    text = "How near the simulated alpha-tilde must come." },
+    text = "How near the simulated depths must come: of alpha-tilde, and of the sum as a share of it." },
   { "calibration", kind = "object", use = "calibrate{...}",
     text = "The numbers found or, over a list of distances, tables { distance=, value= } that wear{} "
       .. "takes: constant between two measurements, which tell no more, with jumps at them, so that both "
@@ -237,7 +237,7 @@ return {
   { "calibration.points", kind = "field", text = "How many distances were given." },
   { "calibration.depth_partition", kind = "field", text = "The measured alpha-tilde." },
   { "calibration.simulated_depth", kind = "field", unit = "mm",
-    text = "Sum of both simulated depths: next to the measured one it tells whether k fits." },
+    text = "Sum of both simulated depths." },
   { "calibration.measured_depth", kind = "field", unit = "mm", text = "Sum of the measured ones." },
   { "calibration.runs", kind = "field", text = "How many simulations it took." },
   { "calibration.measurements", kind = "field", text = "How many repetitions were given." },

@@ -1,8 +1,9 @@
 -- calibrate: from measured wear to k and alpha. Volumes give them directly (Eqs. 1, 12), with the
 -- spread of repeated measurements, or as tables over the distance (study/volumes.lua); depths need
--- the simulation, whose alpha is searched.
+-- simulations, whose k and alpha are searched (study/depths.lua).
 
 local check = require "archard.lib.check"
+local depths = require "archard.study.depths"
 local merged = require "archard.lib.merged"
 local statistics = require "archard.lib.statistics"
 local strict = require "archard.strict"
@@ -154,57 +155,22 @@ end
 
 local not_of_wear = { volume = true, depth = true, accuracy = true, confidence = true, error = true }
 
--- The simulated alpha-tilde at the end, for an alpha.
-local function simulated(given, alpha)
-  local run_fields = { alpha = alpha }
-  for name, value in pairs(given) do
-    if not not_of_wear[name] then run_fields[name] = value end
-  end
-  local run <close> = wear(run_fields)
-  run:run{ progress = function() end }
-  return run.depth_partition, run.depth.cylinder + run.depth.plate
-end
-
--- The alpha in [0, 1] whose alpha-tilde is `wanted`: it grows with alpha. Straight lines between the
--- last two brackets, halved where those crawl. Returns alpha, the sum of depths there, the runs.
-local function search(given, wanted, room)
-  if wanted <= 0 or wanted >= 1 then return wanted, nil, 0 end
-  local low, high = { 0, -wanted }, { 1, 1 - wanted }
-  local side = 0
-  for run = 1, 40 do
-    local alpha = low[1] - low[2] * (high[1] - low[1]) / (high[2] - low[2])
-    local share, sum = simulated(given, alpha)
-    local off = share - wanted
-    if math.abs(off) <= room then return alpha, sum, run end
-    if off < 0 then
-      low = { alpha, off }
-      if side == -1 then high[2] = high[2] / 2 end
-      side = -1
-    else
-      high = { alpha, off }
-      if side == 1 then low[2] = low[2] / 2 end
-      side = 1
-    end
-  end
-  check.fail(where, ("no alpha found whose depths share as measured (%g of the sum in the cylinder)")
-    :format(wanted), "NOT_CONVERGED")
+-- The depths of a test mean something together with its load and its distance.
+local function need_test(given)
+  if given.load and (given.distance or given.cycles) then return end
+  check.fail(where, "depths need the fields 'load' [N] and 'distance' [mm] (or 'cycles') of the test")
 end
 
 local function from_depths(given)
+  need_test(given)
   local cylinder, plate = even(read_pair("depth", given.depth))
-  local c, p = statistics.mean(cylinder), statistics.mean(plate)
-  refuse_none(c, p, "depth")
-  local wanted, room = c / (c + p), given.accuracy or 1e-4
-  local alpha, sum, runs = search(given, wanted, room)
-  local spread = volumes.stretch(cylinder, plate, 1, 0.95).spread.alpha
-  local result = { alpha = alpha, depth_partition = wanted, runs = runs, simulated_depth = sum,
-    measured_depth = c + p, spread = { depth_partition = spread },
-    measurements = #cylinder }
-  if spread and wanted > 0 and wanted < 1 then
-    local above = search(given, math.min(wanted + spread, 1), room)
-    local below = search(given, math.max(wanted - spread, 0), room)
-    result.spread.alpha = (above - below) / 2
+  for i, c in ipairs(cylinder) do refuse_none(c, plate[i], "depth") end
+  local of_wear = {}
+  for name, value in pairs(given) do
+    if not not_of_wear[name] then of_wear[name] = value end
   end
+  local result = depths.find(cylinder, plate, { fields = of_wear, accuracy = given.accuracy or 1e-4 })
+  result.spread.depth_partition = volumes.stretch(cylinder, plate, 1, 0.95).spread.alpha
   return result
 end
 
@@ -228,7 +194,8 @@ local function number_line(self, name, format, text)
   local low, high = (self.low or {})[name], (self.high or {})[name]
   return ("  %-16s %s%s%s  %s"):format(name, format:format(value),
     spread and " +- " .. format:format(spread) or "",
-    low and (", %s to %s"):format(format:format(low), format:format(high)) or "", text)
+    low and (", %s to %s"):format(format:format(low), format:format(high)) or "",
+    (text:gsub("mm2/N", ("mm2/N = %.4g mm3/(N m)"):format(1e3 * value))))
 end
 
 local function add_numbers(lines, self)
@@ -284,7 +251,7 @@ end
 
 -- calibrate{ volume={cylinder=,plate=}, load=, distance= } -> k, k_cylinder, k_plate, alpha
 -- calibrate{ distance={...}, volume={cylinder={...},plate={...}}, load= } -> the same as tables
--- calibrate{ depth={cylinder=,plate=}, stroke=, ... fields of wear{} } -> alpha
+-- calibrate{ depth={cylinder=,plate=}, load=, distance=, stroke=, ... fields of wear{} } -> k, alpha
 return function(given)
   check.definition(where, given, fields)
   if (given.volume == nil) == (given.depth == nil) then

@@ -205,23 +205,38 @@ fails(function() calibrate{ distance = { 1, 2 }, depth = { cylinder = 1, plate =
   "depths have one distance")
 
 -- --- calibrate by depths -------------------------------------------------------------------------
-local fields = { geometry = "frozen", increments = 8, distance = 440, stroke = 0.44, jump = 50,
+local fields = { geometry = "frozen", increments = 8, distance = 440, load = 100, stroke = 0.44, jump = 50,
   model = coarse }
 local function with(more)
   for name, value in pairs(fields) do more[name] = value end
   return more
 end
-local truth = wear(with{ alpha = 0.3 })
+local truth = wear(with{ alpha = 0.3, k = 2.5e-8, jump = 20 })
 truth:run()
 local back = calibrate(with{ depth = { cylinder = truth.depth.cylinder, plate = truth.depth.plate },
-  accuracy = 1e-6 })
+  accuracy = 1e-6, jump = 20 })
+fields.jump = 20
 near(back.alpha, 0.3, 1e-4, "the alpha of a simulation comes back from its depths")
-near(back.simulated_depth, back.measured_depth, 1e-4, "and so do its depths")
+near(back.k, 2.5e-8, 1e-4, "and its k")
+near(back.k_cylinder + back.k_plate, back.k, 1e-12, "parts of k")
+near(back.simulated_depth, back.measured_depth, 1e-5, "and so do its depths")
 ok(back.runs < 12, "in few runs: " .. back.runs)
+local known = calibrate(with{ k = 2.5e-8, depth = { cylinder = truth.depth.cylinder, plate = truth.depth.plate } })
+near(known.alpha, 0.3, 1e-3, "alpha alone, where k is known")
+is(known.k, nil, "which is not found then")
+fails(function() calibrate(with{ k = 1e-8, depth = { cylinder = truth.depth.cylinder, plate = truth.depth.plate } }) end,
+  { "'k'", "without the field" }, "a k that makes other depths is refused")
+fails(function() calibrate(with{ depth = { cylinder = 0.31, plate = 0.62 } }) end, "are they in um?", "depths in um")
+fails(function() calibrate{ depth = { cylinder = 1e-3, plate = 1e-3 }, distance = 440 } end, "'load'",
+  "depths need the test's load")
 local flat = calibrate(with{ depth = { cylinder = 1e-3, plate = 0 } })
 is(flat.alpha, 1, "a plate that did not wear")
+is(flat.k_plate, 0, "has no k")
 local spread = calibrate(with{ depth = { cylinder = { 1.0e-3, 1.1e-3 }, plate = { 1.1e-3, 1.0e-3 } } })
 ok(spread.spread.alpha > 0.01 and spread.spread.alpha < 0.2, "spread of alpha by depths")
+ok(spread.spread.k < 0.05 * spread.k, "k is surer: what one body lost more the other lost less")
+fails(function() calibrate(with{ depth = { cylinder = { 1e-3, 0 }, plate = { 1e-3, 0 } } }) end, "at least one body",
+  "a test without wear")
 
 fails(function() calibrate{} end, "got neither", "volume or depth")
 fails(function() calibrate{ volume = {}, depth = {} } end, "got both", "but not both")

@@ -1,0 +1,123 @@
+-- The k and alpha whose simulated largest depths are the measured ones: Broyden's method on the logarithm
+-- of k and on alpha, against the sum of both depths and the cylinder's share of it. Leans on wear.
+
+local check = require "archard.lib.check"
+local statistics = require "archard.lib.statistics"
+
+local depths = {}
+
+local where = "calibrate"
+local first_k = 1e-8        -- [mm2/N], where the search begins
+local largest_k = 1e-5      -- [mm2/N], beyond what sliding pairs show: depths in another unit
+local most_runs, farthest = 40, 5 -- runs of one search; a step of ln k
+local agreement = 0.05      -- between both sums of depths, where k is given
+
+-- --- one run ---------------------------------------------------------------------------------------
+
+-- The sum of both depths [mm] and the cylinder's share of it, for k and alpha.
+local function simulate(fields, k, alpha)
+  local of_run = { alpha = alpha, k = k }
+  for name, value in pairs(fields) do of_run[name] = of_run[name] or value end
+  local run <close> = wear(of_run)
+  run:run{ progress = function() end }
+  return run.depth.cylinder + run.depth.plate, run.depth_partition
+end
+
+-- Depths that only a k beyond all pairs could make are in another unit.
+local function check_unit(sum, simulated, k)
+  local needed = k * (sum / simulated) ^ 1.5 -- a scar of depth h holds a volume of about h^1.5
+  if needed <= largest_k then return end
+  check.fail(where, ("field 'depth': both are %.4g mm together, which would need a k of about %.1g mm2/N: expected "
+    .. "depths in mm (are they in um?)"):format(sum, needed))
+end
+
+-- --- the search ------------------------------------------------------------------------------------
+
+-- Inverse of the derivatives of both residuals, to begin with: ln of the depths grows with 2/3 of ln k, the
+-- share with alpha. What is not searched for has a row and a column of zeros.
+local function begin_inverse(seeks)
+  return { { seeks[1] and 1.5 or 0, 0 }, { 0, seeks[2] and 1 or 0 } }
+end
+
+-- Broyden's update of the inverse `h` by the step `dx` that changed the residuals by `df`.
+local function update(h, dx, df)
+  local to = { h[1][1] * df[1] + h[1][2] * df[2], h[2][1] * df[1] + h[2][2] * df[2] }
+  local from = { dx[1] * h[1][1] + dx[2] * h[2][1], dx[1] * h[1][2] + dx[2] * h[2][2] }
+  local size = dx[1] * to[1] + dx[2] * to[2]
+  if size == 0 then return end
+  for i = 1, 2 do
+    for j = 1, 2 do h[i][j] = h[i][j] + (dx[i] - to[i]) * from[j] / size end
+  end
+end
+
+-- The next step, at most nine tenths of the distance of alpha to 0 or 1.
+local function step_from(x, h, f)
+  local of_k = -(h[1][1] * f[1] + h[1][2] * f[2])
+  local of_alpha = -(h[2][1] * f[1] + h[2][2] * f[2])
+  return { math.max(-farthest, math.min(of_k, farthest)),
+    math.max(-0.9 * x[2], math.min(of_alpha, 0.9 * (1 - x[2]))) }
+end
+
+-- target: { sum= [mm], share= }; start: { ln k, alpha }; options: fields of wear{}, fixed (a k that is given),
+-- accuracy. Returns { k=, alpha=, sum= simulated [mm], runs=, x= }.
+local function search(target, start, options)
+  local within = target.share > 0 and target.share < 1
+  local seeks = { not options.fixed, within }
+  local x = { start[1], within and math.min(math.max(start[2], 1e-3), 1 - 1e-3) or target.share }
+  local h, dx, before = begin_inverse(seeks), nil, nil
+  for run = 1, most_runs do
+    local k = options.fixed or math.exp(x[1])
+    local sum, share = simulate(options.fields, k, x[2])
+    if run == 1 and not options.fixed then check_unit(target.sum, sum, k) end
+    local f = { seeks[1] and math.log(sum / target.sum) or 0, seeks[2] and share - target.share or 0 }
+    if math.max(math.abs(f[1]), math.abs(f[2])) <= options.accuracy then
+      return { k = k, alpha = x[2], sum = sum, runs = run, x = x }
+    end
+    if before then update(h, dx, { f[1] - before[1], f[2] - before[2] }) end
+    dx, before = step_from(x, h, f), f
+    x = { x[1] + dx[1], x[2] + dx[2] }
+  end
+  check.fail(where, ("no k and alpha found whose depths are those measured (%.4g mm together, %.3g of it on the "
+    .. "cylinder)"):format(target.sum, target.share), "NOT_CONVERGED")
+end
+
+-- --- all measurements ------------------------------------------------------------------------------
+
+-- A given k must make the measured depths.
+local function refuse_k(found, sum)
+  if math.abs(found.sum / sum - 1) <= agreement then return end
+  check.fail(where, ("field 'k': with the k given both depths are %.4g mm together, measured are %.4g mm; without "
+    .. "the field k is found as well"):format(found.sum, sum))
+end
+
+-- Standard deviations of k and alpha over the tests, each of which is searched for.
+local function spreads(cylinder, plate, from, options)
+  local k, alpha, runs = {}, {}, 0
+  for i, c in ipairs(cylinder) do
+    local one = search({ sum = c + plate[i], share = c / (c + plate[i]) }, from.x, options)
+    k[i], alpha[i], runs = one.k, one.alpha, runs + one.runs
+  end
+  return { k = not options.fixed and statistics.deviation(k) or nil, alpha = statistics.deviation(alpha) }, runs
+end
+
+-- Both bodies' depths [mm], as many of one as of the other; options: fields (of wear{}; a k among them is kept),
+-- accuracy. Returns the fields of a calibration.
+function depths.find(cylinder, plate, options)
+  local c, p = statistics.mean(cylinder), statistics.mean(plate)
+  local share = c / (c + p)
+  options = { fields = options.fields, accuracy = options.accuracy, fixed = options.fields.k }
+  local found = search({ sum = c + p, share = share }, { math.log(first_k), share }, options)
+  if options.fixed then refuse_k(found, c + p) end
+  local k = not options.fixed and found.k or nil
+  local result = { alpha = found.alpha, k = k, k_cylinder = k and k * found.alpha, k_plate = k and k * (1 - found.alpha),
+    depth_partition = share, runs = found.runs, simulated_depth = found.sum, measured_depth = c + p, spread = {},
+    measurements = #cylinder }
+  if #cylinder > 1 then
+    local runs
+    result.spread, runs = spreads(cylinder, plate, found, options)
+    result.runs = result.runs + runs
+  end
+  return result
+end
+
+return depths
