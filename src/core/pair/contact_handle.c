@@ -1,5 +1,6 @@
 /* Contacts as handles: a problem, its result, and a kind that knows the rest. */
 #include "core/pair/surfaces.h"
+#include "core/pair/units.h"
 
 static const contact_handle *handle_of(const arc_contact *contact) {
   return (const contact_handle *)(const void *)contact;
@@ -10,8 +11,14 @@ arc_status arc_contact_solve(const arc_shape *shape, const arc_contact_def *def,
                              arc_error *error) {
   *contact = NULL;
   const arc_kind *kind = arc_shape_model(shape)->kind;
-  if (kind->solve) return kind->solve(shape, def, callbacks, contact, error);
-  return arc_fail(error, ARC_ARGUMENT, "pairs of kind \"%s\" have no contact objects", kind->name);
+  if (!kind->solve)
+    return arc_fail(error, ARC_ARGUMENT, "pairs of kind \"%s\" have no contact objects",
+                    kind->name);
+  const arc_status status = kind->solve(shape, def, callbacks, contact, error);
+  if (status == ARC_OK)
+    arc_units_warn_pair(arc_model_definition(arc_shape_model(shape)),
+                        arc_contact_get(*contact).p_max, callbacks);
+  return status;
 }
 
 arc_status arc_contact_move(const arc_contact *from, const arc_motion_def *motion,

@@ -1,5 +1,6 @@
 /* Stability of explicit updates: how fast ripples grow, and a warning before they do. */
 #include "core/base/callbacks.h"
+#include "core/pair/units.h"
 #include "core/wear/step.h"
 
 #include <math.h>
@@ -120,10 +121,19 @@ void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_call
   judge(w, block, k, now->jump, callbacks);
 }
 
+/* A loading has no stroke of its own; with friction a short one sticks as it should. */
+static void warn_units(const arc_wear *w, const arc_callbacks *callbacks) {
+  const arc_wear_record *now = arc_wear_last(w);
+  const int plain = w->def.blocks == 0 && !arc_wear_has_friction(&w->def);
+  arc_units_warn_pair(arc_model_definition(w->model), now->p_max, callbacks);
+  arc_units_warn_wear(now->k, plain ? w->def.stroke : 0, now->half_width, callbacks);
+}
+
 void arc_wear_warn(arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *last = arc_wear_last(w);
   if (!callbacks || !callbacks->warn || last->distance >= w->def.distance) return;
   if (!w->warned && w->kind->warn) w->kind->warn(w, last->update == 0, callbacks);
+  if (!w->warned && last->update == 0) warn_units(w, callbacks);
   warn_unstable(w, callbacks);
   w->warned = 1;
 }

@@ -1,0 +1,47 @@
+/* Numbers that look as if they were in another unit. The limits leave out what is usual:
+ * polyethylene of 500 MPa and diamond of 1.2e6 MPa, the 1e-6 mm2/N of a polymer without filler. */
+#include "core/pair/units.h"
+#include "core/base/callbacks.h"
+
+#include <math.h>
+
+static const double softest = 500, stiffest = 2e6; /* [MPa] */
+
+static void warn_modulus(const char *name, double E, const arc_callbacks *callbacks) {
+  if (E < softest)
+    arc_warn(callbacks,
+             "E = %g MPa of the %s is that of a soft plastic or rubber: was %g GPa meant (E = %g)?",
+             E, name, E, 1e3 * E);
+  if (E > stiffest)
+    arc_warn(callbacks, "E = %g MPa of the %s is above that of diamond: was %g Pa meant (E = %g)?",
+             E, name, E, 1e-6 * E);
+}
+
+void arc_units_warn_pair(const arc_model_def *model, double p_max, const arc_callbacks *callbacks) {
+  static const double small = 50; /* E over the pressure where strains stop being small */
+  if (model->geometry == ARC_SPRINGS) return;
+  const double E = fmin(model->material[ARC_UPPER].E, model->material[ARC_LOWER].E);
+  for (int b = 0; b < ARC_BODIES; b++)
+    warn_modulus(model->body[b].name[0] ? model->body[b].name : arc_body_name((arc_body)b),
+                 model->material[b].E, callbacks);
+  if (p_max > E / small)
+    arc_warn(
+        callbacks,
+        "the largest pressure, %.4g MPa, is more than a fiftieth of E = %g MPa: strains are not "
+        "small; are E in MPa, the load in N, radius and thickness in mm?",
+        p_max, E);
+}
+
+void arc_units_warn_wear(double k, double stroke, double half_width,
+                         const arc_callbacks *callbacks) {
+  static const double largest = 1e-6, short_of = 0.05; /* [mm2/N]; of the half width */
+  if (k > largest)
+    arc_warn(callbacks, "k = %g mm2/N is %g mm3/(N m): was %g mm3/(N m) meant (k = %g)?", k,
+             1e3 * k, k, 1e-3 * k);
+  if (stroke > 0 && stroke < short_of * half_width)
+    arc_warn(
+        callbacks,
+        "stroke = %g mm, from end to end, is %.2g of the contact's half width: was %g mm meant? "
+        "So short a stroke may stick: friction = takes that into account",
+        stroke, stroke / half_width, 1e3 * stroke);
+}
