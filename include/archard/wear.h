@@ -451,10 +451,13 @@ arc_status arc_wear_set(arc_wear *wear, const arc_wear_def *def, const arc_mesh_
 
 const arc_wear_def *arc_wear_definition(const arc_wear *wear);
 arc_procedure arc_wear_procedure(const arc_wear *wear); /* never ARC_AUTO */
-double arc_wear_strokes(const arc_wear *wear);          /* r of Eq. (21): 2 or 1 */
-double arc_wear_cycles(const arc_wear *wear);           /* N of Eq. (21), for the whole distance */
-double arc_wear_travel(const arc_wear *wear); /* from one end of the present block's way to the
-                                                other [mm]: the stroke, or that of the loading */
+/* Wear coefficient [mm2/N] of what lies open of a body where it is worn deepest: that of the last
+ * update, of the layer there where the body has layers. */
+double arc_wear_open_k(const arc_wear *wear, arc_body body);
+double arc_wear_strokes(const arc_wear *wear); /* r of Eq. (21): 2 or 1 */
+double arc_wear_cycles(const arc_wear *wear);  /* N of Eq. (21), for the whole distance */
+double arc_wear_travel(const arc_wear *wear);  /* from one end of the present block's way to the
+                                                 other [mm]: the stroke, or that of the loading */
 const arc_shape *arc_wear_shape(const arc_wear *wear);
 arc_model *arc_wear_model(const arc_wear *wear);
 const arc_wear_record *arc_wear_history(const arc_wear *wear, size_t *count);

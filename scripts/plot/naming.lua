@@ -251,11 +251,21 @@ end
 
 -- --- one object ----------------------------------------------------------------------------------
 
+-- Whether one of its bodies has layers, each of which wears by its own k: no alpha holds for all of its run.
+local function is_layered(object)
+  local model = get(object, "model")
+  for _, role in ipairs{ "upper", "lower" } do
+    local body = get(model, role)
+    if get(body, "layers") or get(body, "materials") then return true end
+  end
+  return false
+end
+
 -- What an object alone on a picture is: its main settings.
 function naming.summary(object)
-  local parts = {}
+  local parts, layered = {}, is_layered(object)
   for _, name in ipairs { "stroke", get(object, "stroke") and "tangential", "alpha", "load", "cycle" } do
-    parts[#parts + 1] = name and said(object, by_name[name]) or nil
+    parts[#parts + 1] = name and not (layered and name == "alpha") and said(object, by_name[name]) or nil
   end
   return table.concat(parts, ", ")
 end

@@ -266,15 +266,15 @@ fails(function() cosine:run{ cycles = 3 } end, "a run with loading takes a dista
 local w = run_of{}
 w:step(2)
 is(w:set{ alpha = 1, load = 200 }, w, "set returns the run")
-holds(tostring(w), { "stroke 0.11 mm, load 100 N until now, 200 N from here on, k 1e-08 mm2/N, "
-  .. "alpha 0.5 until now, 1 from here on" }, "print says what the last record was made with")
+holds(tostring(w), { "stroke 0.11 mm, load 100 N until now, 200 N from here on\n  wears by  k 1e-08 mm2/N "
+  .. "= 1e-05 mm3/(N m), alpha 0.5 until now, 1 from here on" }, "print says what the last record was made with")
 is(w.alpha, 1, "what is given changes")
 is(w.k, 1e-8, "what is not stays")
 is(w.update, 2, "and so does the history")
 is(w.procedure, "NSP", "the procedure follows")
 w:step()
 near(w.volume.total, 1e-8 * (100 * 44 + 200 * 22), 1e-9, "the wear goes on under the new load")
-holds(tostring(w), { "load 200 N, k 1e-08 mm2/N, alpha 1\n" }, "and print has one load again")
+holds(tostring(w), { "load 200 N\n  wears by  k 1e-08 mm2/N = 1e-05 mm3/(N m), alpha 1\n" }, "and print has one load again")
 w:set{ k = function() return 3e-8 end }
 is(w.functions[1], "k", "a number becomes a function")
 w:step()

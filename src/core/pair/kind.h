@@ -146,6 +146,9 @@ typedef struct arc_kind {
    * that an update may; NULL where there are none. */
   double (*even_dose)(const arc_wear *w, double depth);
   double (*layer_dose)(const arc_wear *w, int scars);
+  /* * Wear coefficient of the layer that lies open where a body is worn deepest, over the largest
+   * of that body; NULL: 1. */
+  double (*open_share)(const arc_wear *w, arc_body body);
 
   const arc_growth *growth; /* NULL: sites do not grow */
 

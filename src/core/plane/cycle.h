@@ -182,6 +182,7 @@ arc_status arc_plane_wear(const arc_wear *w, arc_shape *shape, wear_depths *dept
 double arc_plane_natural_depth(const arc_wear *w);
 double arc_plane_even_dose(const arc_wear *w, double depth);
 double arc_plane_layer_dose(const arc_wear *w, int scars);
+double arc_plane_open_share(const arc_wear *w, arc_body body);
 
 /* --- plane_surfaces.c --- */
 arc_status arc_plane_show(const arc_wear *w, arc_array **surfaces, size_t *count, arc_error *error);

@@ -242,6 +242,7 @@ const arc_kind arc_plane_kind = {
     .natural_depth = arc_plane_natural_depth,
     .even_dose = arc_plane_even_dose,
     .layer_dose = arc_plane_layer_dose,
+    .open_share = arc_plane_open_share,
     .growth = &growth,
     .solve = arc_plane_solve,
     .move = arc_plane_move,

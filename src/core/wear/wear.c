@@ -189,6 +189,12 @@ arc_status arc_wear_set(arc_wear *w, const arc_wear_def *wanted, const arc_mesh_
 
 /* --- what a run tells --- */
 
+double arc_wear_open_k(const arc_wear *w, arc_body body) {
+  const arc_wear_record *now = arc_wear_last(w);
+  const double k = now->k * (body == ARC_CYLINDER ? now->alpha : 1 - now->alpha);
+  return w->kind->open_share ? k * w->kind->open_share(w, body) : k;
+}
+
 const arc_wear_def *arc_wear_definition(const arc_wear *w) {
   return &w->def;
 }

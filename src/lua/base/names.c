@@ -7,6 +7,7 @@
 #include <lauxlib.h>
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 /* --- the nearest known name ------------------------------------------------------------------ */
 
@@ -56,7 +57,7 @@ names_search names_begin(const char *name) {
 }
 
 void names_offer(names_search *search, const char *known) {
-  if (strcmp(known, meaning_of(search->name)) == 0) {
+  if (strcmp(known, meaning_of(search->name)) == 0 || strcasecmp(known, search->name) == 0) {
     search->best = known;
     search->limit = -1;
   }

@@ -19,7 +19,9 @@ static int material_tostring(lua_State *L) {
   snprintf(text, sizeof text, "material: E %.6g MPa, nu %.6g, E_star %.6g MPa", material.E,
            material.nu, arc_material_E_star(material));
   lua_pushstring(L, text);
-  if (material.k > 0) lua_pushfstring(L, "%s, k %s mm2/N", text, args_show_number(L, material.k));
+  if (material.k > 0)
+    lua_pushfstring(L, "%s, k %s mm2/N = %s mm3/(N m)", text, args_show_number(L, material.k),
+                    args_show_number(L, 1e3 * material.k));
   return 1;
 }
 

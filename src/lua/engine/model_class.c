@@ -6,6 +6,7 @@
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"
 #include "lua/base/file_name.h"
+#include "lua/engine/pair_text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -287,6 +288,7 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
            body_name(def, body), def->material[body].E, def->material[body].nu,
            arc_mesh_element(mesh, 4), def->mesh.zone[body], mesh->nodes, mesh->elements);
   luaL_addstring(text, line);
+  pair_add_layers(text, def, body, "\n    layer   ");
 }
 
 /* A pair without meshes. */
@@ -314,11 +316,7 @@ static int push_half_spaces(lua_State *L, const arc_model_def *def) {
       snprintf(line, sizeof line, ", %.6g mm on a rigid base", def->body[b].height);
       luaL_addstring(&text, line);
     }
-    for (int l = 0; l < arc_body_layers(&solid); l++) {
-      snprintf(line, sizeof line, ", layer %.6g mm of E %.6g MPa", solid.layer[l].thickness,
-               solid.layer[l].material.E);
-      luaL_addstring(&text, line);
-    }
+    pair_add_layers(&text, def, (arc_body)b, ", layer ");
   }
   luaL_pushresult(&text);
   return 1;
@@ -329,12 +327,12 @@ static int model_tostring(lua_State *L) {
     return push_half_spaces(L, arc_model_definition(self(L)));
   const arc_model *model = self(L);
   const arc_model_def *def = arc_model_definition(model);
-  char line[200], space[100];
+  char line[500], pair[300], space[100];
   luaL_Buffer text;
   luaL_buffinit(L, &text);
-  snprintf(line, sizeof line, "model: radius %.6g mm, %s, elements %.6g x %.6g mm, %.3g MB",
-           def->radius, model_show_space(def, space, sizeof space), def->mesh.size,
-           def->mesh.height, (double)arc_model_bytes(model) / 1e6);
+  snprintf(line, sizeof line, "model: %s, %s, elements %.6g x %.6g mm, %.3g MB",
+           pair_show(def, pair, sizeof pair), model_show_space(def, space, sizeof space),
+           def->mesh.size, def->mesh.height, (double)arc_model_bytes(model) / 1e6);
   luaL_addstring(&text, line);
   add_body(&text, model, ARC_CYLINDER);
   add_body(&text, model, ARC_PLATE);

@@ -2,12 +2,14 @@
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
+#include "lua/engine/pair_text.h"
 #include "lua/wear/wear_class.h"
 #include "lua/wear/wear_functions.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static arc_wear *self(lua_State *L) {
   return wear_self(L, "wear");
@@ -336,11 +338,16 @@ static void add_others(luaL_Buffer *text, const arc_wear_def *settings) {
   if (before[0] == ',') luaL_addchar(text, '\n');
 }
 
+/* A constant one in both units. */
 static const char *show_k(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const arc_wear_record *now = arc_wear_last(wear);
-  return show_coefficient(of_update(now, now->k), def->k, &def->k_series, def->k_function != NULL,
-                          " mm2/N", text, size);
+  const double k = of_update(now, now->k);
+  if (!def->k_function && def->k_series.count == 0 && k == def->k) {
+    snprintf(text, size, "%.6g mm2/N = %.6g mm3/(N m)", k, 1e3 * k);
+    return text;
+  }
+  return show_coefficient(k, def->k, &def->k_series, def->k_function != NULL, " mm2/N", text, size);
 }
 
 static const char *show_alpha(const arc_wear *wear, char *text, size_t size) {
@@ -367,52 +374,45 @@ static const char *show_increments(const arc_wear *wear, char *text, size_t size
   return text;
 }
 
-/* "cylinder E 200000 MPa nu 0.3" */
-static void show_material(const char *name, arc_material material, char *text, size_t size) {
-  snprintf(text, size, "%s E %.6g MPa nu %.6g", name, material.E, material.nu);
-}
-
-/* "radius 10 mm" of the usual pair, "pin (disc) on bush (ring)" of one's own. */
-static const char *show_pair(const arc_model_def *model, char *text, size_t size) {
-  char part[ARC_BODIES][80];
-  snprintf(text, size, "radius %.6g mm", model->radius);
-  if (model->body[0].kind == ARC_SOLID_USUAL && model->body[1].kind == ARC_SOLID_USUAL) return text;
-  for (int b = 0; b < ARC_BODIES; b++) {
-    const char *name = model->body[b].name;
-    const char *kind = arc_solid_names[arc_model_solid(model, (arc_body)b).kind];
-    snprintf(part[b], sizeof part[b], name[0] ? "%.31s (%s)" : "%.31s%s", name, kind);
-  }
-  snprintf(text, size, "%s on %s", part[0], part[1]);
-  return text;
-}
-
-/* What rubs: shapes, materials, mesh. */
+/* What rubs: shapes, materials, layers, mesh. */
 static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
-  const arc_material *of = model->material;
-  const int alike = of[0].E == of[1].E && of[0].nu == of[1].nu;
-  char line[700], pair[200], space[100], first[100], second[100];
-  show_material(alike ? "both" : body_name(model, ARC_UPPER), of[0], first, sizeof first);
-  show_material(body_name(model, ARC_LOWER), of[1], second, sizeof second);
-  if (arc_model_has_maps(model))
-    snprintf(line, sizeof line, "  bodies    %s, 3-D, half-spaces\n  materials %s%s%s\n",
-             show_pair(model, pair, sizeof pair), first, alike ? "" : ", ", alike ? "" : second);
-  else
-    snprintf(line, sizeof line,
-             "  bodies    %s, %s, elements %.6g x %.6g mm\n"
-             "  materials %s%s%s\n",
-             show_pair(model, pair, sizeof pair), model_show_space(model, space, sizeof space),
-             model->mesh.size, model->mesh.height, first, alike ? "" : ", ", alike ? "" : second);
+  enum { columns = 80 };
+  char line[500], pair[300], space[100], mesh[80];
+  pair_show(model, pair, sizeof pair);
+  const int shapes = arc_model_has_maps(model);
+  snprintf(line, sizeof line, "  bodies    %s, %s", pair,
+           shapes ? "3-D, half-spaces" : model_show_space(model, space, sizeof space));
+  snprintf(mesh, sizeof mesh, "elements %.6g x %.6g mm", model->mesh.size, model->mesh.height);
   luaL_addstring(text, line);
+  if (!shapes)
+    luaL_addstring(text, strlen(line) + strlen(mesh) + 2 > columns ? ",\n            " : ", ");
+  snprintf(line, sizeof line, "%s\n", shapes ? "" : mesh);
+  luaL_addstring(text, line);
+  pair_add_materials(text, model);
+  pair_add_all_layers(text, model);
+}
+
+/* "k 1e-08 mm2/N, alpha 0.5"; with layers those of the surfaces that lie open. */
+static void show_coefficients(const arc_wear *wear, char *text, size_t size) {
+  const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
+  const double upper = arc_wear_open_k(wear, ARC_UPPER), lower = arc_wear_open_k(wear, ARC_LOWER);
+  char k[100], alpha[100];
+  if (pair_has_layers(model) && upper + lower > 0)
+    snprintf(text, size, "k %.6g mm2/N = %.6g mm3/(N m), alpha %.6g as the surfaces are",
+             upper + lower, 1e3 * (upper + lower), upper / (upper + lower));
+  else
+    snprintf(text, size, "k %s, alpha %s", show_k(wear, k, sizeof k),
+             show_alpha(wear, alpha, sizeof alpha));
 }
 
 static void add_settings(luaL_Buffer *text, const arc_wear *wear) {
   const arc_wear_def *settings = arc_wear_definition(wear);
-  char line[600], motion[140], load[100], k[100], alpha[100], steps[40], increments[40];
+  char line[600], motion[140], load[100], k_alpha[220], steps[40], increments[40];
   show_motion(wear, motion, sizeof motion);
   show_steps(settings, steps, sizeof steps);
-  snprintf(line, sizeof line, "wear: %s, load %s, k %s, alpha %s\n", motion,
-           show_load(wear, load, sizeof load), show_k(wear, k, sizeof k),
-           show_alpha(wear, alpha, sizeof alpha));
+  show_coefficients(wear, k_alpha, sizeof k_alpha);
+  snprintf(line, sizeof line, "wear: %s, load %s\n  wears by  %s\n", motion,
+           show_load(wear, load, sizeof load), k_alpha);
   luaL_addstring(text, line);
   add_bodies(text, arc_model_definition(arc_wear_model(wear)));
   snprintf(line, sizeof line, "  settings  %s %s, %s, increments %s, %s, %s slip\n",
@@ -428,17 +428,20 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
   const char *upper = body_name(model, ARC_UPPER), *lower = body_name(model, ARC_LOWER);
   const int means = arc_wear_definition(wear)->track > 0 && !arc_model_has_maps(model);
-  char line[600], partition[40] = "none yet";
+  char line[700], partition[40] = "none yet", peak[60] = "";
+  if (record->update > 0 && isfinite(record->p_peak))
+    snprintf(peak, sizeof peak, ", in a cycle %.2f", record->p_peak);
   if (isfinite(record->depth_partition))
     snprintf(partition, sizeof partition, "%.4f", record->depth_partition);
   snprintf(line, sizeof line,
            "  done      cycle %.6g of %.6g, distance %.6g of %.6g mm, %.0f update%s\n"
-           "  pressure  centre %.2f MPa, largest %.2f MPa, half width %.6g mm\n"
+           "  pressure  centre %.2f, largest %.2f%s MPa\n"
+           "  width     half %.6g mm\n"
            "  depth     %s %.4e mm, %s %.4e mm%s; alpha-tilde %s\n"
            "  volume    %s %.4e mm3, %s %.4e mm3, total %.4e mm3",
            record->cycle, arc_wear_cycles(wear), record->distance,
            arc_wear_definition(wear)->distance, record->update, record->update == 1 ? "" : "s",
-           record->p_center, record->p_max, record->half_width, upper, record->depth_cylinder,
+           record->p_center, record->p_max, peak, record->half_width, upper, record->depth_cylinder,
            lower, record->depth_plate, means ? " (mean over its track)" : "", partition, upper,
            record->volume_cylinder, lower, record->volume_plate,
            record->volume_cylinder + record->volume_plate);

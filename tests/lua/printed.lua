@@ -1,0 +1,47 @@
+-- What is printed of pairs with layers, and warnings of numbers that look as if they were in another unit.
+package.path = arg[0]:gsub("[^/]*$", "") .. "lib/?.lua;" .. package.path
+local ok = require "tap".ok
+local warnings = require "archard.warnings"
+
+local function has(text, what, name) ok(tostring(text):find(what, 1, true), name .. ": " .. what) end
+
+-- --- layers ------------------------------------------------------------------------------------
+
+local roller = body.cylinder{ name = "roller", radius = 5, E = 2.1e5, k = 1e-8,
+  layers = { { thickness = 0.003, E = 4e5, k = 1e-10 } } }
+local w = wear{ model = { upper = roller, lower = body.block{ name = "base", E = 2.1e5, k = 1e-9 },
+  mesh = { size = 0.05, height = 0.05 } }, load = 100, distance = 100 }
+local layer = "0.003 mm of E 400000 MPa nu 0.3"
+has(w, "layers    roller " .. layer, "a run names layers")
+has(w, "k 1.1e-09 mm2/N = 1.1e-06 mm3/(N m), alpha 0.0909091 as the surfaces are", "and what wears now")
+has(w.model, "roller (cylinder of radius 5 mm) on base (block)", "a model its bodies")
+has(w.model, "layer   " .. layer .. " k 1e-10 mm2/N = 1e-07 mm3/(N m)", "and their layers")
+ok(not tostring(w.model):find("radius 10", 1, true), "no radius that nothing has")
+w:run{ progress = false }
+has(w, "in a cycle ", "the largest pressure of a cycle is printed")
+
+-- --- units -------------------------------------------------------------------------------------
+
+local coarse = { mesh = { size = 0.05, height = 0.05 } }
+local function warned(make)
+  warnings.keep()
+  make()
+  return warnings.take() or ""
+end
+local function pair(E)
+  return function() contact{ model = { cylinder = { E = E }, mesh = coarse.mesh }, load = 0.1 } end
+end
+has(warned(pair(210)), "E = 210 MPa of the cylinder is that of a soft plastic or rubber: was 210 GPa meant", "a modulus in GPa")
+has(warned(pair(210e9)), "was 2.1e+11 Pa meant", "a modulus in Pa")
+has(warned(function() contact{ model = coarse, load = 3e4 } end), "more than a fiftieth of E", "a pressure near the modulus")
+local function step(fields)
+  return function()
+    fields.model = coarse
+    wear(fields):step()
+  end
+end
+has(warned(step{ k = 2e-6, jump = 1 }), "k = 2e-06 mm2/N is 0.002 mm3/(N m): was 2e-06 mm3/(N m) meant", "k in mm3/(N m)")
+has(warned(step{ stroke = 4e-4 }), "was 0.4 mm meant", "a stroke in m")
+for what, make in pairs{ ["the usual numbers"] = step{}, polyethylene = pair(700), diamond = pair(1.2e6) } do
+  ok(not warned(make):find("meant", 1, true), what .. " pass without a warning")
+end
