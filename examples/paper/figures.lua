@@ -79,7 +79,7 @@ local function evolution(cases)
   panels[6] = { xlabel = "d / mm", ylabel = "volume / 10⁻³ mm³", title = "volumes" }
   for i, body in ipairs{ "cylinder", "plate" } do
     panels[6][i] = parts.history(case, "volume_" .. body, 1e3)
-    panels[6][i].title, panels[6][i].dash = body, i
+    panels[6][i].title, panels[6][i].dash, panels[6][i].width = body, i, i == 1 and 2.5 or nil -- one upon the other
   end
   for i = 1, 6 do panels[i].key = i == 3 and "top right" or i > 4 and "top left" or "none" end
   return { panels = panels, layout = { 2, 3 }, size = { 1500, 840 } }

@@ -9,7 +9,8 @@ local paper = require "archard.study.paper"
 -- Where the wear box ends: the deepest nodes of its columns.
 local function floor_of(body)
   local nodes, per_column = body:box(), body.rows + 1
-  local curve = { x = {}, y = {}, title = "end of the wear box", colour = "black", width = 2 }
+  local curve = { x = {}, y = {}, title = "end of the wear box", colour = "black", width = 2,
+    style = "lines" }
   for at = per_column, #nodes, per_column do
     curve.x[#curve.x + 1], curve.y[#curve.y + 1] = body:node(nodes[at])
   end
@@ -25,8 +26,9 @@ local function view(model, which)
   local box = half and { -half, half, -below, above }
   local panel = { title = title, xlabel = "x / mm", ylabel = "y / mm", equal = true, key = "none",
     xrange = box and { -half, half }, yrange = box and { -below, above } }
+  local handed = half and { -2 * half, 2 * half, -2 * below, 2 * above } -- equal scales can widen what is shown
   for series, name in ipairs{ "cylinder", "plate" } do
-    local curve = require "archard.plot.mesh".edges(model.mesh[name], box)
+    local curve = require "archard.plot.mesh".edges(model.mesh[name], handed)
     curve.series, curve.dash, curve.width = series, 1, half and half < 0.2 and 1 or 0.5
     panel[#panel + 1] = curve
     if half and half < 0.2 then panel[#panel + 1] = floor_of(model.mesh[name]) end

@@ -15,7 +15,7 @@ end
 
 -- Asymmetry as a reader takes it in.
 local function percent(value)
-  return value < 1e-6 and ("%.0e"):format(value) or ("%.2g %%"):format(100 * value)
+  return value < 1e-9 and "0 %" or value < 1e-6 and ("%.0e"):format(value) or ("%.2g %%"):format(100 * value)
 end
 
 -- --- Fig. 8 --------------------------------------------------------------------------------------

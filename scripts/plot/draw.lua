@@ -251,17 +251,17 @@ local function count_shown(curve, axis)
   return count
 end
 
--- The curves of a figure whose points are marked: lines of few points, unless others of them have many.
+-- The curves of a figure whose points are marked: lines of few points, unless others over the same axis have many.
 local function marked_of(figure)
-  local marked = {}
+  local counts, most = {}, {}
   for _, panel in ipairs(figure.panels) do
+    local axis = panel.x.label or ""
     for _, curve in ipairs(panel.curves) do
       local count = not curve.style and not curve.error and not curve.value and count_shown(curve, panel.x)
-      if count and count > few then return {} end
-      marked[curve] = count and count >= fewest
+      counts[curve], most[axis] = count or 0, math.max(most[axis] or 0, count or 0)
     end
   end
-  return marked
+  return function(panel, curve) return counts[curve] >= fewest and most[panel.x.label or ""] <= few end
 end
 
 -- Characters have no scale beside them that says what the values are: the title does.
@@ -276,12 +276,12 @@ local function on(figure, surface)
   for _, name in ipairs{ "x", "y" } do
     if figure.nature[name] then figure = units.shown(figure, name) end
   end
-  local marked = surface == "pixels" and marked_of(figure) or {}
+  local marked = surface == "pixels" and marked_of(figure)
   for i, panel in ipairs(figure.panels) do
     local curves = {}
     for _, curve in ipairs(panel.curves) do
       if curve.on == nil or curve.on == surface then
-        curves[#curves + 1] = marked[curve] and merged(curve, { style = "linespoints" }) or curve
+        curves[#curves + 1] = marked and marked(panel, curve) and merged(curve, { style = "linespoints" }) or curve
       end
     end
     panels[i] = merged(panel, { curves = curves })

@@ -255,12 +255,12 @@ local much = 3 -- times the stresses of the softer body, which would be all dark
 
 -- Label and range of the colours: where one body bears much more than the other, the range is the other's and the label
 -- says how far the one goes beyond it.
-local function scale_of(bodies, component, box, label)
+local function scale_of(bodies, names, component, box, label)
   if #bodies < 2 or not (component == "mises" or component == "shear") then return label end
   local first, second = largest_of(bodies[1], component, box), largest_of(bodies[2], component, box)
   local low, high = math.min(first, second), math.max(first, second)
   if low <= 0 or high <= much * low then return label end
-  return ("%s, yellow up to %.3g"):format(label, high), { 0, low }
+  return ("%s, in the %s up to %.3g"):format(label, names[first > second and 1 or 2], high), { 0, low }
 end
 
 -- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... })
@@ -268,8 +268,8 @@ function mesh.stress(object, options)
   local where = "plot.stress"
   local stress, contact = field_of(where, object)
   options = draw.options(where, options, stress_options)
-  local shown = {}
-  for i, name in ipairs((shown_bodies(where, stress, options))) do shown[i] = stress[name] end
+  local shown, names = {}, (shown_bodies(where, stress, options))
+  for i, name in ipairs(names) do shown[i] = stress[name] end
   local component, box = options.component or "mises", stress_view(contact, options.zoom, shown)
   local field, defaults = { x = {}, y = {}, value = {} }, {}
   for _, body in ipairs(shown) do
@@ -289,7 +289,7 @@ function mesh.stress(object, options)
   if not field.x[1] then check.fail(where, "no element lies in the part to be shown") end
   table.insert(defaults, 1, field)
   defaults.xlabel, defaults.ylabel = axes_of(options)
-  defaults.vlabel, defaults.vrange = scale_of(shown, component, box, labels[component])
+  defaults.vlabel, defaults.vrange = scale_of(shown, names, component, box, labels[component])
   defaults.equal, defaults.levels = true, 9
   defaults.title = naming.title_of("stress", { contact or stress }, options)
   if box then defaults.xrange, defaults.yrange = { box[1], box[2] }, { box[3], box[4] } end

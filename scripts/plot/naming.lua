@@ -264,7 +264,7 @@ end
 -- What an object alone on a picture is: its main settings.
 function naming.summary(object)
   local parts, layered = {}, is_layered(object)
-  for _, name in ipairs { "stroke", get(object, "stroke") and "tangential", "alpha", "load", "cycle" } do
+  for _, name in ipairs { "stroke", get(object, "stroke") and "tangential" or false, "alpha", "load", "cycle" } do
     parts[#parts + 1] = name and not (layered and name == "alpha") and said(object, by_name[name]) or nil
   end
   return table.concat(parts, ", ")
