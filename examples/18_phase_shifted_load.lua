@@ -30,7 +30,7 @@ for i, force in ipairs(loops[1].tangential) do
 end
 local compliance = (loops[1].x[top] - loops[1].x[bottom])
   / (loops[1].tangential[top] - loops[1].tangential[bottom])
-local curves = { xlabel = "tangential force / N", ylabel = "position less its elastic part / µm",
+local curves = { xlabel = "tangential force / N", ylabel = "inelastic motion / µm",
   title = "Fretting loops at three shifts of phase" }
 for i, loop in ipairs(loops) do
   local left = {}

@@ -13,6 +13,8 @@ static const char *const pixel_colours[SERIES] = {"#0072b2", "#d55e00", "#009e73
                                                   "#e69f00", "#56b4e9", "#000000", "#7f7f7f"};
 static const char *const grey_colours[SERIES] = {"#000000", "#808080", "#484848", "#a0a0a0",
                                                  "#606060", "#b4b4b4", "#242424", "#909090"};
+static const char *const area_greys[SERIES] = {"#404040", "#b0b0b0", "#000000", "#c8c8c8",
+                                               "#606060", "#888888", "#202020", "#d8d8d8"};
 static const char *const text_colours[SERIES] = {"blue",  "red",    "cyan", "magenta",
                                                  "green", "yellow", "blue", "red"};
 
@@ -235,7 +237,9 @@ static void style_words(arc_writer *w, const arc_plot_panel *panel, const arc_pl
   if (curve->style != ARC_PLOT_FILLED || curve->error) return;
   const char *to = panel && panel->y.log ? " x1" : " y1=0";
   arc_text_word(w->out, comes_back(curve) ? " closed" : to);
-  if (!w->canvas->text) arc_text_word(w->out, " fillstyle transparent solid 0.35 noborder");
+  if (!w->canvas->text)
+    arc_text_format(w->out, " fillstyle transparent solid %g noborder",
+                    w->canvas->grey ? 0.5 : 0.35);
 }
 
 /* gnuplot's own red, green and blue of a name or #rrggbb. */
@@ -264,6 +268,14 @@ static void colour_words(arc_writer *w, const char *colour) {
     arc_writer_words(w, " linecolor rgb ", colour, "");
 }
 
+enum { MANY = 60 }; /* points, of which dots hide less */
+
+static void mark_of_points(arc_writer *w, const arc_plot_curve *curve, int series) {
+  int many = curve->count > MANY;
+  arc_text_format(w->out, " pointtype %d pointsize %g", many ? 7 : open_marks[series - 1],
+                  many ? 0.4 : 0.9);
+}
+
 static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curve *curve,
                  size_t position) {
   pen p = pen_of(w, curve, position);
@@ -273,9 +285,10 @@ static void look(arc_writer *w, const arc_plot_panel *panel, const arc_plot_curv
     arc_text_format(w->out, " linecolor palette cb %.17g", curve->value);
   else if (curve->colour)
     colour_words(w, curve->colour);
+  else if (w->canvas->grey && curve->style == ARC_PLOT_FILLED)
+    arc_text_format(w->out, " linecolor rgb '%s'", area_greys[p.series - 1]);
   if (curve->width > 0) arc_text_format(w->out, " linewidth %g", 1.6 * curve->width);
-  if (curve->style == ARC_PLOT_POINTS && !w->canvas->text)
-    arc_text_format(w->out, " pointtype %d pointsize 0.9", open_marks[p.series - 1]);
+  if (curve->style == ARC_PLOT_POINTS && !w->canvas->text) mark_of_points(w, curve, p.series);
   int chosen = curve->colour && curve->dash == 0; /* by a colour: the line stays full */
   if (p.dash > 1 && !chosen && curve->style != ARC_PLOT_POINTS && !w->canvas->text &&
       !is_scaled(w, curve))
