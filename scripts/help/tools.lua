@@ -147,7 +147,8 @@ return {
     values = require "archard.gnuplot".keys,
     text = "Place of the key; false for none. Panels share one below where none is named." },
   { "plot{style}", values = require "archard.gnuplot".styles,
-    default = '"lines"', text = "How curves are drawn; also of one curve." },
+    default = '"lines"', text = "How curves are drawn; also of one curve. Left out, lines of 4 to 30 points have "
+      .. "them marked in windows and files." },
   { "plot{colour}", type = "string or boolean",
     text = 'In a curve: "#rrggbb" or the name of a colour. Of the plot: "grey" or false for greys in files and '
       .. "no colours in the terminal." },
@@ -253,8 +254,8 @@ return {
       .. "apart, of heights their depth." },
   { "plot.history", kind = "function", takes = "plot", use = 'plot.history(w, "p_center", ...)',
     values = columns,
-    text = "Columns of w.history against the travelled distance, a panel for each quantity. Takes "
-      .. "the options of plot{} too." },
+    text = "Columns of w.history against the travelled distance, a panel for each quantity; distances in m or "
+      .. "km and depths in nm or mm where they are so long. Takes the options of plot{} too." },
   { "plot.history{against}", values = { "distance", "cycle", "update" }, default = '"distance"',
     text = "The abscissa." },
   { "plot.history{titles}", type = "list of strings", text = "Names of the objects in the key." },
@@ -280,8 +281,9 @@ return {
   { "plot.mesh{unrolled}", type = "boolean", text = "In a hole: along its surface and across it." },
   { "plot.mesh{body}", values = { "cylinder", "plate" }, text = "One body alone." },
   { "plot.stress", kind = "function", takes = "plot", use = 'plot.stress(c, { component="mises" })',
-    text = "A stress inside both bodies in colours, with contour lines and outlines; of a contact, a "
-      .. "run as worn, or a field f = c:stress(). Takes the options of plot{} too." },
+    text = "A stress inside both bodies in colours, with outlines and lines at the numbers of the scale; of a contact, a "
+      .. "run as worn, or a field f = c:stress(). Where one body bears more than three times as much, the scale is the "
+      .. "other's, and says so; vrange= chooses. Takes the options of plot{} too." },
   { "plot.stress{component}", values = require "archard.plot.mesh".components,
     default = '"mises"', text = "Which stress; shear is the largest in the plane, principal the largest tension." },
   { "plot.stress{zoom}", type = "table { x0, x1, y0, y1 }", values = { "all" },

@@ -76,10 +76,8 @@ static void clear_linear(const arc_plot_panel *panel, arc_plot_axis *y) {
   if (!(fabs(span) > 0) || !isfinite(span)) return;
   if (!isnan(y->min) && runs_along(panel, y->min, fabs(span))) y->min -= BEYOND * span;
   if (!isnan(y->max) && runs_along(panel, y->max, fabs(span))) y->max += BEYOND * span;
-  if (isnan(y->max) && runs_along(panel, box.y1, fabs(span)))
-    y->max = box.y1 + MARGIN * span;
-  if (isnan(y->min) && runs_along(panel, box.y0, fabs(span)))
-    y->min = box.y0 - MARGIN * span;
+  if (isnan(y->max) && runs_along(panel, box.y1, fabs(span))) y->max = box.y1 + MARGIN * span;
+  if (isnan(y->min) && runs_along(panel, box.y0, fabs(span))) y->min = box.y0 - MARGIN * span;
   if (y->reverse && isnan(y->max)) y->max = box.y1 + MARGIN * span;
   if (y->reverse && isnan(y->min)) y->min = box.y0 - MARGIN * span;
   int turned = y->reverse && !isnan(y->min) && !isnan(y->max);

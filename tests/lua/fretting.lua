@@ -290,7 +290,7 @@ ok(study.fretting_map{ load = { 50 }, motion = { 1e-3 }, model = m, annulus = 0.
 tap.holds(tostring(map), { "load / N", "0.1 um", "stick", "partial", "gross", "partial from / um" }, "in words")
 text = picture(function(file) plot.fretting_map(map, { file = file }) end)
 tap.holds(text, { "running condition fretting map", "load / N", "amplitude of the motion / µm", "filledcurves closed",
-  "slips on 10 % of the width" }, "as a picture")
+  "slips on 10 % of the width", 'title "computed"' }, "as a picture")
 text = picture(function(file) plot.fretting_map(study.fretting_map{ load = { 50 }, motion = { 1e-3 }, model = m }, { file = file }) end)
 tap.holds(text, { "partial slip" }, "of one load too")
 fails(function() plot.fretting_map(m) end, "expected what study.fretting_map{} gave", "a model is no map")

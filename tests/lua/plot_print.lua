@@ -165,4 +165,48 @@ do
   lacks(drawn { { x = { 1, 2 }, y = { 1, 2 }, title = "run5e-10" } }, "×", "but not in names")
 end
 
+-- --- stresses, depths, bars ----------------------------------------------------------------------
+
+-- A square of one element, under stresses up to `most`.
+local function square(low, most)
+  return { x = { 0, 1, 1, 0 }, y = { low, low, low + 1, low + 1 }, mises = { 0, most, most, 0 }, elements = { 1, 2, 3, 4 } }
+end
+
+local function stressed(upper, lower)
+  return script_of(function(file)
+    plot.stress({ cylinder = square(0, upper), plate = square(-1, lower) }, { file = file })
+  end)
+end
+
+do
+  local script = stressed(300, 200)
+  has(script, "set cbrange [0:300]", "bodies under stresses alike have one scale")
+  has(script, 'set cblabel "von Mises stress / MPa"', "and its label")
+  script = stressed(300, 20)
+  has(script, "set cbrange [0:20]", "a soft body beside a hard one has the scale")
+  has(script, "in the cylinder up to 300", "which says how far the other goes")
+  lacks(script:match "set title[^\n]*", "Mises", "the title does not repeat it")
+end
+
+do
+  local other = pictures.stand_in { k = 2e-8 }
+  local script = script_of(function(file) plot.profile(run, other, { file = file }) end)
+  local ranges = {}
+  for range in script:gmatch "set yrange (%b[])" do ranges[#ranges + 1] = range end
+  ok(ranges[1] == ranges[2] and ranges[1]:find "^%[2%.0", "panels of depths have one range: " .. tostring(ranges[1]))
+end
+
+do
+  local indices = { fields = { "k" }, indices = true, of = { "p_max" }, distance = { 5 },
+    p_max = { first = { k = { value = { 0.5 } } }, total = { k = { value = { 0.7 } } } } }
+  local script = script_of(function(file) plot.tornado(indices, { file = file }) end)
+  local heights = {}
+  for block in script:gmatch "%$d0_%d << END\n(.-)END" do
+    local low, high = math.huge, -math.huge
+    for y in block:gmatch "%S+ (%S+)\n" do low, high = math.min(low, tonumber(y)), math.max(high, tonumber(y)) end
+    heights[#heights + 1] = { low, high }
+  end
+  ok(#heights == 2 and heights[2][2] < heights[1][1], "bars of a name stand beside each other")
+end
+
 pictures.remove()
