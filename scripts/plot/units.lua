@@ -73,7 +73,7 @@ function units.shown(figure, name)
   result.panels = {}
   for i, panel in ipairs(figure.panels) do
     local what, mm = length_of(panel[name])
-    local fits = what and reaches[what] > 0 and not panel[name].log
+    local fits = what and reaches[what] > 0
     local unit, per_mm = unit_for(fits and reaches[what] or 0)
     local factor = fits and mm * per_mm or 1
     result.panels[i] = math.abs(factor - 1) < 1e-9 and panel or in_unit(panel, name, ("%s / %s"):format(what, unit), factor)

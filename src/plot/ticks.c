@@ -94,8 +94,9 @@ static arc_ticks log_ticks(double low, double high, double most) {
                      .decades = (int)ceil((last - first + 1) / fmax(2, most)),
                      .first = first,
                      .last = last};
-  if (last - first <= 2 && 3 * (last - first) <= most + 2) ticks.parts = high > 5.1 * low ? 3 : 1;
-  ticks.powers = first < -2 || last > 4;
+  ticks.powers = first < -3 || last > 4;
+  if (last - first <= 2 && 3 * (last - first) <= most + 2)
+    ticks.parts = high > 5.1 * low || ticks.powers ? 3 : 1;
   ticks.bare = ticks.powers && !ticks.parts;
   int digits = last > -first ? last + 1 : 2 - first,
       signs = (first < 0) + (abs(first) > 9 || abs(last) > 9);
