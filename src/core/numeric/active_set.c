@@ -38,9 +38,11 @@ static unsigned long long hash_of(const pass *s) {
   return hash;
 }
 
-/* Leaves the gaps in w->g, and the rigid unknowns in delta. */
+/* Leaves the gaps in w->g, and the rigid unknowns in delta. The loads, which projections hold to
+ * the rounding of their many steps, are restored. */
 static void finish(const pass *s, double *delta) {
   active_work *w = s->w;
+  arc_active_run(s, arc_active_restore_load);
   for (int b = 0; b < s->problem->blocks; b++)
     for (int k = 0; k < s->problem->cells; k++)
       w->g[active_at(s, b) + (size_t)k] = arc_active_gap(s, b, k);

@@ -148,8 +148,7 @@ static size_t gram_at(const pass *s, int block) {
   return (size_t)(block * s->problem->modes * s->problem->modes);
 }
 
-/* Scales p by 1 + N x so that it carries the load of its block. */
-static void restore_load(void *context, int block, int worker) {
+void arc_active_restore_load(void *context, int block, int worker) {
   const pass *s = context;
   const int m = s->problem->modes, n = s->problem->cells;
   double *p = s->p + active_at(s, block), miss[ARC_MOST_MODES], x[ARC_MOST_MODES];
@@ -293,7 +292,7 @@ arc_status arc_active_check(const pass *s, arc_error *error) {
 arc_status arc_active_gaps(const pass *s, double *limit, active_count *count, arc_error *error) {
   const active_work *w = s->w;
   double largest = 0;
-  arc_active_run(s, restore_load);
+  arc_active_run(s, arc_active_restore_load);
   arc_status status = arc_active_check(s, error);
   if (status == ARC_OK) status = arc_active_apply(s, s->p, w->g, count);
   if (status != ARC_OK) return status;

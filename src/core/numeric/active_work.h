@@ -50,6 +50,8 @@ int arc_active_changes(const pass *s);
 /* g - N delta of a cell. */
 double arc_active_gap(const pass *s, int block, int cell);
 
+/* Task for arc_active_run: scales p by 1 + N x so that it carries the load of its block. */
+void arc_active_restore_load(void *context, int block, int worker);
 /* Tasks for arc_active_run: the set becomes {p > 0}; Gram matrices of the set; residual on the set,
  * its square in w->sum; d A d in w->sum. */
 void arc_active_mark(void *context, int block, int worker);
