@@ -18,7 +18,10 @@ enum { PERIOD = 10000 }; /* instructions between two looks */
 
 /* What the error says; set outside of the handler. */
 static const char plain[] = "interrupted";
-static char explained[120];
+static char explained[300];
+
+/* Of a search of many runs: how far it is, in place of how far the present run is. */
+static char report[240];
 
 static void rest(lua_State *L);
 
@@ -42,6 +45,7 @@ static void stop_hook(lua_State *L, lua_Debug *event) {
     rest(L);
     return;
   }
+  if (!explained[0] && report[0]) snprintf(explained, sizeof explained, "%s: %s", report, plain);
   if (explained[0] && !exceeded) raise_explained(L);
   push_place(L);
   lua_pushstring(L, exceeded ? exceeded : plain);
@@ -107,13 +111,17 @@ int interrupt_pending(void *context) {
 }
 
 void interrupt_raise(lua_State *L, const char *stand) {
-  snprintf(explained, sizeof explained, "%s: %s", stand, plain);
+  snprintf(explained, sizeof explained, "%s: %s", report[0] ? report : stand, plain);
   raise_explained(L);
+}
+
+void interrupt_report(const char *text) {
+  snprintf(report, sizeof report, "%s", text);
 }
 
 void interrupt_clear(void) {
   requests = 0;
-  explained[0] = '\0';
+  explained[0] = report[0] = '\0';
 }
 
 /* Whoever takes over the processor must carry the hook if a request came before. */

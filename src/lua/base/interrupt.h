@@ -31,6 +31,10 @@ int interrupt_pending(void *context);
  * request this text too. */
 void interrupt_raise(lua_State *L, const char *stand);
 
+/* What errors of a request say in place of <stand>, until the next call or interrupt_clear: of a
+ * search of many runs how far it is. Empty: nothing. */
+void interrupt_report(const char *text);
+
 /* From here on Lua runs so many instructions at most (0: any number); costs it speed. What is
  * beyond is stopped as by a request that nothing clears. No hook stops all of it (Lua calls none in
  * what a hook's own error runs: handlers, and __close of a coroutine that dies of it): `reached`,

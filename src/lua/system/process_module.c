@@ -372,6 +372,13 @@ static int process_pause(lua_State *L) {
   return 0;
 }
 
+/* process.report(text): what an interrupt says of the work at hand, "<text>: interrupted"; "" for
+ * nothing */
+static int process_report(lua_State *L) {
+  interrupt_report(luaL_checkstring(L, 1));
+  return 0;
+}
+
 /* process.make_folder(path) -> true, or nil and the reason; one that is there already is fine */
 static int process_make_folder(lua_State *L) {
   const char *path = path_argument(L, 1, "folder", "path");
@@ -428,6 +435,7 @@ int luaopen_archard_process(lua_State *L) {
                                        {"program", process_program},
                                        {"files", process_files},
                                        {"pause", process_pause},
+                                       {"report", process_report},
                                        {NULL, NULL}};
   call_new_library(L, functions);
   return 1;
