@@ -278,7 +278,8 @@ return function(given, common, prepare)
   for _, name in ipairs{ "unknown", "measure" } do
     if given[name] == nil then check.refuse(where, name, "a table", nil) end
   end
-  local problem = prepare(where, given, read(given))
+  local problem = prepare(where, given, read(given), 2)
+  local _ <close> = problem.runs.counter
   local self = { problem = problem, prior = prior_rows(problem) }
   self.all, self.rows = sensitivities(problem)
   local all, correlation = together(self)

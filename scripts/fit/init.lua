@@ -7,5 +7,6 @@ local later = require "archard.lib.later"
 
 local run = later("archard.fit.run", "run")
 
-return setmetatable({ design = later("archard.fit.run", "design") },
+-- best: of the last search, the best values so far.
+return setmetatable({ design = later("archard.fit.run", "design"), best = {} },
   { __call = function(_, given) return run(given) end })

@@ -7,6 +7,7 @@ local data = require "archard.fit.data"
 local merged = require "archard.lib.merged"
 local problems = require "archard.fit.problem"
 local result = require "archard.fit.result"
+local run_counter = require "archard.lib.run_counter"
 local runs = require "archard.fit.runs"
 local solve = require "archard.fit.solve"
 local unknown = require "archard.fit.unknown"
@@ -73,11 +74,13 @@ local function model_of(given)
   return type(given.base) == "table" and given.base.model or nil
 end
 
--- The parts that a fit and a design have in common.
-local function prepare(name, given, items)
+-- The parts that a fit and a design have in common; about so many runs for each unknown.
+local function prepare(name, given, items, each)
   local unknowns = unknown.read(name, given.unknown, model_of(given))
   local what = data.wanted(items)
-  local all = runs.new(name, base_of(name, given, what), unknowns, what, given)
+  local options = { file = given.file, workers = given.workers, progress = given.progress,
+    counter = run_counter.new(name, 3 + each * (#unknowns + 1), given.progress) }
+  local all = runs.new(name, base_of(name, given, what), unknowns, what, options)
   return problems.new(name, unknowns, items, all)
 end
 
@@ -102,7 +105,8 @@ local function run(given)
   need(where, given, { "unknown", "data" })
   local unknowns = unknown.read(where, given.unknown, model_of(given))
   local items, told = data.read(where, given.data, motion_of(where, given, unknowns))
-  local problem = prepare(where, given, items)
+  local problem = prepare(where, given, items, 8)
+  local _ <close> = problem.runs.counter
   refuse_few(problem, told)
   data.check_sizes(where, items, problem.runs:one(start_of(unknowns)))
   local found = solve.fit(problem, unknown.smooth(problem.unknowns), told)

@@ -54,6 +54,7 @@ local function compute_here(self, label, values)
   run:close()
   self.count = self.count + 1
   self.known[label] = looks
+  if self.counter then self.counter:ran() end
   if type(self.progress) == "function" then self.progress(self.count, label) end
 end
 
@@ -130,6 +131,7 @@ local function compute_by_workers(self, wanted)
   local failed, _, count = require "archard.study.run"(store, { workers = self.workers,
     progress = self.progress or false })
   self.count = self.count + count
+  if self.counter then self.counter:ran(count) end
   for _, each in ipairs(failed) do fail_at(self, each.label, { message = each.message, code = "NUMERIC" }) end
   for _, each in ipairs(wanted) do self.known[each.label] = from_store(store, self.cases[each.label]) end
 end
@@ -172,10 +174,10 @@ local function open_model(where, base, unknowns)
   end
 end
 
--- options: file, workers, progress
+-- options: file, workers, progress, counter (of lib/run_counter.lua)
 function runs.new(where, base, unknowns, what, options)
   local self = setmetatable({ where = where, base = deep(where, base, "base."), unknowns = unknowns, what = what,
-    file = options.file, progress = options.progress, known = {}, cases = {}, last = 0, count = 0,
+    file = options.file, progress = options.progress, counter = options.counter, known = {}, cases = {}, last = 0, count = 0,
     workers = options.workers or require "archard.process".processors() }, runs)
   open_model(where, self.base, unknowns)
   if self.file then self.fingerprint = fingerprint(where, self.base) end

@@ -84,6 +84,17 @@ local function beyond_all(list)
   return far
 end
 
+-- Keeps the best values so far, for those who end the search.
+local function keep_best(problem, values, residuals)
+  local chi2 = norm(residuals) ^ 2
+  if chi2 >= (problem.least or math.huge) then return end
+  problem.least = chi2
+  local best = { value = {}, chi2 = chi2, runs = problem.runs.count }
+  for i, one in ipairs(problem.unknowns) do best.value[one.name] = values[i] end
+  require "archard.fit".best = best
+  problem.runs.counter:better(solve.shown(problem, values), "fit.best")
+end
+
 -- Searches from where each parameter's `start` is; returns the values and the iterations. With
 -- derivatives to one side, which cost half as many runs, unless told otherwise.
 local function search(problem, central)
@@ -93,11 +104,13 @@ local function search(problem, central)
     local values = values_of(parameters, at)
     if not far then
       local list = problem:residuals(values)
+      keep_best(problem, values, list)
       far = beyond_all(list)
       return list
     end
     local fine, list = pcall(problem.residuals, problem, values)
     if not fine and list.code == "STOPPED" then error(list, 0) end
+    if fine then keep_best(problem, values, list) end
     return fine and list or far
   end
   local u, iterations = least_squares.solve{ x = first, iterations = most, tolerance = small,
@@ -263,6 +276,7 @@ function solve.fit(problem, weight, told)
   local start = {}
   for i, one in ipairs(problem.parameters) do start[i] = one.start end
   problem:measure_noise(start)
+  keep_best(problem, start, problem:residuals(start))
   problem:measure_ripple(start, told)
   problem:refuse_idle(problem:jacobian(start))
   problem:smooth_by(weight == "auto" and 1e-2 or weight)

@@ -9,6 +9,8 @@ return {
       .. "one kind without errors, equal ones are taken from the residuals. Standard errors, correlations and "
       .. "bands are those of the problem made linear at the result. Errors: too few data, numbers in units "
       .. "that cannot be, an unknown that does nothing, no convergence (NOT_CONVERGED)." },
+  { "fit.best", type = "table { value=, chi2=, runs= }",
+    text = "Of the last search the best values so far, by name; empty before any. What is left of a fit that Ctrl-C ended." },
   { "fit{unknown}", type = "table of tables",
     text = "What is looked for, by name: numbers of wear{}, or of a model and its bodies as "
       .. "[\"model.radius\"], [\"lower.E\"], [\"lower.layer1.thickness\"], by the names that vary of study{} "

@@ -2,6 +2,7 @@
 -- of k and on alpha, against the sum of both depths and the cylinder's share of it. Leans on wear.
 
 local check = require "archard.lib.check"
+local run_counter = require "archard.lib.run_counter"
 local statistics = require "archard.lib.statistics"
 
 local depths = {}
@@ -15,11 +16,12 @@ local agreement = 0.05      -- between both sums of depths, where k is given
 -- --- one run ---------------------------------------------------------------------------------------
 
 -- The sum of both depths [mm] and the cylinder's share of it, for k and alpha.
-local function simulate(fields, k, alpha)
+local function simulate(fields, k, alpha, counter)
   local of_run = { alpha = alpha, k = k }
   for name, value in pairs(fields) do of_run[name] = of_run[name] or value end
   local run <close> = wear(of_run)
   run:run{ progress = function() end }
+  counter:ran()
   return run.depth.cylinder + run.depth.plate, run.depth_partition
 end
 
@@ -67,8 +69,9 @@ local function search(target, start, options)
   local h, dx, before = begin_inverse(seeks), nil, nil
   for run = 1, most_runs do
     local k = options.fixed or math.exp(x[1])
-    local sum, share = simulate(options.fields, k, x[2])
+    local sum, share = simulate(options.fields, k, x[2], options.counter)
     if run == 1 and not options.fixed then check_unit(target.sum, sum, k) end
+    options.counter:better(("k %.4g, alpha %.4g"):format(k, x[2]))
     local f = { seeks[1] and math.log(sum / target.sum) or 0, seeks[2] and share - target.share or 0 }
     if math.max(math.abs(f[1]), math.abs(f[2])) <= options.accuracy then
       return { k = k, alpha = x[2], sum = sum, runs = run, x = x }
@@ -105,7 +108,8 @@ end
 function depths.find(cylinder, plate, options)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)
   local share = c / (c + p)
-  options = { fields = options.fields, accuracy = options.accuracy, fixed = options.fields.k }
+  local counter <close> = run_counter.new(where, 6 * (#cylinder > 1 and #cylinder + 1 or 1))
+  options = { fields = options.fields, accuracy = options.accuracy, fixed = options.fields.k, counter = counter }
   local found = search({ sum = c + p, share = share }, { math.log(first_k), share }, options)
   if options.fixed then refuse_k(found, c + p) end
   local k = not options.fixed and found.k or nil

@@ -8,6 +8,7 @@
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
+local run_counter = require "archard.lib.run_counter"
 local strict = require "archard.strict"
 
 local where = "study.fretting_map"
@@ -139,6 +140,10 @@ return function(given)
   local self = setmetatable({ load = {}, motion = table.move(all.motion, 1, #all.motion, 1, {}), regime = {},
     friction = all.friction, annulus = all.annulus, partial_from = {}, gross_from = {} }, class)
   all.motion, all.annulus = nil, nil
-  for _, load in ipairs(given.load) do add_load(self, all, load) end
+  local counter <close> = run_counter.new(where, #given.load)
+  for _, load in ipairs(given.load) do
+    add_load(self, all, load)
+    counter:ran()
+  end
   return self
 end

@@ -113,8 +113,10 @@ return function(store, options)
     self:feed(i)
   end
   while self.left > 0 do
+    process.report(("%d of %d done, kept in %s; it goes on there"):format(display.done, display.total, store.path))
     for _, event in ipairs(pool:wait(0.5)) do self:attend(event) end
     display:draw()
   end
+  process.report ""
   return failed, warned, count
 end

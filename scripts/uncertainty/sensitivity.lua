@@ -9,6 +9,7 @@ local check = require "archard.lib.check"
 local derive = require "archard.uncertainty.plateau"
 local outcomes = require "archard.uncertainty.outcomes"
 local repeated = require "archard.uncertainty.repeated"
+local run_counter = require "archard.lib.run_counter"
 local slope = require "archard.uncertainty.slope"
 local strict = require "archard.strict"
 
@@ -69,8 +70,11 @@ end
 
 local first_step, smallest_step = 0.03, 0.0004 -- as shares of the number
 
+local counting -- of the call at hand
+
 local function results_at(self, definition)
   self.runs = self.runs + 1
+  counting:ran()
   return repeated.run(definition, self.distance, self.of)
 end
 
@@ -239,6 +243,9 @@ return function(run, given)
     of = outcomes.names(where, names_of("of", given.of, { "depth_cylinder", "depth_plate", "p_center" }), run.history) }
   local definition = repeated.definition(run)
   self.to = names_of("to", given.to, changer.usual(definition))
+  local each = definition.steps_chosen and 20 or 12
+  local counter <close> = run_counter.new(where, 1 + each * #self.to)
+  counting = counter
   local changers = {}
   for i, name in ipairs(self.to) do changers[i] = { changer.of(run, name, definition) } end
   check_repeats(run, definition, self.distance)
