@@ -22,4 +22,4 @@ for _, alpha in ipairs{ 0, 0.25, 0.5, 0.75, 1 } do
 end
 print()
 
-plot{ panels = { cylinder, plate }, yrange = { 0, 4 } }
+plot{ panels = { cylinder, plate }, yrange = { 0 } }

@@ -155,19 +155,7 @@ local function sections(where, objects, names, of_body, scale, options)
     panels[i] = profile_panel(where, objects, names, of_body, scale, { [axis == "x" and "z" or "x"] = 0 })
     panels[i].xlabel = axis .. " / mm"
   end
-  share_depths(panels)
   return panels
-end
-
--- Panels of depths beside each other have one range: what is compared is seen.
-local function share_depths(panels)
-  local most = 0
-  for _, panel in ipairs(panels) do
-    for _, curve in ipairs(panel) do
-      for _, h in ipairs(curve.y) do most = math.max(most, h) end
-    end
-  end
-  for _, panel in ipairs(most > 0 and panels or {}) do panel.yrange = { 0, 1.04 * most } end
 end
 
 -- A measured trace on the one panel there is; depths above zero are shown as well.
@@ -203,7 +191,6 @@ function curves.profile(...)
       defaults.panels[i] = profile_panel(where, objects, names, { each }, scale)
       defaults.panels[i].title = naming.body(where, objects[1], each)
     end
-    share_depths(defaults.panels)
   end
   for _, panel in ipairs(defaults.panels or {}) do
     panel.xrange, panel.yrange = options.xrange or panel.xrange, options.yrange or panel.yrange

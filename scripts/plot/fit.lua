@@ -64,7 +64,7 @@ local function loop_panel(item)
     { x = round(x), y = scaled(round(item.model), factor), series = 1, title = "model", style = "lines" },
     { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
       colour = "black", title = "data" },
-    title = item.title, ylabel = label, xlabel = name, xrange = range_of(x),
+    title = naming.word_of(item.title), ylabel = label, xlabel = name, xrange = range_of(x),
   }
 end
 
@@ -83,7 +83,7 @@ local function main_panel(item)
   return {
     band_of(x, item.low, item.high, factor),
     first, second,
-    title = item.title, ylabel = label, xlabel = name,
+    title = naming.word_of(item.title), ylabel = label, xlabel = name,
     ydown = item.x and true or nil, xrange = range_of(x),
     yrange = range_of(scaled(item.low, factor), scaled(item.high, factor),
       scaled(ends_of(item, -1), factor), scaled(ends_of(item, 1), factor)),
@@ -103,7 +103,17 @@ end
 local function curve_panel(name, curve)
   return { band_of(curve.distance, curve.low, curve.high, 1),
     { x = curve.distance, y = curve.value, series = 1, title = "fit", style = "lines" },
-    title = name .. " over the distance", xlabel = naming.axis_of("distance"), ylabel = naming.axis_of(name) }
+    title = naming.word_of(name) .. " over the distance", xlabel = naming.axis_of("distance"), ylabel = naming.axis_of(name) }
+end
+
+-- Panels of one quantity get the range that holds them all.
+local function share_ranges(panels)
+  local all = {}
+  for _, panel in ipairs(panels) do
+    local range, own = all[panel.ylabel], panel.yrange
+    if own then all[panel.ylabel] = range and { math.min(range[1], own[1]), math.max(range[2], own[2]) } or own end
+  end
+  for _, panel in ipairs(panels) do panel.yrange = panel.yrange and all[panel.ylabel] end
 end
 
 -- One column a set of data, residuals in the row below; curves of unknowns in columns of their own.
@@ -112,6 +122,8 @@ local function of_fit(fit)
   for _, item in ipairs(fit.data) do
     above[#above + 1], below[#below + 1] = main_panel(item), residual_panel(item)
   end
+  share_ranges(above)
+  share_ranges(below)
   for _, panel in ipairs(above) do figure.panels[#figure.panels + 1] = panel end
   for _, panel in ipairs(below) do figure.panels[#figure.panels + 1] = panel end
   figure.layout = { 2, #above }
@@ -132,7 +144,7 @@ local function of_design(design)
   local figure = { panels = {} }
   for i, name in ipairs(design.names) do
     local scale = design.start[name] ~= 0 and math.abs(design.start[name]) or design.prior_error[name]
-    local panel, by = { title = "error of " .. name, xlabel = naming.axis_of("distance"),
+    local panel, by = { title = "error of " .. naming.word_of(name), xlabel = naming.axis_of("distance"),
       ylabel = "standard error / %", logy = true }, {}
     for _, one in ipairs(design.alone) do
       local curve = by[one.measure]

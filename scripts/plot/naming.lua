@@ -97,6 +97,9 @@ for _, setting in ipairs(settings) do by_name[setting[1]] = setting end
 -- The axis label of a setting, for studies too, whose names may have a path ("model.radius").
 function naming.axis_of(name) return by_name[name] and by_name[name].axis or name end
 
+-- A setting or a column in the words of a title: "α", "depth plate".
+function naming.word_of(name) return name == "alpha" and "α" or name == "friction" and "μ" or (name:gsub("_", " ")) end
+
 -- "α = 0.5" of a number.
 function naming.value_of(name, value)
   local setting = by_name[name]

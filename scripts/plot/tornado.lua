@@ -64,7 +64,7 @@ end
 
 local function places_of(bars)
   local at, words = {}, {}
-  for i, bar in ipairs(bars) do at[i], words[i] = i, bar.name end
+  for i, bar in ipairs(bars) do at[i], words[i] = i, naming.word_of(bar.name) end
   return { at = at, words = words }
 end
 

@@ -4,10 +4,18 @@
  * point, and takes logarithmic axes to the next decade.
  */
 #include <math.h>
+#include <string.h>
 
 #include "plot/figure.h"
 
 static const double BEYOND = 0.025, MARGIN = 0.04; /* of the range */
+
+/* An axis with both ends says by their order which is the lower one. */
+static arc_plot_axis turned_round(arc_plot_axis axis) {
+  double low = fmin(axis.min, axis.max), high = fmax(axis.min, axis.max);
+  axis.min = high, axis.max = low, axis.reverse = 0;
+  return axis;
+}
 
 /* --- logarithmic ------------------------------------------------------------------------------ */
 
@@ -23,9 +31,8 @@ static double step_above(double value) {
   return below / power < 1.5 ? 2 * power : below / power < 3 ? 5 * power : 10 * power;
 }
 
-/* Smallest and largest positive number of the curves along x (along = 0) or y. */
+/* Widens the smallest and largest positive number of curves along x (along = 0) or y. */
 static void positive_reach(const arc_plot_panel *panel, int along, double *low, double *high) {
-  *low = INFINITY, *high = 0;
   for (size_t i = 0; i < panel->curve_count; i++)
     for (size_t j = 0; j < panel->curves[i].count; j++) {
       double value = along ? panel->curves[i].y[j] : panel->curves[i].x[j];
@@ -34,9 +41,8 @@ static void positive_reach(const arc_plot_panel *panel, int along, double *low, 
     }
 }
 
-static void clear_log(const arc_plot_panel *panel, int along, arc_plot_axis *axis) {
-  double low, high;
-  positive_reach(panel, along, &low, &high);
+/* Gives both ends to a logarithmic axis that shows these numbers; those it has stay. */
+static void set_log(arc_plot_axis *axis, double low, double high) {
   if (!(low <= high) || (!isnan(axis->min) && !isnan(axis->max))) return;
   double from = step_below(low), to = step_above(high);
   if (from == to) from = step_below(0.9 * low), to = step_above(1.1 * high);
@@ -46,6 +52,12 @@ static void clear_log(const arc_plot_panel *panel, int along, arc_plot_axis *axi
   if (isnan(top)) top = (to > bottom ? to : 10 * bottom) * (1 + 1e-9);
   axis->min = axis->reverse ? top : bottom;
   axis->max = axis->reverse ? bottom : top;
+}
+
+static void clear_log(const arc_plot_panel *panel, int along, arc_plot_axis *axis) {
+  double low = INFINITY, high = 0;
+  positive_reach(panel, along, &low, &high);
+  set_log(axis, low, high);
 }
 
 /* --- linear ----------------------------------------------------------------------------------- */
@@ -63,13 +75,6 @@ static int runs_along(const arc_plot_panel *panel, double height, double span) {
   return 0;
 }
 
-/* An axis with both ends says by their order which is the lower one. */
-static arc_plot_axis turned_round(arc_plot_axis axis) {
-  double low = fmin(axis.min, axis.max), high = fmax(axis.min, axis.max);
-  axis.min = high, axis.max = low, axis.reverse = 0;
-  return axis;
-}
-
 static void clear_linear(const arc_plot_panel *panel, arc_plot_axis *y) {
   arc_plot_box box = arc_plot_extent(panel);
   double span = box.y1 - box.y0;
@@ -82,6 +87,54 @@ static void clear_linear(const arc_plot_panel *panel, arc_plot_axis *y) {
   if (y->reverse && isnan(y->min)) y->min = box.y0 - MARGIN * span;
   int turned = y->reverse && !isnan(y->min) && !isnan(y->max);
   if (turned) *y = turned_round(*y);
+}
+
+/* --- panels side by side ---------------------------------------------------------------------- */
+
+static int same_end(double a, double b) {
+  return a == b || (isnan(a) && isnan(b));
+}
+
+/* Whether two panels show the same quantity, with ends that nobody set. */
+static int are_alike(const arc_plot_panel *a, const arc_plot_panel *b) {
+  const arc_plot_axis *p = &a->y, *q = &b->y;
+  if (a->field || b->field || a->equal || b->equal || p->places || q->places) return 0;
+  if (!p->label || !q->label || strcmp(p->label, q->label) != 0) return 0;
+  return p->log == q->log && p->reverse == q->reverse && same_end(p->min, q->min) &&
+         same_end(p->max, q->max) && (isnan(p->min) || isnan(p->max));
+}
+
+/* Gives the ends of a shared linear axis; zero stays an end. */
+static void set_linear(arc_plot_axis *axis, double low, double high) {
+  double margin = MARGIN * (high - low);
+  if (!(high > low)) return;
+  if (isnan(axis->min)) axis->min = low == 0 ? 0 : low - margin;
+  if (isnan(axis->max)) axis->max = high == 0 ? 0 : high + margin;
+  if (axis->reverse) *axis = turned_round(*axis);
+}
+
+void arc_plot_share(arc_plot_panel *panels, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    const arc_plot_panel first = panels[i];
+    double low = INFINITY, high = first.y.log ? 0 : -INFINITY;
+    size_t alike = 0;
+    for (size_t j = i; j < count; j++) {
+      if (!are_alike(&first, &panels[j])) continue;
+      alike++;
+      arc_plot_box box = arc_plot_extent(&panels[j]);
+      if (first.y.log)
+        positive_reach(&panels[j], 1, &low, &high);
+      else
+        low = fmin(low, box.y0), high = fmax(high, box.y1);
+    }
+    for (size_t j = i; j < count && alike > 1; j++) {
+      if (!are_alike(&first, &panels[j])) continue;
+      if (first.y.log)
+        set_log(&panels[j].y, low, high);
+      else
+        set_linear(&panels[j].y, low, high);
+    }
+  }
 }
 
 void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel) {

@@ -152,6 +152,10 @@ arc_plot_box arc_plot_extent(const arc_plot_panel *panel);
  * runs lies a little beyond it, open ends of logarithmic axes at 1, 2 or 5 times a power of ten. */
 void arc_plot_clear(const arc_canvas *canvas, arc_plot_panel *panel);
 
+/* Panels of one figure that show the same quantity along y, by its label, get the same range where
+ * it is open. */
+void arc_plot_share(arc_plot_panel *panels, size_t count);
+
 /* Smallest and largest value of the field inside the box, or as the panel's value axis says. */
 void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, double range[2]);
 

@@ -6,6 +6,7 @@
 #include <locale.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "plot/figure.h"
 
@@ -137,10 +138,9 @@ static void write_figure(const arc_plot_figure *figure, const arc_canvas *canvas
     script->failed = 1;
     return;
   }
-  for (size_t i = 0; i < figure->panel_count; i++) {
-    panels[i] = figure->panels[i];
-    arc_plot_clear(canvas, &panels[i]);
-  }
+  memcpy(panels, figure->panels, figure->panel_count * sizeof *panels);
+  arc_plot_share(panels, figure->panel_count);
+  for (size_t i = 0; i < figure->panel_count; i++) arc_plot_clear(canvas, &panels[i]);
   /* the figure's title is the panel's where there is one panel without a title */
   if (figure->panel_count == 1 && !panels->title) panels->title = figure->title;
   shown.panels = panels;

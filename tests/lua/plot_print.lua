@@ -188,12 +188,27 @@ do
   lacks(script:match "set title[^\n]*", "Mises", "the title does not repeat it")
 end
 
-do
-  local other = pictures.stand_in { k = 2e-8 }
-  local script = script_of(function(file) plot.profile(run, other, { file = file }) end)
+local function ranges_of(script)
   local ranges = {}
   for range in script:gmatch "set yrange (%b[])" do ranges[#ranges + 1] = range end
+  return ranges
+end
+
+do
+  local other = pictures.stand_in { k = 2e-8 }
+  local function profiles(file) plot.profile(run, other, { file = file }) end
+  local ranges = ranges_of(script_of(profiles))
   ok(ranges[1] == ranges[2] and ranges[1]:find "^%[2%.0", "panels of depths have one range: " .. tostring(ranges[1]))
+  local text = pictures.picture_of(profiles)
+  ok((text:find "\n *0 %+" or 1e9) < (text:find "\n *1 |" or 0), "and depth grows downwards in characters, too")
+  local function panels(label)
+    return ranges_of(drawn { panels = { { { x = { 1, 2 }, y = { 3, 90 } }, ylabel = "p" },
+      { { x = { 1, 2 }, y = { 0.6, 9 } }, ylabel = label } }, logy = true })
+  end
+  ranges = panels "p"
+  ok(ranges[1] == ranges[2] and ranges[1]:find "^%[0%.4999", "one quantity, one range: " .. tostring(ranges[1]))
+  ranges = panels "q"
+  ok(ranges[1] ~= ranges[2], "two have two")
 end
 
 do

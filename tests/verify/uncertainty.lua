@@ -344,7 +344,7 @@ local function text_of(name)
   return text
 end
 holds(text_of("bands.txt"), { "5 to 95 %", "50 %", "known" }, "bands name their quantiles")
-holds(text_of("tornado.txt"), { "alpha", "load", "at 110 mm", "share of the variance" }, "a tornado its fields")
+holds(text_of("tornado.txt"), { "α", "load", "at 110 mm", "share of the variance" }, "a tornado its fields")
 holds(text_of("ranks.txt"), { "correlation of ranks" }, "or ranks")
 holds(text_of("elastic.txt"), { "percent by percent", "p center" }, "or elasticities")
 fails(function() plot.bands(w) end, { "plot.bands", "wear" }, "bands of a run")
