@@ -68,16 +68,16 @@ local function loop_panel(item)
   }
 end
 
-local few = 40 -- data; of more the model would be hidden, and is a thicker line over them
+local few = 40 -- data; more of them would hide the model, which lies over them
 
 local function main_panel(item)
   if item.kind == "loop" then return loop_panel(item) end
   local label, factor = label_of(item)
   local x, name = across(item)
-  local model = { x = x, y = scaled(item.model, factor), series = 1, title = "model", width = #x > few and 1.6 or nil,
+  local model = { x = x, y = scaled(item.model, factor), series = 1, title = "model",
     style = #x == 1 and "points" or "lines" }
   local data = { x = x, y = scaled(item.value, factor), error = scaled(item.error, factor), style = "points",
-    colour = #x > few and "grey" or "black", series = 1, title = "data" }
+    colour = #x > few and "#808080" or "black", series = 1, title = "data" }
   local first, second = model, data
   if #x > few then first, second = data, model end
   return {
