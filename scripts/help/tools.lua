@@ -181,10 +181,10 @@ return {
       .. "side by side), letters of 8 points, png with 600 pixels to an inch; journal: the same without the titles that plots give "
       .. "themselves; slides: 254 mm, 20 points, 150; screen: in "
       .. "pixels, as at the start. Returns what holds." },
-  { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page" },
-    text = "Width of the figure: of a column, of the page, or in mm." },
+  { "plot.style{width}", type = "number in [20, 1000]", unit = "mm", values = { "column", "page", "single", "double" },
+    text = "Width of the figure: of a column (single), of the page (double), or in mm." },
   { "plot.style{height}", type = "number in [15, 1000]", unit = "mm", text = "Height of the figure." },
-  { "plot.style{font}", type = "string", text = "Name of the letters, such as Helvetica." },
+  { "plot.style{font}", type = "string", text = 'Name of the letters: "serif", "sans", or that of a font, such as Helvetica.' },
   { "plot.style{title}", type = "boolean", text = "Whether plots write titles of their own; title= of a call always stands." },
   { "plot.style{colour}", type = "string or boolean", text = '"grey" or false: greys, lines told apart by dashes and marks.' },
   { "plot.style{points}", type = "number in [3, 72]", unit = "pt", text = "Size of the letters." },

@@ -30,7 +30,7 @@ local function of_numbers(low, high)
 end
 
 local fields = {
-  width = check.one_of({ "column", "page" }, of_numbers(20, 1000)), height = of_numbers(15, 1000),
+  width = check.one_of({ "column", "page", "single", "double" }, of_numbers(20, 1000)), height = of_numbers(15, 1000),
   font = check.text, points = of_numbers(3, 72), dpi = of_numbers(30, 2400),
   lines = of_numbers(0.1, 10), title = check.flag, colour = check.one_of({ "grey" }, check.flag),
 }
@@ -38,6 +38,8 @@ local fields = {
 -- What a style may have: its options, and what a preset brings besides.
 local names = keys(merged(fields, { name = true, column = true, page = true, shape = true }))
 local held = { __plain = true, __index = function(_, name) return strict.refuse("plot.style", name, names) end }
+
+local as_column = { single = "column", double = "page" } -- as journals call them
 
 local function shown(chosen) return setmetatable(merged(chosen), held) end
 
@@ -65,6 +67,7 @@ function style.choose(given)
     if key ~= 1 then options[key] = value end
   end
   check.fields("plot.style", options, fields)
+  options.width = as_column[options.width] or options.width
   if name == "screen" then refuse_on_screen(options) end
   current = merged(given[1] == nil and current or presets[name], options)
   return shown(current)

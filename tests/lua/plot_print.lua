@@ -34,10 +34,11 @@ do
   plot.history(run, "p_center", "depth_plate", { file = folder .. "/h.png" })
   local width, height = png_size "h.png"
   ok(width == 4016 and height < 0.5 * width, "two panels stand side by side on the page's 170 mm")
-  plot.style { width = "column" }
+  plot.style { width = "single" }
   plot.history(run, "p_center", "depth_plate", { file = folder .. "/h.png" })
   width, height = png_size "h.png"
-  ok(width == 2008 and height > width, "and below each other in a column")
+  ok(width == 2008 and height > width, "and below each other in a single column")
+  ok(plot.style { width = "double" }.width == "page", "a double one is the page")
   plot.style { "journal", width = "page" }
   plot { panels = { { line }, { line } }, layout = { 2, 1 }, file = folder .. "/h.png" }
   width, height = png_size "h.png"
