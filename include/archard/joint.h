@@ -4,12 +4,14 @@
  * into the cup. n(theta, phi) = (cos theta, sin theta sin phi, sin theta cos phi). R(t) takes the
  * head's coordinates to the cup's. Contact is frictionless, displacements are small:
  *
- *   g(n) = clearance + h_cup(n) + h_head(R' n) - u . n + (C p)(n) >= 0,  p >= 0,  p g = 0,
+ *   g(n) = clearance + h_cup(n) + creep(n) + h_head(R' n) - u . n + (C p)(n) >= 0,  p >= 0,
+ *   p g = 0,
  *   integral p n dA = F
  *
  * with the head's displacement u and the radial compliance C of complete concentric spheres and
- * shells, exact for each degree of spherical harmonics. Second order in u / radius, shear, the
- * cup's rim, edge loading, microseparation and lubrication are outside this model.
+ * shells, exact for each degree of spherical harmonics. `second_order` adds (|u|^2 - (u . n)^2) /
+ * (2 radius). Shear, the cup's rim, edge loading, microseparation and lubrication are outside this
+ * model.
  *
  * Maps are on a lattice of cells over the complete sphere, [rows][2 rows], phi fastest: theta = (i
  * + 1/2) d, phi = -pi + (j + 1/2) d, d = pi / rows. Each body's map is in its own frame.
@@ -42,7 +44,8 @@ typedef struct arc_joint_def {
   arc_layer head[ARC_MOST_LAYERS]; /* from the surface inwards; thickness 0 ends them */
   arc_layer cup[ARC_MOST_LAYERS];  /* from the inside outwards, at least one; fixed outside */
   arc_foundation foundation;
-  double size; /* [degree] of a cell; 180 over an even number at the most */
+  double size;      /* [degree] of a cell; 180 over an even number at the most */
+  int second_order; /* gaps to second order in displacement over radius */
 } arc_joint_def;
 
 /* Metal on metal: 28 mm across, clearance 0.06 mm, CoCr on CoCr, 6 mm of polyethylene, 2 mm of
@@ -102,6 +105,8 @@ const double *arc_joint_depth(const arc_joint *joint, arc_body body);
 /* Sets a body's map, a shape to start from; ARC_ARGUMENT where a depth is not finite. */
 arc_status arc_joint_set_depth(arc_joint *joint, arc_body body, const double *depth,
                                arc_error *error);
+/* Creep [mm] of the cup; 0 without. */
+const double *arc_joint_creep(const arc_joint *joint);
 /* Pressures [MPa] of the last contact, in the cup's frame; 0 before the first. */
 const double *arc_joint_pressure(const arc_joint *joint);
 /* Of each of the cup's cells over the last cycle: the smaller share of work across the principal
@@ -125,14 +130,22 @@ arc_status arc_joint_press(arc_joint *joint, const double rotation[9], const dou
                            const arc_callbacks *callbacks, arc_joint_contact *contact,
                            arc_error *error);
 
-/* Wear coefficient [mm2/N] of a cup's cell. */
-typedef double (*arc_joint_k_fn)(void *context, double cross_shear, double p_mean);
+/* Wear coefficient [mm2/N] of a cup's cell in the middle of an update, after so many cycles; p_mean
+ * [MPa] is the mean of a cycle. */
+typedef double (*arc_joint_k_fn)(void *context, double cross_shear, double p_mean, double cycles);
+/* The head's share of wear in the middle of an update. */
+typedef double (*arc_joint_alpha_fn)(void *context, double cycles);
+/* Creep [mm] of a cell of the cup after so many cycles, whose mean pressure since the first is
+ * p_mean [MPa] above 0. It opens the gap and removes no volume. */
+typedef double (*arc_joint_creep_fn)(void *context, double p_mean, double cycles);
 
 typedef struct arc_joint_wear_def {
   int instants;
-  const arc_gait_instant *instant; /* [instants] */
-  double k, alpha;                 /* [mm2/N]; the head's share of wear */
-  arc_joint_k_fn k_function;       /* in place of k; NULL: none */
+  const arc_gait_instant *instant;   /* [instants] */
+  double k, alpha;                   /* [mm2/N]; the head's share of wear */
+  arc_joint_k_fn k_function;         /* in place of k; NULL: none */
+  arc_joint_alpha_fn alpha_function; /* in place of alpha; NULL: none */
+  arc_joint_creep_fn creep;          /* NULL: none */
   void *context;
   int explicit_scheme; /* all instants on one geometry; else the wear of each instant inside its
                           contact */

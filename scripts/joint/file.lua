@@ -11,6 +11,7 @@ local file = {}
 -- --- definitions --------------------------------------------------------------------------------
 
 local plain = { "radius", "clearance", "inclination", "cover", "size", "foundation" }
+local callable = { "k", "alpha", "creep" } -- may be functions
 
 local function flat_layers(layers)
   local list = {}
@@ -31,13 +32,14 @@ function file.flat_joint(def)
   local flat = { ["joint.core"] = { def.core.E, def.core.nu }, ["joint.head_layers"] = flat_layers(def.head_layers),
     ["joint.cup_layers"] = flat_layers(def.cup_layers) }
   for _, name in ipairs(plain) do flat["joint." .. name] = def[name] end
+  flat["joint.order"] = def.second_order and 2 or 1
   return flat
 end
 
 function file.joint_from(flat)
   local core = flat["joint.core"]
   local def = { core = { E = core[1], nu = core[2] }, head_layers = layers_from(flat["joint.head_layers"]),
-    cup_layers = layers_from(flat["joint.cup_layers"]) }
+    cup_layers = layers_from(flat["joint.cup_layers"]), second_order = flat["joint.order"] == 2 }
   for _, name in ipairs(plain) do def[name] = flat["joint." .. name] end
   return def
 end
@@ -64,7 +66,9 @@ end
 function file.flat_run(run)
   local definition, results = file.flat_joint(run.def), { state = sphere.state(run.engine) }
   for _, name in ipairs(settings) do definition[name] = run[name] end
-  if type(run.k) == "function" then definition.k = "function" end
+  for _, name in ipairs(callable) do
+    if type(run[name]) == "function" then definition[name] = "function" end
+  end
   for i, block in ipairs(run.blocks) do
     add(definition, file.flat_gait(block.gait, ("loading.%d."):format(i)))
     if block.cycles < math.huge then definition[("loading.%d.cycles"):format(i)] = block.cycles end
@@ -92,20 +96,21 @@ local function take(results, prefix)
   return part
 end
 
--- The function again where k is one; whole numbers as they were.
-local function k_of(definition, functions)
-  if definition.k ~= "function" then return definition.k end
-  local k = type(functions) == "table" and functions.k
-  if type(k) ~= "function" then
-    check.fail("joint.open", "field 'k': the run has one that is a function: give the function again, { k = f }")
+-- A setting, or the function again where it is one.
+local function function_or_value(definition, name, functions)
+  if definition[name] ~= "function" then return definition[name] end
+  local f = type(functions) == "table" and functions[name]
+  if type(f) ~= "function" then
+    check.fail("joint.open", ("field '%s': the run has one that is a function: give the function again, { %s = f }"):format(name, name))
   end
-  return k
+  return f
 end
 
 function file.run_from(definition, results, functions)
   local blocks = blocks_from(definition)
-  local run = runs.new(file.joint_from(definition), { loading = blocks, k = k_of(definition, functions),
-    alpha = definition.alpha, cycles = definition.goal, scheme = definition.scheme,
+  local run = runs.new(file.joint_from(definition), { loading = blocks,
+    k = function_or_value(definition, "k", functions), alpha = function_or_value(definition, "alpha", functions),
+    creep = function_or_value(definition, "creep", functions), cycles = definition.goal, scheme = definition.scheme,
     updates = definition.updates and math.tointeger(definition.updates) })
   run.tolerance, run.step = definition.tolerance, definition.step
   sphere.set_state(run.engine, results.state)

@@ -19,7 +19,8 @@ local layers_kind = check.kind("a list of up to 4 tables { thickness=, material=
 end)
 local layer_fields = { thickness = check.positive, material = material_kind }
 local joint_fields = { head = check.table, cup = check.table, mesh = check.table,
-  foundation = check.one_of{ "elastic", "winkler", "column" } }
+  foundation = check.one_of{ "elastic", "winkler", "column" },
+  order = check.kind("1 or 2", function(v) return v == 1 or v == 2 end) }
 local head_fields = { radius = check.positive, material = material_kind, layers = layers_kind }
 local cup_fields = { clearance = check.number, inclination = check.number, cover = check.number, layers = layers_kind }
 
@@ -49,7 +50,7 @@ local function new(given)
   local def = { radius = head.radius or 14, core = plain(head.material or cocr),
     head_layers = plain_layers(head.layers, "head.layers"), cup_layers = plain_layers(cup.layers or usual, "cup.layers"),
     clearance = cup.clearance, inclination = cup.inclination, cover = cup.cover, size = mesh.size,
-    foundation = given.foundation }
+    foundation = given.foundation, second_order = given.order == 2 }
   local made = setmetatable({ radius = def.radius, clearance = def.clearance or 0.06, foundation = def.foundation or "elastic" },
     class)
   made.def, made.engine = def, sphere.create(def)

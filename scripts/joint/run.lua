@@ -11,7 +11,7 @@ local runs = {}
 
 local methods = {}
 local class = { __name = "joint_wear", __index = methods, __methods = methods,
-  __fields = { "alpha", "area", "cycles", "depth", "depth_partition", "goal", "history", "k", "limit", "loading", "p_peak",
+  __fields = { "alpha", "area", "creep", "cycles", "depth", "depth_partition", "goal", "history", "k", "limit", "loading", "p_peak",
     "record", "scheme", "tolerance", "updates", "volume" } }
 
 -- --- definitions --------------------------------------------------------------------------------
@@ -28,7 +28,10 @@ local loading_kind = check.kind("a gait, or a list of blocks { gait=, cycles= }"
   return is_gait(v) or type(v) == "table" and #v > 0
 end)
 local fields = { loading = loading_kind, k = number_or_function,
-  alpha = check.kind("a number in [0, 1]", function(v) return check.number.test(v) and v >= 0 and v <= 1 end),
+  alpha = check.kind("a number in [0, 1] or a function", function(v)
+    return type(v) == "function" or check.number.test(v) and v >= 0 and v <= 1
+  end),
+  creep = check.kind("a function", function(v) return type(v) == "function" end),
   cycles = check.positive, updates = check.count, scheme = check.one_of{ "sweep", "explicit" }, tolerance = check.share,
   worn = check.table }
 local block_fields = { gait = check.kind("a gait", is_gait), cycles = check.positive }
@@ -92,7 +95,8 @@ local usual = { k = 3e-11, alpha = 0.5, cycles = 1e6, tolerance = 0.02, updates 
 function runs.new(def, given)
   given = check.definition("joint:wear", given or {}, fields)
   local run = { def = def, engine = sphere.create(def), blocks = blocks_of(given.loading or gait "iso"),
-    k = given.k or usual.k, alpha = given.alpha or usual.alpha, goal = given.cycles or usual.cycles,
+    k = given.k or usual.k, alpha = given.alpha or usual.alpha,
+    creep = given.creep, goal = given.cycles or usual.cycles,
     updates = given.updates, scheme = given.scheme or "sweep", tolerance = given.tolerance or usual.tolerance,
     history = {}, record = { cycles = 0, updates = 0 }, cycles = 0, volume = { head = 0, cup = 0, total = 0 },
     depth = { head = 0, cup = 0 } }
@@ -166,12 +170,12 @@ end
 local function advance(run, instants, most)
   local function update(cycles)
     return check.as("joint_wear:run", sphere.update, run.engine, instants, run.k, run.alpha, math.min(cycles, most), run.record,
-      run.scheme == "explicit")
+      run.scheme == "explicit", run.creep)
   end
   if run.scheme == "explicit" then return update(explicit_cycles(run, instants)) end
   if run.updates then return update(next_of_updates(run)) end
   local record, step = check.as("joint_wear:run", sphere.advance, run.engine, instants, run.k, run.alpha, most, run.record,
-    run.tolerance, run.step)
+    run.tolerance, run.step, run.creep)
   run.step = step
   return record
 end
@@ -228,9 +232,9 @@ end
 
 -- --- what is read -------------------------------------------------------------------------------
 
--- w:map "cup" | "head" | "cross shear" | "pressure"
+-- w:map "cup" | "head" | "cross shear" | "creep" | "pressure"
 function methods:map(what)
-  local known = check.one_of{ "cup", "head", "cross shear", "pressure" }
+  local known = check.one_of{ "cup", "head", "cross shear", "creep", "pressure" }
   if not known.test(what) then check.refuse("joint_wear:map", "what", known.expected, what) end
   return seen.map(self.engine, what)
 end
@@ -259,7 +263,8 @@ end
 
 function class:__tostring()
   local coefficient = type(self.k) == "number" and ("k %.4g mm2/N = %.4g mm3/(N m)"):format(self.k, 1000 * self.k) or "k a function"
-  local lines = { ("wear of a joint: %.6g cycles, alpha %g (the head's share), %s, %s"):format(self.cycles, self.alpha, coefficient,
+  local share = type(self.alpha) == "number" and ("alpha %g"):format(self.alpha) or "alpha a function"
+  local lines = { ("wear of a joint: %.6g cycles, %s (the head's share), %s, %s"):format(self.cycles, share, coefficient,
     step_words(self)) }
   if self.cycles > 0 then
     lines[2] = ("  depth head %.4g, cup %.4g um; volume head %.5g, cup %.5g mm3: %.4g mm3 per million cycles"):format(

@@ -29,6 +29,10 @@ near(c.approach[3], 0.158792, 1e-3, "and its displacement")
 ok(tostring(c):find("load 3000 N") and tostring(c):find("degrees to the rim"), "print(c): " .. tostring(c))
 is(c.p_max, liner:contact{ load = 3000 }.p_max, "by either call")
 fails(function() contact{ model = liner, direction = { 0, 0, -1 } } end, "180 degrees", "a load out of the cup")
+local second = joint{ head = { material = material{ E = 1e15 } }, cup = { clearance = 0.1, layers = { { thickness = 8, material = pe } } },
+  mesh = { size = 4 }, order = 2 }
+near(contact{ model = second, load = 3000 }.p_center / c.p_center - 1, 0.0056, 0.05, "second order in the displacement")
+fails(function() joint{ order = 3 } end, "expected 1 or 2", "an order that there is not")
 fails(function() joint{ cup = { clearance = 0 } } end, "cup.clearance", "no clearance")
 fails(function() joint{ cup = { clearence = 0.1 } } end, "did you mean 'clearance'", "a misspelt field")
 fails(function() joint{ head = { layers = { { thickness = 15, material = pe } } } } end, "head.layers", "layers that do not fit")
@@ -50,6 +54,15 @@ local springs = joint{ foundation = "winkler", mesh = { size = 6 },
 local one = wear{ model = springs, k = 1e-9 }:run()
 is(wear{ model = springs, k = 1e-9 }:run().depth.cup, one.depth.cup, "the same bits again")
 fails(function() wear{ model = springs, k = function() error "mine" end }:run() end, "mine", "an error of k")
+local half = wear{ model = springs, k = 1e-9, updates = 4, alpha = function(s) return s.cycles < 5e5 and 0 or 0.5 end }:run{ progress = false }
+ok(half.volume.head > 0 and half.volume.head < 0.4 * half.volume.total, "a share that changes")
+fails(function() wear{ model = springs, alpha = function() return 2 end }:run{ progress = false } end, "field 'alpha'", "one above 1")
+local seat = wear{ model = springs, k = 1e-9, alpha = 0, updates = 8, creep = function(s) return s.thickness * 1e-3 * s.p_mean end }:run{ progress = false }
+local flat_out = wear{ model = springs, k = 1e-9, alpha = 0, updates = 8 }:run{ progress = false }
+local most = 0
+for _, depth in ipairs(seat:map "creep".values) do most = math.max(most, depth) end
+ok(seat.depth.cup < flat_out.depth.cup and seat.volume.cup > 0.95 * flat_out.volume.cup and most > 0.03, "creep spreads wear, its volume stays")
+fails(function() wear{ model = springs, creep = function() error "mine" end }:run{ progress = false } end, "mine", "an error of creep")
 local seen, ended = 0, wear{ model = springs, k = 1e-9 }
 fails(function()
   ended:run{ progress = function(r)

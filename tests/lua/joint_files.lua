@@ -15,7 +15,7 @@ end
 local function same(a, b, what)
   is(("%a"):format(b.cycles), ("%a"):format(a.cycles), what .. ": cycles")
   is(b.record.solutions, a.record.solutions, what .. ": contacts")
-  for _, map in ipairs{ "head", "cup", "cross shear", "pressure" } do
+  for _, map in ipairs{ "head", "cup", "cross shear", "creep", "pressure" } do
     ok(bits(b:map(map).values) == bits(a:map(map).values), what .. ": " .. map)
   end
   for name, column in pairs(a.history) do is(bits(b.history[name]), bits(column), what .. ": " .. name) end
@@ -23,7 +23,7 @@ end
 local kept = os.tmpname()
 os.remove(kept)
 local function sheared(s) return 1e-9 * math.min(0.2 + 3.2 * s.cross_shear, 1) end
-for what, def in pairs{ steps = { k = 1e-9 }, updates = { k = 1e-9, updates = 8 }, shear = { k = sheared, updates = 4 },
+for what, def in pairs{ steps = { k = 1e-9 }, updates = { k = 1e-9, updates = 8 }, shear = { k = sheared, updates = 4, alpha = function(s) return s.cycles / 1e7 end, creep = function(s) return 1e-3 * s.p_mean end },
   blocks = { k = 1e-9, loading = { { gait = gait "prosim", cycles = 2e5 }, { gait = gait.rocking() } } },
   explicit = { k = 1e-9, cycles = 2e5, scheme = "explicit" } } do
   def.model, def.cycles = liner, def.cycles or 5e5
@@ -32,7 +32,7 @@ for what, def in pairs{ steps = { k = 1e-9 }, updates = { k = 1e-9, updates = 8 
   ok(first.cycles < def.cycles, what .. ": stopped at " .. first.cycles)
   first:save(kept)
   if what == "shear" then fails(function() joint.open(kept) end, "field 'k'", "a function is to be given again") end
-  local again = joint.open(kept, { k = sheared })
+  local again = joint.open(kept, { k = sheared, alpha = def.alpha, creep = def.creep })
   same(first, again, what .. ", opened")
   is(tostring(again), tostring(first), what .. ": print")
   same(whole, again:run{ progress = false }, what .. ", gone on with")

@@ -85,8 +85,12 @@ static void test_exchange(void **state) {
     }
     for (int a = 0; a < 3; a++) turned[i].omega[a] = -back[a];
   }
-  const arc_joint_wear_def first = {instants, gait, 3e-11, 0.4, NULL, NULL, 0},
-                           second = {instants, turned, 3e-11, 0.6, NULL, NULL, 0};
+  const arc_joint_wear_def first = {.instants = instants,
+                                    .instant = gait,
+                                    .k = 3e-11,
+                                    .alpha = 0.4},
+                           second = {
+                               .instants = instants, .instant = turned, .k = 3e-11, .alpha = 0.6};
   arc_joint *one = make(&def), *two = make(&def);
   const arc_joint_record a = wear_down(one, &first, 2e5, 8), b = wear_down(two, &second, 2e5, 8);
   printf("# cup, head %.4f %.4f and head, cup %.4f %.4f um; V %.6f %.6f\n", deepest(one, ARC_LOWER),
@@ -204,7 +208,7 @@ static void test_rocking(void **state) {
   const arc_joint_def def = liner(4);
   arc_gait_instant gait[many];
   walk("rocking", many, 23, 2000, gait);
-  const arc_joint_wear_def wear = {many, gait, 1e-9, 0, NULL, NULL, 0};
+  const arc_joint_wear_def wear = {.instants = many, .instant = gait, .k = 1e-9};
   arc_joint *j = make(&def);
   const arc_joint_record r = wear_down(j, &wear, 1e6, 14);
   const arc_joint_contact c = press(j, 2000);
@@ -228,7 +232,7 @@ static void test_walk(void **state) {
   const arc_joint_def def = metal(3);
   arc_gait_instant gait[instants];
   walk("iso", instants, 0, 0, gait);
-  const arc_joint_wear_def wear = {instants, gait, 3e-11, 0.5, NULL, NULL, 0};
+  const arc_joint_wear_def wear = {.instants = instants, .instant = gait, .k = 3e-11, .alpha = 0.5};
   arc_joint *j = make(&def);
   const arc_joint_record r = wear_down(j, &wear, 1e6, 20);
   printf("# walk: cup %.4f head %.4f um, V %.5f mm3, %d iterations in %d solutions\n",
@@ -241,8 +245,8 @@ static void test_walk(void **state) {
 
 /* Cross-shear at the pole of a liner, and the volume that a coefficient which grows with it gives.
  */
-static double sheared(void *context, double share, double p) {
-  (void)context, (void)p;
+static double sheared(void *context, double share, double p, double cycles) {
+  (void)context, (void)p, (void)cycles;
   return 1e-9 * fmin(0.2 + 3.2 * share, 1);
 }
 
@@ -252,7 +256,7 @@ static void test_cross_shear(void **state) {
   def.foundation = ARC_FOUNDATION_WINKLER;
   arc_gait_instant gait[instants];
   walk("iso", instants, 0, 0, gait);
-  const arc_joint_wear_def wear = {instants, gait, 0, 0, sheared, NULL, 0};
+  const arc_joint_wear_def wear = {.instants = instants, .instant = gait, .k_function = sheared};
   arc_joint *j = make(&def);
   const int n = arc_joint_rows(j), pole = n / 2 * 2 * n + n;
   double *share = calloc((size_t)(2 * n * n), sizeof *share);

@@ -218,8 +218,9 @@ arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_erro
   j->limit = arc_sphere_limit(def);
   j->K = arc_sphere_winkler(def);
   const size_t n = (size_t)j->sites;
-  const carve_part parts[] = {{&j->normal, 3 * n}, {&j->area, n}, {&j->h[0], n},
-                              {&j->h[1], n},       {&j->p, n},    {&j->shear, 3 * n}};
+  const carve_part parts[] = {{&j->normal, 3 * n}, {&j->area, n},   {&j->h[0], n},
+                              {&j->h[1], n},       {&j->p, n},      {&j->shear, 3 * n},
+                              {&j->creep, n},      {&j->pressed, n}};
   if (!ARC_CARVE(parts)) status = arc_fail(error, ARC_MEMORY, "out of memory for a joint");
   if (status == ARC_OK && def->foundation == ARC_FOUNDATION_ELASTIC) {
     j->remainder = arc_sphere_remainder(def, j->rows, &numeric);
@@ -247,6 +248,10 @@ int arc_joint_rows(const arc_joint *j) {
 
 const double *arc_joint_depth(const arc_joint *j, arc_body body) {
   return j->h[body];
+}
+
+const double *arc_joint_creep(const arc_joint *j) {
+  return j->creep;
 }
 
 const double *arc_joint_pressure(const arc_joint *j) {

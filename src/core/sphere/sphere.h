@@ -22,6 +22,7 @@ struct arc_joint {
   double *normal;                    /* [sites][3] */
   double *area;                      /* [sites] [mm2] */
   double *h[ARC_BODIES], *p, *shear; /* [sites], [sites], [sites][3] */
+  double *creep, *pressed;           /* [sites] [mm]; integral of p over cycles [MPa] */
   double *remainder;                 /* table of the compliance less its 1/chord part */
   double limit, K;       /* large degrees (l + 1/2) C_l [mm/MPa]; Winkler's stiffness [MPa/mm] */
   int size;              /* rows and columns of the window */

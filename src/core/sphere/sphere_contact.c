@@ -34,7 +34,8 @@ static arc_status apply(void *context, const double *p, double *u) {
   return ARC_OK;
 }
 
-static void set_gaps(arc_joint *j, const double R[9]) {
+/* Gaps with the head turned by R; u: its displacement, for what is of second order in it. */
+static void set_gaps(arc_joint *j, const double R[9], const double u[3]) {
   const double least = cos(j->def.cover * pi / 180);
   double axis[3], on_head[3];
   axis_of(j, axis);
@@ -43,8 +44,9 @@ static void set_gaps(arc_joint *j, const double R[9]) {
     const double *n = j->normal + 3 * (size_t)site;
     arc_sphere_rotate_back(R, n, on_head);
     j->gap[c] = dot(n, axis) < least ? open_gap
-                                     : j->def.clearance + j->h[ARC_LOWER][site] +
-                                           arc_sphere_cubic(j, j->h[ARC_UPPER], on_head);
+                                     : j->def.clearance + j->h[ARC_LOWER][site] + j->creep[site] +
+                                           arc_sphere_cubic(j, j->h[ARC_UPPER], on_head) +
+                                           (dot(u, u) - pow(dot(u, n), 2)) / (2 * j->def.radius);
   }
 }
 
@@ -121,16 +123,30 @@ static int holds(const arc_joint *j, const double load[3]) {
   return j->size >= j->rows - 2 || fmax(fabs(lat), fabs(lon)) + margin <= j->size * j->d / 2;
 }
 
+/* The displacement that gaps are to know next; whether the last one will do. */
+static int settled(const arc_joint *j, const double approach[3], double u[3]) {
+  double moved = 0;
+  if (!j->def.second_order) return 1;
+  for (int i = 0; i < 3; i++) {
+    moved = fmax(moved, fabs(approach[i] - u[i]));
+    u[i] = approach[i];
+  }
+  return moved < 1e-9 * j->def.radius;
+}
+
 arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approach[3],
                             int *iterations, arc_error *error) {
   static const double unit[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  enum { most_rounds = 30 };
+  double u[3] = {0};
+  int rounds = 0;
   arc_status status = check_load(j, at->load, error);
   while (status == ARC_OK && !holds(j, at->load)) status = arc_sphere_grow(j, error);
   for (int attempt = 0; status == ARC_OK;) {
     active_count count = {0};
-    set_gaps(j, at->rotation ? at->rotation : unit);
+    set_gaps(j, at->rotation ? at->rotation : unit, u);
     set_softness(j, at);
-    start(j, at, attempt);
+    if (rounds == 0) start(j, at, attempt);
     const active_problem problem = {.blocks = 1,
                                     .cells = j->size * j->size,
                                     .modes = 3,
@@ -144,9 +160,11 @@ arc_status arc_sphere_solve(arc_joint *j, const sphere_stand *at, double approac
     status = arc_active_set_solve(&problem, j->work, j->press, approach, &count, error);
     *iterations += count.iterations;
     if (status == ARC_OK && !touches_rim(j)) {
+      if (!settled(j, approach, u) && rounds++ < most_rounds) continue;
       keep(j, at->instant);
       return ARC_OK;
     }
+    rounds = 0;
     if (status == ARC_OK) {
       status = arc_sphere_grow(j, error);
       attempt = 0;

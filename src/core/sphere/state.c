@@ -1,12 +1,13 @@
 /* All that a joint needs to go on to the same bits, as one list of numbers: rows of the lattice,
  * rows of the window, instants with pressures to start from; maps of head and cup, the last cycle's
- * cross-shear, pressures of the last contact; those to start from. */
+ * cross-shear, pressures of the last contact, creep and the pressures behind it; those to start
+ * from. */
 #include "core/sphere/sphere.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { header = 3, maps = 6 /* per site */ };
+enum { header = 3, maps = 8 /* per site */ };
 
 static size_t window_of(const arc_joint *j) {
   return (size_t)j->size * (size_t)j->size;
@@ -22,7 +23,7 @@ typedef struct state_part {
   size_t count;
 } state_part;
 
-enum { parts = 5 };
+enum { parts = 7 };
 
 static void list_parts(const arc_joint *j, state_part part[parts]) {
   const size_t n = (size_t)j->sites;
@@ -30,7 +31,9 @@ static void list_parts(const arc_joint *j, state_part part[parts]) {
   part[1] = (state_part){j->h[ARC_LOWER], n};
   part[2] = (state_part){j->shear, 3 * n};
   part[3] = (state_part){j->p, n};
-  part[4] = (state_part){j->kept, (size_t)j->kept_count * window_of(j)};
+  part[4] = (state_part){j->creep, n};
+  part[5] = (state_part){j->pressed, n};
+  part[6] = (state_part){j->kept, (size_t)j->kept_count * window_of(j)};
 }
 
 void arc_joint_state(const arc_joint *j, double *state) {
@@ -90,7 +93,7 @@ arc_status arc_joint_set_state(arc_joint *j, const double *state, size_t count, 
 
 size_t arc_joint_bytes(const arc_joint *j) {
   const size_t n = window_of(j), size = (size_t)j->size;
-  size_t numbers = 10 * (size_t)j->sites + (15 + (size_t)j->kept_count) * n;
+  size_t numbers = 12 * (size_t)j->sites + (15 + (size_t)j->kept_count) * n;
   if (j->kernel)
     numbers += (size_t)j->kernel->waves * size * (size + 4) + 4096 /* the remainder's table */;
   return sizeof *j + numbers * sizeof(double);

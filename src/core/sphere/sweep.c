@@ -11,8 +11,9 @@
 typedef struct sweep {
   arc_joint *j;
   const arc_joint_wear_def *def;
-  double cycles;
+  double cycles, alpha;
   double *from[ARC_BODIES]; /* [sites] depths before it */
+  double *crept;            /* [sites] creep before it */
   double *gain[ARC_BODIES]; /* [sites] what an explicit one takes off at its end */
   double *shear, *mean;     /* [sites][3], [sites] of this cycle */
   double *k, *loss, *share; /* [sites] coefficient, k N p |s| of an instant [mm], cross-shear */
@@ -21,11 +22,12 @@ typedef struct sweep {
 
 static int begin(sweep *s) {
   const size_t n = (size_t)s->j->sites;
-  const carve_part parts[] = {{&s->from[0], n}, {&s->from[1], n},   {&s->gain[0], n},
-                              {&s->gain[1], n}, {&s->shear, 3 * n}, {&s->mean, n},
-                              {&s->k, n},       {&s->loss, n},      {&s->share, n}};
+  const carve_part parts[] = {
+      {&s->from[0], n}, {&s->from[1], n}, {&s->gain[0], n}, {&s->gain[1], n}, {&s->shear, 3 * n},
+      {&s->mean, n},    {&s->k, n},       {&s->loss, n},    {&s->share, n},   {&s->crept, n}};
   if (!ARC_CARVE(parts)) return 0;
   for (int b = 0; b < ARC_BODIES; b++) memcpy(s->from[b], s->j->h[b], n * sizeof(double));
+  memcpy(s->crept, s->j->creep, n * sizeof(double));
   return 1;
 }
 
@@ -48,7 +50,7 @@ static void add_shear(sweep *s, const double w[3], int site, double p) {
 /* The head's part of an instant's wear, scaled to the cup's volume. */
 static void wear_head(sweep *s, const double R[9], double volume, double *to) {
   arc_joint *j = s->j;
-  const double alpha = s->def->alpha, edge = cos(0.7072 * j->size * j->d);
+  const double alpha = s->alpha, edge = cos(0.7072 * j->size * j->d);
   double *mine = s->share, sum = 0; /* `share` is read only between updates */
   for (int i = 0; i < j->sites; i++) {
     double n[3];
@@ -77,7 +79,7 @@ static void deposit(sweep *s, const arc_gait_instant *at) {
     const int site = sphere_site(j, c);
     const double work = p * arc_sphere_sliding(j, at->omega, site);
     s->loss[site] = s->k[site] * s->cycles * work;
-    cup[site] += (1 - s->def->alpha) * s->loss[site];
+    cup[site] += (1 - s->alpha) * s->loss[site];
     volume += s->loss[site] * j->area[site];
     area += j->cell[c];
     s->record.work += work * j->cell[c];
@@ -87,8 +89,8 @@ static void deposit(sweep *s, const arc_gait_instant *at) {
   }
   s->record.area = fmax(s->record.area, area);
   s->record.loss += volume;
-  s->record.volume[ARC_LOWER] += (1 - s->def->alpha) * volume;
-  if (s->def->alpha > 0) wear_head(s, at->rotation, volume, head);
+  s->record.volume[ARC_LOWER] += (1 - s->alpha) * volume;
+  if (s->alpha > 0) wear_head(s, at->rotation, volume, head);
 }
 
 static double size_of(const double v[3]) {
@@ -123,16 +125,55 @@ static arc_status run(sweep *s, int backwards, const arc_callbacks *callbacks, a
   return ARC_OK;
 }
 
-/* Coefficients of the cup's cells by the last cycle's cross-shear and mean pressure; the first
- * cycle is passed once without wear for them. */
+/* Coefficients of the cup's cells by a cycle's cross-shear and mean pressure. */
+static arc_status call_k(sweep *s, arc_error *error) {
+  arc_joint *j = s->j;
+  const double middle = s->record.cycles + s->cycles / 2;
+  arc_joint_cross_shear(j, s->share);
+  for (int i = 0; i < j->sites && s->def->k_function; i++) {
+    s->k[i] = s->def->k_function(s->def->context, s->share[i], s->mean[i], middle);
+    if (!(s->k[i] >= 0) || !isfinite(s->k[i]))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field 'k': the function returned %g, expected mm2/N from 0 up", s->k[i]);
+  }
+  return ARC_OK;
+}
+
+/* Creep at the end of the update, by the mean pressure until then. */
+static arc_status call_creep(sweep *s, arc_error *error) {
+  arc_joint *j = s->j;
+  const double end = s->record.cycles + s->cycles;
+  for (int i = 0; i < j->sites && s->def->creep && end > 0; i++) {
+    const double p = (j->pressed[i] + s->cycles * s->mean[i]) / end;
+    if (p <= 0) continue;
+    j->creep[i] = s->def->creep(s->def->context, p, end);
+    if (!(fabs(j->creep[i]) < j->def.radius))
+      return arc_fail(error, ARC_ARGUMENT,
+                      "field 'creep': the function returned %g, expected mm below the radius",
+                      j->creep[i]);
+  }
+  return ARC_OK;
+}
+
+static arc_status set_alpha(sweep *s, arc_error *error) {
+  s->alpha = s->def->alpha;
+  if (!s->def->alpha_function) return ARC_OK;
+  s->alpha = s->def->alpha_function(s->def->context, s->record.cycles + s->cycles / 2);
+  if (s->alpha >= 0 && s->alpha <= 1) return ARC_OK;
+  return arc_fail(error, ARC_ARGUMENT, "field 'alpha': the function returned %g, expected 0 to 1",
+                  s->alpha);
+}
+
+/* What functions of the cycle say; it is passed once without wear for them. */
 static arc_status set_coefficients(sweep *s, const arc_callbacks *callbacks, arc_error *error) {
   arc_joint *j = s->j;
   for (int i = 0; i < j->sites; i++) s->k[i] = s->def->k;
-  if (!s->def->k_function) return ARC_OK;
+  const arc_status known = set_alpha(s, error);
+  if (known != ARC_OK || (!s->def->k_function && !s->def->creep)) return known;
   const arc_joint_record before = s->record;
   const double cycles = s->cycles;
   s->cycles = 0;
-  const arc_status status = run(s, 0, callbacks, error);
+  arc_status status = run(s, 0, callbacks, error);
   s->cycles = cycles;
   const int solutions = s->record.solutions, iterations = s->record.iterations;
   s->record = before;
@@ -141,21 +182,16 @@ static arc_status set_coefficients(sweep *s, const arc_callbacks *callbacks, arc
   if (status != ARC_OK) return status;
   const size_t n = (size_t)j->sites;
   memcpy(j->shear, s->shear, 3 * n * sizeof(double));
-  arc_joint_cross_shear(j, s->share);
-  for (size_t i = 0; i < n; i++) {
-    s->k[i] = s->def->k_function(s->def->context, s->share[i], s->mean[i]);
-    if (!(s->k[i] >= 0) || !isfinite(s->k[i]))
-      return arc_fail(error, ARC_ARGUMENT,
-                      "field 'k': the function returned %g, expected mm2/N from 0 up", s->k[i]);
-  }
+  status = call_k(s, error);
+  if (status == ARC_OK) status = call_creep(s, error);
   memset(s->shear, 0, 3 * n * sizeof(double));
   memset(s->mean, 0, n * sizeof(double));
-  return ARC_OK;
+  return status;
 }
 
 static arc_status check(const arc_joint_wear_def *d, double cycles, arc_error *error) {
   if (d->instants < 1) return arc_fail(error, ARC_ARGUMENT, "field 'loading': expected a gait");
-  if (!(d->alpha >= 0 && d->alpha <= 1))
+  if (!d->alpha_function && !(d->alpha >= 0 && d->alpha <= 1))
     return arc_fail(error, ARC_ARGUMENT, "field 'alpha': expected 0 to 1, got %g", d->alpha);
   if (!d->k_function && !(d->k >= 0 && isfinite(d->k)))
     return arc_fail(error, ARC_ARGUMENT, "field 'k': expected mm2/N from 0 up, got %g", d->k);
@@ -179,11 +215,13 @@ arc_status arc_joint_update(arc_joint *j, const arc_joint_wear_def *def, double 
     for (int b = 0; b < ARC_BODIES; b++)
       for (size_t i = 0; i < n; i++) j->h[b][i] += s.gain[b][i];
     memcpy(j->shear, s.shear, 3 * n * sizeof(double));
+    for (size_t i = 0; i < n && def->creep; i++) j->pressed[i] += cycles * s.mean[i];
     s.record.cycles += cycles;
     s.record.updates++;
     *record = s.record;
   } else {
     for (int b = 0; b < ARC_BODIES; b++) memcpy(j->h[b], s.from[b], n * sizeof(double));
+    memcpy(j->creep, s.crept, n * sizeof(double));
   }
   free(s.from[0]);
   return status;

@@ -66,6 +66,9 @@ static int sphere_create(lua_State *L) {
   def.inclination = number_of(L, "inclination", def.inclination);
   def.cover = number_of(L, "cover", def.cover);
   def.size = number_of(L, "size", def.size);
+  lua_getfield(L, -1, "second_order");
+  def.second_order = lua_toboolean(L, -1);
+  lua_pop(L, 1);
   lua_getfield(L, -1, "foundation");
   def.foundation = (arc_foundation)args_choice(L, -1, (args_place){"joint", ""}, "foundation",
                                                arc_foundation_names, 0);
@@ -183,11 +186,12 @@ static size_t sites_of(const arc_joint *joint) {
 
 /* map(joint, what) -> rows, flat list of [rows][2 rows] */
 static int sphere_map(lua_State *L) {
-  static const char *const what[] = {"head", "cup", "pressure", "cross shear", NULL};
+  static const char *const what[] = {"head", "cup", "pressure", "cross shear", "creep", NULL};
   const arc_joint *joint = joint_at(L, 1, "map");
   const int which = luaL_checkoption(L, 2, NULL, what);
   const double *values = which == 2 ? arc_joint_pressure(joint) : NULL;
   if (which < 2) values = arc_joint_depth(joint, which == 0 ? ARC_UPPER : ARC_LOWER);
+  if (which == 4) values = arc_joint_creep(joint);
   if (which == 3) {
     double *share = array_buffer(L, sites_of(joint));
     arc_joint_cross_shear(joint, share);
@@ -213,23 +217,50 @@ static int sphere_set(lua_State *L) {
 
 /* --- wear ------------------------------------------------------------------------------------- */
 
+/* The user's functions, at their places on the stack; the one that failed. */
 typedef struct called {
   lua_State *L;
-  int function, failed;
+  int k, alpha, creep;
+  double thickness; /* of the cup's first layer [mm] */
+  const char *failed;
 } called;
 
-static double coefficient(void *context, double cross_shear, double p_mean) {
-  called *c = context;
+/* Pushes a function and its state; 0 once one has failed. */
+static int push_function(called *c, int function, double cycles) {
+  if (c->failed) return 0;
+  lua_pushvalue(c->L, function);
+  lua_createtable(c->L, 0, 3);
+  array_set_number(c->L, "cycles", cycles);
+  return 1;
+}
+
+static double call_pushed(called *c, const char *name) {
+  if (error_pcall(c->L, 1, 1) != LUA_OK) c->failed = name;
   if (c->failed) return NAN;
-  lua_pushvalue(c->L, c->function);
-  lua_createtable(c->L, 0, 2);
+  const double value = lua_isnumber(c->L, -1) ? lua_tonumber(c->L, -1) : NAN;
+  lua_pop(c->L, 1);
+  return value;
+}
+
+static double coefficient(void *context, double cross_shear, double p_mean, double cycles) {
+  called *c = context;
+  if (!push_function(c, c->k, cycles)) return NAN;
   array_set_number(c->L, "cross_shear", cross_shear);
   array_set_number(c->L, "p_mean", p_mean);
-  c->failed = error_pcall(c->L, 1, 1) != LUA_OK;
-  if (c->failed) return NAN;
-  const double k = lua_isnumber(c->L, -1) ? lua_tonumber(c->L, -1) : NAN;
-  lua_pop(c->L, 1);
-  return k;
+  return call_pushed(c, "the function k");
+}
+
+static double share_of_head(void *context, double cycles) {
+  called *c = context;
+  return push_function(c, c->alpha, cycles) ? call_pushed(c, "the function alpha") : NAN;
+}
+
+static double creep_of(void *context, double p_mean, double cycles) {
+  called *c = context;
+  if (!push_function(c, c->creep, cycles)) return NAN;
+  array_set_number(c->L, "thickness", c->thickness);
+  array_set_number(c->L, "p_mean", p_mean);
+  return call_pushed(c, "the function creep");
 }
 
 /* Field by field, in both directions. */
@@ -256,11 +287,12 @@ static int push_record(lua_State *L, const arc_joint_record *r) {
   return 1;
 }
 
-/* What updates and steps have in common: (joint, gait, k, alpha, cycles, record, ...). */
+/* What updates and steps have in common: (joint, gait, k, alpha, cycles, record, ...,
+ * creep). */
 typedef struct worn {
   box *holder;
   arc_joint_wear_def def;
-  called k;
+  called functions;
   arc_joint_record record;
   double cycles;
 } worn;
@@ -269,47 +301,47 @@ static const arc_callbacks interruptible = {.stop = interrupt_pending};
 
 static void begin_wear(lua_State *L, worn *w, int arguments) {
   *w = (worn){.holder = box_check(L, 1, &sphere_class, "wear"),
-              .def.alpha = luaL_checknumber(L, 4),
-              .k = {.L = L, .function = 3},
+              .functions = {.L = L, .k = 3, .alpha = 4, .creep = arguments},
               .cycles = luaL_checknumber(L, 5)};
   lua_settop(L, arguments);
   read_record(L, 6, &w->record);
   w->def.instant = read_gait(L, 2, &w->def.instants);
-  if (lua_isfunction(L, 3)) {
-    w->def.k_function = coefficient;
-    w->def.context = &w->k;
-  } else {
-    w->def.k = luaL_checknumber(L, 3);
-  }
+  w->functions.thickness = arc_joint_definition(w->holder->thing)->cup[0].thickness;
+  w->def.context = &w->functions;
+  w->def.k_function = lua_isfunction(L, 3) ? coefficient : NULL;
+  w->def.alpha_function = lua_isfunction(L, 4) ? share_of_head : NULL;
+  w->def.creep = lua_isfunction(L, arguments) ? creep_of : NULL;
+  if (!w->def.k_function) w->def.k = luaL_checknumber(L, 3);
+  if (!w->def.alpha_function) w->def.alpha = luaL_checknumber(L, 4);
   if (w->holder->busy) error_raise(L, ARC_ARGUMENT, "wear", "it is being worn already");
   w->holder->busy = 1;
 }
 
 static int end_wear(lua_State *L, worn *w, arc_status status, arc_error *error) {
   w->holder->busy = 0;
-  if (w->k.failed) error_callback(L, "wear", "the function k");
+  if (w->functions.failed) error_callback(L, "wear", w->functions.failed);
   error_check(L, status, error, "wear", -1);
   return push_record(L, &w->record);
 }
 
-/* update(joint, gait, k, alpha, cycles, record, explicit) -> record */
+/* update(joint, gait, k, alpha, cycles, record, explicit, creep) -> record */
 static int sphere_update(lua_State *L) {
   worn w;
   arc_error error = {0};
-  begin_wear(L, &w, 7);
+  begin_wear(L, &w, 8);
   w.def.explicit_scheme = lua_toboolean(L, 7);
   const arc_status status =
       arc_joint_update(w.holder->thing, &w.def, w.cycles, &interruptible, &w.record, &error);
   return end_wear(L, &w, status, &error);
 }
 
-/* advance(joint, gait, k, alpha, most, record, tolerance, step) -> record, next step */
+/* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) -> record, next step */
 static int sphere_advance(lua_State *L) {
   worn w;
   arc_error error = {0};
   const double tolerance = luaL_checknumber(L, 7);
   double step = luaL_checknumber(L, 8);
-  begin_wear(L, &w, 8);
+  begin_wear(L, &w, 9);
   const arc_status status = arc_joint_advance(w.holder->thing, &w.def, tolerance, w.cycles, &step,
                                               &interruptible, &w.record, &error);
   end_wear(L, &w, status, &error);
