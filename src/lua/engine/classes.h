@@ -78,6 +78,12 @@ typedef arc_status (*zones_fn)(const void *asker, const arc_model_def *def, doub
 arc_model *model_argument(lua_State *L, int worn, const char *where, double load, zones_fn zones,
                           const void *asker);
 
+/* Where the field `model` of the definition table at index 1 is an object: pushes a model like
+ * `model` whose zones are as wide as `zones` asks for, and warns of that. NULL, and nothing, where
+ * it is a table, that is no wider, or the meshes were given. */
+arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *where, zones_fn zones,
+                            const void *asker);
+
 /* Reads the field "mesh" of the table at `index` over that of a run, for arc_wear_set; returns 0
  * where there is none. */
 int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *mesh);

@@ -270,19 +270,17 @@ typedef struct request {
 } request;
 
 /* Pushes the contact that was asked for; the value at `holder` keeps its model alive. */
-static int solve_new(lua_State *L, int holder, const char *where, const request *asked) {
+static arc_status push_contact(lua_State *L, int holder, const request *asked, arc_error *error) {
   const arc_callbacks callbacks = {.warn = warn, .context = L};
-  arc_error error = {0};
   arc_contact *contact = NULL;
   box *made = box_push(L, &contact_class);
   box_keep(L, holder);
   const arc_status status =
-      asked->from ? arc_contact_move(asked->from, asked->motion, &callbacks, &contact, &error)
-                  : arc_contact_solve(asked->shape, asked->def, &callbacks, &contact, &error);
+      asked->from ? arc_contact_move(asked->from, asked->motion, &callbacks, &contact, error)
+                  : arc_contact_solve(asked->shape, asked->def, &callbacks, &contact, error);
   made->thing = contact;
-  error_check(L, status, &error, where, -1);
-  box_weigh(L, arc_contact_bytes(contact));
-  return 1;
+  if (status == ARC_OK) box_weigh(L, arc_contact_bytes(contact));
+  return status;
 }
 
 /* contact{ model=, load=, x=, worn=, friction= } */
@@ -295,8 +293,16 @@ static int contact_new(lua_State *L) {
   int worn = lua_gettop(L);
   arc_model *model = model_argument(L, worn, "contact", def.load, needed_zones, &def);
   int holder = lua_gettop(L);
-  const arc_shape *shape = push_shape(L, worn, model, def.load);
-  return solve_new(L, holder, "contact", &(request){.shape = shape, .def = &def});
+  arc_error error = {0};
+  request asked = {.shape = push_shape(L, worn, model, def.load), .def = &def};
+  arc_status status = push_contact(L, holder, &asked, &error);
+  if (status == ARC_ZONE && (model = model_push_wider(L, model, "contact", needed_zones, &def))) {
+    holder = lua_gettop(L);
+    asked.shape = push_shape(L, worn, model, def.load);
+    status = push_contact(L, holder, &asked, &error);
+  }
+  error_check(L, status, &error, "contact", -1);
+  return 1;
 }
 
 /* contact:move{ x=, z=, load=, tangential=, tangential_z=, increments= } */
@@ -315,7 +321,10 @@ static int contact_move(lua_State *L) {
     error_raise(L, ARC_ARGUMENT, place.where,
                 "fields 'z' and 'tangential_z': expected one of them, got both");
   lua_getiuservalue(L, 1, 1);
-  return solve_new(L, lua_gettop(L), place.where, &(request){.from = from, .motion = &motion});
+  arc_error error = {0};
+  const request asked = {.from = from, .motion = &motion};
+  error_check(L, push_contact(L, lua_gettop(L), &asked, &error), &error, place.where, -1);
+  return 1;
 }
 
 static const luaL_Reg fields[] = {

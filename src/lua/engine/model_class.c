@@ -8,6 +8,7 @@
 #include "lua/base/file_name.h"
 #include "lua/engine/pair_text.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -214,6 +215,34 @@ arc_model *model_argument(lua_State *L, int worn, const char *where, double load
     arc_model_fit(&def, load);
     suit_zones(L, &def, where, zones, asker);
   }
+  return model_push(L, &def, where);
+}
+
+arc_model *model_push_wider(lua_State *L, const arc_model *model, const char *where, zones_fn zones,
+                            const void *asker) {
+  arc_model_def def = *arc_model_definition(model);
+  double needed[ARC_BODIES], before[ARC_BODIES];
+  char text[200];
+  args_get(L, 1, "model");
+  const int object = box_test(L, -1, &model_class) != NULL;
+  lua_pop(L, 1);
+  if (!object || arc_model_is_given(model) || arc_model_has_maps(&def)) return NULL;
+  if (def.geometry == ARC_SPRINGS || zones(asker, &def, needed, NULL) != ARC_OK) return NULL;
+  for (int b = 0; b < ARC_BODIES; b++) {
+    before[b] = def.mesh.zone[b];
+    needed[b] = fmax(needed[b], before[b]);
+    def.mesh.zone[b] = 0;
+  }
+  arc_model_fit_zones(&def, needed);
+  if (def.mesh.zone[ARC_UPPER] <= before[ARC_UPPER] &&
+      def.mesh.zone[ARC_LOWER] <= before[ARC_LOWER])
+    return NULL;
+  snprintf(text, sizeof text,
+           "%s: zones of %.4g and %.4g mm are too narrow: new meshes of the model have %.4g and "
+           "%.4g mm",
+           where, before[ARC_UPPER], before[ARC_LOWER], def.mesh.zone[ARC_UPPER],
+           def.mesh.zone[ARC_LOWER]);
+  lua_warning(L, text, 0);
   return model_push(L, &def, where);
 }
 

@@ -38,20 +38,23 @@ static void keep_functions(lua_State *L, int index) {
   lua_setiuservalue(L, -2, RUN_FUNCTIONS);
 }
 
-/* Fills the box on top of the stack with a new run. */
-static void create_run(lua_State *L, box *made, arc_model *model, const wear_request *request,
-                       const arc_shape *start) {
-  arc_error error = {0};
+/* Pushes a new run on the model that the value at `holder` keeps, from the worn shape at `worn`. */
+static arc_status push_run(lua_State *L, int holder, int worn, arc_model *model,
+                           const wear_request *request, arc_error *error) {
+  const arc_shape *start = push_start(L, worn, model, &request->def);
+  box *made = box_push(L, &wear_class);
+  box_keep(L, holder);
+  keep_functions(L, request->functions);
   arc_wear *wear = NULL;
   arc_wear_def def = wear_request_settle(request, arc_model_definition(model));
   const int top = lua_gettop(L);
   functions_call call = functions_enter_making(L, request->functions, arc_model_definition(model));
-  arc_status status = arc_wear_create(model, &def, start, &wear, &error);
+  const arc_status status = arc_wear_create(model, &def, start, &wear, error);
   made->thing = wear;
   functions_leave(L, &call, "wear");
   lua_settop(L, top);
-  error_check(L, status, &error, "wear", -1);
-  box_weigh(L, arc_wear_bytes(wear));
+  if (status == ARC_OK) box_weigh(L, arc_wear_bytes(wear));
+  return status;
 }
 
 /* Those of the couple and those of the bodies say the same twice. */
@@ -78,11 +81,11 @@ static int wear_new(lua_State *L) {
   arc_model *model = model_argument(L, worn, "wear", request.def.load, needed_zones, &request);
   int holder = lua_gettop(L);
   check_coefficients(L, &request, arc_model_definition(model));
-  const arc_shape *start = push_start(L, worn, model, &request.def);
-  box *made = box_push(L, &wear_class);
-  box_keep(L, holder);
-  keep_functions(L, request.functions);
-  create_run(L, made, model, &request, start);
+  arc_error error = {0};
+  arc_status status = push_run(L, holder, worn, model, &request, &error);
+  if (status == ARC_ZONE && (model = model_push_wider(L, model, "wear", needed_zones, &request)))
+    status = push_run(L, lua_gettop(L), worn, model, &request, &error);
+  error_check(L, status, &error, "wear", -1);
   return 1;
 }
 

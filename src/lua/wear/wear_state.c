@@ -343,8 +343,8 @@ static const char *show_k(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const arc_wear_record *now = arc_wear_last(wear);
   const double k = of_update(now, now->k);
-  if (!def->k_function && def->k_series.count == 0 && k == def->k) {
-    snprintf(text, size, "%.6g mm2/N = %.6g mm3/(N m)", k, 1e3 * k);
+  if (!def->k_function && def->k_series.count == 0 && !(fabs(k - def->k) > 1e-12 * k)) {
+    snprintf(text, size, "%.6g mm2/N = %.6g mm3/(N m)", def->k, 1e3 * def->k);
     return text;
   }
   return show_coefficient(k, def->k, &def->k_series, def->k_function != NULL, " mm2/N", text, size);
