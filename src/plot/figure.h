@@ -23,8 +23,8 @@ typedef struct arc_canvas {
 } arc_canvas;
 
 /* The characters of points among those of lines, on a surface of dots: one for each of the eight
- * marks. */
-enum { ARC_DOT_MARK = 'J', ARC_DOT_MARKS = 8 };
+ * marks; levels of a field have others. */
+enum { ARC_DOT_MARK = 'A', ARC_DOT_MARKS = 8 };
 
 /* What a panel shows of the plane; may be turned round. */
 typedef struct arc_plot_box {

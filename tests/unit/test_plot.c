@@ -394,6 +394,12 @@ static void test_field(void **state) {
   assert_non_null(strstr(picture, "@  "));
   assert_non_null(strstr(picture, "2.67 to 3"));
   free(picture);
+  arc_plot_output fine = as_text;
+  fine.colour = fine.fine = 1;
+  assert_int_equal(arc_plot_draw(*state, &figure, &fine, &picture, NULL, NULL), ARC_OK);
+  assert_non_null(strchr(picture, 'O')); /* levels are none of the marks of curves */
+  assert_null(strstr(picture, "\342\226\241"));
+  free(picture);
   arc_plot_output output = {.medium = ARC_PLOT_FILE, .file = path_of("field.gp", path)};
   assert_int_equal(arc_plot_script(&figure, &output, &script, NULL, NULL), ARC_OK);
   assert_contours_at(script, 1, 2); /* round numbers between 0 and 3, which the scale shows */
