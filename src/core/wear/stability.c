@@ -121,11 +121,15 @@ void arc_wear_watch_ripples(arc_wear *w, const wear_block *block, const arc_call
   judge(w, block, k, now->jump, callbacks);
 }
 
-/* A loading has no stroke of its own; with friction a short one sticks as it should. */
+/* A loading has no stroke of its own, nor has sliding along z; with friction a short one sticks as
+ * it should; where bodies fit into each other any stroke is short beside the contact. */
 static void warn_units(const arc_wear *w, const arc_callbacks *callbacks) {
   const arc_wear_record *now = arc_wear_last(w);
-  const int plain = w->def.blocks == 0 && !arc_wear_has_friction(&w->def);
-  arc_units_warn_pair(arc_model_definition(w->model), now->p_max, callbacks);
+  const arc_model_def *model = arc_model_definition(w->model);
+  const int fits = now->half_width > model->radius / 5;
+  const int plain =
+      w->def.blocks == 0 && w->def.slide == ARC_SLIDE_X && !fits && !arc_wear_has_friction(&w->def);
+  arc_units_warn_pair(model, now->p_max, callbacks);
   arc_units_warn_wear(now->k, plain ? w->def.stroke : 0, now->half_width, callbacks);
 }
 
