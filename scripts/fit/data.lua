@@ -7,6 +7,7 @@ local columns = require "archard.settings".columns
 local keys = require "archard.lib.keys"
 local loops = require "archard.fit.loop"
 local merged = require "archard.lib.merged"
+local observe = require "archard.study.observe"
 local statistics = require "archard.lib.statistics"
 
 local data = {}
@@ -40,14 +41,19 @@ local profile = check.kind("a profile of depths, with lists x and h [mm] (of hei
   return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
 end)
 
+local section = check.kind("the line of a section, { z = 0 } or { x = 0 } in mm", function(v)
+  return type(v) == "table" and (v.x == nil) ~= (v.z == nil) and check.number.test(v.x or v.z) and keys(v)[2] == nil
+end)
+
 local fields = {
+  section = section,
   loop = loops.kind, compliance = check.number, cycle = sizes,
   profile = profile, x = list, h = list, body = body, shift = check.number, tilt = check.number,
   level = check.number, of = check.one_of(keys(quantities)), distance = sizes, value = one_or_more,
   error = sizes, relative = check.positive, title = check.text,
 }
 data.fields = fields
-data.kinds = { sizes = sizes, body = body, list = list }
+data.kinds = { sizes = sizes, body = body, list = list, section = section }
 
 -- --- reading -------------------------------------------------------------------------------------
 
@@ -86,7 +92,7 @@ local function errors_of(where, prefix, given, own, value)
 end
 
 -- What belongs to one kind of data only.
-local of_profiles = { "profile", "x", "h", "body", "shift", "tilt", "level" }
+local of_profiles = { "profile", "x", "h", "body", "section", "shift", "tilt", "level" }
 local of_loops = { "loop", "compliance" }
 
 local function refuse_others(where, prefix, given, names, what)
@@ -123,6 +129,12 @@ local function free_of(x, h)
     { kind = "level", span = deepest, unit = "mm" } }
 end
 
+local function name_of(given)
+  local line = given.section
+  local at = line and (line.x and " across the motion at x = %g mm" or " along the motion at z = %g mm"):format(line.x or line.z) or ""
+  return ("profile of the %s%s at %g mm"):format(given.body, at, given.distance)
+end
+
 local function read_profile(where, prefix, given)
   local from = given.profile or given
   if not (from.x and from.h) then
@@ -138,15 +150,15 @@ local function read_profile(where, prefix, given)
   if own and not sizes.test(own) then own = nil end -- a trace without noise tells none
   local err = errors_of(where, prefix, given, own, h)
   x, h, err = sorted(x, h, err)
-  local item = { kind = "profile", body = given.body, distance = given.distance, x = x, value = h,
-    error = err, unit = "mm", free = free_of(x, h),
+  local item = { kind = "profile", body = given.body, surface = observe.surface(given.body, given.section),
+    distance = given.distance, x = x, value = h, error = err, unit = "mm", free = free_of(x, h),
     fixed = { shift = given.shift, tilt = given.tilt, level = given.level },
-    title = given.title or ("profile of the %s at %g mm"):format(given.body, given.distance) }
+    title = given.title or name_of(given) }
   return item
 end
 
 local function read_loop(where, prefix, given, by_force)
-  refuse_others(where, prefix, given, { "profile", "x", "h", "body", "tilt", "of", "value" },
+  refuse_others(where, prefix, given, { "profile", "x", "h", "body", "section", "tilt", "of", "value" },
     "other data, and this is a loop { x=, tangential= }")
   need_distance(where, prefix, given, "loop")
   local values = by_force and given.loop.x or given.loop.tangential
@@ -224,10 +236,10 @@ end
 
 -- The list for observe.lua; every value of an item learns at which look it is found.
 function data.wanted(items)
-  local distances, wanted, bodies, turns, at = {}, {}, {}, {}, {}
+  local distances, wanted, surfaces, turns, at = {}, {}, {}, {}, {}
   for _, item in ipairs(items) do
     if item.kind == "profile" then
-      distances[item.distance], bodies[item.body] = true, true
+      distances[item.distance], surfaces[item.surface] = true, true
     elseif item.kind == "loop" then
       distances[item.distance], turns[item.distance] = true, true
     else
@@ -235,7 +247,7 @@ function data.wanted(items)
       for _, name in ipairs(quantities[item.of][1]) do wanted[name] = true end
     end
   end
-  local what = { distances = keys(distances), columns = keys(wanted), bodies = keys(bodies),
+  local what = { distances = keys(distances), columns = keys(wanted), surfaces = keys(surfaces),
     loops = keys(turns) }
   for i, distance in ipairs(what.distances) do at[distance] = i end
   for _, item in ipairs(items) do
@@ -261,7 +273,7 @@ end
 -- A measured profile stands `shift` [mm] to the right, `tilt` [mm/mm] steeper, `level` [mm] deeper
 -- than the surface.
 local function profile_values(item, looks, place)
-  local surface, values = looks[item.look[1]][item.body], {}
+  local surface, values = looks[item.look[1]][item.surface], {}
   for i, x in ipairs(item.x) do
     values[i] = depth_at(surface, x - place.shift) + place.tilt * x + place.level
   end
@@ -346,7 +358,7 @@ end
 function data.check_sizes(where, items, looks)
   local still = { shift = 0, tilt = 0, level = 0 }
   for number, item in ipairs(items) do
-    if item.kind == "profile" then check_place(where, number, item, looks[item.look[1]][item.body]) end
+    if item.kind == "profile" then check_place(where, number, item, looks[item.look[1]][item.surface]) end
     if item.kind == "loop" then loops.check_place(where, number, item, looks[item.look[1]].loop) end
     local most = statistics.largest(item.value)
     local expected = statistics.largest(data.values(item, looks, still))

@@ -16,7 +16,7 @@ local where = "fit.design"
 -- --- what is given -------------------------------------------------------------------------------
 
 local own = {
-  of = data.fields.of, profile = data.kinds.body, distance = data.kinds.sizes, error = check.positive,
+  of = data.fields.of, profile = data.kinds.body, section = data.kinds.section, distance = data.kinds.sizes, error = check.positive,
   relative = check.positive, x = data.kinds.list, points = check.whole(3, 100000), width = check.positive,
   title = check.text, shift = check.number, tilt = check.number, level = check.number,
 }
@@ -56,7 +56,7 @@ local function stand_in(one, distance)
     return { of = one.of, distance = distance, value = 1, error = one.error or one.relative }
   end
   local x = one.x or places(one)
-  return { x = x, h = zeros(x), body = one.profile, distance = distance, error = one.error,
+  return { x = x, h = zeros(x), body = one.profile, section = one.section, distance = distance, error = one.error,
     shift = one.shift, tilt = one.tilt, level = one.level }
 end
 

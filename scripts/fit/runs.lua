@@ -116,8 +116,8 @@ end
 local function from_store(store, id)
   local looks = settings.nest(store:values(id, "results")).looks
   for _, look in ipairs(looks) do
-    for _, body in ipairs{ "cylinder", "plate" } do
-      if look[body] then look[body] = { x = numbers(look[body].x), h = numbers(look[body].h) } end
+    for name, values in pairs(look) do
+      if type(values) == "table" and values.h then look[name] = { x = numbers(values.x), h = numbers(values.h) } end
     end
     local loop = look.loop
     if loop then look.loop = { x = numbers(loop.x), tangential = numbers(loop.tangential) } end

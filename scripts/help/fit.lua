@@ -44,6 +44,9 @@ return {
   { "fit{data.x}", type = "list of numbers", unit = "mm", text = "Instead of profile: places from the centre." },
   { "fit{data.h}", type = "list of numbers", unit = "mm", text = "The wear depths there." },
   { "fit{data.body}", values = { "cylinder", "plate" }, text = "Whose profile it is." },
+  { "fit{data.section}", type = "table { z= } or { x= }", unit = "mm",
+    text = "In three dimensions: the section the profile is of, along the motion at this z or across it at this x; without one "
+      .. "along the motion through the middle." },
   { "fit{data.distance}", type = "number or list of numbers", unit = "mm",
     text = "Travelled distance of a profile, of a loop, or of each value." },
   { "fit{data.cycle}", type = "number or list of numbers", unit = "cycles",
@@ -125,6 +128,7 @@ return {
   { "fit.design{measure.profile}", values = { "cylinder", "plate" }, text = "A profile of this body." },
   { "fit.design{measure.distance}", type = "number or list of numbers", unit = "mm",
     text = "When: each distance is a measurement of its own." },
+  { "fit.design{measure.section}", type = "table { z= } or { x= }", unit = "mm", text = "In three dimensions: its section." },
   { "fit.design{measure.error}", type = "number", text = "Standard error of a value, of a profile in mm." },
   { "fit.design{measure.relative}", type = "number", text = "Instead, as a share of the value." },
   { "fit.design{measure.x}", type = "list of numbers", unit = "mm", text = "Places of the profile." },

@@ -9,19 +9,32 @@ local function text_of(numbers)
   return table.concat(words, " ")
 end
 
--- what: { distances = growing list [mm], columns = list of names, bodies = list of names, loops = those
+-- The name under which a body's profile is kept, or its section { x= } or { z= } in three dimensions: a word without points,
+-- as it is a part of a flat name in run files.
+function observe.surface(body, section)
+  if not section then return body end
+  return (("%s_%s_%.17g"):format(body, section.x and "x" or "z", section.x or section.z):gsub("%.", ","))
+end
+
+local function profile_of(run, surface)
+  local body, axis, at = surface:match("^(%l+)_([xz])_(.+)$")
+  if not body then return run:profile(surface) end
+  return run:profile(body, { [axis] = tonumber((at:gsub(",", "."))) })
+end
+
+-- what: { distances = growing list [mm], columns = list of names, surfaces = list of names, loops = those
 -- of the distances at which the friction loop is wanted }
 function observe.text(what)
   return ("%s;%s;%s;%s"):format(text_of(what.distances), table.concat(what.columns, " "),
-    table.concat(what.bodies, " "), text_of(what.loops))
+    table.concat(what.surfaces, " "), text_of(what.loops))
 end
 
 function observe.read(text)
-  local what, parts = { distances = {}, columns = {}, bodies = {}, loops = {} }, {}
+  local what, parts = { distances = {}, columns = {}, surfaces = {}, loops = {} }, {}
   for part in (text .. ";"):gmatch("(.-);") do parts[#parts + 1] = part end
   for number in parts[1]:gmatch("%S+") do what.distances[#what.distances + 1] = tonumber(number) end
   for name in parts[2]:gmatch("%S+") do what.columns[#what.columns + 1] = name end
-  for name in parts[3]:gmatch("%S+") do what.bodies[#what.bodies + 1] = name end
+  for name in parts[3]:gmatch("%S+") do what.surfaces[#what.surfaces + 1] = name end
   for number in parts[4]:gmatch("%S+") do what.loops[#what.loops + 1] = tonumber(number) end
   return what
 end
@@ -36,9 +49,9 @@ end
 local function look(run, what, distance)
   local found, history = { distance = run.distance }, run.history
   for _, name in ipairs(what.columns) do found[name] = history[name][#history[name]] end
-  for _, body in ipairs(what.bodies) do
-    local profile = run:profile(body)
-    found[body] = { x = profile.x, h = profile.h }
+  for _, surface in ipairs(what.surfaces) do
+    local profile = profile_of(run, surface)
+    found[surface] = { x = profile.x, h = profile.h }
   end
   if is_in(what.loops, distance) then
     local loop = run:loop()
@@ -47,7 +60,7 @@ local function look(run, what, distance)
   return found
 end
 
--- Runs wear{ given } to every distance: a list of { distance=, COLUMN=, BODY={x=,h=}, loop={x=,tangential=} }; and the run.
+-- Runs wear{ given } to every distance: a list of { distance=, COLUMN=, SURFACE={x=,h=}, loop={x=,tangential=} }; and the run.
 function observe.run(given, what, on_progress)
   local run, last = wear(given), what.distances[#what.distances]
   local looks = {}

@@ -65,6 +65,10 @@ int wear_profile(lua_State *L) {
   static const char *const names[] = {"h", "y", NULL};
   const arc_wear *wear = wear_self(L, "wear:profile");
   if (!is_meshed(wear)) return push_section(L, wear, "wear:profile", names);
+  if (!lua_isnoneornil(L, 3))
+    error_raise(L, ARC_ARGUMENT, "wear:profile",
+                "expected no section: they are of runs with geometry = \"3-D\", this one is in the "
+                "plane");
   arc_body body = wear_body(L, wear, "wear:profile");
   arc_profile profile = arc_shape_profile(arc_wear_shape(wear), body);
   lua_createtable(L, 0, 5);
