@@ -80,3 +80,29 @@ within(late_prosim.volume.cup, 15.27, 1e-3, "the same, prosim: volume")
 local present = shear_run("iso", sheared)
 within(1000 * present.depth.cup, 65.788, 1e-3, "cross-shear of the present surfaces: depth of 80 updates")
 within(present.volume.cup, 16.523, 2e-3, "and volume")
+
+-- --- closed forms, Hertz, rocking, creep -------------------------------------------------------------
+local open = joint{ head = { radius = 25, material = cocr }, cup = { clearance = 5, layers = { { thickness = 2475, material = cocr } } },
+  mesh = { size = 0.25 } }
+within(contact{ model = open, load = 100 }.p_center, 270.51, 3e-3, "a small contact: Hertz 270.44")
+local cap = contact{ model = liner(2, "winkler"), load = 3000 }
+within(cap.normal_force / 3000, 1.139244, 1e-3, "springs: integral of p over the load")
+within(cap.approach[3], 0.1578969, 1e-3, "springs: displacement")
+for load, share in pairs{ [3000] = 1.071420, [2000] = 1.058704 } do
+  local w = wear{ model = liner(2, "winkler"), loading = gait.flexion{ angle = 21.5, load = load }, k = 1e-12, alpha = 0, cycles = 1,
+    updates = 1 }:run{ progress = false }
+  within(w.volume.cup / (1e-12 * load * 14 * 4 * math.rad(21.5)), share, 1e-3, ("flexion, %d N: V over k F R twice the range"):format(load))
+end
+local rocks = gait.rocking{ increments = 60 }
+for _, row in ipairs{ { nil, 2.5e5, 70.18, 18.869 }, { nil, 1e6, 198.43, 80.219 }, { "winkler", 2.5e5, 70.93, 18.847 },
+  { "winkler", 1e6, 198.70, 80.137 } } do
+  local w = wear{ model = liner(row[1] and 2 or 4, row[1]), loading = rocks, k = 1e-9, alpha = 0, cycles = row[2] }:run{ progress = false }
+  local name = ("rocking, %s, %g cycles"):format(row[1] or "elastic", row[2])
+  within(1000 * w.depth.cup, row[3], 4e-3, name .. ": depth")
+  within(w.volume.cup, row[4], 1e-3, name .. ": volume")
+end
+local crept = wear{ model = liner(3, "winkler"), k = 1e-9, alpha = 0, cycles = 1e6, updates = 40,
+  creep = function(s) return s.thickness * math.max(0, 3.491e-3 + 7.966e-4 * (math.log(s.cycles / 60, 10) - 4)) * s.p_mean end }
+crept:run{ progress = false }
+within(1000 * crept.depth.cup, 85.1, 0.02, "creep: depth of wear")
+within(crept.volume.cup, 32.95, 0.02, "creep: volume")
