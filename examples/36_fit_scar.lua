@@ -29,4 +29,5 @@ local f = fit{
   },
 }
 print(f)
+plot.profile(f.wear, "ball")
 plot.fit(f)
