@@ -54,6 +54,14 @@ local springs = joint{ foundation = "winkler", mesh = { size = 6 },
 local one = wear{ model = springs, k = 1e-9 }:run()
 is(wear{ model = springs, k = 1e-9 }:run().depth.cup, one.depth.cup, "the same bits again")
 fails(function() wear{ model = springs, k = function() error "mine" end }:run() end, "mine", "an error of k")
+local broken = false
+local stays = wear{ model = springs, k = function() return broken and -1 or 1e-9 end, updates = 4 }
+stays:run{ cycles = 2e5, progress = false }
+local before, moved = stays:map "cross shear".values, 0
+broken = true
+fails(function() stays:run{ progress = false } end, "field 'k'", "a k below zero")
+for i, share in ipairs(stays:map "cross shear".values) do moved = math.max(moved, math.abs(share - before[i])) end
+is(moved, 0, "cross-shear stays that of the last whole update")
 local half = wear{ model = springs, k = 1e-9, updates = 4, alpha = function(s) return s.cycles < 5e5 and 0 or 0.5 end }:run{ progress = false }
 ok(half.volume.head > 0 and half.volume.head < 0.4 * half.volume.total, "a share that changes")
 fails(function() wear{ model = springs, alpha = function() return 2 end }:run{ progress = false } end, "field 'alpha'", "one above 1")

@@ -13,7 +13,7 @@ typedef struct sweep {
   const arc_joint_wear_def *def;
   double cycles, alpha;
   double *from[ARC_BODIES]; /* [sites] depths before it */
-  double *crept;            /* [sites] creep before it */
+  double *crept, *sheared;  /* [sites], [sites][3] creep and cross-shear before it */
   double *gain[ARC_BODIES]; /* [sites] what an explicit one takes off at its end */
   double *shear, *mean;     /* [sites][3], [sites] of this cycle */
   double *k, *loss, *share; /* [sites] coefficient, k N p |s| of an instant [mm], cross-shear */
@@ -22,12 +22,14 @@ typedef struct sweep {
 
 static int begin(sweep *s) {
   const size_t n = (size_t)s->j->sites;
-  const carve_part parts[] = {
-      {&s->from[0], n}, {&s->from[1], n}, {&s->gain[0], n}, {&s->gain[1], n}, {&s->shear, 3 * n},
-      {&s->mean, n},    {&s->k, n},       {&s->loss, n},    {&s->share, n},   {&s->crept, n}};
+  const carve_part parts[] = {{&s->from[0], n}, {&s->from[1], n},    {&s->gain[0], n},
+                              {&s->gain[1], n}, {&s->shear, 3 * n},  {&s->mean, n},
+                              {&s->k, n},       {&s->loss, n},       {&s->share, n},
+                              {&s->crept, n},   {&s->sheared, 3 * n}};
   if (!ARC_CARVE(parts)) return 0;
   for (int b = 0; b < ARC_BODIES; b++) memcpy(s->from[b], s->j->h[b], n * sizeof(double));
   memcpy(s->crept, s->j->creep, n * sizeof(double));
+  memcpy(s->sheared, s->j->shear, 3 * n * sizeof(double));
   return 1;
 }
 
@@ -222,6 +224,7 @@ arc_status arc_joint_update(arc_joint *j, const arc_joint_wear_def *def, double 
   } else {
     for (int b = 0; b < ARC_BODIES; b++) memcpy(j->h[b], s.from[b], n * sizeof(double));
     memcpy(j->creep, s.crept, n * sizeof(double));
+    memcpy(j->shear, s.sheared, 3 * n * sizeof(double));
   }
   free(s.from[0]);
   return status;
