@@ -108,12 +108,14 @@ local function csv_of(t)
   return table.concat(lines, "\n") .. "\n"
 end
 
--- csv(map, path) -> the file written: x, z and the value of each point. Everything else goes to the writer in C.
+-- csv(map, path) -> the file written: x, z and the value of each point. Of a study its table. Everything else goes to the
+-- writer in C.
 function maps.csv(...)
   local t, path = ...
-  if not map.is(t) then return files.csv(...) end
+  local is_study = check.shown(t) == "a study object"
+  if not is_study and not map.is(t) then return files.csv(...) end
   path = checked_path("export.csv", path, ".csv")
-  files.write("export.csv", path, csv_of(t))
+  files.write("export.csv", path, is_study and t:table{ format = "csv" } .. "\n" or csv_of(t))
   return path
 end
 

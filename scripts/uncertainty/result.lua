@@ -178,7 +178,7 @@ end
 
 function class.__tostring(self)
   local g = #self.distance
-  local lines = { ("uncertainty of study %s: %d samples (%s, seed %d) at %g mm, +- by %g %% confidence")
+  local lines = { ("uncertainty of %s: %d samples (%s, seed %d) at %g mm, +- by %g %% confidence")
     :format(self.name, self.n, self.design, self.seed, self.distance[g], 100 * self.confidence) }
   if self.failed > 0 then
     lines[#lines + 1] = ("  %d cases failed and are left out: what they would have come to is missing")

@@ -241,6 +241,8 @@ is(select(2, csv:gsub("\n", "\n")), 4, "CSV: a line a case and the head")
 holds(csv, "," .. require "archard.files".number(case.p_center) .. ",", "CSV has all digits")
 is(tonumber(require "archard.files".number(case.p_center)), case.p_center, "that count")
 holds(one:table{ format = "markdown" }, "| --: |", "Markdown")
+is(export.csv(one, path "exported"), path "exported.csv", "export.csv of a study says its file")
+is(io.open(path "exported.csv"):read "a", csv .. "\n", "and writes its table")
 one:table{ file = path "table.md" }
 holds(assert(io.open(path "table.md")):read("a"), "| --: |", "the ending tells the form")
 fails(function() one:table{ format = "html" } end, '"markdown"', "no other form")
