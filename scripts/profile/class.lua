@@ -14,9 +14,6 @@ local methods = {}
 local class = { __name = "profile", __methods = methods, __fields = { "x", "z", "h", "error", "correlation",
   "form", "radius", "scar", "scatter", "cutoff", "missing", "path" } }
 
--- The form that was taken off a profile, and what of it counted as not worn: not for the user.
-local taken = setmetatable({}, { __mode = "k" })
-
 local profile = { class = class, methods = methods }
 
 function profile.is(value) return getmetatable(value) == class end
@@ -49,7 +46,6 @@ function profile.derived(p, x, z, changes, into)
     result.z, result.h = nil, {}
     for i = 1, #z do result.h[i] = -z[i] end
   end
-  taken[result] = taken[p]
   return setmetatable(result, class)
 end
 
@@ -106,7 +102,7 @@ profile.range, profile.level_kind = range, check.one_of(form.kinds)
 
 -- Heights before any form was taken off.
 local function original(p)
-  local z, off = profile.heights(p), taken[p] and taken[p].form
+  local z, off = profile.heights(p), p.removed
   if not off then return z end
   local result = {}
   for i = 1, #z do result[i] = z[i] + off:height(p.x[i]) end
@@ -143,15 +139,9 @@ function profile.level(where, p, kind, worn)
     length = length }, "profile.scatter") })
   result.radius = kind == "circle" and found:radius() or nil
   result.scar = scar_at and strict.table({ from = scar_at[1], to = scar_at[2] }, "profile.scar") or nil
-  taken[result] = { form = found, is_used = is_used }
+  result.removed = found -- for another level, and the uncertainty of areas
   return result
 end
-
--- The form taken off, for the uncertainty of areas.
-function profile.form_of(p) return taken[p] and taken[p].form end
-
--- Takes differences of two profiles for a trace of its own.
-function profile.forget(p) taken[p] = nil return p end
 
 function methods:level(kind, worn)
   local where = "profile:level"

@@ -29,7 +29,8 @@ local function change(where, p, reference)
   for i = 1, #before do z[i] = part.z[i] - before[i] end
   local result = profile.derived(part, part.x, z, { form = "line",
     error = math.sqrt(p.error ^ 2 + reference.error ^ 2) })
-  return profile.forget(result)
+  result.removed = nil
+  return result
 end
 
 -- p:depth() | p:depth(reference) | p:depth{ reference=, level=, scar= }
@@ -79,7 +80,7 @@ end
 local function errors_of(p, weights, width)
   local deviation = p.scatter and p.scatter.deviation or p.error
   local length = p.scatter and p.scatter.length or p.correlation
-  local found = profile.form_of(p)
+  local found = p.removed
   local level = found and found:variance(p.x, weights) * math.max(1, length / profile.step(p)) or 0
   return deviation * math.sqrt(length * width), deviation * math.sqrt(level)
 end

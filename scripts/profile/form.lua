@@ -3,10 +3,11 @@
 -- which has no trouble where it is nearly a line.
 
 local solve = require "archard.lib.linear"
+local strict = require "archard.strict"
 
 local form = { kinds = { "line", "circle" } }
-local shape = {}
-shape.__index = shape
+local shape = {} -- methods of a form
+local class = { __name = "form", __methods = shape, __fields = {} }
 
 -- The height at u and its derivatives: all in half lengths of the trace from its middle.
 local models = {}
@@ -75,7 +76,7 @@ end
 -- tell it: too few, all in one place, no circle through them.
 function form.fit(kind, x, z, is_used)
   local self = setmetatable({ kind = kind, middle = (x[1] + x[#x]) / 2, half = (x[#x] - x[1]) / 2,
-    p = kind == "line" and { 0, 0 } or { 0, 0, 0 } }, shape)
+    p = kind == "line" and { 0, 0 } or { 0, 0, 0 } }, class)
   local a, b, rr, count = normal(self, x, z, is_used)
   if count <= #self.p then return nil end
   self.p[1] = b[1][1] / count -- their mean first: what is far from zero loses no digits
@@ -116,4 +117,5 @@ function shape:variance(x, weights)
   return sum
 end
 
+strict.class(class)
 return form

@@ -326,6 +326,8 @@ static int module_methods(lua_State *L) {
   return 1;
 }
 
+static const char lua_classes[] = "archard.lua_classes"; /* in the registry: metatables by __name */
+
 /* class(metatable) -> metatable, of objects made in Lua: they gain an __index that knows the
  * methods in __methods, and the names in __fields, which may be without a value. */
 static int module_class(lua_State *L) {
@@ -344,15 +346,27 @@ static int module_class(lua_State *L) {
   lua_pushcclosure(L, object_index, 3);
   lua_setfield(L, 1, "__index");
   lua_settop(L, 1);
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, lua_classes);
+  lua_getfield(L, 1, "__name");
+  lua_pushvalue(L, 1);
+  lua_settable(L, -3);
+  lua_settop(L, 1);
+  return 1;
+}
+
+/* class_named(name) -> the metatable that class() was given with this __name, or nil. */
+static int module_class_named(lua_State *L) {
+  luaL_checkstring(L, 1);
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, lua_classes);
+  lua_pushvalue(L, 1);
+  lua_rawget(L, -2);
   return 1;
 }
 
 int luaopen_archard_strict(lua_State *L) {
-  static const luaL_Reg functions[] = {{"table", module_table},
-                                       {"refuse", module_refuse},
-                                       {"methods", module_methods},
-                                       {"class", module_class},
-                                       {NULL, NULL}};
+  static const luaL_Reg functions[] = {
+      {"table", module_table}, {"refuse", module_refuse},           {"methods", module_methods},
+      {"class", module_class}, {"class_named", module_class_named}, {NULL, NULL}};
   luaL_newlib(L, functions);
   return 1;
 }
