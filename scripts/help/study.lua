@@ -102,8 +102,9 @@ return {
       .. "as a jump past the stability limit; the table marks them." },
   { "study.run{workers}", type = "whole number from 1 to 256",
     text = "Cases that run at the same time; as many as there are processors if left out." },
-  { "study.run{file}", type = "string", default = '"study.archard"',
-    text = "The run file, an SQLite database. What it holds already is not computed again." },
+  { "study.run{file}", type = "string",
+    text = "The run file, an SQLite database. Cases that it holds are not computed again. Without a name: the name of "
+      .. "the study or else of the script, or study.archard; with a number where a file of that name holds something else." },
   { "study.run{keep}", type = "number > 0 s", default = 60,
     text = "Time after which a case that is still computed is kept in the file as far as it is; after a "
       .. "killed program it goes on from there, to the same bits." },
@@ -129,7 +130,7 @@ return {
     text = "Into how many parts; as many as this machine has processors if left out." },
   { "study.submit{workers}", type = "whole number from 1 to 256", default = 1,
     text = "Cases that a share computes at the same time: the processors it asks for." },
-  { "study.submit{file}", type = "string", default = '"study.archard"', text = "As in study.run." },
+  { "study.submit{file}", type = "string", text = "As in study.run." },
   { "study.submit{options}", type = "list of strings",
     text = 'More options of sbatch or parallel, such as { "--time=02:00:00", "--mem-per-cpu=500M" } or '
       .. '{ "--sshlogin", "one,two" }.' },

@@ -96,7 +96,7 @@ end
 
 local function search_many(study, flat, options, name)
   local run = study{ name = name, cases = flat, task = "converge", looks = 0 }
-  run:run{ file = options.file or "converge.archard", workers = options.workers,
+  run:run{ file = options.file, workers = options.workers,
     progress = options.progress }
   local rows = {}
   for i, case in ipairs(run:cases()) do

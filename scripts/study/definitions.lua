@@ -4,6 +4,7 @@
 local check = require "archard.lib.check"
 local design = require "archard.uncertainty.design"
 local settings = require "archard.definition.settings"
+local text_file = require "archard.lib.text_file"
 local transaction = require "archard.study.transaction"
 
 local definitions = {}
@@ -64,6 +65,36 @@ function definitions.for_run(where, self, path)
   store:check()
   transaction(store, write_or_compare, where, self, store)
   return store
+end
+
+-- --- usual name ----------------------------------------------------------------------------------
+
+-- Name of a file, without its ending: the study's name, or the script's, or "study".
+local function base_name(self)
+  local script = type(arg) == "table" and type(arg[0]) == "string" and arg[0]:match "([^/]+)%.lua$"
+  local name = self.named and self.name or script or "study"
+  return (name:gsub("[^%w._-]+", "-"):gsub("^[.-]+", "")):sub(1, 100)
+end
+
+local function is_free(where, self, path)
+  if not text_file.exists(path) then return true end
+  return (pcall(function()
+    local store <close> = definitions.open(where, path, "read")
+    if #store:cases() > 0 or store:info "kind" then compare(where, self, store) end
+  end))
+end
+
+-- The usual run file of a study: NAME.archard, or NAME-2.archard, ... where the names before hold something else.
+function definitions.usual_path(where, self)
+  local base = base_name(self)
+  if base == "" then base = "study" end
+  for i = 1, math.huge do
+    local path = i == 1 and base .. ".archard" or ("%s-%d.archard"):format(base, i)
+    if is_free(where, self, path) then
+      if i > 1 then warn(("%s: %s.archard holds something else: the study is kept in %s"):format(where, base, path)) end
+      return path
+    end
+  end
 end
 
 return definitions

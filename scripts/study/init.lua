@@ -57,7 +57,7 @@ end
 local function new(where, given)
   check.definition(where, given, definition_fields)
   local sample = read_sample(where, given)
-  local self = { name = given.name or "study", flat = expand(where, given, sample), task = given.task,
+  local self = { name = given.name or "study", named = given.name ~= nil, flat = expand(where, given, sample), task = given.task,
     looks = given.looks or sample and 0 or usual_looks, sample = sample }
   if not given.task then require "archard.study.names"(where, self.flat) end
   self.varied = settings.varied(self.flat)
@@ -155,11 +155,12 @@ end
 function methods:run(options)
   options = options or {}
   check.fields("study:run", options, run_fields)
-  local path = options.file or self.file or "study.archard"
   self:close()
   try_first(self, "study:run")
+  local definitions = require "archard.study.definitions"
+  local path = options.file or self.file or definitions.usual_path("study:run", self)
   if self.sample and not text_file.exists(path) then require "archard.uncertainty.trial"(self) end
-  local store = require "archard.study.definitions".for_run("study:run", self, path)
+  local store = definitions.for_run("study:run", self, path)
   self.file = path
   local workers = options.workers or require "archard.process".processors()
   self.failed, self.warned = check.as("study:run", require "archard.study.run", store, { workers = workers,
@@ -176,7 +177,7 @@ function methods:submit(options)
   options = merged(check.fields("study:submit", options or {}, submit.fields))
   self:close()
   try_first(self, "study:submit")
-  self.file = options.file or self.file or "study.archard"
+  self.file = options.file or self.file or require "archard.study.definitions".usual_path("study:submit", self)
   return submit.run(self, options)
 end
 
