@@ -4,12 +4,13 @@ return {
   { "help.search", kind = "function", use = 'help.search "units"',
     text = "Lists the topics and entries in which all words of the text stand: topics and names first." },
   { "session", kind = "object", use = 'session.save "s.archard"',
-    text = "All that a session has made: runs, models, studies, materials, numbers, texts and tables of them, by their "
-      .. "global names." },
+    text = "All objects of a session by their global names: runs, models, contacts, studies, fits and other results, "
+      .. "profiles, maps, materials, numbers, texts and tables of these." },
   { "session.save", kind = "function", use = "session.save(path)",
-    text = "Writes everything into one run file; a session that was saved there before is replaced, anything else is "
-      .. "refused. Without a path: where it was saved or opened last. Returns in words what was kept, and what was not "
-      .. "(functions, stresses and the like; contacts, which contact{} and the same motions give again to the same bits). A study that has run stays in its own file, which is noted." },
+    text = "Writes everything into one run file. A session that was saved there before is replaced; any other file is "
+      .. "refused. Without a path: the file of the last save or open. A contact is kept as the calls that made it. Not "
+      .. "kept: functions, stresses, and contacts on surfaces that are gone. A study that has run stays in its own file. "
+      .. "Returns a text that lists what was kept and what was not." },
   { "session.open", kind = "function", use = "session.open(path, { w = { k = f } })",
     text = "Makes everything in the file a global again; runs go on to the same numbers. Functions in a run's definition "
       .. "cannot be stored: the second table gives them again by the names of the runs. All of it or nothing: a run of "

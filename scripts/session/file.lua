@@ -7,6 +7,7 @@
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
+local kept = require "archard.session.kept"
 local lists = require "archard.settings"
 local own = require "archard.session.own"
 local settings = require "archard.definition.settings"
@@ -97,7 +98,10 @@ function readers.list(given)
   return list
 end
 
--- Of a table its place alone: what is in it comes by itself.
+-- Of a table, a result and a contact the path alone: their parts are cases of their own.
+local function writer_of(class) return writers[class] or (kept.is_class(class) and writers.table) end
+local function reader_of(class) return readers[class] or (kept.is_class(class) and readers.table) end
+
 function writers.table() end
 
 function readers.table() return {} end
@@ -128,8 +132,8 @@ local function read_path(given)
 end
 
 local function put(into, path, value)
-  for i = 1, #path - 1 do into = into[path[i]] end
-  into[path[#path]] = value
+  for i = 1, #path - 1 do into = rawget(into, path[i]) end
+  rawset(into, path[#path], value)
 end
 
 -- --- saving --------------------------------------------------------------------------------------
@@ -144,24 +148,30 @@ local function note_owners(cases)
   end
 end
 
--- What is to be written, in order: a table before what is in it, one object under several names
--- once and then by the number of its case.
+-- "closed", "function", or why a contact cannot be made again.
+local function reason(value, class)
+  if type(value) == "userdata" and tostring(value):find "%(closed%)$" then return "closed" end
+  local kind, parts, why = kept.parts(value, class)
+  return kind and not parts and ("%s %s"):format(class, why) or class
+end
+
+-- The cases to write, in order: a table before its values; an object with several names once, then by the number
+-- of its case. And a list of what cannot be kept; functions that are parts of results are left out of it.
 local function gather()
   local cases, left, number = {}, {}, {}
-  own.visit(function(path, value, class)
+  own.visit(function(path, value, class, owner)
     local given = { kind = class }
-    local name = own.spoken(path)
-    local closed = type(value) == "userdata" and tostring(value):find("%(closed%)$")
+    local name, why = own.spoken(path), reason(value, class)
     local torn = type(value) == "string" and value:find("\0", 1, true)
-    if not writers[class] or closed or torn or not write_path(given, path) then
-      left[#left + 1] = ("%s (%s)"):format(name, closed and "closed" or class)
+    if not writer_of(class) or why ~= class or torn or not write_path(given, path) then
+      if not owner then left[#left + 1] = ("%s (%s)"):format(name, why) end
       return false
     end
     local object = type(value) == "table" or type(value) == "userdata"
     if object and number[value] then given.kind, given.same = "same", number[value] end
-    cases[#cases + 1] = { name = name, given = given, value = value, class = given.kind }
+    cases[#cases + 1] = { name = name, given = given, value = value, class = given.kind, owner = owner }
     if object then number[value] = number[value] or #cases end
-    return class == "table" and given.kind == "table"
+    return given.kind ~= "same" and (class == "table" or kept.is_class(class))
   end)
   note_owners(cases)
   return cases, left
@@ -179,7 +189,7 @@ end
 
 local function write_one(file, id, each)
   file:add(id, each.name:sub(1, 190))
-  if each.class ~= "same" then writers[each.class](each.value, each.given, file, id) end
+  if each.class ~= "same" then writer_of(each.class)(each.value, each.given, file, id) end
   file:set_values(id, "settings", each.given)
   file:mark(id, "done")
 end
@@ -191,21 +201,24 @@ local function write(file, cases)
   file:commit()
 end
 
--- "2 runs, 1 model", and what a reader has to know besides.
+local words = { wear = "run", model = "model", study = "study", contact = "contact", result = "result" }
+local order = { "wear", "model", "study", "contact", "result" }
+
+-- "2 runs, 1 model, 3 other values"; parts of results are not counted.
 local function summary(cases)
-  local count, order = {}, { "wear", "model", "study" }
-  local words = { wear = { "run", "runs" }, model = { "model", "models" }, study = { "study", "studies" } }
-  local others, parts = 0, {}
+  local count, others, parts = {}, 0, {}
   for _, each in ipairs(cases) do
-    if words[each.class] then
-      count[each.class] = (count[each.class] or 0) + 1
-    else
+    local class = words[each.class] and each.class or kept.is_class(each.class) and "result"
+    if class and not each.owner then
+      count[class] = (count[class] or 0) + 1
+    elseif not each.owner then
       others = others + 1
     end
   end
   for _, class in ipairs(order) do
-    local n = count[class]
-    if n then parts[#parts + 1] = ("%d %s"):format(n, words[class][n == 1 and 1 or 2]) end
+    local n, word = count[class], words[class]
+    local many = word == "study" and "studies" or word .. "s"
+    if n then parts[#parts + 1] = ("%d %s"):format(n, n == 1 and word or many) end
   end
   if others > 0 then parts[#parts + 1] = ("%d other value%s"):format(others, others == 1 and "" or "s") end
   return parts[1] and table.concat(parts, ", ") or "nothing"
@@ -244,6 +257,7 @@ function session.save(path)
   last = path
   for _, each in ipairs(cases) do
     if each.class == "wear" then store.note_saved(each.value) end
+    if kept.is_class(each.class) then kept.note_saved(each.value) end
   end
   return ("saved in %s: %s%s"):format(path, summary(cases), notes(cases, left))
 end
@@ -308,7 +322,7 @@ end
 local function check_place(file, each, values, tables)
   local given, path = each.given, each.path
   local inside = table.move(path, 1, #path - 1, 1, {})
-  local known = readers[given.kind] or values[math.tointeger(given.same)]
+  local known = reader_of(given.kind) or values[math.tointeger(given.same)]
   local owner = given.of == nil or values[math.tointeger(given.of)] ~= nil
   if known and owner and is_sound(given) and each.name ~= "?" and not own.is_taken(path[1])
     and (#inside == 0 or tables[own.spoken(inside)]) then return end
@@ -318,7 +332,7 @@ end
 
 -- Makes all values of a file; nothing of the session has changed yet.
 local function read(file, functions)
-  local values, cases, missing, tables = {}, {}, {}, {}
+  local values, cases, missing, tables, owners = {}, {}, {}, {}, {} -- tables, owners: by path
   for _, each in ipairs(in_order(file)) do
     local given = each.given
     check_place(file, each, values, tables)
@@ -327,14 +341,35 @@ local function read(file, functions)
     elseif given.kind == "study" and given.file and not files.is_there(given.file) then
       missing[#missing + 1] = ("%s: %s is not there"):format(each.name, check.plain(given.file))
     else
-      each.value = as("session.open", each.name, readers[given.kind], given, file, each.id,
+      each.value = as("session.open", each.name, reader_of(given.kind), given, file, each.id,
         functions_of(functions, each.name), values)
     end
     values[each.id] = each.value
-    tables[own.spoken(each.path)] = given.kind == "table"
+    local name, inside = own.spoken(each.path), own.spoken(table.move(each.path, 1, #each.path - 1, 1, {}))
+    tables[name] = given.kind == "table" or kept.is_class(given.kind)
+    each.owner = owners[inside]
+    owners[name] = each.owner or kept.is_class(given.kind)
     if each.value ~= nil then cases[#cases + 1] = each end
   end
   return cases, missing
+end
+
+-- The globals of the cases of a file: tables filled, results and contacts made of their parts, the inner ones first.
+local function assemble(cases)
+  local globals, made = {}, {}
+  for _, each in ipairs(cases) do put(globals, each.path, each.value) end
+  for i = #cases, 1, -1 do
+    local each = cases[i]
+    if kept.is_class(each.class) then
+      made[each.value] = as("session.open", each.name, kept.made, each.class, each.value)
+      kept.note_saved(made[each.value])
+      put(globals, each.path, made[each.value])
+    end
+  end
+  for _, each in ipairs(cases) do
+    if each.class == "same" and made[each.value] then put(globals, each.path, made[each.value]) end
+  end
+  return globals
 end
 
 -- What has not been saved is not overwritten.
@@ -343,8 +378,9 @@ local function refuse_loss(cases)
   for _, each in ipairs(cases) do new[each.path[1]] = true end
   for _, each in ipairs(own.unsaved()) do
     if new[each.path[1]] then
-      check.fail("session.open", ("%s is a run that has not been saved, and the file has %s too: save it, "
-        .. "or set %s = nil"):format(own.spoken(each.path), each.path[1], each.path[1]))
+      local word, name = words[each.class] or words.result, each.path[1]
+      check.fail("session.open", ("%s is a %s that has not been saved, and the file has %s too: save it, "
+        .. "or set %s = nil"):format(own.spoken(each.path), word, name, name))
     end
   end
 end
@@ -360,7 +396,7 @@ function session.open(path, functions)
     return read(file, functions)
   end)
   refuse_loss(cases)
-  for _, each in ipairs(cases) do put(_G, each.path, each.value) end
+  for name, value in pairs(assemble(cases)) do _G[name] = value end
   last = path
   local text = { ("opened %s: %s"):format(path, summary(cases)) }
   for i, line in ipairs(missing) do text[i + 1] = "  left out: " .. line end

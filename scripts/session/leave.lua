@@ -1,4 +1,4 @@
--- The question on leaving the prompt while runs are in no file. cli/repl.c asks it.
+-- The question on leaving the prompt while runs, results or contacts are in no file. cli/repl.c asks it.
 
 local own = require "archard.session.own"
 local session = require "archard.session.file"
@@ -11,7 +11,7 @@ function leave.question()
   if not unsaved[1] then return nil end
   local names = {}
   for i, each in ipairs(unsaved) do names[i] = own.spoken(each.path) end
-  if #names > 6 then names = { names[1], names[2], names[3], ("... %d runs in all"):format(#names) } end
+  if #names > 6 then names = { names[1], names[2], names[3], ("... %d in all"):format(#names) } end
   return ("not saved: %s\nsave the session in %s before leaving? yes, no or stay: "):format(
     table.concat(names, ", "), session.suggested())
 end

@@ -5,6 +5,7 @@ local debug, math, next, rawequal, rawget, table, tostring, type =
 local globals = _G
 
 local help = require "archard.help"
+local kept = require "archard.session.kept"
 local names = require "archard.names"
 local spelling = require "archard.lib.spelling"
 
@@ -68,30 +69,36 @@ local function sorted_keys(value)
   return keys
 end
 
--- Calls visit(path, value, class) for everything in the globals and in tables of theirs, in order and
--- once for each table: path is the list of keys, "w" or "runs", 1. What it says false of stays closed.
+-- Calls visit(path, value, class, owner) for all globals and the values in their tables, in order: path is the
+-- list of keys, { "w" } or { "runs", 1 }; owner the result or contact that the value is a part of, or nil.
+-- The parts of a value are visited once, and not where visit returns false.
 function own.visit(visit)
   local seen = {}
-  local function look(path, value, class)
-    if not is_plain(value) then return visit(path, value, class) end
-    if is_list(value) then return visit(path, value, "list") end
-    if seen[value] or visit(path, value, "table") == false then return end
-    seen[value] = true
-    for _, key in ipairs(sorted_keys(value)) do
-      local inner = table.move(path, 1, #path, 1, {})
+  local look
+  local function look_inside(path, parts, owner)
+    for _, key in ipairs(sorted_keys(parts)) do
+      local inner, value = table.move(path, 1, #path, 1, {}), rawget(parts, key)
       inner[#inner + 1] = key
-      look(inner, value[key], own.class(value[key]))
+      look(inner, value, own.class(value), owner)
     end
   end
-  local tables = {} -- after the globals themselves: what has a name of its own is told of by that
+  function look(path, value, class, owner)
+    local kind, parts = kept.parts(value, class)
+    if not kind and not is_plain(value) then return visit(path, value, class, owner) end
+    if not kind and is_list(value) then return visit(path, value, "list", owner) end
+    local again = seen[value]
+    seen[value] = true
+    if visit(path, value, kind or "table", owner) == false or again then return end
+    if parts or not kind then look_inside(path, parts or value, kind and value or owner) end
+  end
+  local rank = { {}, {}, {} } -- an object with several names goes by that of a global, then by that in a table
   for _, each in ipairs(own.list()) do
-    if is_plain(each.value) then
-      tables[#tables + 1] = each
-    else
-      visit({ each.name }, each.value, each.class)
-    end
+    local list = kept.parts(each.value, each.class) and rank[3] or is_plain(each.value) and rank[2] or rank[1]
+    list[#list + 1] = each
   end
-  for _, each in ipairs(tables) do look({ each.name }, each.value, "table") end
+  for _, list in ipairs(rank) do
+    for _, each in ipairs(list) do look({ each.name }, each.value, each.class) end
+  end
 end
 
 -- "runs[1].first" of a path, for people.
@@ -101,13 +108,21 @@ function own.spoken(path)
   return names.plain(table.concat(parts))
 end
 
--- Runs that have worn and that no file holds as they stand: a list of { path=, value= }.
+local function is_unsaved(value, class)
+  if class == "wear" then return not tostring(value):find "%(closed%)$" and value.update > 0 and not value.saved end
+  return kept.is_class(class) and not kept.is_saved(value)
+end
+
+-- Runs that have worn, results and contacts that no file has in their present state: a list of
+-- { path=, value=, class= }.
 function own.unsaved()
   local list, seen = {}, {}
   own.visit(function(path, value, class)
-    if class ~= "wear" or tostring(value):find("%(closed%)$") or seen[value] then return end
-    seen[value] = true
-    if value.update > 0 and not value.saved then list[#list + 1] = { path = path, value = value } end
+    if class ~= "table" and not seen[value] and is_unsaved(value, class) then
+      seen[value] = true
+      list[#list + 1] = { path = path, value = value, class = class }
+    end
+    return class == "table" -- parts of a result are saved with it
   end)
   table.sort(list, function(a, b) return own.spoken(a.path) < own.spoken(b.path) end)
   return list

@@ -76,15 +76,27 @@ long, wide = {}, { 1, (2^53 | 0) + 1 }
 for i = 1, 200000 do long[i] = i end
 told, odd = w.history, { 1, 0 / 0, math.huge, nothing = 0 / 0, nested = { -math.huge } }
 touch = contact{ model = m }
+pulled = contact{ model = m, friction = 0.3, increments = 4 }:move{ tangential = 10 }:move{ tangential = -10, increments = 2 }
+on_worn = contact{ worn = runs.pair[1], load = 50 }
+on_function = contact{ worn = { plate = function() return 1e-3 end } }
+found = calibrate{ volume = { cylinder = { 0.1, 0.2 }, plate = { 0.3, 0.4 } }, load = 100, distance = 1320 }
+trace = { x = {}, z = {} }
+for i = 1, 50 do trace.x[i], trace.z[i] = 0.1 * i, 1e-3 * math.sin(i) end
+trace = profile{ x = trace.x, z = trace.z, level = "line" }
+results = { map{ x = { 0, 1 }, z = { 0, 1, 2 }, y = { 1, 2, 3, 4, 5, 6 } }, again = found }
 function compute() return 1 end
-before = { w = tostring(w), volume = driven.volume.total, pair = runs.pair[1].depth.plate }
-holds(leave.question(), "not saved: driven, runs.pair[1], w\n", "runs in tables are asked about, each once")
+local scar = { scar = { 2, 3 } }
+before = { pulled = tostring(pulled), on_worn = tostring(on_worn), found = tostring(found), trace = tostring(trace),
+  area = trace:volume(scar).error, map = tostring(results[1]), w = tostring(w), volume = driven.volume.total, pair = runs.pair[1].depth.plate }
+holds(leave.question(), "not saved: driven, on_function, on_worn, ... 10 in all\n", "runs, results and contacts are asked about, each once")
 
 local said = session.save(path "s.archard")
-holds(said, { "saved in " .. path "s.archard", "4 runs, 2 models, 2 studies", "not kept: ", "compute (function)", "touch (contact)",
+holds(said, { "saved in " .. path "s.archard", "4 runs, 2 models, 2 studies, 3 contacts, 3 results", "not kept: compute (function), on_function (contact on surfaces given by functions)",
   "driven: give its functions again when you open it (k)", "computed: its cases stay in " .. path "computed.archard" },
   "it says what was kept and what was not")
 is(w.saved and driven.saved and runs.pair[1].saved, true, "the runs are in a file now")
+holds(leave.question(), "not saved: on_function\n", "what cannot be kept is still asked about")
+on_function = nil
 is(leave.question(), nil, "nothing to ask")
 local w_next = w:clone():step(3)
 local expected = { w_next.p_center, w_next.depth_plate, w_next.volume_cylinder }
@@ -95,7 +107,15 @@ is(rawget(_G, "w"), nil, "an empty session")
 fails(function() session.open(path "s.archard") end, { "session.open: driven: field 'k': expected the function again",
   "session.open(path, { driven = { k = f } })" }, "functions are asked for, and how to give them")
 is(#own.list(), 0, "and nothing has come without them")
-holds(session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }), "4 runs, 2 models, 2 studies", "it opens")
+holds(session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }), "4 runs, 2 models, 2 studies, 3 contacts, 3 results", "it opens")
+is(leave.question(), nil, "nothing to ask about what has just been opened")
+is(tostring(pulled), before.pulled, "a contact with its motions")
+is(tostring(on_worn), before.on_worn, "one on worn surfaces")
+is(tostring(found), before.found, "a calibration")
+ok(rawequal(results.again, found), "under two names one")
+is(tostring(trace), before.trace, "a measured profile")
+is(trace:volume{ scar = { 2, 3 } }.error, before.area, "with the uncertainty of its level")
+is(tostring(results[1]), before.map, "a map")
 is(tostring(w), before.w, "a run as it was")
 is(driven.volume.total, before.volume, "one with a function too")
 is(driven.k(), 2e-8, "which it has again")

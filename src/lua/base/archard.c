@@ -35,6 +35,7 @@ static const luaL_Reg modules[] = {
     {"archard.least_squares", luaopen_archard_least_squares},
     {"archard.sphere", luaopen_archard_sphere},
     {"archard.strict", luaopen_archard_strict},
+    {"archard.contact_record", luaopen_archard_contact_record},
     {NULL, NULL},
 };
 

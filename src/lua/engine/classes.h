@@ -23,6 +23,7 @@ int luaopen_archard_hertz(lua_State *L);
 int luaopen_archard_model(lua_State *L);
 int luaopen_archard_body(lua_State *L);
 int luaopen_archard_contact(lua_State *L);
+int luaopen_archard_contact_record(lua_State *L);
 int luaopen_archard_wear(lua_State *L);
 
 extern const box_class model_class;   /* thing: arc_model, one reference */

@@ -227,6 +227,52 @@ static int contact_slip(lua_State *L) {
   return 1;
 }
 
+/* --- the calls that made it ------------------------------------------------------------------ */
+
+/* Pushes a copy of the table at `index`, empty where there is none; what is in it is shared. */
+static void push_copy(lua_State *L, int index) {
+  lua_newtable(L);
+  if (!lua_istable(L, index)) return;
+  for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, -5);
+  }
+}
+
+/* Keeps with the contact on top of the stack the definition at index `given`, the record of the
+ * contact that it moved from (at index `from`, or 0), and the update of the run whose shape it has.
+ */
+static void keep_call(lua_State *L, int given, int from) {
+  lua_createtable(L, 0, 3);
+  push_copy(L, given);
+  if (lua_getfield(L, -1, "worn") != LUA_TNIL && box_test(L, -1, &wear_class)) {
+    lua_getfield(L, -1, "update");
+    lua_setfield(L, -4, "update");
+  }
+  lua_pop(L, 1);
+  lua_setfield(L, -2, "given");
+  if (from) {
+    lua_getiuservalue(L, from, 2);
+    lua_setfield(L, -2, "from");
+  }
+  lua_setiuservalue(L, -2, 2);
+}
+
+/* Module contact_record: record(contact) -> { given=, update=, from= }: the fields that contact{}
+ * or contact:move{} was called with, the update of the run in `worn` at that time (nil without
+ * one), and the same of the contact that it moved from (nil where it did not). */
+static int contact_record(lua_State *L) {
+  box_check(L, 1, &contact_class, "contact_record");
+  lua_getiuservalue(L, 1, 2);
+  return 1;
+}
+
+int luaopen_archard_contact_record(lua_State *L) {
+  lua_pushcfunction(L, contact_record);
+  return 1;
+}
+
 /* --- construction ---------------------------------------------------------------------------- */
 
 static arc_status needed_zones(const void *asker, const arc_model_def *model,
@@ -302,6 +348,7 @@ static int contact_new(lua_State *L) {
     status = push_contact(L, holder, &asked, &error);
   }
   error_check(L, status, &error, "contact", -1);
+  keep_call(L, 1, 0);
   return 1;
 }
 
@@ -324,6 +371,7 @@ static int contact_move(lua_State *L) {
   arc_error error = {0};
   const request asked = {.from = from, .motion = &motion};
   error_check(L, push_contact(L, lua_gettop(L), &asked, &error), &error, place.where, -1);
+  keep_call(L, 2, 1);
   return 1;
 }
 

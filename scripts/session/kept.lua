@@ -1,0 +1,97 @@
+-- Objects that a session keeps by their parts: results are tables of plain values and of objects that a
+-- session keeps; a contact is made again by the calls that made it.
+
+local check = require "archard.lib.check"
+local quiet = require "archard.lib.quiet"
+local merged = require "archard.lib.merged"
+local record = require "archard.contact_record"
+local strict = require "archard.strict"
+
+local debug, rawget, setmetatable, tostring, type = debug, rawget, setmetatable, tostring, type
+
+local kept = {}
+
+-- The module that has the metatable of each class of results.
+local modules = { calibration = "archard.study.calibrate", convergence = "archard.study.converge",
+  failure = "archard.uncertainty.failure", fitted = "archard.fit.result", form = "archard.profile.form",
+  fretting_map = "archard.study.fretting_map", map = "archard.map.made", profile = "archard.profile.made",
+  sensitivity = "archard.uncertainty.sensitivity", uncertainty = "archard.uncertainty.result" }
+
+-- --- results --------------------------------------------------------------------------------------
+
+local function result_class(value)
+  local metatable = type(value) == "table" and debug.getmetatable(value)
+  local name = metatable and rawget(metatable, "__name")
+  return modules[name] and strict.class_named(name) == metatable and name or nil
+end
+
+local function made_result(class, parts)
+  require(modules[class])
+  return setmetatable(parts, strict.class_named(class))
+end
+
+-- --- contacts -------------------------------------------------------------------------------------
+
+-- Definitions of contact{} and of the moves after it, the first one first.
+local function calls_of(contact)
+  local calls, one = {}, record(contact)
+  while one do
+    table.insert(calls, 1, one)
+    one = one.from
+  end
+  return calls
+end
+
+local function contact_parts(contact)
+  local calls = calls_of(contact)
+  local first, moves = calls[1], {}
+  local worn = first.given.worn
+  if first.update and (tostring(worn):find "%(closed%)$" or worn.update ~= first.update) then
+    return nil, ("on the surfaces of a run at update %d, where it no longer is"):format(first.update)
+  end
+  for _, shape in pairs(type(worn) == "table" and not result_class(worn) and worn or {}) do
+    if type(shape) == "function" then return nil, "on surfaces given by functions" end
+  end
+  for i = 2, #calls do moves[i - 1] = calls[i].given end
+  return { model = contact.model, given = merged(first.given, { model = false }), moves = moves }
+end
+
+local function made_contact(parts)
+  local made = contact(merged(parts.given, { model = parts.model }))
+  for _, move in ipairs(parts.moves) do made = made:move(move) end
+  return made
+end
+
+-- --- both -----------------------------------------------------------------------------------------
+
+-- parts(value) -> class, table of its parts; class, nil, reason of a contact that cannot be made again;
+-- nil of anything else.
+function kept.parts(value, class)
+  if class == "contact" and type(value) == "userdata" and not tostring(value):find "%(closed%)$" then
+    return class, contact_parts(value)
+  end
+  class = result_class(value)
+  return class, class and value
+end
+
+function kept.is_class(name) return name == "contact" or modules[name] ~= nil end
+
+-- The object of a class from its parts, whose table becomes the object where that is one.
+function kept.made(class, parts)
+  if class ~= "contact" then return made_result(class, parts) end
+  if type(parts.given) ~= "table" or type(parts.moves) ~= "table" then
+    check.fail("contact", "expected the calls that made it", "FORMAT")
+  end
+  return quiet(made_contact, parts)
+end
+
+-- --- saved ----------------------------------------------------------------------------------------
+
+local saved = setmetatable({}, { __mode = "k" })
+
+function kept.note_saved(value) saved[value] = true end
+
+-- True if a file has it: that of the session, or that of a measured trace or map.
+function kept.is_saved(value) return saved[value] or (type(value) == "table" and rawget(value, "path") ~= nil) end
+
+return kept
