@@ -31,7 +31,7 @@ function readers.wear(_, file, id, functions) return file:wear(id, functions) en
 
 -- What is wrong, and how to give a run its functions where they are what is missing.
 local function cure(message, name)
-  if not message:find("the function again", 1, true) then return message end
+  if not message:find("expected a function, as when the run was saved", 1, true) then return message end
   local field = message:match "^field '([%w_]+)'" or "k"
   return ("%s; give it as session.open(path, { %s = { %s = f } })"):format(message, spelling.field(name), field)
 end

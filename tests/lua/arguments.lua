@@ -65,7 +65,7 @@ fails(function() wear{ k = { distance = { 0, 5, 5, 5 }, value = { 1, 1, 2, 3 } }
   { "k.distance[4]", "got 5 for the third time" }, "a jump has two values")
 fails(function() wear{ alpha = { distance = { 0, 1 }, value = { 0, 2 } } } end,
   { "alpha.value[2]", "in [0, 1], got 2" }, "its values are in the range")
-fails(function() wear{ alpha = { distance = { 0, 1 }, value = { 0 } } } end, "one length, got 2 and 1",
+fails(function() wear{ alpha = { distance = { 0, 1 }, value = { 0 } } } end, "equal length, got 2 and 1",
   "and as many as distances")
 fails(function() wear{ alpha = { distanc = {} } } end,
   "unknown field 'alpha.distanc' (did you mean 'distance'?)", "names in a series")

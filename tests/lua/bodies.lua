@@ -31,7 +31,7 @@ near(w.k, 2e-8, 1e-15, "numbers take the place of a function")
 
 fails(function() wear{ k = 1e-8, k_cylinder = 1e-8, k_plate = 0 } end, "fields 'k' and 'k_cylinder'", "one way or the other")
 fails(function() wear{ alpha = 0.5, k_plate = 1e-8, k_cylinder = 0 } end, "fields 'alpha' and 'k_cylinder'", "alpha too")
-fails(function() wear{ k_plate = 1e-8 } end, { "field 'k_cylinder'", "mm2/N", "beside 'k_plate'" }, "one alone")
+fails(function() wear{ k_plate = 1e-8 } end, { "field 'k_cylinder'", "mm2/N", "together with 'k_plate'" }, "one alone")
 fails(function() wear{ k_plate = -1, k_cylinder = 0 } end, { "field 'k_plate'", ">= 0 mm2/N", "got -1" }, "below zero")
 fails(function() wear{ k_plate = "1", k_cylinder = 0 } end, "field 'k_plate'", "no number")
 fails(function() wear{ alpha = 0.2, model = { plate = { k = 1e-8 } } } end, { "'alpha'", "model.plate.k" },

@@ -100,7 +100,7 @@ fails(function() contact{ worn = { plate = 1 } } end, "field 'worn.plate': expec
 fails(function() contact{ worn = { plate = { x = { 1, 2 } } } } end,
   "field 'worn.plate.h': expected an array of numbers, got nil", "no depths")
 fails(function() contact{ worn = { plate = { x = { 0, 1, 2 }, h = { 0, 0 } } } } end,
-  "one length", "lengths differ")
+  "equal length", "lengths differ")
 fails(function() contact{ worn = { plate = { x = { 0, 0 }, h = { 0, 0 } } } } end,
   "field 'worn.plate.x[2]': expected increasing x", "x does not increase")
 fails(function() contact{ worn = { plate = { x = { 0, 1 }, h = { 0, 0 / 0 } } } } end,

@@ -68,7 +68,7 @@ holds(select(3, read_csv "columns"), { "distance [mm],", "p_center [MPa]" }, "a 
 export.csv({ x = { 1 } }, at "plain.csv")
 is(read "plain.csv", "x\n1\n", "a table of the user's has those that are given")
 for _, ending in ipairs{ "json", "vtu", "png", "pvd" } do
-  fails(function() export.csv(w, at("w." .. ending)) end, { "field 'path': expected a file name that ends in .csv", "w." .. ending },
+  fails(function() export.csv(w, at("w." .. ending)) end, { "field 'path': expected a file name with the extension .csv", "w." .. ending },
     "not as ." .. ending)
   ok(not io.open(at("w." .. ending)), "nothing is written")
 end

@@ -117,7 +117,7 @@ is(partial.gross, 0, "a part sticks")
 ok(math.abs(partial.stick_width - 2 * hertz{}.half_width * math.sqrt(0.5)) < 2 * 0.02, "Cattaneo and Mindlin's, by nodes")
 near(partial.largest_shear, 30, 1e-9, "under the force that is given")
 tap.holds(tostring(partial), { "force up to 30 N, sticks on 0.18 mm", "N mm a cycle" }, "print(w)")
-tap.holds(tostring(gross), "slips grossly", "print(w) in gross slip")
+tap.holds(tostring(gross), "gross slip", "print(w) in gross slip")
 local held = run{ stroke = false, tangential = 3, cycles = 50 }:run{ progress = false }
 near(held.stick_width, 2 * held.half_width, 1e-6, "all sticks: no more than touches")
 local block = run{ stroke = nil, cycles = 20,

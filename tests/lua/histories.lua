@@ -57,8 +57,8 @@ near(seen.volume.total, 1e-8 * 100 * 44, 1e-3, "volume")
 near(seen.volume.total, seen.volume.cylinder + seen.volume.plate, 1e-12, "total volume")
 ok(seen.p_center > 400 and seen.p_center < 600, "pressure of the last record")
 holds(seen.text, { "cycle", "44.0 mm" }, "print(state)")
-fails(function() return seen.kept.distance end, "during the call of your function only", "a state kept too long")
-holds(tostring(seen.kept), "is over", "prints so")
+fails(function() return seen.kept.distance end, "during the call of your function", "a state kept too long")
+holds(tostring(seen.kept), "not readable after the call", "prints so")
 fails(function() run_of{ k = function(s) return s.distanse end } end,
   { "k(state at distance 0 mm, cycle 0) failed", "unknown field 'distanse' (did you mean 'distance'?)" },
   "an unknown field of the state")
@@ -94,16 +94,16 @@ fails(function() run_of{ alpha = true } end, "a function of the state or a table
 -- runs in runs
 local self
 self = run_of{ k = function() if self then self:step() end return 1e-8 end }
-untouched(self, { "k(state", "this wear object is running already" }, "stepped from its own function")
+untouched(self, { "k(state", "this wear object is already running" }, "stepped from its own function")
 self = nil
 self = run_of{ k = function() if self then self:set{ load = 3 } end return 1e-8 end }
-untouched(self, "running already", "set from its own function")
+untouched(self, "already running", "set from its own function")
 self = nil
 self = run_of{ k = function() if self then self:close() end return 1e-8 end }
-untouched(self, "a running wear cannot be closed", "closed from its own function")
+untouched(self, "a wear object cannot be closed while it is running", "closed from its own function")
 self = nil
 self = run_of{ k = function() if self then self:stability() end return 1e-8 end }
-untouched(self, "running already", "its stability from its own function")
+untouched(self, "already running", "its stability from its own function")
 local depth, deep = 0
 self = nil
 self = run_of{ k = function(s)
@@ -176,7 +176,7 @@ untouched(run_of{ local_factor = function(_, _, _, s) return s.distance > 30 and
 err = fails(function() run_of{ local_factor = function() return -1 end } end, "got -1 for the cylinder", "a negative one at once")
 is(tostring(err):find "mesh.zone", nil, "of which the zones of the mesh are innocent")
 fails(function() run_of{ local_factor = { vector = function() return { 1 } end } } end,
-  { "local_factor.vector(\"", "expected a number for every x, got nil for x[2]" }, "too few factors")
+  { "local_factor.vector(\"", "expected one number for each x, got nil for x[2]" }, "too few factors")
 fails(function() run_of{ local_factor = { vector = function() end } } end, "expected an array of factors, got nil",
   "no factors")
 fails(function() run_of{ local_factor = { vektor = print } } end, "did you mean 'vector'", "misspelt vector")
@@ -250,7 +250,7 @@ bad({ x = position, period = 1 }, "unknown field 'loading.period' (did you mean 
 bad({ { x = position, cycles = 1 }, { x = position, lod = 1 } }, "unknown field 'loading[2].lod'", "in the second block")
 bad({ { x = position }, { x = position } }, "field 'loading[1].cycles': expected a number > 0 and finite", "endless first block")
 bad({ { x = position }, 3 }, "loading[2].", "a number for a block")
-bad(3, "field 'loading': expected a block { x=, load= } or a list of them, got 3", "loading a number")
+bad(3, "field 'loading': expected a block { x=, load= } or a list of blocks, got 3", "loading a number")
 bad({ x = function(t) return t < 0.5 and 0 end, increments = 4 },
   "loading.x(0.5): expected a finite number, got false", "x gives no number")
 bad({ x = function() return "a" end }, 'loading.x(0): expected a finite number, got "a"', "x gives a text")
@@ -259,7 +259,7 @@ bad({ x = function(t) return t < 0.5 and 0 or error("no x") end, increments = 4 
 fails(function() run_of{ cycles = 3, loading = { x = position, cycles = 2 } } end, "field 'cycles': expected more than",
   "cycles of both")
 fails(function() run_of{ stroke = 0.1, loading = { x = position } } end, "'stroke' and 'loading': expected one", "two motions")
-fails(function() cosine:run{ cycles = 3 } end, "a run with loading takes a distance", "run by cycles")
+fails(function() cosine:run{ cycles = 3 } end, "a run with loading needs a distance", "run by cycles")
 
 -- changes ------------------------------------------------------------------------------------------
 
@@ -316,7 +316,7 @@ local before = tostring(w)
 fails(function() w:set{ model = bodies } end, "wear:set: field 'model' cannot be changed in a run", "another model")
 fails(function() w:set{ alpha = 2 } end, "wear:set: field 'alpha': expected a number in [0, 1], got 2", "alpha 2")
 fails(function() w:set{ alhpa = 0.2 } end, "did you mean 'alpha'", "misspelt")
-fails(function() w:set{ distance = 3 } end, "the run is at 200 mm already", "backwards")
+fails(function() w:set{ distance = 3 } end, "the run is already at 200 mm", "backwards")
 fails(function() w:set{ procedure = "NSP" } end, "NSP needs a plate that stays flat", "what does not go together")
 fails(function() w:set{ loading = { x = { -8, 8, -8 } } } end, "zone", "a way that no model has room for")
 fails(function() w:set{ local_factor = function() error("no factor") end } end, "no factor", "a function that fails")
@@ -346,7 +346,7 @@ is(w.update, 62, "ends the run after the step")
 is(select(2, w:run{ depth = { plate = 1 } }), "distance", "else the distance does")
 near(w.distance, 1320, 1e-12, "exactly")
 is(select("#", w:run()), 1, "nothing to choose, nothing more to say")
-fails(function() w:run{ depth = { plate = 1e-6 } } end, "field 'depth.plate': the run is at", "behind")
+fails(function() w:run{ depth = { plate = 1e-6 } } end, "field 'depth.plate': the run is already at", "behind")
 fails(function() w:run{ depth = 3 } end, "field 'depth': expected a table { cylinder=, plate= }, got 3", "of no body")
 fails(function() w:run{ depth = { total = 3 } } end, "unknown field 'depth.total'", "depths do not add up")
 fails(function() w:run{ p_center = -3 } end, "field 'p_center': expected a number > 0, got -3", "a negative pressure")

@@ -38,7 +38,7 @@ do
   local scoped <close> = reused
 end
 fails(function() return reused.cycle end, "closed", "to-be-closed variables close")
-fails(function() w.close(3) end, "close is called as object:close()", "close of a number")
+fails(function() w.close(3) end, "call this method with a colon: object:close()", "close of a number")
 fails(function() return material{}.close end, "no field 'close'", "values need no closing")
 
 -- a user function that closes what is being used
@@ -108,7 +108,7 @@ for _, length in ipairs{ 2^61, 1 << 61, -1, "10" } do
   is(#run_of{ loading = { x = list } }.loading[1].x, 3, ("a list is as long as it is, not %s"):format(length))
 end
 fails(function() run_of{ k = { distance = setmetatable({}, { __index = function() return 1 end }), value = { 1 } } } end,
-  "expected two arrays of one length", "items are the list's own")
+  "expected two arrays of equal length", "items are the list's own")
 local endless = setmetatable({}, { __len = function() return 1 << 61 end, __index = function() return 1 end })
 for what, call in pairs{ x = function() profile{ x = endless, z = endless } end,
   options = function() study{}:submit{ engine = "slurm", options = endless } end,

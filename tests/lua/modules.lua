@@ -13,7 +13,7 @@ local random, term = require "archard.random", require "archard.term"
 for _, count in ipairs{ 0, 257 } do
   fails(function() process.pool(count, {}) end, "expected from 1 to 256 workers", count .. " workers")
 end
-fails(function() process.pool(1, { {} }) end, "argument 1 is no text", "an argument that is a table")
+fails(function() process.pool(1, { {} }) end, "argument 1 is not a text", "an argument that is a table")
 
 -- What a worker that runs `chunk` says until it has ended: its lines, and how it ended.
 local function worker(chunk, line)
@@ -86,26 +86,26 @@ local function figure(change)
   return function() gnuplot.draw(whole, { medium = "text", width = 60, height = 20 }) end
 end
 for told, change in pairs{
-  ["a figure without panels"] = function(f) f.panels = nil end,
-  ["panel 1 is no table"] = function(f) f.panels = { 7 } end,
+  ["figure without panels"] = function(f) f.panels = nil end,
+  ["panel 1 is not a table"] = function(f) f.panels = { 7 } end,
   ["title must be a string, got table"] = function(f) f.title = {} end,
   ["rows must be a whole number from 0 to 100000"] = function(f) f.rows = 1.5 end,
   ["columns must be a whole number from 0 to 100000"] = function(f) f.columns = 1e6 end,
   ["rows must be a number, got string"] = function(f) f.rows = "2" end,
   ["levels must be a whole number from 0 to 100000"] = function(_, p) p.levels = -1 end,
-  ["key cannot be 'nowhere'"] = function(_, p) p.key = "nowhere" end,
-  ["panel 1: curve 1 is no table"] = function(_, p) p.curves = { 7 } end,
+  ["key: unknown value 'nowhere'"] = function(_, p) p.key = "nowhere" end,
+  ["panel 1: curve 1 is not a table"] = function(_, p) p.curves = { 7 } end,
   ["x must be a list of numbers, got nil"] = function(_, _, c) c.x = nil end,
   ["y[2] must be a number, got string"] = function(_, _, c) c.y[2] = "2" end,
-  ["x holds 2 numbers and y 1; they must be as many"] = function(_, _, c) c.y = { 1 } end,
-  ["x holds 2 numbers and error 3; they must be as many"] = function(_, _, c) c.error = { 1, 1, 1 } end,
-  ["a field of 3 corners: four each"] = function(_, p)
+  ["x has 2 numbers, y has 1: expected equal lengths"] = function(_, _, c) c.y = { 1 } end,
+  ["x has 2 numbers, error has 3: expected equal lengths"] = function(_, _, c) c.error = { 1, 1, 1 } end,
+  ["field: expected a multiple of 4 corners, got 3"] = function(_, p)
     p.field = { x = { 1, 2, 3 }, y = { 1, 2, 3 }, value = { 1, 2, 3 } }
   end,
-  ["an axis has no words"] = function(_, p) p.x.places = { at = { 1 } } end,
-  ["place 1 of an axis has no words"] = function(_, p) p.x.places = { at = { 1 }, words = { 7 } } end,
+  ["axis without tick labels"] = function(_, p) p.x.places = { at = { 1 } } end,
+  ["axis: tick 1 has no label"] = function(_, p) p.x.places = { at = { 1 }, words = { 7 } } end,
 } do fails(figure(change), told, told) end
-fails(function() gnuplot.animate({ 7 }, 0.1, { medium = "file", file = "x.gif" }) end, "frame 1 is no table",
+fails(function() gnuplot.animate({ 7 }, 0.1, { medium = "file", file = "x.gif" }) end, "frame 1 is not a table",
   "a frame that is none")
 
 -- --- numbers -------------------------------------------------------------------------------------
@@ -121,4 +121,4 @@ fails(function() random.points("grid", 1, 1, 1) end, [["sobol", "latin" or "rand
 near(random.student_quantile(0.975, 1), math.tan(math.pi * 0.475), 1e-12, "Student's quantile, one degree of freedom")
 near(random.student_quantile(0.975, 2), 0.95 * math.sqrt(2 / (1 - 0.95 ^ 2)), 1e-12, "two")
 near(random.rank_correlation({ 1, 2, 2, 4 }, { 10, 30, 20, 40 }), math.sqrt(0.9), 1e-12, "ranks: equal values share theirs")
-fails(function() random.rank_correlation({ 1, 2 }, { 1 }) end, "as many numbers", "lists of two lengths")
+fails(function() random.rank_correlation({ 1, 2 }, { 1 }) end, "as long as the first list", "lists of two lengths")

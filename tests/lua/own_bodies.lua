@@ -190,8 +190,8 @@ refused({ "'layers'", "at most 4" }, "too many layers", function() body.block{ l
 refused({ "layers[1].thickness", "nil" }, "a layer of no thickness", function() body.block{ layers = { { E = 3 } } } end)
 refused({ "layers[1]", "nue" }, "a layer's unknown field", function() body.block{ layers = { { thickness = 1, nue = 3 } } } end)
 refused({ "layers", "0.9" }, "layers thicker than the body", function() body.block{ layers = { { thickness = 30, E = 3 } } } end)
-refused({ "layers'", "a list", "no list" }, "a layer in place of a list", function() body.block{ layers = { thickness = 1, E = 3 } } end)
-refused({ "layers'", "no list" }, "a list with a gap", function() body.block{ layers = { [2] = { thickness = 1, E = 3 } } } end)
+refused({ "layers'", "a list", "not a list" }, "a layer in place of a list", function() body.block{ layers = { thickness = 1, E = 3 } } end)
+refused({ "layers'", "not a list" }, "a list with a gap", function() body.block{ layers = { [2] = { thickness = 1, E = 3 } } } end)
 refused({ "'layers[1].material'", "got nil" }, "a layer without a material", function() body.block{ layers = { { thickness = 1, k = 1e-9 } } } end)
 refused({ "'layers[1].material'", "'layers[1].k'", "both" }, "k beside a layer's material", function()
   body.block{ layers = { { thickness = 1, k = 1e-9, material = material{ E = 3 } } } }
@@ -216,7 +216,7 @@ refused({ "moves", "degrees" }, "a rotation that stands still", function() wear{
 refused({ "loading.rotation'", "got nil" }, "a load that turns over what rests", function()
   wear{ model = m, loading = { load_angle = function(t) return t end }, distance = 1 }
 end)
-refused({ "zone.", "named twice" }, "a zone given twice", function() model{ mesh = { zone = { upper = 4, cylinder = 2 } } } end)
+refused({ "zone.", "given twice" }, "a zone given twice", function() model{ mesh = { zone = { upper = 4, cylinder = 2 } } } end)
 refused({ "'friction'", "in a hole" }, "a run with friction in a hole", function() wear{ model = m, friction = 0.3, load = 10, stroke = 0.1 } end)
 refused({ "'friction'", "in a hole" }, "friction in a hole", function() contact{ model = m, friction = 0.1, load = 10 } end)
 

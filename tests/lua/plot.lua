@@ -147,7 +147,7 @@ refusals {
   { { line, file = "a" }, "ends in .png" },
   { { line, term = "svg", file = "a.png" }, "ends in .svg" },
   { { line, term = "sixel", file = "a.png" }, "draws on the screen" },
-  { { { x = { 1, 2 }, y = { 1 } } }, "x holds 2 numbers and y 1" },
+  { { { x = { 1, 2 }, y = { 1 } } }, "x has 2 numbers, y has 1" },
   { { { x = { 1, "2" }, y = { 1, 2 } } }, "x[2] must be a number, got string" },
   { { { x = { 0 / 0 }, y = { 1 } } }, "no point whose x and y are both finite" },
   { { { x = { 1 }, y = { 1 }, colour = "reddish" } }, "colour must be" },

@@ -25,7 +25,7 @@ do
   _, bars = other:gsub("with yerrorbars", "")
   ok(bars == 2, "others join them")
   measured.error = { 0.5 }
-  refused(function() plot.points(measured) end, "error 1; they must be as many", "a bar is missing")
+  refused(function() plot.points(measured) end, "error has 1: expected equal lengths", "a bar is missing")
   measured.error = { 0.5, -1 }
   refused(function() plot.points(measured) end, "error[2] must be a finite number >= 0", "a bar < 0")
   refused(function() plot.points { x = { 1 } } end, "y", "points without y")

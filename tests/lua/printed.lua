@@ -13,7 +13,7 @@ local w = wear{ model = { upper = roller, lower = body.block{ name = "base", E =
   mesh = { size = 0.05, height = 0.05 } }, load = 100, distance = 100 }
 local layer = "0.003 mm of E 400000 MPa nu 0.3"
 has(w, "layers    roller " .. layer, "a run names layers")
-has(w, "k 1.1e-09 mm2/N = 1.1e-06 mm3/(N m), alpha 0.0909091 as the surfaces are", "and what wears now")
+has(w, "k 1.1e-09 mm2/N = 1.1e-06 mm3/(N m), alpha 0.0909091 at the present surfaces", "and what wears now")
 has(w.model, "roller (cylinder of radius 5 mm) on base (block)", "a model its bodies")
 has(w.model, "layer   " .. layer .. " k 1e-10 mm2/N = 1e-07 mm3/(N m)", "and their layers")
 ok(not tostring(w.model):find("radius 10", 1, true), "no radius that nothing has")

@@ -104,7 +104,7 @@ local expected = { w_next.p_center, w_next.depth_plate, w_next.volume_cylinder }
 local kept = table.move({ path, tap, expected }, 1, 3, 1, {})
 forget()
 is(rawget(_G, "w"), nil, "an empty session")
-fails(function() session.open(path "s.archard") end, { "session.open: driven: field 'k': expected the function again",
+fails(function() session.open(path "s.archard") end, { "session.open: driven: field 'k': expected a function, as when",
   "session.open(path, { driven = { k = f } })" }, "functions are asked for, and how to give them")
 is(#own.list(), 0, "and nothing has come without them")
 holds(session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }), "4 runs, 2 models, 2 studies, 3 contacts, 3 results", "it opens")
@@ -147,7 +147,7 @@ fails(function() session.open(path "s.archard", { driven = { k = function() retu
 is(w.update, 6, "it is still there")
 holds(session.save(), "saved in " .. path "s.archard", "saved again without a name")
 for _, case in ipairs{ false, 1, 2 } do
-  fails(function() wear.open(path "s.archard", case or nil) end, { "got session", "session.open opens it" },
+  fails(function() wear.open(path "s.archard", case or nil) end, { "got a session", "use session.open" },
     "wear.open takes no part of a session")
 end
 fails(function() session.save(path "w.archard") end, { "session.save", "w.archard" }, "another file is not replaced")

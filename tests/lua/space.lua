@@ -33,7 +33,7 @@ is(#line.x, #line.p, "a section is a line")
 near(math.max(table.unpack(line.p)), c.p_max, 1e-12, "through the largest pressure")
 local across = c:pressure{ x = 0 }
 near(across.p[#across.p // 2], line.p[#line.p // 2], 1e-9, "the same in z as in x")
-fails(function() c:pressure{ z = 9 } end, "'z': expected a place", "a section beside the window")
+fails(function() c:pressure{ z = 9 } end, "'z': expected a position", "a section beside the window")
 fails(function() c:pressure{ y = 0 } end, "unknown field 'y'", "an unknown section")
 near(c:move{ x = 0.05 }.p_max, c.p_max, 1e-2, "a moved contact")
 
@@ -219,7 +219,7 @@ local pressed = contact{ model = m, load = 10, worn = { block = groove_depth } }
 ok(pressed.half_width_z > 1.02 * pressed.half_width, "a groove by a function")
 for _, wrong in ipairs{
   { function() return 1 end, "0 at the border of the window" }, { function() return -1 end, "expected a depth >= 0 in mm, got -1" },
-  { { x = { 0, 1 }, h = { 0, 1 } }, "a function (x, z) -> depth or a map" }, { { x = { 1 }, y = { 1 }, z = { 1 } }, "expected a map, as map{} makes one" },
+  { { x = { 0, 1 }, h = { 0, 1 } }, "a function (x, z) -> depth or a map" }, { { x = { 1 }, y = { 1 }, z = { 1 } }, "expected a map, as returned by map{}" },
   { _G.map{ x = { -1, 0, 1 }, z = { -1, 0, 1 }, y = { 0, 0, 0, 0, -1, 0, 0, 0, 0 } }, "expected depths >= 0 mm" },
 } do
   fails(function() run{ worn = { ball = wrong[1] } } end, wrong[2], "worn: " .. wrong[2])

@@ -128,7 +128,7 @@ run:run{ distance = 330 }
 direct:run{ distance = 330 }
 is(run.p_center, direct.p_center, "a stored case goes on to the same bits")
 is(wear.open(path "one", 4).distance, 220, "wear.open of a case")
-fails(function() wear.open(path "one") end, "found 4 cases", "which needs its number")
+fails(function() wear.open(path "one") end, "has 4 cases", "which needs its number")
 
 -- --- resuming ----------------------------------------------------------------------------------
 local seconds = one:cases()[1].seconds
@@ -273,7 +273,7 @@ local function falling(state) return 1e-8 / (1 + state.distance / 500) end
 local f = wear{ geometry = "frozen", increments = 8, distance = 220, model = coarse.model, k = falling }
 f:step(3)
 f:save(path "function")
-fails(function() wear.open(path "function") end, { "'k'", "function again" },
+fails(function() wear.open(path "function") end, { "'k'", "a function, as when the run was saved" },
   "a function must be given again")
 fails(function() wear.open(path "function", { k = falling, alpha = falling }) end, "'alpha'",
   "and no other")
@@ -282,7 +282,7 @@ local g = wear.open(path "function", { k = falling })
 f:run()
 g:run()
 is(g.depth.plate, f.depth.plate, "then it goes on to the same bits")
-fails(function() wear.open(path "wear", { k = falling }) end, "nothing",
+fails(function() wear.open(path "wear", { k = falling }) end, "no value",
   "a run without functions takes none")
 fails(function() small{ vary = { k = { falling } } }:run{ file = path "x" } end, { "k", "function" },
   "a study takes none")

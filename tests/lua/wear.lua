@@ -160,7 +160,7 @@ is(w:step().update, w.update, "a step at the end does nothing")
 is(w.update, 60, "nothing at all")
 near(w:run{ distance = 1340 }.distance, 1340, 1e-12, "further than defined")
 near(w.total_distance, 1340, 1e-12, "which is the new definition")
-fails(function() w:run{ distance = 10 } end, { "wear:run", "1340 mm already" }, "backwards")
+fails(function() w:run{ distance = 10 } end, { "wear:run", "already at 1340 mm" }, "backwards")
 near(wear{}:run{ cycles = 250 }.cycle, 250, 1e-12, "run by cycles, a shorter last step")
 fails(function() w:run{ cycles = 1, distance = 1 } end, "got both", "run by both")
 fails(function() w:run{ progres = print } end, "did you mean 'progress'?", "misspelt option")
@@ -179,9 +179,9 @@ is(p.update, 4, "the step before it stays")
 err = fails(function() p:run{ progress = function() error{ answer = 42 } end } end, "progress failed",
   "an error that is a table")
 is(err.cause.answer, 42, "is handed on as the cause")
-fails(function() p:run{ progress = function(run) run:close() end } end, "a running wear cannot be closed",
+fails(function() p:run{ progress = function(run) run:close() end } end, "a wear object cannot be closed while it is running",
   "closed from within")
-fails(function() p:run{ progress = function(run) run:step() end } end, "running already",
+fails(function() p:run{ progress = function(run) run:step() end } end, "already running",
   "stepped from within")
 ok(pcall(p.step, p), "afterwards it runs on")
 is(coroutine.wrap(function() return wear{ increments = 4 }:run{ distance = 100 }.distance end)(), 100,

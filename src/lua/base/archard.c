@@ -1,5 +1,5 @@
-/* Collects the classes into the module `archard` and its globals. The classes themselves are one
- * file each; see archard.h for how one joins. */
+/* Registers all classes and functions in the module `archard` and as globals. Each class has its
+ * own file; archard.h describes how to add one. */
 #include "lua/base/archard.h"
 
 #include "archard/base.h"
@@ -9,7 +9,7 @@
 
 #include <lauxlib.h>
 
-/* Classes in C: name of the global, and the function that leaves its value on the stack. */
+/* Classes in C: name of the global, and the function that pushes its value. */
 static const luaL_Reg classes[] = {
     {"material", luaopen_archard_material},
     {"hertz", luaopen_archard_hertz},
@@ -20,7 +20,7 @@ static const luaL_Reg classes[] = {
     {NULL, NULL},
 };
 
-/* Modules in C that are no globals: reached by require only. */
+/* Modules in C without a global: loaded by require only. */
 static const luaL_Reg modules[] = {
     {"archard.term", luaopen_archard_term},
     {"archard.gnuplot", luaopen_archard_gnuplot},
@@ -53,8 +53,8 @@ static const char *const scripted[][2] = {
 };
 enum { SCRIPTED = sizeof scripted / sizeof *scripted };
 
-/* Functions in Lua, whose modules are read at the first call: name of the global, the module and,
- * where that returns a table with several, the name in it. */
+/* Functions in Lua, loaded at their first call: name of the global, the module, and the field of
+ * the module if the module is a table (else NULL). */
 static const char *const functions[][3] = {
     {"calibrate", "archard.study.calibrate"},  {"time", "archard.lib.time"},
     {"uniform", DISTRIBUTIONS, "uniform"},     {"normal", DISTRIBUTIONS, "normal"},
@@ -62,8 +62,8 @@ static const char *const functions[][3] = {
 };
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
-/* Pops a value and makes it the field and the global `name`, the user's and that of scripts; the
- * module table is on top below it. */
+/* Pops a value and stores it as field `name` of the module table below, as global of the user and
+ * as global of the built-in scripts. */
 static void publish(lua_State *L, const char *name) {
   if (lua_istable(L, -1)) strict_module(L, name);
   lua_pushvalue(L, -1);
@@ -102,13 +102,13 @@ static void open_functions(lua_State *L) {
 int luaopen_archard(lua_State *L) {
   luaL_checkversion(L);
   arc_single_threaded();
-  lua_warning(L, "@on", 0); /* off in the stock interpreter: nothing may go wrong in silence */
+  lua_warning(L, "@on", 0); /* the stock interpreter starts with warnings off */
   script_preload(L, modules);
   lua_newtable(L);
   lua_pushliteral(L, ARC_VERSION);
   lua_setfield(L, -2, "version");
 
-  /* Known before the classes open, so that a script among them may require it. */
+  /* Registered before the classes open, so that their scripts can require "archard". */
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_pushvalue(L, -2);
   lua_setfield(L, -2, "archard");

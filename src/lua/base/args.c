@@ -1,4 +1,4 @@
-/* The checks of definition tables. Leans on names.c for the name the user may have meant. */
+/* Checks tables of named fields. */
 #include "lua/base/args.h"
 #include "lua/base/box.h"
 #include "lua/base/error.h"
@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* --- what was expected, what came ------------------------------------------------------------ */
+/* --- messages --------------------------------------------------------------------------------- */
 
 const char *args_show_number(lua_State *L, double value) {
   char text[40];
@@ -76,7 +76,7 @@ void args_check_names(lua_State *L, int index, args_place place, const arc_setti
 
 /* --- reading --------------------------------------------------------------------------------- */
 
-enum { LONGEST_TEXT = 240 }; /* of what a setting can be */
+enum { LONGEST_TEXT = 240 }; /* bytes of the description of a setting's values */
 
 static void refuse(lua_State *L, args_place place, const arc_setting *s) __attribute__((noreturn));
 
@@ -93,7 +93,7 @@ double args_number(lua_State *L, args_place place, const arc_setting *s) {
   return value;
 }
 
-/* The position of the text at `index` in a list of names, or -1. "plane" is plane strain. */
+/* Index of the text at `index` in `choices`, or -1. "plane" means "plane strain". */
 static int find_choice(lua_State *L, int index, const char *const *choices) {
   if (lua_type(L, index) != LUA_TSTRING) return -1;
   const char *word = lua_tostring(L, index);
@@ -122,7 +122,8 @@ static void set_number(const arc_setting *s, void *definition, double value) {
     *(double *)arc_setting_member(s, definition) = value;
 }
 
-/* Whether the value on top of the stack is one of the other forms; "auto" is taken at once. */
+/* True if the value on top of the stack is "auto", a function or a series, and the setting allows
+ * that form. "auto" is stored as 0. */
 static int other_form(lua_State *L, const arc_setting *s, void *definition) {
   const int type = lua_type(L, -1);
   int automatic = 0;
@@ -145,7 +146,7 @@ static void read_text(lua_State *L, args_place place, const arc_setting *s, char
   memcpy(to, text, length + 1);
 }
 
-/* A group from a table of its fields, or from an object of its class. */
+/* Reads a group from a table of its fields or from an object of its class. */
 static void read_group(lua_State *L, args_place place, const arc_setting *s, void *definition) {
   void *member = arc_setting_member(s, definition);
   if (s->class_name && box_copy_value(L, -1, s->class_name, member)) return;
@@ -155,7 +156,7 @@ static void read_group(lua_State *L, args_place place, const arc_setting *s, voi
   lua_pop(L, 1);
 }
 
-/* Reads the value on top of the stack. */
+/* Reads the value on top of the stack into the member of the setting. */
 static void read_value(lua_State *L, args_place place, const arc_setting *s, void *definition) {
   switch (s->kind) {
   case ARC_NUMBER:

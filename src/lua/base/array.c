@@ -1,4 +1,4 @@
-/* Arrays of numbers as Lua tables. */
+/* Converts arrays of doubles to Lua tables. */
 #include "lua/base/array.h"
 #include "lua/base/strict.h"
 

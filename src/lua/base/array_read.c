@@ -1,11 +1,11 @@
-/* Arrays of numbers out of the tables of users. */
+/* Reads Lua tables of numbers into arrays of doubles. */
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
 
 #include <lauxlib.h>
 #include <math.h>
 
-/* The kinds of numbers that a list may hold. */
+/* A test of the items of a list, and its description for the error message. */
 typedef struct kind {
   int (*fits)(double value);
   const char *expected;

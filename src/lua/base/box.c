@@ -1,4 +1,4 @@
-/* Boxes: metatables made on first use, reading of methods and fields, closing. */
+/* Boxes: metatables, methods and fields, closing. */
 #include "lua/base/box.h"
 #include "lua/base/call.h"
 #include "lua/base/error.h"
@@ -9,20 +9,21 @@
 #include <stdint.h>
 #include <string.h>
 
-static const char class_key[] = "archard.class %s"; /* where the registry has a class by its name */
+static const char class_key[] = "archard.class %s"; /* registry key of a class, by its name */
 
 static const box_class *class_upvalue(lua_State *L) {
   return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* Refuses the unknown name at index 2 where the user reads it; upvalue 4: all names. */
+/* Raises an error for the unknown name at index 2 if the user's text reads it. Upvalue 4: all
+ * names. */
 static int unknown_field(lua_State *L) {
   if (lua_type(L, 2) == LUA_TSTRING && strict_reads(L))
     strict_refuse(L, class_upvalue(L)->name, lua_tostring(L, 2), lua_upvalueindex(4));
   return 0;
 }
 
-/* Returns the value at index 3. Tables of values are told apart by their field: "wear.depth". */
+/* Returns the value at index 3. A table without metatable becomes a strict table "CLASS.FIELD". */
 static int guarded(lua_State *L) {
   if (!lua_istable(L, 3)) return 1;
   if (lua_getmetatable(L, 3)) return lua_settop(L, 3), 1;
@@ -32,15 +33,15 @@ static int guarded(lua_State *L) {
   return 1;
 }
 
-/* The value of a setting of the object at index 1. Upvalues: class, setting. */
+/* Pushes the value of a setting of the object at index 1. Upvalues: class, setting. */
 static int setting_field(lua_State *L) {
   const arc_setting *setting = lua_touserdata(L, lua_upvalueindex(2));
   settings_push(L, setting, class_upvalue(L)->definition(L));
   return 1;
 }
 
-/* __index(object, name): the value of a field, or a method. Upvalues: class, methods, fields, names
- * of all. */
+/* __index(object, name): the value of a field, or a method. Upvalues: class, methods, fields, all
+ * names. */
 static int class_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
@@ -79,7 +80,8 @@ static void last_use(call_held *held) {
   if (self->closing && !self->busy) box_empty(self, self->class);
 }
 
-/* __gc and __close: whatever came is a box of this class, unless a script plays with metatables. */
+/* __gc and __close. Ignores values that are not boxes of this class (a script may have moved the
+ * metatable). */
 static int class_gc(lua_State *L) {
   const box_class *class = class_upvalue(L);
   box *self = box_test(L, 1, class);
@@ -87,13 +89,15 @@ static int class_gc(lua_State *L) {
   return 0;
 }
 
-/* object:close(): may be called twice. */
+/* object:close(). A second call does nothing. */
 static int class_close(lua_State *L) {
   const box_class *class = class_upvalue(L);
   box *self = box_test(L, 1, class);
-  if (!self) error_raise(L, ARC_ARGUMENT, class->name, "close is called as object:close()");
+  if (!self)
+    error_raise(L, ARC_ARGUMENT, class->name, "call this method with a colon: object:close()");
   if (self->busy)
-    error_raise(L, ARC_ARGUMENT, class->name, "a running %s cannot be closed", class->name);
+    error_raise(L, ARC_ARGUMENT, class->name, "a %s object cannot be closed while it is running",
+                class->name);
   close_box(self);
   if (self->closing) return 0;
   lua_pushnil(L);
@@ -111,7 +115,7 @@ static int class_tostring(lua_State *L) {
   return 1;
 }
 
-/* Two boxes of one thing, as the models that are shared, are equal. */
+/* Two boxes are equal if they contain the same thing, as for shared models. */
 static int class_eq(lua_State *L) {
   const box_class *class = class_upvalue(L);
   const box *a = box_test(L, 1, class), *b = box_test(L, 2, class);
@@ -119,7 +123,7 @@ static int class_eq(lua_State *L) {
   return 1;
 }
 
-/* Sets field `name` of the table on top to a function that knows its class. */
+/* Sets field `name` of the table on top to a C function with the class as upvalue. */
 static void set_function(lua_State *L, const char *name, const box_class *class,
                          lua_CFunction function) {
   lua_pushlightuserdata(L, (void *)(uintptr_t) class);
@@ -133,7 +137,8 @@ static void push_methods(lua_State *L, const box_class *class) {
   if (class->destroy) set_function(L, "close", class, class_close);
 }
 
-/* The functions that read fields, by name: computed ones before settings. */
+/* Pushes the table of functions that read fields, by name. Computed fields replace settings of the
+ * same name. */
 static void push_readers(lua_State *L, const box_class *class) {
   lua_newtable(L);
   for (const arc_setting *s = class->settings; s && s->name; s++) {
@@ -146,7 +151,7 @@ static void push_readers(lua_State *L, const box_class *class) {
   if (class->fields) luaL_setfuncs(L, class->fields, 0);
 }
 
-/* The list of the names of the fields. */
+/* Pushes the list of the fields' names. */
 static void push_field_names(lua_State *L, const box_class *class) {
   lua_newtable(L);
   int count = 0;
@@ -161,7 +166,7 @@ static void push_field_names(lua_State *L, const box_class *class) {
   }
 }
 
-/* The names of methods too. */
+/* Pushes the list of the names of fields and methods. */
 static void push_names(lua_State *L, const box_class *class) {
   push_field_names(L, class);
   for (const luaL_Reg *method = class->methods; method && method->name; method++) {
@@ -204,7 +209,7 @@ static void push_metatable(lua_State *L, const box_class *class) {
   fill_metatable(L, class);
   lua_pushvalue(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, class);
-  lua_pushfstring(L, "archard.%s", class->name); /* where help looks for a method's owner */
+  lua_pushfstring(L, "archard.%s", class->name); /* key by which help finds the class of a method */
   lua_pushvalue(L, -2);
   lua_rawset(L, LUA_REGISTRYINDEX);
   lua_pushfstring(L, class_key, class->name);
@@ -227,7 +232,7 @@ box *box_push(lua_State *L, const box_class *class) {
   return made;
 }
 
-/* A script may have given the metatable of a class to another userdata, or a box another one. */
+/* Compares the metatable too: a script may have set a class's metatable on another userdata. */
 box *box_test(lua_State *L, int index, const box_class *class) {
   box *found = lua_touserdata(L, index);
   if (!found || lua_rawlen(L, index) < sizeof *found || found->class != class ||
@@ -238,7 +243,7 @@ box *box_test(lua_State *L, int index, const box_class *class) {
   return same ? found : NULL;
 }
 
-/* What kind of value stands at `index`, in one word. */
+/* Name of the type of the value at `index`: its __name or the Lua type. */
 static const char *kind_of(lua_State *L, int index) {
   int type = luaL_getmetafield(L, index, "__name");
   if (type == LUA_TSTRING) return lua_tostring(L, -1);
@@ -273,7 +278,7 @@ box *box_self(lua_State *L, const box_class *class, const char *where) {
 box *box_self_idle(lua_State *L, const box_class *class, const char *where) {
   box *self = box_self(L, class, where);
   if (self->busy)
-    error_raise(L, ARC_ARGUMENT, where, "this %s object is running already", class->name);
+    error_raise(L, ARC_ARGUMENT, where, "this %s object is already running", class->name);
   if (call_is_held_outside(&self->held))
     error_raise(L, ARC_ARGUMENT, where, "this %s object is in use and cannot change", class->name);
   return self;

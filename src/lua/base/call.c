@@ -1,19 +1,19 @@
-/* What functions hold while they run: a frame on the C stack for each of them. They end in the
- * reverse order of their beginning, as nothing yields across them and errors stop at each. */
+/* Frames on the C stack list the objects that each running function holds. Functions end in the
+ * reverse order of their start: nothing yields across them, and errors stop at each frame. */
 #include "lua/base/call.h"
 
 #include <assert.h>
 
-enum { MOST_HELD = 16 }; /* by one function */
+enum { MOST_HELD = 16 }; /* objects held by one function */
 
 typedef struct frame {
   struct frame *outer;
-  const void *first; /* the first argument, which lives as long as the frame */
-  int count, keeps;  /* keeps: the registry has a table of values under the frame's address */
+  const void *first; /* the first argument, alive as long as the frame */
+  int count, keeps;  /* keeps: the registry has a table of kept values at the frame's address */
   call_held *held[MOST_HELD];
 } frame;
 
-static _Thread_local frame *current; /* of the function that runs */
+static _Thread_local frame *current; /* frame of the running function */
 
 /* --- holding ---------------------------------------------------------------------------------- */
 
@@ -23,7 +23,7 @@ static int is_held(const frame *f, const call_held *held) {
   return 0;
 }
 
-/* Until it is held no more. */
+/* Stores the object in the registry until no function holds it. */
 static void keep_alive(lua_State *L, int index, call_held *held) {
   luaL_checkstack(L, 2, "objects");
   lua_pushvalue(L, index);
@@ -57,7 +57,8 @@ void call_keep(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* Returns zero where there is no room for it: then the registry's value stays alive, no more. */
+/* Removes a value from the registry. Returns 0 if the Lua stack is full; the value then stays
+ * alive. */
 static int forget(lua_State *L, const void *key) {
   if (!lua_checkstack(L, 1)) return 0;
   lua_pushnil(L);
@@ -78,7 +79,7 @@ static void release(lua_State *L, const frame *f) {
 /* --- calling ---------------------------------------------------------------------------------- */
 
 void call_now(lua_State *L, int arguments, int results) {
-  frame own; /* what it holds is not cleared: this comes with every field that is read */
+  frame own; /* `held` is not cleared: this function runs at every read of a field */
   own.outer = current;
   own.first = arguments > 0 ? lua_touserdata(L, -arguments) : NULL;
   own.count = own.keeps = 0;
@@ -89,7 +90,7 @@ void call_now(lua_State *L, int arguments, int results) {
   if (status != LUA_OK) lua_error(L);
 }
 
-/* Upvalue: the function. A copy of the first argument stays below it. */
+/* Calls the function in upvalue 1. A copy of the first argument stays below it. */
 static int call(lua_State *L) {
   const int arguments = lua_gettop(L);
   if (arguments > 0)

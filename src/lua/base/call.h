@@ -1,9 +1,9 @@
-/* lua/call.h - functions as scripts call them.
+/* lua/call.h - wrapper of the C functions that scripts call.
  *
- * Lua may run at any allocation, since the collector starts finalizers there, and in every callback
- * and metamethod. So whatever a function of ours looks into is held until it returns or fails: it
- * stays where it is; a change meanwhile is refused, and closing waits. Functions that look into
- * boxes (box.h) are handed to scripts through this file, all of them.
+ * Lua code may run at any allocation (the garbage collector calls finalizers), in every callback
+ * and in every metamethod. Therefore a C function holds each object that it uses until it returns
+ * or fails: the object is not moved, changes are refused, and closing is deferred. Every function
+ * that uses boxes (box.h) is given to scripts through this file.
  */
 #ifndef LUA_CALL_H
 #define LUA_CALL_H
@@ -11,35 +11,35 @@
 #include <lauxlib.h>
 #include <lua.h>
 
-/* Replaces the C function on top of the stack by one that holds what it uses while it runs. */
+/* Replaces the C function on top of the stack by its wrapped version. */
 void call_wrap(lua_State *L);
 
-/* Pushes such a function. */
+/* Pushes the wrapped version of a C function. */
 void call_push(lua_State *L, lua_CFunction function);
 
-/* lua_call, once, of a function that would be one when wrapped; the first argument must stay on the
- * stack of whoever calls. */
+/* lua_call of a function as if it were wrapped. The first argument must stay on the caller's stack.
+ */
 void call_now(lua_State *L, int arguments, int results);
 
-/* luaL_setfuncs and luaL_newlib of such functions. */
+/* luaL_setfuncs and luaL_newlib with wrapped functions. */
 void call_set_functions(lua_State *L, const luaL_Reg *list);
 void call_new_library(lua_State *L, const luaL_Reg *list);
 
-/* In a value that can be held: by how many functions it is, whether the registry keeps it alive
- * meanwhile, and what the last of them calls. */
+/* Member of each object that can be held. count: functions that hold it; kept: the registry keeps
+ * it alive; last: called when the last function releases it. */
 typedef struct call_held {
   int count, kept;
   void (*last)(struct call_held *self);
 } call_held;
 
-/* Holds the value at `index`, which has `held` in it, until the function that runs returns; once in
- * each. */
+/* Holds the object at `index`, whose member is `held`, until the running function returns. Repeated
+ * calls in one function count once. */
 void call_hold(lua_State *L, int index, call_held *held);
 
-/* Whether functions around the one that runs hold it. */
+/* True if a function outside the running one holds the object. */
 int call_is_held_outside(const call_held *held);
 
-/* Pops a value, which lives until the function that runs returns. */
+/* Pops a value and keeps it alive until the running function returns. */
 void call_keep(lua_State *L);
 
 #endif

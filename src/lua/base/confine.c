@@ -1,12 +1,12 @@
-/* Where arc_file_allowed of the library would say yes to all, the one of this program asks for the
- * folders. They are the process' own, as its user and its limits are. */
+/* Restricts file access to two folders: replaces arc_file_allowed of the library, which allows all
+ * files. The folders apply to the whole process. */
 #include "lua/base/confine.h"
 
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Without links; "" while nothing is confined. */
+/* Absolute paths without symbolic links; "" if not confined. */
 static struct { char read[PATH_MAX], write[PATH_MAX]; } confined;
 
 static arc_status no_folder(const char *folder, arc_error *error) {

@@ -1,15 +1,15 @@
-/* lua/confine.h - the folders that the files of this program are confined to. */
+/* lua/confine.h - the folders to which file access of this program is confined (sandbox). */
 #ifndef LUA_CONFINE_H
 #define LUA_CONFINE_H
 
 #include "archard/base.h"
 
-/* From here on files are read below `read` and `write` alone and written below `write` alone: what
- * a name means counts, behind its links, whatever it was made of. Once, before threads. ARC_IO: no
- * such folder. */
+/* Confines reading to the folders `read` and `write`, and writing to `write`. Symbolic links are
+ * resolved before the check. Call once, before threads start. Error: ARC_IO if a folder does not
+ * exist. */
 arc_status confine_files(const char *read, const char *write, arc_error *error);
 
-/* The folder that reading is confined to, or NULL. */
+/* The folder of readable files, or NULL if not confined. */
 const char *confine_folder(void);
 
 #endif

@@ -1,10 +1,10 @@
-/* The Lua files of scripts/, as they stand inside the binary (generated at build time). */
+/* The Lua files of scripts/, embedded in the binary (generated at build time). */
 #ifndef LUA_EMBEDDED_H
 #define LUA_EMBEDDED_H
 
 typedef struct embedded_script {
-  const char *name; /* of the module without "archard.": "plot.draw"; NULL ends the list */
-  const char *path; /* of the file: "scripts/plot/draw.lua" */
+  const char *name; /* module name without "archard.": "plot.draw"; NULL ends the list */
+  const char *path; /* path of the file: "scripts/plot/draw.lua" */
   const char *text;
 } embedded_script;
 

@@ -1,5 +1,4 @@
-/* Error objects: their making, their text. Leans on the interrupt flag, to tell a stop the user
- * asked for from a failure. */
+/* Creates error objects and their text. A stop requested by the user raises plain "interrupted". */
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 
@@ -10,7 +9,7 @@
 
 static const char kind[] = "archard.error";
 
-/* Pushes field `name` of the error at index 1 as text; "" where it is not set. */
+/* Pushes field `name` of the error at index 1; "" if it is not a text. */
 static const char *push_text(lua_State *L, const char *name) {
   if (lua_getfield(L, 1, name) != LUA_TSTRING) {
     lua_pop(L, 1);
@@ -33,7 +32,7 @@ static int error_tostring(lua_State *L) {
   return 1;
 }
 
-/* So that "failed: " .. err works as with plain messages. */
+/* Allows "failed: " .. err, as with plain messages. */
 static int error_concat(lua_State *L) {
   luaL_tolstring(L, 1, NULL);
   luaL_tolstring(L, 2, NULL);
@@ -84,7 +83,7 @@ static void push_object(lua_State *L, arc_status code, const char *where) {
   lua_setmetatable(L, -2);
 }
 
-/* lua_error does not return; its header just does not say so. */
+/* lua_error never returns, but its declaration does not say so. */
 __attribute__((noreturn)) static void throw(lua_State * L) {
   lua_error(L);
   abort();
@@ -119,8 +118,8 @@ static int to_text(lua_State *L) {
   return 1;
 }
 
-/* Pushes the text of the value on top, which may be of the user's making. */
-static void push_told(lua_State *L) {
+/* Pushes the text of the value on top; its __tostring may be the user's. */
+static void push_error_text(lua_State *L) {
   lua_pushcfunction(L, to_text);
   lua_pushvalue(L, -2);
   if (lua_pcall(L, 1, 1, 0) == LUA_OK) return;
@@ -132,7 +131,7 @@ void error_callback(lua_State *L, const char *where, const char *name) {
   if (interrupt_pending(NULL)) throw(L);
   luaL_checkstack(L, 10, where);
   const int cause = lua_gettop(L);
-  push_told(L);
+  push_error_text(L);
   lua_pushfstring(L, "%s failed: %s", name, lua_tostring(L, -1));
   push_object(L, ARC_CALLBACK, where);
   lua_pushvalue(L, cause);
@@ -140,7 +139,7 @@ void error_callback(lua_State *L, const char *where, const char *name) {
   throw(L);
 }
 
-/* Text gets a traceback, since it is lost once the function's frames are gone; objects stay. */
+/* Adds a traceback to plain text, since the frames are lost later; error objects stay unchanged. */
 static int add_traceback(lua_State *L) {
   if (lua_type(L, 1) == LUA_TSTRING) luaL_traceback(L, L, lua_tostring(L, 1), 1);
   return 1;

@@ -1,11 +1,11 @@
-/* Names of files, checked before C sees them. */
+/* Checks file names that scripts pass. */
 #include "lua/base/file_name.h"
 
 #include "lua/base/args.h"
 
 #include <string.h>
 
-/* What is expected instead, or NULL. */
+/* Description of what is expected if the file name at `index` is invalid, else NULL. */
 static const char *trouble_with(lua_State *L, int index) {
   size_t length = 0;
   const char *path = lua_type(L, index) == LUA_TSTRING ? lua_tolstring(L, index, &length) : NULL;

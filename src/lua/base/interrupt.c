@@ -1,31 +1,31 @@
-/* The flag, the hook and the coroutines behind interrupt.h. The hook raises the error
- * "interrupted" at the next instruction, again and again, until the request is cleared. */
+/* The request flag, the hook and the tracked coroutines. While a request is pending, the hook
+ * raises the error "interrupted" at every instruction. */
 #include "lua/base/interrupt.h"
 
 #include <lauxlib.h>
 #include <signal.h>
 #include <stdio.h>
 
-/* A signal handler has no other way to reach the state than file scope. */
+/* File scope, since a signal handler has no arguments for state. */
 static volatile sig_atomic_t requests, ever;
 static lua_State *volatile running;
 
-/* Limits: the instructions that are left, and what was reached. */
+/* Instruction limit of the sandbox: remaining instructions, and the reached limit. */
 static double instructions_left;
 static void (*limit_reached)(void);
 static const char *volatile exceeded;
-enum { PERIOD = 10000 }; /* instructions between two looks */
+enum { PERIOD = 10000 }; /* instructions between two checks */
 
-/* What the error says; set outside of the handler. */
+/* Texts of the error; `explained` is set outside the signal handler. */
 static const char plain[] = "interrupted";
 static char explained[300];
 
-/* Of a search of many runs: how far it is, in place of how far the present run is. */
+/* Progress of a search over many runs; replaces the progress of the present run in the error. */
 static char report[240];
 
 static void rest(lua_State *L);
 
-/* Pushes "file:line: " of the Lua function that runs, or of the one that called a C function. */
+/* Pushes "file:line: " of the running Lua function, or of the caller of a C function. */
 static void push_place(lua_State *L) {
   luaL_where(L, 0);
   if (lua_rawlen(L, -1) > 0) return;
@@ -33,7 +33,7 @@ static void push_place(lua_State *L) {
   luaL_where(L, 1);
 }
 
-/* Whose words say what stands where needs no place in a text. */
+/* Raises the text with the progress; it has no "file:line:". */
 static void raise_explained(lua_State *L) {
   lua_pushstring(L, explained);
   lua_error(L);
@@ -41,7 +41,7 @@ static void raise_explained(lua_State *L) {
 
 static void stop_hook(lua_State *L, lua_Debug *event) {
   (void)event;
-  if (!interrupt_pending(NULL)) { /* a coroutine that was left armed and is resumed later */
+  if (!interrupt_pending(NULL)) { /* the hook of a suspended coroutine was not removed */
     rest(L);
     return;
   }
@@ -53,7 +53,7 @@ static void stop_hook(lua_State *L, lua_Debug *event) {
   lua_error(L);
 }
 
-/* lua_sethook is made to be called from signal handlers. */
+/* lua_sethook may be called from signal handlers. */
 static void arm(lua_State *L) {
   lua_sethook(L, stop_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
 }
@@ -61,11 +61,11 @@ static void arm(lua_State *L) {
 static void charge(void) {
   instructions_left -= PERIOD;
   if (instructions_left > 0 || exceeded) return;
-  interrupt_exceed("more instructions than the sandbox allows");
+  interrupt_exceed("instruction limit of the sandbox exceeded");
   if (limit_reached) limit_reached();
 }
 
-/* Counts while nothing is asked for. */
+/* Hook for the instruction limit, while no request is pending. */
 static void count_hook(lua_State *L, lua_Debug *event) {
   charge();
   if (exceeded) stop_hook(L, event);
@@ -124,7 +124,7 @@ void interrupt_clear(void) {
   explained[0] = report[0] = '\0';
 }
 
-/* Whoever takes over the processor must carry the hook if a request came before. */
+/* Installs the hook in the coroutine that starts to run if a request is pending. */
 static void switch_to(lua_State *L) {
   running = L;
   if (interrupt_pending(NULL)) arm(L);
@@ -139,8 +139,8 @@ void interrupt_detach(lua_State *L) {
   rest(L);
 }
 
-/* Resumes `co` with the `count` values on top of L. Returns the number of results moved to L, or
- * -1 with the error value on top of co: closing co needs it there. */
+/* Resumes `co` with the `count` values on top of L. Returns the number of results moved to L, or -1
+ * with the error value on top of `co`, where closing `co` needs it. */
 static int resume(lua_State *L, lua_State *co, int count) {
   if (!lua_checkstack(co, count)) return luaL_error(L, "too many arguments to resume");
   lua_xmove(L, co, count);
@@ -169,7 +169,7 @@ static int tracked_resume(lua_State *L) {
   return count + 1;
 }
 
-/* A coroutine that failed, not one that merely cannot be resumed, has to be closed. */
+/* Closes a coroutine that failed. Does nothing for one that could not be resumed. */
 static void close_failed(lua_State *L, lua_State *co) {
   int status = lua_status(co);
   if (status == LUA_OK || status == LUA_YIELD) return;
@@ -178,7 +178,7 @@ static void close_failed(lua_State *L, lua_State *co) {
   switch_to(L);
 }
 
-/* Errors of a wrapped coroutine go on in its caller; text gets the caller's position in front. */
+/* Raises errors of a wrapped coroutine in its caller; text gets the caller's position in front. */
 static int call_wrapped(lua_State *L) {
   lua_State *co = lua_tothread(L, lua_upvalueindex(1));
   int results = resume(L, co, lua_gettop(L));
@@ -193,8 +193,7 @@ static int call_wrapped(lua_State *L) {
   return lua_error(L);
 }
 
-/* Each coroutine counts its own periods: what it may do before its first one ends is charged at
- * once. */
+/* Each coroutine counts its own periods, so one period is charged when it is created. */
 static lua_State *new_coroutine(lua_State *L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   lua_State *co = lua_newthread(L);
@@ -217,7 +216,7 @@ static int tracked_wrap(lua_State *L) {
   return 1;
 }
 
-/* The stock function, with the coroutine's pending __close methods running under the hook. */
+/* coroutine.close, with the pending __close methods running under the hook. */
 static int tracked_close(lua_State *L) {
   lua_State *co = check_coroutine(L);
   lua_pushvalue(L, lua_upvalueindex(1));

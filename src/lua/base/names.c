@@ -1,5 +1,5 @@
-/* What values and misspelt names are called in messages, for C and, as the module `archard.names`,
- * for scripts, which raise their errors through it too. Leans on error.c. */
+/* Shows values in messages and finds the nearest known name, for C and as the module
+ * `archard.names`, by which scripts raise errors too. */
 #include "lua/base/names.h"
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
@@ -18,7 +18,8 @@ static int least(int a, int b, int c) {
   return low < c ? low : c;
 }
 
-/* Letters to change, add, drop or swap to come from `a` to `b`; LONGEST for long names. */
+/* Edit distance of two names: letters to change, insert, delete or swap. LONGEST if one is too
+ * long. */
 static int distance_of(const char *a, const char *b) {
   int la = (int)strlen(a), lb = (int)strlen(b), cost[LONGEST + 1][LONGEST + 1];
   if (la > LONGEST || lb > LONGEST) return LONGEST;
@@ -34,7 +35,7 @@ static int distance_of(const char *a, const char *b) {
   return cost[la][lb];
 }
 
-/* Symbols and terms of books and other programs. */
+/* Known names for symbols and terms of textbooks and other programs; "" if none. */
 static const char *meaning_of(const char *name) {
   static const char *const pairs[][2] = {
       {"mu", "friction"},      {"R", "radius"},     {"r", "radius"},
@@ -50,7 +51,7 @@ static const char *meaning_of(const char *name) {
   return "";
 }
 
-/* One letter is no misspelling of another. */
+/* No letter may differ for names of one letter. */
 names_search names_begin(const char *name) {
   const size_t length = strlen(name);
   return (names_search){name, NULL, length > LONGEST || length < 2 ? 0 : 1 + (int)length / 4};
@@ -68,22 +69,23 @@ void names_offer(names_search *search, const char *known) {
   search->limit = distance;
 }
 
-/* nearest(name, list of known names) -> the nearest, or nil where none is near */
+/* nearest(name, list of known names) -> the nearest name, or nil if none is near */
 static int names_nearest(lua_State *L) {
   names_search search = names_begin(luaL_checkstring(L, 1));
   luaL_checktype(L, 2, LUA_TTABLE);
   lua_settop(L, 2);
-  for (lua_Integer i = 1; lua_rawgeti(L, 2, i) == LUA_TSTRING; i++) { /* the list keeps the text */
+  /* the list keeps the text alive */
+  for (lua_Integer i = 1; lua_rawgeti(L, 2, i) == LUA_TSTRING; i++) {
     names_offer(&search, lua_tostring(L, -1));
     lua_pop(L, 1);
   }
-  lua_pushstring(L, search.best); /* nil for NULL */
+  lua_pushstring(L, search.best); /* NULL gives nil */
   return 1;
 }
 
 /* --- values ---------------------------------------------------------------------------------- */
 
-/* C strings end at a zero byte: what a message shows has none. */
+/* C strings end at a zero byte, so zero bytes are shown as \0. */
 const char *names_push_text(lua_State *L, int index) {
   size_t length;
   const char *text = lua_tolstring(L, index, &length);
@@ -118,14 +120,14 @@ const char *names_push_shown(lua_State *L, int index) {
   return lua_pushfstring(L, lua_isnil(L, index) ? "%s" : "a %s", luaL_typename(L, index));
 }
 
-/* shown(value) -> 3, "text", a wear object, a table */
+/* shown(value) -> 3, "text", "a wear object", "a table" */
 static int names_shown(lua_State *L) {
   lua_settop(L, 1);
   names_push_shown(L, 1);
   return 1;
 }
 
-/* plain(text) -> the text with what a terminal would obey as \xNN */
+/* plain(text) -> the text with control characters as \xNN */
 static int names_plain(lua_State *L) {
   luaL_checkstring(L, 1);
   error_push_plain(L, names_push_text(L, 1));
@@ -134,7 +136,7 @@ static int names_plain(lua_State *L) {
 
 /* --- errors ---------------------------------------------------------------------------------- */
 
-/* raise(where, status, message): an error object as every class raises it. */
+/* raise(where, status, message): raises an error object. */
 static int names_raise(lua_State *L) {
   const char *where = luaL_checkstring(L, 1), *name = luaL_checkstring(L, 2);
   const char *message = luaL_checkstring(L, 3);
@@ -142,7 +144,7 @@ static int names_raise(lua_State *L) {
   if (strcmp(name, #status) == 0) error_raise(L, ARC_##status, where, "%s", message);
   ARC_STATUS_LIST(RAISE_IF_NAMED)
 #undef RAISE_IF_NAMED
-  return luaL_error(L, "no status '%s'", name);
+  return luaL_error(L, "unknown status '%s'", name);
 }
 
 int luaopen_archard_names(lua_State *L) {

@@ -1,12 +1,12 @@
-/* The Lua files inside the binary as modules "archard.NAME", and the globals that they see. Leans
- * on the generated table of lua/embedded.h. */
+/* Loads the embedded Lua files (lua/embedded.h) as modules "archard.NAME", and creates the globals
+ * for these scripts. */
 #include "lua/base/scripts.h"
 
 #include "lua/base/embedded.h"
 
 #include <string.h>
 
-/* Their addresses name entries of the registry: modules by name, and the globals of scripts. */
+/* Registry keys (by address): modules by name, and the globals of scripts. */
 static const char modules_key = 0, globals_key = 0;
 
 /* --- globals ---------------------------------------------------------------------------------- */
@@ -21,8 +21,8 @@ static void copy_into(lua_State *L, int from, int into) {
   }
 }
 
-/* Puts copies of Lua's libraries over what is in the table on top. _G and package stay the user's:
- * scripts look in them for what the user has. */
+/* Replaces Lua's libraries in the table on top by copies. _G and package stay the user's: scripts
+ * read the user's globals there. */
 static void copy_libraries(lua_State *L) {
   static const char *const names[] = {"coroutine", "debug", "io",     "math",
                                       "os",        "table", "string", "utf8"};
@@ -34,8 +34,8 @@ static void copy_libraries(lua_State *L) {
   }
 }
 
-/* What scripts print goes where the user's print puts it, as long as there is one. Upvalue: Lua's.
- */
+/* print of scripts: calls the user's print, or Lua's if the user's is not a function. Upvalue:
+ * Lua's print. */
 static int user_print(lua_State *L) {
   lua_pushglobaltable(L);
   lua_pushliteral(L, "print");
@@ -49,8 +49,8 @@ static int user_print(lua_State *L) {
   return 0;
 }
 
-/* __index(io, name): the user's own io.stderr, as long as that is something to write to. Upvalue:
- * Lua's streams. */
+/* __index(io, name): the user's io.NAME if it is a table or userdata, else Lua's stream. Upvalue:
+ * table of Lua's streams. */
 static int user_stream(lua_State *L) {
   if (lua_getfield(L, lua_upvalueindex(1), luaL_checkstring(L, 2)) == LUA_TNIL) return 1;
   lua_pushglobaltable(L);
@@ -64,7 +64,8 @@ static int user_stream(lua_State *L) {
   return 1;
 }
 
-/* Takes the streams out of the copy of io in the table on top. */
+/* Removes the streams from the copy of io in the table on top, so that reading them calls
+ * user_stream. */
 static void follow_streams(lua_State *L) {
   static const char *const names[] = {"stdin", "stdout", "stderr"};
   lua_getfield(L, -1, "io");
@@ -82,7 +83,7 @@ static void follow_streams(lua_State *L) {
   lua_pop(L, 1);
 }
 
-/* pairs and ipairs of what tables hold themselves, whatever a user's metatable says of it. */
+/* pairs and ipairs without metamethods of the user's tables. */
 static int raw_pairs(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -106,7 +107,7 @@ static int raw_ipairs(lua_State *L) {
   return 3;
 }
 
-/* Puts what asks no metatables of users' tables into the table of globals on top. */
+/* Sets pairs, ipairs and getmetatable of the globals on top to versions without metamethods. */
 static void set_raw_functions(lua_State *L) {
   lua_getfield(L, -1, "next");
   lua_pushcclosure(L, raw_pairs, 1);
@@ -126,10 +127,10 @@ static int own_require(lua_State *L) {
 }
 
 static int no_global(lua_State *L) {
-  return luaL_error(L, "scripts have no global '%s'", luaL_tolstring(L, 2, NULL));
+  return luaL_error(L, "unknown global '%s' in a built-in script", luaL_tolstring(L, 2, NULL));
 }
 
-/* A misspelt name in a script is an error of the script. */
+/* Makes reading or assigning an unknown global an error in built-in scripts. */
 static void refuse_others(lua_State *L) {
   static const luaL_Reg events[] = {
       {"__index", no_global}, {"__newindex", no_global}, {NULL, NULL}};
@@ -164,7 +165,7 @@ void script_set_global(lua_State *L, const char *name) {
 
 /* --- modules ---------------------------------------------------------------------------------- */
 
-/* Pushes what a script returns. */
+/* Runs the script and pushes its return value. */
 static void run_script(lua_State *L, const embedded_script *script) {
   const char *chunk = lua_pushfstring(L, "@%s", script->path);
   if (luaL_loadbuffer(L, script->text, strlen(script->text), chunk) != LUA_OK) lua_error(L);
@@ -182,7 +183,7 @@ static const embedded_script *find_script(const char *name) {
   return script->name ? script : NULL;
 }
 
-/* __index(modules, name): opens the module. Upvalue: the modules in C. */
+/* __index(modules, name): loads the module. Upvalue: the list of modules in C. */
 static int open_module(lua_State *L) {
   const char *name = luaL_checkstring(L, 2);
   const luaL_Reg *module = lua_touserdata(L, lua_upvalueindex(1));
@@ -193,7 +194,7 @@ static int open_module(lua_State *L) {
   else if (script)
     run_script(L, script);
   else
-    luaL_error(L, "the program has no module '%s'", name);
+    luaL_error(L, "unknown module '%s'", name);
   lua_pushvalue(L, 2);
   lua_pushvalue(L, -2);
   lua_rawset(L, 1);
@@ -207,7 +208,7 @@ void script_require(lua_State *L, const char *name) {
   lua_remove(L, -2);
 }
 
-/* (name, argument, ...) */
+/* Calls the module's function. Stack: name, arguments. */
 static int call_module(lua_State *L) {
   script_require(L, lua_touserdata(L, 1));
   lua_replace(L, 1);
@@ -241,7 +242,7 @@ static void make_modules(lua_State *L, const luaL_Reg *modules) {
   lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
 }
 
-/* For the user's require: the same values. */
+/* Registers all modules in package.preload, with the same values for the user's require. */
 static void fill_preload(lua_State *L, const luaL_Reg *modules) {
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_PRELOAD_TABLE);
   lua_pushcfunction(L, own_require);

@@ -1,31 +1,31 @@
-/* lua/scripts.h - the Lua files that live inside the binary, and the modules in C beside them.
+/* lua/scripts.h - loads the Lua scripts embedded in the binary and the modules in C.
  *
- * Scripts see globals of their own: copies of Lua's libraries and of our classes as they were at
- * the start. Whatever the user makes of require, string.gsub, package.loaded or wear changes what
- * the user's text does, and nothing of what the program itself needs. Their pairs, ipairs and
- * getmetatable go by what a table is, not by what its metatable says. */
+ * Built-in scripts have separate globals: copies of Lua's libraries and of the classes, made at the
+ * start. If the user redefines require, string.gsub, package.loaded or wear, built-in scripts are
+ * not affected. Their pairs, ipairs and getmetatable ignore metamethods.
+ */
 #ifndef LUA_SCRIPTS_H
 #define LUA_SCRIPTS_H
 
 #include <lauxlib.h>
 #include <lua.h>
 
-/* Makes every script, and every one of `modules` (ends with NULL), a module: require
- * "archard.plot.draw" runs scripts/plot/draw.lua once, and require "archard.plot"
+/* Registers every script and every one of `modules` (ends with NULL) as module: require
+ * "archard.plot.draw" runs scripts/plot/draw.lua once, require "archard.plot" runs
  * scripts/plot/init.lua. Lua's libraries must be open. */
 void script_preload(lua_State *L, const luaL_Reg *modules);
 
-/* Pushes the value of a module as the program itself has it. Raises what its text raises. */
+/* Pushes the value of a built-in module. Raises the errors of its script. */
 void script_require(lua_State *L, const char *name);
 
-/* Calls the function that a module returns with the arguments on top. As lua_pcall: where it fails,
- * or the module does, the error stands there and the status says so. */
+/* Calls the function that a module returns with the arguments on top. Returns a status as
+ * lua_pcall; on failure of the module or the function the error value is on top. */
 int script_pcall(lua_State *L, const char *name, int arguments, int results);
 
-/* Pops a value, which is the module `name` for scripts. */
+/* Pops a value and registers it as module `name` for built-in scripts. */
 void script_set_module(lua_State *L, const char *name);
 
-/* Pops a value, which is the global `name` of scripts. */
+/* Pops a value and sets it as global `name` of built-in scripts. */
 void script_set_global(lua_State *L, const char *name);
 
 #endif

@@ -1,4 +1,4 @@
-/* Settings as scripts see them. Leans on array.c and strict.c. */
+/* Converts the settings of a definition to Lua values. */
 #include "lua/base/settings.h"
 #include "lua/base/array.h"
 #include "lua/base/strict.h"

@@ -1,4 +1,4 @@
-/* lua/settings.h - the values of a definition, and what is known of its settings. */
+/* lua/settings.h - pushes the values of a definition as Lua values. */
 #ifndef LUA_SETTINGS_H
 #define LUA_SETTINGS_H
 
@@ -6,11 +6,11 @@
 
 #include <lua.h>
 
-/* Pushes the value of a member as scripts see it: a number, a name, "auto", { distance=, value= }
- * or a table of a group's values. */
+/* Pushes the value of one setting: a number, a text, "auto", { distance=, value= } or the table of
+ * a group; nil if it is not set. */
 void settings_push(lua_State *L, const arc_setting *setting, const void *definition);
 
-/* Sets the values of a whole list as fields of the table on top of the stack. */
+/* Sets all values of the list as fields of the table on top of the stack. */
 void settings_set(lua_State *L, const arc_setting *list, const void *definition);
 
 #endif

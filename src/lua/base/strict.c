@@ -1,4 +1,4 @@
-/* Unknown names: who reads, what is known, the error. Leans on names.c for the nearest name. */
+/* Errors for unknown names in globals, tables, objects and Lua's libraries. */
 #include "lua/base/strict.h"
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
@@ -8,7 +8,7 @@
 #include <lauxlib.h>
 #include <string.h>
 
-static const char lax_key = 0; /* its address names the registry's entry */
+static const char lax_key = 0; /* registry key, by its address */
 
 void strict_lax(lua_State *L) {
   lua_pushboolean(L, 1);
@@ -36,9 +36,9 @@ int strict_reads_called(lua_State *L) {
   return reads_at(L, 2);
 }
 
-/* --- what is known --------------------------------------------------------------------------- */
+/* --- known names ----------------------------------------------------------------------------- */
 
-/* Offers the texts among the keys of the table at `index`, and among the values of its list. */
+/* Offers the text keys of the table at `index` and the text values of its list part. */
 static void offer_all(lua_State *L, int index, names_search *search) {
   if (!lua_istable(L, index)) return;
   index = lua_absindex(L, index);
@@ -61,7 +61,7 @@ void strict_refuse(lua_State *L, const char *where, const char *name, int known)
 
 /* --- tables ---------------------------------------------------------------------------------- */
 
-/* __index(table, name); upvalues: the table's name, other words for its fields or nil. */
+/* __index(table, name). Upvalues: the table's name, aliases of its fields or nil. */
 static int table_index(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);
@@ -77,7 +77,7 @@ static int table_index(lua_State *L) {
   return 0;
 }
 
-/* As the prompt shows it, fitted to the terminal. */
+/* __tostring: as the prompt prints the table, in the width of the terminal. */
 static int table_tostring(lua_State *L) {
   lua_settop(L, 1);
   script_require(L, "archard.lib.pretty");
@@ -87,7 +87,7 @@ static int table_tostring(lua_State *L) {
   return 1;
 }
 
-/* Of the table on top; the words stand at an absolute index, 0: none. */
+/* Sets __index of the metatable on top. `words`: absolute index of the aliases, 0: none. */
 static void set_index(lua_State *L, const char *where, int words) {
   lua_pushstring(L, where);
   if (words)
@@ -98,8 +98,8 @@ static void set_index(lua_State *L, const char *where, int words) {
   lua_setfield(L, -2, "__index");
 }
 
-/* The metatable says what the table is (strict_is), and that nothing of it is hidden by its text:
- * it is shown as others are. */
+/* __table: name of the kind of table (strict_is). __plain: the prompt prints it as an ordinary
+ * table. */
 static void fill_metatable(lua_State *L, const char *where, int words) {
   set_index(L, where, words);
   lua_pushstring(L, where);
@@ -149,7 +149,8 @@ void strict_module(lua_State *L, const char *where) {
 
 /* --- globals --------------------------------------------------------------------------------- */
 
-/* What Lua text asks for to find out where it runs, and the prompt's last value. */
+/* Names that Lua programs test to detect their environment, and `_`, the prompt's last value.
+ * Reading them gives nil. */
 static const char *const asked_for[] = {"_",       "unpack",   "loadstring", "setfenv",
                                         "getfenv", "module",   "jit",        "bit",
                                         "bit32",   "newproxy", "ngx",        NULL};
@@ -166,7 +167,7 @@ static int was_assigned(lua_State *L) {
   return found;
 }
 
-/* __index(globals, name); upvalue: the names that were assigned, maybe nil. */
+/* __index(globals, name). Upvalue: the set of assigned names (their values may be nil). */
 static int global_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING || !strict_reads(L) || was_assigned(L)) return 0;
@@ -204,12 +205,12 @@ void strict_globals(lua_State *L) {
 
 /* --- Lua's own libraries --------------------------------------------------------------------- */
 
-/* What text for other versions of Lua asks them for. */
+/* Library functions of other Lua versions, which programs test for. Reading them gives nil. */
 static const char *const asked_of_libraries[] = {
     "pow",  "ldexp", "frexp",   "cosh",     "sinh",    "tanh",    "log10", "mod",   "maxn", "getn",
     "setn", "gfind", "foreach", "foreachi", "setfenv", "getfenv", "new",   "clear", NULL};
 
-/* __index(library, name); upvalue: the library's name. */
+/* __index(library, name). Upvalue: the library's name. */
 static int library_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING) return 0;
@@ -240,7 +241,8 @@ void strict_libraries(lua_State *L) {
   }
 }
 
-/* --- for scripts ----------------------------------------------------------------------------- */
+/* --- the module archard.strict ------------------------------------------------------------------
+ */
 
 /* table(t, where) -> t */
 static int module_table(lua_State *L) {
@@ -251,7 +253,7 @@ static int module_table(lua_State *L) {
   return 1;
 }
 
-/* Whether the text at `name` is among the values of the list at `known`. */
+/* True if the list at index `known` contains the text at index `name`. */
 static int is_listed(lua_State *L, int known, int name) {
   int found = 0;
   for (lua_Integer i = 1; !found && lua_rawgeti(L, known, i) != LUA_TNIL; i++) {
@@ -262,16 +264,16 @@ static int is_listed(lua_State *L, int known, int name) {
   return found;
 }
 
-/* refuse(where, name, known), called by an __index function itself, so that the one who reads is
- * two levels up. nil where that is not the user's text, or for a name in the list, which may be
- * without a value. */
+/* refuse(where, name, known): called by an __index function in Lua, so the reader is two levels up.
+ * Returns nil if the reader is not the user's text or the name is in the list (its value may be
+ * nil). */
 static int module_refuse(lua_State *L) {
   luaL_checktype(L, 3, LUA_TTABLE);
   if (lua_type(L, 2) != LUA_TSTRING || !reads_at(L, 2) || is_listed(L, 3, 2)) return 0;
   strict_refuse(L, luaL_checkstring(L, 1), lua_tostring(L, 2), 3);
 }
 
-/* __index(object, name); upvalues: the class' methods, names of all it may have, its name. */
+/* __index(object, name). Upvalues: methods of the class, names of all its fields, its name. */
 static int object_index(lua_State *L) {
   lua_settop(L, 2);
   if (lua_type(L, 2) != LUA_TSTRING) return 0;
@@ -281,8 +283,7 @@ static int object_index(lua_State *L) {
   strict_refuse(L, lua_tostring(L, lua_upvalueindex(3)), lua_tostring(L, 2), lua_upvalueindex(2));
 }
 
-/* Appends the texts among the keys, and the values of the list, of the table on top to the list
- * below it; pops it. */
+/* Pops a table and appends its text keys and list values to the list below. */
 static void gather(lua_State *L) {
   for (lua_pushnil(L); lua_istable(L, -2) && lua_next(L, -2); lua_pop(L, 1)) {
     lua_pushvalue(L, lua_type(L, -2) == LUA_TSTRING ? -2 : -1);
@@ -291,7 +292,7 @@ static void gather(lua_State *L) {
   lua_settop(L, 2);
 }
 
-/* A method of objects made in Lua; upvalues: what it does, the metatable of its class. */
+/* A checked method of objects made in Lua. Upvalues: the method, the metatable of its class. */
 static int object_method(lua_State *L) {
   const int arguments = lua_gettop(L);
   if (arguments == 0 || !lua_getmetatable(L, 1) || !lua_rawequal(L, -1, lua_upvalueindex(2))) {
@@ -309,8 +310,7 @@ static int object_method(lua_State *L) {
   return lua_gettop(L);
 }
 
-/* methods(metatable) -> metatable, whose __methods are from now on for objects of its class alone
- */
+/* methods(metatable) -> metatable, whose __methods now check the class of their object */
 static int module_methods(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
@@ -326,10 +326,10 @@ static int module_methods(lua_State *L) {
   return 1;
 }
 
-static const char lua_classes[] = "archard.lua_classes"; /* in the registry: metatables by __name */
+static const char lua_classes[] = "archard.lua_classes"; /* registry key: metatables by __name */
 
-/* class(metatable) -> metatable, of objects made in Lua: they gain an __index that knows the
- * methods in __methods, and the names in __fields, which may be without a value. */
+/* class(metatable) -> metatable for objects made in Lua, with an __index for the methods in
+ * __methods and strict names; fields in __fields may be nil. */
 static int module_class(lua_State *L) {
   module_methods(L);
   lua_newtable(L);

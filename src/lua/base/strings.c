@@ -1,7 +1,6 @@
-/* Two metatables: the real one, which no script of the user's gets hold of, and the one that is
- * shown in its place, whose reading and writing goes through to it. The __index that the user sees
- * and sets is asked for what Lua's own methods are not. Leans on strict.c for names that nobody has
- * given. */
+/* Uses two metatables for strings: the real one, which user scripts cannot reach, and a proxy shown
+ * instead, whose reads and writes are forwarded to the real one. The user's __index is used only
+ * for names that are not methods of Lua's string library. */
 #include "lua/base/strings.h"
 
 #include "lua/base/strict.h"
@@ -9,8 +8,8 @@
 #include <lauxlib.h>
 #include <string.h>
 
-/* Their addresses name entries of the registry: the real metatable, the one that is shown, the
- * methods that stay, and the user's __index. */
+/* Registry keys (by address): the real metatable, the proxy, the protected methods, the user's
+ * __index. */
 static const char real_key = 0, shown_key = 0, methods_key = 0, index_key = 0;
 
 static void push(lua_State *L, const char *key) {
@@ -23,7 +22,7 @@ static int is_text(lua_State *L, int index, const char *text) {
 
 /* --- methods ---------------------------------------------------------------------------------- */
 
-/* What the user's __index on top says of the name at index 2. Upvalue 2: the library. */
+/* Looks up the name at index 2 in the user's __index on top. Upvalue 2: the string library. */
 static int ask_user(lua_State *L) {
   if (lua_isnil(L, -1)) return 1;
   if (lua_rawequal(L, -1, lua_upvalueindex(2))) {
@@ -42,7 +41,7 @@ static int ask_user(lua_State *L) {
   return 1;
 }
 
-/* __index(string or methods, name). Upvalue 1: the methods that stay. */
+/* __index(string or methods, name). Upvalue 1: the protected methods. */
 static int string_index(lua_State *L) {
   lua_settop(L, 2);
   lua_pushvalue(L, 2);
@@ -51,8 +50,8 @@ static int string_index(lua_State *L) {
   return ask_user(L);
 }
 
-/* Pops the user's __index. Lua looks for methods in a table by itself, much faster than it asks us;
- * a function of the user's alone wants the string, which the table does not tell. */
+/* Pops the user's __index. A table as __index of strings is much faster than a function, but only a
+ * function receives the string, which a user's function needs. */
 static void take_index(lua_State *L) {
   const int wants_string = lua_isfunction(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &index_key);
@@ -63,7 +62,7 @@ static void take_index(lua_State *L) {
   lua_pop(L, wants_string ? 2 : 1);
 }
 
-/* --- the metatable that is shown -------------------------------------------------------------- */
+/* --- the proxy metatable ---------------------------------------------------------------------- */
 
 /* __index(shown, name) */
 static int shown_index(lua_State *L) {
@@ -89,7 +88,7 @@ static int shown_newindex(lua_State *L) {
   return 0;
 }
 
-/* What stands at index 2, a table or nil, in the place of all that was set. */
+/* Replaces all user's entries of the metatable by those of the table (or nil) at index 2. */
 static void replace_shown(lua_State *L) {
   push(L, &real_key);
   for (lua_pushnil(L); lua_next(L, 3); lua_settop(L, 4)) {
@@ -141,7 +140,7 @@ static void wrap(lua_State *L, const char *name, lua_CFunction function) {
 
 /* --- setting up ------------------------------------------------------------------------------- */
 
-/* Copies the library on top, without what a sandbox takes away. */
+/* Copies the string library on top, except string.dump, which a sandbox removes. */
 static void keep_methods(lua_State *L) {
   const int library = lua_gettop(L);
   lua_newtable(L);
@@ -170,7 +169,7 @@ static void push_shown(lua_State *L) {
   lua_setmetatable(L, -2);
 }
 
-/* The metatable on top shows another one in its place. */
+/* Replaces the metatable on top by the proxy for getmetatable. */
 static void hide(lua_State *L) {
   push_shown(L);
   lua_pushvalue(L, -1);

@@ -1,15 +1,15 @@
-/* lua/strings.h - the metatable of strings.
+/* lua/strings.h - protects the metatable of strings.
  *
- * The program's scripts call methods of strings everywhere. So the methods that Lua has stay what
- * they are, ("x"):gsub, whatever the user makes of `string` or of the metatable; what the user adds
- * to either works as ever, and so do operators.
+ * Built-in scripts call string methods. Therefore Lua's own methods, as in ("x"):gsub, cannot be
+ * changed through `string` or the metatable. Methods and operators that the user adds work as
+ * usual.
  */
 #ifndef LUA_STRINGS_H
 #define LUA_STRINGS_H
 
 #include <lua.h>
 
-/* Once, after Lua's libraries and the globals of scripts. */
+/* Call once, after opening Lua's libraries and creating the globals of scripts. */
 void strings_keep(lua_State *L);
 
 #endif

@@ -1,5 +1,5 @@
-/* Bodies: body.cylinder{}, body.block{}, ... are tables that say what a body is, checked when made;
- * a model reads them. */
+/* Module body: body.cylinder{}, body.block{}, ... return checked tables that describe a body for
+ * model{}. */
 #include "lua/engine/bodies.h"
 #include "lua/engine/body_points.h"
 #include "lua/base/array_read.h"
@@ -22,7 +22,7 @@ static int is_own(arc_solid kind, const char *name) {
   return 0;
 }
 
-/* Its surface goes through points over x; over x and z. */
+/* True if the surface of this kind is given by points over x (by a map over x and z: has_map). */
 static int has_points(arc_solid kind) {
   return is_own(kind, "y") && !is_own(kind, "z");
 }
@@ -71,8 +71,8 @@ static void check_names(lua_State *L, int index, args_place place, arc_solid kin
   }
 }
 
-/* Reads those fields of the table at `index` that the list has, but for what is read on its own:
- * materials and layers, and lists. */
+/* Reads the fields of the table at `index` that are in the list, except groups and lists
+ * (materials, layers), which have their own functions. */
 static void read_part(lua_State *L, int index, args_place place, const arc_setting *list,
                       void *definition) {
   lua_newtable(L);
@@ -87,7 +87,7 @@ static void read_part(lua_State *L, int index, args_place place, const arc_setti
 
 /* --- materials and layers --------------------------------------------------------------------- */
 
-/* Of E, nu and k beside a material nobody could say which counts. */
+/* Raises an error if both `material` and one of E, nu and k are given. */
 static void refuse_both(lua_State *L, int index, args_place place) {
   if (!args_given(L, index, "material")) return;
   for (const arc_setting *s = arc_material_settings; s->name; s++)
@@ -97,7 +97,7 @@ static void refuse_both(lua_State *L, int index, args_place place) {
                   place.prefix, s->name);
 }
 
-/* From the field `name`, a material as a whole. */
+/* Reads the material in field `name`. */
 static void read_whole(lua_State *L, int index, args_place place, const char *name,
                        arc_material *to) {
   const arc_setting whole[] = {ARC_MATERIAL_SETTING(0, name, ""), {.name = NULL}};
@@ -108,14 +108,15 @@ static void read_whole(lua_State *L, int index, args_place place, const char *na
   lua_pop(L, 1);
 }
 
-/* From the field `material`, or from E, nu and k. */
+/* Reads the material from the field `material` or from E, nu and k. */
 static void read_material(lua_State *L, int index, args_place place, arc_material *to) {
   refuse_both(L, index, place);
   read_whole(L, index, place, "material", to);
   read_part(L, index, place, arc_material_settings, to);
 }
 
-/* What a layer of a list has of its own: it goes by its thickness, not by a name. */
+/* True for the settings of a layer in `layers`: all but its name (for `materials`) and its
+ * material. */
 static int is_of_layer(const arc_setting *s) {
   return s->kind != ARC_TEXT && s->kind != ARC_GROUP;
 }
@@ -151,14 +152,14 @@ static void read_layer(lua_State *L, args_place place, arc_layer *layer) {
   if (!args_given(L, at, "material") && !args_given(L, at, "E")) {
     lua_pushnil(L);
     args_refuse(L, place, "material",
-                "a material object or a table " ARC_MATERIAL_TABLE ", or E= here");
+                "a material object or a table " ARC_MATERIAL_TABLE ", or the field E");
   }
   read_material(L, at, place, &layer->material);
 }
 
 static const char a_list[] = "a list { { thickness=, material= } }";
 
-/* The layers of the table on top of the stack, all of whose fields are places in a list. */
+/* Counts the layers of the list on top of the stack; raises an error if a key is not an index. */
 static int count_layers(lua_State *L, args_place place) {
   if (!lua_istable(L, -1)) args_refuse(L, place, "layers", a_list);
   const int count = (int)array_length(L, place, "layers", ARC_MOST_LAYERS);
@@ -166,7 +167,7 @@ static int count_layers(lua_State *L, args_place place) {
     const lua_Integer at = lua_isinteger(L, -2) ? lua_tointeger(L, -2) : 0;
     if (at < 1 || at > count)
       error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%slayers': expected %s, got a table that is no list", place.prefix,
+                  "field '%slayers': expected %s, got a table that is not a list", place.prefix,
                   a_list);
   }
   return count;
@@ -190,14 +191,14 @@ static void read_layers(lua_State *L, int index, args_place place, arc_body_def 
 
 /* --- materials of a mesh by name -------------------------------------------------------------- */
 
-/* Puts a name among the `count` that are there in order. */
+/* Inserts a name into the `count` sorted names. */
 static void enter_name(arc_body_def *def, int count, const char *name) {
   for (; count > 0 && strcmp(def->layer[count - 1].name, name) > 0; count--)
     def->layer[count] = def->layer[count - 1];
   snprintf(def->layer[count].name, sizeof def->layer[count].name, "%s", name);
 }
 
-/* Reads the names of the table at `index`; returns how many there are. */
+/* Reads the keys of the table at `index` as names of materials; returns their number. */
 static int read_names(lua_State *L, int index, args_place place, arc_body_def *def) {
   int count = 0;
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
@@ -215,7 +216,7 @@ static int read_names(lua_State *L, int index, args_place place, arc_body_def *d
   return count;
 }
 
-/* In the order of their names: tables have none. */
+/* Reads `materials`, sorted by name, since Lua tables have no order. */
 static void read_materials(lua_State *L, int index, args_place place, arc_body_def *def) {
   const int top = lua_gettop(L);
   if (lua_getfield(L, index, "materials") != LUA_TNIL) {
@@ -243,7 +244,7 @@ static arc_solid read_kind(lua_State *L, int index, args_place place) {
   lua_pop(L, 1);
   if (kind == ARC_SOLID_USUAL)
     error_raise(L, ARC_ARGUMENT, place.where,
-                "field '%skind': expected a body, as body.cylinder{ radius=10 } makes one, got a "
+                "field '%skind': expected a body, e.g. body.cylinder{ radius=10 }, got a "
                 "table without kind",
                 place.prefix);
   return (arc_solid)kind;
@@ -264,12 +265,13 @@ static void read_at(lua_State *L, int index, args_place place, double radius, ar
   if (has_map(kind)) body_read_map(L, index, place, def);
 }
 
-/* The usual pair's words for a material have no say beside a body, which has its own. */
+/* Raises an error if the field `cylinder` or `plate` (material) is given for a body, which has its
+ * own material. */
 static void refuse_pair(lua_State *L, int index, args_place place, arc_body body) {
   const char *role = arc_model_role_name(body), *usual = arc_body_name(body);
   if (args_given(L, index, usual))
     error_raise(L, ARC_ARGUMENT, place.where,
-                "fields '%s%s' and '%s%s': expected one of them (a body takes E, nu and k itself), "
+                "fields '%s%s' and '%s%s': expected one of them (a body has its own E, nu and k), "
                 "got both",
                 place.prefix, role, place.prefix, usual);
 }
@@ -280,7 +282,7 @@ void body_read(lua_State *L, int index, args_place place, arc_model_def *def) {
     const int top = lua_gettop(L);
     if (lua_getfield(L, index, role) != LUA_TNIL) {
       if (!lua_istable(L, -1))
-        args_refuse(L, place, role, "a body, as body.cylinder{ radius=10 } makes one");
+        args_refuse(L, place, role, "a body, e.g. body.cylinder{ radius=10 }");
       refuse_pair(L, index, place, (arc_body)b);
       const args_place inside = {place.where, lua_pushfstring(L, "%s%s.", place.prefix, role)};
       read_at(L, top + 1, inside, def->radius, &def->body[b], &def->material[b]);
@@ -308,7 +310,8 @@ void body_read_names(lua_State *L, int index, arc_model_def *def) {
 
 /* --- pushing ---------------------------------------------------------------------------------- */
 
-/* Sets a setting as a field of the table on top of the stack, if it was given. */
+/* Sets a field of the table on top of the stack to the value of a setting, unless it is optional
+ * and 0. */
 static void set_given(lua_State *L, const arc_setting *s, const void *definition) {
   if (s->forms & ARC_OPTIONAL && arc_setting_number(s, definition) == 0) return;
   settings_push(L, s, definition);
@@ -336,7 +339,7 @@ static void set_layers(lua_State *L, const arc_body_def *def) {
   lua_setfield(L, -2, named ? "materials" : "layers");
 }
 
-/* Its kind, its name if it has one, and what it has of its own, as far as it was given. */
+/* Sets kind, name and the given fields of this kind of body in the table on top. */
 static void set_shape(lua_State *L, const arc_body_def *def) {
   lua_pushstring(L, arc_solid_names[def->kind]);
   lua_setfield(L, -2, "kind");
@@ -369,7 +372,7 @@ void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
 
 /* --- making ----------------------------------------------------------------------------------- */
 
-/* A measured profile, at index 1, is that of a body with no other fields. */
+/* Replaces a measured profile at index 1 by a table { x=, y= }. */
 static void take_measured(lua_State *L) {
   if (luaL_getmetafield(L, 1, "__name") == LUA_TNIL) return;
   const int measured =
@@ -384,7 +387,7 @@ static void take_measured(lua_State *L) {
   lua_replace(L, 1);
 }
 
-/* body.KIND{...}: a copy of the table with its kind, checked. */
+/* body.KIND{...}: returns a checked copy of the table with the field `kind`. */
 static int make(lua_State *L) {
   const arc_solid kind = (arc_solid)lua_tointeger(L, lua_upvalueindex(1));
   char where[40];

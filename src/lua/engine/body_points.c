@@ -1,4 +1,4 @@
-/* Heights of bodies by points: profiles over x, maps over x and z. */
+/* Surfaces of bodies given by points: profiles over x, maps over x and z. */
 #include "lua/engine/body_points.h"
 #include "lua/base/array_read.h"
 #include "lua/base/call.h"
@@ -10,7 +10,7 @@
 
 /* --- profiles --------------------------------------------------------------------------------- */
 
-enum { SAMPLES = 20001 }; /* of a function */
+enum { SAMPLES = 20001 }; /* sample points of a function */
 
 static arc_series sample_function(lua_State *L, int function, args_place place, double width) {
   double *x = array_buffer(L, 2 * SAMPLES), *y = x + SAMPLES;
@@ -27,19 +27,20 @@ static arc_series sample_function(lua_State *L, int function, args_place place, 
   return (arc_series){SAMPLES, x, y};
 }
 
-/* Pushes a buffer with both lists. */
+/* Reads the lists x and y and pushes a buffer with both. */
 static arc_series copy_lists(lua_State *L, int index, args_place place) {
   size_t xs, ys;
   lua_getfield(L, index, "x");
-  if (!lua_istable(L, -1)) args_refuse(L, place, "x", "a list of places in mm beside y");
+  if (!lua_istable(L, -1)) args_refuse(L, place, "x", "a list of positions in mm, with y");
   const double *x = array_read(L, place, "x", &xs);
   lua_getfield(L, index, "y");
   const double *y = array_read(L, place, "y", &ys);
   if (xs != ys || xs < 2 || xs > 1000000)
-    error_raise(L, ARC_ARGUMENT, place.where,
-                "fields '%sx' and '%sy': expected two lists of one length from 2, got %d and %d "
-                "numbers",
-                place.prefix, place.prefix, (int)xs, (int)ys);
+    error_raise(
+        L, ARC_ARGUMENT, place.where,
+        "fields '%sx' and '%sy': expected two lists of equal length (2 or more), got %d and %d "
+        "numbers",
+        place.prefix, place.prefix, (int)xs, (int)ys);
   double *both = array_buffer(L, 2 * xs);
   memcpy(both, x, xs * sizeof *x);
   memcpy(both + xs, y, xs * sizeof *y);
@@ -61,11 +62,12 @@ void body_read_profile(lua_State *L, int index, args_place place, double radius,
 
 /* --- maps ------------------------------------------------------------------------------------- */
 
-/* A list of the table at `index` as a series over the number of the point, in a buffer on top. */
+/* Reads list `name` of the table at `index` as a series over the index of the point; pushes its
+ * buffer. */
 static arc_series push_numbers(lua_State *L, int index, args_place place, const char *name) {
   size_t count;
   if (lua_getfield(L, index, name) != LUA_TTABLE)
-    args_refuse(L, place, name, "a list of numbers in mm, as body.map{ y=map } makes it");
+    args_refuse(L, place, name, "a list of numbers in mm, as returned by body.map{ y=map }");
   const double *values = array_read(L, place, name, &count);
   if (count > ARRAY_MOST / 2)
     error_raise(L, ARC_ARGUMENT, place.where, "field '%s%s': expected at most %d numbers, got %f",

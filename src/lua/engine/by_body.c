@@ -1,5 +1,5 @@
-/* Results by body: tables whose fields are called as the bodies are and answer to roles, kinds and
- * older names too; the body that a word means. */
+/* Results by body: tables with one field per body, named as the bodies are; roles (upper, lower),
+ * kinds and the default names are aliases. */
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/base/strict.h"
@@ -21,7 +21,8 @@ int body_find(const arc_model_def *def, const char *word, arc_body *body) {
   return arc_model_find_body(def ? def : &usual, word, body);
 }
 
-/* "upper" and "lower" after what they are called, unless that is it. */
+/* Pushes the names of both bodies for an error message; adds the roles if the names are not the
+ * default ones. */
 static const char *push_expected(lua_State *L, const arc_model_def *def) {
   const char *upper = body_name(def, ARC_UPPER), *lower = body_name(def, ARC_LOWER);
   lua_pushfstring(L, "\"%s\" or \"%s\"", upper, lower);
@@ -46,7 +47,7 @@ arc_body body_argument(lua_State *L, int index, const char *where, const arc_mod
 
 /* --- tables ----------------------------------------------------------------------------------- */
 
-/* Adds a word to the table on top where it means one body. */
+/* Adds a word to the table on top if it identifies one body. */
 static void add_word(lua_State *L, const arc_model_def *def, const char *word) {
   arc_body body;
   if (body_find(def, word, &body) != 1) return;
@@ -54,7 +55,7 @@ static void add_word(lua_State *L, const arc_model_def *def, const char *word) {
   lua_setfield(L, -2, word);
 }
 
-/* Pushes all words for the bodies, with what their fields are called. */
+/* Pushes a table from each word for a body to the name of its field. */
 static void push_words(lua_State *L, const arc_model_def *def) {
   lua_newtable(L);
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -65,8 +66,8 @@ static void push_words(lua_State *L, const arc_model_def *def) {
   for (int k = 0; arc_solid_names[k]; k++) add_word(L, def, arc_solid_names[k]);
 }
 
-/* Gives the table on top the metatable of such tables of a pair, made once; `push` pushes the words
- * that their fields answer to. */
+/* Sets the metatable of the table on top, created once per pair of bodies. `push` pushes the
+ * aliases of the fields. */
 static void set_answering(lua_State *L, const arc_model_def *def, const char *where,
                           void (*push)(lua_State *L, const arc_model_def *def)) {
   const arc_model_def *pair = def ? def : &usual;
@@ -90,7 +91,7 @@ void by_body_named(lua_State *L, const arc_model_def *def, const char *where) {
   set_answering(L, def, where, push_words);
 }
 
-/* Adds "depth_WORD" for a column where the word means one body. */
+/* Adds the alias "depth_WORD" (or volume_WORD) of a column if the word identifies one body. */
 static void add_column(lua_State *L, const arc_model_def *def, const char *what, const char *word) {
   arc_body body;
   if (body_find(def, word, &body) != 1) return;
@@ -149,11 +150,12 @@ void push_usual_names(lua_State *L, int index, args_place place, const arc_model
     const int found = name ? body_find(def, name, &body) : 0;
     if (found < 0)
       error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%s%s': it could be either body; use upper or lower", place.prefix, name);
+                  "field '%s%s': ambiguous: both bodies match; use upper or lower", place.prefix,
+                  name);
     if (found) {
       lua_getfield(L, -3, body_names[body]);
       if (!lua_isnil(L, -1))
-        error_raise(L, ARC_ARGUMENT, place.where, "field '%s%s': that body is named twice",
+        error_raise(L, ARC_ARGUMENT, place.where, "field '%s%s': this body is given twice",
                     place.prefix, name);
       lua_pop(L, 1);
       lua_pushstring(L, body_names[body]);

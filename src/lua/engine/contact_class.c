@@ -1,4 +1,4 @@
-/* Class contact: one contact solution and its pressures; the stresses are in stress.c. */
+/* Class contact: one contact solution and its pressures. Stresses: stress_class.c. */
 #include "archard/contact.h"
 #include "lua/base/array.h"
 #include "lua/base/call.h"
@@ -62,7 +62,7 @@ static const arc_model_def *model_of(const arc_contact *contact) {
   return arc_model_definition(arc_contact_model(contact));
 }
 
-/* contact.stick: the zones that stick, from left to right; in 3-D their share of the area */
+/* contact.stick: list of the stick zones, left to right; in 3-D their share of the contact area */
 static int contact_stick(lua_State *L) {
   const arc_contact *contact = self(L);
   double edges[2];
@@ -120,7 +120,7 @@ void contact_push_pressure(lua_State *L, const arc_contact *contact, arc_body bo
   strict_table(L, "pressure");
 }
 
-/* Frees arrays of the engine, whatever Lua raises. */
+/* __gc: frees the array of the engine. */
 static int free_arrays(lua_State *L) {
   arc_array **held = lua_touserdata(L, 1);
   free(*held);
@@ -139,7 +139,8 @@ arc_array **arrays_push_holder(lua_State *L) {
   return held;
 }
 
-/* Shear or slip: a map of its size, or of its part along "x" or "z"; or both parts of a section. */
+/* Pushes shear or slip of a 3-D contact: a map of the magnitude or of the component along "x" or
+ * "z", or a section with both components. */
 static int push_friction(lua_State *L, const arc_contact *contact, const char *where,
                          const char *unit, const char *size, const char *const *names) {
   size_t count;
@@ -157,7 +158,7 @@ static int push_friction(lua_State *L, const arc_contact *contact, const char *w
   const int along_x = strcmp(axis, "x") == 0, along_z = strcmp(axis, "z") == 0;
   if (!lua_isnoneornil(L, 2) && !along_x && !along_z)
     error_raise(L, ARC_ARGUMENT, where,
-                "expected \"x\", \"z\", a section { z = } or nothing, got %s",
+                "expected \"x\", \"z\", a section { z = } or no argument, got %s",
                 names_push_shown(L, 2));
   surface_push_map(L, *held, count, ARC_UPPER,
                    along_x   ? names[0]
@@ -167,7 +168,7 @@ static int push_friction(lua_State *L, const arc_contact *contact, const char *w
   return 1;
 }
 
-/* contact:pressure() -> map, contact:pressure{ z = 0 } -> { x=, p= } */
+/* contact:pressure() -> map; contact:pressure{ z = 0 } -> section { x=, p= } */
 static int push_spatial(lua_State *L, const arc_contact *contact) {
   static const char where[] = "contact:pressure", *const names[] = {"p", NULL};
   size_t count;
@@ -183,7 +184,7 @@ static int push_spatial(lua_State *L, const arc_contact *contact) {
   return 1;
 }
 
-/* contact:pressure(body) -> { x=, p= }; both bodies in the frame of the cylinder */
+/* contact:pressure(body) -> { x=, p= } in coordinates of the cylinder, for both bodies */
 static int contact_pressure(lua_State *L) {
   const arc_contact *contact = self(L);
   if (arc_model_has_maps(model_of(contact))) return push_spatial(L, contact);
@@ -216,7 +217,7 @@ static int contact_slip(lua_State *L) {
   const double *slip = arc_contact_slip(contact, &count);
   if (lua_gettop(L) > 1)
     error_raise(L, ARC_ARGUMENT, "contact:slip",
-                "expected no argument, as slip is told at the cylinder's nodes, got %s",
+                "expected no argument (slip is given at the cylinder's nodes), got %s",
                 names_push_shown(L, 2));
   if (!slip)
     error_raise(L, ARC_ARGUMENT, "contact:slip",
@@ -283,12 +284,13 @@ static arc_status needed_zones(const void *asker, const arc_model_def *model,
                               .load = def->load,
                               .material = {model->material[0], model->material[1]}};
   arc_hertz hertz = {0};
-  const arc_status status = arc_hertz_of(&pair, &hertz, error); /* refuses what is out of range */
+  const arc_status status = arc_hertz_of(&pair, &hertz, error); /* checks the ranges */
   if (status == ARC_OK) arc_contact_zones(def, model, zone);
   return status;
 }
 
-/* Pushes what holds the shape; a worn object on the same model lends its own. */
+/* Pushes the shape of the contact: the worn object's shape if it is on the same model, else a new
+ * one. */
 static const arc_shape *push_shape(lua_State *L, int worn, arc_model *model, double load) {
   arc_wear_def def = arc_wear_default();
   if (arc_model_is_given(model)) def.geometry = ARC_FROZEN;
@@ -307,7 +309,7 @@ static void warn(void *context, const char *text) {
   lua_warning(context, text, 0);
 }
 
-/* What a new contact comes from: a shape and its definition, or a contact and its motion. */
+/* Arguments of a new contact: shape and definition, or a previous contact and its motion. */
 typedef struct request {
   const arc_shape *shape;
   const arc_contact_def *def;
@@ -315,7 +317,7 @@ typedef struct request {
   const arc_motion_def *motion;
 } request;
 
-/* Pushes the contact that was asked for; the value at `holder` keeps its model alive. */
+/* Pushes the requested contact; the value at `holder` keeps its model alive. */
 static arc_status push_contact(lua_State *L, int holder, const request *asked, arc_error *error) {
   const arc_callbacks callbacks = {.warn = warn, .context = L};
   arc_contact *contact = NULL;
@@ -361,8 +363,9 @@ static int contact_move(lua_State *L) {
   args_read(L, 2, place, arc_motion_settings, &motion);
   motion.by_force = args_given(L, 2, "tangential");
   if (motion.by_force && args_given(L, 2, "x"))
-    error_raise(L, ARC_ARGUMENT, place.where,
-                "fields 'x' and 'tangential': expected one of them, the plate is moved or pulled");
+    error_raise(
+        L, ARC_ARGUMENT, place.where,
+        "fields 'x' and 'tangential': expected one of them (displacement or force), got both");
   motion.by_force_z = args_given(L, 2, "tangential_z");
   if (motion.by_force_z && args_given(L, 2, "z"))
     error_raise(L, ARC_ARGUMENT, place.where,

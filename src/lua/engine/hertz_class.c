@@ -1,4 +1,4 @@
-/* Class hertz: the closed-form line contact of a cylinder and a plate. */
+/* Class hertz: closed-form Hertz contact (line, ball, or elliptic in 3-D). */
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"

@@ -1,5 +1,5 @@
-/* The module `archard.sphere`: joints of the engine, for scripts/joint, which checks what users
- * give. A gait is a list of 15 numbers an instant: rotation, rotation vector, load. */
+/* Module `archard.sphere`: ball joints of the engine, for scripts/joint, which checks the user's
+ * arguments. A gait is a list of 15 numbers per increment: rotation, rotation vector, load. */
 #include "archard/joint.h"
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
@@ -39,7 +39,7 @@ static arc_material material_on_top(lua_State *L) {
   return (arc_material){.E = number_of(L, "E", usual.E), .nu = number_of(L, "nu", usual.nu)};
 }
 
-/* The list of { thickness=, E=, nu= } in a field of the table on top. */
+/* Reads the list of { thickness=, E=, nu= } in field `name` of the table on top. */
 static void read_layers(lua_State *L, const char *name, arc_layer *layer) {
   memset(layer, 0, ARC_MOST_LAYERS * sizeof *layer);
   lua_getfield(L, -1, name);
@@ -146,7 +146,7 @@ static const arc_gait_instant *read_gait(lua_State *L, int index, int *n) {
   return (const arc_gait_instant *)(const void *)list;
 }
 
-/* path(gait, radius) -> track [mm], work [N mm] */
+/* path(gait, radius) -> length of the load track [mm], work [N mm] */
 static int sphere_path(lua_State *L) {
   int n;
   const arc_gait_instant *gait = read_gait(L, 1, &n);
@@ -184,7 +184,7 @@ static size_t sites_of(const arc_joint *joint) {
   return 2 * (size_t)arc_joint_rows(joint) * (size_t)arc_joint_rows(joint);
 }
 
-/* map(joint, what) -> rows, flat list of [rows][2 rows] */
+/* map(joint, quantity) -> rows, flat list of [rows][2 rows] values */
 static int sphere_map(lua_State *L) {
   static const char *const what[] = {"head", "cup", "pressure", "cross shear", "creep", NULL};
   const arc_joint *joint = joint_at(L, 1, "map");
@@ -217,15 +217,15 @@ static int sphere_set(lua_State *L) {
 
 /* --- wear ------------------------------------------------------------------------------------- */
 
-/* The user's functions, at their places on the stack; the one that failed. */
+/* The user's functions (indices on the stack) and the name of a function that failed. */
 typedef struct called {
   lua_State *L;
   int k, alpha, creep;
-  double thickness; /* of the cup's first layer [mm] */
+  double thickness; /* [mm] thickness of the cup's first layer */
   const char *failed;
 } called;
 
-/* Pushes a function and its state; 0 once one has failed. */
+/* Pushes a function and its argument table; returns 0 if a function has failed before. */
 static int push_function(called *c, int function, double cycles) {
   if (c->failed) return 0;
   lua_pushvalue(c->L, function);
@@ -263,7 +263,7 @@ static double creep_of(void *context, double p_mean, double cycles) {
   return call_pushed(c, "the function creep");
 }
 
-/* Field by field, in both directions. */
+/* Fields of a record, in the order of push_record. */
 static const char *const record_names[] = {
     "cycles", "updates", "solutions", "volume_head", "volume_cup", "p_peak", "area", "work", NULL};
 
@@ -287,7 +287,7 @@ static int push_record(lua_State *L, const arc_joint_record *r) {
   return 1;
 }
 
-/* What updates and steps have in common: (joint, gait, k, alpha, cycles, record, ...,
+/* State of sphere_update and sphere_advance; arguments (joint, gait, k, alpha, cycles, record, ...,
  * creep). */
 typedef struct worn {
   box *holder;
@@ -313,7 +313,7 @@ static void begin_wear(lua_State *L, worn *w, int arguments) {
   w->def.creep = lua_isfunction(L, arguments) ? creep_of : NULL;
   if (!w->def.k_function) w->def.k = luaL_checknumber(L, 3);
   if (!w->def.alpha_function) w->def.alpha = luaL_checknumber(L, 4);
-  if (w->holder->busy) error_raise(L, ARC_ARGUMENT, "wear", "it is being worn already");
+  if (w->holder->busy) error_raise(L, ARC_ARGUMENT, "wear", "this joint is already running");
   w->holder->busy = 1;
 }
 
@@ -335,7 +335,8 @@ static int sphere_update(lua_State *L) {
   return end_wear(L, &w, status, &error);
 }
 
-/* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) -> record, next step */
+/* advance(joint, gait, k, alpha, most, record, tolerance, step, creep) -> record, next step
+ * [cycles] */
 static int sphere_advance(lua_State *L) {
   worn w;
   arc_error error = {0};
@@ -349,7 +350,7 @@ static int sphere_advance(lua_State *L) {
   return 2;
 }
 
-/* state(joint) -> list of numbers; set_state(joint, list) */
+/* state(joint) -> list of numbers; set_state(joint, list) restores it */
 static int sphere_state(lua_State *L) {
   const arc_joint *joint = joint_at(L, 1, "wear");
   const size_t count = arc_joint_state_count(joint);
@@ -369,7 +370,7 @@ static int sphere_set_state(lua_State *L) {
   return 0;
 }
 
-/* limit(joint, gait, k) -> cycles of an explicit update */
+/* limit(joint, gait, k) -> stability limit of an explicit update [cycles] */
 static int sphere_limit(lua_State *L) {
   arc_joint_wear_def def = {.k = luaL_checknumber(L, 3)};
   const arc_joint *joint = joint_at(L, 1, "wear");

@@ -1,4 +1,4 @@
-/* Class material: an elastic material, E and nu. */
+/* Class material: an elastic material (E, nu) with an optional wear coefficient k. */
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
 #include "lua/base/error.h"

@@ -1,5 +1,5 @@
-/* The module `archard.measure`: what profiles tell, for scripts that have them as columns; and the
- * pushing of such measures, for classes that have them as arrays. */
+/* Module `archard.measure`: measures of wear profiles for scripts, and functions that push them for
+ * classes. */
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
 #include "lua/engine/measure_module.h"
@@ -30,7 +30,8 @@ int measure_push_partition(lua_State *L, arc_depths cylinder, arc_depths plate) 
   return 1;
 }
 
-/* Two columns of one length out of the tables at the indices, kept on the stack. */
+/* Reads the tables at indices `x` and `y`, which must have equal length, into buffers on the stack.
+ */
 static arc_depths read_columns(lua_State *L, args_place place, int x, int y) {
   arc_depths read;
   size_t count;
@@ -40,12 +41,12 @@ static arc_depths read_columns(lua_State *L, args_place place, int x, int y) {
   read.h = array_read(L, place, "y", &count);
   if (count != read.count)
     error_raise(L, ARC_ARGUMENT, place.where,
-                "expected arrays of one length, got %d and %d numbers", (int)read.count,
+                "expected arrays of equal length, got %d and %d numbers", (int)read.count,
                 (int)count);
   return read;
 }
 
-/* The profile { x=, h= } at an index. */
+/* Reads the profile { x=, h= } at `index`. */
 static arc_depths read_profile(lua_State *L, const char *where, int index) {
   luaL_checktype(L, index, LUA_TTABLE);
   luaL_checkstack(L, 12, where);
@@ -62,14 +63,16 @@ static int measure_combined(lua_State *L) {
   return measure_push_combined(L, cylinder, read_profile(L, where, 2));
 }
 
-/* local_partition(cylinder, plate) -> { x=, value= }, the cylinder's share of it (Eq. 30) */
+/* local_partition(cylinder, plate) -> { x=, value= }, the cylinder's share of the combined depth
+ * (Eq. 30) */
 static int measure_local_partition(lua_State *L) {
   static const char where[] = "measure.local_partition";
   const arc_depths cylinder = read_profile(L, where, 1);
   return measure_push_partition(L, cylinder, read_profile(L, where, 2));
 }
 
-/* sawtooth(x, y, reach) -> root mean square of the sawtooth part of y over |x| <= reach */
+/* sawtooth(x, y, reach) -> root mean square of the sawtooth (node-to-node) part of y for |x| <=
+ * reach */
 static int measure_sawtooth(lua_State *L) {
   const double reach = luaL_checknumber(L, 3);
   const arc_depths y = read_columns(L, (args_place){"measure.sawtooth", ""}, 1, 2);
@@ -79,7 +82,7 @@ static int measure_sawtooth(lua_State *L) {
 
 /* --- by body ---------------------------------------------------------------------------------- */
 
-/* What the bodies of the model are called whose table is at index 1 (none: the usual pair). */
+/* Reads the names of the bodies from the model table at index 1 (nil: the default bodies). */
 static arc_model_def read_names(lua_State *L) {
   arc_model_def def = {0};
   if (lua_istable(L, 1)) body_read_names(L, 1, &def);
@@ -93,7 +96,7 @@ static int measure_bodies(lua_State *L) {
   return 1;
 }
 
-/* by_body(model, upper, lower, where) -> both numbers by what the bodies are called, as w.depth */
+/* by_body(model, upper, lower, where) -> table of both numbers by body, as w.depth */
 static int measure_by_body(lua_State *L) {
   const arc_model_def def = read_names(L);
   push_by_body(L, &def, luaL_checknumber(L, 2), luaL_checknumber(L, 3), luaL_checkstring(L, 4));

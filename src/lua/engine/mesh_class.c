@@ -1,5 +1,5 @@
-/* Class mesh: the finite element mesh of one body of a model, or of a run as it is worn by now,
- * read-only. Numbers of nodes and elements count from 1 here, from 0 in the engine. */
+/* Class mesh (read-only): the finite element mesh of one body of a model or of a worn run. Numbers
+ * of nodes and elements start at 1 in Lua, at 0 in the engine. */
 #include "archard/export.h"
 #include "lua/base/array.h"
 #include "lua/engine/classes.h"
@@ -14,8 +14,8 @@
 
 typedef struct mesh_view {
   arc_model *model; /* one reference */
-  arc_mesh mesh;    /* the model's, or a shallow copy with nodes of its own */
-  double *xy;       /* these; NULL: the model's */
+  arc_mesh mesh;    /* the model's mesh, or a shallow copy with worn nodes */
+  double *xy;       /* [mm] worn nodes; NULL: the model's nodes */
 } mesh_view;
 
 const arc_mesh *mesh_of(lua_State *L, int index, const char *where) {
@@ -86,7 +86,7 @@ void mesh_push_elements(lua_State *L, const arc_mesh *mesh) {
   push_numbers(L, mesh->element, 4 * mesh->elements);
 }
 
-/* mesh:elements() -> four node numbers an element, the fourth of a triangle 0 */
+/* mesh:elements() -> flat list of four node numbers per element; the fourth of a triangle is 0 */
 static int mesh_elements(lua_State *L) {
   mesh_push_elements(L, self(L));
   return 1;
@@ -98,19 +98,20 @@ static int mesh_surface(lua_State *L) {
   return push_numbers(L, mesh->surface_node, mesh->surface);
 }
 
-/* mesh:box() -> the nodes of the wear box, rows + 1 for each surface node, inwards */
+/* mesh:box() -> nodes of the wear box: rows + 1 nodes, from the surface inwards, per surface node
+ */
 static int mesh_box(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->box_node, mesh->surface * (mesh->rows + 1));
 }
 
-/* mesh:outline() -> the boundary, counter-clockwise */
+/* mesh:outline() -> the boundary nodes, counter-clockwise */
 static int mesh_outline(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->outline_node, mesh->outline);
 }
 
-/* mesh:fixed() -> the nodes built in or tied to the rigid base */
+/* mesh:fixed() -> the nodes that are clamped or tied to the rigid base */
 static int mesh_fixed(lua_State *L) {
   const arc_mesh *mesh = self(L);
   return push_numbers(L, mesh->fixed_node, mesh->fixed);
@@ -162,7 +163,8 @@ static void push_quality(lua_State *L, arc_quality quality) {
   strict_table(L, "mesh:quality");
 }
 
-/* mesh:quality() -> the worst of each measure of shape over all elements; box: over the wear box */
+/* mesh:quality() -> the worst value of each shape measure over all elements; field box: over the
+ * wear box */
 static int mesh_quality(lua_State *L) {
   push_quality(L, arc_mesh_quality(self(L), NULL));
   push_quality(L, arc_mesh_box_quality(self(L), NULL));
@@ -191,7 +193,7 @@ static arc_status write_msh(const char *path, const arc_mesh *mesh, arc_error *e
   return arc_export_msh(path, bodies, error);
 }
 
-/* mesh:write(path): the format goes by the ending */
+/* mesh:write(path): the file name's extension selects the format */
 static int mesh_write(lua_State *L) {
   static const char where[] = "mesh:write";
   const arc_mesh *mesh = self(L);
@@ -276,7 +278,7 @@ const box_class mesh_class = {
     .value = sizeof(mesh_view),
 };
 
-/* Pushes a view of a body's mesh, with the nodes as they are worn where a shape is given. */
+/* Pushes the mesh object of a body; with the worn nodes if `shape` is not NULL. */
 static void push_view(lua_State *L, arc_model *model, arc_body body, const arc_shape *shape) {
   if (!arc_model_mesh(model, body))
     error_raise(L, ARC_ARGUMENT, "mesh", "a pair of kind \"%s\" has no meshes",

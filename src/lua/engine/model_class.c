@@ -1,5 +1,5 @@
-/* Class model: two meshed and condensed bodies. Models of one definition are shared, see
- * model_share.c. */
+/* Class model: two bodies, meshed and condensed. Equal definitions share one model (model_share.c).
+ */
 #include "lua/base/array.h"
 #include "lua/engine/bodies.h"
 #include "lua/base/call.h"
@@ -14,14 +14,15 @@
 
 /* --- the definition -------------------------------------------------------------------------- */
 
-/* A definition of which all is "auto" that can be. */
+/* A definition with all values at their defaults ("auto" where possible). */
 static arc_model_def begin_definition(void) {
   arc_model_def def = {0};
   arc_settings_default(arc_model_settings, &def);
   return def;
 }
 
-/* A size that is given is what it is; one that is not follows the contact. */
+/* Raises an error if both mesh.size and mesh.fineness are given. A given size switches off
+ * fineness. */
 static void check_fineness(lua_State *L, int index, args_place place, arc_mesh_def *mesh) {
   if (args_get(L, index, "mesh") == LUA_TTABLE) {
     const int at = lua_gettop(L);
@@ -35,7 +36,8 @@ static void check_fineness(lua_State *L, int index, args_place place, arc_mesh_d
   lua_pop(L, 1);
 }
 
-/* Zones in the definition on top of the stack, a copy, may be called as the bodies are. */
+/* Replaces names of bodies in mesh.zone of the definition on top of the stack (a copy) by
+ * body_names. */
 static void rename_zones(lua_State *L, args_place place, const arc_model_def *def) {
   const int top = lua_gettop(L);
   if (args_get(L, top, "mesh") == LUA_TTABLE && args_get(L, top + 1, "zone") == LUA_TTABLE) {
@@ -50,9 +52,10 @@ static void rename_zones(lua_State *L, args_place place, const arc_model_def *de
   lua_settop(L, top);
 }
 
-/* Pushes the table at `index` without its bodies, which are read on their own. */
+/* Pushes a copy of the table at `index` without upper and lower, which body_read reads. */
 static void push_without_bodies(lua_State *L, int index, args_place place) {
-  if (!lua_istable(L, index)) args_read(L, index, place, arc_model_settings, NULL); /* refuses */
+  /* raises an error */
+  if (!lua_istable(L, index)) args_read(L, index, place, arc_model_settings, NULL);
   args_push_copy(L, index);
   lua_pushnil(L);
   lua_setfield(L, -2, "upper");
@@ -60,8 +63,7 @@ static void push_without_bodies(lua_State *L, int index, args_place place) {
   lua_setfield(L, -2, "lower");
 }
 
-/* Reads the table at `index` over a definition; of a mesh that is given, nothing is left of what
- * was there. */
+/* Reads the table at `index` into the definition; nil: no change. */
 static void read_definition(lua_State *L, int index, args_place place, arc_model_def *def) {
   if (lua_isnil(L, index)) return;
   arc_model_def called = *def;
@@ -74,7 +76,8 @@ static void read_definition(lua_State *L, int index, args_place place, arc_model
   check_fineness(L, index, place, &def->mesh);
 }
 
-/* What is not given stays, but for what follows from the size: that is found anew. */
+/* Prepares reading a table of mesh settings: if a size or fineness is given, values derived from
+ * the size become "auto"; others keep their value. */
 static void begin_mesh(lua_State *L, int at, arc_mesh_def *mesh) {
   const int size = args_given(L, at, "size"), fineness = args_given(L, at, "fineness");
   if (!size && !fineness) return;
@@ -99,9 +102,9 @@ int model_read_mesh(lua_State *L, int index, const char *where, arc_mesh_def *me
   return 0;
 }
 
-/* --- meshes from outside ---------------------------------------------------------------------- */
+/* --- imported meshes -------------------------------------------------------------------------- */
 
-/* Meshes on their way into a model; internal, so that what Lua raises leaks nothing. */
+/* Owns two imported meshes until the model takes them over, so that Lua errors leak nothing. */
 static void free_given(void *thing) {
   arc_mesh **given = thing;
   for (int b = 0; b < ARC_BODIES; b++) arc_mesh_destroy(&given[b]);
@@ -117,8 +120,8 @@ static const box_class given_class = {.name = "two meshes",
                                       .destroy = free_given,
                                       .value = ARC_BODIES * sizeof(arc_mesh *)};
 
-/* Pushes the box of both meshes that the text on top of the stack means: a file's name, or the
- * lines that would stand in it. */
+/* Replaces the text on top of the stack by a box with both meshes. The text is a file name, or the
+ * contents of a mesh file (it contains newlines). */
 static arc_mesh **push_meshes(lua_State *L, args_place place) {
   const int top = lua_gettop(L);
   size_t length;
@@ -136,7 +139,7 @@ static arc_mesh **push_meshes(lua_State *L, args_place place) {
   return given;
 }
 
-/* Reads the other fields of the table at `index`, whose mesh is a text. */
+/* Reads all fields of the table at `index` except `mesh`, which is a text. */
 static void read_beside_mesh(lua_State *L, int index, args_place place, arc_model_def *def) {
   args_push_copy(L, index);
   lua_pushnil(L);
@@ -145,8 +148,8 @@ static void read_beside_mesh(lua_State *L, int index, args_place place, arc_mode
   lua_pop(L, 1);
 }
 
-/* Pushes the model of the table at `index`, whose mesh is a text; without one pushes nothing and
- * returns NULL. Files are read anew each time: they may have changed. */
+/* Pushes the model of the table at `index` if its field `mesh` is a text; else pushes nothing and
+ * returns NULL. The file is read at each call, since it may have changed. */
 static arc_model *push_of_mesh(lua_State *L, int index, args_place place) {
   if (!lua_istable(L, index)) return NULL;
   index = lua_absindex(L, index);
@@ -175,7 +178,7 @@ static int model_new(lua_State *L) {
   return 1;
 }
 
-/* --- as an argument -------------------------------------------------------------------------- */
+/* --- model as an argument -------------------------------------------------------------------- */
 
 static void suit_zones(lua_State *L, arc_model_def *def, const char *where, zones_fn zones,
                        const void *asker) {
@@ -280,7 +283,7 @@ static int model_lower(lua_State *L) {
   return 1;
 }
 
-/* The meshes by body, and their definition beside them. */
+/* model.mesh: the mesh settings, with the mesh objects by body. */
 static int model_mesh(lua_State *L) {
   const arc_model_def *def = arc_model_definition(self(L));
   settings_push(L, arc_setting_find(arc_model_settings, "mesh"), def);
@@ -320,7 +323,7 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
   pair_add_layers(text, def, body, "\n    layer   ");
 }
 
-/* A pair without meshes. */
+/* Pushes the text of a pair without meshes. */
 static int push_half_spaces(lua_State *L, const arc_model_def *def) {
   char line[200];
   luaL_Buffer text;

@@ -1,6 +1,5 @@
-/* Models of one definition, and of the same meshes where those are given, are built once and
- * shared: a weak table in the registry finds the living ones, and the one asked for last is kept.
- */
+/* Models of equal definitions (and equal imported meshes) are built once and shared. A weak table
+ * in the registry finds existing models; the most recent model is kept alive. */
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 #include "lua/base/scripts.h"
@@ -8,7 +7,7 @@
 
 #include <stdio.h>
 
-static const char cache_key = 0, last_key = 0; /* their addresses name the registry's entries */
+static const char cache_key = 0, last_key = 0; /* registry keys, by their addresses */
 
 /* --- building and sharing -------------------------------------------------------------------- */
 
@@ -33,7 +32,7 @@ static void add_numbers(luaL_Buffer *text, const int *numbers, int count) {
   luaL_addlstring(text, (const char *)numbers, (size_t)count * sizeof *numbers);
 }
 
-/* All that a given mesh is made from. */
+/* Appends all data of an imported mesh to the key. */
 static void add_mesh(luaL_Buffer *text, const arc_mesh *m) {
   luaL_addlstring(text, (const char *)m->xy, 2 * (size_t)m->nodes * sizeof *m->xy);
   add_numbers(text, m->element, 4 * m->elements);
@@ -44,7 +43,7 @@ static void add_mesh(luaL_Buffer *text, const arc_mesh *m) {
     luaL_addlstring(text, m->material_name[k], sizeof m->material_name[k]);
 }
 
-/* Pushes a text that is the same for equal definitions and meshes, and for them alone. */
+/* Pushes a key that is unique for a definition and its imported meshes. */
 static void push_key(lua_State *L, const arc_model_def *def, arc_mesh *const *given) {
   luaL_Buffer text;
   luaL_buffinit(L, &text);
@@ -53,8 +52,8 @@ static void push_key(lua_State *L, const arc_model_def *def, arc_mesh *const *gi
   luaL_pushresult(&text);
 }
 
-/* Pushes the table from keys to holders: boxes no script sees, each the user value of the boxes
- * that scripts hold, so that it lives as long as any of them. */
+/* Pushes the weak table from keys to holders. A holder is a hidden box; it is a user value of the
+ * model boxes of scripts, so it lives as long as any of them. */
 static void push_cache(lua_State *L) {
   if (lua_rawgetp(L, LUA_REGISTRYINDEX, &cache_key) == LUA_TTABLE) return;
   lua_pop(L, 1);
@@ -67,17 +66,17 @@ static void push_cache(lua_State *L) {
   lua_rawsetp(L, LUA_REGISTRYINDEX, &cache_key);
 }
 
-/* How a long construction is shown: by archard.lib.build_progress, once it takes its time. */
+/* State of the progress display (archard.lib.build_progress) of a long construction. */
 typedef struct building {
   lua_State *L;
-  int begun; /* the function stands on top of the stack */
+  int begun; /* the display function is on top of the stack */
 } building;
 
 static void begin_showing(building *b) {
   b->begun = 1;
   if (script_pcall(b->L, "archard.lib.build_progress", 0, 1) == LUA_OK) return;
   lua_pop(b->L, 1);
-  lua_pushnil(b->L); /* a model does not fail for want of a display */
+  lua_pushnil(b->L); /* without a display the model is still built */
 }
 
 static void tell(building *b, int arguments) {
@@ -85,7 +84,7 @@ static void tell(building *b, int arguments) {
 }
 
 static void show(void *context, const char *what, double share, double seconds) {
-  static const double patience = 1; /* [s] */
+  static const double patience = 1; /* [s] duration before the display starts */
   building *b = context;
   if (seconds < patience || interrupt_pending(NULL)) return;
   if (!b->begun) begin_showing(b);
@@ -105,7 +104,7 @@ static void end_showing(building *b) {
     tell(b, 0);
 }
 
-/* Puts a model into its box, or raises why there is none. */
+/* Stores a model in its box, or raises the error of the construction. */
 static void end_build(lua_State *L, box *holder, arc_model *model, building *shown,
                       arc_status status, const arc_error *error, const char *where) {
   holder->thing = model;
@@ -115,7 +114,7 @@ static void end_build(lua_State *L, box *holder, arc_model *model, building *sho
   box_weigh(L, arc_model_bytes(model));
 }
 
-/* Pushes a holder with a new model. Meshes that are given (NULL: none) are taken over. */
+/* Pushes a holder with a new model. Takes over the meshes in `given` (or NULL). */
 static void build_holder(lua_State *L, const arc_model_def *def, arc_mesh **given,
                          const char *where) {
   arc_error error = {0};
@@ -128,7 +127,7 @@ static void build_holder(lua_State *L, const arc_model_def *def, arc_mesh **give
   end_build(L, holder, model, &shown, status, &error, where);
 }
 
-/* Pushes the holder for a definition. */
+/* Pushes the holder of the model of a definition, from the cache or new. */
 static void push_holder(lua_State *L, const arc_model_def *def, arc_mesh **given,
                         const char *where) {
   push_cache(L);

@@ -1,14 +1,14 @@
-/* A pair of bodies in words, for models, contacts and runs that are printed. */
+/* Describes a pair of bodies as text, for printed models, contacts and runs. */
 #include "lua/engine/pair_text.h"
 #include "lua/engine/classes.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* Under the first column of what a run prints. */
+/* Indentation below the labels in the text of a run. */
 static const char *const indent = "\n            ";
 
-/* "E 200000 MPa nu 0.3", then its wear coefficient after `before`, if it has one. */
+/* Adds "E 200000 MPa nu 0.3" and, after `before`, the wear coefficient if it is > 0. */
 static void add_material(luaL_Buffer *to, arc_material material, const char *before) {
   char text[100];
   snprintf(text, sizeof text, "E %.6g MPa nu %.6g", material.E, material.nu);
@@ -19,7 +19,7 @@ static void add_material(luaL_Buffer *to, arc_material material, const char *bef
   luaL_addstring(to, text);
 }
 
-/* "roller (cylinder of radius 5 mm)" */
+/* Writes "roller (cylinder of radius 5 mm)". */
 static void show_body(const arc_model_def *model, arc_body body, char *text, size_t size) {
   const arc_body_def solid = arc_model_solid(model, body);
   const double radius = fabs(arc_body_radius(&solid));

@@ -1,5 +1,5 @@
-/* The module `archard.settings`: what can be set and what is recorded, as the engine's own lists
- * have it. Help, the manual, completion and studies read it. */
+/* Module `archard.settings`: lists of all settings of definitions and of the history's columns, for
+ * help, the manual, completion and studies. */
 #include "lua/base/array.h"
 #include "lua/base/archard.h"
 #include "lua/engine/classes.h"
@@ -23,7 +23,7 @@ static void set_text(lua_State *L, const char *name, const char *text) {
   lua_setfield(L, -2, name);
 }
 
-/* An end of a range, where there is one. */
+/* Sets a bound of a range if it is finite. */
 static void set_bound(lua_State *L, const char *name, double value) {
   if (!isfinite(value)) return;
   array_set_number(L, name, value);
@@ -34,7 +34,7 @@ static void set_flag(lua_State *L, const char *name, int flag) {
   lua_setfield(L, -2, name);
 }
 
-/* The values that can be completed. */
+/* Sets the list of values for completion. */
 static void set_values(lua_State *L, const arc_setting *s) {
   lua_newtable(L);
   int count = 0;
@@ -52,7 +52,7 @@ static void set_values(lua_State *L, const arc_setting *s) {
     lua_pop(L, 1);
 }
 
-/* What it can be, without the unit, which stands beside it. */
+/* Sets the description of the valid values; the unit has its own field. */
 static void set_type(lua_State *L, const arc_setting *s) {
   arc_setting bare = *s;
   char text[240];
@@ -60,7 +60,7 @@ static void set_type(lua_State *L, const arc_setting *s) {
   set_text(L, "type", arc_setting_expected(&bare, text, sizeof text));
 }
 
-/* Pushes one setting; `path` is its name with its groups' before it. */
+/* Pushes the table of one setting; `path` is its name with the prefix of its groups. */
 static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   lua_newtable(L);
   set_text(L, "path", path);
@@ -83,7 +83,8 @@ static void push_setting(lua_State *L, const char *path, const arc_setting *s) {
   set_flag(L, "fixed", (s->forms & ARC_FIXED) != 0);
 }
 
-/* Adds a list to the table on top of the stack; groups without a class of their own are entered. */
+/* Appends the settings of a list to the table on top of the stack; settings of groups follow their
+ * group unless the group is a class. */
 static void add_list(lua_State *L, const char *prefix, const arc_setting *list) {
   luaL_checkstack(L, 8, "settings");
   for (const arc_setting *s = list; s->name; s++) {
@@ -99,7 +100,7 @@ static void add_list(lua_State *L, const char *prefix, const arc_setting *list) 
   }
 }
 
-/* settings.NAME: the settings of every definition, in their order. */
+/* Pushes the table settings.NAME: list of the settings of each definition. */
 static void push_definitions(lua_State *L) {
   lua_newtable(L);
   for (int i = 0; i < DEFINITIONS; i++) {
@@ -117,8 +118,8 @@ static void add_column(lua_State *L, const char *name, const char *unit, const c
   lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
 }
 
-/* { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, body=, columns= }: lists of
- * settings, and of the columns of a history. */
+/* Pushes { material=, hertz=, model=, contact=, wear=, ["contact.move"]=, body=, columns= }: lists
+ * of settings, and of the columns of a history. */
 int luaopen_archard_settings(lua_State *L) {
   push_definitions(L);
   lua_newtable(L);

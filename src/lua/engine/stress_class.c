@@ -1,4 +1,4 @@
-/* The stress field of a contact: for each body a table of arrays by node. */
+/* The stress object of a contact: for each body a table of nodal arrays. */
 #include "lua/base/array_read.h"
 #include "lua/base/call.h"
 #include "lua/engine/classes.h"
@@ -20,7 +20,7 @@ static int holder_tostring(lua_State *L) {
   return 1;
 }
 
-/* Holds a field of the engine while tables or files are made of it. */
+/* Owns a stress field of the engine while tables or files are made from it. */
 static const box_class field_class = {
     .name = "stress of a body", .tostring = holder_tostring, .destroy = destroy_field};
 
@@ -35,7 +35,7 @@ const arc_field *field_push_holder(lua_State *L, const arc_contact *contact, arc
   return field;
 }
 
-/* Pushes the field of one body as a table of arrays. */
+/* Pushes a table of arrays with the stress field of one body. */
 static void push_field(lua_State *L, const arc_contact *contact, arc_body body) {
   const arc_field *field = field_push_holder(L, contact, body, "contact:stress");
 #define SET_COLUMN(name, unit, text) array_set(L, #name, field->name, (size_t)field->nodes);
@@ -48,8 +48,8 @@ static void push_field(lua_State *L, const arc_contact *contact, arc_body body) 
   lua_replace(L, -2);
 }
 
-/* The number at `position` of array `name` of the table on top; NaN where a script has put
- * something else. */
+/* Item `position` of array `name` of the table on top; NaN if a script has replaced it by another
+ * type. */
 static double element_of(lua_State *L, const char *name, lua_Integer position) {
   double value = NAN;
   if (lua_getfield(L, -1, name) == LUA_TTABLE) {
@@ -60,7 +60,7 @@ static double element_of(lua_State *L, const char *name, lua_Integer position) {
   return value;
 }
 
-/* The position of the largest number in array `name` of the table on top. */
+/* Index of the largest number in array `name` of the table on top. */
 static lua_Integer largest_of(lua_State *L, const char *name) {
   lua_Integer best = 1;
   double largest = -HUGE_VAL;
@@ -77,7 +77,7 @@ static lua_Integer largest_of(lua_State *L, const char *name) {
   return best;
 }
 
-/* Pushes a line on the table on top: the largest of one stress and where it is. */
+/* Pushes a line of text: the largest value of one stress in the table on top, and its position. */
 static void push_largest(lua_State *L, const char *label, const char *stress) {
   char line[160];
   lua_Integer at = largest_of(L, stress);
@@ -86,7 +86,7 @@ static void push_largest(lua_State *L, const char *label, const char *stress) {
   lua_pushstring(L, line);
 }
 
-/* Pushes the table from stress objects to their contacts, for files made of them. */
+/* Pushes the weak table from stress objects to their contacts. */
 static void push_origins(lua_State *L) {
   if (!luaL_getsubtable(L, LUA_REGISTRYINDEX, "archard.stress origins")) {
     lua_createtable(L, 0, 1);
@@ -103,11 +103,11 @@ const arc_contact *stress_contact(lua_State *L, int index, const char *where) {
   lua_gettable(L, -2);
   const arc_contact *contact =
       lua_isnil(L, -1) ? NULL : box_check(L, -1, &contact_class, where)->thing;
-  lua_pop(L, 2); /* the table of origins keeps it */
+  lua_pop(L, 2); /* the table keeps the contact alive */
   return contact;
 }
 
-/* The definition of the bodies that a stress object is of; NULL: the usual ones. */
+/* Model definition of a stress object; NULL: the default bodies. */
 static const arc_model_def *pair_of(lua_State *L, int index) {
   const arc_contact *contact = stress_contact(L, index, "stress");
   return contact ? arc_model_definition(arc_contact_model(contact)) : NULL;
@@ -132,8 +132,8 @@ static int stress_tostring(lua_State *L) {
   return 1;
 }
 
-/* stress.contact: beside the bodies, so that a loop over the object meets these alone; and the
- * other words for them */
+/* __index of stress objects: aliases of the bodies, and `contact`, which is not a field, so that a
+ * loop over the object visits only the bodies. */
 static int stress_index(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 2);
@@ -156,7 +156,7 @@ static int stress_index(lua_State *L) {
   return 1;
 }
 
-/* contact:stress() -> { cylinder=, plate= } of nodal arrays */
+/* contact:stress() -> { cylinder=, plate= } of tables of nodal arrays */
 int stress_new(lua_State *L) {
   static const luaL_Reg events[] = {
       {"__tostring", stress_tostring}, {"__index", stress_index}, {NULL, NULL}};

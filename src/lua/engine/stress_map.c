@@ -1,4 +1,4 @@
-/* Stresses below half-spaces: c:stress{ y= | z= | x= } as maps of a plane or of a section. */
+/* Stresses in half-spaces: c:stress{ y= | z= | x= } returns maps of a plane or of a section. */
 #include "archard/space.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
@@ -10,7 +10,7 @@
 enum { COMPONENTS = 6, MISES = COMPONENTS, ARRAYS, DEPTHS = 41 };
 static const char *const names[] = {"sxx", "syy", "szz", "sxy", "syz", "sxz", "mises"};
 
-/* What is wanted: a plane y <= 0, or a section at an x or z. */
+/* The requested cut: the plane y <= 0, or a section at a given x or z. */
 typedef struct cut {
   char axis;
   double at;
@@ -38,21 +38,22 @@ static cut read_cut(lua_State *L, int index, const char *where, const arc_model_
     lua_pop(L, 1);
   }
   if (!c.axis)
-    error_raise(L, ARC_ARGUMENT, where,
-                "fields 'x', 'y' and 'z': expected where the section lies, one of them, got none");
+    error_raise(
+        L, ARC_ARGUMENT, where,
+        "fields 'x', 'y' and 'z': expected one of them (position of the section), got none");
   if (args_get(L, index, "body") != LUA_TNIL)
     c.body = body_argument(L, lua_gettop(L), where, def, -1);
   lua_pop(L, 1);
   return c;
 }
 
-/* The window's sites: row i at x[i * nz], column j at z[j]. */
+/* Sites of the window: row i at x[i * nz], column j at z[j]. */
 typedef struct window {
   const double *x, *z;
   size_t nx, nz;
 } window;
 
-/* Fills value[ARRAYS][n] with the stresses at a depth. */
+/* Fills value[ARRAYS][n] with the stresses in the plane at depth `y`. */
 static void fill_plane(lua_State *L, const arc_contact *contact, const cut *c, double y, size_t n,
                        double *value, const char *where) {
   arc_error error = {0};
@@ -65,7 +66,7 @@ static void fill_plane(lua_State *L, const arc_contact *contact, const cut *c, d
   }
 }
 
-/* Sets { NAME = map } of arrays [nx][nz] in the table on top. */
+/* Creates a map of values [nx][nz] and sets it as field `name` of the table on top. */
 static void set_map(lua_State *L, const char *name, const double *x, size_t nx, const double *z,
                     size_t nz, const double *value) {
   script_require(L, "archard.map.made");
@@ -83,7 +84,8 @@ static void set_map(lua_State *L, const char *name, const double *x, size_t nx, 
   lua_setfield(L, -2, name);
 }
 
-/* The two sites next to a position, and the share of the second. */
+/* Returns the index of the site before the position of the cut; `share`: weight of the next site.
+ */
 static size_t locate(lua_State *L, const char *where, const cut *c, const double *at, size_t n,
                      double *share) {
   size_t i = 0;
@@ -96,7 +98,7 @@ static size_t locate(lua_State *L, const char *where, const cut *c, const double
   return i;
 }
 
-/* Values over the line (x or z) and depths from the lowest up to the surface. */
+/* Pushes maps over the line (x or z) and the depth, from the lowest depth to the surface. */
 static void push_section(lua_State *L, const arc_contact *contact, const cut *c, const window *w,
                          const double *x, const double *z, const char *where) {
   const size_t n = w->nx * w->nz, along = c->axis == 'z' ? w->nx : w->nz;

@@ -1,4 +1,4 @@
-/* Surfaces over x and z: maps and sections. */
+/* Surfaces over x and z as maps and sections. */
 #include "lua/engine/surface_maps.h"
 
 #include "lua/engine/classes.h"
@@ -12,11 +12,11 @@
 void model_check_meshed(lua_State *L, const arc_model *model, const char *where) {
   if (arc_model_has_maps(arc_model_definition(model)))
     error_raise(L, ARC_ARGUMENT, where,
-                "expected bodies with meshes, got half-spaces (geometry = \"3-D\"), which have "
-                "none");
+                "expected bodies with meshes, got half-spaces (geometry = \"3-D\"), without "
+                "meshes");
 }
 
-/* Sites of a map: row i is at x[i * nz], column j at z[j]. */
+/* Sites of a map: row i at x[i * nz], column j at z[j]. */
 typedef struct lattice {
   const double *x, *z;
   size_t nx, nz;
@@ -32,7 +32,7 @@ static lattice lattice_of(const arc_array *arrays, size_t count, arc_body body) 
   return l;
 }
 
-/* Sets { x positions } of a lattice as the field of the table on top. */
+/* Sets the list of the x positions of a lattice as a field of the table on top. */
 static void set_x(lua_State *L, const char *field, const lattice *l) {
   lua_createtable(L, (int)l->nx, 0);
   for (size_t i = 0; i < l->nx; i++) {
@@ -57,7 +57,7 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
   const arc_array *values = arc_array_find(arrays, count, body, name);
   if (l.nx < 2 || l.nz < 2)
     error_raise(L, ARC_ARGUMENT, "map",
-                "a groove (procedure = \"NSP\") is the same all along x: expected a section, "
+                "a groove (procedure = \"NSP\") does not vary along x: use a section, "
                 "w:profile(body, { x = 0 })");
   script_require(L, "archard.map.made");
   lua_getfield(L, -1, "new");
@@ -73,7 +73,7 @@ void surface_push_map(lua_State *L, const arc_array *arrays, size_t count, arc_b
   lua_call(L, 1, 1);
 }
 
-/* The two neighbours of a place and the share of the second one. */
+/* Index of the site before the position `wanted`, and the weight `share` of the next site. */
 static void find(lua_State *L, const char *where, const char *axis, const double *at, size_t step,
                  size_t n, double wanted, size_t *first, double *share) {
   size_t i = 0;
@@ -81,14 +81,14 @@ static void find(lua_State *L, const char *where, const char *axis, const double
   *share = 0;
   if (n == 1) return;
   if (!(wanted >= at[0] && wanted <= at[(n - 1) * step]))
-    error_raise(L, ARC_ARGUMENT, where, "field '%s': expected a place from %f to %f mm, got %f",
+    error_raise(L, ARC_ARGUMENT, where, "field '%s': expected a position from %f to %f mm, got %f",
                 axis, at[0], at[(n - 1) * step], wanted);
   while (i + 2 < n && at[(i + 1) * step] <= wanted) i++;
   *first = i;
   *share = (wanted - at[i * step]) / (at[(i + 1) * step] - at[i * step]);
 }
 
-/* One array along the section. */
+/* Pushes the values of one array along the section. */
 static void push_line(lua_State *L, const double *values, const lattice *l, int at_x, size_t first,
                       double share) {
   const size_t n = at_x ? l->nz : l->nx, along = at_x ? 1 : l->nz, across = at_x ? l->nz : 1;
@@ -102,7 +102,8 @@ static void push_line(lua_State *L, const double *values, const lattice *l, int 
 
 static const arc_setting places[] = {ARGS_OTHER("x"), ARGS_OTHER("z"), {.name = NULL}};
 
-/* Reads the table at `index`; returns whether the section is one at an x. */
+/* Reads the position of the section from the table at `index`; returns true for a section at
+ * constant x. */
 static int read_place(lua_State *L, int index, const char *where, double *wanted) {
   *wanted = 0;
   if (lua_isnoneornil(L, index)) return 0;

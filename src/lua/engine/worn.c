@@ -1,5 +1,5 @@
-/* The field `worn` of contacts and wear runs: a wear object, or by body a function x -> depth or a
- * profile { x=, h= }; turned into a shape of the engine. */
+/* Converts the field `worn` of contacts and wear runs to a shape of the engine: a wear object, or
+ * by body a function x -> depth or a profile { x=, h= }. */
 #include "lua/base/array_read.h"
 #include "lua/engine/bodies.h"
 #include "lua/engine/classes.h"
@@ -31,7 +31,8 @@ static const char *const prefixes[ARC_BODIES] = {"worn.cylinder.", "worn.plate."
 
 /* --- profiles given as arrays ---------------------------------------------------------------- */
 
-/* Pushes field `name` of the profile at `index` and its numbers. */
+/* Pushes field `name` of the profile at `index` and a buffer with its numbers; returns the numbers.
+ */
 static const double *push_column(lua_State *L, int index, args_place place, const char *name,
                                  size_t *count) {
   lua_getfield(L, index, name);
@@ -52,27 +53,29 @@ static void check_profile(lua_State *L, args_place place, arc_depths profile) {
   }
 }
 
-/* Reads and checks { x=, h= } at `index`, or what an object's __worn makes of it; leaves what holds
- * the numbers on the stack. */
+/* Reads and checks { x=, h= } at `index`, or the result of the object's __worn. The buffers stay on
+ * the stack. */
 static arc_depths push_profile(lua_State *L, int index, args_place place) {
   size_t depths = 0;
   arc_depths profile = {0, NULL, NULL};
   index = lua_absindex(L, index);
   luaL_checkstack(L, 12, place.where);
   if (luaL_callmeta(L, index, "__worn")) index = lua_gettop(L);
-  if (!lua_istable(L, index)) args_refuse(L, place, "", "what __worn gives, a table { x=, h= }");
+  if (!lua_istable(L, index))
+    args_refuse(L, place, "", "a table { x=, h= }, also as result of __worn");
   profile.x = push_column(L, index, place, "x", &profile.count);
   profile.h = push_column(L, index, place, "h", &depths);
   if (depths != profile.count || depths < 2)
-    error_raise(L, ARC_ARGUMENT, place.where,
-                "fields '%sx' and '%sh': expected two arrays of one length, at least 2, got %d and "
-                "%d numbers",
-                place.prefix, place.prefix, (int)profile.count, (int)depths);
+    error_raise(
+        L, ARC_ARGUMENT, place.where,
+        "fields '%sx' and '%sh': expected two arrays of equal length (2 or more), got %d and "
+        "%d numbers",
+        place.prefix, place.prefix, (int)profile.count, (int)depths);
   check_profile(L, place, profile);
   return profile;
 }
 
-/* The names of the bodies that the field `model` of the table at `index` gives. */
+/* Reads the names of the bodies from the field `model` of the table at `index`. */
 static arc_model_def names_of_model(lua_State *L, int index) {
   arc_model_def def = {0};
   args_get(L, index, "model");
@@ -85,7 +88,7 @@ static arc_model_def names_of_model(lua_State *L, int index) {
   return def;
 }
 
-/* Puts the table by body on top into the words of files. */
+/* Replaces the table by body on top by a copy with the keys body_names. */
 static void use_usual_names(lua_State *L, int index, const char *where) {
   const arc_model_def def = names_of_model(L, index);
   push_usual_names(L, -1, (args_place){where, "worn."}, &def);
@@ -130,7 +133,7 @@ arc_model *worn_given_model(lua_State *L, int worn) {
 
 /* --- depths at the nodes --------------------------------------------------------------------- */
 
-/* Depths from the profile at `index`. */
+/* Samples the profile at `index` at the nodes of the body. */
 static void sample_profile(lua_State *L, int index, args_place place, const arc_shape *shape,
                            arc_body body, double *depth) {
   arc_error error = {0};
@@ -139,7 +142,7 @@ static void sample_profile(lua_State *L, int index, args_place place, const arc_
   error_check(L, status, &error, place.where, -1);
 }
 
-/* The depth at `x` by the function at `index`. */
+/* Calls the function at `index` for the depth [mm] at `x`. */
 static double call_depth(lua_State *L, int index, const char *where, const char *body, double x) {
   char call[80];
   snprintf(call, sizeof call, "worn.%s(%.6g)", body, x);
@@ -154,7 +157,7 @@ static double call_depth(lua_State *L, int index, const char *where, const char 
   return depth;
 }
 
-/* Fills `depth` for one body; returns 0 where it is not worn. The value stands at `worn`. */
+/* Fills `depth` for one body from the table at `worn`; returns 0 if the body is not worn. */
 static int sample(lua_State *L, int worn, const arc_shape *shape, arc_body body, double *depth,
                   const char *where) {
   const arc_profile nodes = arc_shape_profile(shape, body);
@@ -170,7 +173,7 @@ static int sample(lua_State *L, int worn, const arc_shape *shape, arc_body body,
   return type != LUA_TNIL;
 }
 
-/* Takes the depth that all nodes share off `depth` and returns it. */
+/* Subtracts the smallest depth from all depths and returns it. */
 static double split_even(double *depth, int count) {
   double even = depth[0];
   for (int i = 1; i < count; i++)

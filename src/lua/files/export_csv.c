@@ -1,4 +1,4 @@
-/* Columns of numbers in files: histories, pressures, stresses, and plain tables of arrays. */
+/* Writes CSV files: histories, pressures, stresses, and plain tables of arrays. */
 #include "archard/export.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -28,14 +28,14 @@ static const char where[] = "export.csv";
 
 enum { MOST_COLUMNS = 100000 };
 
-/* Columns on their way to a file; what holds them stands on the stack. */
+/* Columns of a file; their arrays are on the Lua stack. */
 typedef struct csv_table {
   const char **names, **units;
   const double **data;
   size_t columns, rows;
 } csv_table;
 
-/* Pushes room for so many columns, without units. */
+/* Pushes buffers for `columns` columns, without units. */
 static csv_table push_columns(lua_State *L, size_t columns) {
   csv_table table = {.columns = columns};
   const size_t room = sizeof(void *) * (columns ? columns : 1);
@@ -68,14 +68,14 @@ static void write_history(lua_State *L, const char *path, const arc_wear *wear) 
   write_columns(L, path, table);
 }
 
-/* A copy of `count` values on the stack, filled up with NaN to `rows`. */
+/* Pushes a copy of `count` values, padded with NaN to `rows`. */
 static const double *push_padded(lua_State *L, const double *values, size_t count, size_t rows) {
   double *padded = array_buffer(L, rows);
   for (size_t i = 0; i < rows; i++) padded[i] = i < count ? values[i] : NAN;
   return padded;
 }
 
-/* Adds a column of a body's surface nodes as the table's next one. */
+/* Appends a column with values at the surface nodes of a body. */
 static void add_nodal(lua_State *L, csv_table *table, const char *name, const char *unit,
                       const arc_contact *contact, arc_body body, const double *values) {
   const arc_model_def *pair = arc_model_definition(arc_contact_model(contact));
@@ -85,8 +85,8 @@ static void add_nodal(lua_State *L, csv_table *table, const char *name, const ch
   table->data[at] = push_padded(L, values, count, table->rows);
 }
 
-/* Pressures of both bodies side by side, with friction their shear too, and slip at the nodes of
- * the cylinder; the shorter columns end early. */
+/* Writes the pressures of both bodies side by side; with friction also shear, and slip at the nodes
+ * of the cylinder. Shorter columns are padded. */
 static void write_contact(lua_State *L, const char *path, const arc_contact *contact) {
   enum { most_columns = 7 };
   csv_table table = push_columns(L, most_columns);
@@ -108,7 +108,7 @@ static void write_contact(lua_State *L, const char *path, const arc_contact *con
   write_columns(L, path, table);
 }
 
-/* The fields of both bodies, one file each; leaves the names of the files on the stack. */
+/* Writes one file per body with its stress field; leaves the files' names on the stack. */
 static int write_stress(lua_State *L, const char *path, const arc_contact *contact) {
 #define NAME(name, unit, text)   #name,
 #define UNIT(name, unit, text)   unit,
@@ -135,7 +135,7 @@ static int write_stress(lua_State *L, const char *path, const arc_contact *conta
 
 /* --- plain tables ----------------------------------------------------------------------------- */
 
-/* The order of columns of a plain table: positions first, then by name. */
+/* Sort order of the columns of a plain table: coordinates first, then by name. */
 static int rank_of(const char *name) {
   static const char *const first[] = {"distance", "t", "x", "y"};
   for (int i = 0; i < 4; i++)
@@ -148,7 +148,7 @@ static int goes_before(const char *a, const char *b) {
   return ranks ? ranks < 0 : strcmp(a, b) < 0;
 }
 
-/* Puts a name into its place among the first `count`. */
+/* Inserts a name into the first `count`, which are sorted. */
 static void insert_name(const char **names, size_t count, const char *name) {
   while (count > 0 && goes_before(name, names[count - 1])) {
     names[count] = names[count - 1];
@@ -157,8 +157,8 @@ static void insert_name(const char **names, size_t count, const char *name) {
   names[count] = name;
 }
 
-/* Collects the names of the columns of the table at `index`, sorted. It must be one that no script
- * reaches: what is counted is still there when it is collected. */
+/* Collects the sorted names of the columns of the table at `index`, a copy that scripts cannot
+ * change between counting and collecting. */
 static csv_table push_names(lua_State *L, int index) {
   size_t columns = 0;
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) columns++;
@@ -179,7 +179,7 @@ static csv_table push_names(lua_State *L, int index) {
   return table;
 }
 
-/* The unit of a column by this name in the tables that objects hand out, or NULL. */
+/* Unit of a column with this name in tables that objects return, or NULL. */
 static const char *unit_of(const char *name) {
 #define KNOWN(name, unit, range, rule, text) {#name, unit},
   static const char *const known[][2] = {{"x", "mm"},
@@ -195,8 +195,8 @@ static const char *unit_of(const char *name) {
   return NULL;
 }
 
-/* Whether an object of ours handed out the table at `index`, all of whose columns have our units.
- */
+/* True if the table at `index` was returned by an object of the program, so that its units are
+ * known. */
 static int is_own(lua_State *L, int index) {
   static const char *const ours[] = {"wear:profile",  "case:profile", "pressure",
                                      "case:pressure", "combined",     "mesh:coordinates",
@@ -207,12 +207,12 @@ static int is_own(lua_State *L, int index) {
   return own;
 }
 
-/* Gives the columns the units that they have in tables of ours. */
+/* Sets the known units of columns of the program's own tables. */
 static void set_own_units(csv_table table) {
   for (size_t i = 0; i < table.columns; i++) table.units[i] = unit_of(table.names[i]);
 }
 
-/* Gives the columns the units in the table { name = unit } at `index`, if there is one. */
+/* Sets the units from the table { name = unit } at `index`, or none if it is nil. */
 static void read_units(lua_State *L, int index, csv_table table) {
   if (lua_isnil(L, index)) return;
   if (!lua_istable(L, index))
@@ -230,14 +230,14 @@ static void read_units(lua_State *L, int index, csv_table table) {
   }
 }
 
-/* Copies the table at `index` in its place, where it is one. */
+/* Replaces the table at `index` by a copy; does nothing for other values. */
 static void use_copy(lua_State *L, int index) {
   if (!lua_istable(L, index)) return;
   args_push_copy(L, index);
   lua_replace(L, index);
 }
 
-/* Writes a plain table of arrays of one length. */
+/* Writes a plain table of arrays of equal length. */
 static void write_table(lua_State *L, const char *path, int index, int units) {
   const int own = is_own(L, index);
   use_copy(L, index);
@@ -252,14 +252,14 @@ static void write_table(lua_State *L, const char *path, int index, int units) {
     table.data[i] = array_read_any(L, (args_place){where, ""}, table.names[i], &rows);
     if (i > 0 && rows != table.rows)
       error_raise(L, ARC_ARGUMENT, where,
-                  "expected arrays of one length, got %d numbers in '%s' and %d in '%s'",
+                  "expected arrays of equal length, got %d numbers in '%s' and %d in '%s'",
                   (int)table.rows, table.names[0], (int)rows, table.names[i]);
     table.rows = rows;
   }
   write_columns(L, path, table);
 }
 
-/* The file name at index 2; an ending that is another format's would promise what is not inside. */
+/* The file name at index 2. Raises an error if its extension belongs to another format. */
 static const char *csv_path(lua_State *L) {
   static const char *const endings[] = {".csv", ".txt", ".dat", ".tsv", NULL};
   const char *path = path_argument(L, 2, where, "path"), *ending = export_ending(path);
@@ -268,11 +268,11 @@ static const char *csv_path(lua_State *L) {
   if (!ending) return path;
   lua_settop(L, 2);
   args_refuse(L, (args_place){where, ""}, "path",
-              "a file name that ends in .csv, .txt, .dat or .tsv, or in nothing");
+              "a file name with the extension .csv, .txt, .dat or .tsv, or without extension");
 }
 
-/* csv(wear | contact | stress | table of arrays, path [, units of the table's columns by name]) ->
- * the file written, or the two of a stress */
+/* csv(wear | contact | stress | table of arrays, path [, units by column name]) -> name of the
+ * written file, or two names for a stress */
 int export_csv(lua_State *L) {
   lua_settop(L, 3);
   const char *path = csv_path(L);

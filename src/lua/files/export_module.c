@@ -1,5 +1,5 @@
-/* The module `archard.files`: files for other tools, out of objects and of plain tables, and the
- * writing of texts and numbers below them. The table export (scripts/export) is made of it. */
+/* Module `archard.files`: exports objects and tables to files of other tools, and reads and writes
+ * text files. The global table export (scripts/export) uses it. */
 #include "archard/export.h"
 #include "lua/base/archard.h"
 #include "lua/base/call.h"
@@ -13,7 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The file name at index 2, with the first of the endings where it has none; it is replaced. */
+/* The file name at index 2. Appends the first of the extensions if it has none (also on the stack).
+ */
 static const char *path_ending(lua_State *L, const char *where, const char *const endings[],
                                const char *expected) {
   const char *path = path_argument(L, 2, where, "path"), *ending = export_ending(path);
@@ -28,8 +29,8 @@ static const char *path_ending(lua_State *L, const char *where, const char *cons
   args_refuse(L, (args_place){where, ""}, "path", expected);
 }
 
-/* The contact that the object at index 1 stands for, or NULL; pushes what keeps it. A run stands
- * for its contact with the plate at x = 0. */
+/* The contact of the object at index 1, or NULL; pushes a value that keeps it alive. For a run: its
+ * contact with the plate at x = 0. */
 static const arc_contact *push_contact(lua_State *L, const char *where) {
   const arc_contact *of_stress = stress_contact(L, 1, where);
   if (of_stress || !(box_test(L, 1, &wear_class) || box_test(L, 1, &contact_class))) {
@@ -48,7 +49,7 @@ static const arc_contact *push_contact(lua_State *L, const char *where) {
   return contact;
 }
 
-/* The model at index 1, which has to have meshes. */
+/* The model at index 1; raises an error if it has no meshes. */
 static const arc_model *meshed_model(lua_State *L, const char *where) {
   const arc_model *model = box_check(L, 1, &model_class, where)->thing;
   model_check_meshed(L, model, where);
@@ -61,10 +62,10 @@ static const arc_model *meshed_model(lua_State *L, const char *where) {
 
 static const char vtk_where[] = "export.vtk";
 
-/* What goes into the files of one object. */
+/* Data of the VTK files of one object. */
 typedef struct vtk_source {
   const arc_model *model;
-  const arc_contact *contact; /* NULL: the mesh alone */
+  const arc_contact *contact; /* NULL: only the mesh */
   double time;
 } vtk_source;
 
@@ -99,8 +100,8 @@ static const char *name_in(const arc_model *model, arc_body body) {
   return body_name(arc_model_definition(model), body);
 }
 
-/* vtk(wear | contact | stress | model | mesh, path) -> the files written: one of a mesh, else one a
- * body */
+/* vtk(wear | contact | stress | model | mesh, path) -> names of the written files: one for a mesh,
+ * else one per body */
 static int export_vtk(lua_State *L) {
   static const char *const endings[] = {".vtk", ".vtu", NULL};
   lua_settop(L, 2);
@@ -120,7 +121,7 @@ static int export_vtk(lua_State *L) {
 
 /* --- input decks ----------------------------------------------------------------------------- */
 
-/* Pushes the contact of a model under the usual load. */
+/* Pushes the contact of the model at index 1 under the default load. */
 static const arc_contact *push_usual_contact(lua_State *L, const char *where) {
   lua_pushcfunction(L, luaopen_archard_contact);
   lua_call(L, 0, 1);
@@ -131,7 +132,7 @@ static const arc_contact *push_usual_contact(lua_State *L, const char *where) {
   return box_check(L, -1, &contact_class, where)->thing;
 }
 
-/* inp(wear | contact | stress | model, path) -> the file written */
+/* inp(wear | contact | stress | model, path) -> name of the written file */
 static int export_inp(lua_State *L) {
   static const char where[] = "export.inp";
   static const char *const endings[] = {".inp", NULL};
@@ -157,7 +158,7 @@ static int push_text(lua_State *L) {
   return 1;
 }
 
-/* Pushes a text and frees it, even where there is no memory for both. */
+/* Pushes a text and frees it, also if Lua runs out of memory. */
 static int push_and_free(lua_State *L, char *text, size_t length) {
   lua_pushcfunction(L, push_text);
   lua_pushlightuserdata(L, text);
@@ -175,7 +176,8 @@ static int msh_as_text(lua_State *L, const arc_mesh *const mesh[ARC_BODIES], con
   return push_and_free(L, text, strlen(text));
 }
 
-/* msh(model | mesh, path) -> the file written: both bodies of a model; without a path its text */
+/* msh(model | mesh, path) -> name of the written file, with both bodies of a model; without a path
+ * the text */
 static int export_msh(lua_State *L) {
   static const char where[] = "export.msh";
   static const char *const endings[] = {".msh", NULL};
@@ -202,9 +204,10 @@ static int export_msh(lua_State *L) {
   return 1;
 }
 
-/* --- for scripts ----------------------------------------------------------------------------- */
+/* --- text files and the sandbox --------------------------------------------------------------- */
 
-/* write(where, path, text): the file is whole, or not there and an error of `where` is raised */
+/* write(where, path, text): writes a whole file; on failure no file is left, and an error of
+ * `where` is raised */
 static int files_write(lua_State *L) {
   size_t length;
   const char *where = luaL_checkstring(L, 1);
@@ -215,7 +218,7 @@ static int files_write(lua_State *L) {
   return 0;
 }
 
-/* read(where, path) -> the whole text of a file; of anything else an error of `where` */
+/* read(where, path) -> the whole text of a regular file, else an error of `where` */
 static int files_read(lua_State *L) {
   const char *where = luaL_checkstring(L, 1);
   const char *path = path_argument(L, 2, where, "file");
@@ -226,7 +229,7 @@ static int files_read(lua_State *L) {
   return push_and_free(L, text, length);
 }
 
-/* is_there(path) -> whether there is a file to read; a pipe or a device is none */
+/* is_there(path) -> true if `path` is a readable regular file (no pipe or device) */
 static int files_is_there(lua_State *L) {
   FILE *stream;
   const char *path = luaL_checkstring(L, 1);
@@ -236,13 +239,13 @@ static int files_is_there(lua_State *L) {
   return 1;
 }
 
-/* number(value) -> its shortest text */
+/* number(value) -> the shortest text that reads back as the same number */
 static int files_number(lua_State *L) {
   lua_pushstring(L, arc_number_to_text(luaL_checknumber(L, 1)).text);
   return 1;
 }
 
-/* allowed(path, "read" | "write") -> whether a file of that name may be used so, and why not */
+/* allowed(path, "read" | "write") -> true if the sandbox allows this use, and the reason if not */
 static int files_allowed(lua_State *L) {
   static const char *const uses[] = {"read", "write", NULL};
   const char *path = luaL_checkstring(L, 1);
@@ -253,8 +256,8 @@ static int files_allowed(lua_State *L) {
   return 2;
 }
 
-/* confine(folder): from here on files are read below it and the working folder, and written below
- * the latter */
+/* confine(folder): restricts reading to `folder` and the working folder, and writing to the working
+ * folder */
 static int files_confine(lua_State *L) {
   arc_error error = {0};
   const arc_status status = confine_files(luaL_checkstring(L, 1), ".", &error);
@@ -262,7 +265,7 @@ static int files_confine(lua_State *L) {
   return 0;
 }
 
-/* confined() -> the folder, or nil */
+/* confined() -> the folder of readable files, or nil if there is no sandbox */
 static int files_confined(lua_State *L) {
   lua_pushstring(L, confine_folder());
   return 1;

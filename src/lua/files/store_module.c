@@ -1,5 +1,5 @@
-/* The module `archard.store`: run files, exact and plain. study.lua and its kin are what users see.
- * Leans on archard/store.h. */
+/* Module `archard.store`: functions for run files (archard/store.h). The user's interface is study,
+ * wear:save and session in scripts/. */
 #include "lua/base/array.h"
 #include "lua/base/archard.h"
 #include "lua/base/call.h"
@@ -50,7 +50,7 @@ static int store_open(lua_State *L) {
   return 1;
 }
 
-/* store:publish(): a store that replaces a file takes its place, and is closed */
+/* store:publish(): renames a store of store.replace to its file and closes it */
 static int store_publish(lua_State *L) {
   box *held = box_self_idle(L, &store_class, "store:publish");
   arc_error error = {0};
@@ -76,7 +76,7 @@ static int store_replace(lua_State *L) {
 
 /* --- the file as a whole ---------------------------------------------------------------------- */
 
-/* Defines a method that is one call without arguments. */
+/* Defines a method without arguments that calls one function of the store. */
 #define PLAIN(name, call)                                                                          \
   static int store_##name(lua_State *L) {                                                          \
     arc_error error = {0};                                                                         \
@@ -163,8 +163,8 @@ static void push_case(lua_State *L, const arc_case *one) {
   if (isfinite(one->seconds)) array_set_number(L, "seconds", one->seconds);
 }
 
-/* Pushes the list of cases; a light userdata with them is the argument, so that what Lua raises
- * leaks nothing. */
+/* Pushes the list of cases. The cases are passed as light userdata, so that the caller can free
+ * them after a Lua error. */
 static int push_cases(lua_State *L) {
   const arc_case *cases = lua_touserdata(L, 1);
   size_t count = (size_t)lua_tointeger(L, 2);

@@ -1,4 +1,4 @@
-/* Runs in a run file, as Lua sees them; and wear:save, wear.open, which keep one run in a file. */
+/* Runs in run files: methods of stores, and wear:save and wear.open for files with one run. */
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/base/file_name.h"
@@ -25,7 +25,7 @@ static double read_number(lua_State *L, const char *name) {
   return value;
 }
 
-/* An array of the surface table on top of the stack; its numbers go to the list of anchors. */
+/* Reads one array of the surface table on top of the stack; `anchors` keeps its numbers alive. */
 static void read_array(lua_State *L, int anchors, arc_array *array) {
   lua_getfield(L, -1, array->name);
   array->values =
@@ -34,8 +34,8 @@ static void read_array(lua_State *L, int anchors, arc_array *array) {
   lua_pop(L, 1);
 }
 
-/* Reads the table { body=, update=, distance=, x=, h=, y=, p= } on top of the stack; how many
- * arrays it has. */
+/* Reads the table { body=, update=, distance=, x=, h=, y=, p= } on top of the stack; returns the
+ * number of its arrays. */
 static size_t read_surface(lua_State *L, int anchors, arc_array *arrays) {
   arc_array array = {
       .update = read_number(L, "update"), .distance = read_number(L, "distance"), .size = {0, 1}};
@@ -51,7 +51,7 @@ static size_t read_surface(lua_State *L, int anchors, arc_array *arrays) {
   return count;
 }
 
-/* Stores a run with `count` arrays of earlier surfaces and the present ones. */
+/* Saves a run with its present surfaces and `count` arrays of earlier surfaces. */
 static arc_status save(arc_store *store, int id, const arc_wear *wear, const arc_array *earlier,
                        size_t count, arc_error *error) {
   arc_array *present;
@@ -70,8 +70,8 @@ static arc_status save(arc_store *store, int id, const arc_wear *wear, const arc
   return status;
 }
 
-/* The arrays of the list of surfaces at 4, their numbers anchored in the table behind them. Pushes
- * both. */
+/* Reads the list of surfaces at index 4. Pushes the arrays and a table that keeps their numbers
+ * alive. */
 static arc_array *read_surfaces(lua_State *L, const char *where, size_t *arrays) {
   enum { most_names = 16 };
   const size_t count =
@@ -89,7 +89,7 @@ static arc_array *read_surfaces(lua_State *L, const char *where, size_t *arrays)
   return list;
 }
 
-/* store:save(id, wear, surfaces) */
+/* store:save(id, wear, surfaces): saves a run and earlier surfaces */
 int store_save(lua_State *L) {
   static const char where[] = "store:save";
   lua_settop(L, 4);
@@ -103,9 +103,10 @@ int store_save(lua_State *L) {
   return 0;
 }
 
-/* --- looking ---------------------------------------------------------------------------------- */
+/* --- history and surfaces --------------------------------------------------------------------- */
 
-/* Calls `push` with the block and its length under lua_pcall, frees the block, leaves the value. */
+/* Calls `push` with the block and its length under lua_pcall and frees the block; the value stays
+ * on top. */
 static int push_and_free(lua_State *L, lua_CFunction push, void *block, size_t count) {
   lua_pushcfunction(L, push);
   lua_pushlightuserdata(L, block);
@@ -121,7 +122,7 @@ static int push_history(lua_State *L) {
   return 1;
 }
 
-/* store:history(id) -> columns by name; nil where nothing is stored */
+/* store:history(id) -> columns by name, or nil if none is stored */
 int store_history(lua_State *L) {
   arc_error error = {0};
   arc_wear_record *history;
@@ -134,7 +135,7 @@ int store_history(lua_State *L) {
   return 0;
 }
 
-/* The list gets one table more, of the body and update of an array. */
+/* Pushes a new surface table with the body, update and distance of an array. */
 static void begin_surface(lua_State *L, const arc_array *array) {
   lua_createtable(L, 0, 7);
   lua_pushstring(L, arc_body_name(array->body));
@@ -171,7 +172,7 @@ int store_surfaces(lua_State *L) {
   return push_and_free(L, push_surfaces, surfaces, count);
 }
 
-/* --- runs that go on -------------------------------------------------------------------------- */
+/* --- restoring runs --------------------------------------------------------------------------- */
 
 static void free_stored(void *thing) {
   arc_stored_run_free(thing);
@@ -182,7 +183,7 @@ static int stored_tostring(lua_State *L) {
   return 1;
 }
 
-/* thing: arc_stored_run; internal, so that what Lua raises leaks nothing */
+/* Owns an arc_stored_run, so that Lua errors leak nothing. */
 static const box_class stored_class = {.name = "stored run",
                                        .tostring = stored_tostring,
                                        .destroy = free_stored,
@@ -195,7 +196,7 @@ static arc_stored_run *push_stored(lua_State *L, arc_store *store, int id, const
   return run;
 }
 
-/* The settings that may be functions, as a list. */
+/* Lists the settings that may be functions. */
 static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
   int count = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
@@ -203,8 +204,8 @@ static void list_functions(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 1]) {
   list[count] = (arc_setting){.name = NULL};
 }
 
-/* The fields that were functions must be functions again, and no others. Pushes their holder, or
- * nil. */
+/* Checks that exactly the settings that were functions when the run was saved are given as
+ * functions again. Pushes the holder of the functions, or nil. */
 static void push_functions(lua_State *L, arc_stored_run *run, int given, const char *where) {
   args_place place = {where, ""};
   arc_setting again[ARC_WEAR_SETTINGS_COUNT + 1];
@@ -216,9 +217,9 @@ static void push_functions(lua_State *L, arc_stored_run *run, int given, const c
         run->functions[arc_setting_find(arc_wear_settings, s->name) - arc_wear_settings];
     const int type = args_get(L, given ? given : lua_gettop(L), s->name);
     if (was && type != LUA_TFUNCTION)
-      args_refuse(L, place, s->name, "the function again that it was when the run was saved");
+      args_refuse(L, place, s->name, "a function, as when the run was saved");
     if (!was && type != LUA_TNIL)
-      args_refuse(L, place, s->name, "nothing, as it was stored with the run");
+      args_refuse(L, place, s->name, "no value, since the run file contains it");
     lua_pop(L, 1);
     any = any || was;
   }
@@ -247,7 +248,7 @@ void store_push_wear(lua_State *L, arc_store *store, int id, int given, const ch
   box_weigh(L, arc_wear_bytes(wear));
 }
 
-/* store:wear(id, functions) -> a wear object */
+/* store:wear(id, functions) -> the stored wear object */
 int store_wear(lua_State *L) {
   int given = lua_istable(L, 3) ? 3 : 0;
   store_push_wear(L, self(L, "store:wear"), store_id_argument(L, 2, "store:wear"), given,
@@ -255,7 +256,7 @@ int store_wear(lua_State *L) {
   return 1;
 }
 
-/* store.note_saved(wear): what store:save wrote has become a file */
+/* store.note_saved(wear): marks the present state as saved in a file */
 int store_note_saved(lua_State *L) {
   box *made = lua_touserdata(L, 1);
   box_check(L, 1, &wear_class, "store.note_saved");
@@ -263,7 +264,7 @@ int store_note_saved(lua_State *L) {
   return 0;
 }
 
-/* The results of a plain run: its last record. */
+/* Stores the last record of a run as its results. */
 static arc_status write_results(arc_store *store, const arc_wear_record *last, arc_error *error) {
   const arc_value values[] = {
 #define RESULT(column, unit, range, rule, text)                                                    \
@@ -281,7 +282,7 @@ static arc_status write_run(arc_store *store, const arc_wear *wear, arc_error *e
   return status == ARC_OK ? arc_store_commit(store, error) : status;
 }
 
-/* wear:save(path) -> the object itself */
+/* wear:save(path) -> the wear object */
 int wear_save(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:save");
   lua_settop(L, 2);
@@ -298,7 +299,7 @@ int wear_save(lua_State *L) {
   return 1;
 }
 
-/* The case to open where the caller names none: the only one. */
+/* The number of the only case; raises an error if the file has several or none. */
 static int only_case(lua_State *L, arc_store *store) {
   arc_error error = {0};
   arc_case *cases;
@@ -308,11 +309,11 @@ static int only_case(lua_State *L, arc_store *store) {
   free(cases);
   if (id > 0) return id;
   error_raise(L, ARC_ARGUMENT, "wear.open",
-              "%s: expected a file of one run or the number of a case, found %d cases",
+              "%s: expected a file with one run, or a case number; the file has %d cases",
               arc_store_path(store), (int)count);
 }
 
-/* The runs of a session go by name, and are its own. */
+/* Raises an error for session files, whose runs are opened by session.open. */
 static void refuse_session(lua_State *L, arc_store *store) {
   arc_error error = {0};
   char *kind = NULL;
@@ -321,12 +322,12 @@ static void refuse_session(lua_State *L, arc_store *store) {
   free(kind);
   if (session)
     error_raise(L, ARC_ARGUMENT, "wear.open",
-                "%s: expected a run file of kind wear or study, got session: session.open opens it",
+                "%s: expected a run file of kind wear or study, got a session (use session.open)",
                 arc_store_path(store));
 }
 
-/* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run; the case may be
- * left out where there is but one, the table where nothing in the definition was a function */
+/* wear.open(path, case, { k=, alpha=, jump=, local_factor= }) -> the stored run. The case may be
+ * omitted if the file has one run, the table if no setting of the run was a function. */
 int wear_open(lua_State *L) {
   lua_settop(L, 3);
   const char *path = path_argument(L, 1, "wear.open", "path");

@@ -1,4 +1,4 @@
-/* Named values between Lua tables and run files. */
+/* Converts named values between Lua tables and run files. */
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/files/store_module.h"
@@ -7,7 +7,7 @@
 
 /* --- writing ---------------------------------------------------------------------------------- */
 
-/* The value on top of the stack; an array's numbers are left below it on the stack. */
+/* Reads the value on top of the stack; the numbers of an array stay below it on the stack. */
 static arc_value read_value(lua_State *L, const char *name, const char *where) {
   arc_value value = {.kind = ARC_VALUE_NUMBER, .name = name};
   switch (lua_type(L, -1)) {
@@ -28,7 +28,8 @@ static arc_value read_value(lua_State *L, const char *name, const char *where) {
     lua_insert(L, -2);
     break;
   default:
-    args_refuse(L, (args_place){where, ""}, name, "a number, a text, a boolean or a table of them");
+    args_refuse(L, (args_place){where, ""}, name,
+                "a number, a text, a boolean or an array of numbers");
   }
   return value;
 }
@@ -42,7 +43,7 @@ static size_t count_fields(lua_State *L, int index) {
 void store_write_values(lua_State *L, arc_store *store, int id, arc_value_use use, int index,
                         const char *where) {
   arc_error error = {0};
-  args_push_copy(L, index); /* which no script reaches: as many are read as are counted */
+  args_push_copy(L, index); /* a copy, which scripts cannot change after counting */
   index = lua_gettop(L);
   size_t room = count_fields(L, index), count = 0;
   arc_value *values = lua_newuserdatauv(L, (room + 1) * sizeof *values, 0);
@@ -82,7 +83,7 @@ static void push_value(lua_State *L, const arc_value *value) {
   }
 }
 
-/* Arguments: the table, the value. */
+/* Lua arguments: the table, the address of the value. */
 static int add_value(lua_State *L) {
   const arc_value *const *value = lua_touserdata(L, 2);
   push_value(L, *value);
@@ -90,14 +91,15 @@ static int add_value(lua_State *L) {
   return 0;
 }
 
-/* The table is on top of the stack; what Lua raises must not jump over the store. */
+/* Adds a value to the table on top of the stack, protected: a Lua error must not leave
+ * arc_store_values. */
 static int see(void *context, const arc_value *value) {
   lua_State *L = context;
   lua_pushcfunction(L, add_value);
   lua_pushvalue(L, -2);
   lua_pushlightuserdata(L, &value);
   if (lua_pcall(L, 2, 0, 0) == LUA_OK) return 0;
-  return 1; /* the error is on top of the stack */
+  return 1; /* the error value is on top of the stack */
 }
 
 void store_push_values(lua_State *L, arc_store *store, int id, arc_value_use use,

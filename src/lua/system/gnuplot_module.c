@@ -1,10 +1,8 @@
-/* The module `archard.gnuplot`: figures as Lua tables handed to the plot layer.
- * scripts/plot/init.lua is what users see; it checks their words, this file only makes sure that
- * nothing breaks. Leans on archard/plot.h.
- *
- * All arrays of a figure are userdata in one table that lives as long as the call, so that a Lua
- * error in the middle leaks nothing.
- */
+/* Module `archard.gnuplot`: passes figures, given as Lua tables, to the plot layer
+ * (archard/plot.h). scripts/plot/init.lua is the user's interface and checks the arguments; this
+ * file only prevents crashes.
+ * All arrays of a figure are userdata in one table that lives as long as the call, so that Lua
+ * errors leak nothing. */
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
 #include "lua/base/interrupt.h"
@@ -22,16 +20,16 @@ static const char session_name[] = "archard.gnuplot session";
 static const char *const styles[] = {ARC_PLOT_STYLE_LIST(WORD) NULL};
 static const char *const keys[] = {ARC_PLOT_KEY_LIST(WORD) NULL};
 
-enum { MOST_PARTS = 100000 }; /* figures, panels of one, curves in a panel */
+enum { MOST_PARTS = 100000 }; /* figures, panels of a figure, curves of a panel */
 
-/* What a reader carries: where memory is anchored, and what it reads, for messages. */
+/* State of reading: the anchor table, and the panel and curve for messages. */
 typedef struct reader {
   lua_State *L;
   int anchors; /* stack index of the table that keeps memory and strings alive */
   size_t panel, curve;
 } reader;
 
-/* Zeroed memory that lives as long as the call. */
+/* Allocates zeroed memory that lives as long as the call. */
 static void *anchored(reader *r, size_t count, size_t size) {
   void *memory = lua_newuserdatauv(r->L, count ? count * size : 1, 0);
   memset(memory, 0, count * size);
@@ -79,12 +77,12 @@ static int read_flag(reader *r, const char *name) {
   return flag;
 }
 
-/* The place of a word in a list that NULL ends; 0 where the field is left out. */
+/* Index of a word in a NULL-terminated list; 0 if the field is nil. */
 static int read_choice(reader *r, const char *name, const char *const *choices) {
   const char *word = read_string(r, name);
   for (int i = 0; word && choices[i]; i++)
     if (strcmp(word, choices[i]) == 0) return i;
-  if (word) luaL_error(r->L, "%s cannot be '%s'", name, word);
+  if (word) luaL_error(r->L, "%s: unknown value '%s'", name, word);
   return 0;
 }
 
@@ -94,7 +92,7 @@ static size_t length_of(reader *r, const char *name, size_t most) {
   return array_length(r->L, (args_place){"plot", ""}, name, most);
 }
 
-/* A list of numbers as an array. */
+/* Reads a list of numbers as an array. */
 static double *read_column(reader *r, const char *name, size_t *count) {
   if (lua_getfield(r->L, -1, name) != LUA_TTABLE)
     luaL_error(r->L, "panel %d: curve %d: %s must be a list of numbers, got %s", (int)r->panel,
@@ -114,7 +112,7 @@ static double *read_column(reader *r, const char *name, size_t *count) {
 
 static void same_length(reader *r, const char *name, size_t count, size_t expected) {
   if (count != expected)
-    luaL_error(r->L, "panel %d: curve %d: x holds %d numbers and %s %d; they must be as many",
+    luaL_error(r->L, "panel %d: curve %d: x has %d numbers, %s has %d: expected equal lengths",
                (int)r->panel, (int)r->curve, (int)expected, name, (int)count);
 }
 
@@ -159,23 +157,25 @@ static const arc_plot_field *read_field(reader *r) {
     same_length(r, "y", count, corners);
     field->value = read_column(r, "value", &count);
     same_length(r, "value", count, corners);
-    if (corners % 4 != 0) luaL_error(r->L, "a field of %d corners: four each", (int)corners);
+    if (corners % 4 != 0)
+      luaL_error(r->L, "field: expected a multiple of 4 corners, got %d", (int)corners);
     field->count = corners / 4;
   }
   lua_pop(r->L, 1);
   return field;
 }
 
-/* places = { at = { numbers }, words = { strings } } of the axis on top of the stack. */
+/* Reads the ticks of the axis on top of the stack: places = { at = { numbers }, words = { labels }
+ * }. */
 static void read_places(reader *r, arc_plot_axis *axis) {
   if (lua_getfield(r->L, -1, "places") == LUA_TTABLE) {
     axis->places = read_column(r, "at", &axis->place_count);
     const char **words = anchored(r, axis->place_count, sizeof *words);
     axis->words = words;
-    if (lua_getfield(r->L, -1, "words") != LUA_TTABLE) luaL_error(r->L, "an axis has no words");
+    if (lua_getfield(r->L, -1, "words") != LUA_TTABLE) luaL_error(r->L, "axis without tick labels");
     for (size_t i = 0; i < axis->place_count; i++) {
       if (lua_rawgeti(r->L, -1, (lua_Integer)i + 1) != LUA_TSTRING)
-        luaL_error(r->L, "place %d of an axis has no words", (int)i + 1);
+        luaL_error(r->L, "axis: tick %d has no label", (int)i + 1);
       words[i] = lua_tostring(r->L, -1);
       lua_rawseti(r->L, r->anchors, (lua_Integer)lua_rawlen(r->L, r->anchors) + 1);
     }
@@ -215,7 +215,7 @@ static void read_panel(reader *r, arc_plot_panel *panel) {
     for (size_t i = 0; i < panel->curve_count; i++) {
       r->curve = i + 1;
       if (lua_rawgeti(r->L, -1, (lua_Integer)i + 1) != LUA_TTABLE)
-        luaL_error(r->L, "panel %d: curve %d is no table", (int)r->panel, (int)i + 1);
+        luaL_error(r->L, "panel %d: curve %d is not a table", (int)r->panel, (int)i + 1);
       read_curve(r, &curves[i]);
       lua_pop(r->L, 1);
     }
@@ -229,14 +229,14 @@ static void read_figure(reader *r, arc_plot_figure *figure) {
   figure->rows = read_count(r, "rows");
   figure->columns = read_count(r, "columns");
   figure->one_key = read_flag(r, "one_key");
-  if (lua_getfield(r->L, -1, "panels") != LUA_TTABLE) luaL_error(r->L, "a figure without panels");
+  if (lua_getfield(r->L, -1, "panels") != LUA_TTABLE) luaL_error(r->L, "figure without panels");
   figure->panel_count = length_of(r, "panels", MOST_PARTS);
   arc_plot_panel *panels = anchored(r, figure->panel_count, sizeof *panels);
   figure->panels = panels;
   for (size_t i = 0; i < figure->panel_count; i++) {
     r->panel = i + 1;
     if (lua_rawgeti(r->L, -1, (lua_Integer)i + 1) != LUA_TTABLE)
-      luaL_error(r->L, "panel %d is no table", (int)i + 1);
+      luaL_error(r->L, "panel %d is not a table", (int)i + 1);
     read_panel(r, &panels[i]);
     lua_pop(r->L, 1);
   }
@@ -270,7 +270,7 @@ static arc_gnuplot *session_of(lua_State *L) {
   return *box;
 }
 
-/* As functions of the io library do: nil, the message, the status' name. */
+/* Returns nil, the message and the status' name, like functions of the io library. */
 static int failed(lua_State *L, const arc_error *error) {
   lua_pushnil(L);
   lua_pushstring(L, error->message);
@@ -278,7 +278,8 @@ static int failed(lua_State *L, const arc_error *error) {
   return 3;
 }
 
-/* A picture as a Lua string; true where there is none. Frees it even when Lua has no memory. */
+/* Pushes a picture as a string; called protected, so that the picture is freed if Lua runs out of
+ * memory. */
 static int push_picture(lua_State *L) {
   size_t length = (size_t)lua_tointeger(L, 2);
   const char *picture = lua_touserdata(L, 1);
@@ -299,7 +300,7 @@ static int hand_over(lua_State *L, char *picture, size_t length) {
   return status == LUA_OK ? 1 : lua_error(L);
 }
 
-/* draw(figure, output) -> the picture or true; nil, message, status */
+/* draw(figure, output) -> the picture, or true if there is none; on failure nil, message, status */
 static int gnuplot_draw(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   luaL_checktype(L, 2, LUA_TTABLE);
@@ -319,7 +320,7 @@ static int gnuplot_draw(lua_State *L) {
   return hand_over(L, picture, length);
 }
 
-/* animate(figures, delay, output) -> true; nil, message, status */
+/* animate(figures, delay, output) -> true; on failure nil, message, status */
 static int gnuplot_animate(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   double delay = luaL_checknumber(L, 2);
@@ -334,7 +335,7 @@ static int gnuplot_animate(lua_State *L) {
   arc_plot_figure *frames = anchored(&r, count, sizeof *frames);
   for (size_t i = 0; i < count; i++) {
     if (lua_rawgeti(L, -1, (lua_Integer)i + 1) != LUA_TTABLE)
-      return luaL_error(L, "frame %d is no table", (int)i + 1);
+      return luaL_error(L, "frame %d is not a table", (int)i + 1);
     read_figure(&r, &frames[i]);
     lua_pop(L, 1);
   }
@@ -345,7 +346,7 @@ static int gnuplot_animate(lua_State *L) {
   return 1;
 }
 
-/* about() -> version, terminals; nil, message, status */
+/* about() -> version, terminals; on failure nil, message, status */
 static int gnuplot_about(lua_State *L) {
   arc_gnuplot *session = session_of(L);
   arc_error error;
@@ -366,7 +367,7 @@ static void open_session(lua_State *L, arc_gnuplot **box, const char *program) {
   *box = fresh;
 }
 
-/* use(program): the gnuplot to start from now on. */
+/* use(program): sets the gnuplot program to start */
 static int gnuplot_use(lua_State *L) {
   open_session(L, lua_touserdata(L, lua_upvalueindex(1)), luaL_checkstring(L, 1));
   return 0;
@@ -377,7 +378,7 @@ static int session_gc(lua_State *L) {
   return 0;
 }
 
-/* Sets a list of words in the table on top of the stack. */
+/* Sets field `name` of the table on top of the stack to a list of words. */
 static void set_words(lua_State *L, const char *name, const char *const *words) {
   lua_newtable(L);
   for (int i = 0; words[i]; i++) {
@@ -387,7 +388,7 @@ static void set_words(lua_State *L, const char *name, const char *const *words) 
   lua_setfield(L, -2, name);
 }
 
-/* Beside the functions: the styles, the places of keys, the endings of files. */
+/* Pushes the functions and the lists of curve styles, key positions and file extensions. */
 int luaopen_archard_gnuplot(lua_State *L) {
   static const luaL_Reg functions[] = {{"draw", gnuplot_draw},
                                        {"animate", gnuplot_animate},

@@ -1,10 +1,7 @@
-/* The module `archard.least_squares`: nonlinear least squares by Levenberg and Marquardt with a
- * trust region, and singular values, both of GSL. Knows nothing of wear: scripts/fit does. The one
- * file that includes GSL's fits.
- *
- * GSL calls back into Lua in the midst of its own work: every such call is protected, and what it
- * raises is raised again once GSL has been left and its memory freed.
- */
+/* Module `archard.least_squares`: nonlinear least squares (Levenberg-Marquardt with a trust region)
+ * and singular values, for scripts/fit. The only file that uses GSL's fits.
+ * GSL calls back into Lua. Each call is protected; its error is raised again after GSL has returned
+ * and its memory is freed. */
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -30,18 +27,18 @@ static double number_field(lua_State *L, int table, const char *name, double low
 
 /* --- nonlinear least squares ------------------------------------------------------------------ */
 
-enum { PROBLEM = 1 }; /* the stack index of the problem's table in solve */
+enum { PROBLEM = 1 }; /* stack index of the problem's table in solve */
 
 typedef struct callback {
   lua_State *L;
-  const char *name; /* of the function in the problem's table */
+  const char *name; /* name of the function in the problem's table */
   const gsl_vector *x;
   double *to;
-  size_t count; /* of the numbers it must return */
+  size_t count; /* length of the list that the function must return */
   int failed;   /* the error value is on top of the stack */
 } callback;
 
-/* Under pcall: calls the function with a list, and copies the list it returns. */
+/* Called by lua_pcall: calls the function with a list and copies the returned list. */
 static int call_protected(lua_State *L) {
   callback *call = lua_touserdata(L, 2);
   lua_getfield(L, PROBLEM, call->name);
@@ -71,7 +68,7 @@ static int evaluate(callback *call, const char *name, const gsl_vector *x, doubl
   return call->failed ? GSL_EBADFUNC : GSL_SUCCESS;
 }
 
-/* GSL allocates its vectors and matrices without gaps. */
+/* The vectors and matrices that GSL allocates here are contiguous. */
 static int residuals(const gsl_vector *x, void *context, gsl_vector *f) {
   return evaluate(context, "residuals", x, f->data, f->size);
 }
@@ -96,8 +93,8 @@ static outcome minimise(gsl_multifit_nlinear_workspace *work, gsl_multifit_nline
   return end;
 }
 
-/* solve{ x=, count=, residuals=, jacobian=, iterations=, tolerance= } -> x, iterations, why: "step"
- * (the last was small), "gradient", or what GSL says of a search that got no further.
+/* solve{ x=, count=, residuals=, jacobian=, iterations=, tolerance= } -> x, iterations, reason of
+ * the end: "step" (the last step was small), "gradient", or GSL's message if the search failed.
  * residuals(x) -> list [count]; jacobian(x) -> flat list, row by row [count * #x]. */
 static int solve(lua_State *L) {
   luaL_checktype(L, PROBLEM, LUA_TTABLE);
@@ -115,7 +112,7 @@ static int solve(lua_State *L) {
   const gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
   gsl_multifit_nlinear_workspace *work =
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, count, unknowns);
-  if (!work) error_raise(L, ARC_MEMORY, where, "no memory");
+  if (!work) error_raise(L, ARC_MEMORY, where, "out of memory");
   const outcome end = minimise(work, &fdf, x, most, tolerance);
   for (size_t i = 0; i < unknowns; i++) x[i] = gsl_vector_get(work->x, i);
   gsl_multifit_nlinear_free(work);
@@ -128,8 +125,8 @@ static int solve(lua_State *L) {
 
 /* --- singular values -------------------------------------------------------------------------- */
 
-/* svd{ a=, rows=, columns= } -> u, s, v: a = u diag(s) v', all flat row by row; rows >= columns.
- * One-sided Jacobi: small singular values are as accurate as large ones. */
+/* svd{ a=, rows=, columns= } -> u, s, v with a = u diag(s) v', all flat, row by row; rows >=
+ * columns. One-sided Jacobi: small singular values are as accurate as large ones. */
 static int svd(lua_State *L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
@@ -153,7 +150,7 @@ static int svd(lua_State *L) {
 
 int luaopen_archard_least_squares(lua_State *L) {
   static const luaL_Reg functions[] = {{"solve", solve}, {"svd", svd}, {NULL, NULL}};
-  gsl_set_error_handler_off(); /* a status instead of the end of the program */
+  gsl_set_error_handler_off(); /* errors are returned as a status instead of aborting */
   luaL_newlib(L, functions);
   return 1;
 }

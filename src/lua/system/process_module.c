@@ -1,7 +1,6 @@
-/* The module `archard.process`: a pool of copies of this very program, each fed lines and giving
- * lines back. Leans on system/child.c to start and end them. A worker is told by the end of its
- * input that nobody waits for it any more.
- */
+/* Module `archard.process`: a pool of worker processes (copies of this program), which read and
+ * write lines. system/child.c starts and ends them. A worker exits when its standard input is
+ * closed. */
 #include "lua/base/archard.h"
 #include "lua/base/array_read.h"
 #include "lua/base/call.h"
@@ -25,7 +24,8 @@
 
 extern char **environ;
 
-/* Longest line a worker may write, and how much of its last words is kept. */
+/* Sizes [bytes] of the longest line and of the kept standard error of a worker; limits of a pool.
+ */
 enum { LINE = 4096, WORDS = 400, MOST_WORKERS = 256, MOST_ARGUMENTS = 1000 };
 
 typedef struct worker {
@@ -33,25 +33,26 @@ typedef struct worker {
   int input, output, errors;
   size_t filled; /* bytes of `line` */
   char line[LINE];
-  size_t said; /* bytes of `words` */
+  size_t said; /* bytes of `words`: the last output on standard error */
   char words[WORDS];
 } worker;
 
 typedef struct pool {
   int count, counted; /* counted: among the pools of this process */
-  char **arguments;   /* as execv wants them */
+  char **arguments;   /* NULL-terminated, for execv */
   char **environment;
   worker *workers;
 } pool;
 
 /* --- one worker ------------------------------------------------------------------------------- */
 
-/* 0 or the reason. ends: input, output, errors; the child's are [0] of the first, [1] of others. */
+/* Starts a worker and returns 0 or an errno. ends: pipes for input, output, errors; the child's end
+ * is [0] of the first and [1] of the others. */
 static int connect_and_start(const pool *p, int ends[3][2], pid_t *process) {
   int failed = 0;
   for (int i = 0; i < 3 && !failed; i++) failed = arc_child_channel(ends[i], i == 0);
   if (failed) return failed;
-  int idle = 0; /* they and we get the same of what is left */
+  int idle = 0; /* parent and idle workers share the remaining memory equally */
   for (int i = 0; i < p->count; i++) idle += p->workers[i].process == 0;
   arc_child_def def = {"/proc/self/exe",
                        p->arguments,
@@ -81,7 +82,7 @@ static int start(const pool *p, worker *w) {
   return 0;
 }
 
-/* Ends it, whatever it does, and waits until it has gone. Returns how it ended. */
+/* Kills a worker and waits for its end. Returns the wait status. */
 static int end_worker(worker *w) {
   const int how = w->process > 0 ? arc_child_kill(w->process) : 0;
   arc_child_close(&w->input);
@@ -100,7 +101,7 @@ static void free_list(char **list) {
   free(list);
 }
 
-static int pools; /* of this process, as its workers are */
+static int pools; /* number of pools in this process */
 
 static void destroy_pool(void *thing) {
   pool *p = thing;
@@ -132,8 +133,8 @@ static const box_class pool_class = {.name = "pool",
                                      .destroy = destroy_pool,
                                      .value = sizeof(pool)};
 
-/* BLAS, OpenMP and glibc look at these before main. Memory given back after one case would be asked
- * for again, page by page, by the next: a tenth of the time of short ones. */
+/* Environment for workers, read by BLAS, OpenMP and glibc before main: one thread, and freed memory
+ * is kept, since returning it to the system costs a tenth of the time of short cases. */
 static const char *const of_workers[] = {"OMP_THREAD_LIMIT=1", "OPENBLAS_NUM_THREADS=1",
                                          "MALLOC_TRIM_THRESHOLD_=268435456",
                                          "MALLOC_MMAP_THRESHOLD_=33554432"};
@@ -160,7 +161,7 @@ static char **make_environment(void) {
   return NULL;
 }
 
-/* Replaces the list at `index` by one of its texts that no script reaches. */
+/* Replaces the list at `index` by a checked copy, which scripts cannot change. */
 static void use_arguments(lua_State *L, int index) {
   luaL_checktype(L, index, LUA_TTABLE);
   args_push_copy(L, index);
@@ -171,12 +172,12 @@ static void use_arguments(lua_State *L, int index) {
   lua_pop(L, 1);
   for (size_t i = 1; i <= count; i++) {
     if (lua_rawgeti(L, index, (lua_Integer)i) != LUA_TSTRING)
-      luaL_error(L, "process.pool: argument %d is no text", (int)i);
+      luaL_error(L, "process.pool: argument %d is not a text", (int)i);
     lua_pop(L, 1);
   }
 }
 
-/* The program's name, then the texts of the list at `index`, which have been checked. */
+/* Builds the argument list: the program's name, then the checked texts of the list at `index`. */
 static char **make_arguments(lua_State *L, int index) {
   lua_Integer count = (lua_Integer)lua_rawlen(L, index);
   char **list = calloc((size_t)count + 2, sizeof *list);
@@ -196,18 +197,20 @@ static int processors(void) {
   return count > 0 ? (int)count : 1;
 }
 
-/* In a sandbox no more than can work at once. */
+/* Largest number of workers; in a sandbox the number of processors. */
 static int most_workers(void) {
   return confine_folder() && processors() < MOST_WORKERS ? processors() : MOST_WORKERS;
 }
 
-/* process.pool(count, arguments): the program will run with these arguments, `count` times */
+/* process.pool(count, arguments): creates a pool of `count` workers, each run with these arguments
+ */
 static int process_pool(lua_State *L) {
   lua_Integer count = luaL_checkinteger(L, 1);
   luaL_argcheck(L, count >= 1 && count <= MOST_WORKERS, 1, "expected from 1 to 256 workers");
   if (count > most_workers()) count = most_workers();
   if (pools > 0 && confine_folder())
-    error_raise(L, ARC_ARGUMENT, "sandbox", "workers are at work already: one study at a time");
+    error_raise(L, ARC_ARGUMENT, "sandbox",
+                "another study is running: only one is allowed in a sandbox");
   use_arguments(L, 2);
   pool *p = box_push(L, &pool_class)->thing;
   p->workers = calloc((size_t)count, sizeof *p->workers);
@@ -221,14 +224,14 @@ static int process_pool(lua_State *L) {
   return 1;
 }
 
-/* pool:count() -> how many workers it has: fewer than asked for in a sandbox of few processors */
+/* pool:count() -> number of workers; in a sandbox it may be less than requested */
 static int pool_count(lua_State *L) {
   lua_pushinteger(L, ((pool *)box_self_idle(L, &pool_class, "pool:count")->thing)->count);
   return 1;
 }
 
-/* pool:send(worker, line): starts the worker unless it runs. What it does with the line comes back
- * from wait, also if it is dead by then. */
+/* pool:send(worker, line): starts the worker if it does not run, and sends it the line. pool:wait
+ * returns its answer, or its end if it has died. */
 static int pool_send(lua_State *L) {
   pool *p = box_self_idle(L, &pool_class, "pool:send")->thing;
   lua_Integer which = luaL_checkinteger(L, 2);
@@ -243,22 +246,23 @@ static int pool_send(lua_State *L) {
   char text[1001];
   memcpy(text, line, length);
   text[length] = '\n';
-  /* fits in one go; a worker that did not get it is to end, and wait tells of that */
+  /* The line fits into the pipe. If sending fails, the worker is dead or dies; pool:wait reports
+   * it. */
   if (send(w->input, text, length + 1, MSG_NOSIGNAL) < 0) arc_child_close(&w->input);
   return 0;
 }
 
 /* --- waiting ---------------------------------------------------------------------------------- */
 
-/* Takes in what there is; 0 at the end of the stream. */
+/* Reads available bytes; returns 0 at the end of the stream. */
 static int read_some(int descriptor, char *to, size_t room, size_t *count) {
   ssize_t got = read(descriptor, to, room);
   *count = got > 0 ? (size_t)got : 0;
   return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
-/* The end of what it said on standard error is what tells most. Once that is closed, nobody looks
- * there any more: poll would tell of it again and again. */
+/* Keeps the last bytes that the worker wrote on standard error. A closed stream is not polled any
+ * more, since poll would report it forever. */
 static void hear(worker *w) {
   char text[WORDS];
   size_t count = 1;
@@ -271,7 +275,7 @@ static void hear(worker *w) {
   }
 }
 
-/* Adds { worker=, line= } to the list on top of the stack. */
+/* Appends { worker=, line= } to the list on top of the stack. */
 static void add_line(lua_State *L, int which, const char *line, size_t length) {
   lua_createtable(L, 0, 2);
   lua_pushinteger(L, which + 1);
@@ -289,12 +293,12 @@ static void split_lines(lua_State *L, int which, worker *w) {
     left -= (size_t)(end - from) + 1;
     from = end + 1;
   }
-  if (left == LINE) left = 0; /* no line of ours is that long */
+  if (left == LINE) left = 0; /* longer than any valid line: discarded */
   memmove(w->line, from, left);
   w->filled = left;
 }
 
-/* Adds { worker=, ended=, words= } for a worker whose output has ended. */
+/* Appends { worker=, ended=, words= } for a worker whose output is closed. */
 static void add_end(lua_State *L, int which, worker *w) {
   hear(w);
   const int status = end_worker(w);
@@ -320,28 +324,28 @@ static void attend(lua_State *L, int which, worker *w) {
   if (!open) add_end(L, which, w);
 }
 
-/* An interrupt ends the workers here, since no Lua code runs after it that could. */
+/* Kills the workers after an interrupt, since no Lua code runs after it. */
 static void check_interrupt(lua_State *L, pool *p) {
   if (!interrupt_pending(NULL)) return;
   end_all(p);
   luaL_error(L, "interrupted");
 }
 
-/* Milliseconds for poll, of the seconds at `index`. */
+/* Converts the seconds at `index` to milliseconds for poll. */
 static int wait_argument(lua_State *L, int index) {
   const double seconds = luaL_checknumber(L, index);
   luaL_argcheck(L, seconds >= 0 && seconds <= 1e6, index, "expected 0 to 1e6 seconds");
   return (int)(1000 * seconds);
 }
 
-/* pool:wait(seconds) -> list of { worker=, line= } and { worker=, ended=, words= }; empty when the
- * time is over */
+/* pool:wait(seconds) -> list of { worker=, line= } and { worker=, ended=, words= } (words: end of
+ * standard error); empty after the timeout */
 static int pool_wait(lua_State *L) {
   pool *p = box_self_idle(L, &pool_class, "pool:wait")->thing;
   const int wait = wait_argument(L, 2);
   struct pollfd ready[2 * MOST_WORKERS];
   check_interrupt(L, p);
-  for (int i = 0; i < p->count; i++) { /* poll passes over descriptors below zero */
+  for (int i = 0; i < p->count; i++) { /* poll ignores negative descriptors */
     ready[2 * i] = (struct pollfd){.fd = p->workers[i].output, .events = POLLIN};
     ready[2 * i + 1] = (struct pollfd){.fd = p->workers[i].errors, .events = POLLIN};
   }
@@ -355,14 +359,14 @@ static int pool_wait(lua_State *L) {
   return 1;
 }
 
-/* process.processors() -> how many processors this machine has ready */
+/* process.processors() -> number of online processors */
 static int process_processors(lua_State *L) {
   lua_pushinteger(L, processors());
   return 1;
 }
 
-/* process.pause(seconds, stand): does nothing for so long; an interrupt ends it, and is told of as
- * "<stand>: interrupted", or without what stands */
+/* process.pause(seconds, stand): sleeps. An interrupt ends it with the error "<stand>:
+ * interrupted", or "interrupted" without `stand`. */
 static int process_pause(lua_State *L) {
   const int wait = wait_argument(L, 1);
   const char *stand = luaL_optstring(L, 2, NULL);
@@ -372,14 +376,14 @@ static int process_pause(lua_State *L) {
   return 0;
 }
 
-/* process.report(text): what an interrupt says of the work at hand, "<text>: interrupted"; "" for
- * nothing */
+/* process.report(text): sets the progress shown if the present work is interrupted, "<text>:
+ * interrupted"; "" for none */
 static int process_report(lua_State *L) {
   interrupt_report(luaL_checkstring(L, 1));
   return 0;
 }
 
-/* process.make_folder(path) -> true, or nil and the reason; one that is there already is fine */
+/* process.make_folder(path) -> true, also if the folder exists; nil and the reason on failure */
 static int process_make_folder(lua_State *L) {
   const char *path = path_argument(L, 1, "folder", "path");
   struct stat there;
@@ -396,7 +400,7 @@ static int process_make_folder(lua_State *L) {
   return 2;
 }
 
-/* process.program() -> the path of this program, or nil */
+/* process.program() -> path of this program, or nil */
 static int process_program(lua_State *L) {
   char path[4096];
   const ssize_t length = readlink("/proc/self/exe", path, sizeof path);
@@ -416,8 +420,7 @@ static int list_folder(lua_State *L) {
   return 1;
 }
 
-/* process.files(folder) -> names of what is in it, in no order; nil where there is no such folder
- */
+/* process.files(folder) -> names of all entries, unsorted; nil if the folder cannot be opened */
 static int process_files(lua_State *L) {
   DIR *folder = opendir(luaL_checkstring(L, 1));
   if (!folder) return 0;

@@ -1,6 +1,6 @@
-/* The module `archard.random`: points that fill a cube, by design and seed, and the quantiles and
- * correlations that uncertainties need. The one file that includes GSL's generators, distributions
- * and statistics. All of it depends on its arguments alone: the same seed gives the same bits. */
+/* Module `archard.random`: points in the unit cube by design and seed, and quantiles and
+ * correlations for uncertainties. The only file that uses GSL's generators, distributions and
+ * statistics. The results depend only on the arguments: the same seed gives identical points. */
 #include "lua/base/archard.h"
 #include "lua/base/error.h"
 #include "lua/base/args.h"
@@ -16,7 +16,7 @@
 
 enum { SOBOL_BITS = 30, SOBOL_MOST = 40 };
 
-/* Where points go: dimension d of point i at column[d * count + i], inside (0, 1). */
+/* Points: coordinate d of point i is column[d * count + i], in (0, 1). */
 typedef struct points {
   double *column;
   size_t count, dimensions;
@@ -32,7 +32,7 @@ static int fill_random(const points *p) {
   return 0;
 }
 
-/* One point in each of `count` slices of every axis, the slices in random order. */
+/* Latin hypercube: one point in each of `count` slices of every axis, slices in random order. */
 static int fill_latin(const points *p) {
   size_t *slice = malloc(p->count * sizeof *slice);
   if (!slice) return -1;
@@ -47,9 +47,9 @@ static int fill_latin(const points *p) {
   return 0;
 }
 
-/* Sobol's points with their digits flipped by a random number for each axis: that keeps how evenly
- * they lie, makes every point uniform, and none 0. GSL leaves out the first point, the origin;
- * with it 2^m points are a whole net. */
+/* Sobol points with a random digital shift (exclusive or) for each axis: keeps the uniformity,
+ * makes every point uniform, and no coordinate is 0. The first point (the origin), which GSL omits,
+ * is included, so that 2^m points are a complete net. */
 static int fill_sobol(const points *p) {
   const double cells = (double)(1UL << SOBOL_BITS);
   unsigned long flip[SOBOL_MOST];
@@ -101,32 +101,33 @@ static int random_points(lua_State *L) {
 
 /* --- distributions ---------------------------------------------------------------------------- */
 
-/* normal_quantile(p): where the standard normal distribution reaches p */
+/* normal_quantile(p): quantile of the standard normal distribution */
 static int normal_quantile(lua_State *L) {
   lua_pushnumber(L, gsl_cdf_ugaussian_Pinv(luaL_checknumber(L, 1)));
   return 1;
 }
 
-/* normal_share(z): the share of the standard normal distribution below z */
+/* normal_share(z): cumulative probability of the standard normal distribution */
 static int normal_share(lua_State *L) {
   lua_pushnumber(L, gsl_cdf_ugaussian_P(luaL_checknumber(L, 1)));
   return 1;
 }
 
-/* beta_quantile(p, a, b): where the beta distribution reaches p */
+/* beta_quantile(p, a, b): quantile of the beta distribution */
 static int beta_quantile(lua_State *L) {
   lua_pushnumber(
       L, gsl_cdf_beta_Pinv(luaL_checknumber(L, 1), luaL_checknumber(L, 2), luaL_checknumber(L, 3)));
   return 1;
 }
 
-/* student_quantile(p, freedom): where Student's distribution reaches p */
+/* student_quantile(p, freedom): quantile of Student's t distribution */
 static int student_quantile(lua_State *L) {
   lua_pushnumber(L, gsl_cdf_tdist_Pinv(luaL_checknumber(L, 1), luaL_checknumber(L, 2)));
   return 1;
 }
 
-/* rank_correlation(a, b): Spearman's, of two lists of one length; NaN where one does not vary */
+/* rank_correlation(a, b): Spearman's coefficient of two lists of equal length; NaN if one is
+ * constant */
 static int rank_correlation(lua_State *L) {
   const args_place place = {"random.rank_correlation", ""};
   size_t count = 0, other = 0;
@@ -134,7 +135,7 @@ static int rank_correlation(lua_State *L) {
   const double *b = array_read(L, place, "b", &count);
   lua_pushvalue(L, 1);
   const double *a = array_read(L, place, "a", &other);
-  luaL_argcheck(L, other == count, 2, "expected as many numbers as in the first list");
+  luaL_argcheck(L, other == count, 2, "expected a list as long as the first list");
   lua_pushnumber(L, gsl_stats_spearman(a, 1, b, 1, count, array_buffer(L, 2 * count)));
   return 1;
 }

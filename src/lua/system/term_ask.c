@@ -1,10 +1,8 @@
-/* Asks the terminal whether it shows pictures. Leans on POSIX alone.
- *
- * Every terminal answers the second question (what are you?, DA1), so that one that does not know
- * the first (kitty's, a picture of one pixel) costs no waiting. What is typed in between is not
- * ours: it goes back to the terminal, or where the system forbids that, to whoever reads the next
- * line.
- */
+/* Queries the terminal for graphics support: kitty's protocol (with an image of one pixel) and
+ * sixel (device attributes, DA1).
+ * Every terminal answers DA1, so there is no timeout for terminals without kitty's protocol. Keys
+ * typed meanwhile are pushed back to the terminal or, if the system forbids that, returned by
+ * term_ask_typed. */
 #include "lua/system/term_ask.h"
 
 #include <poll.h>
@@ -25,10 +23,10 @@ static struct {
   size_t first, count;
 } asked;
 
-/* --- reading the answer ----------------------------------------------------------------------- */
+/* --- reading the reply ------------------------------------------------------------------------ */
 
-/* Length of an answer at `bytes`: ESC _ ... ESC \ or ESC [ ? ... c. 0: it is none; -1: it has not
- * come whole. */
+/* Length of a reply at `bytes`: ESC _ ... ESC \ or ESC [ ? ... c. 0: not a reply; -1: incomplete.
+ */
 static int answer_at(const unsigned char *bytes, size_t left) {
   if (bytes[0] != 033) return 0;
   if (left < 3) return left == 2 && bytes[1] != '_' && bytes[1] != '[' ? 0 : -1;
@@ -43,7 +41,7 @@ static int answer_at(const unsigned char *bytes, size_t left) {
   return -1;
 }
 
-/* Whether the numbers between ; in ESC [ ? 62 ; 4 c hold a 4: sixels. */
+/* True if the attributes in ESC [ ? 62 ; 4 c contain 4 (sixel). */
 static int has_four(const unsigned char *bytes, int length) {
   for (int i = 4; i + 1 < length; i++)
     if (bytes[i] == '4' && bytes[i - 1] == ';' && (bytes[i + 1] == ';' || bytes[i + 1] == 'c'))
@@ -55,8 +53,8 @@ static void keep(unsigned char key) {
   if (asked.count < ROOM) asked.typed[asked.count++] = key;
 }
 
-/* Takes answers out of what came; other bytes were typed. Returns the bytes used up, and whether
- * the last answer is among them. */
+/* Separates replies from typed keys. Returns the number of bytes used; sets *finished at the DA1
+ * reply. */
 static size_t sort_out(const unsigned char *bytes, size_t count, int *finished) {
   size_t i = 0;
   while (i < count) {
@@ -102,14 +100,14 @@ static void read_answer(void) {
   for (size_t i = 0; i < count; i++) keep(bytes[i]);
 }
 
-/* --- asking ----------------------------------------------------------------------------------- */
+/* --- query ----------------------------------------------------------------------------------- */
 
-/* In the background the question would stop us. */
+/* True for a foreground process on a terminal; in the background, reading would suspend it. */
 static int may_ask(void) {
   return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && tcgetpgrp(STDIN_FILENO) == getpgrp();
 }
 
-/* Types the keys again, as if they came now; all or, where the system forbids it, none. */
+/* Pushes all typed keys back into the terminal's input, or none if the system forbids it. */
 static void give_back(void) {
   if (asked.count > 0 && ioctl(STDIN_FILENO, TIOCSTI, &asked.typed[0]) == 0) {
     for (size_t i = 1; i < asked.count; i++) ioctl(STDIN_FILENO, TIOCSTI, &asked.typed[i]);
@@ -117,7 +115,7 @@ static void give_back(void) {
   }
 }
 
-/* Keys as they come, without echo; Ctrl-C stays a signal. */
+/* Sends the query with canonical input and echo off; Ctrl-C still sends its signal. */
 static void ask(const struct termios *before) {
   struct termios raw = *before;
   raw.c_lflag &= ~(tcflag_t)(ICANON | ECHO);

@@ -1,5 +1,4 @@
-/* The module `archard.term`: what the terminal is and can do. Leans on POSIX alone; a script asks
- * here instead of guessing from the environment. */
+/* Module `archard.term`: properties of the terminal, for scripts. */
 #include "lua/base/archard.h"
 #include "lua/system/term_ask.h"
 
@@ -13,7 +12,7 @@
 
 static const char *const stream_names[] = {"stdin", "stdout", "stderr", NULL};
 
-/* The stream a function is asked about: "stdin", "stdout" (default) or "stderr". */
+/* The stream argument: "stdin", "stdout" (default) or "stderr". */
 static int check_stream(lua_State *L) {
   return luaL_checkoption(L, 1, "stdout", stream_names);
 }
@@ -23,14 +22,15 @@ static int term_is_terminal(lua_State *L) {
   return 1;
 }
 
-/* The environment's number, or `otherwise` where it holds none. */
+/* Value of an environment variable as a number, or `otherwise` if it is not a number from 1 to
+ * 9999. */
 static int environment_number(const char *name, int otherwise) {
   const char *text = getenv(name);
   long number = text ? strtol(text, NULL, 10) : 0;
   return number > 0 && number < 10000 ? (int)number : otherwise;
 }
 
-/* size(stream) -> columns, lines: of the terminal; of COLUMNS and LINES, or 80 by 24, elsewhere. */
+/* size(stream) -> columns, lines of the terminal; else from COLUMNS and LINES, or 80 and 24 */
 static int term_size(lua_State *L) {
   struct winsize size = {0};
   int columns = 0, lines = 0;
@@ -48,7 +48,7 @@ static int is_dumb(void) {
   return name == NULL || *name == '\0' || strcmp(name, "dumb") == 0;
 }
 
-/* movable(stream): may the cursor be moved, lines erased and redrawn? */
+/* movable(stream) -> true if the cursor can be moved and lines can be redrawn */
 static int term_movable(lua_State *L) {
   lua_pushboolean(L, isatty(check_stream(L)) && !is_dumb());
   return 1;
@@ -61,13 +61,14 @@ static int term_colour(lua_State *L) {
   return 1;
 }
 
-/* True in a UTF-8 locale; the program calls setlocale(LC_CTYPE, "") at its start. */
+/* utf8() -> true in a UTF-8 locale; the program calls setlocale(LC_CTYPE, "") at start */
 static int term_utf8(lua_State *L) {
   lua_pushboolean(L, strcmp(nl_langinfo(CODESET), "UTF-8") == 0);
   return 1;
 }
 
-/* pixels() -> width, height of the whole screen; nothing where the terminal does not tell. */
+/* pixels() -> width and height of the screen [pixels], or nothing if the terminal does not report
+ * them */
 static int term_pixels(lua_State *L) {
   struct winsize size = {0};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_xpixel == 0 || size.ws_ypixel == 0)
@@ -77,7 +78,7 @@ static int term_pixels(lua_State *L) {
   return 2;
 }
 
-/* pictures() -> "kitty", "sixel" or nothing, as the terminal itself answers. */
+/* pictures() -> "kitty", "sixel" or nothing: graphics protocol reported by the terminal */
 static int term_pictures(lua_State *L) {
   if (is_dumb()) return 0;
   term_answer answer = term_ask_pictures();
@@ -86,7 +87,7 @@ static int term_pictures(lua_State *L) {
   return 1;
 }
 
-/* Seconds of a clock that only goes forward. */
+/* clock() -> seconds of a monotonic clock */
 static int term_clock(lua_State *L) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);

@@ -1,12 +1,12 @@
-/* The module `archard.warnings`: for a worker, whose standard error nobody reads. What Lua and the
- * binding warn of is kept until asked for, instead of shown. Leans on nothing. */
+/* Module `archard.warnings`: collects warnings in worker processes, whose standard error is not
+ * shown. */
 #include "lua/base/archard.h"
 
 #include <lauxlib.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Warnings come in the midst of calls that must not raise an error: so this is of fixed size. */
+/* Fixed size, since warnings may occur in code that must not raise errors. */
 static struct {
   char text[1000];
   int continued, full;
@@ -25,13 +25,13 @@ static void keep_warning(void *ignored, const char *message, int to_be_continued
   kept.continued = to_be_continued;
 }
 
-/* keep(): from now on */
+/* keep(): collects warnings from now on instead of printing them */
 static int warnings_keep(lua_State *L) {
   lua_setwarnf(L, keep_warning, NULL);
   return 0;
 }
 
-/* take() -> what was warned of since the last call, joined by "; ", or nil */
+/* take() -> the warnings since the last call, joined by "; ", or nil */
 static int warnings_take(lua_State *L) {
   if (kept.text[0])
     lua_pushstring(L, kept.text);

@@ -1,5 +1,5 @@
-/* The state that a user's function is called with: one object, used again for every call, that
- * reads the record at hand. Shows nothing once the call is over. */
+/* The state object passed to a user's functions: one object, reused for every call, that reads the
+ * present record. It is not readable after the call. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
@@ -13,7 +13,8 @@ enum { DEPTH = ARC_WEAR_COLUMN_COUNT, VOLUME };
 static const arc_setting known[] = {
     ARC_WEAR_COLUMNS(COLUMN_FIELD) ARGS_OTHER("depth"), ARGS_OTHER("volume"), {.name = NULL}};
 
-/* The state at index 1. A script may have given its metatable to another userdata. */
+/* The state at index 1. Checks the size too: a script may have set this metatable on another
+ * userdata. */
 static const called_state *place_of(lua_State *L) {
   const called_state *state = luaL_checkudata(L, 1, kind);
   luaL_argexpected(L, lua_rawlen(L, 1) == sizeof *state, 1, kind);
@@ -24,7 +25,8 @@ static const called_state *self(lua_State *L) {
   const called_state *state = place_of(L);
   if (!state->record)
     error_raise(L, ARC_ARGUMENT, "state",
-                "it can be read during the call of your function only; keep the numbers you need");
+                "the state is readable only during the call of your function; copy the numbers "
+                "that you need");
   return state;
 }
 
@@ -34,7 +36,7 @@ static void push_volume(lua_State *L, const called_state *state) {
   array_set_number(L, "total", record->volume_cylinder + record->volume_plate);
 }
 
-/* state.NAME; the upvalue tells the column of a name. */
+/* state.NAME. Upvalue: table from names to columns. */
 static int state_index(lua_State *L) {
   const called_state *state = self(L);
   const arc_wear_record *record = state->record;
@@ -62,11 +64,11 @@ static int state_tostring(lua_State *L) {
   if (state->record)
     record_push_line(L, state->record);
   else
-    lua_pushliteral(L, "state (of a call that is over)");
+    lua_pushliteral(L, "state (not readable after the call)");
   return 1;
 }
 
-/* Pushes the columns' numbers by name. */
+/* Pushes a table from names to numbers of columns. */
 static void push_columns(lua_State *L) {
   lua_createtable(L, 0, ARC_WEAR_COLUMN_COUNT + 2);
   for (int column = 0; known[column].name; column++) {

@@ -1,4 +1,5 @@
-/* Class wear: construction, cloning, and the list of what the other wear_*.c files do. */
+/* Class wear: construction, cloning, and the list of methods, which are in the other wear_*.c
+ * files. */
 #include "lua/wear/wear_class.h"
 #include "lua/base/call.h"
 #include "lua/base/error.h"
@@ -7,8 +8,8 @@
 
 /* --- construction ---------------------------------------------------------------------------- */
 
-/* Worn surfaces may be wider in contact than unworn ones: for these the zones hold the whole run,
- * and not the beginning of it. */
+/* Half widths of the zones that the run needs. For worn surfaces, whose contact may be wider at the
+ * start, they are computed for the whole run. */
 static arc_status needed_zones(const void *asker, const arc_model_def *model,
                                double zone[ARC_BODIES], arc_error *error) {
   const wear_request *request = asker;
@@ -20,7 +21,7 @@ static arc_status needed_zones(const void *asker, const arc_model_def *model,
   return status;
 }
 
-/* Pushes what holds the shape to start from; NULL: unworn. */
+/* Pushes the shape at the start of the run and returns it; NULL if unworn. */
 static const arc_shape *push_start(lua_State *L, int worn, arc_model *model,
                                    const arc_wear_def *def) {
   box *other = box_test(L, worn, &wear_class);
@@ -32,13 +33,13 @@ static const arc_shape *push_start(lua_State *L, int worn, arc_model *model,
   return worn_push_shape(L, worn, model, def, "wear");
 }
 
-/* Makes the holder of functions at `index` the user value of the box on top of the stack. */
+/* Stores the holder of functions at `index` as user value of the box on top of the stack. */
 static void keep_functions(lua_State *L, int index) {
   lua_pushvalue(L, index);
   lua_setiuservalue(L, -2, RUN_FUNCTIONS);
 }
 
-/* Pushes a new run on the model that the value at `holder` keeps, from the worn shape at `worn`. */
+/* Pushes a new run with the worn shape at `worn`; the value at `holder` keeps its model alive. */
 static arc_status push_run(lua_State *L, int holder, int worn, arc_model *model,
                            const wear_request *request, arc_error *error) {
   const arc_shape *start = push_start(L, worn, model, &request->def);
@@ -57,19 +58,19 @@ static arc_status push_run(lua_State *L, int holder, int worn, arc_model *model,
   return status;
 }
 
-/* Those of the couple and those of the bodies say the same twice. */
+/* Raises an error if k or alpha are given and the bodies have their own wear coefficients. */
 static void check_coefficients(lua_State *L, const wear_request *request,
                                const arc_model_def *model) {
   arc_wear_def def = request->def;
   if (request->own_k && arc_wear_def_of_bodies(&def, model))
     error_raise(L, ARC_ARGUMENT, "wear",
-                "fields 'k' and 'alpha': the bodies have coefficients of their own, %s and %s "
-                "mm2/N (model.cylinder.k, model.plate.k); expected one or the other",
+                "fields 'k' and 'alpha': the bodies have their own wear coefficients, %s and %s "
+                "mm2/N (model.cylinder.k, model.plate.k); expected only one of the two",
                 args_show_number(L, model->material[ARC_CYLINDER].k),
                 args_show_number(L, model->material[ARC_PLATE].k));
 }
 
-/* wear{ model=, k=, alpha=, load=, stroke=, ... }; called as a method of the table `wear`. */
+/* wear{ model=, k=, alpha=, load=, stroke=, ... }: called as __call of the table `wear`. */
 static int wear_new(lua_State *L) {
   lua_remove(L, 1);
   lua_settop(L, 1);
@@ -89,7 +90,7 @@ static int wear_new(lua_State *L) {
   return 1;
 }
 
-/* --- what is in a file ----------------------------------------------------------------------- */
+/* --- saved state ------------------------------------------------------------------------------ */
 
 static int rows_of(const box *made) {
   size_t rows;
@@ -105,7 +106,8 @@ void wear_note_saved(box *made) {
   made->tag = rows_of(made);
 }
 
-/* A run that has grown lives on another model than the one it keeps. */
+/* Pushes the run's model. A run with remeshing may use another model than the one in its user
+ * value. */
 void run_push_model(lua_State *L, int index, const arc_wear *wear) {
   lua_getiuservalue(L, index, RUN_MODEL);
   const box *kept = box_test(L, -1, &model_class);
@@ -139,14 +141,15 @@ static void warn(void *context, const char *text) {
   lua_warning(context, text, 0);
 }
 
-/* wear:set{ load=, alpha=, ..., mesh={...} } -> the object itself; what is not given stays */
+/* wear:set{ load=, alpha=, ..., mesh={...} } -> the wear object; other settings keep their values
+ */
 static int wear_set(lua_State *L) {
   static const char where[] = "wear:set";
   arc_error error = {0};
   lua_settop(L, 2);
   box *made = box_self_idle(L, &wear_class, where);
   wear_request request = wear_request_read(L, 2, 1);
-  box_self_idle(L, &wear_class, where); /* a function of the request may have closed it */
+  box_self_idle(L, &wear_class, where); /* a function of the request may have closed the run */
   arc_mesh_def mesh = arc_model_definition(arc_wear_model(made->thing))->mesh;
   const int remeshed = lua_istable(L, 2) && model_read_mesh(L, 2, where, &mesh);
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
@@ -212,11 +215,11 @@ const box_class wear_class = {
 };
 
 static int class_tostring(lua_State *L) {
-  lua_pushliteral(L, "wear: wear{ alpha=0.5, stroke=0.11 } makes a run; help(wear) says more");
+  lua_pushliteral(L, "wear: wear{ alpha=0.5, stroke=0.11 } creates a run; see help(wear)");
   return 1;
 }
 
-/* A table that can be called, with room for functions beside the constructor. */
+/* Pushes a callable table with the function `open`. */
 int luaopen_archard_wear(lua_State *L) {
   static const luaL_Reg functions[] = {{"open", wear_open}, {NULL, NULL}};
   static const luaL_Reg events[] = {

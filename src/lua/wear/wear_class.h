@@ -1,4 +1,4 @@
-/* lua/wear.h - the parts of the class wear among themselves. */
+/* lua/wear.h - functions shared between the files of the class wear. */
 #ifndef LUA_WEAR_H
 #define LUA_WEAR_H
 
@@ -7,8 +7,8 @@
 /* The run at index 1. */
 arc_wear *wear_self(lua_State *L, const char *where);
 
-/* Whether a file holds the run in a box as it stands; and that one does. A box remembers the rows
- * of the history that were there. */
+/* True if the present state of the run is saved in a file; wear_note_saved marks it as saved. The
+ * box stores the number of saved rows of the history. */
 int wear_is_saved(const box *made);
 void wear_note_saved(box *made);
 
@@ -16,40 +16,39 @@ void wear_note_saved(box *made);
 
 typedef struct wear_request {
   arc_wear_def def;
-  double cycles;                        /* in place of a distance; 0: not given */
-  double distance_before, cycle_before; /* where the run stands that is changed */
-  int own_steps;                        /* scheme or jump were given, or are a run's */
-  int own_k;                            /* k or alpha were given, or are a run's */
-  int worn;                             /* it starts on worn surfaces */
-  int functions;                        /* index of the holder of the user's functions, or of nil */
+  double cycles;                        /* given instead of a distance; 0: not given */
+  double distance_before, cycle_before; /* [mm], cycle: present position of the run to change */
+  int own_steps;                        /* scheme or jump were given, or the run is changed */
+  int own_k;                            /* k or alpha were given, or the run is changed */
+  int worn;                             /* starts on worn surfaces */
+  int functions; /* stack index of the holder of the user's functions, or of nil */
 } wear_request;
 
-/* Reads and checks the table at `index` (or nil); leaves what holds its arrays on the stack. What
- * it does not give stays as the run in the box at index `changed` has it, or at its default (0).
- * The fields model and worn are read by others. */
+/* Reads and checks the definition table at `index` (or nil); buffers of its arrays stay on the
+ * stack. Other settings are those of the run in the box at index `changed`, or the defaults (0).
+ * Does not read the fields model and worn. */
 wear_request wear_request_read(lua_State *L, int index, int changed);
 
-/* The definition on a model: `cycles` become a distance once the radius tells how many strokes a
- * cycle has. */
+/* Completes the definition for a model: converts `cycles` to a distance. */
 arc_wear_def wear_request_settle(const wear_request *request, const arc_model_def *model);
 
 /* --- wear_loading.c: the field `loading` --- */
 
-/* Reads it from the table at `index` into the definition, whose load stands where a block gives
- * none. Returns whether there is one; leaves what holds its numbers on the stack. */
+/* Reads `loading` from the table at `index` into the definition; blocks without load use def->load.
+ * Returns false if the field is nil or false. Buffers stay on the stack. */
 int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def);
 
-/* The largest load of all blocks [N]. */
+/* Largest load of all blocks [N]. */
 double loading_largest(const arc_wear_def *def);
 
-/* Pushes the list of sampled blocks. */
+/* Pushes the list of blocks with their sampled values. */
 void loading_push(lua_State *L, const arc_wear_def *def);
 
-/* --- wear_state.c: what a run knows, as fields and in words --- */
+/* --- wear_state.c: fields and printed summary of a run --- */
 extern const luaL_Reg wear_fields[];
 int wear_tostring(lua_State *L);
 
-/* --- wear_run.c: methods that go on with a run --- */
+/* --- wear_run.c: methods that advance a run --- */
 int wear_step(lua_State *L);
 int wear_run(lua_State *L);
 
@@ -57,23 +56,23 @@ int wear_run(lua_State *L);
 int wear_save(lua_State *L);
 int wear_open(lua_State *L);
 
-/* --- wear_goal.c: what ends a run --- */
+/* --- wear_goal.c: end conditions of a run --- */
 
 enum { MOST_GOALS = 16 };
 
 /* The distance, targets and function at which a run ends. */
 typedef struct wear_goals {
-  double distance; /* [mm] in all */
+  double distance; /* [mm] total distance */
   arc_wear_target target[MOST_GOALS];
-  char name[MOST_GOALS][32]; /* of the targets, "depth.cylinder" */
+  char name[MOST_GOALS][32]; /* name of each target: "depth.cylinder" */
   size_t count;
-  int stop_when; /* index of the function; 0: none */
+  int stop_when; /* stack index of the function; 0: none */
 } wear_goals;
 
-/* Reads them from the table at index 2 (or nil). */
+/* Reads the end conditions from the table at index 2 (or nil). */
 wear_goals wear_goals_read(lua_State *L, const arc_wear *wear);
 
-/* --- wear_profile.c: methods that look at it --- */
+/* --- wear_profile.c: profiles, maps and other results --- */
 int wear_profile(lua_State *L);
 int wear_pressure(lua_State *L);
 int wear_map(lua_State *L);
@@ -87,16 +86,16 @@ int wear_sensitivity(lua_State *L);
 int wear_loop(lua_State *L);
 
 /* --- wear_class.c --- */
-/* Pushes the box of the model that the run in the box at `index` lives on now. */
+/* Pushes the box of the present model of the run in the box at `index`. */
 void run_push_model(lua_State *L, int index, const arc_wear *wear);
 
 /* --- wear_record.c: rows of history --- */
 
-/* Pushes a table of the record's columns by name; its text is what the string on top of the stack
- * says, which it replaces. */
+/* Replaces the text on top of the stack by a table of the record's columns by name, whose
+ * __tostring returns the text. */
 void record_push(lua_State *L, const arc_wear_record *record);
 
-/* Pushes one aligned line on a record, and a table of lines on `count` of them. */
+/* Push a text: one aligned line for a record, or a table with a header for `count` records. */
 void record_push_line(lua_State *L, const arc_wear_record *record);
 void record_push_lines(lua_State *L, const arc_wear_record *records, size_t count);
 

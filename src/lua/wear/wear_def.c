@@ -1,4 +1,4 @@
-/* Class wear: the definition table of a run. */
+/* Class wear: reads the definition table of a run. */
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
@@ -14,8 +14,8 @@ static const arc_setting series_fields[] = {
     {.name = NULL},
 };
 
-/* Reads { distance=, value= } where the setting is given as one; its numbers stay on the stack.
- * Anything else given in its place means none. The engine checks the numbers. */
+/* Reads { distance=, value= } if the setting is given as a table; its buffers stay on the stack.
+ * Other values clear the series. The engine checks the numbers. */
 static void push_series(lua_State *L, int index, args_place place, const arc_setting *s,
                         arc_wear_def *def) {
   arc_series *series = (arc_series *)(void *)((char *)def + s->series);
@@ -32,7 +32,7 @@ static void push_series(lua_State *L, int index, args_place place, const arc_set
   const double *value = array_read(L, inside, "value", &values);
   if (distances != values || distances == 0 || distances > 1000000)
     error_raise(L, ARC_ARGUMENT, place.where,
-                "fields '%s.distance' and '%s.value': expected two arrays of one length, got %d "
+                "fields '%s.distance' and '%s.value': expected two arrays of equal length, got %d "
                 "and %d numbers",
                 s->name, s->name, (int)distances, (int)values);
   *series = (arc_series){(int)distances, distance, value};
@@ -43,10 +43,10 @@ static void read_all_series(lua_State *L, int index, args_place place, arc_wear_
     if (s->forms & ARC_SERIES) push_series(L, index, place, s, def);
 }
 
-/* --- how far ---------------------------------------------------------------------------------- */
+/* --- cycles and distance ---------------------------------------------------------------------- */
 
-/* With loading, `cycles` are those of all blocks, of which the last may be without a number; and no
- * distance at all means all the blocks. */
+/* Distributes `cycles`, the total of all blocks, when a run has loading: the last block without
+ * `cycles` gets the rest. Without a distance the run ends after all blocks. */
 static void share_cycles(lua_State *L, args_place place, wear_request *request,
                          int distance_given) {
   arc_wear_def *def = &request->def;
@@ -56,7 +56,7 @@ static void share_cycles(lua_State *L, args_place place, wear_request *request,
   if (request->cycles > 0 && (isfinite(last->cycles) || !(request->cycles > before)))
     error_raise(L, ARC_ARGUMENT, place.where,
                 "field 'cycles': expected more than the %s cycles of the blocks of loading before "
-                "the last, which has none of its own; got %s",
+                "the last one, and no cycles in the last one; got %s",
                 args_show_number(L, before), args_show_number(L, request->cycles));
   if (request->cycles > 0) last->cycles = request->cycles - before;
   if (!distance_given && isfinite(last->cycles)) def->distance = 0;
@@ -73,30 +73,31 @@ arc_wear_def wear_request_settle(const wear_request *request, const arc_model_de
   return def;
 }
 
-/* --- all of it -------------------------------------------------------------------------------- */
+/* --- the definition table --------------------------------------------------------------------- */
 
-/* What only a new run can have. */
+/* Raises an error for settings that only a new run may have. */
 static void refuse_changes(lua_State *L, int index, args_place place) {
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     if (s->forms & ARC_FIXED && args_given(L, index, s->name))
-      error_raise(L, ARC_ARGUMENT, place.where,
-                  "field '%s' cannot be changed in a run; make a new one of its shape, wear{ worn "
-                  "= w, ... }",
-                  s->name);
+      error_raise(
+          L, ARC_ARGUMENT, place.where,
+          "field '%s' cannot be changed in a run; create a new run from its shape, wear{ worn "
+          "= w, ... }",
+          s->name);
 }
 
-/* Where a run that is changed begins anew; nothing lies behind it. */
+/* Raises an error if the new end of a changed run is before its present position. */
 static void check_ahead(lua_State *L, args_place place, const wear_request *request) {
   const double cycles = request->cycles, distance = request->def.distance;
   if (cycles > 0 && cycles < request->cycle_before)
     error_raise(L, ARC_ARGUMENT, place.where,
-                "field 'cycles': the run is at cycle %s already, beyond %s",
+                "field 'cycles': the run is already at cycle %s, beyond %s",
                 args_show_number(L, request->cycle_before), args_show_number(L, cycles));
   if (distance > 0 && distance < request->distance_before)
     error_raise(
         L, ARC_ARGUMENT, place.where,
-        "field 'distance': the run is at %s mm already, beyond %s mm (both counted from its "
-        "start)",
+        "field 'distance': the run is already at %s mm, beyond %s mm (both from the start of the "
+        "run)",
         args_show_number(L, request->distance_before), args_show_number(L, distance));
 }
 
@@ -112,7 +113,7 @@ static wear_request begin_request(lua_State *L, int index, int changed, args_pla
   return request;
 }
 
-/* What follows from new loading, which has its own motion. A new run's nominal load is the largest,
+/* Applies new loading, which defines the motion. The nominal load of a new run is the largest load,
  * unless it is given. */
 static void settle_loading(lua_State *L, int index, args_place place, wear_request *request,
                            int changed) {
@@ -121,20 +122,20 @@ static void settle_loading(lua_State *L, int index, args_place place, wear_reque
                 "fields 'stroke' and 'loading': expected one of them, got both");
   if (args_given(L, index, "tangential"))
     error_raise(L, ARC_ARGUMENT, place.where,
-                "fields 'tangential' and 'loading': expected one of them, got both; a block of "
-                "loading has a tangential of its own");
+                "fields 'tangential' and 'loading': expected one of them, got both (a block of "
+                "loading has a field 'tangential')");
   request->def.tangential = 0;
   share_cycles(L, place, request, args_given(L, index, "distance"));
   const double largest = loading_largest(&request->def);
   if (!changed && !args_given(L, index, "load") && largest > 0) request->def.load = largest;
 }
 
-/* What a new run takes, or one that is changed. */
+/* Lists the settings that a new run, or a changed run, may have. */
 static void list_settings(arc_setting list[ARC_WEAR_SETTINGS_COUNT + 2], int changed) {
   int count = 0;
   for (const arc_setting *s = arc_wear_settings; s->name; s++)
     if (!(changed && s->forms & ARC_FIXED)) list[count++] = *s;
-  if (changed) list[count++] = (arc_setting)ARGS_OTHER("mesh"); /* the class reads it */
+  if (changed) list[count++] = (arc_setting)ARGS_OTHER("mesh"); /* read by wear_class.c */
   list[count] = (arc_setting){.name = NULL};
 }
 
@@ -144,7 +145,7 @@ static void read_cycles(lua_State *L, int index, args_place place, wear_request 
   lua_pop(L, 1);
 }
 
-/* With a new scheme, what belongs to the other one goes, unless it is given too. */
+/* After a change of the scheme, resets the tolerance unless it is given. */
 static void settle_scheme(lua_State *L, int index, arc_wear_def *def) {
   if (!args_given(L, index, "scheme")) return;
   if (def->scheme == ARC_EXPLICIT && !args_given(L, index, "tolerance")) def->tolerance = 0;
@@ -169,7 +170,7 @@ static void refuse_both(lua_State *L, int index, args_place place, const char *o
                   of_couple[i], of_body);
 }
 
-/* What a body has where nothing is given for it: in a run that is changed, what it had. */
+/* Coefficient of a body that is not given: the present one in a changed run, else an error. */
 static double coefficient_now(lua_State *L, args_place place, const wear_request *request,
                               int body) {
   const arc_wear_def *def = &request->def;
@@ -177,12 +178,12 @@ static double coefficient_now(lua_State *L, args_place place, const wear_request
                     def->alpha_series.count == 0;
   if (!request->own_k || !plain)
     error_raise(L, ARC_ARGUMENT, place.where,
-                "field '%s': expected a number >= 0 mm2/N beside '%s', got nil",
+                "field '%s': expected a number >= 0 mm2/N together with '%s', got nil",
                 of_bodies[body].name, of_bodies[!body].name);
   return def->k * (body == ARC_CYLINDER ? def->alpha : 1 - def->alpha);
 }
 
-/* Replaces the table at `index` by a copy with the k and alpha that k_cylinder and k_plate make. */
+/* If k_cylinder and k_plate are given, replaces the table at `index` by a copy with k and alpha. */
 static void read_bodies(lua_State *L, int index, args_place place, wear_request *request) {
   double k[ARC_BODIES];
   int given[ARC_BODIES];
@@ -233,7 +234,7 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
     settle_loading(L, index, place, &request, changed);
   else if (request.cycles > 0 && request.def.blocks > 0)
     error_raise(L, ARC_ARGUMENT, place.where,
-                "field 'cycles': a run with loading takes a distance");
+                "field 'cycles': a run with loading needs a distance");
   int before = 0;
   if (changed && lua_getiuservalue(L, changed, RUN_FUNCTIONS) == LUA_TUSERDATA)
     before = lua_gettop(L);

@@ -1,5 +1,4 @@
-/* The user's functions in a run: how they are kept, called, and how their errors come back. Leans
- * on wear_called.c for the state they get, and on error.h. */
+/* The user's functions of a run: storage, calls and errors. */
 #include "lua/wear/wear_functions.h"
 #include "lua/base/array.h"
 #include "lua/base/error.h"
@@ -7,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Places in the holder, and in this order on the stack of a call: one for each setting of a run, by
- * its position in the list, from 1. */
+/* Indices of user values of the holder and, in the same order, of values on the stack of a call:
+ * index in arc_wear_settings plus 1, then state and error. */
 enum {
   LOCAL = ARC_AT_local_factor + 1,
   STATE = ARC_WEAR_SETTINGS_COUNT + 1,
@@ -23,8 +22,8 @@ static int place_of(const arc_setting *setting) {
 typedef struct wear_functions {
   functions_place now;
   called_state *state;
-  int vector;     /* local_factor takes all nodes at once */
-  char what[200]; /* the call that failed, in words */
+  int vector;     /* local_factor is called with arrays of all nodes */
+  char what[200]; /* description of the call that failed */
 } wear_functions;
 
 static const char kind[] = "archard.functions";
@@ -46,7 +45,7 @@ static void end(wear_functions *f, int top, called_state before) {
   lua_settop(f->now.L, top);
 }
 
-/* Keeps the error value on top of the stack. */
+/* Stores the error value on top of the stack in the holder. */
 static arc_status fail(wear_functions *f) {
   lua_setiuservalue(f->now.L, f->now.at, ERROR);
   f->now.failed = 1;
@@ -58,7 +57,7 @@ static void name_call(wear_functions *f, const char *name, const arc_wear_record
            state->distance, state->cycle);
 }
 
-/* Calls a function of the state that gives a number. */
+/* Calls a function of the state that returns a number. */
 static arc_status ask(void *context, const arc_setting *what, const arc_wear_record *state,
                       double *value) {
   wear_functions *f = context;
@@ -85,13 +84,13 @@ static arc_status ask(void *context, const arc_setting *what, const arc_wear_rec
 typedef struct local_call {
   wear_functions *held;
   arc_body body;
-  int n, at;               /* nodes; the one at hand, -1: all of them */
-  const double *x, *z, *p; /* z NULL: in the plane */
+  int n, at;               /* number of nodes; present node, -1: all nodes */
+  const double *x, *z, *p; /* z NULL: two-dimensional */
   double *factor;
 } local_call;
 
-/* Function, state -> factors node by node. Nodes without pressure do not wear: they are left out.
- */
+/* Computes the factors node by node. Stack: function, state. Nodes without pressure do not wear and
+ * are skipped. */
 static int each_node(lua_State *L) {
   local_call *call = lua_touserdata(L, 3);
   lua_pushstring(L, body_names[call->body]);
@@ -113,7 +112,7 @@ static int each_node(lua_State *L) {
   return 0;
 }
 
-/* Pushes the values at the nodes under pressure. */
+/* Pushes the list of values at the nodes under pressure. */
 static void push_loaded(lua_State *L, const local_call *call, const double *values) {
   lua_Integer count = 0;
   int loaded = 0;
@@ -126,7 +125,7 @@ static void push_loaded(lua_State *L, const local_call *call, const double *valu
   }
 }
 
-/* The same by one call for all nodes under pressure. */
+/* Computes the factors by one call for all nodes under pressure. Stack: function, state. */
 static int all_nodes(lua_State *L) {
   local_call *call = lua_touserdata(L, 3);
   lua_pushvalue(L, 1);
@@ -142,7 +141,7 @@ static int all_nodes(lua_State *L) {
   for (int i = 0; i < call->n; i++) {
     if (!(call->p[i] > 0)) continue;
     if (lua_rawgeti(L, -1, ++at) != LUA_TNUMBER)
-      return luaL_error(L, "expected a number for every x, got %s for x[%d]", luaL_typename(L, -1),
+      return luaL_error(L, "expected one number for each x, got %s for x[%d]", luaL_typename(L, -1),
                         (int)at);
     call->factor[i] = lua_tonumber(L, -1);
     lua_pop(L, 1);
@@ -182,7 +181,7 @@ static arc_status ask_local(void *context, arc_body body, int n, const double *x
   return status;
 }
 
-/* --- around a call of the engine ------------------------------------------------------------- */
+/* --- context of calls of the engine ----------------------------------------------------------- */
 
 static functions_call enter(lua_State *L, int holder, box *run, const arc_model_def *pair) {
   wear_functions *f = lua_touserdata(L, holder);
@@ -233,7 +232,7 @@ static wear_functions *push_holder(lua_State *L) {
   return f;
 }
 
-/* local_factor = { vector = f }: pushes f in place of nothing, else refuses. */
+/* local_factor = { vector = f }: pushes f; raises an error if it is not a function. */
 static void push_vector(lua_State *L, args_place place) {
   static const arc_setting names[] = {ARGS_OTHER("vector"), {.name = NULL}};
   char prefix[60];
@@ -244,8 +243,8 @@ static void push_vector(lua_State *L, args_place place) {
     args_refuse(L, inside, "vector", "a function(body, xs, ps, state, zs)");
 }
 
-/* Pushes the function that the table gives for a setting, or nil; returns whether the table says
- * anything about it. */
+/* Pushes the function given for a setting, or nil; returns 0 if the table does not have the
+ * setting. */
 static int push_given(lua_State *L, int index, const arc_setting *s, args_place place,
                       int *vector) {
   const int type = args_get(L, index, s->name), local = place_of(s) == LOCAL;
@@ -262,7 +261,7 @@ static int push_given(lua_State *L, int index, const arc_setting *s, args_place 
   return 1;
 }
 
-/* Puts the pointer that calls a setting's function, or none, into the definition. */
+/* Sets the function pointer of a setting in the definition, or clears it. */
 static void set_pointer(const arc_setting *s, int given, arc_wear_def *def) {
   if (place_of(s) == LOCAL)
     def->local_factor = given ? ask_local : NULL;

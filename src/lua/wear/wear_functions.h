@@ -1,45 +1,42 @@
-/* lua/wear_functions.h - the user's functions in the definition of a run: k, alpha, jump and
- * local_factor.
- *
- * A holder (a userdata) keeps them; runs have it as their second user value, a clone shares that of
- * its original. The engine gets the holder's memory as context. Every call of the engine that may
- * ask a function stands between functions_enter and functions_leave: what a function raises is kept
- * until the engine has unwound, then raised again.
- */
+/* lua/wear_functions.h - the user's functions of a run, e.g. k, alpha, jump and local_factor.
+ * A holder (a userdata) keeps them alive. It is the second user value of a run, shared with its
+ * clones, and the engine's context. Every call of the engine that may call a function is enclosed
+ * by functions_enter and functions_leave. An error of a function is stored until the engine has
+ * returned, then raised again. */
 #ifndef LUA_WEAR_FUNCTIONS_H
 #define LUA_WEAR_FUNCTIONS_H
 
 #include "lua/engine/classes.h"
 
-/* Reads the functions of the table at `index`, or keeps those of the holder at `previous` (0: none)
- * where the table has nothing in their place. Pushes the holder, or nil without functions, and puts
- * them into the definition. */
+/* Reads the functions of the table at `index`; for settings not in the table those of the holder at
+ * `previous` (0: none) are kept. Pushes the holder, or nil without functions, and sets the function
+ * pointers of the definition. */
 void functions_read(lua_State *L, int index, int previous, args_place place, arc_wear_def *def);
 
-/* Where functions are called: on which stack, for which run. */
+/* Context in which functions are called. */
 typedef struct functions_place {
   lua_State *L;              /* NULL outside a call of the engine */
-  box *run;                  /* NULL while it is being made */
-  const arc_model_def *pair; /* that of a run that is being made */
-  int at;                    /* index of the holder on the stack; the functions follow it */
-  int failed;                /* the holder keeps an error */
+  box *run;                  /* NULL during its construction */
+  const arc_model_def *pair; /* model definition of a run under construction */
+  int at;                    /* stack index of the holder, which the functions follow */
+  int failed;                /* the holder has an error value */
 } functions_place;
 
 typedef struct functions_call {
   struct wear_functions *held; /* NULL: a run without functions */
-  functions_place outer;       /* of the call around this one, if any */
+  functions_place outer;       /* context of the enclosing call */
 } functions_call;
 
-/* Makes ready to call the functions of the holder at `holder` (nil: nothing is done); `run` is
- * marked as busy in the middle of a step while one of them runs. Leaves values on the stack. */
+/* Prepares calls of the functions of the holder at `holder` (nil: does nothing). While a function
+ * runs, `run` is marked as busy. Leaves values on the stack. */
 functions_call functions_enter(lua_State *L, int holder, box *run);
-/* The same where there is no run yet, on a model of that definition. */
+/* functions_enter during the construction of a run with this model definition. */
 functions_call functions_enter_making(lua_State *L, int holder, const arc_model_def *pair);
 
-/* Whether one has raised an error that functions_leave will raise. */
+/* True if a function has raised an error, which functions_leave will raise again. */
 int functions_failed(const functions_call *call);
 
-/* The end of the call. Raises what a function has raised; the stack may hold anything. */
+/* Ends the context; raises the error of a function. The stack is not restored. */
 void functions_leave(lua_State *L, functions_call *call, const char *where);
 
 /* Pushes the function of a field ("k") from the holder at `holder`, or nil. */
@@ -48,16 +45,16 @@ void functions_push(lua_State *L, int holder, const char *field);
 /* Pushes the list of the fields of a definition that are functions. */
 void functions_push_names(lua_State *L, const arc_wear_def *def);
 
-/* What a state object shows: nothing while there is no record; by body as the pair's are called. */
+/* Data of a state object; record: NULL outside a call; pair: names of the bodies. */
 typedef struct called_state {
   const arc_wear_record *record;
   const arc_model_def *pair;
 } called_state;
 
-/* Pushes a state object, and what it shows from now on. */
+/* Pushes a state object and returns its data. */
 called_state *state_push(lua_State *L);
 
-enum { RUN_IDLE = 0, RUN_BUSY = 1, RUN_IN_STEP = 2 }; /* box.busy of a run */
-enum { RUN_MODEL = 1, RUN_FUNCTIONS = 2 };            /* its user values */
+enum { RUN_IDLE = 0, RUN_BUSY = 1, RUN_IN_STEP = 2 }; /* values of box.busy of a run */
+enum { RUN_MODEL = 1, RUN_FUNCTIONS = 2 };            /* user values of a run */
 
 #endif

@@ -1,4 +1,4 @@
-/* What ends a wear run: a distance or number of cycles, measures that reach a value, a function. */
+/* End conditions of a wear run: distance or cycles, target values of measures, a function. */
 #include "lua/base/error.h"
 #include "lua/wear/wear_class.h"
 
@@ -29,17 +29,18 @@ static const arc_setting definition[] = {
 static void refuse_behind(lua_State *L, double covered, double wanted) {
   if (wanted < covered)
     error_raise(L, ARC_ARGUMENT, where,
-                "the run is at %s mm already, beyond %s mm (both counted from its start)",
+                "the run is already at %s mm, beyond %s mm (both from the start of the run)",
                 args_show_number(L, covered), args_show_number(L, wanted));
 }
 
-/* The distance of a number of cycles in all; those of loading have no common length. */
+/* Distance at the end of `cycles` cycles. Cycles of loading have different lengths, so that is an
+ * error. */
 static double distance_of_cycles(lua_State *L, const arc_wear *wear, double cycles) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const double length = arc_wear_def_sliding(def, arc_model_definition(arc_wear_model(wear)));
   const double from = def->start_distance, before = def->start_cycle;
   if (def->blocks > 0)
-    error_raise(L, ARC_ARGUMENT, where, "field 'cycles': a run with loading takes a distance");
+    error_raise(L, ARC_ARGUMENT, where, "field 'cycles': a run with loading needs a distance");
   return from + (cycles - before) * length;
 }
 
@@ -58,9 +59,9 @@ static double read_distance(lua_State *L, const arc_wear *wear) {
 /* --- measures -------------------------------------------------------------------------------- */
 
 typedef struct measure {
-  const char *group, *name; /* field and, where it is a table, name in it */
+  const char *group, *name; /* field, and name in its table (or NULL) */
   int column;
-  int grows; /* never falls: a value below the present one lies behind */
+  int grows; /* never decreases: the target must exceed the present value */
 } measure;
 
 #define COLUMN(name) ARC_WEAR_COLUMN_##name
@@ -76,7 +77,7 @@ static const measure measures[] = {
     {NULL, NULL, 0, 0},
 };
 
-/* Adds the number on top of the stack as the value to reach. */
+/* Adds the number on top of the stack as a target. */
 static void add_target(lua_State *L, const arc_wear *wear, const measure *m, args_place place,
                        wear_goals *goals) {
   const arc_setting range = {
@@ -84,7 +85,7 @@ static void add_target(lua_State *L, const arc_wear *wear, const measure *m, arg
   const double value = args_number(L, place, &range);
   const double now = arc_wear_record_get(arc_wear_last(wear), m->column);
   if (m->grows && value <= now)
-    error_raise(L, ARC_ARGUMENT, where, "field '%s%s': the run is at %s already, beyond %s",
+    error_raise(L, ARC_ARGUMENT, where, "field '%s%s': the run is already at %s, beyond %s",
                 place.prefix, range.name, args_show_number(L, now), args_show_number(L, value));
   goals->target[goals->count] = (arc_wear_target){m->column, value};
   snprintf(goals->name[goals->count], sizeof goals->name[0], "%s%s", place.prefix, range.name);
@@ -106,7 +107,7 @@ static void check_group(lua_State *L, const char *group) {
   lua_pop(L, 1);
 }
 
-/* The group of the table at index 2 in the words of files, in a copy of it that takes its place. */
+/* Replaces the table at index 2 by a copy in which the keys of the group are body_names. */
 static void use_usual_names(lua_State *L, const arc_wear *wear, const char *group) {
   const arc_model_def *def = arc_model_definition(arc_wear_model(wear));
   const args_place place = {where, strcmp(group, "volume") == 0 ? "volume." : "depth."};

@@ -1,5 +1,5 @@
-/* The field `loading` of a run: blocks of plate position and load over a cycle, given as functions
- * of t, as arrays or as numbers; sampled once, here. */
+/* Reads the field `loading` of a run: blocks of plate position and load over a cycle, given as
+ * functions of t, arrays or numbers, which are sampled here. */
 #include "archard/measure.h"
 #include "lua/base/array_read.h"
 #include "lua/base/error.h"
@@ -31,13 +31,13 @@ static const arc_setting definition[] = {
     {.name = NULL},
 };
 
-/* One block while it is read; what holds its numbers is on the stack. */
+/* State of reading a block; its buffers are on the stack. */
 typedef struct reading {
   lua_State *L;
-  int table; /* index of its definition */
+  int table; /* stack index of the block's table */
   args_place place;
-  size_t given, count;    /* times that came with the arrays, and those it is sampled at */
-  const double *from, *t; /* both from 0 to 1 */
+  size_t given, count;    /* number of times of the given arrays, and of the samples */
+  const double *from, *t; /* given and sampled times, 0 to 1 */
 } reading;
 
 enum { usual_increments = 100, most_blocks = 1000000 };
@@ -50,7 +50,7 @@ static const double *push_uniform(lua_State *L, size_t count) {
   return t;
 }
 
-/* Pushes the field `t`, scaled to 0 ... 1. */
+/* Pushes the field `t`, scaled to 0 to 1. */
 static const double *push_times(const reading *r, size_t *count) {
   lua_State *L = r->L;
   double *t = array_read(L, r->place, "t", count);
@@ -67,7 +67,7 @@ static const double *push_times(const reading *r, size_t *count) {
   return t;
 }
 
-/* Number of values in the array `name`, 0 where it is none. */
+/* Length of the array `name`, 0 if the field is not a table. */
 static size_t values_in(const reading *r, const char *name) {
   lua_State *L = r->L;
   size_t length = 0;
@@ -77,8 +77,8 @@ static size_t values_in(const reading *r, const char *name) {
   return length;
 }
 
-/* Decides at which times the block is sampled: as given by t or the arrays, unless increments are
- * asked for. */
+/* Sets the sample times of the block: t, or uniform times for the arrays, or uniform increments if
+ * they are given. */
 static void find_times(reading *r, int increments) {
   lua_State *L = r->L;
   static const char *const lists[] = {"x", "tangential", "rotation", "load", "load_angle", NULL};
@@ -91,7 +91,7 @@ static void find_times(reading *r, int increments) {
     r->from = push_uniform(L, r->given = values);
   if (timed && increments > 0 && !values)
     error_raise(L, ARC_ARGUMENT, r->place.where,
-                "fields '%st' and '%sincrements': expected one of them where x and load are "
+                "fields '%st' and '%sincrements': expected one of them if x and load are "
                 "functions, got both",
                 r->place.prefix, r->place.prefix);
   r->count = r->given;
@@ -109,7 +109,7 @@ static void sample_array(const reading *r, const char *name, double *value) {
   const double *given = array_read(L, r->place, name, &count);
   if (count != r->given || count < 2)
     error_raise(L, ARC_ARGUMENT, r->place.where,
-                "field '%s%s': expected %d numbers, as many as there are times, and at least 2; "
+                "field '%s%s': expected %d numbers, one for each time, and at least 2; "
                 "got %d",
                 r->place.prefix, name, (int)r->given, (int)count);
   for (size_t i = 0; i < r->count; i++)
@@ -117,7 +117,7 @@ static void sample_array(const reading *r, const char *name, double *value) {
                                : arc_measure_interpolate(r->from, given, count, r->t[i], given[0]);
 }
 
-/* Calls the function on top of the stack for every time. */
+/* Calls the function on top of the stack for each time. */
 static void sample_function(const reading *r, const char *name, double *value) {
   lua_State *L = r->L;
   char call[80];
@@ -134,8 +134,8 @@ static void sample_function(const reading *r, const char *name, double *value) {
   }
 }
 
-/* Pushes what holds the values of `name` at the block's times, into the holder's list. A number
- * (`constant` if nothing is given and it is not NaN) holds all the time. */
+/* Samples `name` at the block's times into a buffer, which is appended to the list at `holder`. A
+ * number is constant in time; if nothing is given, the value is `constant` (NaN: error). */
 static const double *sample(const reading *r, int holder, const char *name, double constant) {
   lua_State *L = r->L;
   const int top = lua_gettop(L);
@@ -157,7 +157,7 @@ static const double *sample(const reading *r, int holder, const char *name, doub
   return value;
 }
 
-/* Pushes as many zeros. */
+/* Returns a buffer of zeros, appended to the list at `holder`. */
 static const double *still(const reading *r, int holder) {
   double *value = array_buffer(r->L, r->count);
   memset(value, 0, r->count * sizeof *value);
@@ -177,8 +177,8 @@ static int read_periodic(const reading *r) {
   return periodic;
 }
 
-/* What drives the lower body: one of three fields; under a load that turns, which alone wears
- * nothing, it is the rotation that is missed. */
+/* The field that drives the lower body: x, tangential or rotation. If none is given: rotation for a
+ * rotating load (load_angle), else x. */
 static const char *drive_of(const reading *r) {
   static const char *const drives[] = {"x", "tangential", "rotation", NULL};
   const char *found = NULL;
@@ -193,7 +193,7 @@ static const char *drive_of(const reading *r) {
   return found ? found : drives[args_given(r->L, r->table, "load_angle") ? 2 : 0];
 }
 
-/* The block on top of the stack. */
+/* Reads the block on top of the stack. */
 static arc_loading read_block(lua_State *L, int holder, args_place place, double load) {
   const int top = lua_gettop(L);
   block_def def = {0};
@@ -216,7 +216,7 @@ static arc_loading read_block(lua_State *L, int holder, args_place place, double
   return block;
 }
 
-/* A table whose first element is a table is a list of blocks, any other one is a block. */
+/* True if the table at `index` is a list of blocks, not a block. */
 static int is_list(lua_State *L, int index) {
   int list = lua_rawgeti(L, index, 1) != LUA_TNIL;
   lua_pop(L, 1);
@@ -236,7 +236,7 @@ int loading_read(lua_State *L, int index, args_place place, arc_wear_def *def) {
   if (type == LUA_TBOOLEAN && !lua_toboolean(L, -1)) def->blocks = 0;
   if (type == LUA_TNIL || (type == LUA_TBOOLEAN && !lua_toboolean(L, -1))) return 0;
   if (type != LUA_TTABLE)
-    args_refuse(L, place, "loading", "a block { x=, load= } or a list of them");
+    args_refuse(L, place, "loading", "a block { x=, load= } or a list of blocks");
   const int loading = lua_gettop(L), list = is_list(L, loading);
   const int count = list ? (int)array_length(L, place, "loading", most_blocks) : 1;
   lua_newtable(L);

@@ -1,4 +1,4 @@
-/* Class wear: profiles, pressures and what is computed from them. */
+/* Class wear: profiles, pressures and results computed from them. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
@@ -11,7 +11,7 @@
 
 #include <stdlib.h>
 
-/* The body at index 2, the upper one where nothing stands there. */
+/* The body at index 2; the upper body for nil or none. */
 static arc_body wear_body(lua_State *L, const arc_wear *wear, const char *where) {
   return body_argument(L, 2, where, arc_model_definition(arc_wear_model(wear)), ARC_UPPER);
 }
@@ -20,7 +20,7 @@ static int is_meshed(const arc_wear *wear) {
   return !arc_model_has_maps(arc_model_definition(arc_wear_model(wear)));
 }
 
-/* Pushes what holds the surfaces of a run. */
+/* Pushes the arrays of the surfaces of a run. */
 static const arc_array *push_surfaces(lua_State *L, const arc_wear *wear, const char *where,
                                       size_t *count) {
   arc_error error = {0};
@@ -30,7 +30,7 @@ static const arc_array *push_surfaces(lua_State *L, const arc_wear *wear, const 
   return *held;
 }
 
-/* wear:profile(body, { z = 0 } | { x = 0 }) -> { x=, h=, y= } */
+/* wear:profile(body, { z = 0 } | { x = 0 }) -> { x=, h=, y= }; also for wear:pressure */
 static int push_section(lua_State *L, const arc_wear *wear, const char *where,
                         const char *const *names) {
   size_t count;
@@ -41,7 +41,7 @@ static int push_section(lua_State *L, const arc_wear *wear, const char *where,
   return 1;
 }
 
-/* wear:map(body, what) -> map of "depth", "height" or "pressure" */
+/* wear:map(body, quantity) -> map of "depth", "height" or "pressure" */
 int wear_map(lua_State *L) {
   static const char where[] = "wear:map";
   static const char *const what[] = {"depth", "height", "pressure", NULL};
@@ -50,9 +50,9 @@ int wear_map(lua_State *L) {
   size_t count;
   lua_settop(L, 3);
   if (is_meshed(wear))
-    error_raise(L, ARC_ARGUMENT, where,
-                "expected a run with geometry = \"3-D\", got one in the plane; w:profile() has its "
-                "depths");
+    error_raise(
+        L, ARC_ARGUMENT, where,
+        "expected a run with geometry = \"3-D\", got a two-dimensional run: use w:profile()");
   const arc_body body = wear_body(L, wear, where);
   const int which = args_choice(L, 3, (args_place){where, ""}, "what", what, 0);
   const arc_array *arrays = push_surfaces(L, wear, where, &count);
@@ -66,9 +66,9 @@ int wear_profile(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:profile");
   if (!is_meshed(wear)) return push_section(L, wear, "wear:profile", names);
   if (!lua_isnoneornil(L, 3))
-    error_raise(L, ARC_ARGUMENT, "wear:profile",
-                "expected no section: they are of runs with geometry = \"3-D\", this one is in the "
-                "plane");
+    error_raise(
+        L, ARC_ARGUMENT, "wear:profile",
+        "expected no section: the run is two-dimensional (sections need geometry = \"3-D\")");
   arc_body body = wear_body(L, wear, "wear:profile");
   arc_profile profile = arc_shape_profile(arc_wear_shape(wear), body);
   lua_createtable(L, 0, 5);
@@ -81,7 +81,7 @@ int wear_profile(lua_State *L) {
   return 1;
 }
 
-/* Pushes the contact of a run in the reference configuration. */
+/* Pushes and returns the contact of a run in the reference configuration. */
 static const arc_contact *push_contact(lua_State *L, const arc_wear *wear, const char *where) {
   arc_error error = {0};
   arc_contact *contact = NULL;
@@ -101,7 +101,7 @@ int wear_contact(lua_State *L) {
   return 1;
 }
 
-/* wear.p_average: the largest pressure of that contact, averaged over the usual length */
+/* wear.p_average: largest pressure of wear:contact(), averaged over the default length */
 int wear_p_average(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear");
   lua_settop(L, 1);
@@ -109,7 +109,7 @@ int wear_p_average(lua_State *L) {
   return 1;
 }
 
-/* { x=, p= } of kinds without contact objects. */
+/* Pushes { x=, p= } of a run without meshes. */
 static void push_shown(lua_State *L, const arc_wear *wear, arc_body body) {
   static const char *const names[] = {"x", "p"};
   arc_error error = {0};
@@ -125,7 +125,7 @@ static void push_shown(lua_State *L, const arc_wear *wear, arc_body body) {
   strict_table(L, "pressure");
 }
 
-/* wear:pressure(body) -> { x=, p= } of that contact */
+/* wear:pressure(body) -> { x=, p= } of wear:contact() */
 int wear_pressure(lua_State *L) {
   static const char *const names[] = {"p", NULL};
   const arc_wear *wear = wear_self(L, "wear:pressure");
@@ -139,7 +139,7 @@ int wear_pressure(lua_State *L) {
   return 1;
 }
 
-/* --- both bodies together: at the plate's nodes, plate at x = 0 so that the maxima meet --------
+/* --- both bodies together: at the plate's nodes, with the plate at x = 0 -----------------------
  */
 
 static arc_depths depths_of(const arc_shape *shape, arc_body body) {
@@ -154,8 +154,8 @@ int wear_combined(lua_State *L) {
   return measure_push_combined(L, depths_of(shape, ARC_CYLINDER), depths_of(shape, ARC_PLATE));
 }
 
-/* wear:local_partition() -> { x=, value= }, the cylinder's share of the sum (Eq. 30), where there
- * is any wear */
+/* wear:local_partition() -> { x=, value= }, the cylinder's share of the sum (Eq. 30) at worn points
+ */
 int wear_local_partition(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(wear_self(L, "wear:local_partition"));
   model_check_meshed(L, arc_shape_model(shape), "wear:local_partition");
@@ -164,7 +164,7 @@ int wear_local_partition(lua_State *L) {
 
 /* --- smoothness ------------------------------------------------------------------------------ */
 
-/* wear:roughness(body) -> sawtooth part of the profile, as a share of the depth */
+/* wear:roughness(body) -> sawtooth part of the profile divided by the depth */
 int wear_roughness(lua_State *L) {
   const arc_wear *wear = wear_self(L, "wear:roughness");
   arc_body body = wear_body(L, wear, "wear:roughness");
@@ -172,7 +172,7 @@ int wear_roughness(lua_State *L) {
   return 1;
 }
 
-/* wear:stability() -> { eigenvalue=, jump_limit= }: ripples grow where jump exceeds the limit */
+/* wear:stability() -> { eigenvalue=, jump_limit= }: ripples grow if jump exceeds the limit */
 int wear_stability(lua_State *L) {
   static const char where[] = "wear:stability";
   lua_settop(L, 1);

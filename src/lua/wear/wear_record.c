@@ -1,4 +1,4 @@
-/* Rows of a run's history: as tables, as aligned lines, as columns. */
+/* Rows of a run's history as tables, as aligned lines and as columns. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/strict.h"
@@ -30,7 +30,7 @@ void record_push(lua_State *L, const arc_wear_record *record) {
   strict_module(L, "record");
 }
 
-/* Writes alpha-tilde, or "-" before there is any wear. */
+/* Writes the partition of the depth (alpha-tilde), or "-" without wear. */
 static const char *show_partition(const arc_wear_record *record, char *text, size_t size) {
   if (isfinite(record->depth_partition))
     snprintf(text, size, "%5.3f", record->depth_partition);
@@ -39,7 +39,7 @@ static const char *show_partition(const arc_wear_record *record, char *text, siz
   return text;
 }
 
-/* Steps that choose themselves end anywhere in a cycle. */
+/* Decimals of a cycle: adaptive steps may end within a cycle. */
 static int cycle_digits(double cycle) {
   return cycle == floor(cycle) || cycle >= 1000 ? 0 : 1;
 }
@@ -64,7 +64,7 @@ static void add_row(luaL_Buffer *text, const arc_wear_record *record) {
   luaL_addstring(text, line);
 }
 
-/* Many rows are thinned: at most twenty lines, the last row always among them. */
+/* Prints at most 20 rows, evenly thinned, including the last one. */
 void record_push_lines(lua_State *L, const arc_wear_record *records, size_t count) {
   luaL_Buffer text;
   luaL_buffinit(L, &text);

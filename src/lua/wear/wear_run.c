@@ -1,4 +1,4 @@
-/* Class wear: stepping, running, progress and interruption. */
+/* Class wear: steps, runs, progress and interruption. */
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
 #include "lua/base/scripts.h"
@@ -14,7 +14,8 @@ static lua_Number next_update(const arc_wear *wear) {
 
 /* --- interruption ---------------------------------------------------------------------------- */
 
-/* Ctrl-C ended a step or a run: says where it stands now, since a progress bar is gone. */
+/* After Ctrl-C: raises "interrupted" with the present position of the run, since the progress bar
+ * is erased. */
 static void refuse_interrupted(lua_State *L, const arc_wear *wear) {
   char text[80];
   const arc_wear_record *last = arc_wear_last(wear);
@@ -40,7 +41,8 @@ static int count_argument(lua_State *L, int index, const char *where) {
   return (int)value;
 }
 
-/* Pushes the record after `steps` updates from row `first` of the history on. */
+/* Pushes the record after the updates from row `first` of the history, with the rows as its text.
+ */
 static void push_progress(lua_State *L, const arc_wear *wear, size_t first) {
   size_t count;
   const arc_wear_record *records = arc_wear_history(wear, &count);
@@ -55,7 +57,7 @@ static void warn(void *context, const char *text) {
   lua_warning(context, text, 0);
 }
 
-/* One step of the engine, with the functions of the run at index 1. */
+/* One step of the engine with the functions of the run at index 1. */
 static void step_once(lua_State *L, box *made, const char *where) {
   arc_wear *wear = made->thing;
   const arc_callbacks callbacks = {.stop = interrupt_pending, .warn = warn, .context = L};
@@ -70,17 +72,17 @@ static void step_once(lua_State *L, box *made, const char *where) {
   lua_settop(L, 2);
 }
 
-/* A step at the end of the distance does nothing, and says so. */
+/* Warns that wear:step did nothing at the end of the distance. */
 static void warn_finished(lua_State *L, const arc_wear *wear) {
   char text[160];
   snprintf(text, sizeof text,
-           "wear:step: nothing to do: the run has come to its distance of %.10g mm; "
-           "w:set{ distance = ... } gives it more",
+           "wear:step: nothing to do: the run has reached its distance of %.10g mm; "
+           "extend it by w:set{ distance = ... }",
            arc_wear_definition(wear)->distance);
   lua_warning(L, text, 0);
 }
 
-/* wear:step(n) -> the last record; nothing happens at the end of the distance */
+/* wear:step(n) -> the last record; does nothing at the end of the distance */
 int wear_step(lua_State *L) {
   static const char where[] = "wear:step";
   lua_settop(L, 2);
@@ -104,16 +106,16 @@ int wear_step(lua_State *L) {
 
 /* --- run ------------------------------------------------------------------------------------- */
 
-/* What the engine hands back to after_step. The run's object stands at index 1. */
+/* Context of the engine's callbacks. The run's object is at index 1. */
 typedef struct run_call {
   lua_State *L;
   int progress, stop_when; /* indices of the functions; 0: none */
-  const char *asked;       /* the one that asked to stop */
-  const char *failed;      /* the one that raised the error on top of the stack */
+  const char *asked;       /* function that requested the stop */
+  const char *failed;      /* function that raised the error on top of the stack */
   functions_call functions;
 } run_call;
 
-/* Calls a function with the run; whether the run is to end. */
+/* Calls a function with the run; returns true if the run must end. */
 static int ask_user(run_call *call, int function, const char *name) {
   lua_State *L = call->L;
   if (!function) return 0;
@@ -132,7 +134,7 @@ static void warn_of_run(void *context, const char *text) {
   lua_warning(((run_call *)context)->L, text, 0);
 }
 
-/* A function may fail where the engine only looks ahead, and goes on without. */
+/* Stops also after an error of a function: in a predictor step the engine would ignore it. */
 static int is_to_stop(void *context) {
   return interrupt_pending(NULL) || functions_failed(&((run_call *)context)->functions);
 }
@@ -145,16 +147,17 @@ static int after_step(void *context, const arc_wear *wear) {
   return ask_user(call, call->stop_when, "stop_when") || progress;
 }
 
-/* Pushes what draws the progress of a run to `goal`, or nil: archard.lib.run_progress decides. */
+/* Pushes the progress display of a run to `goal` [mm], or nil (archard.lib.run_progress decides).
+ */
 static void push_display(lua_State *L, double goal) {
   lua_pushvalue(L, 1);
   lua_pushnumber(L, goal);
   if (script_pcall(L, "archard.lib.run_progress", 2, 1) == LUA_OK) return;
   lua_pop(L, 1);
-  lua_pushnil(L); /* a run does not fail for want of a display */
+  lua_pushnil(L); /* without a display the run continues */
 }
 
-/* Pushes the progress function; returns its index, or 0 where there is none. */
+/* Pushes the progress function; returns its index, or 0 if there is none. */
 static int push_progress_function(lua_State *L, double goal) {
   int type = args_get(L, 2, "progress");
   if (type == LUA_TFUNCTION) return lua_gettop(L);
@@ -166,8 +169,7 @@ static int push_progress_function(lua_State *L, double goal) {
   return lua_isfunction(L, -1) ? lua_gettop(L) : 0;
 }
 
-/* Calls the function on top of the stack, even where an interrupt is about to end everything: its
- * hook rests meanwhile. */
+/* Calls the function on top of the stack with the interrupt hook removed, so that it completes. */
 static void call_undisturbed(lua_State *L) {
   lua_Hook hook = lua_gethook(L);
   int mask = lua_gethookmask(L), count = lua_gethookcount(L);
@@ -176,7 +178,7 @@ static void call_undisturbed(lua_State *L) {
   if (hook) lua_sethook(L, hook, mask, count);
 }
 
-/* A display of our own is told that the run is over, however it ended. */
+/* Calls the built-in display once without argument: the run has ended. */
 static void end_display(lua_State *L, const run_call *call) {
   int top = lua_gettop(L);
   if (call->progress && args_get(L, 2, "progress") != LUA_TFUNCTION) {
@@ -186,7 +188,7 @@ static void end_display(lua_State *L, const run_call *call) {
   lua_settop(L, top);
 }
 
-/* Pushes the object, and what ended the run if there was a choice. */
+/* Pushes the run and, if there were several end conditions, the name of the one reached. */
 static int push_outcome(lua_State *L, const wear_goals *goals, const run_call *call, int reached) {
   lua_pushvalue(L, 1);
   if (goals->count == 0 && !goals->stop_when) return 1;
@@ -194,8 +196,8 @@ static int push_outcome(lua_State *L, const wear_goals *goals, const run_call *c
   return 2;
 }
 
-/* wear:run{ distance=, cycles=, depth=, volume=, ..., stop_when=, progress= } -> the object itself,
- * and what ended the run where that is not the distance alone */
+/* wear:run{ distance=, cycles=, depth=, volume=, ..., stop_when=, progress= } -> the wear object,
+ * and the end condition reached if there are others than the distance */
 int wear_run(lua_State *L) {
   static const char where[] = "wear:run";
   arc_error error = {0};

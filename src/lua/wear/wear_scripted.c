@@ -1,5 +1,5 @@
-/* Methods of the class wear that are written in Lua: each calls the function that a module of
- * scripts/ returns, with the object and what else was given. */
+/* Methods of the class wear written in Lua: each calls the function that a module of scripts/
+ * returns, with the object and the other arguments. */
 #include "lua/base/scripts.h"
 #include "lua/wear/wear_class.h"
 

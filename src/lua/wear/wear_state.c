@@ -1,4 +1,4 @@
-/* Class wear: its fields (state, measures, definition) and its summary in words. */
+/* Class wear: fields (state, results, definition) and the printed summary. */
 #include "lua/base/array.h"
 #include "lua/base/error.h"
 #include "lua/base/interrupt.h"
@@ -29,7 +29,7 @@ static const arc_model_def *pair_of(lua_State *L) {
 
 /* --- the state ------------------------------------------------------------------------------- */
 
-/* Every column of the last record; some of the fields below stand in the place of one. */
+/* Readers of all columns of the last record; some fields below replace a column. */
 #define COLUMN_FIELD(name, unit, range, rule, text) NUMBER_FIELD(wear_column, name, last(L)->name)
 ARC_WEAR_COLUMNS(COLUMN_FIELD)
 #undef COLUMN_FIELD
@@ -51,7 +51,7 @@ static int wear_depth(lua_State *L) {
 
 static int wear_vector_depth(lua_State *L) {
   const arc_shape *shape = arc_wear_shape(self(L));
-  if (arc_model_has_maps(pair_of(L))) return wear_depth(L); /* along y alone */
+  if (arc_model_has_maps(pair_of(L))) return wear_depth(L); /* only the depth along y */
   push_by_body(L, pair_of(L), arc_shape_vector_depth(shape, ARC_CYLINDER),
                arc_shape_vector_depth(shape, ARC_PLATE), "wear.vector_depth");
   return 1;
@@ -85,12 +85,12 @@ static int wear_saved(lua_State *L) {
 NUMBER_FIELD(wear, total_distance, def(L)->distance)
 NUMBER_FIELD(wear, strokes, arc_wear_strokes(self(L)))
 NUMBER_FIELD(wear, cycles, arc_wear_cycles(self(L)))
-/* Of the reference configuration; the last record has that of its update. */
+/* Load of the reference configuration; column load_reference is that of the last update. */
 NUMBER_FIELD(wear, load, def(L)->load)
-/* What the plate does, whether by a stroke or by a loading. */
+/* Stroke of the plate, also with loading. */
 NUMBER_FIELD(wear, stroke, arc_wear_travel(self(L)))
 
-/* Pushes the function of a field; returns 0 where it is none. */
+/* Pushes the function of a field; returns 0 if the field is not a function. */
 static int push_function(lua_State *L, const char *field) {
   lua_settop(L, 1);
   lua_getiuservalue(L, 1, RUN_FUNCTIONS);
@@ -98,7 +98,7 @@ static int push_function(lua_State *L, const char *field) {
   return lua_isfunction(L, -1);
 }
 
-/* A quantity as it is given: its function, or what the definition holds. */
+/* Pushes a quantity as given: its function, or the value of the definition. */
 static int push_quantity(lua_State *L, const arc_setting *s) {
   const arc_wear_def *settings = def(L);
   if (!push_function(L, s->name)) settings_push(L, s, settings);
@@ -113,8 +113,7 @@ static int wear_alpha(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_alpha]);
 }
 
-/* The bodies' own coefficients: those of the definition, or, where that changes on the way, those
- * of the last update. */
+/* Wear coefficient of one body: from the definition, or of the last update if it varies. */
 static double coefficient(lua_State *L, int of_cylinder) {
   const arc_wear_def *d = def(L);
   const arc_wear_record *now = last(L);
@@ -135,7 +134,8 @@ static int wear_friction(lua_State *L) {
   return push_quantity(L, &arc_wear_settings[ARC_AT_friction]);
 }
 
-/* The steady cycle on the present surfaces: { x=, tangential=, energy=, stick_width=, gross= }. */
+/* wear:loop() -> the periodic cycle on the present surfaces: { x=, tangential=, energy=,
+ * stick_width=, gross= } */
 int wear_loop(lua_State *L) {
   box *made = box_self_idle(L, &wear_class, "wear:loop");
   arc_error error = {0};
@@ -166,13 +166,13 @@ static int wear_local_factor(lua_State *L) {
   return 1;
 }
 
-/* The fields that are functions: what no file can hold. */
+/* w.functions: list of the settings that are functions, which files cannot store. */
 static int wear_functions_given(lua_State *L) {
   functions_push_names(L, def(L));
   return 1;
 }
 
-/* The blocks of loading as sampled; false for the plain stroke. */
+/* w.loading: the sampled blocks of loading; false for a plain stroke. */
 static int wear_loading(lua_State *L) {
   const arc_wear_def *settings = def(L);
   if (settings->blocks == 0)
@@ -182,13 +182,13 @@ static int wear_loading(lua_State *L) {
   return 1;
 }
 
-/* The one chosen, where the definition says "auto". */
+/* w.procedure: the procedure in use, also if the definition has "auto". */
 static int wear_procedure(lua_State *L) {
   lua_pushstring(L, arc_procedure_names[arc_wear_procedure(self(L))]);
   return 1;
 }
 
-/* w.update is the number of updates. */
+/* w.update_at: the setting `update`; the field w.update is the number of updates. */
 static int wear_update_at(lua_State *L) {
   lua_pushstring(L, arc_update_names[def(L)->update]);
   return 1;
@@ -199,7 +199,7 @@ static int wear_model(lua_State *L) {
   return 1;
 }
 
-/* The meshes by body, their nodes as they are worn by now. */
+/* w.mesh: the meshes by body with the present worn nodes. */
 static int wear_mesh(lua_State *L) {
   mesh_push_worn(L, arc_wear_shape(self(L)));
   return 1;
@@ -239,10 +239,10 @@ const luaL_Reg wear_fields[] = {
     {NULL, NULL},
 };
 
-/* --- in words -------------------------------------------------------------------------------- */
+/* --- printed summary -------------------------------------------------------------------------- */
 
-/* "100 N"; where wear:set has changed what the last record was made with, "100 N until now, 20 N
- * from here on". NaN in a record: not known. */
+/* "100 N"; after a change by wear:set "100 N until now, 20 N from here on". A record value of NaN
+ * is unknown. */
 static const char *show_course(double record, double set, const char *unit, char *text,
                                size_t size) {
   if (fabs(record - set) > 1e-9 * fmax(fabs(record), fabs(set)))
@@ -252,7 +252,7 @@ static const char *show_course(double record, double set, const char *unit, char
   return text;
 }
 
-/* What a record tells of its update; before the first one, nothing has come of it. */
+/* A value of the last update; NaN before the first update. */
 static double of_update(const arc_wear_record *record, double value) {
   return record->update > 0 ? value : NAN;
 }
@@ -282,7 +282,7 @@ static void show_motion(const arc_wear *wear, char *text, size_t size) {
              blocks == 1 ? "" : ", now", travel);
 }
 
-/* "jump 100", "jump auto", "tolerance 0.001": what the length of a step goes by. */
+/* Writes the control of the step length: "jump 100", "jump auto", "tolerance 0.001". */
 static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
   if (settings->tolerance > 0)
     snprintf(text, size, "tolerance %.6g", settings->tolerance);
@@ -294,14 +294,14 @@ static void show_steps(const arc_wear_def *settings, char *text, size_t size) {
     snprintf(text, size, "jump %.6g", settings->jump);
 }
 
-/* Settings that the first lines tell. */
-static int told_already(const arc_setting *s) {
-  static const int told[] = {ARC_AT_scheme,    ARC_AT_k,         ARC_AT_alpha,    ARC_AT_load,
-                             ARC_AT_stroke,    ARC_AT_distance,  ARC_AT_jump,     ARC_AT_increments,
-                             ARC_AT_slip,      ARC_AT_procedure, ARC_AT_geometry, ARC_AT_tolerance,
-                             ARC_AT_tangential};
-  for (size_t i = 0; i < sizeof told / sizeof *told; i++)
-    if (s == &arc_wear_settings[told[i]]) return 1;
+/* True for settings printed in the first lines. */
+static int is_printed_above(const arc_setting *s) {
+  static const int printed[] = {
+      ARC_AT_scheme,   ARC_AT_k,         ARC_AT_alpha,      ARC_AT_load, ARC_AT_stroke,
+      ARC_AT_distance, ARC_AT_jump,      ARC_AT_increments, ARC_AT_slip, ARC_AT_procedure,
+      ARC_AT_geometry, ARC_AT_tolerance, ARC_AT_tangential};
+  for (size_t i = 0; i < sizeof printed / sizeof *printed; i++)
+    if (s == &arc_wear_settings[printed[i]]) return 1;
   return 0;
 }
 
@@ -309,7 +309,7 @@ static int is_usual(const arc_setting *s, const arc_wear_def *settings) {
   return arc_setting_number(s, settings) == s->usual;
 }
 
-/* "law_pressure 50 MPa" */
+/* Adds "law_pressure 50 MPa". */
 static void add_setting(luaL_Buffer *text, const arc_setting *s, const arc_wear_def *settings) {
   const void *member = arc_setting_value(s, settings);
   char line[120];
@@ -321,11 +321,11 @@ static void add_setting(luaL_Buffer *text, const arc_setting *s, const arc_wear_
   luaL_addstring(text, line);
 }
 
-/* A line of what else is not as usual, where anything is. */
+/* Adds a line with the other settings that differ from their defaults, if any. */
 static void add_others(luaL_Buffer *text, const arc_wear_def *settings) {
-  const char *before = "  besides   ";
+  const char *before = "  others    ";
   for (const arc_setting *s = arc_wear_settings; s->name; s++) {
-    if (s->kind == ARC_OTHER || told_already(s) || is_usual(s, settings)) continue;
+    if (s->kind == ARC_OTHER || is_printed_above(s) || is_usual(s, settings)) continue;
     luaL_addstring(text, before);
     add_setting(text, s, settings);
     before = ", ";
@@ -338,7 +338,7 @@ static void add_others(luaL_Buffer *text, const arc_wear_def *settings) {
   if (before[0] == ',') luaL_addchar(text, '\n');
 }
 
-/* A constant one in both units. */
+/* Writes k; a constant in both units. */
 static const char *show_k(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const arc_wear_record *now = arc_wear_last(wear);
@@ -357,13 +357,13 @@ static const char *show_alpha(const arc_wear *wear, char *text, size_t size) {
                           def->alpha_function != NULL, "", text, size);
 }
 
-/* The load of the reference configuration, in which pressures are told. */
+/* Writes the load of the reference configuration, for which pressures are printed. */
 static const char *show_load(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   return show_course(arc_wear_last(wear)->load_reference, def->load, " N", text, size);
 }
 
-/* Those of a loading are its own, unless they are too long. */
+/* Writes the number of increments, or "auto" for 3-D and for loading without a given number. */
 static const char *show_increments(const arc_wear *wear, char *text, size_t size) {
   const arc_wear_def *def = arc_wear_definition(wear);
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
@@ -374,7 +374,7 @@ static const char *show_increments(const arc_wear *wear, char *text, size_t size
   return text;
 }
 
-/* What rubs: shapes, materials, layers, mesh. */
+/* Adds the bodies: shapes, materials, layers, mesh. */
 static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   enum { columns = 80 };
   char line[500], pair[300], space[100], mesh[80];
@@ -392,13 +392,13 @@ static void add_bodies(luaL_Buffer *text, const arc_model_def *model) {
   pair_add_all_layers(text, model);
 }
 
-/* "k 1e-08 mm2/N, alpha 0.5"; with layers those of the surfaces that lie open. */
+/* Writes "k 1e-08 mm2/N, alpha 0.5"; with layers the values at the exposed surfaces. */
 static void show_coefficients(const arc_wear *wear, char *text, size_t size) {
   const arc_model_def *model = arc_model_definition(arc_wear_model(wear));
   const double upper = arc_wear_open_k(wear, ARC_UPPER), lower = arc_wear_open_k(wear, ARC_LOWER);
   char k[100], alpha[100];
   if (pair_has_layers(model) && upper + lower > 0)
-    snprintf(text, size, "k %.6g mm2/N = %.6g mm3/(N m), alpha %.6g as the surfaces are",
+    snprintf(text, size, "k %.6g mm2/N = %.6g mm3/(N m), alpha %.6g at the present surfaces",
              upper + lower, 1e3 * (upper + lower), upper / (upper + lower));
   else
     snprintf(text, size, "k %s, alpha %s", show_k(wear, k, sizeof k),
@@ -448,13 +448,13 @@ static void add_state(luaL_Buffer *text, const arc_wear *wear) {
   luaL_addstring(text, line);
 }
 
-/* What the last cycle did, in a run with friction. */
+/* Adds the friction results of the last cycle, for a run with friction. */
 static void add_rubbing(luaL_Buffer *text, const arc_wear_record *record) {
-  char line[200], slips[40] = "slips grossly";
+  char line[200], slips[40] = "gross slip";
   if (record->update == 0 || !(record->largest_shear > 0)) return;
   if (record->gross == 0) snprintf(slips, sizeof slips, "sticks on %.4g mm", record->stick_width);
   snprintf(line, sizeof line,
-           "\n  friction  force up to %.4g N, %s; energy %.4g N mm a cycle, %.4g N mm so far",
+           "\n  friction  force up to %.4g N, %s; energy %.4g N mm a cycle, %.4g N mm in total",
            record->largest_shear, slips, record->cycle_energy, record->energy);
   luaL_addstring(text, line);
 }
