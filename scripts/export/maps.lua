@@ -6,6 +6,7 @@ local check = require "archard.lib.check"
 local files = require "archard.files"
 local gsf = require "archard.map.gsf"
 local map = require "archard.map.class"
+local written = require "archard.lib.written"
 
 local maps = {}
 
@@ -83,7 +84,7 @@ function maps.vti(given, path)
   end
   lines[#lines + 1] = "</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n"
   files.write(where, path, table.concat(lines, "\n"))
-  return path
+  return written.returned(where, path)
 end
 
 -- --- Gwyddion and CSV -------------------------------------------------------------------------------
@@ -94,7 +95,7 @@ function maps.gsf(t, path)
   check_map(where, t)
   path = checked_path(where, path, ".gsf")
   files.write(where, path, gsf.text(t))
-  return path
+  return written.returned(where, path)
 end
 
 local function csv_of(t)
@@ -113,10 +114,10 @@ end
 function maps.csv(...)
   local t, path = ...
   local is_study = check.shown(t) == "a study object"
-  if not is_study and not map.is(t) then return files.csv(...) end
+  if not is_study and not map.is(t) then return written.returned("export.csv", files.csv(...)) end
   path = checked_path("export.csv", path, ".csv")
   files.write("export.csv", path, is_study and t:table{ format = "csv" } .. "\n" or csv_of(t))
-  return path
+  return written.returned("export.csv", path)
 end
 
 return maps

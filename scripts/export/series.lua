@@ -57,6 +57,9 @@ return function(run, path, options)
   end
 
   add()
+  io.stderr:write(("archard: %s: wrote %s.pvd, of one state at %.6g mm; %s\n"):format(where, stem, run.distance,
+    run.done and "the run has ended: more states need export.pvd before the run, as progress of w:run"
+    or "w:run{ progress = the function returned } adds the next ones"))
   return function(asked_by)
     if not asked_by or run.update % (options.every or 1) == 0 or run.done then add() end
   end

@@ -7,6 +7,7 @@ local json = require "archard.export.json"
 local known = require "archard.settings"
 local role_of = require "archard.definition.number".role_of
 local value_at = require "archard.definition.settings".value_at
+local written = require "archard.lib.written"
 
 local where = "export.json"
 
@@ -107,5 +108,5 @@ return function(run, path)
     versions = { archard = require "archard".version, lua = _VERSION:match("[%d.]+") },
     definition = asked, results = results(run, units), units = units,
   })
-  return path
+  return written.returned(where, path)
 end

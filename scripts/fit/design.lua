@@ -10,6 +10,7 @@ local solve = require "archard.fit.solve"
 local strict = require "archard.strict"
 local csv_text = require "archard.lib.csv_text"
 local files = require "archard.files"
+local written = require "archard.lib.written"
 
 local where = "fit.design"
 
@@ -233,8 +234,9 @@ function methods:table(options)
     rows[#rows + 1] = row
   end
   local text = csv_text(rows, #self.names + 2)
-  if options and options.file then files.write("design:table", options.file, text) end
-  return text
+  if not (options and options.file) then return text end
+  files.write("design:table", options.file, text)
+  return written.returned("design:table", options.file)
 end
 
 strict.class(class)

@@ -151,5 +151,5 @@ return {
   { "design.correlation", kind = "field", text = "Correlations with all of them." },
   { "design.runs", kind = "field", text = "Runs made for it." },
   { "design.table", kind = "method", use = 'd:table{ file="design.csv" }', text = "The errors of each alone as CSV." },
-  { "design.table{file}", type = "string", text = "Where to write it." },
+  { "design.table{file}", type = "string", text = "File to write it to; its name is returned then, not the table." },
 }

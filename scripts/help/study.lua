@@ -148,7 +148,8 @@ return {
       .. "narrow terminal some columns are left out." },
   { "study.table{format}", values = { "text", "csv", "markdown" }, default = '"text"',
     text = "Form of the table; by the file's ending where one is named." },
-  { "study.table{file}", type = "string", text = "File to write it to: .txt, .csv or .md." },
+  { "study.table{file}", type = "string",
+    text = "File to write it to: .txt, .csv or .md. The name of the file is returned then, not the table." },
   { "study.figures", kind = "method", use = 's:figures{ dir="figures" }',
     text = "Draws from the stored results: the paper's figures (of examples/paper) for study.paper, "
       .. "study.trials and study.meshes, final shapes, pressures and histories of up to eight cases for "

@@ -7,6 +7,7 @@ local table, string, io, os = table, string, io, os
 local globals = _G
 
 local names = require "archard.names"
+local pager = require "archard.lib.pager"
 local term = require "archard.term"
 local pretty = require "archard.lib.pretty"
 local version = require "archard".version
@@ -101,7 +102,7 @@ function prompt.compile(text, name, line)
   return nil, text:find("^%s*=") and as_expression or as_statement
 end
 
--- Shows the values of a chunk, and keeps the first one in the global `_`.
+-- Shows the values of a chunk, a text longer than the screen page by page; keeps the first in the global `_`.
 function prompt.show(...)
   local count = select("#", ...)
   local first = ...
@@ -114,7 +115,9 @@ function prompt.show(...)
       or pretty.format(value, { width = width, colour = term.colour() })
     together = texts[i]:find("\n") and math.huge or together + #texts[i] + 2
   end
-  print(table.concat(texts, together <= width and "  " or "\n"))
+  local text = table.concat(texts, together <= width and "  " or "\n")
+  if count == 1 and type(first) == "string" then return pager.show(text) end
+  print(text)
 end
 
 -- Text of the prompt itself; readline wants what takes no room between \1 and \2.

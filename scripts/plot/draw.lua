@@ -11,6 +11,7 @@ local merged = require "archard.lib.merged"
 local strict = require "archard.strict"
 local style = require "archard.plot.style"
 local units = require "archard.plot.units"
+local written = require "archard.lib.written"
 
 local draw = {}
 
@@ -309,6 +310,7 @@ local function paint(where, figure, given, moving)
   local to = output.choose(where, shown, given, moving)
   local picture = run(where, gnuplot.draw, on(shown, output.surface(to)), to)
   last, last_given = figure, given
+  if given.file then written.note(where, given.file) end
   return type(picture) == "string" and output.written(picture, to) or nil
 end
 
@@ -384,13 +386,16 @@ function draw.film(where, frames, delay, given)
   for i, frame in ipairs(frames) do figures[i] = on(to_figure(where, frame), "pixels") end
   local to = output.to_file(where, figures[1], given.file, "gif", given.size)
   run(where, gnuplot.animate, figures, delay, to)
+  written.note(where, given.file)
 end
 
 -- Writes a figure to a file, and its data beside it.
 local function save(where, figure, file, options)
   local given = { file = file, size = options.size, term = options.term, colour = options.colour }
   paint(where, figure, given)
-  files.write(where, file:gsub("%.[^./]*$", "") .. ".csv", csv(figure))
+  local data = file:gsub("%.[^./]*$", "") .. ".csv"
+  files.write(where, data, csv(figure))
+  written.note(where, data)
 end
 
 -- save("p.png" [, options]): the last picture; save{ ..., file="p.png" }: this one.

@@ -6,6 +6,7 @@ local csv_text = require "archard.lib.csv_text"
 local files = require "archard.files"
 local settings = require "archard.definition.settings"
 local term = require "archard.term"
+local written = require "archard.lib.written"
 
 local tables = {}
 
@@ -152,14 +153,15 @@ end
 local endings = { csv = "csv", md = "markdown", txt = "text" }
 local fields = { format = check.one_of{ "text", "csv", "markdown" }, file = check.file }
 
--- make(study, { format=, file= }) -> the table as text that print() shows as it is
+-- make(study, { format= }) -> the table as text that print() shows as it is; with file=, the file written
 function tables.make(study, options)
   options = options or {}
   check.fields("study:table", options, fields)
   local by_ending = options.file and endings[options.file:match("%.(%w+)$") or ""]
   local text = forms[options.format or by_ending or "text"](study, columns_of(study))
-  if options.file then files.write("study:table", options.file, text .. "\n") end
-  return text
+  if not options.file then return text end
+  files.write("study:table", options.file, text .. "\n")
+  return written.returned("study:table", options.file)
 end
 
 -- The rows as people read them, the head first, without the columns named: for pages.

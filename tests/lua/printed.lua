@@ -1,6 +1,7 @@
 -- What is printed of pairs with layers, and warnings of numbers that look as if they were in another unit.
 package.path = arg[0]:gsub("[^/]*$", "") .. "lib/?.lua;" .. package.path
-local ok = require "tap".ok
+local tap = require "tap"
+local ok = tap.ok
 local warnings = require "archard.warnings"
 
 local function has(text, what, name) ok(tostring(text):find(what, 1, true), name .. ": " .. what) end
@@ -45,3 +46,9 @@ has(warned(step{ stroke = 4e-4 }), "was 0.4 mm meant", "a stroke in m")
 for what, make in pairs{ ["the usual numbers"] = step{}, polyethylene = pair(700), diamond = pair(1.2e6) } do
   ok(not warned(make):find("meant", 1, true), what .. " pass without a warning")
 end
+
+-- --- a text in an error ------------------------------------------------------------------------
+local shown = require "archard.names".shown
+tap.is(shown(("a"):rep(200)), '"' .. ("a"):rep(200) .. '"', "a text of 200 characters is quoted whole")
+tap.is(shown(("é"):rep(150)), '"' .. ("é"):rep(100) .. '..." (300 characters)', "of a longer one whole characters")
+tap.is(shown("| a |\n" .. ("b"):rep(500)), '"| a |..." (506 characters)', "of its first line")

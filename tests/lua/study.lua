@@ -243,7 +243,11 @@ is(tonumber(require "archard.files".number(case.p_center)), case.p_center, "that
 holds(one:table{ format = "markdown" }, "| --: |", "Markdown")
 is(export.csv(one, path "exported"), path "exported.csv", "export.csv of a study says its file")
 is(io.open(path "exported.csv"):read "a", csv .. "\n", "and writes its table")
-one:table{ file = path "table.md" }
+local said, usual = {}, io.stderr
+io.stderr = { write = function(_, ...) said[#said + 1] = table.concat{ ... } end }
+is(one:table{ file = path "table.md" }, path "table.md", "with a file, the table is there and its name comes back")
+io.stderr = usual
+is(table.concat(said), "archard: study:table: wrote " .. path "table.md" .. "\n", "and is said")
 holds(assert(io.open(path "table.md")):read("a"), "| --: |", "the ending tells the form")
 fails(function() one:table{ format = "html" } end, '"markdown"', "no other form")
 

@@ -101,13 +101,25 @@ const char *names_push_text(lua_State *L, int index) {
   return lua_tostring(L, -1);
 }
 
+/* A string in quotes; of a long one the start of its first line, and its length. */
+static const char *push_quoted(lua_State *L, int index) {
+  enum { most = 200 };
+  size_t length, shown;
+  const char *text = lua_tolstring(L, index, &length);
+  for (shown = 0; shown < length && shown < most && text[shown] != '\n'; shown++) continue;
+  if (length <= most) return lua_pushfstring(L, "\"%s\"", names_push_text(L, index));
+  while (shown > 0 && ((unsigned char)text[shown] & 0xC0) == 0x80) shown--; /* a whole character */
+  lua_pushlstring(L, text, shown);
+  return lua_pushfstring(L, "\"%s...\" (%d characters)", names_push_text(L, -1), (int)length);
+}
+
 const char *names_push_shown(lua_State *L, int index) {
   switch (lua_type(L, index)) {
   case LUA_TNUMBER:
     if (isnan(lua_tonumber(L, index))) return lua_pushliteral(L, "nan");
     return luaL_tolstring(L, index, NULL);
   case LUA_TSTRING:
-    return lua_pushfstring(L, "\"%s\"", names_push_text(L, index));
+    return push_quoted(L, index);
   case LUA_TBOOLEAN:
     return lua_pushstring(L, lua_toboolean(L, index) ? "true" : "false");
   default:
