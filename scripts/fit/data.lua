@@ -121,11 +121,12 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- What of the position of an item is looked for, and about how far it can be off.
-local function free_of(x, h)
+-- The position of an item: what is unknown of it, its start value (0 if nil; the middle of the scar where the
+-- profile has one) and about how far off it can be.
+local function free_of(x, h, scar)
   local deepest, width = 0, x[#x] - x[1]
   for _, value in ipairs(h) do deepest = math.max(deepest, math.abs(value)) end
-  return { { kind = "shift", span = width / 10, unit = "mm" }, { kind = "tilt", span = deepest / width, unit = "mm/mm" },
+  return { { kind = "shift", start = scar and (scar.from + scar.to) / 2, span = width / 10, unit = "mm" }, { kind = "tilt", span = deepest / width, unit = "mm/mm" },
     { kind = "level", span = deepest, unit = "mm" } }
 end
 
@@ -151,7 +152,7 @@ local function read_profile(where, prefix, given)
   local err = errors_of(where, prefix, given, own, h)
   x, h, err = sorted(x, h, err)
   local item = { kind = "profile", body = given.body, surface = observe.surface(given.body, given.section),
-    distance = given.distance, x = x, value = h, error = err, unit = "mm", free = free_of(x, h),
+    distance = given.distance, x = x, value = h, error = err, unit = "mm", free = free_of(x, h, given.profile and from.scar),
     fixed = { shift = given.shift, tilt = given.tilt, level = given.level },
     title = given.title or name_of(given) }
   return item
@@ -310,7 +311,7 @@ function data.positions(items)
   for number, item in ipairs(items) do
     for _, one in ipairs(item.free or {}) do
       if not item.fixed[one.kind] then
-        list[#list + 1] = { item = number, kind = one.kind, start = 0, span = one.span > 0 and one.span or 1e-3,
+        list[#list + 1] = { item = number, kind = one.kind, start = one.start or 0, span = one.span > 0 and one.span or 1e-3,
           name = ("%s of the %s"):format(one.kind, item.title), unit = one.unit }
       end
     end
@@ -340,8 +341,8 @@ local function refuse_size(where, number, name, item, most, expected)
 end
 
 -- A profile must lie on the surface, and be about as deep as a wear scar can be.
-local function check_place(where, number, item, surface)
-  local low, high = surface.x[1], surface.x[#surface.x]
+local function check_place(where, number, item, surface, shift)
+  local low, high = surface.x[1] + shift, surface.x[#surface.x] + shift
   local inside = 0
   for _, x in ipairs(item.x) do
     if x > low and x < high then inside = inside + 1 end
@@ -356,9 +357,9 @@ end
 
 -- Compares the data with a run from the start: factors that no unknown makes are told.
 function data.check_sizes(where, items, looks)
-  local still = { shift = 0, tilt = 0, level = 0 }
   for number, item in ipairs(items) do
-    if item.kind == "profile" then check_place(where, number, item, looks[item.look[1]][item.surface]) end
+    local still = { shift = item.fixed and item.fixed.shift or item.free and item.free[1].start or 0, tilt = 0, level = 0 }
+    if item.kind == "profile" then check_place(where, number, item, looks[item.look[1]][item.surface], still.shift) end
     if item.kind == "loop" then loops.check_place(where, number, item, looks[item.look[1]].loop) end
     local most = statistics.largest(item.value)
     local expected = statistics.largest(data.values(item, looks, still))

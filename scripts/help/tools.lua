@@ -245,13 +245,13 @@ return {
       .. "Takes the options of plot{} too, such as logx=true." },
   { "plot.profile", kind = "function", takes = "plot", values = { "cylinder", "plate" },
     use = 'plot.profile(w1, ..., "plate")',
-    text = "Wear depth in um against x; both bodies where none is named. Takes the options of plot{} "
-      .. "too." },
+    text = "Wear depth in um against x; both bodies where none is named. plot.profile(p1, p2, ...) draws measured "
+      .. "profiles: heights, or depths after p:depth(). Takes the options of plot{} too." },
   { "plot.profile{body}", values = { "cylinder", "plate" }, text = "Which body's profile." },
   { "plot.profile{titles}", type = "list of strings", text = "Names of the curves in the key." },
   { "plot.profile{measured}", type = "profile, or table { x=, h= }",
-    text = "A measured trace as points over the curves of one body: means of its neighbours, as many as can be told "
-      .. "apart, of heights their depth." },
+    text = "A measured trace as points over the curves of one body: at most 160 means of neighbouring points; of heights "
+      .. "the depth. A trace whose scar lies beside x = 0 is moved to it, and the key says by how much." },
   { "plot.history", kind = "function", takes = "plot", use = 'plot.history(w, "p_center", ...)',
     values = columns,
     text = "Columns of w.history against the travelled distance, a panel for each quantity; distances in m or "

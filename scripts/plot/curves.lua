@@ -163,14 +163,17 @@ local function add_measured(where, panel, given)
   if panel.panels then
     check.fail(where, "field 'measured': expected with one body named where several runs are drawn, got both")
   end
-  local reach = math.max(panel.xrange and panel.xrange[2] or 0, measured.reach(given))
+  local reach = panel.xrange and panel.xrange[2] or 0
   if #panel == 1 then panel[1].title = panel[1].title or "simulated" end
-  panel.points, panel.xrange, panel.yrange = measured.points(given, reach), range_of(reach), nil
+  panel.points, reach = measured.points(given, reach)
+  panel.xrange, panel.yrange = range_of(reach), nil
 end
 
--- plot.profile(w1, w2, ..., body, { ... }): both bodies where none is named.
+-- plot.profile(w1, w2, ..., body, { ... }): both bodies where none is named. plot.profile(p1, p2, ..., { ... }) of
+-- measured profiles.
 function curves.profile(...)
   local where = "plot.profile"
+  if measured.is_profile((...)) then return require "archard.plot.trace" (where, ...) end
   local objects, words, options = split(where, "profile", { body = body_kind,
     titles = check.table, measured = measured.kind }, ...)
   local body, word = body_word(where, objects, words, options)

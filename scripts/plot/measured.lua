@@ -9,43 +9,46 @@ local most, with_bars = 160, 60 -- points over what is shown; up to which number
 
 local function is_profile(value) return require "archard.profile.class".is(value) end
 
+measured.is_profile = is_profile
+
 measured.kind = check.kind("a profile, or a table { x=, h= }", function(v)
   return is_profile(v) or type(v) == "table" and type(v.x) == "table" and type(v.h) == "table" and #v.x == #v.h
 end)
 
--- Depths, with the mean of as many points for each as leaves `most` of them between -reach and reach.
-local function thinned(p, reach)
-  if p.z then p = p:depth() end
-  local shown = math.min(2 * reach, p.x[#p.x] - p.x[1])
-  local there = shown / (p.x[#p.x] - p.x[1]) * #p.x
-  return there > most and p:average(shown / most) or p, there
+-- Depths, with the mean of as many points for each as leaves `most` of them between from and to.
+local function thinned(p, from, to)
+  local length = p.x[#p.x] - p.x[1]
+  local shown = math.min(to - from, length)
+  return shown / length * #p.x > most and p:average(shown / most) or p
 end
 
--- How far from x = 0 the scar of a trace is.
-function measured.reach(p)
-  if not is_profile(p) then return 0 end
-  local scar = p.scar or p.z and p:depth().scar
-  return scar and 1.25 * math.max(math.abs(scar.from), math.abs(scar.to)) or 0
-end
-
--- The points, in um, for the option `points` of a plot that shows x from -reach to reach.
+-- (p, reach) -> the points in um for the option `points` of a plot, and the reach of x that shows them as well as what
+-- lies within the given one (0: all). A trace whose scar is beside x = 0 altogether was measured from another origin:
+-- its points are moved so that the middle of the scar is at 0, and the title says so.
 function measured.points(p, reach)
-  local points = { x = {}, y = {}, title = "measured" }
-  local bar
+  local points, by, bar = { x = {}, y = {}, title = "measured" }, 0, nil
   if is_profile(p) then
-    p = thinned(p, reach > 0 and reach or math.huge)
+    if p.z then p = p:depth() end
+    local at = p.scar
+    if at and at.from * at.to > 0 then
+      by = -(at.from + at.to) / 2
+      points.title = ("measured, x moved by %.4g mm"):format(by)
+    end
+    if at then reach = math.max(reach, 1.25 * math.max(math.abs(at.from + by), math.abs(at.to + by))) end
+    p = reach > 0 and thinned(p, -reach - by, reach - by) or p
     bar = p.error
   end
   for i = 1, #p.x do
-    if reach == 0 or math.abs(p.x[i]) <= reach then
-      points.x[#points.x + 1], points.y[#points.y + 1] = p.x[i], 1000 * p.h[i]
+    local x = p.x[i] + by
+    if reach == 0 or math.abs(x) <= reach then
+      points.x[#points.x + 1], points.y[#points.y + 1] = x, 1000 * p.h[i]
     end
   end
   if bar and bar > 0 and #points.x <= with_bars then
     points.error = {}
     for i = 1, #points.x do points.error[i] = 1000 * bar end
   end
-  return points
+  return points, reach
 end
 
 return measured

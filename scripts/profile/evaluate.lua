@@ -188,8 +188,25 @@ local function start_of(p)
   return h
 end
 
--- What worn = { plate = p } takes of p.
-function profile.class.__worn(p) return { x = p.x, h = start_of(p) } end
+local clear = 5 -- scatters that the ends of a trace must differ by before a tilt is warned of
+
+-- A line rises clearly along heights of which no form was taken off: is the tilt that of the instrument?
+local function warn_of_tilt(p)
+  local line = p.z and not p.form and scar.find(p.x, p.z, "line")
+  if not line then return end
+  local length = p.x[#p.x] - p.x[1]
+  local rise = line:height(p.x[#p.x]) - line:height(p.x[1])
+  if math.abs(rise) > clear * math.max(p.error, line.deviation) then
+    warn(("worn: the profile is tilted by %.3g um/mm, %.3g um over its length, and contact starts so: was p:level() meant, "
+      .. "which takes the tilt off?"):format(1000 * rise / length, 1000 * rise))
+  end
+end
+
+-- { x =, h = }, the depths that worn = { plate = p } starts from.
+function profile.class.__worn(p)
+  warn_of_tilt(p)
+  return { x = p.x, h = start_of(p) }
+end
 
 strict.class(profile.class)
 

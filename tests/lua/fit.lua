@@ -34,6 +34,18 @@ ok(f.data[2].low[20] < f.data[2].model[20] and f.data[2].model[20] < f.data[2].h
 holds(tostring(f), { "k ", "mm2/N", "correlations", "profile of the plate at 220 mm", "chi2",
   "of the errors given" }, "print(f)")
 
+-- --- a trace from another origin -----------------------------------------------------------------
+local surface, aside = truth:profile "plate", { x = {}, z = {} }
+for i = 1, #surface.x do
+  if math.abs(surface.x[i]) < 1 then
+    aside.x[#aside.x + 1], aside.z[#aside.z + 1] = surface.x[i] + 2.1, -surface.h[i]
+  end
+end
+g = fit{ base = base, unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }, data = {
+  { body = "plate", distance = 220, profile = profile(aside):depth(), error = 2e-5 } } }
+near(g.value.k, 1.4e-8, 1e-2, "a scar at x = 2.1 mm gives k all the same")
+near(g.data[1].place.shift.value, 2.1, 1e-3, "and where it is")
+
 -- --- standard errors by theory -------------------------------------------------------------------
 -- The volume of thin wear is k L d alpha: relative errors of k are those of its mean.
 local volumes = { of = "volume", distance = { 55, 110, 165, 220 }, relative = 0.03,

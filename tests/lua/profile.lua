@@ -275,4 +275,27 @@ plot.profile(w, { measured = { x = { 0, 0.1 }, h = { 1e-3, 0 } }, file = folder 
 fails(function() plot.profile(w, w, { measured = noisy }) end, "expected with one body named where several runs are drawn",
   "two panels")
 fails(function() plot.profile(w, { measured = 3 }) end, "expected a profile, or a table { x=, h= }, got 3", "no profile")
+
+-- --- a trace from another origin ------------------------------------------------------------------------
+
+local warnings = require "archard.warnings"
+local function warned_of(make)
+  warnings.keep()
+  make()
+  return warnings.take() or ""
+end
+local tilted = trace(-1.5, 1.5, 3001, function(x) return 2.7e-3 * x - shape(x) end, 2e-5)
+local warned = warned_of(function() contact{ model = m, worn = { plate = tilted } } end)
+holds(warned, "tilted by 2.7 um/mm, 8.1 um over its length", "a raw tilt is warned of")
+local level = tilted:average(0.04):level("line", "auto")
+warned = warned_of(function() contact{ model = m, worn = { plate = level } } end)
+ok(not warned:find "tilted", "not after p:level()")
+local aside = trace(0, 4, 4001, function(x) return 0.02 * x - shape(x - 2.1) end, 2e-5)
+plot.profile(w, "plate", { measured = aside, file = folder .. ".gp" })
+holds(assert(io.open(folder .. ".gp")):read "a", "measured, x moved by -2.1", "it is drawn over the run, which is said")
+plot.profile(aside, { file = folder .. ".gp" })
+holds(assert(io.open(folder .. ".gp")):read "a", { "height / µm", "measured profile" }, "a trace alone")
+plot.profile(aside:depth(), tilted:depth(), { titles = { "after", "before" }, file = folder .. ".gp" })
+holds(assert(io.open(folder .. ".gp")):read "a", { "wear depth / µm", "after", "before" }, "two of them")
+fails(function() plot.profile(aside, aside:depth()) end, "argument 2: expected a profile of heights like the first", "not heights and depths")
 os.remove(folder .. ".gp")
