@@ -47,6 +47,14 @@ extern const char *const arc_solid_names[];
 typedef enum arc_rim { ARC_RIM_LIST(ARC_CHOICE_ENUM) } arc_rim;
 extern const char *const arc_rim_names[];
 
+/* Support of a cylinder: its flat is fixed, or held along y only (free); or it is a disc (hub). */
+#define ARC_HOLD_LIST(X)                                                                           \
+  X(HOLD_FIXED, "fixed")                                                                           \
+  X(HOLD_HUB, "hub")                                                                               \
+  X(HOLD_FREE, "free")
+typedef enum arc_hold { ARC_HOLD_LIST(ARC_CHOICE_ENUM) } arc_hold;
+extern const char *const arc_hold_names[];
+
 /* A layer on a body's surface, with a material of its own: as thick everywhere, or, in a mesh from
  * outside, what the mesh has under that name. */
 #define ARC_LAYER_SETTINGS(NUMBER, TEXT)                                                           \
@@ -79,12 +87,21 @@ extern const arc_setting arc_layer_settings[]; /* and the material, a group */
   NUMBER(width, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
          "Width of a block or profile. Left out: twice the model's radius.")                       \
   NUMBER(height, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
-         "Height of a block, profile or punch. Left out: the model's radius.")                     \
+         "Height of a block, profile or punch. Left out: the model's radius; of a punch at least " \
+         "twice "                                                                                  \
+         "its radius.")                                                                            \
   NUMBER(flat, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                    \
          "Full width of a punch's flat; its rounded edges, a radius wide, come on both sides.")    \
   NUMBER(inner, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Inner radius of a ring.")                        \
   NUMBER(outer, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Outer radius of a ring.")                        \
-  CHOICE(fixed, rim, ARC_RIM_OUTER, 0, "Which rim of a ring is held; the other one is in contact.")
+  CHOICE(fixed, rim, ARC_RIM_OUTER, 0,                                                             \
+         "Which rim of a ring is held; the other one is in contact.")                              \
+  CHOICE(                                                                                          \
+      hold, hold, ARC_HOLD_FIXED, 0,                                                               \
+      "Support of a cylinder, which matters where the contact is nearly as wide: \"fixed\": the "  \
+      "flat of a half cylinder is rigid; \"free\": the flat moves along itself without friction, " \
+      "held sideways in the middle 15 % only; \"hub\": a whole disc around a rigid hub of 0.15 "   \
+      "radius, as body.disc.")
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
@@ -102,14 +119,15 @@ extern const arc_setting arc_body_settings[];
 /* The body in numbers: what it leaves out by a model's radius [mm] and its role. */
 arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double radius);
 
-/* ARC_ARGUMENT where a resolved body cannot be one: names field, expectation, value; `path` is
- * "upper." or "lower.". */
+/* ARC_ARGUMENT where a resolved body cannot be one: names field, expectation, value;
+ * `path` is "upper." or "lower.". */
 arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *error);
 
 /* The settings that bodies of a kind have of their own, NULL ends them. */
 const char *const *arc_body_fields(arc_solid kind);
 
-/* Whether its surface is the hollow side of an arc; whether it is an arc at all, or a line. */
+/* Whether its surface is the hollow side of an arc; whether it is an arc at all, or a
+ * line. */
 int arc_body_is_hollow(const arc_body_def *def);
 int arc_body_is_round(const arc_body_def *def);
 int arc_body_is_flat(const arc_body_def *def);
@@ -124,8 +142,8 @@ int arc_body_is_spatial(const arc_body_def *def);
 double arc_body_half_length(const arc_body_def *def);
 double arc_body_depth(const arc_body_def *def);
 
-/* The least of its dimensions that limit meshes [mm]: the radius of a cylinder and disc, half the
- * width or the height of a block, the wall of a ring. */
+/* The least of its dimensions that limit meshes [mm]: the radius of a cylinder and disc,
+ * half the width or the height of a block, the wall of a ring. */
 double arc_body_measure(const arc_body_def *def);
 
 /* The widest zone that leaves room beside it [mm]. */
@@ -133,25 +151,25 @@ double arc_body_widest_zone(const arc_body_def *def);
 
 /* Height of a profile's outermost point [mm]; 0 for others. */
 double arc_body_crest(const arc_body_def *def);
-/* How far the surface lies inside the body at x [mm], below its outermost point, the crest; 0 for
- * arcs. */
+/* How far the surface lies inside the body at x [mm], below its outermost point, the
+ * crest; 0 for arcs. */
 double arc_body_inset(const arc_body_def *def, double crest, double x);
 
 /* Whether its surface is a map, with points over x and z. */
 int arc_body_is_map(const arc_body_def *def);
-/* Height of a map at (x, z) [mm], out of the body: cubic between its points, level beyond them. Its
- * reach from x = z = 0 to the nearest ends [mm], and the longest of its steps. Curvatures of the
- * parabola that fits it best [1/mm], positive where it is a ball's. */
+/* Height of a map at (x, z) [mm], out of the body: cubic between its points, level beyond
+ * them. Its reach from x = z = 0 to the nearest ends [mm], and the longest of its steps.
+ * Curvatures of the parabola that fits it best [1/mm], positive where it is a ball's. */
 double arc_body_map_height(const arc_body_def *def, double x, double z);
 void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
 void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);
 
-/* Copies of a body's series in one block, which is to be freed: *block, NULL where there are none.
- * ARC_MEMORY: it has no series then. */
+/* Copies of a body's series in one block, which is to be freed: *block, NULL where there
+ * are none. ARC_MEMORY: it has no series then. */
 arc_status arc_body_keep_series(arc_body_def *def, double **block);
 
-/* Layers; the lower end of one [mm] that goes by its thickness, 0 of layer -1; the material of one,
- * of `layers` and beyond the body's own. */
+/* Layers; the lower end of one [mm] that goes by its thickness, 0 of layer -1; the
+ * material of one, of `layers` and beyond the body's own. */
 int arc_body_layers(const arc_body_def *def);
 double arc_body_interface(const arc_body_def *def, int layer);
 arc_material arc_body_layer_material(const arc_body_def *def, int layer, arc_material own);

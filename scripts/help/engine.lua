@@ -45,7 +45,8 @@ return {
       .. "material= }, ...} from the surface inwards, whose k counts as deep as they reach; on a mesh from "
       .. "Gmsh materials = { NAME = } in their place." },
   { "body.cylinder", kind = "function", use = "body.cylinder{ radius=10 }", result = "table",
-    text = "A half cylinder, its flat built in." },
+    text = 'A half cylinder, its flat built in. In a bush it matters how the pin is held: hold="free" lets the flat slide '
+      .. 'sideways, hold="hub" makes it a whole disc around a rigid hub.' },
   { "body.ball", kind = "function", use = "body.ball{ radius=10, radius_z=50 }", result = "table",
     text = 'A ball, crowned roller or ellipsoid, for model{ geometry="3-D" }: its surface rises as x^2 / (2 radius) + z^2 / (2 radius_z), '
       .. "z across the motion." },

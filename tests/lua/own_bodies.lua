@@ -171,6 +171,8 @@ refused({ "'worn.", "twice" }, "one body by two names", function()
 end)
 refused({ "inner", "outer", "12 and 10" }, "a ring inside out", function() body.ring{ inner = 12, outer = 10 } end)
 refused({ "'flat'" }, "a punch without a flat", function() body.punch{ radius = 1 } end)
+local usual_punch = model{ upper = body.punch{ flat = 1 }, lower = body.block{ width = 30 }, mesh = { size = 0.2 } }
+is(usual_punch.upper.flat, 1.0, "a punch is high enough for its rounded edges by default")
 refused({ "'height'", "radius / 0.9" }, "a punch too low", function() body.punch{ flat = 1, radius = 2, height = 1 } end)
 local sharp = contact{ load = 500, model = { upper = body.punch{ flat = 10, radius = 1, height = 10 }, lower = body.block{ width = 30, height = 15 },
   mesh = { size = 0.1 } } }
@@ -201,6 +203,27 @@ refused({ "'upper'", "'cylinder'", "both" }, "a material beside a body", functio
 refused({ "'model.lower'", "'model.plate'" }, "below, too", function() contact{ model = { lower = body.block{}, plate = { k = 1e-9 } } } end)
 refused({ "upper", "a body" }, "no body", function() model{ upper = 3 } end)
 refused({ "upper.kind", "body.cylinder" }, "a table that is none", function() model{ upper = { radius = 3 } } end)
+-- --- supports of a pin ---------------------------------------------------------------------------
+
+local function held(hold)
+  local m = model{ upper = hold == "disc" and body.disc{ radius = 9.95 } or body.cylinder{ radius = 9.95, hold = hold },
+    lower = body.ring{ inner = 10, outer = 20 }, mesh = { size = 0.4, height = 0.2, far = 2, zone = { cylinder = 15, plate = 15 } } }
+  return contact{ model = m, load = 1000 }
+end
+local rigid, hub, free = held "fixed", held "hub", held "free"
+is(hub.p_center, held "disc".p_center, "a pin held by its hub is a disc")
+ok(free.p_center < 0.995 * rigid.p_center and free.half_width > rigid.half_width, "a pin that is free sideways spreads in its hole")
+is(rigid.model.upper.hold, "fixed", "fixed is the usual support")
+is(free.model.upper.hold, "free", "another is kept by the model")
+refused({ "'hold'", '"fixed", "hub" or "free"' }, "no such support", function() body.cylinder{ hold = "loose" } end)
+local deck_name = os.tmpname()
+export.inp(contact{ load = 50, model = { upper = body.cylinder{ hold = "free" }, lower = body.block{}, mesh = { size = 0.2, height = 0.2 } } },
+  deck_name .. ".inp")
+local deck = assert(io.open(deck_name .. ".inp")):read "a"
+ok(deck:find("cylinder-fixed, 2, 2", 1, true) and not deck:find("cylinder-fixed, 1, 1", 1, true) and deck:find("\n%d+, 1, 1\n"),
+  "a deck holds the middle of its flat alone sideways")
+os.remove(deck_name)
+os.remove(deck_name .. ".inp")
 refused({ "hole's radius 10", "got 10" }, "a pin as wide as its hole", function() model{ upper = body.disc{ radius = 10 }, lower = body.ring{ inner = 10, outer = 20 } } end)
 refused({ "got a block" }, "a block in a hole", function() model{ upper = body.block{}, lower = body.ring{ inner = 10, outer = 20 } } end)
 refused({ "'load_angle'", "hole", "got 3" }, "a load from an angle on a plate", function() contact{ load_angle = 3 } end)

@@ -157,7 +157,7 @@ end
 
 -- What makes one of each kind.
 local kinds = {
-  cylinder = { radius = 8 }, block = { width = 18, height = 9 }, disc = { radius = 8 },
+  cylinder = { radius = 8, hold = "free" }, block = { width = 18, height = 9 }, disc = { radius = 8 },
   ring = { inner = 8, outer = 12, fixed = "inner" }, ball = { radius = 8, radius_z = 12 }, punch = { flat = 2, radius = 6, height = 9 },
   profile = { width = 18, height = 9, x = {}, y = {} }, gmsh = {}, map = { radius = 8, radius_z = 12, x = {}, z = {}, y = {} },
 }

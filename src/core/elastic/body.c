@@ -4,6 +4,7 @@
 #include "core/elastic/condense.h"
 #include "core/elastic/imported_layers.h"
 #include "core/elastic/imported_mesh.h"
+#include "core/mesh/body_shape.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -40,13 +41,14 @@ static void number_box(elastic_body *b) {
 
 static void number_far(elastic_body *b) {
   const arc_mesh *m = b->mesh;
-  for (int n = 0; n < m->nodes; n++) b->node_far[n] = b->node_box[n] >= 0 ? -1 : 0;
-  for (int k = 0; k < m->fixed; k++) b->node_far[m->fixed_node[k]] = -1;
-  for (int n = 0; n < m->nodes; n++) {
-    if (b->node_far[n] < 0) continue;
-    b->node_far[n] = b->far_count;
-    b->far_count += 2;
+  for (int n = 0; n < 2 * m->nodes; n++) b->far_at[n] = b->node_box[n / 2] >= 0 ? -1 : 0;
+  for (int k = 0; k < m->fixed; k++) {
+    const int node = m->fixed_node[k];
+    if (arc_body_holds_sideways(&m->solid, m->xy[2 * node])) b->far_at[2 * node] = -1;
+    b->far_at[2 * node + 1] = -1;
   }
+  for (int n = 0; n < 2 * m->nodes; n++)
+    if (b->far_at[n] == 0) b->far_at[n] = b->far_count++;
 }
 
 /* Adds the stiffness k of some nodes to `stiffness`, rim unknowns after the far ones, and its
@@ -56,8 +58,8 @@ static arc_status add_block(elastic_body *b, const int *nodes, int count, const 
   const int n = 2 * count;
   int at[2 * most_cell_nodes];
   for (int r = 0; r < n; r++) {
-    const int node = nodes[r / 2], box = b->node_box[node], far = b->node_far[node];
-    at[r] = far >= 0 ? far + r % 2 : box < 0 ? -1 : b->far_count + 2 * b->box_rim[box] + r % 2;
+    const int node = nodes[r / 2], box = b->node_box[node], far = b->far_at[2 * node + r % 2];
+    at[r] = box >= 0 ? b->far_count + 2 * b->box_rim[box] + r % 2 : far;
   }
   arc_status status = ARC_OK;
   for (int r = 0; r < n; r++)
@@ -165,10 +167,10 @@ static arc_status allocate(elastic_body *b) {
   const arc_mesh *m = b->mesh;
   b->box_count = m->surface * (m->rows + 1);
   b->node_box = malloc((size_t)m->nodes * sizeof(int));
-  b->node_far = malloc((size_t)m->nodes * sizeof(int));
+  b->far_at = malloc(2 * (size_t)m->nodes * sizeof(int));
   b->box_inner = malloc((size_t)b->box_count * sizeof(int));
   b->box_rim = malloc((size_t)b->box_count * sizeof(int));
-  if (!b->node_box || !b->node_far || !b->box_inner || !b->box_rim) return ARC_MEMORY;
+  if (!b->node_box || !b->far_at || !b->box_inner || !b->box_rim) return ARC_MEMORY;
   number_box(b);
   number_far(b);
   b->box_at = malloc(2 * (size_t)b->box_count * sizeof *b->box_at);
@@ -290,7 +292,7 @@ void arc_body_destroy(elastic_body **body) {
   elastic_body *b = *body;
   arc_mesh_destroy(&b->mesh);
   free(b->node_box);
-  free(b->node_far);
+  free(b->far_at);
   free(b->box_inner);
   free(b->box_rim);
   arc_factor_destroy(&b->far);
@@ -308,5 +310,5 @@ void arc_body_destroy(elastic_body **body) {
 size_t arc_body_bytes(const elastic_body *b) {
   const size_t n = (size_t)b->mesh->nodes, m = (size_t)(2 * b->rim);
   return arc_factor_bytes(b->far) + b->coupling.capacity * 16 + 8 * m * m +
-         arc_compliance_bytes(b->mesh->surface) + n * 24 + (size_t)b->mesh->elements * 16;
+         arc_compliance_bytes(b->mesh->surface) + n * 28 + (size_t)b->mesh->elements * 16;
 }

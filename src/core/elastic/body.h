@@ -30,7 +30,7 @@ typedef struct elastic_body {
   chart chart;
   double *box_at; /* [2 * box_count] unworn wear-box nodes in the chart [mm] */
   int *node_box;  /* [nodes] index in the wear box (as box_node), or -1 */
-  int *node_far;  /* [nodes] far unknown of its x (y follows), or -1 */
+  int *far_at;    /* [2 nodes] far unknown of each displacement x, y of the nodes, or -1 */
   int far_count;  /* far unknowns */
   int box_count;  /* nodes of the wear box */
   int *box_inner; /* [box_count] inner number, or -1 */

@@ -368,8 +368,8 @@ static arc_status far_displacements(const elastic_body *b, const double *rim, do
   for (size_t k = 0; k < b->coupling.count; k++)
     far[b->coupling.row[k]] -= b->coupling.value[k] * rim[b->coupling.column[k]];
   const arc_status status = arc_factor_solve(b->far, far, error);
-  for (int n = 0; n < b->mesh->nodes && status == ARC_OK; n++)
-    if (b->node_far[n] >= 0) memcpy(&u[2 * n], &far[b->node_far[n]], 2 * sizeof *u);
+  for (int n = 0; n < 2 * b->mesh->nodes && status == ARC_OK; n++)
+    if (b->far_at[n] >= 0) u[n] = far[b->far_at[n]];
   free(far);
   return status;
 }

@@ -6,6 +6,7 @@
  * these with incompatible modes. */
 #include "core/elastic/model.h"
 #include "core/export/output.h"
+#include "core/mesh/body_shape.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -229,18 +230,33 @@ static void write_contact(const deck *d) {
                   "plate-contact, cylinder-contact\n");
 }
 
-static void write_supports(FILE *out) {
-  fprintf(out, "cylinder, 3, 3\nplate, 3, 3\ncylinder-fixed, 1, 2\nplate-fixed, 1, 1\n");
+/* Holds the support of a body along x: its whole set, or by node where the middle alone is held. */
+static void hold_sideways(const deck *d, const arc_mesh *m, int first) {
+  if (m->solid.hold != ARC_HOLD_FREE) {
+    fprintf(d->out, "%s-fixed, 1, 1\n", arc_body_name(m->body));
+    return;
+  }
+  for (int k = 0; k < m->fixed; k++)
+    for (int face = 0; face < 2; face++)
+      if (arc_body_holds_sideways(&m->solid, m->xy[2 * m->fixed_node[k]]))
+        fprintf(d->out, "%d, 1, 1\n", m->fixed_node[k] + first + face * d->nodes);
+}
+
+static void write_supports(const deck *d) {
+  const arc_mesh *upper = mesh_of(d, ARC_CYLINDER), *lower = mesh_of(d, ARC_PLATE);
+  fprintf(d->out, "cylinder, 3, 3\nplate, 3, 3\ncylinder-fixed, 2, 2\n");
+  hold_sideways(d, upper, 1);
+  hold_sideways(d, lower, upper->nodes + 1);
 }
 
 /* A load alone would find nothing to press against: the bodies are brought together first, by the
  * approach that belongs to the load. */
 static void write_steps(const deck *d) {
   fprintf(d->out, "*STEP, INC=200\n*STATIC\n1, 1\n*BOUNDARY\n");
-  write_supports(d->out);
+  write_supports(d);
   fprintf(d->out, "base, 2, 2, %s\n*END STEP\n", number(arc_contact_get(d->contact).approach).text);
   fprintf(d->out, "*STEP, INC=200\n*STATIC\n1, 1\n*BOUNDARY, OP=NEW\n");
-  write_supports(d->out);
+  write_supports(d);
   fprintf(d->out, "*CLOAD\nbase, 2, %s\n", number(arc_contact_definition(d->contact)->load).text);
   fprintf(d->out, "*NODE FILE\nU\n*EL FILE\nS\n*CONTACT FILE\nCDIS, CSTR\n"
                   "*NODE PRINT, NSET=base\nU\n"

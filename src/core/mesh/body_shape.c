@@ -8,6 +8,7 @@
 
 const char *const arc_solid_names[] = {ARC_SOLID_LIST(ARC_CHOICE_NAME) NULL};
 const char *const arc_rim_names[] = {ARC_RIM_LIST(ARC_CHOICE_NAME) NULL};
+const char *const arc_hold_names[] = {ARC_HOLD_LIST(ARC_CHOICE_NAME) NULL};
 
 #define SHAPE(name, word, shape) &arc_body_shape_##shape,
 static const body_shape *const shapes[] = {ARC_SOLID_LIST(SHAPE)};
@@ -59,7 +60,8 @@ const arc_setting arc_body_settings[] = {
 /* --- by kind ---------------------------------------------------------------------------------- */
 
 const body_shape *arc_body_shape_of(const arc_body_def *b) {
-  return shapes[b->kind];
+  const body_shape *shape = shapes[b->kind];
+  return b->hold == ARC_HOLD_HUB && shape->with_hub ? shape->with_hub : shape;
 }
 
 const char *const *arc_body_fields(arc_solid kind) {
@@ -72,7 +74,7 @@ arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double rad
   if (usual) b.kind = role == ARC_UPPER ? ARC_SOLID_CYLINDER : ARC_SOLID_BLOCK;
   const body_shape *shape = arc_body_shape_of(&b);
   if (b.radius == 0 && shape->form != FORM_MAP) b.radius = radius;
-  if (shape->resolve) shape->resolve(&b);
+  if (shape->resolve) shape->resolve(&b, radius);
   if (b.width == 0) b.width = 2 * radius;
   if (b.height == 0) b.height = radius;
   return b;
@@ -115,6 +117,10 @@ int arc_body_is_map(const arc_body_def *b) {
 
 int arc_body_is_core(const arc_body_def *b) {
   return arc_body_shape_of(b)->form == FORM_CORE;
+}
+
+int arc_body_holds_sideways(const arc_body_def *b, double x) {
+  return b->hold != ARC_HOLD_FREE || fabs(x) <= 0.15 * b->radius;
 }
 
 int arc_body_is_closed(const arc_body_def *b) {
@@ -183,7 +189,7 @@ static const char *const block_fields[] = {"width", "height", NULL}, *const no_f
 #define RECTANGLE(fields)                                                                          \
   {                                                                                                \
     fields, FORM_RECTANGLE, 0, NULL, NULL, arc_body_height, arc_body_limits_of_width, NULL, NULL,  \
-        NULL                                                                                       \
+        NULL, NULL                                                                                 \
   }
 const body_shape arc_body_shape_block = RECTANGLE(block_fields);
 /* Stand for others until they are resolved. */

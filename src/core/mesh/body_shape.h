@@ -26,14 +26,16 @@ typedef struct body_limits {
 typedef struct body_shape {
   const char *const *fields; /* its own settings, NULL ends them; a profile's are x and y */
   body_form form;
-  double turn;                             /* of an arc: the angle of half its surface; else 0 */
-  void (*resolve)(arc_body_def *b);        /* what follows from its fields; NULL: nothing */
+  double turn; /* of an arc: the angle of half its surface; else 0 */
+  void (*resolve)(arc_body_def *b, double radius); /* fills what follows from its fields and the
+                                                      model's radius [mm]; NULL: nothing */
   double (*radius)(const arc_body_def *b); /* of an arc [mm], negative where hollow; else NULL */
   double (*depth)(const arc_body_def *b);  /* below the surface [mm] */
   body_limits (*limits)(const arc_body_def *b);
   double (*crest)(const arc_body_def *b);                         /* see arc_body_crest; NULL: 0 */
   double (*inset)(const arc_body_def *b, double crest, double x); /* see there; NULL: 0 */
   arc_status (*check)(const arc_body_def *b, const char *path, arc_error *error); /* or NULL */
+  const struct body_shape *with_hub; /* the shape with hold = "hub"; NULL: the same */
 } body_shape;
 
 #define ARC_BODY_SHAPE(name, word, shape) extern const body_shape arc_body_shape_##shape;
@@ -45,6 +47,8 @@ body_limits arc_body_limits(const arc_body_def *b);
 /* Whether its surface goes through points; whether it is a solid arc. */
 int arc_body_has_points(const arc_body_def *b);
 int arc_body_is_core(const arc_body_def *b);
+/* True if the support at x [mm] holds the body along x as well: everywhere, or in a hub. */
+int arc_body_holds_sideways(const arc_body_def *b, double x);
 /* Whether both ends of the surface are one: whole arcs. */
 int arc_body_is_closed(const arc_body_def *b);
 

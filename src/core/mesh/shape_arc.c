@@ -11,7 +11,7 @@ static double own_radius(const arc_body_def *b) {
 
 /* --- cylinders: half arcs, held by their flat ------------------------------------------------- */
 
-static const char *const cylinder_fields[] = {"radius", NULL};
+static const char *const cylinder_fields[] = {"radius", "hold", NULL};
 
 static body_limits cylinder_limits(const arc_body_def *b) {
   return (body_limits){.zone = 1.6 * b->radius,
@@ -29,14 +29,16 @@ const body_shape arc_body_shape_cylinder = {cylinder_fields,
                                             cylinder_limits,
                                             NULL,
                                             NULL,
-                                            NULL};
+                                            NULL,
+                                            &arc_body_shape_disc};
 
 /* --- balls, which have no mesh: half-spaces of two radii ---------------------------------------
  */
 
 static const char *const ball_fields[] = {"radius", "radius_z", NULL};
 
-static void resolve_ball(arc_body_def *b) {
+static void resolve_ball(arc_body_def *b, double radius) {
+  (void)radius;
   if (b->radius_z == 0) b->radius_z = b->radius;
 }
 
@@ -47,6 +49,7 @@ const body_shape arc_body_shape_ball = {ball_fields,
                                         own_radius,
                                         own_radius,
                                         cylinder_limits,
+                                        NULL,
                                         NULL,
                                         NULL,
                                         NULL};
@@ -64,16 +67,12 @@ static body_limits disc_limits(const arc_body_def *b) {
   return whole_limits(b->radius);
 }
 
-const body_shape arc_body_shape_disc = {cylinder_fields,
-                                        FORM_CORE,
-                                        3.14159265358979323846,
-                                        NULL,
-                                        own_radius,
-                                        own_radius,
-                                        disc_limits,
-                                        NULL,
-                                        NULL,
-                                        NULL};
+static const char *const disc_fields[] = {"radius", NULL};
+
+const body_shape arc_body_shape_disc = {disc_fields, FORM_CORE,  3.14159265358979323846,
+                                        NULL,        own_radius, own_radius,
+                                        disc_limits, NULL,       NULL,
+                                        NULL,        NULL};
 
 static const char *const ring_fields[] = {"inner", "outer", "fixed", NULL};
 
@@ -98,6 +97,7 @@ static arc_status check_ring(const arc_body_def *b, const char *path, arc_error 
       path, path, b->inner, b->outer);
 }
 
-const body_shape arc_body_shape_ring = {
-    ring_fields, FORM_WALL, 3.14159265358979323846, NULL, ring_radius, ring_wall, ring_limits, NULL,
-    NULL,        check_ring};
+const body_shape arc_body_shape_ring = {ring_fields, FORM_WALL,   3.14159265358979323846,
+                                        NULL,        ring_radius, ring_wall,
+                                        ring_limits, NULL,        NULL,
+                                        check_ring,  NULL};

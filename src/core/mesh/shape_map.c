@@ -39,7 +39,8 @@ static arc_status check(const arc_body_def *b, const char *path, arc_error *erro
   return ARC_OK;
 }
 
-static void resolve(arc_body_def *b) {
+static void resolve(arc_body_def *b, double radius) {
+  (void)radius;
   if (b->radius_z == 0) b->radius_z = b->radius;
 }
 
@@ -53,8 +54,8 @@ static body_limits limits(const arc_body_def *b) {
   return (body_limits){.zone = INFINITY, .zone_text = "any", .outer = INFINITY, .reach = INFINITY};
 }
 
-const body_shape arc_body_shape_map = {fields,          FORM_MAP, 0,    resolve, radius,
-                                       arc_body_height, limits,   NULL, NULL,    check};
+const body_shape arc_body_shape_map = {fields, FORM_MAP, 0,    resolve, radius, arc_body_height,
+                                       limits, NULL,     NULL, check,   NULL};
 
 /* --- heights ---------------------------------------------------------------------------------- */
 

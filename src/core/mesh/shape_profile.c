@@ -61,5 +61,5 @@ static arc_status check(const arc_body_def *b, const char *path, arc_error *erro
 }
 
 const body_shape arc_body_shape_profile = {
-    fields, FORM_POINTS, 0,    NULL, NULL, arc_body_height, arc_body_limits_of_width,
-    crest,  inset,       check};
+    fields, FORM_POINTS, 0,     NULL, NULL, arc_body_height, arc_body_limits_of_width,
+    crest,  inset,       check, NULL};

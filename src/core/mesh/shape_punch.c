@@ -5,7 +5,9 @@
 
 static const char *const fields[] = {"flat", "radius", "height", NULL};
 
-static void resolve(arc_body_def *b) {
+/* Without a height: as high as the model's radius, or twice its own where that is more. */
+static void resolve(arc_body_def *b, double radius) {
+  if (b->height == 0) b->height = fmax(radius, 2 * b->radius);
   b->width = b->flat + 2 * b->radius;
 }
 
@@ -37,5 +39,5 @@ static arc_status check(const arc_body_def *b, const char *path, arc_error *erro
                   b->radius / 0.9, b->height);
 }
 
-const body_shape arc_body_shape_punch = {fields,          FORM_RECTANGLE, 0,    resolve, NULL,
-                                         arc_body_height, limits,         NULL, inset,   check};
+const body_shape arc_body_shape_punch = {
+    fields, FORM_RECTANGLE, 0, resolve, NULL, arc_body_height, limits, NULL, inset, check, NULL};
