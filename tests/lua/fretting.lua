@@ -352,3 +352,20 @@ refused({ stroke = 0.1, slip = "total" }, "field 'slip'", "total slip")
 refused({ stroke = 0.1, procedure = "NSP", alpha = 1 }, "field 'procedure'", "a plate that does not move")
 refused({ stroke = 0.1, friction = 0, law = "energy" }, { "field 'law'", "friction" }, "energy without friction")
 
+
+-- --- a load that breathes --------------------------------------------------------------------------
+-- Unlike bodies slip by a changing load alone; alike ones do not.
+local unlike = { cylinder = { E = 4e5, nu = 0.22 }, plate = { E = 7e4, nu = 0.33 }, mesh = { size = 0.02, height = 0.025 } }
+local function breathing(bodies, strength)
+  local w = run{ model = model(bodies), loading = { tangential = function() return 0 end,
+    load = function(t) return 100 * (1 + strength * math.sin(2 * math.pi * t)) end } }
+  return w:run{ progress = false }
+end
+local strong, alike = breathing(unlike, 0.5), breathing({ mesh = unlike.mesh }, 0.5)
+is(strong.cycle, 400.0, "a load that breathes drives a cycle")
+ok(strong.energy > 0 and strong.volume_plate > 0, "unlike bodies slip by it and wear")
+ok(alike.energy <= 1e-9 * strong.energy, "those of one material do not")
+ok(math.abs(strong.largest_shear) < 1e-6 * 100, "there is no force along the surface")
+local weak = breathing(unlike, 0.25)
+ok(weak.energy > 0 and weak.energy < strong.energy / 2, "half as strongly, less than half is lost")
+refused({ loading = { tangential = { 1, 1, 1 } } }, "a force or a load that changes", "neither of them")

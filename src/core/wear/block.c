@@ -49,11 +49,16 @@ static void find_poses(wear_block *b) {
   memcpy(b->pose_x, b->x, (size_t)b->count * sizeof *b->x);
 }
 
-/* A force has a way only once it is solved for: it counts as force / E*. */
-static double way_of_force(const wear_block *b, const wear_manner *m) {
-  double once = 0;
-  for (int i = 1; i < b->count; i++) once += fabs(b->tangential[i] - b->tangential[i - 1]);
-  return once / m->modulus;
+/* Sliding distance of a cycle driven by a force: the displacement is unknown until the contact is
+ * solved, so changes of the force per thickness over E* stand for it; if the force never changes,
+ * changes of the load. */
+static double sliding_of_force(const wear_block *b, const wear_manner *m) {
+  double force = 0, load = 0;
+  for (int i = 1; i < b->count; i++) {
+    force += fabs(b->tangential[i] - b->tangential[i - 1]);
+    load += fabs(b->line[i] - b->line[i - 1]);
+  }
+  return (force > 0 ? force : load) / m->modulus;
 }
 
 static int increments_of(const arc_wear_def *def, const arc_model_def *model) {
@@ -74,7 +79,7 @@ static double parts_of(const arc_wear_def *def, const arc_model_def *model, cons
 
 static void finish(wear_block *b, const arc_wear_def *def, const arc_model_def *model,
                    const wear_manner *m) {
-  double once = b->tangential ? way_of_force(b, m) : 0, low = b->x[0], high = b->x[0];
+  double once = b->tangential ? sliding_of_force(b, m) : 0, low = b->x[0], high = b->x[0];
   for (int i = 1; i < b->count; i++) {
     once += fabs(b->x[i] - b->x[i - 1]);
     low = fmin(low, b->x[i]);

@@ -126,6 +126,13 @@ static arc_status check_rubbing(const arc_wear_def *d, const arc_loading *l, int
                   l->tangential ? "N" : "mm", l->load[0], l->load[last]);
 }
 
+/* True if the load changes: unlike bodies slip by that alone. */
+static int breathes(const arc_loading *l) {
+  for (int i = 1; l->load && i < l->count; i++)
+    if (l->load[i] != l->load[0]) return 1;
+  return 0;
+}
+
 static arc_status check_block(const arc_wear_def *d, int number, arc_error *error) {
   const arc_loading *l = &d->loading[number - 1];
   const int last = number == d->blocks;
@@ -142,16 +149,17 @@ static arc_status check_block(const arc_wear_def *d, int number, arc_error *erro
                     "field 'loading[%d].tangential': a force drives the plate by friction only; "
                     "give friction",
                     number);
-  if (!(sliding > 0) && l->tangential)
-    return arc_fail(error, ARC_ARGUMENT,
-                    "field 'loading[%d].tangential': expected a force that changes, got %g N all "
-                    "the time",
-                    number, l->tangential[0]);
+  if (!(sliding > 0) && l->tangential && !breathes(l))
+    return arc_fail(
+        error, ARC_ARGUMENT,
+        "field 'loading[%d].tangential': expected a force or a load that changes, got %g N all "
+        "the time",
+        number, l->tangential[0]);
   if (!isfinite(sliding))
     return arc_fail(error, ARC_ARGUMENT, "field 'loading[%d].%s': expected a finite way, got %g %s",
                     number, l->rotation ? "rotation" : "x", sliding,
                     l->rotation ? "degrees" : "mm");
-  if (!(sliding > 0))
+  if (!(sliding > 0) && !l->tangential)
     return arc_fail(error, ARC_ARGUMENT,
                     "field 'loading[%d].%s': expected a plate that moves, got %g %s all the time",
                     number, l->rotation ? "rotation" : "x", drive[0],
