@@ -252,7 +252,7 @@ end
 
 function class.__tostring(self)
   local count = count_by_status(self)
-  local lines = { ("study %s: %d cases%s"):format(self.name, #self.flat,
+  local lines = { ("study%s: %d cases%s"):format(self.name ~= "study" and " " .. self.name or "", #self.flat,
     self.file and " in " .. self.file or ""),
     ("  %d done, %d failed, %d to do"):format(count.done, count.failed,
       count.waiting + count.running) }

@@ -7,6 +7,7 @@
 #include "lua/base/error.h"
 #include "lua/base/names.h"
 #include "lua/engine/classes.h"
+#include "lua/engine/pair_text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -308,6 +309,31 @@ void body_read_names(lua_State *L, int index, arc_model_def *def) {
   }
 }
 
+/* --- printing ----------------------------------------------------------------------------------
+ */
+
+static int body_tostring(lua_State *L) {
+  arc_model_def model = arc_model_default();
+  read_at(L, 1, (args_place){"body", ""}, model.radius, &model.body[ARC_UPPER],
+          &model.material[ARC_UPPER]);
+  luaL_Buffer text;
+  luaL_buffinit(L, &text);
+  pair_add_body(&text, &model, ARC_UPPER);
+  luaL_pushresult(&text);
+  return 1;
+}
+
+/* Sets the metatable of the table on top: a table of fields that prints as a body. */
+static void set_body_class(lua_State *L) {
+  if (luaL_newmetatable(L, "archard.body")) {
+    lua_pushcfunction(L, body_tostring);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushboolean(L, 1);
+    lua_setfield(L, -2, "__plain");
+  }
+  lua_setmetatable(L, -2);
+}
+
 /* --- pushing ---------------------------------------------------------------------------------- */
 
 /* Sets a field of the table on top of the stack to the value of a setting, unless it is optional
@@ -368,6 +394,7 @@ void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
   set_shape(L, def);
   settings_set(L, arc_material_settings, &model->material[body]);
   set_layers(L, def);
+  set_body_class(L);
 }
 
 /* --- making ----------------------------------------------------------------------------------- */
@@ -410,6 +437,8 @@ static int make(lua_State *L) {
   read_at(L, 2, place, arc_model_default().radius, &def, &material);
   def = arc_body_resolve(&def, ARC_UPPER, arc_model_default().radius);
   error_check(L, arc_body_check(&def, "", &error), &error, where, -1);
+  lua_settop(L, 2);
+  set_body_class(L);
   return 1;
 }
 

@@ -77,6 +77,15 @@ void pair_add_layers(luaL_Buffer *text, const arc_model_def *model, arc_body bod
   }
 }
 
+void pair_add_body(luaL_Buffer *text, const arc_model_def *model, arc_body body) {
+  char shape[110];
+  show_body(model, body, shape, sizeof shape);
+  luaL_addstring(text, shape);
+  luaL_addstring(text, ": ");
+  add_material(text, model->material[body], " ");
+  pair_add_layers(text, model, body, "\n  ");
+}
+
 int pair_has_layers(const arc_model_def *model) {
   return arc_body_layers(&model->body[ARC_UPPER]) + arc_body_layers(&model->body[ARC_LOWER]) > 0;
 }

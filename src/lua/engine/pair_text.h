@@ -19,6 +19,9 @@ void pair_add_materials(luaL_Buffer *text, const arc_model_def *model);
 void pair_add_layers(luaL_Buffer *text, const arc_model_def *model, arc_body body,
                      const char *before);
 
+/* Adds "roller (cylinder of radius 5 mm): E 200000 MPa nu 0.3" and a line for each layer. */
+void pair_add_body(luaL_Buffer *text, const arc_model_def *model, arc_body body);
+
 /* Adds lines for the layers of both bodies, if there are any. */
 void pair_add_all_layers(luaL_Buffer *text, const arc_model_def *model);
 int pair_has_layers(const arc_model_def *model);

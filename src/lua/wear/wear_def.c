@@ -207,6 +207,18 @@ static void read_bodies(lua_State *L, int index, args_place place, wear_request 
   lua_replace(L, index);
 }
 
+/* "3-D" and the like are geometries of the model. */
+static void refuse_space(lua_State *L, int index, args_place place) {
+  if (lua_getfield(L, index, "geometry") == LUA_TSTRING)
+    for (const char *const *name = arc_space_names; *name; name++)
+      if (strcmp(*name, lua_tostring(L, -1)) == 0)
+        error_raise(L, ARC_ARGUMENT, place.where,
+                    "field 'geometry': expected \"moving\" or \"frozen\", got \"%s\", which is a "
+                    "geometry of the bodies: give model = { geometry = \"%s\" }",
+                    *name, *name);
+  lua_pop(L, 1);
+}
+
 wear_request wear_request_read(lua_State *L, int index, int changed) {
   args_place place = {changed ? "wear:set" : "wear", ""};
   luaL_checkstack(L, 30, "wear");
@@ -217,6 +229,7 @@ wear_request wear_request_read(lua_State *L, int index, int changed) {
   request.own_k = request.own_k || args_given(L, index, "k") || args_given(L, index, "alpha");
   request.own_steps =
       request.own_steps || args_given(L, index, "scheme") || args_given(L, index, "jump");
+  refuse_space(L, index, place);
   args_read(L, index, place, settings, &request.def);
   read_cycles(L, index, place, &request);
   settle_scheme(L, index, &request.def);
