@@ -9,23 +9,24 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-#define ARC_MATERIAL_SETTINGS(NUMBER)                                                              \
+#define ARC_MATERIAL_SETTINGS(NUMBER, TEXT)                                                        \
   NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
   NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")                                     \
   NUMBER(                                                                                          \
       k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                        \
       "Wear coefficient of the body, for wear{} without k and alpha. A body without one beside "   \
-      "one that has it does not wear.")
+      "one that has it does not wear.")                                                            \
+  TEXT(name, "a text of up to 31 characters", ARC_OPTIONAL, "Name of the material in print.")
 
 typedef struct arc_material {
-  ARC_MATERIAL_SETTINGS(ARC_MEMBER_NUMBER)
+  ARC_MATERIAL_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_TEXT)
 } arc_material;
 
 extern const arc_setting arc_material_settings[];
 
 /* A material as a setting of another definition: a row of its list by the name `name_`, for its
  * member at `offset_`. */
-#define ARC_MATERIAL_TABLE "{ E=, nu=, k= }"
+#define ARC_MATERIAL_TABLE "{ E=, nu=, k=, name= }"
 #define ARC_MATERIAL_SETTING(offset_, name_, text_)                                                \
   {                                                                                                \
     .name = name_, .unit = "", .kind = ARC_GROUP, .group = arc_material_settings,                  \

@@ -17,8 +17,12 @@ local held_as = { distance = "total_distance", update = "update_at" }
 -- A value as JSON can hold it: no program can read a function.
 local function plain(value)
   if type(value) == "function" then return "function" end
-  if type(value) ~= "table" or value == json.null then return value end
   local copy = {}
+  for _, setting in ipairs(type(value) == "userdata" and known.material or {}) do -- a material with a name
+    copy[setting.path] = value[setting.path]
+  end
+  if next(copy) then return copy end
+  if type(value) ~= "table" or value == json.null then return value end
   for name, inner in pairs(value) do copy[name] = plain(inner) end
   return copy
 end
@@ -42,6 +46,7 @@ local function complete(part, units, prefix)
     end
   end
   if part.k == 0 then part.k = json.null end
+  if part.material then complete(part.material, units, prefix .. "material.") end
 end
 
 -- A body as it was given, in numbers; the usual one is null.

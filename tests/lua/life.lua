@@ -53,7 +53,7 @@ ok(survived, "a model closed while a contact is being made on it")
 -- metatables as completion and help expect them
 -- (a model says its bodies where they are not the usual pair)
 local own = model{ upper = body.punch{ flat = 1, radius = 2 }, lower = body.block{}, mesh = { size = 0.08, height = 0.1 } }
-for _, object in ipairs{ wear{}, contact{}, own, model{}.mesh.plate, hertz{}, material{} } do
+for _, object in ipairs{ wear{}, contact{}, own, model{}.mesh.plate, hertz{}, material{ name = "steel" } } do
   local meta = debug.getmetatable(object)
   local known = true
   for _, name in ipairs(meta.__fields) do known = known and object[name] ~= nil end

@@ -4,7 +4,7 @@ local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
 -- material
-local steel = material{}
+local steel = material{ name = "steel" }
 is(steel.E, 200e3, "default E")
 is(steel.nu, 0.3, "default nu")
 near(steel.E_star, 200e3 / (1 - 0.09), 1e-15, "E_star")

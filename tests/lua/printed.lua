@@ -52,3 +52,18 @@ local shown = require "archard.names".shown
 tap.is(shown(("a"):rep(200)), '"' .. ("a"):rep(200) .. '"', "a text of 200 characters is quoted whole")
 tap.is(shown(("é"):rep(150)), '"' .. ("é"):rep(100) .. '..." (300 characters)', "of a longer one whole characters")
 tap.is(shown("| a |\n" .. ("b"):rep(500)), '"| a |..." (506 characters)', "of its first line")
+
+-- --- bodies and materials ------------------------------------------------------------------------
+local dlc = material{ name = "DLC", E = 2e5, k = 1e-10 }
+tap.is(tostring(dlc), "material DLC: E 200000 MPa, nu 0.3, E_star 219780 MPa, k 1e-10 mm2/N = 1e-07 mm3/(N m)", "a material has a name")
+local coated = body.block{ name = "coated", material = material{ name = "100Cr6", E = 21e4 }, layers = { { thickness = 0.05, material = dlc } } }
+tap.is(tostring(coated), "coated (block): 100Cr6, E 210000 MPa nu 0.3\n  0.05 mm of DLC, E 200000 MPa nu 0.3 k 1e-10 mm2/N = 1e-07 mm3/(N m)",
+  "print(body)")
+local named = model{ lower = coated, cylinder = { name = "bronze", E = 1e5 }, mesh = coarse.mesh and { size = 0.1, height = 0.1 } }
+tap.is(named.cylinder.name, "bronze", "a model keeps the names")
+tap.is(tostring(named.lower), tostring(coated), "and gives its bodies back")
+for _, part in ipairs{ "of bronze", "of 100Cr6", "0.05 mm of DLC" } do
+  tap.ok(tostring(named):find(part, 1, true), "print(model) says " .. part)
+end
+tap.ok(tostring(select(2, pcall(material, { name = ("x"):rep(32) }))):find("up to 31 characters", 1, true), "a name of 32 characters is refused")
+tap.ok(tostring(select(2, pcall(wear, { geometry = "3-D" }))):find('give model = { geometry = "3-D" }', 1, true), "a geometry of bodies in wear{}")

@@ -32,7 +32,7 @@ local function others(row)
     if value ~= row.default then list[#list + 1] = value end
   end
   if row.choice then return list end
-  if row.type:find "^a word" or row.type:find "^a name" then return { "another" } end
+  if row.type:find "^a word" or row.type:find "^a name" or row.type:find "^a text" then return { "another" } end
   for _, value in ipairs{ usual and usual * 0.9 or false, usual and usual // 1 - 1 or false, 0.4, 2, 7 } do
     if value and value ~= usual then list[#list + 1] = value end
   end
@@ -124,13 +124,16 @@ for _, row in ipairs(known.material) do
   same(hertz{ cylinder = m }.cylinder[name], value, "hertz.cylinder." .. name)
   local function a_pair(given) return merged({ mesh = coarse }, given) end
   reads_back_model(a_pair{ cylinder = m }, { "cylinder." .. name }, value, "of the usual pair")
-  reads_back_model(a_pair{ lower = body.block{ [name] = value } }, { "lower." .. name, "plate." .. name }, value, "of a body")
-  reads_back_model(a_pair{ upper = body.cylinder{ material = m } }, { "upper." .. name, "cylinder." .. name }, value,
+  local is_text = type(value) == "string" -- `name` beside E is that of the body or layer
+  local inner = is_text and "material." .. name or name
+  local function own_of(fields) return is_text and merged(fields, { material = m }) or merged(fields, { E = 1e5, [name] = value }) end
+  reads_back_model(a_pair{ lower = body.block(own_of{}) }, { "lower." .. inner, "plate." .. name }, value, "of a body")
+  reads_back_model(a_pair{ upper = body.cylinder{ material = m } }, { "upper." .. inner, "cylinder." .. name }, value,
     "of a body as an object")
-  local layer = merged({ thickness = 0.4, E = 1e5 }, { [name] = value })
-  reads_back_model(a_pair{ lower = body.block{ layers = { layer } } }, { "lower.layers.1." .. name }, value, "of a layer")
+  local layer = own_of{ thickness = 0.4 }
+  reads_back_model(a_pair{ lower = body.block{ layers = { layer } } }, { "lower.layers.1." .. inner }, value, "of a layer")
   reads_back_model(a_pair{ lower = body.block{ layers = { { thickness = 0.4, material = m }, layer } } },
-    { "lower.layers.1." .. name, "lower.layers.2." .. name }, value, "of layers")
+    { "lower.layers.1." .. inner, "lower.layers.2." .. inner }, value, "of layers")
   local coated = body.gmsh{ materials = { coat = m } }
   local given <close> = wear{ model = { mesh = here .. "/../files/gmsh/coat.msh", upper = coated },
     geometry = "frozen", distance = 1 }

@@ -65,7 +65,7 @@ fails(function() study{ vary = { k = { 1e-9, 2e-9 }, foo = { 1 } } } end, "unkno
 fails(function() study{ cases = { { alpha = 1 }, { ["model.mesh.sise"] = 1 } } } end,
   "unknown field 'model.mesh.sise' (did you mean 'size'?)", "and one inside the model")
 fails(function() study.paper{ model = { plate = { G = 1 } } } end,
-  { "study.paper: ", "'model.plate.G' (known: E, k, nu)" }, "or a material")
+  { "study.paper: ", "'model.plate.G' (known: E, k, name, nu)" }, "or a material")
 fails(function() study{ base = { loading = { { x = { 0, 1, 0 }, lode = 1 } } } } end,
   "unknown field 'loading.lode' (did you mean 'load'?)", "or a block of loading")
 fails(function() study{ base = { radius = 8 } } end, "'radius': it is a field of model{}",

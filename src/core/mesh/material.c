@@ -5,7 +5,7 @@
 
 #define ARC_SETTING_OF arc_material
 const arc_setting arc_material_settings[] = {
-    ARC_MATERIAL_SETTINGS(ARC_SETTING_NUMBER){.name = NULL}};
+    ARC_MATERIAL_SETTINGS(ARC_SETTING_NUMBER, ARC_SETTING_TEXT){.name = NULL}};
 #undef ARC_SETTING_OF
 
 arc_material arc_material_default(void) {

@@ -40,6 +40,7 @@ static int is_known(arc_solid kind, const char *name) {
 /* "E, nu, k" */
 static void add_material_names(luaL_Buffer *text) {
   for (const arc_setting *s = arc_material_settings; s->name; s++) {
+    if (s->kind == ARC_TEXT) continue; /* `name` is that of the body or layer */
     if (s != arc_material_settings) luaL_addstring(text, ", ");
     luaL_addstring(text, s->name);
   }
@@ -92,7 +93,7 @@ static void read_part(lua_State *L, int index, args_place place, const arc_setti
 static void refuse_both(lua_State *L, int index, args_place place) {
   if (!args_given(L, index, "material")) return;
   for (const arc_setting *s = arc_material_settings; s->name; s++)
-    if (args_given(L, index, s->name))
+    if (s->kind != ARC_TEXT && args_given(L, index, s->name))
       error_raise(L, ARC_ARGUMENT, place.where,
                   "fields '%smaterial' and '%s%s': expected one of them, got both", place.prefix,
                   place.prefix, s->name);
@@ -113,7 +114,9 @@ static void read_whole(lua_State *L, int index, args_place place, const char *na
 static void read_material(lua_State *L, int index, args_place place, arc_material *to) {
   refuse_both(L, index, place);
   read_whole(L, index, place, "material", to);
-  read_part(L, index, place, arc_material_settings, to);
+  for (const arc_setting *s = arc_material_settings; s->name; s++)
+    if (s->kind != ARC_TEXT)
+      read_part(L, index, place, (const arc_setting[]){*s, {.name = NULL}}, to);
 }
 
 /* True for the settings of a layer in `layers`: all but its name (for `materials`) and its
@@ -344,11 +347,22 @@ static void set_given(lua_State *L, const arc_setting *s, const void *definition
   lua_setfield(L, -2, s->name);
 }
 
+/* Sets E, nu and k in the table on top; a material with a name as the object `material`. */
+static void set_material(lua_State *L, arc_material material) {
+  if (material.name[0]) {
+    material_push(L, material);
+    lua_setfield(L, -2, "material");
+    return;
+  }
+  for (const arc_setting *s = arc_material_settings; s->name; s++)
+    if (s->kind != ARC_TEXT) settings_push(L, s, &material), lua_setfield(L, -2, s->name);
+}
+
 static void push_layer(lua_State *L, const arc_layer *layer) {
   lua_newtable(L);
   for (const arc_setting *s = arc_layer_settings; s->name; s++)
     if (is_of_layer(s)) set_given(L, s, layer);
-  settings_set(L, arc_material_settings, &layer->material);
+  set_material(L, layer->material);
 }
 
 static void set_layers(lua_State *L, const arc_body_def *def) {
@@ -356,7 +370,10 @@ static void set_layers(lua_State *L, const arc_body_def *def) {
   if (layers == 0) return;
   lua_createtable(L, layers, 0);
   for (int l = 0; l < layers; l++) {
-    push_layer(L, &def->layer[l]);
+    if (named && def->layer[l].material.name[0])
+      material_push(L, def->layer[l].material);
+    else
+      push_layer(L, &def->layer[l]);
     if (named)
       lua_setfield(L, -2, def->layer[l].name);
     else
@@ -392,7 +409,7 @@ void body_push(lua_State *L, const arc_model_def *model, arc_body body) {
   }
   lua_newtable(L);
   set_shape(L, def);
-  settings_set(L, arc_material_settings, &model->material[body]);
+  set_material(L, model->material[body]);
   set_layers(L, def);
   set_body_class(L);
 }

@@ -15,9 +15,10 @@ NUMBER_FIELD(material, E_star, arc_material_E_star(*self(L)))
 
 static int material_tostring(lua_State *L) {
   arc_material material = *self(L);
-  char text[120];
-  snprintf(text, sizeof text, "material: E %.6g MPa, nu %.6g, E_star %.6g MPa", material.E,
-           material.nu, arc_material_E_star(material));
+  char text[160];
+  snprintf(text, sizeof text, "material%s%.31s: E %.6g MPa, nu %.6g, E_star %.6g MPa",
+           material.name[0] ? " " : "", material.name, material.E, material.nu,
+           arc_material_E_star(material));
   lua_pushstring(L, text);
   if (material.k > 0)
     lua_pushfstring(L, "%s, k %s mm2/N = %s mm3/(N m)", text, args_show_number(L, material.k),
@@ -45,7 +46,7 @@ void material_push(lua_State *L, arc_material material) {
   *value = material;
 }
 
-/* material{ E=, nu= } */
+/* material{ E=, nu=, k=, name= } */
 static int material_new(lua_State *L) {
   arc_material material = arc_material_default();
   args_read(L, 1, (args_place){"material", ""}, arc_material_settings, &material);

@@ -320,6 +320,8 @@ static void add_body(luaL_Buffer *text, const arc_model *model, arc_body body) {
            body_name(def, body), def->material[body].E, def->material[body].nu,
            arc_mesh_element(mesh, 4), def->mesh.zone[body], mesh->nodes, mesh->elements);
   luaL_addstring(text, line);
+  if (def->material[body].name[0]) luaL_addstring(text, "\n    of ");
+  luaL_addstring(text, def->material[body].name);
   pair_add_layers(text, def, body, "\n    layer   ");
 }
 

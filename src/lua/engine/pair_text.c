@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Indentation below the labels in the text of a run. */
 static const char *const indent = "\n            ";
@@ -11,7 +12,8 @@ static const char *const indent = "\n            ";
 /* Adds "E 200000 MPa nu 0.3" and, after `before`, the wear coefficient if it is > 0. */
 static void add_material(luaL_Buffer *to, arc_material material, const char *before) {
   char text[100];
-  snprintf(text, sizeof text, "E %.6g MPa nu %.6g", material.E, material.nu);
+  snprintf(text, sizeof text, "%.31s%sE %.6g MPa nu %.6g", material.name,
+           material.name[0] ? ", " : "", material.E, material.nu);
   luaL_addstring(to, text);
   if (!(material.k > 0)) return;
   luaL_addstring(to, before);
@@ -44,15 +46,18 @@ const char *pair_show(const arc_model_def *model, char *text, size_t size) {
 }
 
 static int are_alike(const arc_material *of) {
-  return of[0].E == of[1].E && of[0].nu == of[1].nu && of[0].k == of[1].k;
+  return of[0].E == of[1].E && of[0].nu == of[1].nu && of[0].k == of[1].k &&
+         strcmp(of[0].name, of[1].name) == 0;
 }
 
 void pair_add_materials(luaL_Buffer *text, const arc_model_def *model) {
   const arc_material *of = model->material;
-  const int alike = are_alike(of), worn = of[ARC_UPPER].k > 0 || of[ARC_LOWER].k > 0;
+  const int alike = are_alike(of);
+  const int is_long =
+      of[ARC_UPPER].k > 0 || of[ARC_LOWER].k > 0 || of[ARC_UPPER].name[0] || of[ARC_LOWER].name[0];
   luaL_addstring(text, "  materials ");
   for (int b = 0; b < (alike ? 1 : ARC_BODIES); b++) {
-    if (b > 0) luaL_addstring(text, worn ? indent : ", ");
+    if (b > 0) luaL_addstring(text, is_long ? indent : ", ");
     luaL_addstring(text, alike ? "both" : body_name(model, (arc_body)b));
     luaL_addchar(text, ' ');
     add_material(text, of[b], indent);

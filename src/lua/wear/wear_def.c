@@ -209,7 +209,7 @@ static void read_bodies(lua_State *L, int index, args_place place, wear_request 
 
 /* "3-D" and the like are geometries of the model. */
 static void refuse_space(lua_State *L, int index, args_place place) {
-  if (lua_getfield(L, index, "geometry") == LUA_TSTRING)
+  if (args_get(L, index, "geometry") == LUA_TSTRING)
     for (const char *const *name = arc_space_names; *name; name++)
       if (strcmp(*name, lua_tostring(L, -1)) == 0)
         error_raise(L, ARC_ARGUMENT, place.where,
