@@ -1,6 +1,5 @@
--- calibrate: from measured wear to k and alpha. Volumes give them directly (Eqs. 1, 12), with the
--- spread of repeated measurements, or as tables over the distance (study/volumes.lua); depths need
--- simulations, whose k and alpha are searched (study/depths.lua).
+-- Computes k and alpha from measured wear: from volumes directly (Eqs. 1, 12), with the spread of repeated measurements
+-- or as tables over the sliding distance (study/volumes.lua); from depths by repeated simulations (study/depths.lua).
 
 local check = require "archard.lib.check"
 local depths = require "archard.study.depths"
@@ -11,18 +10,17 @@ local volumes = require "archard.study.volumes"
 
 local where = "calibrate"
 
--- --- what is given -------------------------------------------------------------------------------
+-- --- the fields ----------------------------------------------------------------------------------
 
 local pair = check.kind("a table { cylinder=, plate= } of numbers or lists of numbers",
   check.table.test)
-local distances = check.list_of(check.positive, "a list of growing numbers > 0", true)
+local distances = check.list_of(check.positive, "a list of increasing numbers > 0", true)
 local fields = { volume = pair, depth = pair, load = check.positive, accuracy = check.share,
   confidence = check.share, error = check.positive,
-  distance = check.kind("a number > 0, or a list of growing ones", function(v)
+  distance = check.kind("a number > 0 or a list of increasing numbers", function(v)
     return check.positive.test(v) or distances.test(v)
   end) }
--- A search by depth may have the fields of wear{}, but not the one it looks for, another load, or a
--- shape to start from.
+-- With measured depths, most fields of wear{} are accepted; alpha, loading and worn are not.
 for _, setting in ipairs(require "archard.settings".wear) do
   fields[setting.name] = fields[setting.name] or check.any "a field of wear{}"
 end
@@ -43,16 +41,16 @@ local function measurements(name, given)
   return list
 end
 
--- Both bodies' measurements, as many of one as of the other: each pair is of one test. A plain 0
--- stands for a body whose wear was too little to measure in all of them.
+-- Reads the measurements of both bodies as two lists of equal length; the pair i belongs to test i. A plain 0 means
+-- that the wear of this body was too small to measure in every test.
 local function read_pair(name, given)
   check.fields(where, given, { cylinder = check.any "numbers", plate = check.any "numbers" },
     name .. ".")
   local cylinder = measurements(name .. ".cylinder", given.cylinder)
   local plate = measurements(name .. ".plate", given.plate)
   if #cylinder ~= #plate and given.cylinder ~= 0 and given.plate ~= 0 then
-    check.fail(where, ("fields '%s.cylinder' and '%s.plate': expected as many measurements of one as "
-      .. "of the other, got %d and %d"):format(name, name, #cylinder, #plate))
+    check.fail(where, ("fields '%s.cylinder' and '%s.plate': expected the same number of "
+      .. "measurements, got %d and %d"):format(name, name, #cylinder, #plate))
   end
   return cylinder, plate
 end
@@ -65,7 +63,7 @@ local function filled(count, value)
   return list
 end
 
--- A plain 0 as long as the other body's list.
+-- Expands a plain 0 to the length of the other body's list.
 local function even(cylinder, plate)
   local count = math.max(#cylinder, #plate)
   if #cylinder < count then cylinder = filled(count, cylinder[1]) end
@@ -75,7 +73,7 @@ end
 
 local function refuse_none(c, p, name)
   if c + p <= 0 then
-    check.fail(where, ("field '%s': expected wear of at least one body, got none"):format(name))
+    check.fail(where, ("field '%s': expected wear > 0 of at least one body, got 0 for both"):format(name))
   end
 end
 
@@ -90,9 +88,9 @@ local function from_volumes(given)
   return result
 end
 
--- --- from volumes on the way -----------------------------------------------------------------------
+-- --- from volumes at several distances -------------------------------------------------------------
 
--- One body's volumes by test, each a list by distance.
+-- Returns the volumes of one body: a list of tests, each a list with one volume per distance.
 local function read_tests(name, given, count)
   if given == 0 then return { filled(count, 0) } end
   local tests = type(given) == "table" and type(given[1]) == "table" and given or { given }
@@ -106,7 +104,7 @@ local function read_tests(name, given, count)
   return tests
 end
 
--- The tests' last volumes, or the means of all tests at each distance.
+-- Returns the volumes of all tests at distance number `i`.
 local function column(tests, i)
   local list = {}
   for t, test in ipairs(tests) do list[t] = test[i] end
@@ -116,7 +114,7 @@ end
 local function refuse_falling(name, tests, count)
   for i = 2, count do
     if statistics.mean(column(tests, i)) < statistics.mean(column(tests, i - 1)) then
-      check.fail(where, ("field '%s': expected what is lost since the start, got less at distance %d "
+      check.fail(where, ("field '%s': expected the volume lost since the start, got a smaller volume at distance %d "
         .. "than at %d"):format(name, i, i - 1))
     end
   end
@@ -129,8 +127,8 @@ local function from_courses(given)
   local cylinder = read_tests("volume.cylinder", given.volume.cylinder, count)
   local plate = read_tests("volume.plate", given.volume.plate, count)
   if #cylinder ~= #plate and given.volume.cylinder ~= 0 and given.volume.plate ~= 0 then
-    check.fail(where, ("fields 'volume.cylinder' and 'volume.plate': expected as many tests of one as "
-      .. "of the other, got %d and %d"):format(#cylinder, #plate))
+    check.fail(where, ("fields 'volume.cylinder' and 'volume.plate': expected the same number "
+      .. "of tests, got %d and %d"):format(#cylinder, #plate))
   end
   cylinder, plate = even(cylinder, plate)
   refuse_falling("volume.cylinder", cylinder, count)
@@ -146,7 +144,7 @@ end
 
 local function with_confidence(given)
   if not (given.load and given.distance) then
-    check.fail(where, "volumes need the fields 'load' [N] and 'distance' [mm] of the test")
+    check.fail(where, "with measured volumes, give the fields 'load' [N] and 'distance' [mm] of the test")
   end
   return merged(given, { confidence = given.confidence or 0.95 })
 end
@@ -155,10 +153,10 @@ end
 
 local not_of_wear = { volume = true, depth = true, accuracy = true, confidence = true, error = true }
 
--- The depths of a test mean something together with its load and its distance.
+-- Measured depths can be used only together with the load and the sliding distance of the test.
 local function need_test(given)
   if given.load and (given.distance or given.cycles) then return end
-  check.fail(where, "depths need the fields 'load' [N] and 'distance' [mm] (or 'cycles') of the test")
+  check.fail(where, "with measured depths, give the fields 'load' [N] and 'distance' [mm] (or 'cycles') of the test")
 end
 
 local function from_depths(given)
@@ -178,7 +176,7 @@ end
 
 local shown = {
   { "alpha", "%.4f", "wear partition factor" },
-  { "k", "%.4g", "mm2/N, of the couple" },
+  { "k", "%.4g", "mm2/N, sum of both bodies" },
   { "k_cylinder", "%.4g", "mm2/N" },
   { "k_plate", "%.4g", "mm2/N" },
   { "depth_partition", "%.4f", "measured alpha-tilde" },
@@ -188,7 +186,7 @@ local class = strict.class{ __name = "calibration", __fields = { "k", "alpha", "
   "depth_partition", "spread", "low", "high", "confidence", "measurements", "points", "band", "mean",
   "simulated_depth", "measured_depth", "runs" } }
 
--- One number with what is known of how sure it is.
+-- A line with the value of one quantity, its spread and its confidence range, if known.
 local function number_line(self, name, format, text)
   local value, spread = self[name], self.spread[name]
   local low, high = (self.low or {})[name], (self.high or {})[name]
@@ -203,12 +201,12 @@ local function add_numbers(lines, self)
     if self[each[1]] then lines[#lines + 1] = number_line(self, table.unpack(each)) end
   end
   if self.low and next(self.low) then
-    lines[#lines + 1] = ("  +-: of a single test; range: of the mean, by %g %% confidence"):format(
+    lines[#lines + 1] = ("  +-: standard deviation of one test; range: of the mean at %g %% confidence"):format(
       100 * self.confidence)
   end
 end
 
--- The tables over the distance, a line for each stretch.
+-- Adds the table over the sliding distance, a line for each interval.
 local function add_course(lines, self)
   lines[#lines + 1] = "  distance [mm]   k [mm2/N]                        alpha"
   local k, alpha = self.band.k, self.band.alpha
@@ -237,7 +235,7 @@ function class.__tostring(self)
     add_numbers(lines, self)
   end
   if self.simulated_depth then
-    lines[#lines + 1] = ("  depths together  %.4g um simulated, %.4g um measured"):format(
+    lines[#lines + 1] = ("  sum of both depths  %.4g um simulated, %.4g um measured"):format(
       1e3 * self.simulated_depth, 1e3 * self.measured_depth)
   end
   return table.concat(lines, "\n")
@@ -259,7 +257,7 @@ return function(given)
       .. (given.volume and "both" or "neither"))
   end
   if given.depth and type(given.distance) == "table" then
-    check.refuse(where, "distance", "a number > 0 with depths", given.distance)
+    check.refuse(where, "distance", "a number > 0, as 'depth' is given", given.distance)
   end
   return setmetatable(find(given), class)
 end

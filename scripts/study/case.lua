@@ -1,5 +1,5 @@
--- A case of a study: its settings and, once it has run, what a wear object would tell of it, read
--- from the run file when asked for. It has the methods that plots look for.
+-- A case of a study: its settings and, once it has run, its results, read from the run file on first use. It has the
+-- methods of a wear object that plots use.
 
 local check = require "archard.lib.check"
 local hertz_of = require "archard.lib.hertz_of"
@@ -13,7 +13,7 @@ local settable = require "archard.settings".wear
 
 local case = {}
 
--- --- what is read on first use -------------------------------------------------------------------
+-- --- fields read on first use --------------------------------------------------------------------
 
 local computed = {}
 
@@ -29,7 +29,7 @@ function computed.results(self)
   return settings.nest(self.study:store():values(self.id, "results"))
 end
 
--- What the engine warned of in this case, or nil.
+-- The engine's warning in this case, or nil.
 function computed.warning(self)
   local text = self.study.file and self.study:store():values(self.id, "results").warning
   return text and check.plain(tostring(text))
@@ -78,7 +78,7 @@ end
 
 local methods = {}
 
--- The stored surface of a body at the last look not after `distance` [mm]; nil: at the end.
+-- The stored surface of a body at the last stored distance <= `distance` [mm]; without `distance`, the final surface.
 local function surface(self, where, body, distance)
   local names = measure.bodies(self.model)
   local called = rawequal(body, nil) and names.upper or naming.body(where, { model = { bodies = names } }, body)
@@ -121,29 +121,29 @@ function methods:distances()
   return list
 end
 
--- The sum of both depths, Eq. (31).
+-- Sum of both wear depths at each position, Eq. (31).
 function methods:combined(distance)
   local where = "case:combined"
   return measure.combined(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
 end
 
--- The cylinder's share of it, Eq. (30), where there is any wear.
+-- The cylinder's share of the sum of both depths, Eq. (30), at positions with wear.
 function methods:local_partition(distance)
   local where = "case:local_partition"
   return measure.local_partition(profile(self, where, "cylinder", distance), profile(self, where, "plate", distance))
 end
 
--- The run as a wear object, that can go on.
+-- Restores the run as a wear object, which can be continued.
 function methods:wear() return self.study:store():wear(self.id) end
 
 -- --- the object ----------------------------------------------------------------------------------
 
--- Names of all that a case may tell of, with a value or without one.
+-- Names of all fields and methods of a case, with or without a value.
 local own = { id = true, label = true, status = true, message = true, seconds = true, settings = true, study = true }
 local known = keys(merged(own, computed, measures, methods))
 for _, setting in ipairs(settable) do known[#known + 1] = setting.name end
 
--- Settings as given come before those of the stored definition, that come with defaults.
+-- Looks up the given settings before the stored definition, which also contains the defaults.
 function case.__index(self, name)
   local value = methods[name]
   if value ~= nil then return value end
@@ -178,7 +178,7 @@ function case.__tostring(self)
     last.volume_cylinder + last.volume_plate)
 end
 
--- From a row of the store, with its nested settings.
+-- Makes a case from a row of the store and its nested settings.
 function case.new(study, row, given)
   row.study, row.settings = study, given
   return setmetatable(row, case)

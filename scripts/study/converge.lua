@@ -1,5 +1,5 @@
--- study.converge: which mesh, which cycles per update and which increments a model needs. One case
--- is searched here; many are a study of their own whose workers search (search.lua).
+-- study.converge: searches for the element size, the cycles per update and the increments per cycle that a model needs.
+-- One case is searched in this process; several cases are run as a study with workers (search.lua).
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -10,7 +10,7 @@ local strict = require "archard.strict"
 
 local where = "study.converge"
 
--- --- what is given -------------------------------------------------------------------------------
+-- --- the fields ----------------------------------------------------------------------------------
 
 local share = check.share
 local limit_fields = { pressure = share, smooth = share, symmetric = share, profile = share,
@@ -25,7 +25,8 @@ local function pick(given, fields)
   return picked
 end
 
--- No file holds functions of the state; a single case needs none. -> base without them, they by name.
+-- Splits `given` into the fields that can be written to a run file and the functions, by name. A run file cannot hold
+-- functions; the search of a single case uses no run file.
 local function without_functions(given)
   local plain, functions = merged(given), {}
   for name, value in pairs(given) do
@@ -39,14 +40,15 @@ local function flat_cases(study, given)
   local flat = check.as(where, study, { base = base, vary = given.vary, cases = given.cases }).flat
   local name = next(functions)
   if name and #flat > 1 then
-    check.fail(where, ("field 'base.%s': many cases are searched through a file, which holds no "
+    check.fail(where, ("field 'base.%s': the search of several cases uses a run file, which cannot store "
       .. "functions; expected a number or a table over distance, or one case"):format(name))
   end
   if name then flat = { merged(flat[1], functions) } end
   return flat
 end
 
--- A study object and options, or one table with both; -> flat cases, options, name.
+-- Reads a study object and options, or one table with the fields of both. Returns the flat cases, the options and the
+-- name of the study.
 local function read(study, given, options)
   local metatable = type(given) == "table" and getmetatable(given)
   if metatable and metatable.__name == "study" then
@@ -64,8 +66,8 @@ local function find_mesh(flat, options)
   local limit = options.pressure or search.limits.pressure
   local steps, good = search.mesh(settings.nest(flat), limit)
   if not good then
-    check.fail(where, ("no element size down to %g mm brings the largest pressure within %g %% of "
-      .. "Hertz' and keeps it there"):format(steps[#steps].size, 100 * limit), "NOT_CONVERGED")
+    check.fail(where, ("with element sizes down to %g mm the largest pressure does not stay within %g %% of "
+      .. "the Hertz pressure"):format(steps[#steps].size, 100 * limit), "NOT_CONVERGED")
   end
   return { steps = steps, limit = limit, size = good.size }
 end
@@ -113,7 +115,7 @@ local function number(format, value)
   return value and format:format(value) or "-"
 end
 
--- Whether a value never grows along a list.
+-- True if the values of a list never increase.
 local function falls(list, value)
   for i = 2, #list do
     if value(list[i]) > value(list[i - 1]) then return false end
@@ -128,17 +130,18 @@ local function mesh_lines(mesh)
       ("%.2f"):format(step.p_max), ("%+.2f %%"):format(100 * step.error),
       step.change and ("%+.2f %%"):format(100 * step.change) or "-" }
   end
-  local lines = { ("element size: %g mm is enough (within %g %% of Hertz' pressure, as is half of it)")
+  local lines = { ("element size: %g mm is small enough (error of the pressure below %g %% of Hertz, "
+    .. "also at half the size)")
     :format(mesh.size, 100 * mesh.limit) }
   for _, line in ipairs(aligned(rows)) do lines[#lines + 1] = "  " .. line end
   if not falls(mesh.steps, function(step) return math.abs(step.error) end) then
-    lines[#lines + 1] = "  (it need not fall from step to step: where the contact's edge comes to lie "
-      .. "within an element counts too)"
+    lines[#lines + 1] = "  (the error may rise from one size to the next: it also depends on the position of the "
+      .. "contact's edge within its element)"
   end
   return table.concat(lines, "\n")
 end
 
--- Larger ones were not tried, see notes.
+-- The jump, with "≥" if no larger jump was tried; see notes.
 local function shown_jump(found)
   return (found.capped and "≥" or "") .. number("%g", found.jump)
 end
@@ -164,42 +167,42 @@ local function case_lines(rows)
   return table.concat(aligned(lines), "\n")
 end
 
--- --- where the search ended ------------------------------------------------------------------------
+-- --- limits of the search --------------------------------------------------------------------------
 
--- What kept it from a larger jump, or from fewer increments; nil where its own limits did.
+-- Texts for the bound that excluded a larger jump, by its name in found.bound.
 local bounds = {
   stability = function(found)
-    return ("jump %g is the ladder's last below the limit of stability, %.4g cycles"):format(found.jump,
+    return ("jump %g is the largest value tried below the stability limit of %.4g cycles"):format(found.jump,
       found.limit)
   end,
   cycles = function(found)
-    return ("jump %g is the ladder's last up to a tenth of all cycles"):format(found.jump)
+    return ("jump %g is the largest value tried; the search stops at a tenth of all cycles"):format(found.jump)
   end,
 }
 
 local function add_notes(notes, label, found)
   local function add(text) notes[#notes + 1] = label .. ": " .. text end
   if found.lopsided then
-    return add(('profiles are lopsided by %.1e even with %d increments a cycle, which no jump cures; '
-      .. 'rule = "trapezoid" is symmetric'):format(found.lopsided, search.most_increments))
+    return add(('profiles are asymmetric by %.1e even with %d increments per cycle, whatever the jump; '
+      .. 'rule = "trapezoid" gives symmetric profiles'):format(found.lopsided, search.most_increments))
   end
-  if not found.jump then return add("no jump was good, down to where the first depth is 1e-3 of the "
-    .. "first guess's") end
+  if not found.jump then return add("no jump was small enough, down to 1e-3 of the "
+    .. "first guess") end
   if found.capped then add(bounds[found.bound](found)) end
   if found.increments == search.most_increments then
-    add(("%d increments are not enough, and more than %d were not tried"):format(search.ladder[1],
+    add(("%d increments are too few, and more than %d were not tried"):format(search.ladder[1],
       search.most_increments))
   elseif found.increments == search.fewest_increments then
     add(("%d increments are enough, and fewer were not tried"):format(found.increments))
   end
   if found.smooth then
-    add(("roughness up to %.1e was allowed, since small steps on this mesh are four times as rough; a "
-      .. "finer mesh keeps to its limit"):format(found.smooth))
+    add(("roughness up to %.1e was allowed, as runs with small steps on this mesh are four times as rough; a "
+      .. "finer mesh reduces it"):format(found.smooth))
   end
   if not falls(found.roughnesses, function(value) return value end) then
-    add("of the jumps that were too rough, smaller ones were not always smoother: ripples that have "
-      .. "broken the contact up do not grow in step with the jump, and a mesh's own roughness comes "
-      .. "at other moments")
+    add("among the jumps with too rough surfaces, a smaller jump was not always smoother: once ripples have "
+      .. "split the contact, their size does not depend on the jump, and the roughness caused by the mesh appears "
+      .. "at other distances")
   end
 end
 
@@ -211,16 +214,16 @@ local function notes_of(rows)
   return notes
 end
 
--- --- the paper's table -----------------------------------------------------------------------------
+-- --- Table 1 of the paper --------------------------------------------------------------------------
 
--- The row of a paper's case, or nil.
+-- The row with this alpha and stroke, or nil.
 local function row_of(rows, alpha, stroke)
   for _, row in ipairs(rows) do
     if row.settings.alpha == alpha and row.settings.stroke == stroke then return row end
   end
 end
 
--- Rows of texts: alpha; then for each stroke the paper's jump, ours, our increments.
+-- Rows of strings: alpha; then for each stroke the paper's jump, the computed jump and increments.
 local function paper_rows(rows)
   local paper = require "archard.study.paper"
   local result = { { "α" } }
@@ -246,13 +249,13 @@ end
 local methods = {}
 local class = { __name = "convergence", __methods = methods, __fields = { "mesh", "cases" } }
 
--- The paper's Table 1 with what was found beside it, as rows of texts; nil for other cases.
+-- Table 1 of the paper with the computed values beside it, as rows of strings; nil for other studies.
 function methods:table_1()
   if not row_of(self.cases, 0.5, 0.11) or #self.cases < 20 then return nil end
   return paper_rows(self.cases)
 end
 
--- Where the search of a case ended at a bound of its own, as a list of texts.
+-- Notes on the cases whose search ended at a bound, as a list of strings.
 function methods:notes() return notes_of(self.cases) end
 
 function class.__tostring(self)

@@ -1,5 +1,4 @@
--- The definitions of a study in its run file: writing them, and whether a file holds this very study.
--- Leans on archard.store.
+-- Writes the definitions of a study into its run file and checks whether a run file belongs to the same study.
 
 local check = require "archard.lib.check"
 local design = require "archard.uncertainty.design"
@@ -9,12 +8,12 @@ local transaction = require "archard.study.transaction"
 
 local definitions = {}
 
--- Opens a run file; what fails is told of as the call that the user made.
+-- Opens a run file; errors name `where`, the function that the user called.
 function definitions.open(where, path, mode)
   return check.as(where, require "archard.store".open, path, mode)
 end
 
--- As many cases as the study has, all waiting.
+-- Writes the definitions and adds all cases with the status "waiting".
 local function write(self, store)
   store:set_info("kind", "study")
   store:set_info("name", self.name)
@@ -32,24 +31,24 @@ end
 function definitions.write(self, store) transaction(store, write, self, store) end
 
 local function other_study(where, store, what)
-  check.fail(where, ("%s holds another study (%s); name another file, or remove it")
+  check.fail(where, ("%s holds another study (%s); give another file name, or remove the file")
     :format(store.path, what), "ARGUMENT")
 end
 
--- Whether the file holds this very study: then it goes on.
+-- Checks that the file contains the same study, which can then be continued.
 local function compare(where, self, store)
   local kind = store:info("kind")
   if kind ~= "study" then other_study(where, store, "its kind is " .. tostring(kind)) end
   local cases = store:cases()
   if #cases ~= #self.flat then
-    other_study(where, store, ("it has %d cases, this one %d"):format(#cases, #self.flat))
+    other_study(where, store, ("it has %d cases, this study has %d"):format(#cases, #self.flat))
   end
   local carried = settings.carrier(where)
   for id, given in ipairs(self.flat) do
     local flat, there = carried(given), store:values(id, "settings")
     local name = settings.difference(flat, there)
     if name then
-      other_study(where, store, ("case %d has %s = %s there, %s here"):format(id, name,
+      other_study(where, store, ("case %d has %s = %s in the file, %s in this study"):format(id, name,
         settings.shown(there[name]), settings.shown(flat[name])))
     end
   end
@@ -59,7 +58,7 @@ local function write_or_compare(where, self, store)
   if #store:cases() == 0 and not store:info("kind") then write(self, store) else compare(where, self, store) end
 end
 
--- The run file of a study, open for writing: a new one with its definitions, or one that holds them.
+-- Opens the run file of a study for writing: a new file with its definitions, or an existing file of the same study.
 function definitions.for_run(where, self, path)
   local store = definitions.open(where, path, "create")
   store:check()
@@ -67,9 +66,9 @@ function definitions.for_run(where, self, path)
   return store
 end
 
--- --- usual name ----------------------------------------------------------------------------------
+-- --- default file name ---------------------------------------------------------------------------
 
--- Name of a file, without its ending: the study's name, or the script's, or "study".
+-- Default file name without extension: the name of the study, of the script, or "study".
 local function base_name(self)
   local script = type(arg) == "table" and type(arg[0]) == "string" and arg[0]:match "([^/]+)%.lua$"
   local name = self.named and self.name or script or "study"
@@ -84,14 +83,16 @@ local function is_free(where, self, path)
   end))
 end
 
--- The usual run file of a study: NAME.archard, or NAME-2.archard, ... where the names before hold something else.
+-- The default run file of a study: NAME.archard, or NAME-2.archard, ... if the earlier names are used by other data.
 function definitions.usual_path(where, self)
   local base = base_name(self)
   if base == "" then base = "study" end
   for i = 1, math.huge do
     local path = i == 1 and base .. ".archard" or ("%s-%d.archard"):format(base, i)
     if is_free(where, self, path) then
-      if i > 1 then warn(("%s: %s.archard holds something else: the study is kept in %s"):format(where, base, path)) end
+      if i > 1 then
+        warn(("%s: %s.archard contains other data: the study is stored in %s"):format(where, base, path))
+      end
       return path
     end
   end

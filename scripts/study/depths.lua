@@ -1,5 +1,5 @@
--- The k and alpha whose simulated largest depths are the measured ones: Broyden's method on the logarithm
--- of k and on alpha, against the sum of both depths and the cylinder's share of it. Leans on wear.
+-- Searches for the k and alpha whose simulated largest depths equal the measured depths: Broyden's method on ln k and
+-- alpha, with the sum of both depths and the cylinder's share of this sum as targets.
 
 local check = require "archard.lib.check"
 local run_counter = require "archard.lib.run_counter"
@@ -8,14 +8,14 @@ local statistics = require "archard.lib.statistics"
 local depths = {}
 
 local where = "calibrate"
-local first_k = 1e-8        -- [mm2/N], where the search begins
-local largest_k = 1e-5      -- [mm2/N], beyond what sliding pairs show: depths in another unit
-local most_runs, farthest = 40, 5 -- runs of one search; a step of ln k
-local agreement = 0.05      -- between both sums of depths, where k is given
+local first_k = 1e-8        -- [mm2/N], initial value of the search
+local largest_k = 1e-5      -- [mm2/N], larger than for any sliding pair: the depths are in another unit
+local most_runs, farthest = 40, 5 -- runs of one search; largest step of ln k
+local agreement = 0.05      -- relative tolerance of the sum of both depths if k is given
 
 -- --- one run ---------------------------------------------------------------------------------------
 
--- The sum of both depths [mm] and the cylinder's share of it, for k and alpha.
+-- Returns the sum of both depths [mm] and the cylinder's share of it for k and alpha.
 local function simulate(fields, k, alpha, counter)
   local of_run = { alpha = alpha, k = k }
   for name, value in pairs(fields) do of_run[name] = of_run[name] or value end
@@ -25,23 +25,23 @@ local function simulate(fields, k, alpha, counter)
   return run.depth.cylinder + run.depth.plate, run.depth_partition
 end
 
--- Depths that only a k beyond all pairs could make are in another unit.
+-- Refuses depths that need an unrealistically large k, as their unit is not mm.
 local function check_unit(sum, simulated, k)
-  local needed = k * (sum / simulated) ^ 1.5 -- a scar of depth h holds a volume of about h^1.5
+  local needed = k * (sum / simulated) ^ 1.5 -- a scar of depth h has a volume of about h^1.5
   if needed <= largest_k then return end
-  check.fail(where, ("field 'depth': both are %.4g mm together, which would need a k of about %.1g mm2/N: expected "
+  check.fail(where, ("field 'depth': their sum of %.4g mm would need a k of about %.1g mm2/N: expected "
     .. "depths in mm (are they in um?)"):format(sum, needed))
 end
 
 -- --- the search ------------------------------------------------------------------------------------
 
--- Inverse of the derivatives of both residuals, to begin with: ln of the depths grows with 2/3 of ln k, the
--- share with alpha. What is not searched for has a row and a column of zeros.
+-- Initial inverse Jacobian of both residuals: ln of the depths is proportional to 2/3 ln k, the share to alpha. An
+-- unknown with a fixed value has a row and a column of zeros.
 local function begin_inverse(seeks)
   return { { seeks[1] and 1.5 or 0, 0 }, { 0, seeks[2] and 1 or 0 } }
 end
 
--- Broyden's update of the inverse `h` by the step `dx` that changed the residuals by `df`.
+-- Broyden's update of the inverse `h` for a step `dx` that changed the residuals by `df`.
 local function update(h, dx, df)
   local to = { h[1][1] * df[1] + h[1][2] * df[2], h[2][1] * df[1] + h[2][2] * df[2] }
   local from = { dx[1] * h[1][1] + dx[2] * h[2][1], dx[1] * h[1][2] + dx[2] * h[2][2] }
@@ -52,7 +52,7 @@ local function update(h, dx, df)
   end
 end
 
--- The next step, at most nine tenths of the distance of alpha to 0 or 1.
+-- The next step; alpha changes by at most nine tenths of its distance to 0 or 1.
 local function step_from(x, h, f)
   local of_k = -(h[1][1] * f[1] + h[1][2] * f[2])
   local of_alpha = -(h[2][1] * f[1] + h[2][2] * f[2])
@@ -60,7 +60,7 @@ local function step_from(x, h, f)
     math.max(-0.9 * x[2], math.min(of_alpha, 0.9 * (1 - x[2]))) }
 end
 
--- target: { sum= [mm], share= }; start: { ln k, alpha }; options: fields of wear{}, fixed (a k that is given),
+-- target: { sum= [mm], share= }; start: { ln k, alpha }; options: fields of wear{}, fixed (the given k, if any),
 -- accuracy. Returns { k=, alpha=, sum= simulated [mm], runs=, x= }.
 local function search(target, start, options)
   local within = target.share > 0 and target.share < 1
@@ -80,20 +80,20 @@ local function search(target, start, options)
     dx, before = step_from(x, h, f), f
     x = { x[1] + dx[1], x[2] + dx[2] }
   end
-  check.fail(where, ("no k and alpha found whose depths are those measured (%.4g mm together, %.3g of it on the "
-    .. "cylinder)"):format(target.sum, target.share), "NOT_CONVERGED")
+  check.fail(where, ("no k and alpha found that give the measured depths (sum %.4g mm, share of the cylinder %.3g"
+    .. ")"):format(target.sum, target.share), "NOT_CONVERGED")
 end
 
 -- --- all measurements ------------------------------------------------------------------------------
 
--- A given k must make the measured depths.
+-- Checks that a given k reproduces the measured depths.
 local function refuse_k(found, sum)
   if math.abs(found.sum / sum - 1) <= agreement then return end
-  check.fail(where, ("field 'k': with the k given both depths are %.4g mm together, measured are %.4g mm; without "
-    .. "the field k is found as well"):format(found.sum, sum))
+  check.fail(where, ("field 'k': with this k the sum of both depths is %.4g mm, the measured sum is %.4g mm; without "
+    .. "this field k is computed too"):format(found.sum, sum))
 end
 
--- Standard deviations of k and alpha over the tests, each of which is searched for.
+-- Standard deviations of k and alpha over the tests, with a search for each test.
 local function spreads(cylinder, plate, from, options)
   local k, alpha, runs = {}, {}, 0
   for i, c in ipairs(cylinder) do
@@ -103,8 +103,8 @@ local function spreads(cylinder, plate, from, options)
   return { k = not options.fixed and statistics.deviation(k) or nil, alpha = statistics.deviation(alpha) }, runs
 end
 
--- Both bodies' depths [mm], as many of one as of the other; options: fields (of wear{}; a k among them is kept),
--- accuracy. Returns the fields of a calibration.
+-- cylinder, plate: depths of both bodies [mm], lists of equal length; options: fields (of wear{}; a given k is not
+-- changed), accuracy. Returns the fields of a calibration.
 function depths.find(cylinder, plate, options)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)
   local share = c / (c + p)

@@ -1,6 +1,5 @@
--- study:figures: a study's results as pictures. The paper's studies have the paper's figures, which
--- come with the examples (examples/paper/figures.lua); any other gets final shapes and pressures, and
--- histories. Leans on plot.
+-- study:figures: draws the results of a study. The paper's studies are drawn as the paper's figures, which come with
+-- the examples (examples/paper/figures.lua); for other studies the final shapes, pressures and histories are drawn.
 
 local archard = require "archard"
 local check = require "archard.lib.check"
@@ -13,9 +12,9 @@ local figures = {}
 
 -- --- figures of any study ------------------------------------------------------------------------
 
-local most_curves = 8 -- as many as a picture has colours
+local most_curves = 8 -- number of colours of a picture
 
--- "α = 0.25, s = 0.11 mm" where all that was varied are numbers.
+-- Title as "α = 0.25, s = 0.11 mm" if all varied settings are numbers, else the label of the case.
 local function title_of(case)
   local parts = {}
   for _, name in ipairs(case.study.varied) do
@@ -36,12 +35,12 @@ local function finished(cases)
   return curves
 end
 
--- "8 of 9 cases" where some are left out or have no results, else nil.
+-- "8 of 9 cases" if some cases are not drawn, else nil.
 local function share_of(curves, cases)
   return #curves < #cases and ("%d of %d cases"):format(#curves, #cases) or nil
 end
 
--- Half the widest contact, worn or not, with room around it [mm].
+-- Half the width shown: the widest contact, worn or unworn, plus a margin [mm].
 local function reach_of(curves, widen)
   local reach = 0
   for _, curve in ipairs(curves) do
@@ -73,12 +72,12 @@ local function histories(cases)
     panels.course("p_center", 1, "pressure at the centre / MPa", curves, { yrange = { 0 } }) } }, share
 end
 
--- draw(cases) -> the figure or nil, and which share of the cases is in it, if not all.
+-- draw(cases) -> the figure, or nil; and the text "8 of 9 cases" if some cases are not drawn.
 local general = {
   { name = "final", title = "Final state", draw = final_state,
-    caption = "Worn shapes and pressures at the end.", shows = "" },
+    caption = "Worn shapes and pressures at the end of the runs.", shows = "" },
   { name = "history", title = "Course", draw = histories,
-    caption = "Depths and pressure at the centre over the travelled distance.", shows = "" },
+    caption = "Depths and pressure at the centre over the sliding distance.", shows = "" },
 }
 
 -- --- drawing -------------------------------------------------------------------------------------
@@ -100,7 +99,7 @@ local function set_of(study)
   return require "archard.lib.examples_folder".parts("study:figures", "paper")("figures")[study.name]
 end
 
--- A caption is a text, or a function of the cases that are in the picture.
+-- A caption is a string or a function of the drawn cases.
 local function words(given, cases)
   return type(given) == "function" and given(cases) or given
 end
@@ -118,8 +117,7 @@ local function make_folder(dir)
   if not fine then check.fail("study:figures", ("%s: %s"):format(dir, why), "IO") end
 end
 
--- draw(study, { dir=, term= }) -> list of { name=, title=, caption=, shows=, files= } of what was
--- drawn.
+-- draw(study, { dir=, term= }) -> list of { name=, title=, caption=, shows=, files= } of the drawn figures.
 function figures.draw(study, options)
   options = options or {}
   check.fields("study:figures", options, fields)

@@ -1,10 +1,12 @@
--- study.fretting_map: which loads and motions lead to stick, partial slip and gross slip, from steady cycles of a
--- contact between forces to and fro, and the borders between. The picture is in plot/fretting_map.lua.
+-- study.fretting_map: computes for each load and motion amplitude whether the contact sticks, slips partially or slips
+-- grossly, from steady cycles under an alternating tangential force, and the borders between these regimes.
+-- plot/fretting_map.lua draws the map.
 --
--- Under any force a smooth contact slips at its edges: partial slip begins where that can be told, where slip has taken
--- a share of the width. So little of it is seldom as wide as an element. What sticks is therefore measured at forces all
--- the way to sliding, and 1 - (its share of the width)^2 is followed by b1 s + b2 s^2 over the shares s of that force: for
--- Hertz' contact it is s itself (Cattaneo and Mindlin).
+-- A smooth contact slips at its edges under any tangential force. Partial slip is therefore defined to begin when the
+-- slip annulus reaches a given share of the width; a share this small is usually narrower than one element. The width
+-- of the stick zone is therefore computed at forces up to sliding, and 1 - (stick width / contact width)^2 is fitted by
+-- b1 s + b2 s^2, where s is the force divided by the sliding force: for the Hertz contact it equals s (Cattaneo and
+-- Mindlin).
 
 local check = require "archard.lib.check"
 local merged = require "archard.lib.merged"
@@ -14,9 +16,9 @@ local strict = require "archard.strict"
 local where = "study.fretting_map"
 
 local usual = { friction = 0.6, annulus = 0.1, model = { mesh = { fineness = 2 } } }
-local levels, last_level = 18, 0.9 -- of what friction carries
+local levels, last_level = 18, 0.9 -- number of force levels; the last one as a share of the sliding force
 local sliding = 1 - 1e-6
-local steps = 4 -- from one end of a cycle to the other; pressures hardly follow the shear
+local steps = 4 -- increments of half a cycle; the shear has little effect on the pressure
 
 local fields = { load = check.any "a list", motion = check.any "a list", friction = check.positive, annulus = check.share }
 for _, setting in ipairs(require "archard.settings".contact) do
@@ -24,7 +26,7 @@ for _, setting in ipairs(require "archard.settings".contact) do
 end
 for _, own in ipairs{ "x", "load_angle", "average" } do fields[own] = nil end
 
--- Each number beyond the one before.
+-- Checks that each number is larger than the one before.
 local function check_growing(given, name, unit)
   local list = given[name]
   if not check.list.test(list) or #list == 0 then
@@ -40,8 +42,8 @@ end
 
 -- --- steady cycles -------------------------------------------------------------------------------
 
--- What sticks on the way to an end of a cycle, as a share of the width; nil where every node of a side does, as the mesh
--- does not tell then.
+-- Width of the stick zone at an end of a cycle, divided by the contact width; nil if all nodes of one side stick, as
+-- the mesh cannot resolve the slip there.
 local function share_of(contact)
   local zones, edges, sum = contact.stick, contact.edges, 0
   if zones[1] and (zones[1].left <= edges.left or zones[#zones].right >= edges.right) then return nil end
@@ -49,7 +51,7 @@ local function share_of(contact)
   return sum / (edges.right - edges.left)
 end
 
--- Both ends of a cycle between a share of what friction carries and as much against it.
+-- Computes both ends of a cycle between +share and -share of the friction limit.
 local function cycle(pressed, share)
   local force = share * pressed.friction * pressed.load
   local function go(from, to) return check.as(where, from.move, from, { tangential = to, increments = steps }) end
@@ -73,7 +75,8 @@ local function add_end(sums, share, contact)
   sums.count = sums.count + 1
 end
 
--- The share of the force that slips `annulus` of the width; that of sliding where less has slipped before.
+-- The force, as a share of the sliding force, at which the slip annulus reaches `annulus` of the width; `sliding` if it
+-- stays smaller until sliding begins.
 local function partial_share(pressed, annulus)
   local sums = { 0, 0, 0, 0, of = { 0, 0 }, count = 0 }
   for i = 1, levels do
@@ -96,7 +99,7 @@ local function regime_of(self, i, motion)
   return motion >= self.partial_from[i] and "partial" or "stick"
 end
 
--- The row of a load.
+-- Adds the row of one load.
 local function add_load(self, given, load)
   local i = #self.load + 1
   local pressed = check.as(where, contact, merged(given, { load = load }))

@@ -1,6 +1,5 @@
--- study: many wear runs in one run file. This file makes studies and opens them; the work is in
--- study/run.lua (computing), study/case.lua (looking), study/table.lua, figures.lua, converge.lua.
--- Leans on archard.store.
+-- study: many wear runs in one run file. This module creates and opens studies; study/run.lua computes them,
+-- study/case.lua reads the results, study/table.lua, figures.lua and converge.lua show them.
 
 local check = require "archard.lib.check"
 local later = require "archard.lib.later"
@@ -14,7 +13,7 @@ local study = {}
 local methods = {}
 local class = { __name = "study", __methods = methods, __fields = { "name", "file" } }
 
--- How often the surfaces of a case are kept on the way, unless `looks` says otherwise.
+-- Default of `looks`: number of times that the surfaces of a case are stored before its end.
 local usual_looks = 6
 
 local open_file = later("archard.study.definitions", "open")
@@ -25,12 +24,12 @@ local definition_fields = merged({ base = check.table, vary = check.table, name 
   cases = check.list_of(check.table, "a list of tables"), task = check.one_of{ "wear", "converge" },
   sample = check.table }, of_samples)
 
--- The samples of a study, or nil; what only samples have is refused without them.
+-- The samples of a study, or nil; without samples, their options are refused.
 local function read_sample(where, given)
   if given.sample then return require "archard.uncertainty.design".read(where, given) end
   for _, name in ipairs{ "n", "design", "seed", "indices" } do
     if given[name] ~= nil then
-      check.fail(where, ("field '%s': it belongs to samples; give sample={...}"):format(name))
+      check.fail(where, ("field '%s' needs samples: give sample={...}"):format(name))
     end
   end
 end
@@ -38,12 +37,12 @@ end
 local function refuse_two(where, given)
   for _, pair in ipairs{ { "vary", "cases" }, { "vary", "sample" }, { "cases", "sample" } } do
     if given[pair[1]] and given[pair[2]] then
-      check.fail(where, ("fields '%s' and '%s': expected one of them, got both"):format(pair[1], pair[2]))
+      check.fail(where, ("fields '%s' and '%s': give only one of them"):format(pair[1], pair[2]))
     end
   end
 end
 
--- The flat settings of every case; without any list, base is the one case.
+-- The flat settings of every case; without vary, cases and sample, base is the only case.
 local function expand(where, given, sample)
   refuse_two(where, given)
   local cases = given.cases or sample and require "archard.uncertainty.design".cases(sample)
@@ -66,8 +65,8 @@ local function new(where, given)
   return setmetatable(self, class)
 end
 
--- The 20 cases of Table 1; other fields of wear{} may be given for all of them. With smaller elements
--- than the paper's, fewer cycles go by from one update to the next.
+-- The 20 cases of Table 1; `base` gives other fields of wear{} for all of them. With elements smaller than the paper's,
+-- the cycles per update are reduced in proportion.
 function study.paper(base)
   base = check.definition("study.paper", base or {}, check.anything)
   local size = settings.flatten("study.paper", base or {})["model.mesh.size"]
@@ -75,14 +74,14 @@ function study.paper(base)
     cases = require "archard.study.paper".cases(type(size) == "number" and size or nil) })
 end
 
--- Stroke a on ever smaller elements.
+-- The cases with stroke a on finer and finer meshes.
 function study.meshes(base)
   base = check.definition("study.meshes", base or {}, check.anything)
   return new("study.meshes", { name = "meshes of the paper", base = base, looks = 0,
     cases = require "archard.study.paper".mesh_cases() })
 end
 
--- The runs of the paper's example of convergence (Fig. 8), by Eq. (4) and by Eq. (5).
+-- The runs of the paper's convergence study (Fig. 8), by Eq. (4) and by Eq. (5).
 function study.trials(base)
   base = check.definition("study.trials", base or {}, check.anything)
   return new("study.trials", { name = "trials", base = base, looks = 0,
@@ -91,7 +90,7 @@ end
 
 -- --- run files ---------------------------------------------------------------------------------
 
--- study.open(path): a study as its run file has it, to look at or to go on with.
+-- study.open(path): opens the study of a run file, for reading its results or continuing it.
 function study.open(path)
   if not check.file.test(path) then
     check.fail("study.open", ("expected the name of a run file, got %s"):format(check.shown(path)))
@@ -110,7 +109,7 @@ end
 function methods:store()
   if not self.reading then
     if not self.file then
-      check.fail("study", "nothing has run yet: call run{}, or study.open(file)")
+      check.fail("study", "the study has no results yet: call run{}, or open its file with study.open(file)")
     end
     self.reading = open_file("study", self.file, "read")
   end
@@ -129,18 +128,18 @@ local run_fields = {
   keep = check.positive,
 }
 
--- The share i of n: cases i, i + n, i + 2n, ...
+-- Returns a function that selects share i of n: the cases i, i + n, i + 2n, ...
 local function read_shard(text)
   if not text then return nil end
   local i, n = text:match("(%d+)/(%d+)")
   return function(id) return (id - tonumber(i)) % tonumber(n) == 0 end
 end
 
--- A value out of range is told before anything starts: by the first case, made here. A file that was
--- left by a program killed as it began has none.
+-- Creates the first case, so that a value out of range is reported before any run starts. A run file of a program that
+-- was killed during its start has no cases.
 local function try_first(self, where)
   if #self.flat == 0 then
-    check.fail(where, ("%s has no cases: make it anew%s"):format(self.file or "the study",
+    check.fail(where, ("%s has no cases: create the study again%s"):format(self.file or "the study",
       self.file and ", and run it with this file" or ""))
   end
   if self.task then return end
@@ -150,8 +149,8 @@ local function try_first(self, where)
   check.fail(where, ("case 1: %s"):format(run.message), run.code)
 end
 
--- run{ workers=, file=, shard="i/n", progress=, keep= } -> the study itself. Cases that are done stay as
--- they are; `failed` of the study lists those that failed, `warned` those that this run warned of.
+-- run{ workers=, file=, shard="i/n", progress=, keep= } -> the study itself. Finished cases are not run again; `failed`
+-- of the study lists the failed cases, `warned` the cases with warnings of this run.
 function methods:run(options)
   options = options or {}
   check.fields("study:run", options, run_fields)
@@ -170,8 +169,8 @@ function methods:run(options)
   return self
 end
 
--- submit{ engine=, shares=, workers=, file=, options=, tries=, wait=, progress= } -> the study: the
--- cases as shares of a job array, joined in the run file; see study/submit.lua.
+-- submit{ engine=, shares=, workers=, file=, options=, tries=, wait=, progress= } -> the study: runs the cases as a job
+-- array and merges the results into the run file; see study/submit.lua.
 function methods:submit(options)
   local submit = require "archard.study.submit"
   options = merged(check.fields("study:submit", options or {}, submit.fields))
@@ -181,7 +180,7 @@ function methods:submit(options)
   return submit.run(self, options)
 end
 
--- The cases in their order, with the results of those that have run.
+-- The cases in order, with the results of the finished cases.
 function methods:cases()
   local new_case = require "archard.study.case".new
   local list = {}
@@ -212,20 +211,20 @@ function methods:close()
   self.reading = nil
 end
 
--- study.converge{...}: the settings that the cases need, found by trial; see converge.lua.
+-- study.converge{...}: searches for mesh size, jump and increments; see converge.lua.
 function study.converge(given, options)
   return require "archard.study.converge"(study, given, options)
 end
 
--- study.fretting_map{...}: what loads and motions lead to stick, partial or gross slip; see fretting_map.lua.
+-- study.fretting_map{...}: the slip regimes over load and motion amplitude; see fretting_map.lua.
 function study.fretting_map(given)
   return require "archard.study.fretting_map"(given)
 end
 
 -- --- joining -----------------------------------------------------------------------------------
 
--- study.merge(file, ..., { file = }): joins the shares of one study into one file, "study.archard"
--- where none is named; every case must be finished in one of them.
+-- study.merge(file, ..., { file = }): merges the shares of one study into one file, by default "study.archard"; every
+-- case must be finished in one of the files.
 function study.merge(...)
   local files = { ... }
   local options = type(files[#files]) == "table" and table.remove(files) or {}

@@ -1,5 +1,5 @@
--- Joins the run files of a study's shares into one. Leans on archard.store, whose merge refuses
--- files of different studies and cases that are finished twice with other results.
+-- Merges the run files of a study's shares into one file. The store refuses files of different studies and cases that
+-- are finished in two files with different results.
 
 local stores = require "archard.store"
 local check = require "archard.lib.check"
@@ -14,11 +14,11 @@ end
 
 local function refuse_gaps(path, ids)
   local shown = table.concat(ids, ", ", 1, math.min(#ids, 12)) .. (#ids > 12 and ", ..." or "")
-  check.fail("study.merge", ("%s: %d cases are finished in none of the files: %s"):format(path,
+  check.fail("study.merge", ("%s: %d cases are not finished in any of the files: %s"):format(path,
     #ids, shown))
 end
 
--- A share whose program was killed as it began has no cases yet, and none to join.
+-- Omits files without cases: their programs were killed during the start.
 local function begun(files)
   local list = {}
   for _, file in ipairs(files) do
@@ -26,7 +26,8 @@ local function begun(files)
     if store:info "kind" or #store:cases() > 0 then list[#list + 1] = file end
   end
   if #list > 0 then return list end
-  check.fail("study.merge", ("%s: it has no cases%s"):format(files[1], files[2] and ", nor have the others" or ""))
+  check.fail("study.merge", ("%s: the file has no cases%s"):format(files[1], files[2]
+    and ", nor do the other files" or ""))
 end
 
 -- open(path) reads a study, write(study, store) stores its definitions.

@@ -1,13 +1,13 @@
--- The names that settings of a case may have: those of wear{}, model{}, bodies and material{} as the help
--- entries have them. A misspelt one is told before anything runs. Leans on check's hints.
+-- Checks the names of a case's settings against the help entries of wear{}, model{}, bodies and material{}, so that a
+-- misspelt name is reported before any run.
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
 local merged = require "archard.lib.merged"
 
-local tree -- by name: a table of the names inside, empty where those are not ours to check
+local tree -- tree of the known names; a name with an empty table has no names to check below it
 
--- "mesh.size" -> the place of size in mesh in `at`
+-- Adds the names of a path, as "mesh.size", to the tree `at`.
 local function plant(at, path)
   for part in path:gmatch("[^.]+") do
     at[part] = at[part] or {}
@@ -15,7 +15,7 @@ local function plant(at, path)
   end
 end
 
--- What bodies take beside their settings, in which layers are counted.
+-- Adds the fields of a body that are not help entries: layers and materials.
 local function grow_body(body, material)
   for name in pairs(body) do
     if name:match "^layer%d" then body[name] = nil end
@@ -40,18 +40,18 @@ end
 
 local function refuse(where, at, prefix, name)
   if at == tree and tree.model[name] then
-    check.fail(where, ("unknown field '%s': it is a field of model{}, as in model = { %s = ... }")
+    check.fail(where, ("unknown field '%s': it is a field of model{}: write model = { %s = ... }")
       :format(name, name))
   end
   check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, keys(at))))
 end
 
--- Raises an error for a name like "model.mesh.sise" that nothing has.
+-- Raises an error for an unknown name, as "model.mesh.sise".
 local function refuse_unknown(where, name)
   local at, prefix = tree, ""
   for part in name:gmatch("[^.]+") do
     if next(at) == nil then return end
-    if not math.tointeger(tonumber(part)) then -- a position in a list of blocks
+    if not math.tointeger(tonumber(part)) then -- an integer is a position in a list of blocks
       if not at[part] then refuse(where, at, prefix, part) end
       at, prefix = at[part], prefix .. part .. "."
     end

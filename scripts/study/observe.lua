@@ -1,5 +1,5 @@
--- What a fit looks at in a run: columns of the history and profiles at some distances. Used by the
--- fit itself and by workers, who find it as text in the run file. Leans on wear.
+-- Results that a fit compares with measurements: columns of the history and profiles at given distances. Used by the
+-- fit and, with the same list as text in the run file, by its workers.
 
 local observe = {}
 
@@ -9,8 +9,8 @@ local function text_of(numbers)
   return table.concat(words, " ")
 end
 
--- The name under which a body's profile is kept, or its section { x= } or { z= } in three dimensions: a word without points,
--- as it is a part of a flat name in run files.
+-- Key of a body's profile or, in three dimensions, of its section { x= } or { z= }: a word without dots, as it becomes
+-- part of a flat name in run files.
 function observe.surface(body, section)
   if not section then return body end
   return (("%s_%s_%.17g"):format(body, section.x and "x" or "z", section.x or section.z):gsub("%.", ","))
@@ -22,8 +22,8 @@ local function profile_of(run, surface)
   return run:profile(body, { [axis] = tonumber((at:gsub(",", "."))) })
 end
 
--- what: { distances = growing list [mm], columns = list of names, surfaces = list of names, loops = those
--- of the distances at which the friction loop is wanted }
+-- what: { distances = increasing list [mm], columns = list of names, surfaces = list of names, loops = list of the
+-- distances at which the friction loop is recorded }
 function observe.text(what)
   return ("%s;%s;%s;%s"):format(text_of(what.distances), table.concat(what.columns, " "),
     table.concat(what.surfaces, " "), text_of(what.loops))
@@ -60,7 +60,8 @@ local function look(run, what, distance)
   return found
 end
 
--- Runs wear{ given } to every distance: a list of { distance=, COLUMN=, SURFACE={x=,h=}, loop={x=,tangential=} }; and the run.
+-- Runs wear{ given } to every distance. Returns the list of { distance=, COLUMN=, SURFACE={x=,h=},
+-- loop={x=,tangential=} } and the run.
 function observe.run(given, what, on_progress)
   local run, last = wear(given), what.distances[#what.distances]
   local looks = {}

@@ -1,4 +1,4 @@
--- The paper's cases: Table 1 with its cycles per update, and the runs of its convergence example.
+-- Cases of the paper: Table 1 with its cycles per update, and the runs of its convergence study.
 
 local paper = {}
 
@@ -7,7 +7,7 @@ paper.strokes = { 0.11, 0.22, 0.44, 20 }
 paper.stroke_names = { "a", "2a", "4a", "2R" }
 paper.increments = 100
 
--- By alpha, then stroke. The one without a number needs no finite elements.
+-- Cycles per update by alpha, then stroke. The case without a number needs no finite elements.
 paper.jumps = {
   { 75, 50, 30 },
   { 100, 40, 25, 1 },
@@ -16,18 +16,18 @@ paper.jumps = {
   { 100, 50, 30, 1 },
 }
 
--- Eq. (28) [mm]: the depth of the first update, overestimated. p in MPa; a cycle over the whole
--- plate (the last stroke) goes one way only.
+-- Eq. (28) [mm]: upper estimate of the depth of the first update. p in MPa; a cycle with the last
+-- stroke, over the whole plate, is one stroke instead of two.
 function paper.first_depth(jump, k, p, stroke)
   local strokes = stroke == paper.strokes[4] and 1 or 2
   return jump * k * p * strokes * stroke
 end
 
--- Ripples as short as the elements grow first: on elements smaller than the paper's, cycles per
--- update shrink with them.
+-- The shortest ripples, of the length of an element, grow first: on smaller elements than the
+-- paper's, the cycles per update are reduced in proportion.
 local paper_size = 0.020 -- mm
 
--- The settings of the twenty cases, on elements of `size` [mm].
+-- Settings of the 20 cases on elements of `size` [mm].
 function paper.cases(size)
   local cases, share = {}, math.min(1, (size or paper_size) / paper_size)
   for row, alpha in ipairs(paper.alphas) do
@@ -39,8 +39,7 @@ function paper.cases(size)
   return cases
 end
 
--- How results depend on the mesh: stroke a, all alpha where the cylinder wears, on ever smaller
--- elements [mm].
+-- Mesh dependence of the results: stroke a, all alpha > 0, element sizes [mm].
 paper.sizes = { 0.020, 0.010, 0.005 }
 
 function paper.mesh_cases()
@@ -48,7 +47,7 @@ function paper.mesh_cases()
   for _, size in ipairs(paper.sizes) do
     for _, case in ipairs(paper.cases(size)) do
       if case.stroke == paper.strokes[1] and case.alpha > 0 then
-        case.geometry = "frozen" -- moves depths and pressures by less than 1e-4
+        case.geometry = "frozen" -- changes depths and pressures by less than 1e-4
         case.model = { mesh = { size = size, height = 1.25 * size } }
         cases[#cases + 1] = case
       end
@@ -57,7 +56,7 @@ function paper.mesh_cases()
   return cases
 end
 
--- Fig. 8: stroke a, alpha 0.5, at 1000 cycles; { increments, jump }, by both rules of integration.
+-- Fig. 8: stroke a, alpha 0.5, at 1000 cycles; { increments, jump }, for both rules of integration.
 paper.trials = { { 40, 50 }, { 40, 100 }, { 40, 200 }, { 200, 50 }, { 200, 100 }, { 200, 200 },
   { 16, 100 }, { 100, 100 } }
 

@@ -1,6 +1,5 @@
--- How a study goes: on a terminal one line for each running case and one for all, redrawn in place;
--- elsewhere nothing, or a line per finished case where that is asked for. Leans on
--- archard.lib.progress for bars and times, on archard.term.
+-- Progress display of a study: on a terminal one line for each running case and one for all,
+-- redrawn in place; elsewhere no output, or with "lines" a line for each finished case.
 
 local one_run = require "archard.lib.progress"
 local term = require "archard.term"
@@ -10,7 +9,7 @@ local bar, duration = one_run.bar, one_run.duration
 local progress = {}
 progress.__index = progress
 
-local pause = 0.1 -- seconds between two drawings
+local pause = 0.1 -- seconds between two redraws
 
 -- mode: nil (draws on a terminal), false (never), "lines" (a line per finished case on standard
 -- output), or a function(event) with { case=, failure=, done=, total= } after each case.
@@ -33,7 +32,7 @@ function progress:finish(i, case, failure)
   if failure then self.failed = self.failed + 1 end
   if self.mode == "lines" then
     print(("%d/%d  case %d  %s%s"):format(self.done, self.total, case.id, case.label,
-      failure and "  failed" or "")) -- why is told after the run, once
+      failure and "  failed" or "")) -- the reason is printed once, after the run
     io.flush()
   elseif type(self.mode) == "function" then
     self.mode{ case = case, failure = failure, done = self.done, total = self.total }
@@ -52,7 +51,7 @@ function progress:total_line(now, width)
     bar((self.done + part) / self.total, 20), self.done, self.total, failed, duration(left)), width)
 end
 
--- The lines for a terminal of `width` columns at time `now`; also what the tests look at.
+-- The lines for a terminal of `width` columns at time `now`; also called by the tests.
 function progress:text(now, width)
   local lines = { self:total_line(now, width) }
   for i = 1, self.workers do
@@ -74,7 +73,7 @@ function progress:draw()
   self.lines = #lines
 end
 
--- Wipes what was drawn.
+-- Clears the drawn lines.
 function progress:close()
   if self.lines > 0 then io.stderr:write(("\r\27[%dA\27[J"):format(self.lines)) end
   self.lines, self.shown = 0, false

@@ -1,6 +1,6 @@
--- What a study says on standard error when its cases have run: those that failed, and warnings.
+-- Prints the failed cases and the warnings of a study on standard error.
 
-local most_warnings = 3 -- shown one by one; more become one line
+local most_warnings = 3 -- most warnings printed one by one; more are combined in one line
 
 return function(failed, warned)
   local function tell(text, ...) io.stderr:write("study: ", text:format(...), "\n") end
@@ -14,6 +14,6 @@ return function(failed, warned)
   if #warned <= most_warnings then return end
   local ids = {}
   for i, case in ipairs(warned) do ids[i] = case.id end
-  tell("%d cases (%s) have warnings, as case %d (%s): %s", #warned, table.concat(ids, ", "),
+  tell("%d cases (%s) have warnings, for example case %d (%s): %s", #warned, table.concat(ids, ", "),
     warned[1].id, warned[1].label, warned[1].message)
 end

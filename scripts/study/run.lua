@@ -1,5 +1,5 @@
--- Computes the cases of a run file in worker processes: hands them out, watches, reports. Leans on
--- archard.process for the workers, worker.lua for what they do, study_progress for the display.
+-- Computes the cases of a run file in worker processes (worker.lua): distributes the cases, collects the results and
+-- updates the display.
 
 local process = require "archard.process"
 local check = require "archard.lib.check"
@@ -20,7 +20,7 @@ end
 local run = {}
 run.__index = run
 
--- Gives worker i its next case; where there is none, what it has computed is to be stored.
+-- Sends worker i its next case; if no case is left, requests it to store its computed cases.
 function run:feed(i)
   local case = self.queue[self.next]
   self.busy[i] = case
@@ -47,8 +47,8 @@ function run:fail(i, case, message)
   self:over(i, case, message)
 end
 
--- A worker that died took the case at hand with it; what it had computed and not stored yet is to be
--- done again. One that died of storing would do so again.
+-- Handles the end of a worker process. Its current case fails; its computed but not stored cases are queued again. If
+-- it ended while storing, those cases fail too, as storing them again would fail again.
 function run:bury(i, event)
   local case, computed = self.busy[i], self.computed[i]
   local words = event.words:gsub("%s+", " "):gsub("^ ", ""):gsub(" $", "")
@@ -93,10 +93,9 @@ end
 
 local usual_keep = 60 -- seconds
 
--- store: open for writing. options: workers, keep (seconds after which long cases are kept), chosen (function(id) -> whether it is to be done; nil:
--- all), progress. Returns the failed cases, as a list
--- of { id=, label=, message= }, a list of the same of those that were warned of, and how many there
--- were to compute.
+-- store: open for writing. options: workers, keep (seconds between intermediate saves of a long case), chosen
+-- (function(id) -> true for the cases to compute; nil: all), progress. Returns the list { id=, label=, message= } of
+-- the failed cases, the same list of the cases with warnings, and the number of cases computed.
 return function(store, options)
   store:release()
   local queue, finished = waiting(store, options.chosen)
@@ -113,7 +112,7 @@ return function(store, options)
     self:feed(i)
   end
   while self.left > 0 do
-    process.report(("%d of %d done, kept in %s; it goes on there"):format(display.done, display.total, store.path))
+    process.report(("%d of %d done, stored in %s; run the study again to continue"):format(display.done, display.total, store.path))
     for _, event in ipairs(pool:wait(0.5)) do self:attend(event) end
     display:draw()
   end

@@ -1,7 +1,6 @@
--- Finds the settings a wear run needs, as Sec. 4.4 does by hand: the element size from the unworn
--- contact, then the cycles per update and the increments per cycle from how smooth and symmetric
--- the surfaces are after some updates. Returns search(given, on_progress); `given` holds the fields
--- of wear{} and, as `converge`, limits to replace those below.
+-- Searches for the settings of a wear run, as in Sec. 4.4: the element size from the unworn contact, then the cycles
+-- per update and the increments per cycle from the smoothness and symmetry of the surfaces after some updates. Returns
+-- search(given, on_progress); `given` has the fields of wear{} and, as `converge`, limits that replace the ones below.
 
 local hertz_of = require "archard.lib.hertz_of"
 local measure = require "archard.measure"
@@ -9,22 +8,22 @@ local merged = require "archard.lib.merged"
 local quiet = require "archard.lib.quiet"
 
 local limits = {
-  pressure = 0.01,     -- mesh: largest pressure against Hertz' [share]
-  smooth = 0.005,      -- sawtooth in the pressure of the contact's middle [share of p_center], beyond
-                       -- that of small steps
-  symmetric = 1e-3,    -- difference of a profile to its mirror image [share of the depth]
-  profile = 0.005,     -- increments: change of the profiles against many increments [share]
-  updates = 100,       -- how many updates are looked at, at most; fewer where the run ends
-  first_depth = 1e-4,  -- first guess of the jump: depth of the first update, Eq. (28) [mm]
+  pressure = 0.01,     -- mesh: error of the largest pressure against Hertz [share]
+  -- sawtooth of the pressure in the middle of the contact [share of p_center], minus that of small steps
+  smooth = 0.005,
+  symmetric = 1e-3,    -- difference between a profile and its mirror image [share of the depth]
+  profile = 0.005,     -- increments: difference of the profiles from many increments [share]
+  updates = 100,       -- most updates of a trial; fewer if the run ends earlier
+  first_depth = 1e-4,  -- initial guess of the jump: depth of the first update, Eq. (28) [mm]
 }
 
-local usual_increments = 200 -- while the jump is looked for
+local usual_increments = 200 -- during the search for the jump
 
 local search = { limits = limits }
 
 -- --- the mesh --------------------------------------------------------------------------------------
 
--- The first digit alone: a number people would choose.
+-- Rounds to one significant digit.
 local function rounded(value)
   local unit = 10 ^ math.floor(math.log(value, 10))
   return math.floor(value / unit + 0.5) * unit
@@ -36,19 +35,18 @@ local function with_size(model_given, size)
   return model
 end
 
-local fewest_elements = 8 -- across the contact: fewer are near Hertz' pressure by luck alone
+local fewest_elements = 8 -- across the contact; with fewer, the pressure agrees with Hertz only by chance
 
--- Halves the element size until it and the one before both bring the largest pressure of the unworn
--- contact within the limit of Hertz', the one before with elements enough across the contact.
--- Returns the list of { size=, elements=, p_max=, error=, change= } that were tried, and the one
--- before, or nil where none was good enough; error and change (from the size before) are shares of
--- Hertz' pressure.
+-- Halves the element size until the largest pressure of the unworn contact agrees with Hertz within `limit` for two
+-- successive sizes, the larger of them with enough elements across the contact. Returns the list { size=, elements=,
+-- p_max=, error=, change= } of the sizes tried, and the entry of the larger size, or nil if no size was good; error and
+-- change (from the size before) are shares of the Hertz pressure.
 function search.mesh(given, limit, on_step)
   local m = given.model or {}
   local h = hertz_of(m, given.load)
   local size, steps = rounded(0.75 * h.half_width), {}
   for i = 1, 7 do
-    local c = quiet(contact, { model = with_size(m, size), load = given.load }) -- coarse on purpose at first
+    local c = quiet(contact, { model = with_size(m, size), load = given.load }) -- the first sizes are coarse on purpose
     local before = steps[i - 1]
     steps[i] = { size = size, elements = 2 * h.half_width / size, p_max = c.p_max,
       error = c.p_max / h.p_max - 1,
@@ -66,7 +64,7 @@ end
 
 -- --- smoothness and symmetry -----------------------------------------------------------------------
 
--- Of the pressure, whose peaks at the contact's edges are physics: only the middle counts.
+-- Sawtooth of the pressure in the middle of the contact; the peaks at its edges are physical.
 local function roughness(run)
   local pressure = run:pressure("upper")
   local value = measure.sawtooth(pressure.x, pressure.p, 0.6 * run.half_width) / run.p_center
@@ -87,7 +85,7 @@ local function asymmetry(run)
   return worst
 end
 
--- Largest difference of two runs' profiles, as a share of the depth.
+-- Largest difference between the profiles of two runs, as a share of the depth.
 local function difference(a, b)
   local worst = 0
   for _, body in ipairs{ "upper", "lower" } do
@@ -102,13 +100,13 @@ end
 
 -- --- trials ----------------------------------------------------------------------------------------
 
--- Kinks that pass through the contact, and coarse meshes, make the pressure rough by themselves. What
--- counts is the roughness beyond that of a run in steps so small that ripples cannot grow: the course.
+-- Kinks that move through the contact, and coarse meshes, also make the pressure rough. The roughness of a trial is
+-- therefore reduced by that of a reference run with steps so small that ripples cannot grow.
 
 local trial = {}
 trial.__index = trial
 
-local stages = 5 -- how often along the course the limit of stability is looked at
+local stages = 5 -- number of evaluations of the stability limit in the reference run
 
 function trial:new_run(jump, increments)
   return wear(merged(self.given, { model = self.model, jump = jump, increments = increments }))
@@ -118,8 +116,8 @@ local function course_jump(self, unworn_limit)
   return math.min(self.guess / 2, 0.4 * unworn_limit, self.cycles / 40)
 end
 
--- Runs the course; self.course holds its { distance, roughness }, self.stable the lowest limit of
--- stability on the way.
+-- Runs the reference run. Sets self.course to its list of { distance, roughness } and self.stable to its lowest
+-- stability limit.
 local function run_course(self)
   local run <close> = self:new_run(self.guess, usual_increments)
   self.stable = run:stability().jump_limit
@@ -134,7 +132,7 @@ local function run_course(self)
     if i % every == 0 then self.stable = math.min(self.stable, run:stability().jump_limit) end
     if i % 10 == 0 then self.tell(0.3 * i / most) end
   end
-  -- a coarse mesh's own roughness does not come at the same moment in every run
+  -- roughness caused by a coarse mesh appears at different distances in different runs
   self.allowed = math.max(self.limit.smooth, self:own_roughness(0, math.huge) / 4)
 end
 
@@ -145,7 +143,7 @@ local function new_trial(given, limit, on_progress)
     stroke = first.stroke, k = first.k_cylinder + first.k_plate, tell = on_progress, jumps = {}, roughnesses = {} }, trial)
   self.p_hertz = hertz_of(first.model, first.load).p_max
   if not (self.k > 0) then
-    error("study.converge: field 'k': nothing wears at the start (k = 0 there), so that no jump can be "
+    error("study.converge: field 'k': k = 0 at the start, so that no jump can be "
       .. "judged; expected a k > 0 mm2/N at distance 0", 0)
   end
   self.guess = limit.first_depth / (self.k * self.p_hertz * self.strokes * self.stroke)
@@ -153,7 +151,7 @@ local function new_trial(given, limit, on_progress)
   return self
 end
 
--- The roughest of the course between two distances, and just outside.
+-- Largest roughness of the reference run between two distances, including the next point on each side.
 function trial:own_roughness(from, to)
   local course, worst = self.course, 0
   for i, point in ipairs(course) do
@@ -165,7 +163,7 @@ function trial:own_roughness(from, to)
   return worst
 end
 
--- A run to its end, of so many updates at most, and the worst roughness beyond the course's.
+-- Runs a trial of at most limit.updates updates. Returns the run and its largest roughness beyond the reference run.
 function trial:run(jump, increments)
   local run = self:new_run(jump, increments)
   local worst, span = 0, jump * self.strokes * self.stroke
@@ -180,8 +178,8 @@ function trial:run(jump, increments)
   return run, worst
 end
 
--- Whether a jump is good: smooth and symmetric. A step that the engine refuses is not. Also returns
--- what it was judged by: roughness, asymmetry, updates.
+-- True if a jump gives smooth and symmetric surfaces; false also if the engine refuses a step. Also returns roughness,
+-- asymmetry and number of updates.
 function trial:good(jump, increments)
   local fine, run, worst = pcall(self.run, self, jump, increments)
   local even, updates = 1, 0
@@ -199,7 +197,7 @@ function trial:good(jump, increments)
   return smooth and symmetric, worst, even, updates
 end
 
--- Numbers people would choose: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ...
+-- The ladder of round values: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 10, ...
 local steps = { 1, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5 }
 local function rung(i) return steps[i % #steps + 1] * 10.0 ^ (i // #steps) end
 local function rung_of(value)
@@ -208,8 +206,8 @@ local function rung_of(value)
   return i
 end
 
--- The largest good jump of the ladder, looked for from above: from the limit of stability or, where
--- that is farther, a tenth of all cycles. Fills in what is told of it.
+-- Searches downward for the largest good jump of the ladder, from the stability limit or, if smaller, a tenth of all
+-- cycles. Sets the fields of `found` that describe it.
 function trial:largest_jump(found, increments)
   local highest = self.cycles / 10
   local i = rung_of(math.min(highest, self.stable))
@@ -226,7 +224,7 @@ function trial:largest_jump(found, increments)
   end
 end
 
--- The fewest increments whose profiles are those of many, and that are smooth and symmetric.
+-- The smallest number of increments with smooth and symmetric profiles equal to those with `many`.
 local many, ladder = 400, { 200, 100, 64, 40, 32, 20, 16, 10, 8, 4 }
 search.most_increments, search.fewest_increments, search.ladder = many, ladder[#ladder], ladder
 
@@ -253,17 +251,17 @@ local function without_limits(given)
   return copy
 end
 
--- found: jump (nil: none was good), limit (of stability, the lowest on the way; nil: none), capped
--- (whether no larger jump was tried) and bound (why not: "stability", or "cycles" for a tenth of
--- them), judged (updates it was judged by), increments (nil where the plate does not slide),
--- roughness, smooth (what was allowed of it, where that had to be more than the limit), asymmetry,
--- lopsided (the asymmetry of smooth runs, where that is why no jump was good), change (of the profiles by these increments), first_depth [mm], trials, and
--- what was tried as lists jumps and roughnesses.
+-- found: jump (nil: none was good), limit (the lowest stability limit; nil: none), capped (true if no larger jump was
+-- tried) and bound (the reason: "stability", or "cycles" for a tenth of the cycles), judged (number of updates of the
+-- trial), increments (nil if the plate does not slide), roughness, smooth (the allowed roughness, if larger than the
+-- limit), asymmetry, lopsided (asymmetry of the smooth runs, if it is the reason that no jump was good), change (of the
+-- profiles with these increments), first_depth [mm], trials, and the lists jumps and roughnesses of all trials.
 local function find(given, on_progress)
   local self = new_trial(without_limits(given), merged(limits, given.converge), on_progress or print)
   local found = {}
   self:largest_jump(found, usual_increments)
-  if not found.jump and self.lopsided then self:largest_jump(found, many) end -- no jump cures that
+  -- a smaller jump does not reduce this asymmetry
+  if not found.jump and self.lopsided then self:largest_jump(found, many) end
   found.lopsided = not found.jump and self.lopsided or nil
   if found.jump then
     found.first_depth = found.jump * self.k * self.p_hertz * self.strokes * self.stroke

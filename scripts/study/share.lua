@@ -1,6 +1,5 @@
--- One share of a submitted study, in a process of its own: every n-th of the cases that wait in the
--- whole, computed into a run file of its own. ARCHARD_SHARE in the environment is its number. Leans
--- on archard.store and study/run.lua.
+-- Computes one share of a submitted study in its own process: every n-th waiting case, into a separate run file. The
+-- environment variable ARCHARD_SHARE is the number of the share.
 
 local definitions = require "archard.study.definitions"
 local files = require "archard.files"
@@ -8,7 +7,7 @@ local text_file = require "archard.lib.text_file"
 
 local where = "study:submit"
 
--- The ids of share i of n.
+-- Returns a function that selects the cases of share i of n.
 local function chosen(whole, i, n)
   local store <close> = definitions.open(where, whole, "read")
   local ids, position = {}, 0
@@ -21,10 +20,10 @@ local function chosen(whole, i, n)
   return function(id) return ids[id] end
 end
 
--- whole: the run file of the study; folder: that of the job, where a run file with its definitions and
--- no results is, and a share's comes. One that was begun, by a task that Slurm starts again, is gone on with.
+-- whole: run file of the study; folder: folder of the job, with blank.archard (the definitions without results) and the
+-- run files of the shares. If Slurm restarts a task, its run file is continued.
 return function(whole, folder, shares, workers)
-  local i = assert(math.tointeger(tonumber(os.getenv "ARCHARD_SHARE")), "ARCHARD_SHARE: no number")
+  local i = assert(math.tointeger(tonumber(os.getenv "ARCHARD_SHARE")), "ARCHARD_SHARE: expected an integer")
   local mine, blank = ("%s/%d-of-%d.archard"):format(folder, i, shares), folder .. "/blank.archard"
   if not text_file.exists(mine) then files.write(where, mine, assert(text_file.read(blank))) end
   local store <close> = definitions.open(where, mine, "write")

@@ -1,5 +1,5 @@
--- A study as its run file has it. The file may be a stranger's: all that the rest relies on is checked
--- here, once. Leans on archard.store, which has checked its rows.
+-- Reads a study from its run file. The file may be untrusted: every value that other modules use is checked here, once;
+-- the store has checked the rows.
 
 local check = require "archard.lib.check"
 local design = require "archard.uncertainty.design"
@@ -8,7 +8,7 @@ local function damaged(where, store, what, ...)
   check.fail(where, ("%s: the file is damaged: " .. what):format(store.path, ...), "FORMAT")
 end
 
--- Settings that lie in a value, "alpha.x" beside "alpha", or are no finite numbers are none of a study.
+-- Refuses settings inside a value ("alpha.x" beside "alpha") and numbers that are not finite.
 local function check_case(where, store, id, flat)
   for name, value in pairs(flat) do
     local owner = name:match "^(.*)%."
@@ -17,12 +17,12 @@ local function check_case(where, store, id, flat)
       owner = owner:match "^(.*)%."
     end
     if type(value) == "number" and not check.number.test(value) then
-      damaged(where, store, "case %d: '%s' is no finite number", id, name)
+      damaged(where, store, "case %d: '%s' is not a finite number", id, name)
     end
   end
 end
 
--- The flat settings of the cases, which count from 1.
+-- The flat settings of the cases; their ids must be 1, 2, ...
 local function cases_of(where, store)
   local list = {}
   for i, case in ipairs(store:cases()) do
@@ -30,7 +30,7 @@ local function cases_of(where, store)
     list[i] = store:values(i, "settings")
     check_case(where, store, i, list[i])
   end
-  if #list == 0 then damaged(where, store, "it has no case") end
+  if #list == 0 then damaged(where, store, "it has no cases") end
   return list
 end
 
@@ -39,7 +39,7 @@ local function sample_of(where, store, flat)
   if not text then return nil end
   local sample = design.parse(text)
   local missing = sample and design.missing(sample, flat)
-  if not sample or missing then damaged(where, store, "%s", missing or "its samples are none: " .. check.plain(text:sub(1, 60))) end
+  if not sample or missing then damaged(where, store, "%s", missing or "invalid samples: " .. check.plain(text:sub(1, 60))) end
   return sample
 end
 
@@ -54,11 +54,11 @@ local tasks = check.one_of{ "wear", "converge" }
 
 local function task_of(where, store)
   local task = store:info("task")
-  if task and not tasks.test(task) then damaged(where, store, "the task '%s' is none of a study", task) end
+  if task and not tasks.test(task) then damaged(where, store, "unknown task '%s'", task) end
   return task
 end
 
--- A program that was killed as it began leaves a file with nothing in it: a study without cases.
+-- A program killed during its start leaves an empty file, which is read as a study without cases.
 local function read(where, store)
   local kind = store:info("kind")
   if not kind and #store:cases() == 0 then return { flat = {} } end
@@ -70,5 +70,5 @@ local function read(where, store)
     flat = flat, sample = sample_of(where, store, flat) }
 end
 
--- (where, store) -> { name=, looks=, task=, flat=, sample= } of a study.
+-- (where, store) -> the study's { name=, looks=, task=, flat=, sample= }.
 return function(where, store) return check.as(where, read, where, store) end

@@ -1,9 +1,8 @@
--- A study as a job array: its cases in shares, each a process with a run file of its own, started by
--- Slurm or GNU parallel; followed, joined into the study's run file when they have ended, and what
--- was cut short started again. Beside the run file stands a folder with the script of a share, the
--- run files and logs of the shares, and a note of the job; it goes when all is joined. So whatever
--- is killed, the next submit of the same study finds the job and follows it, or joins what there is
--- and goes on. Leans on the engines of scripts/slurm/ and on study/share.lua, which a share runs.
+-- Runs a study as a job array: the cases are split into shares, each computed by its own process into its own run file,
+-- started by Slurm or GNU parallel. The program follows the job, merges the shares into the study's run file and
+-- restarts interrupted shares. A folder beside the run file contains the script, run files and logs of the shares and a
+-- note of the job; it is removed after merging. If this program is killed, the next submit of the same study follows
+-- the job or merges its results and continues.
 
 local check = require "archard.lib.check"
 local definitions = require "archard.study.definitions"
@@ -31,9 +30,9 @@ submit.fields = { engine = check.one_of{ "slurm", "parallel", "local" }, shares 
 
 local engines = { slurm = require "archard.slurm.array", parallel = require "archard.slurm.parallel" }
 
--- --- the folder of a job -------------------------------------------------------------------------
+-- --- folder of a job -----------------------------------------------------------------------------
 
--- What a job is and where its things are; `name` is the engine's, once it has started.
+-- Describes a job and its files; `name` is the engine's job name, once started.
 local function describe(folder, engine, shares, name)
   return { folder = folder, engine = engine, shares = shares, name = name,
     script = folder .. "/share.sh", note = folder .. "/job", blank = folder .. "/blank.archard",
@@ -45,8 +44,7 @@ local function write_note(job)
   files.write(where, job.note, ("%s %d %s\n"):format(job.engine, job.shares, job.name or "-"))
 end
 
--- The job that the folder tells of, or nil. What no engine would have written there tells of none: a
--- torn note, or a stranger's.
+-- Reads the job from the note in the folder; nil if the note is missing, incomplete or not written by an engine.
 local function noted(folder)
   local word, count, name = (text_file.read(folder .. "/job") or ""):match("^(%a+) (%d+) (%S+)\n$")
   local engine, shares = engines[word], count and math.tointeger(tonumber(count))
@@ -55,12 +53,12 @@ local function noted(folder)
   return describe(folder, word, shares, name ~= "-" and name or nil)
 end
 
--- A killed program may have left its journal or its lock beside a run file.
+-- Removes a run file with the journal and the lock that a killed program may have left.
 local function remove_store(path)
   for _, ending in ipairs{ "", "-journal", ".lock" } do os.remove(path .. ending) end
 end
 
--- What this and earlier jobs left in the folder, also a journal whose run file is gone, but nothing that is somebody else's.
+-- Removes all files of this and earlier jobs from the folder, also journals without a run file, but no other files.
 local function clear(job)
   local names = process.files(job.folder) or {}
   for _, name in ipairs(names) do
@@ -74,7 +72,7 @@ end
 
 -- --- following -----------------------------------------------------------------------------------
 
--- How many cases a share has gone through: it says so in the last line of its log.
+-- Number of cases finished by a share, from the last line of its log.
 local function gone_through(path)
   local file <close> = io.open(path, "r")
   if not file then return 0 end
@@ -90,7 +88,7 @@ local function counted(job)
   return sum
 end
 
--- Shows how far a job is, in the manner that `mode` asks for (see study:run).
+-- Returns a progress display of a job; `mode` as the option progress of study:run.
 local function display(total, mode)
   local last
   local bar = mode == nil and progress.new{ total = total, label = "study", unit = "cases" }
@@ -107,9 +105,9 @@ local function display(total, mode)
   }
 end
 
-local patience = 30 -- how often in a row the engine may fail to answer
+local patience = 30 -- most failed queries of the engine in a row
 
--- Waits until the job has ended, asking the engine less often the longer it goes.
+-- Waits until the job has ended; the interval between queries grows.
 local function follow(job, total, mode)
   local shown <close> = setmetatable(display(total, mode), { __close = function(self) self.close() end })
   local pause, silent = 0.2, 0
@@ -118,28 +116,28 @@ local function follow(job, total, mode)
     if state == nil then break end
     silent = state and 0 or silent + 1
     if silent > patience then
-      check.fail(where, ("job %s: %s does not tell how it goes: %s"):format(job.name, job.engine, why),
+      check.fail(where, ("job %s: %s does not report its state: %s"):format(job.name, job.engine, why),
         "IO")
     end
     shown.show(counted(job), ("job %s: %s"):format(job.name, state or "no answer"))
-    process.pause(pause, ("job %s goes on without; submit again to follow it"):format(job.name))
+    process.pause(pause, ("job %s continues in the background; submit again to follow it"):format(job.name))
     pause = math.min(1.3 * pause, 10)
   end
   shown.show(counted(job), "ended")
 end
 
--- --- joining -------------------------------------------------------------------------------------
+-- --- merging -------------------------------------------------------------------------------------
 
--- Takes over what a share has finished. Another submit of the same study may be at it too.
+-- Merges a share's finished cases. Another submit of the same study may merge it at the same time.
 local function take(store, job, path)
   local fine, why = pcall(store.merge, store, path)
   if fine or not text_file.exists(path) then return end
   if type(why) ~= "table" then error(why, 0) end
-  check.fail(where, ("%s; remove the folder %s to go on without what its shares hold"):format(why.message,
+  check.fail(where, ("%s; remove the folder %s to continue without the results of its shares"):format(why.message,
     job.folder), why.code)
 end
 
--- Joins the shares of a job that has ended; each is in the whole before its own file goes.
+-- Merges the shares of an ended job; each file is removed after it has been merged.
 local function join(store, job)
   for i = 1, job.shares do
     local path = job.file(i)
@@ -165,19 +163,19 @@ local function absolute(path)
   local text, fine = shell.ask(('whole=$(realpath -m -- %s) && printf %%s/ "$whole"'):format(shell.quote(path)))
   if fine and text:find "%c" then check.fail(where, "field 'file': a control character in the file's folder") end
   if fine then return text:sub(1, -2) end
-  check.fail(where, ("%s: the shell cannot tell where it is: %s"):format(path,
-    text ~= "" and text or "it says nothing, as where it has too few files that may be open"), "IO")
+  check.fail(where, ("%s: the shell cannot determine its absolute path: %s"):format(path,
+    text ~= "" and text or "no output (is the limit of open files too low?)"), "IO")
 end
 
--- What every share runs: its number comes from Slurm, or as an argument.
+-- The script of a share; the share's number comes from Slurm or is an argument.
 local function script_of(job, whole)
-  local program = process.program() or check.fail(where, "nobody knows where this program is", "IO")
+  local program = process.program() or check.fail(where, "the path of this program is unknown", "IO")
   local chunk = itself.chunk("study.share", whole, job.folder, job.shares, job.workers)
   return ("#!/bin/sh\n# One share of a study; written by s:submit{}.\nARCHARD_SHARE=${SLURM_ARRAY_TASK_ID:-$1}\n"
     .. "export ARCHARD_SHARE\nexec %s\n"):format(shell.line{ program, "-e", chunk })
 end
 
--- The definitions of the study and no results: every share begins with a copy of it.
+-- Writes a run file with the definitions and no results, which each share copies.
 local function write_blank(self, path)
   remove_store(path)
   local store <close> = definitions.open(where, path, "create")
@@ -194,23 +192,24 @@ local function start(self, job, whole)
   job.name, why = engines[job.engine].start(job)
   if not job.name then
     clear(job)
-    check.fail(where, ("%s does not take the job: %s"):format(engines[job.engine].program, why), "IO")
+    check.fail(where, ("%s refused the job: %s"):format(engines[job.engine].program, why), "IO")
   end
   write_note(job)
 end
 
--- Why a job brought nothing: the last line of a share, or the first of what started them.
+-- The reason of a job without results: the last line of a share's log, else the first line of the engine's log.
 local function last_words(job)
   for i = 1, job.shares do
     local line = (text_file.read(job.log(i)) or ""):match("([^\n]+)%s*$")
     if line then return line end
   end
-  return (text_file.read(job.log("parallel")) or ""):match("[^\n]+") or "its shares said nothing; see " .. job.folder
+  return (text_file.read(job.log("parallel")) or ""):match("[^\n]+")
+    or "the logs of its shares are empty; see " .. job.folder
 end
 
--- --- all of it -----------------------------------------------------------------------------------
+-- --- running -------------------------------------------------------------------------------------
 
--- The cases to compute; those that failed before are tried again.
+-- Returns the cases to compute; failed cases are tried again.
 local function prepare(whole)
   local store <close> = definitions.open(where, whole, "write")
   for _, case in ipairs(of_status(store, "failed")) do store:mark(case.id, "waiting") end
@@ -218,15 +217,15 @@ local function prepare(whole)
   return of_status(store, "waiting")
 end
 
--- Starts the job for what waits; the note says whose it is.
+-- Describes a new job for `waiting` cases.
 local function new_job(folder, options, waiting)
   local job = describe(folder, options.engine, math.min(options.shares, waiting))
   job.workers, job.options = options.workers or 1, options.options or {}
   return job
 end
 
--- One round: what waits, as a job, to its end; returns the job and how many still wait. Fails where
--- it brought no case to an end.
+-- Runs the waiting cases as one job and merges its results; returns the job and the number of cases still waiting.
+-- Error if no case was finished.
 local function round(self, options, folder, whole, waiting)
   local job = new_job(folder, options, waiting)
   start(self, job, whole)
@@ -241,7 +240,7 @@ local function round(self, options, folder, whole, waiting)
   return job, left
 end
 
--- Of the cases that were asked for, those whose runs warned.
+-- Those of the cases `asked` that have warnings.
 local function warned_of(store, asked)
   local list = {}
   for _, case in ipairs(asked) do
@@ -256,16 +255,16 @@ local function finish(self, store, asked)
   local waiting = #of_status(store, "waiting")
   report(self.failed, self.warned)
   if waiting > 0 then
-    io.stderr:write(("study: %d cases were cut short; submit again to go on\n"):format(waiting))
+    io.stderr:write(("study: %d cases were interrupted; submit again to continue\n"):format(waiting))
   end
 end
 
--- A job that is under way is followed, one that has ended is joined. Returns false if it goes on.
+-- Follows a running job of an earlier submit, or merges an ended one. Returns false if the job still runs.
 local function earlier(self, folder, whole, options)
   local job = noted(folder)
   if not job then return true end
   if job.name and engines[job.engine].state(job) ~= nil then
-    io.stderr:write(("study: job %s is under way\n"):format(job.name))
+    io.stderr:write(("study: job %s is still running\n"):format(job.name))
     if options.wait == false then return false end
     follow(job, #self.flat, options.progress)
   end
@@ -303,7 +302,7 @@ function submit.run(self, options)
   local whole = absolute(self.file)
   local folder = whole .. ".shares"
   if options.engine ~= "local" then check_engine(options) end
-  definitions.for_run(where, self, whole):close() -- it is there from here on, and holds this very study
+  definitions.for_run(where, self, whole):close() -- from here on the run file exists and belongs to this study
   if not earlier(self, folder, whole, options) then return self end
   if options.engine == "local" then
     return self:run{ workers = math.min(options.shares, 256), progress = options.progress }

@@ -1,4 +1,4 @@
--- Tables of a study's results: for the terminal, as CSV, as Markdown. Leans on the cases alone.
+-- Tables of a study's results as text for the terminal, CSV or Markdown.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -12,7 +12,7 @@ local tables = {}
 
 -- --- columns -------------------------------------------------------------------------------------
 
--- The last row of a case that is done; nil for others.
+-- The last row of the history of a finished case; nil for other cases.
 local function last_of(case) return case.status == "done" and case.last or nil end
 
 local function of_last(name, factor)
@@ -22,7 +22,7 @@ local function of_last(name, factor)
   end
 end
 
--- Title, unit, format for people, value.
+-- Title, unit, format, value.
 local measured = {
   { "updates", "", "%d", of_last "update" },
   { "p_center", "MPa", "%.2f", of_last "p_center" },
@@ -80,13 +80,13 @@ local function heads(columns, with_unit)
   return row
 end
 
--- Short heads, the units in a line of their own: to fit a terminal.
+-- Short column titles for the terminal; the units are in a separate row.
 local short = { depth_cylinder = "h_cyl", depth_plate = "h_plate", half_width = "half_w",
   alpha_tilde = "a~", seconds = "time", updates = "upd." }
 
 local forms = {}
 
--- What a narrow terminal can do without, first things first.
+-- Columns omitted on a narrow terminal, the first one first.
 local spare = { "p_peak", "half_width", "p_max", "seconds", "updates", "volume", "jump" }
 
 local function without(columns, name)
@@ -97,7 +97,7 @@ local function without(columns, name)
   return kept
 end
 
--- What failed or was warned of may be long, and goes over the line's end for no column's sake.
+-- Width reserved for the status column. Its long messages may exceed the width of the terminal.
 local widest_status = 20
 
 local function text_of(study, columns)
@@ -117,10 +117,10 @@ local function text_of(study, columns)
 end
 
 function forms.text(study, columns)
-  local room = term.is_terminal("stdout") and term.size("stdout") or 120
+  local limit = term.is_terminal("stdout") and term.size("stdout") or 120
   local text, width = text_of(study, columns)
   for _, name in ipairs(spare) do
-    if width <= room then break end
+    if width <= limit then break end
     columns = without(columns, name)
     text, width = text_of(study, columns)
   end
@@ -153,7 +153,7 @@ end
 local endings = { csv = "csv", md = "markdown", txt = "text" }
 local fields = { format = check.one_of{ "text", "csv", "markdown" }, file = check.file }
 
--- make(study, { format= }) -> the table as text that print() shows as it is; with file=, the file written
+-- make(study, { format= }) -> the table as text for print(); with file=, the file written
 function tables.make(study, options)
   options = options or {}
   check.fields("study:table", options, fields)
@@ -164,7 +164,7 @@ function tables.make(study, options)
   return written.returned("study:table", options.file)
 end
 
--- The rows as people read them, the head first, without the columns named: for pages.
+-- Rows of formatted texts, the titles first, without the columns in `omitted`: for HTML pages.
 function tables.rows(study, omitted)
   local columns = columns_of(study)
   for _, name in ipairs(omitted or {}) do columns = without(columns, name) end

@@ -1,7 +1,7 @@
--- All of what a function writes into a run file, or nothing of it. Leans on nothing.
+-- Runs a function whose writes into a run file are either all stored or all undone.
 
--- (store, work, argument...): calls work(argument...) in a transaction of its own; an error takes back
--- what it wrote and goes on.
+-- (store, work, argument...): calls work(argument...) in a transaction; on an error, its writes are rolled back and the
+-- error is raised again.
 return function(store, work, ...)
   store:begin()
   local fine, why = pcall(work, ...)

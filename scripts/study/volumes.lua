@@ -1,5 +1,5 @@
--- Wear coefficients from measured volumes (Eqs. 1, 11, 12): over a whole test, or as tables over the
--- distance from volumes on the way. The volumes of both bodies come in pairs, one pair a test.
+-- Wear coefficients from measured volumes (Eqs. 1, 11, 12): over a whole test, or as tables over the distance from
+-- volumes measured at several distances. Each test gives one pair of volumes.
 
 local statistics = require "archard.lib.statistics"
 
@@ -13,9 +13,9 @@ local function map(list, f)
   return result
 end
 
--- --- one stretch of sliding ------------------------------------------------------------------------
+-- --- one interval of distance ----------------------------------------------------------------------
 
--- What each pair is off the mean, in each quantity; alpha to first order.
+-- Standard deviation of each quantity over the tests; of alpha to first order.
 local function deviations(cylinder, plate, c, p, work)
   local total = c + p
   local function of(f)
@@ -29,15 +29,16 @@ local function deviations(cylinder, plate, c, p, work)
   }
 end
 
--- The same of a single test whose readings are known to err by so much [mm3].
+-- Standard deviations for a single test with a known error of the volumes `err` [mm3].
 local function known_deviations(c, p, work, err)
   local total = c + p
   return { k = math.sqrt(2) * err / work, k_cylinder = err / work, k_plate = err / work,
     alpha = total > 0 and math.sqrt(c * c + p * p) * err / total ^ 2 or nil }
 end
 
--- From the volumes lost over a stretch in each test to { mean=, spread=, low=, high= } of the
--- quantities; low and high bound the mean with a confidence, nil for a single test without `err`.
+-- cylinder, plate: volumes lost over an interval in each test; work: load times distance [N mm]. Returns { mean=,
+-- spread=, low=, high= } of the quantities; low and high are the confidence range of the mean, nil for a single test
+-- without `err`.
 function volumes.stretch(cylinder, plate, work, confidence, err)
   local c, p = statistics.mean(cylinder), statistics.mean(plate)
   local result = { mean = { k = (c + p) / work, k_cylinder = c / work, k_plate = p / work,
@@ -48,17 +49,16 @@ function volumes.stretch(cylinder, plate, work, confidence, err)
     result.spread, freedom = known_deviations(c, p, work, err), statistics.known
   end
   for name, spread in pairs(result.spread) do
-    local room = statistics.student(confidence, freedom) * spread / math.sqrt(count)
-    result.low[name] = math.max(0, result.mean[name] - room)
-    result.high[name] = math.min(name == "alpha" and 1 or math.huge, result.mean[name] + room)
+    local margin = statistics.student(confidence, freedom) * spread / math.sqrt(count)
+    result.low[name] = math.max(0, result.mean[name] - margin)
+    result.high[name] = math.min(name == "alpha" and 1 or math.huge, result.mean[name] + margin)
   end
   return result
 end
 
 -- --- tables over the distance ----------------------------------------------------------------------
 
--- Each stretch from its beginning to its end: 0, and the measured distances, those between two
--- stretches twice.
+-- Start and end of each interval: 0 and the measured distances, inner distances twice.
 local function points(distance)
   local list = {}
   for i, d in ipairs(distance) do
@@ -67,7 +67,7 @@ local function points(distance)
   return list
 end
 
--- The means of the stretches, for points; where nothing was lost, alpha is that of the stretch before.
+-- Means of the intervals at `points`; in an interval without wear, alpha of the interval before is used.
 local function steps(mean, name)
   local list = {}
   for i, each in ipairs(mean) do
@@ -77,13 +77,13 @@ local function steps(mean, name)
   return list
 end
 
--- The stretches between distances; volumes are lists by test of lists by distance.
+-- Results of each interval between distances; volumes are lists by test of lists by distance.
 local function stretches(distance, cylinder, plate, given)
   local list = {}
   for i, d in ipairs(distance) do
     local function lost(test) return test[i] - (test[i - 1] or 0) end
     local from = distance[i - 1] or 0
-    -- the volume at the start is 0 without any reading
+    -- the volume at the start is exactly 0
     local err = given.error and given.error * (i > 1 and math.sqrt(2) or 1)
     list[i] = volumes.stretch(map(cylinder, lost), map(plate, lost), given.load * (d - from),
       given.confidence, err)
@@ -91,9 +91,9 @@ local function stretches(distance, cylinder, plate, given)
   return list
 end
 
--- given: load, confidence, error. Tables { distance=, value= } by name, each stretch with its mean: no
--- more is measured, and with it the volumes that wear{} takes with k and alpha are those measured. And
--- the bands { distance=, value=, low=, high= } of these means, at the middles of the stretches.
+-- given: load, confidence, error. Returns tables { distance=, value= } by name, constant in each interval, so that
+-- wear{} with the tables k and alpha reproduces the measured volumes; and the bands { distance=, value=, low=, high= }
+-- of these means, at the middle of each interval.
 function volumes.course(distance, cylinder, plate, given)
   local list, at = stretches(distance, cylinder, plate, given), points(distance)
   local mean = map(list, function(stretch) return stretch.mean end)

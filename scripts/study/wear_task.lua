@@ -1,11 +1,11 @@
--- A wear run of a study: its surfaces are looked at on the way, and it is kept in the run file now and
--- then, from which it goes on after its process was killed. Leans on wear and archard.store.
+-- Computes a wear run of a study: records its surfaces at given distances and saves the run to the run file at
+-- intervals; a run whose process was killed is continued from there.
 
 local term = require "archard.term"
 local transaction = require "archard.study.transaction"
 
--- Which updates to look at: `count` on the way, the unworn surfaces among them, at the first update not
--- before each share of the distance. The last look is the store's.
+-- Returns a function that decides at which updates the surfaces are recorded: `count` times, first the unworn surfaces,
+-- then at the first update at or after each share of the distance. The store records the final surfaces.
 local function looker(count, total)
   local next_look = 0
   return function(distance)
@@ -24,7 +24,7 @@ local function look(run, list)
   end
 end
 
--- What had been looked at when the run was kept: its present surfaces were kept with it.
+-- The surfaces recorded before the run was saved; its state at that moment was saved with them.
 local function looked_at(run, surfaces, is_due)
   local due, list, history = {}, {}, run.history
   for i, distance in ipairs(history.distance) do
@@ -36,14 +36,14 @@ local function looked_at(run, surfaces, is_due)
   return list
 end
 
--- The run as it was kept, nil where there is none.
+-- The saved run and its surfaces, or nil if the run was not saved.
 local function kept(store, id)
   local fine, run = pcall(store.wear, store, id)
   if fine and run.update > 0 and not run.done then return run, store:surfaces(id) end
 end
 
--- (store, id, given = fields of wear{}, looks = how many, every = seconds after which it is kept,
--- on_progress) -> the run at its end, what was looked at
+-- (store, id, given = fields of wear{}, looks = number of records, every = seconds between saves, on_progress) -> the
+-- finished run, the recorded surfaces
 return function(store, id, given, looks, every, on_progress)
   local run, surfaces = kept(store, id)
   run = run or wear(given)

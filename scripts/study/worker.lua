@@ -1,8 +1,7 @@
--- A worker of a study: reads "case ID" lines, computes, stores the results in the run file itself,
--- and says how it goes. What it says: "at ID SHARE", "computed ID" (the next one may come), then, once
--- it is stored, "done ID" or "failed ID TEXT" (the case), "warned ID TEXT" (before the end of a case),
--- "broken TEXT" (the file: nobody can go on). A line "store" asks for what is not stored yet. Leans on
--- archard.store; what it warns of goes by archard.warnings.
+-- A worker process of a study: reads lines "case ID" from standard input, computes the case and stores the results in
+-- the run file. It prints "at ID SHARE" (progress), "computed ID" (ready for the next case); after storing, "done ID"
+-- or "failed ID TEXT", before it "warned ID TEXT" if the case has a warning; and "broken TEXT" if the file cannot be
+-- written. The line "store" requests to store all computed cases.
 
 local stores = require "archard.store"
 local columns = require "archard.settings".columns
@@ -13,10 +12,10 @@ local transaction = require "archard.study.transaction"
 local warnings = require "archard.warnings"
 local wear_task = require "archard.study.wear_task"
 
-local pause = 0.2 -- seconds between two words on progress
-local longest_wait = 0.5 -- seconds that a computed case is kept in memory
+local pause = 0.2 -- seconds between two progress lines
+local longest_wait = 0.5 -- seconds that a computed case may stay in memory
 
--- Where in this file it went wrong says nothing to the user.
+-- Converts an error to one line of text, without its position in the program, which does not help the user.
 local function one_line(value)
   if type(value) == "table" then value.position = nil end
   return (tostring(value):gsub("%s+", " "):sub(1, 480))
@@ -31,7 +30,7 @@ end
 
 local tasks = {}
 
--- The columns of the last record by name.
+-- The last values of the history's columns, by name.
 local function last_record(run)
   local values, history = {}, run.history
   for _, column in ipairs(columns) do
@@ -50,14 +49,14 @@ function tasks.wear(store, id, on_progress, every)
   end, run
 end
 
--- Finds the settings that a case needs, and keeps them as its results.
+-- Searches for the settings of a case and stores them as its results.
 function tasks.converge(store, id, on_progress)
   local search = require "archard.study.search"
   local found = search(settings.nest(store:values(id, "settings")), on_progress)
   return function() store:set_values(id, "results", settings.flatten("converge", found)) end
 end
 
--- A trial of a fit: what the fit looks at are its results.
+-- A trial of a fit: stores the results that the fit compares with measurements.
 function tasks.fit(store, id, on_progress)
   local observe = require "archard.study.observe"
   local looks, run = observe.run(settings.nest(store:values(id, "settings")),
@@ -68,7 +67,7 @@ end
 
 -- --- one case after the other ------------------------------------------------------------------
 
--- Says how far it is, of cases that take their time; only those are ever seen running in the file.
+-- Returns the progress callback of a case. Only cases longer than `pause` are marked as running.
 local function speaker(store, id)
   local last, marked = term.clock(), false
   return function(share)
@@ -81,14 +80,14 @@ local function speaker(store, id)
   end
 end
 
--- What the engine warned of in this case is part of what the user must know of it. A search goes
--- past every limit on purpose.
+-- The engine's warning in this case, or nil. The search of converge exceeds limits on purpose, so its warnings are
+-- ignored.
 local function warning_of(store)
   local text = warnings.take()
   return store:info("task") ~= "converge" and text or nil
 end
 
--- { id=, seconds=, warning=, failure=, keep= (writes the results), run= (what they are kept in) }
+-- Returns { id=, seconds=, warning=, failure=, keep= (function that writes the results), run= (the wear object) }.
 local function compute_case(store, id, every)
   local start = term.clock()
   warnings.take()
@@ -111,13 +110,13 @@ local function write_case(store, case)
     or nil)
 end
 
-local function tell(case)
+local function report(case)
   if case.run then case.run:close() end
   if case.warning then say("warned", case.id, one_line(case.warning)) end
   if case.failure then say("failed", case.id, case.failure) else say("done", case.id) end
 end
 
--- All of the cases in one transaction, or none; returns the seconds that the commit took.
+-- Writes all cases in one transaction, or none; returns the seconds that the commit took.
 local function write_cases(store, cases)
   local written
   transaction(store, function()
@@ -125,18 +124,18 @@ local function write_cases(store, cases)
     written = term.clock()
   end)
   local seconds = term.clock() - written
-  for _, case in ipairs(cases) do tell(case) end
+  for _, case in ipairs(cases) do report(case) end
   return seconds
 end
 
--- A commit waits for the disk, whatever there is in it: short cases are stored together, so that no
--- more than a tenth of the time goes into waiting.
+-- Stores computed cases. As each commit waits for the disk, short cases are stored together, so that at most a tenth of
+-- the time is spent waiting.
 local keeper = {}
 keeper.__index = keeper
 
 function keeper:is_due() return term.clock() - self.since >= math.min(longest_wait, 10 * self.commit) end
 
--- Where there is no room for all of them, those are stored that there is room for.
+-- Stores all cases together; if this fails, for example on a full disk, one by one.
 function keeper:store()
   local cases = self.cases
   self.cases = {}
@@ -158,14 +157,14 @@ end
 local function attend(held, line)
   if line == "store" then return held:store() end
   local id = math.tointeger(tonumber(line:match("^case (%d+)$")))
-  if not id then error("worker: cannot make sense of " .. line) end
+  if not id then error("worker: unknown command: " .. line) end
   local case = compute_case(held.file, id, held.every)
   say("computed", id)
   held:add(case)
 end
 
--- folder: that of the script in a sandbox, whose files are ours too; "" without one. every: seconds after
--- which a case that takes long is kept as far as it is.
+-- folder: folder of the sandboxed script, which also applies to the worker; "" without a sandbox. every: seconds
+-- between saves of a long case.
 return function(path, folder, every)
   if folder ~= "" then files.confine(folder) end
   local held = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),

@@ -51,7 +51,7 @@ holds(tostring(c), { "jump", "roughness", "stable to", "was allowed" }, "print")
 
 -- A k that depends on the state is searched as its table is.
 local simple = study.converge{ base = { stroke = 0.15, rule = "simple", model = coarse }, mesh = false }
-ok(tostring(simple):find("lopsided"), "Eq. (5): it is the rule that is to blame, and it says so")
+ok(tostring(simple):find("profiles are asymmetric"), "Eq. (5): it is the rule that is to blame, and it says so")
 
 local stepped = study.converge{ base = { alpha = 1, model = coarse,
   k = function(state) return state.distance < 300 and 2e-8 or 1e-8 end }, mesh = false }.cases[1].found
@@ -201,7 +201,7 @@ fails(function() calibrate{ load = 1, distance = { 1, 2 }, volume = { cylinder =
   "less at distance 2", "volumes that fall")
 fails(function() calibrate{ load = 1, distance = { 2, 1 }, volume = { cylinder = { 1, 2 }, plate = 0 } } end,
   "growing", "distances that fall")
-fails(function() calibrate{ distance = { 1, 2 }, depth = { cylinder = 1, plate = 1 } } end, "with depths",
+fails(function() calibrate{ distance = { 1, 2 }, depth = { cylinder = 1, plate = 1 } } end, "as 'depth' is given",
   "depths have one distance")
 
 -- --- calibrate by depths -------------------------------------------------------------------------
@@ -228,7 +228,7 @@ fails(function() calibrate(with{ k = 1e-8, depth = { cylinder = truth.depth.cyli
   { "'k'", "without the field" }, "a k that makes other depths is refused")
 fails(function() calibrate(with{ depth = { cylinder = 0.31, plate = 0.62 } }) end, "are they in um?", "depths in um")
 fails(function() calibrate{ depth = { cylinder = 1e-3, plate = 1e-3 }, distance = 440 } end, "'load'",
-  "depths need the test's load")
+  "depths without the load")
 local flat = calibrate(with{ depth = { cylinder = 1e-3, plate = 0 } })
 is(flat.alpha, 1, "a plate that did not wear")
 is(flat.k_plate, 0, "has no k")
@@ -240,7 +240,7 @@ fails(function() calibrate(with{ depth = { cylinder = { 1e-3, 0 }, plate = { 1e-
 
 fails(function() calibrate{} end, "got neither", "volume or depth")
 fails(function() calibrate{ volume = {}, depth = {} } end, "got both", "but not both")
-fails(function() calibrate{ volume = { cylinder = 1 } } end, "load", "volumes need the test's load")
+fails(function() calibrate{ volume = { cylinder = 1 } } end, "load", "volumes without the load")
 fails(function() calibrate{ volume = { plate = 1e-4 }, load = 40, distance = 2000 } end,
   { "'volume.cylinder'", "got none", "0: too little" }, "a body that is left out")
 fails(function() calibrate(with{ depth = { cylinder = 1e-3 } }) end, "'depth.plate'", "also of depths")

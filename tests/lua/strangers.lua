@@ -46,7 +46,7 @@ for what, name in pairs{ ["an empty name"] = "", ["a name of a point"] = ".", ["
   damaged({ cases = { two[1], { [name] = 1 } } }, { "case 2 has a value of the name" }, what)
 end
 damaged({ cases = { { alpha = 1, ["alpha.x"] = 2 } } }, { "case 1 has the settings 'alpha' and 'alpha.x'" }, "a value in a value")
-damaged({ cases = { { alpha = math.huge } } }, { "'alpha' is no finite number" }, "an infinite number")
+damaged({ cases = { { alpha = math.huge } } }, { "'alpha' is not a finite number" }, "an infinite number")
 damaged({ cases = { two[1], [3] = two[2] } }, { "it has a case 3, but no case 2" }, "a gap in the cases")
 damaged({ cases = {} }, { "it has no case" }, "no case at all")
 damaged({ cases = two, info = { looks = "-1" } }, { "-1 looks" }, "looks that are none")
@@ -63,7 +63,7 @@ for _, text in ipairs{ "nonsense", "", head, head .. "\nalpha uniform{}", head .
   "grid n=2 seed=1 indices=false" .. line, "sobol n=1 seed=1 indices=false" .. line, "sobol n=2 seed=0 indices=false" .. line,
   "sobol n=1e9 seed=1 indices=false" .. line, "sobol n=2 seed=1 indices=maybe" .. line, head .. "\nalpha dance{ low=1 }",
   head .. "\nalpha uniform{ low=one }", ("9"):rep(400) .. line, "sobol n=" .. ("9"):rep(400) .. " seed=1 indices=false" .. line } do
-  damaged(sampled(text), { "its samples are none: " }, ("samples %q"):format(text:sub(1, 50)))
+  damaged(sampled(text), { "invalid samples: " }, ("samples %q"):format(text:sub(1, 50)))
 end
 damaged(sampled((head:gsub("n=2", "n=3")) .. line), { "its samples make 3 cases, it has 2" }, "cases too few")
 damaged(sampled(head:gsub("false", "true") .. line), { "its samples make 6 cases, it has 2" }, "the more with indices")

@@ -227,8 +227,8 @@ end
 local empty = study.open(begun())
 is(#empty:cases(), 0, "it is a study without cases")
 holds(empty, "0 cases", "and says so")
-fails(function() empty:run() end, { "begun has no cases", "make it anew" }, "which does not run")
-fails(function() study.merge(begun(), { file = path "gap" }) end, "begun: it has no cases", "nor is it joined alone")
+fails(function() empty:run() end, { "begun has no cases", "create the study again" }, "which does not run")
+fails(function() study.merge(begun(), { file = path "gap" }) end, "begun: the file has no cases", "nor is it joined alone")
 is(content(study.merge(path "share1", begun(), path "merged", { file = path "twice" })), content(one),
   "as a share it has nothing to add")
 is(content(study.merge(path "merged", { file = begun() })), content(one), "it is replaced by a study of several")

@@ -161,7 +161,7 @@ end, { "sample.alpha", "low=" }, "values out of range are told before anything r
 is(io.open(path("out")), nil, "and leave no file")
 fails(function() with{ n = 4, sample = { law_pressure = uniform{ 50, 150 } } }:run{ file = path("out"),
   progress = false } end, { "sample.law_pressure", "does nothing" }, "a field that does nothing")
-fails(function() with{ n = 4 }:uncertainty() end, "nothing has run yet", "no results yet")
+fails(function() with{ n = 4 }:uncertainty() end, "the study has no results yet", "no results yet")
 
 -- --- a case with a known answer ------------------------------------------------------------------
 -- The volume of the cylinder is alpha k L d: every moment and index is known.
