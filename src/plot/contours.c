@@ -73,7 +73,39 @@ static int cut(corner a, corner b, double level, corner *point) {
   return 1;
 }
 
-static size_t contour_triangle(const corner t[3], double level, arc_text *script) {
+/* Positions of the numbers on contour lines: at the segment farthest from the frame, from the
+ * numbers of lower levels and from the next line, distances as shares of the box. */
+enum { MOST_NUMBERS = 40 };
+
+typedef struct numbers {
+  const arc_plot_box *box;
+  corner placed[MOST_NUMBERS];
+  int count;
+  double step; /* between levels */
+  corner best; /* of the present level */
+  double clearance;
+} numbers;
+
+/* Distance to the next line, by the slope of the triangle. */
+static double spacing_of(const numbers *n, const corner t[3]) {
+  const double width = n->box->x1 - n->box->x0, height = n->box->y1 - n->box->y0;
+  const double a = t[1].value - t[0].value, b = t[2].value - t[0].value;
+  const double along_x = (a * (t[2].y - t[0].y) - b * (t[1].y - t[0].y)) / twice_area(t);
+  const double along_y = (b * (t[1].x - t[0].x) - a * (t[2].x - t[0].x)) / twice_area(t);
+  return n->step / hypot(along_x * width, along_y * height);
+}
+
+/* The distance to another number counts half: both are beside it. */
+static double clearance_of(const numbers *n, corner p) {
+  const double width = n->box->x1 - n->box->x0, height = n->box->y1 - n->box->y0;
+  const double u = (p.x - n->box->x0) / width, v = (p.y - n->box->y0) / height;
+  double least = fmin(fmin(u, 1 - u), fmin(v, 1 - v));
+  for (int k = 0; k < n->count; k++)
+    least = fmin(least, hypot((p.x - n->placed[k].x) / width, (p.y - n->placed[k].y) / height) / 2);
+  return least;
+}
+
+static size_t contour_triangle(const corner t[3], double level, numbers *n, arc_text *script) {
   corner points[3];
   int count = 0;
   if (twice_area(t) == 0) return 0;
@@ -81,22 +113,39 @@ static size_t contour_triangle(const corner t[3], double level, arc_text *script
   if (count != 2) return 0;
   arc_text_format(script, "%.17g %.17g\n", points[0].x, points[0].y);
   arc_text_format(script, "%.17g %.17g\n\n", points[1].x, points[1].y);
+  const corner middle = {(points[0].x + points[1].x) / 2, (points[0].y + points[1].y) / 2, level};
+  const double clearance = fmin(clearance_of(n, middle), 2 * spacing_of(n, t));
+  if (clearance > n->clearance) n->best = middle, n->clearance = clearance;
   return 1;
 }
 
+static size_t contour_level(const arc_plot_field *field, double level, numbers *n,
+                            arc_text *script) {
+  size_t segments = 0;
+  n->clearance = 0.04; /* nearer to the frame, or to another number, none is shown */
+  const double none = n->clearance;
+  for (size_t i = 0; i < field->count; i++)
+    for (int part = 0; part < TRIANGLES && touches(field, i, n->box); part++) {
+      corner t[3];
+      triangle_of(field, i, part, t);
+      segments += contour_triangle(t, level, n, script);
+    }
+  if (n->clearance > none && n->count < MOST_NUMBERS) n->placed[n->count++] = n->best;
+  return segments;
+}
+
 size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
-                          const double range[2], int levels, arc_text *script) {
+                          const double range[2], int levels, arc_text *lines, arc_text *labels) {
   size_t segments = 0;
   double step = arc_field_step(range, levels);
+  numbers n = {.box = box, .step = step};
   double first = step * (floor(range[0] / step + 1e-9) + 1);
   int count = levels > 0 ? (int)ceil((range[1] - first) / step - 1e-9) : 0;
-  for (size_t i = 0; i < field->count; i++)
-    for (int part = 0; part < TRIANGLES && touches(field, i, box); part++)
-      for (int k = 0; k < count; k++) {
-        corner t[3];
-        triangle_of(field, i, part, t);
-        segments += contour_triangle(t, first + k * step, script);
-      }
+  for (int k = 0; k < count; k++) segments += contour_level(field, first + k * step, &n, lines);
+  for (int k = 0; k < n.count; k++) {
+    const double value = fabs(n.placed[k].value) < 1e-9 * step ? 0 : n.placed[k].value;
+    arc_text_format(labels, "%.17g %.17g %.6g\n", n.placed[k].x, n.placed[k].y, value);
+  }
   return segments;
 }
 

@@ -163,9 +163,10 @@ void arc_field_range(const arc_plot_panel *panel, const arc_plot_box *box, doubl
  */
 double arc_field_step(const double range[2], int levels);
 
-/* Contour lines as rows of segments, one every step. Returns how many segments. */
+/* Writes contour lines as rows of segments, one line every step, and labels as rows x, y, value, at
+ * most one for each line. Returns the number of segments. */
 size_t arc_field_contours(const arc_plot_field *field, const arc_plot_box *box,
-                          const double range[2], int levels, arc_text *script);
+                          const double range[2], int levels, arc_text *lines, arc_text *labels);
 
 /* The field in the middles of columns x rows equal cells of the box, NaN where no polygon is; the
  * first row is the one at y0. */

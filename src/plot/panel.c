@@ -346,9 +346,14 @@ static size_t contour_block(arc_writer *w, size_t number, const arc_plot_box *bo
                             const double range[2]) {
   const arc_plot_panel *panel = &w->figure->panels[number];
   if (!panel->field || w->canvas->text) return 0;
+  arc_text labels = {0};
   arc_text_format(w->out, "$k%zu << END\n", number);
-  size_t count = arc_field_contours(panel->field, box, range, panel->levels, w->out);
+  size_t count = arc_field_contours(panel->field, box, range, panel->levels, w->out, &labels);
+  arc_text_format(w->out, "END\n$n%zu << END\n", number);
+  if (labels.length > 0) arc_text_add(w->out, labels.data, labels.length);
   arc_text_word(w->out, "END\n");
+  w->out->failed |= labels.failed;
+  arc_text_free(&labels);
   return count;
 }
 
@@ -373,7 +378,11 @@ static void plot_command(arc_writer *w, size_t number, const grid *g, const arc_
   if (contours)
     arc_text_format(w->out, ", $k%zu using 1:2 with lines linecolor rgb '#a0000000' linewidth 0.6",
                     number);
-  if (contours) arc_text_word(w->out, " notitle");
+  if (contours) {
+    arc_text_word(w->out, " notitle");
+    arc_text_format(w->out, ", $n%zu using 1:2:3 with labels boxed textcolor rgb '#303030' notitle",
+                    number);
+  }
   for (size_t i = 0; i < panel->curve_count; i++) {
     arc_text_format(w->out, "%s $d%zu_%zu using 1:2%s", i || field ? "," : "", number, i,
                     panel->curves[i].error ? ":3" : "");

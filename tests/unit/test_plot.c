@@ -378,6 +378,21 @@ static void assert_contours_at(const char *script, double one, double two) {
   assert_true(found[0] >= 2 && found[1] >= 2);
 }
 
+/* The numbers on the lines stand where x + y has their value, well apart; one for each line. */
+static void assert_numbers_on_lines(const char *script) {
+  const char *at = strstr(script, "$n0 << END\n");
+  double x[2], y[2], value[2];
+  assert_non_null(at);
+  at = strchr(at, '\n') + 1;
+  for (int k = 0; k < 2; k++, at = strchr(at, '\n') + 1) {
+    assert_int_equal(sscanf(at, "%lf %lf %lf", &x[k], &y[k], &value[k]), 3);
+    assert_true(fabs(value[k] - (k + 1)) < 1e-12);
+    assert_true(fabs(x[k] + y[k] - value[k]) < 1e-9);
+  }
+  assert_int_equal(strncmp(at, "END", 3), 0);
+  assert_true(hypot((x[1] - x[0]) / 2, y[1] - y[0]) > 0.2);
+}
+
 /* A field x + y on two squares: the samples are exact, and the contour is where it belongs. */
 static void test_field(void **state) {
   const double x[8] = {0, 1, 1, 0, 1, 2, 2, 2}, y[8] = {0, 0, 1, 1, 0, 0, 1, 1};
@@ -404,6 +419,7 @@ static void test_field(void **state) {
   assert_int_equal(arc_plot_script(&figure, &output, &script, NULL, NULL), ARC_OK);
   assert_contours_at(script, 1, 2); /* round numbers between 0 and 3, which the scale shows */
   assert_non_null(strstr(script, "set cbtics 1\n"));
+  assert_numbers_on_lines(script);
   free(script);
   output.file = path_of("field.png", path);
   assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
