@@ -1,6 +1,6 @@
--- What a fit is held against: profiles of a body at a distance, whose position on the surface is
--- fitted along, friction loops (fit/loop.lua), and numbers of the history against the distance. Reads
--- and checks what users give, and tells what a run says in its place. Leans on the list of columns.
+-- The data of a fit: profiles of a body at a distance, whose position is fitted too, friction loops (fit/loop.lua), and
+-- quantities of the history over the distance. Reads and checks the user's data and computes the simulated values at
+-- the same points.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
@@ -12,9 +12,9 @@ local statistics = require "archard.lib.statistics"
 
 local data = {}
 
--- --- what can be measured besides the columns of the history --------------------------------------
+-- --- quantities besides the columns of the history ------------------------------------------------
 
--- name: columns it is made of, factor on their sum, unit, meaning
+-- name: summed columns, factor, unit, meaning
 local made = {
   volume = { { "volume_cylinder", "volume_plate" }, 1, "mm3", "wear volume of both" },
   width = { { "half_width" }, 2, "mm", "contact width" },
@@ -37,7 +37,7 @@ local one_or_more = check.kind("a finite number, or a list of them", function(v)
   return check.number.test(v) or list.test(v)
 end, check.number)
 local body = check.one_of{ "cylinder", "plate" }
-local profile = check.kind("a profile of depths, with lists x and h [mm] (of heights: p:depth())", function(v)
+local profile = check.kind("a profile of depths with lists x and h [mm] (for heights use p:depth())", function(v)
   return (type(v) == "table" or type(v) == "userdata") and v.x ~= nil and v.h ~= nil
 end)
 
@@ -72,7 +72,7 @@ local function same_count(where, prefix, name, values, count)
   return values
 end
 
--- The error of every value [its unit], nil where none is told.
+-- The error of every value [unit of the value], or nil if no error is given.
 local function errors_of(where, prefix, given, own, value)
   local absolute = given.error or own
   if given.error and given.relative then
@@ -83,7 +83,7 @@ local function errors_of(where, prefix, given, own, value)
     local errors = {}
     for i, v in ipairs(value) do errors[i] = given.relative * math.abs(v) end
     if not positives.test(errors) then
-      check.fail(where, ("field '%s.relative': a value of 0 has no relative error; expected error")
+      check.fail(where, ("field '%s.relative': a value of 0 has no relative error; give error instead")
         :format(prefix))
     end
     return errors
@@ -91,14 +91,14 @@ local function errors_of(where, prefix, given, own, value)
   return absolute and same_count(where, prefix, "error", as_list(absolute, #value), #value)
 end
 
--- What belongs to one kind of data only.
+-- Fields for one kind of data only.
 local of_profiles = { "profile", "x", "h", "body", "section", "shift", "tilt", "level" }
 local of_loops = { "loop", "compliance" }
 
 local function refuse_others(where, prefix, given, names, what)
   for _, name in ipairs(names) do
     if given[name] ~= nil then
-      check.fail(where, ("field '%s.%s': it is for %s"):format(prefix, name, what))
+      check.fail(where, ("field '%s.%s': only allowed for %s"):format(prefix, name, what))
     end
   end
 end
@@ -121,8 +121,8 @@ local function need_distance(where, prefix, given, what)
     given.distance)
 end
 
--- The position of an item: what is unknown of it, its start value (0 if nil; the middle of the scar where the
--- profile has one) and about how far off it can be.
+-- The unknown position of a profile: for each component its start value (default 0; for the shift the middle of the
+-- scar, if known) and its typical size.
 local function free_of(x, h, scar)
   local deepest, width = 0, x[#x] - x[1]
   for _, value in ipairs(h) do deepest = math.max(deepest, math.abs(value)) end
@@ -148,7 +148,7 @@ local function read_profile(where, prefix, given)
   local x, h = as_list(from.x), as_list(from.h)
   same_count(where, prefix, "h", h, #x)
   local own = given.profile and from.error
-  if own and not sizes.test(own) then own = nil end -- a trace without noise tells none
+  if own and not sizes.test(own) then own = nil end -- a trace without noise has no error
   local err = errors_of(where, prefix, given, own, h)
   x, h, err = sorted(x, h, err)
   local item = { kind = "profile", body = given.body, surface = observe.surface(given.body, given.section),
@@ -181,8 +181,8 @@ local function read_series(where, prefix, given)
     unit = quantities[given.of][3], title = given.title or given.of }
 end
 
--- With its distance, where it is given by the cycle; way: the sliding of a cycle [mm].
-local function with_distance(where, prefix, given, way)
+-- Replaces the field `cycle` by the distance; path: function that returns the sliding distance of a cycle [mm].
+local function with_distance(where, prefix, given, path)
   if given.cycle == nil then return given end
   if given.distance ~= nil then
     check.fail(where, ("fields '%s.cycle' and '%s.distance': expected one of them, got both"):format(prefix,
@@ -190,22 +190,22 @@ local function with_distance(where, prefix, given, way)
   end
   local cycles = type(given.cycle) == "number" and { given.cycle } or given.cycle
   local distance = {}
-  for i = 1, #cycles do distance[i] = cycles[i] * way() end
+  for i = 1, #cycles do distance[i] = cycles[i] * path() end
   return merged(given, { distance = type(given.cycle) == "number" and distance[1] or distance })
 end
 
--- One measurement; `prefix` is its name in messages. motion: { way = function() -> the sliding of a cycle
--- [mm], by_force = whether a force drives the runs }.
+-- Reads one measurement; `prefix` is its name in messages. motion: { path = function() -> sliding distance of a cycle
+-- [mm], by_force = true if the runs are driven by a tangential force }.
 function data.item(where, prefix, given, motion)
   if type(given) ~= "table" then check.refuse(where, prefix, "a table", given) end
   check.fields(where, given, fields, prefix .. ".")
-  given = with_distance(where, prefix, given, motion.way)
+  given = with_distance(where, prefix, given, motion.path)
   if given.loop then return read_loop(where, prefix, given, motion.by_force) end
   return (given.of and read_series or read_profile)(where, prefix, given)
 end
 
--- Without errors their size comes from the residuals, which tells nothing of one kind of data against
--- another: so all have them, or there is one kind.
+-- Checks that either all data have errors, or none has and all have the same unit: without errors, the residuals give
+-- the size of the errors, but not the weights between quantities of different units.
 local function check_errors(where, items)
   local given, unit = 0, items[1].unit
   for _, item in ipairs(items) do
@@ -215,29 +215,30 @@ local function check_errors(where, items)
   if given == #items or (given == 0 and unit) then return given > 0 end
   for i, item in ipairs(items) do
     if not item.error then
-      check.fail(where, ("field 'data[%d]': expected error [%s] or relative: data of several kinds "
-        .. "are weighed by their errors"):format(i, item.unit))
+      check.fail(where, ("field 'data[%d]': expected error [%s] or relative: data with different units "
+        .. "are weighted by their errors"):format(i, item.unit))
     end
   end
 end
 
--- -> list of items, and whether their errors are told.
+-- Returns the list of items, and true if the user gave their errors.
 function data.read(where, given, motion)
   if #given == 0 then check.fail(where, "field 'data': expected a list of measurements, got none") end
   local items = {}
   for i, one in ipairs(given) do items[i] = data.item(where, ("data[%d]"):format(i), one, motion) end
   local told = check_errors(where, items)
   for _, item in ipairs(told and {} or items) do
-    item.error = as_list(1e-3, #item.x) -- any: what counts is that they are equal
+    item.error = as_list(1e-3, #item.x) -- any equal errors, as only their ratios matter
   end
   return items, told
 end
 
--- --- what a run must be looked at for -------------------------------------------------------------
+-- --- required results of a run --------------------------------------------------------------------
 
--- The list for observe.lua; every value of an item learns at which look it is found.
-function data.wanted(items)
-  local distances, wanted, surfaces, turns, at = {}, {}, {}, {}, {}
+-- Returns the list of results to observe (for observe.lua) and sets the index of the observation for every value of an
+-- item.
+function data.required(items)
+  local distances, columns_used, surfaces, turns, at = {}, {}, {}, {}, {}
   for _, item in ipairs(items) do
     if item.kind == "profile" then
       distances[item.distance], surfaces[item.surface] = true, true
@@ -245,10 +246,10 @@ function data.wanted(items)
       distances[item.distance], turns[item.distance] = true, true
     else
       for _, distance in ipairs(item.x) do distances[distance] = true end
-      for _, name in ipairs(quantities[item.of][1]) do wanted[name] = true end
+      for _, name in ipairs(quantities[item.of][1]) do columns_used[name] = true end
     end
   end
-  local what = { distances = keys(distances), columns = keys(wanted), surfaces = keys(surfaces),
+  local what = { distances = keys(distances), columns = keys(columns_used), surfaces = keys(surfaces),
     loops = keys(turns) }
   for i, distance in ipairs(what.distances) do at[distance] = i end
   for _, item in ipairs(items) do
@@ -258,9 +259,9 @@ function data.wanted(items)
   return what
 end
 
--- --- what a run says in its place -----------------------------------------------------------------
+-- --- simulated values -----------------------------------------------------------------------------
 
--- Depths of a surface at x, linear between nodes, 0 beyond.
+-- Depth of a surface at x, linear between nodes, 0 outside.
 local function depth_at(surface, x)
   local at, h, low, high = surface.x, surface.h, 1, #surface.x
   if x < at[1] or x > at[high] then return 0 end
@@ -271,12 +272,12 @@ local function depth_at(surface, x)
   return h[low] + (h[high] - h[low]) * (x - at[low]) / (at[high] - at[low])
 end
 
--- A measured profile stands `shift` [mm] to the right, `tilt` [mm/mm] steeper, `level` [mm] deeper
--- than the surface.
-local function profile_values(item, looks, place)
+-- Values of a measured profile computed from the simulated surface: shifted by `shift` [mm] to the right, plus `tilt`
+-- [mm/mm] times x and `level` [mm].
+local function profile_values(item, looks, position)
   local surface, values = looks[item.look[1]][item.surface], {}
   for i, x in ipairs(item.x) do
-    values[i] = depth_at(surface, x - place.shift) + place.tilt * x + place.level
+    values[i] = depth_at(surface, x - position.shift) + position.tilt * x + position.level
   end
   return values
 end
@@ -291,7 +292,7 @@ local function series_values(item, looks)
   return values
 end
 
--- Whether it can move in steps, as the contact's edge goes from node to node.
+-- True if the quantity changes in steps, as the edge of the contact moves from node to node.
 function data.jumps(item)
   for _, name in ipairs(item.of and quantities[item.of][1] or {}) do
     if name:match("width") or name:match("^p_") then return true end
@@ -299,13 +300,13 @@ function data.jumps(item)
   return false
 end
 
--- place: { shift=, tilt=, level= } of a profile or a loop
-function data.values(item, looks, place)
-  if item.kind == "loop" then return loops.values(item, looks[item.look[1]].loop, place) end
-  return (item.kind == "profile" and profile_values or series_values)(item, looks, place)
+-- position: { shift=, tilt=, level= } of a profile or a loop.
+function data.values(item, looks, position)
+  if item.kind == "loop" then return loops.values(item, looks[item.look[1]].loop, position) end
+  return (item.kind == "profile" and profile_values or series_values)(item, looks, position)
 end
 
--- The parameters of positions that no number is given for: like those of fit/unknown.lua, of the item.
+-- Parameters for the unknown positions of the items, in the form of fit/unknown.lua.
 function data.positions(items)
   local list = {}
   for number, item in ipairs(items) do
@@ -319,14 +320,14 @@ function data.positions(items)
   return list
 end
 
--- --- units that cannot be --------------------------------------------------------------------------
+-- --- implausible units -----------------------------------------------------------------------------
 
-local function guess(ratio) -- what the numbers seem to be in, for lengths
+local function guess(ratio) -- probable unit of lengths
   if ratio < 1e-2 then return ratio < 1e-2 and ratio > 1e-4 and "m" or "other units" end
   return ratio < 1e4 and "um" or "nm"
 end
 
--- A series is off as well where its distances are not in mm.
+-- Text on the unit of the distances, which may be the wrong one in a series.
 local function far_of(item)
   if item.kind ~= "series" then return "" end
   return (", distances in mm (they go to %g)"):format(item.x[#item.x])
@@ -335,13 +336,13 @@ end
 local function refuse_size(where, number, name, item, most, expected)
   local ratio = most / expected
   local seems = item.unit == "mm" and (" (are they in %s?)"):format(guess(ratio)) or ""
-  check.fail(where, ("field 'data[%d].%s': the largest is %.3g, where the run from the start says %.3g "
-    .. "%s: expected numbers in %s%s%s, or a start that is nearer"):format(number, name, most, expected,
+  check.fail(where, ("field 'data[%d].%s': the largest value is %.3g, the run with the start values gives %.3g "
+    .. "%s: expected numbers in %s%s%s, or better start values"):format(number, name, most, expected,
     item.unit, item.unit, seems, far_of(item)))
 end
 
--- A profile must lie on the surface, and be about as deep as a wear scar can be.
-local function check_place(where, number, item, surface, shift)
+-- Checks that a profile lies on the surface and has a plausible width.
+local function check_position(where, number, item, surface, shift)
   local low, high = surface.x[1] + shift, surface.x[#surface.x] + shift
   local inside = 0
   for _, x in ipairs(item.x) do
@@ -349,18 +350,18 @@ local function check_place(where, number, item, surface, shift)
   end
   local width = item.x[#item.x] - item.x[1]
   if inside < 3 or width < (high - low) / 300 or width > 50 * (high - low) then
-    check.fail(where, ("field 'data[%d].x': goes from %.3g to %.3g, %d of %d points on the fine part of "
+    check.fail(where, ("field 'data[%d].x': values from %.3g to %.3g, %d of %d points on the fine part of "
       .. "the surface, from %.3g to %.3g mm: expected x in mm, from the contact's centre"):format(number,
       item.x[1], item.x[#item.x], inside, #item.x, low, high))
   end
 end
 
--- Compares the data with a run from the start: factors that no unknown makes are told.
+-- Compares the data with a run at the start values; refuses data that differ by an implausible factor.
 function data.check_sizes(where, items, looks)
   for number, item in ipairs(items) do
     local still = { shift = item.fixed and item.fixed.shift or item.free and item.free[1].start or 0, tilt = 0, level = 0 }
-    if item.kind == "profile" then check_place(where, number, item, looks[item.look[1]][item.surface], still.shift) end
-    if item.kind == "loop" then loops.check_place(where, number, item, looks[item.look[1]].loop) end
+    if item.kind == "profile" then check_position(where, number, item, looks[item.look[1]][item.surface], still.shift) end
+    if item.kind == "loop" then loops.check_position(where, number, item, looks[item.look[1]].loop) end
     local most = statistics.largest(item.value)
     local expected = statistics.largest(data.values(item, looks, still))
     if most > 0 and expected > 0 and (most > 150 * expected or most < expected / 150) then

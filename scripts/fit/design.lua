@@ -1,6 +1,5 @@
--- fit.design: before a test is made, which measurements at which distances would tell the unknowns
--- apart. From the derivatives at the start come the standard errors that each measurement would
--- leave, alone, and the order in which to add them. Leans on fit/problem.lua.
+-- fit.design: computes, before a test, which measurements at which distances determine the unknowns best: from the
+-- derivatives at the start values, the standard errors with each measurement alone and the best order of measurements.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -14,7 +13,7 @@ local written = require "archard.lib.written"
 
 local where = "fit.design"
 
--- --- what is given -------------------------------------------------------------------------------
+-- --- the fields ----------------------------------------------------------------------------------
 
 local own = {
   of = data.fields.of, profile = data.kinds.body, section = data.kinds.section, distance = data.kinds.sizes, error = check.positive,
@@ -22,7 +21,7 @@ local own = {
   title = check.text, shift = check.number, tilt = check.number, level = check.number,
 }
 
--- Places of a profile that is not there yet, over `width` [mm] around the centre.
+-- Default positions of a profile's points, over `width` [mm] around the centre.
 local function places(given)
   local count, width = given.points or 61, given.width or 1
   local x = {}
@@ -41,8 +40,8 @@ local function check_one(number, given)
   if type(given) ~= "table" then check.refuse(where, field, "a table", given) end
   check.fields(where, given, own, field .. ".")
   if (given.of == nil) == (given.profile == nil) then
-    check.fail(where, ("field '%s': expected of=\"volume_cylinder\" and the like, or profile=\"cylinder\" or "
-      .. "\"plate\", one of them, got %s"):format(field, given.of and "both" or "neither"))
+    check.fail(where, ("field '%s': expected either of=\"volume_cylinder\" (or another column), or profile=\"cylinder\" or "
+      .. "\"plate\", got %s"):format(field, given.of and "both" or "neither"))
   end
   if given.distance == nil then check.refuse(where, field .. ".distance", own.distance.expected, nil) end
   if (given.error == nil) == (given.relative == nil or given.profile ~= nil) then
@@ -51,7 +50,7 @@ local function check_one(number, given)
   end
 end
 
--- What stands in place of a measurement until the start has run.
+-- A measurement with arbitrary values, used until the first run gives the expected ones.
 local function stand_in(one, distance)
   if not one.profile then
     return { of = one.of, distance = distance, value = 1, error = one.error or one.relative }
@@ -61,7 +60,7 @@ local function stand_in(one, distance)
     shift = one.shift, tilt = one.tilt, level = one.level }
 end
 
--- One item for each distance.
+-- Returns one item for each measurement and distance.
 local function read(given)
   local items = {}
   for number, one in ipairs(given.measure) do
@@ -78,14 +77,14 @@ local function read(given)
   return items
 end
 
--- Relative errors are of what the start says.
+-- Converts relative errors to absolute ones with the values of the first run.
 local function size_errors(problem, looks)
   local still = { shift = 0, tilt = 0, level = 0 }
   for _, item in ipairs(problem.items) do
     if item.relative then
       for i, value in ipairs(data.values(item, looks, still)) do
         if value <= 0 then
-          check.fail(where, ("%s at %g mm: the run says %g there, which has no relative error; give error=")
+          check.fail(where, ("%s at %g mm: the simulated value is %g, which has no relative error; give error=")
             :format(item.title, item.at, value))
         end
         item.error[i] = item.relative * value
@@ -96,8 +95,8 @@ end
 
 -- --- expected standard errors --------------------------------------------------------------------
 
--- Before any measurement an unknown is known to about what it can reasonably be: its start, or the
--- room between its bounds: so measurements that leave something open can be compared.
+-- The prior error of each unknown: its start value, or the width of its bounds. It keeps the errors finite if a
+-- measurement does not determine an unknown.
 local function prior_rows(problem)
   local rows = {}
   for j, one in ipairs(problem.unknowns) do
@@ -107,8 +106,8 @@ local function prior_rows(problem)
   return rows
 end
 
--- Columns of the rows that belong to the chosen items, with the prior below; parameters of position
--- of other items left out.
+-- Columns of the derivatives for the chosen items, with the rows of the prior below; without the position parameters of
+-- other items.
 local function columns_of(self, chosen)
   local columns = {}
   for j, one in ipairs(self.problem.parameters) do
@@ -124,7 +123,7 @@ local function columns_of(self, chosen)
   return columns
 end
 
--- { standard error of each unknown }, the correlations, and the sum of their logarithms.
+-- Returns the standard error of each unknown, the covariance, and the sum of the logarithms of the relative errors.
 local function expected(self, chosen)
   local columns = columns_of(self, chosen)
   local covariance, errors, sum = solve.covariance(columns), {}, 0
@@ -150,7 +149,7 @@ local function alone(self)
   return list
 end
 
--- The one to add that leaves the smallest errors, again and again.
+-- Greedy order: repeatedly adds the measurement that gives the smallest errors.
 local function best_order(self, most)
   local chosen, list = {}, {}
   for _ = 1, math.min(most, #self.problem.items) do
@@ -187,10 +186,10 @@ local class = { __name = "design", __fields = { "names", "units", "start", "prio
 local methods = {}
 class.__methods = methods
 
--- An error beside the value, in percent of it where there is one.
+-- The error, in percent of the start value if that is not 0.
 local function shown(self, name, value)
   local start, prior = self.start[name], self.prior_error[name]
-  if value > 0.9 * prior then return "cannot tell" end
+  if value > 0.9 * prior then return "undetermined" end
   return start ~= 0 and ("%.2g (%.2g %%)"):format(value, 100 * value / math.abs(start)) or ("%.2g"):format(value)
 end
 
@@ -200,7 +199,7 @@ local function row_of(self, first, one)
   return row
 end
 
--- The heads of a table, those given and one for each unknown.
+-- Column titles: the given ones and one for each unknown.
 local function heads(self, ...)
   local row = { ... }
   for i, name in ipairs(self.names) do
@@ -214,7 +213,7 @@ local function add_rows(lines, rows)
 end
 
 function class.__tostring(self)
-  local lines, rows = { ("design of a test for %s: standard errors to expect, %d runs"):format(
+  local lines, rows = { ("design of a test for %s: expected standard errors, %d runs"):format(
     table.concat(self.names, ", "), self.runs) }, { heads(self, "", "measurement", "at [mm]") }
   for _, one in ipairs(self.alone) do rows[#rows + 1] = row_of(self, "alone", one) end
   for i, one in ipairs(self.best) do rows[#rows + 1] = row_of(self, i == 1 and "best" or "then", one) end
@@ -243,8 +242,8 @@ strict.class(class)
 
 -- --- making --------------------------------------------------------------------------------------
 
--- Before there are data an unknown may be anywhere in what is known of it: slopes of what jumps from node
--- to node are those over about the standard deviation of that, to both sides.
+-- A design has no data yet, so the unknowns may be far from their start values. Slopes of values that change in steps
+-- are therefore taken over a range of about the unknown's prior standard deviation on both sides.
 local widest, intervals = 0.6, 16
 
 local function sensitivities(problem)
@@ -273,8 +272,8 @@ local function described(problem, self)
   return setmetatable(self, class)
 end
 
--- given: as of fit, with measure= instead of data=; common: the fields that both have; prepare: makes
--- the problem of items.
+-- given: the fields of fit{}, with measure= instead of data=; common: the fields that both have; prepare: makes the
+-- problem from items.
 return function(given, common, prepare)
   check.definition(where, given, merged(common, { measure = check.table, best = check.whole(1, 100) }))
   for _, name in ipairs{ "unknown", "measure" } do

@@ -1,6 +1,6 @@
--- Friction loops as data of a fit: the tangential force over the motion in one cycle, point by point
--- in the order of time. Each half of a loop, to and fro, is held against the same half of the run's:
--- forces at the measured places, or, where a force drives the run, places at the measured forces.
+-- Friction loops as data of a fit: the tangential force over the motion in one cycle, as points in the order of time.
+-- Each half of a loop is compared with the same half of the simulated loop: forces at the measured positions or, if a
+-- force drives the run, positions at the measured forces.
 
 local check = require "archard.lib.check"
 local statistics = require "archard.lib.statistics"
@@ -19,7 +19,7 @@ loop.kind = check.kind("a loop, with lists x [mm] and tangential [N] of one leng
   return type(v) == "table" and finite(v.x) and finite(v.tangential) and #v.x == #v.tangential and #v.x >= 8
 end)
 
--- Where the first list is least and greatest: there the motion turns.
+-- Indices of the smallest and the largest value, at which the motion reverses.
 local function ends_of(along)
   local low, high = 1, 1
   for i, value in ipairs(along) do
@@ -29,8 +29,8 @@ local function ends_of(along)
   return low, high
 end
 
--- Whether each point belongs to the way up, from the least to the greatest.
-local function way_up(along)
+-- For each point: true if it belongs to the half with increasing values.
+local function rising(along)
   local low, high = ends_of(along)
   local up, n = {}, #along
   for i = 1, n do up[i] = (i - low) % n <= (high - low) % n end
@@ -39,8 +39,8 @@ end
 
 local function copied(list) return table.move(list, 1, #list, 1, {}) end
 
--- from: { loop=, distance=, compliance=, shift=, level= }, checked; error: list or nil; by_force: the run
--- is driven by a force.
+-- from: checked { loop=, distance=, compliance=, shift=, level= }; errors: list or nil; by_force: true if a force
+-- drives the run.
 function loop.item(from, errors, by_force)
   local x, force = copied(from.loop.x), copied(from.loop.tangential)
   for i, f in ipairs(force) do x[i] = x[i] - (from.compliance or 0) * f end
@@ -49,15 +49,15 @@ function loop.item(from, errors, by_force)
   local low, high = ends_of(along)
   local width = math.abs(x[high] - x[low])
   return { kind = "loop", distance = from.distance, x = along, value = value, error = errors, by_force = by_force,
-    up = way_up(along), unit = by_force and "mm" or "N", fixed = { shift = from.shift, level = from.level },
+    up = rising(along), unit = by_force and "mm" or "N", fixed = { shift = from.shift, level = from.level },
     free = { { kind = "shift", span = width / 10, unit = "mm" },
       { kind = "level", span = statistics.largest(force), unit = "N" } },
     title = from.title or ("loop at %g mm"):format(from.distance) }
 end
 
--- --- what a run says in its place ----------------------------------------------------------------
+-- --- simulated values ----------------------------------------------------------------------------
 
--- The half of a loop from one index to another, round the end of the list, with growing `along`.
+-- The points of a loop between two indices, across the end of the list if needed, sorted by `along`.
 local function half(along, value, from, to)
   local points, n = {}, #along
   for step = 0, (to - from) % n do
@@ -68,7 +68,7 @@ local function half(along, value, from, to)
   return points
 end
 
--- Linear between points, beyond them that of the end.
+-- Linear interpolation between points, constant outside.
 local function at(points, x)
   local low, high = 1, #points
   if x <= points[low][1] then return points[low][2] end
@@ -81,31 +81,32 @@ local function at(points, x)
   return b[1] > a[1] and a[2] + (b[2] - a[2]) * (x - a[1]) / (b[1] - a[1]) or a[2]
 end
 
--- there: { x=, tangential= } of the run; it ends where it began, which counts once.
-function loop.values(item, there, place)
+-- there: { x=, tangential= } of the run; the last point repeats the first one and is not used. Returns the simulated
+-- values at the item's points. position: { shift=, level= }.
+function loop.values(item, there, position)
   local along, value = copied(there.x), copied(there.tangential)
   if item.by_force then along, value = value, along end
   along[#along], value[#value] = nil, nil
   local low, high = ends_of(along)
   local up, down = half(along, value, low, high), half(along, value, high, low)
-  local sideways = item.by_force and place.level or place.shift
-  local upwards = item.by_force and place.shift or place.level
+  local sideways = item.by_force and position.level or position.shift
+  local upwards = item.by_force and position.shift or position.level
   local list = {}
   for i, x in ipairs(item.x) do list[i] = at(item.up[i] and up or down, x - sideways) + upwards end
   return list
 end
 
--- --- units that cannot be --------------------------------------------------------------------------
+-- --- implausible units -----------------------------------------------------------------------------
 
--- Motions of run and data differ by less than a factor of 20.
-function loop.check_place(where, number, item, there)
+-- Checks that the ranges of the measured and the simulated loop differ by less than a factor of 20.
+function loop.check_position(where, number, item, there)
   local along = item.by_force and there.tangential or there.x
   local a, b = ends_of(item.x)
   local c, d = ends_of(along)
   local ratio = (item.x[b] - item.x[a]) / (along[d] - along[c])
   if ratio > 20 or ratio < 0.05 then
-    check.fail(where, ("field 'data[%d].loop.%s': spans %.3g, where the run's spans %.3g %s: expected numbers in "
-      .. "%s, or another motion of the run"):format(number, item.by_force and "tangential" or "x",
+    check.fail(where, ("field 'data[%d].loop.%s': range %.3g, the simulated range is %.3g %s: expected numbers in "
+      .. "%s, or another stroke or force of the run"):format(number, item.by_force and "tangential" or "x",
       item.x[b] - item.x[a], along[d] - along[c], item.by_force and "N" or "mm",
       item.by_force and "N" or "mm"))
   end

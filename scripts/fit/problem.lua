@@ -1,6 +1,5 @@
--- A fit as a problem of least squares: parameters (the unknowns, then the positions of profiles and loops),
--- weighted residuals, and their derivatives by differences of runs, with steps chosen by how noisy
--- runs are. Leans on fit/data.lua, fit/unknown.lua, fit/runs.lua, uncertainty/slope.lua.
+-- A fit as a least-squares problem: parameters (the unknowns, then the positions of profiles and loops), weighted
+-- residuals, and their derivatives by differences of runs, with steps chosen by the numerical noise of the runs.
 
 local check = require "archard.lib.check"
 local data = require "archard.fit.data"
@@ -12,21 +11,21 @@ problem.__index = problem
 
 -- --- residuals -----------------------------------------------------------------------------------
 
--- Where item `number` lies, by the values of all parameters.
-function problem:place(number, values)
+-- Position of item `number` for the values of all parameters.
+function problem:position(number, values)
   local fixed = self.items[number].fixed or {}
-  local place = { shift = fixed.shift or 0, tilt = fixed.tilt or 0, level = fixed.level or 0 }
+  local position = { shift = fixed.shift or 0, tilt = fixed.tilt or 0, level = fixed.level or 0 }
   for i, one in ipairs(self.positions) do
-    if one.item == number then place[one.kind] = values[#self.unknowns + i] end
+    if one.item == number then position[one.kind] = values[#self.unknowns + i] end
   end
-  return place
+  return position
 end
 
--- What the model says in place of all data, over their errors, in one list.
+-- Simulated values at all data points, divided by their errors, in one list.
 function problem:predict(looks, values)
   local list = {}
   for number, item in ipairs(self.items) do
-    for i, value in ipairs(data.values(item, looks, self:place(number, values))) do
+    for i, value in ipairs(data.values(item, looks, self:position(number, values))) do
       list[#list + 1] = value / item.error[i]
     end
   end
@@ -37,7 +36,7 @@ function problem:runs_at(values)
   return self.runs:one(table.move(values, 1, #self.unknowns, 1, {}))
 end
 
--- Model minus data over errors, and the roughness of curves.
+-- Residuals (simulated - measured) / error, followed by the roughness of curves.
 function problem:residuals(values)
   local list = self:predict(self:runs_at(values), values)
   for i, measured in ipairs(self.measured) do list[i] = list[i] - measured end
@@ -49,14 +48,15 @@ function problem:residuals(values)
   return list
 end
 
--- The same after a jacobian there: of what jumps by the lines through it.
+-- Residuals after a call of jacobian at the same values; values that change in steps are replaced by their regression
+-- lines.
 function problem:smoothed_residuals(values)
   local list = self:residuals(values)
   for m, middle in pairs(self.rippled) do list[m] = middle - self.measured[m] end
   return list
 end
 
--- How many times their errors the residuals are: 1 where the errors are right.
+-- Root mean square of the residuals: 1 if the errors are right.
 function problem:error_scale(values)
   local residuals, sum = self:residuals(values), 0
   for i = 1, #self.measured do sum = sum + residuals[i] ^ 2 end
@@ -71,7 +71,7 @@ local function changed(values, i, by)
   return copy
 end
 
--- The two values between which the derivative is taken: to both sides, or to the inner one.
+-- The two steps of a difference quotient: to both sides, or one side and 0 near a bound.
 local function stencil(self, values, i, central)
   local one = self.parameters[i]
   local step = self.step[central and "central" or "forward"] * one.span
@@ -88,16 +88,16 @@ local function column_between(high, low, width)
   return column
 end
 
--- Positions move without a run.
+-- Derivative by a position parameter, which needs no run.
 local function position_column(self, looks, values, i)
   local step = 1e-3 * self.parameters[i].span
   local up, down = changed(values, i, step), changed(values, i, -step)
   return column_between(self:predict(looks, up), self:predict(looks, down), 2 * step)
 end
 
--- What jumps from node to node answers to a parameter over a wide range only: values around one, evenly
--- spaced, all on the inner side where it is close to a bound. Its half, as a share of the value, and its
--- intervals for errors and on the way; who has no data takes a wider one.
+-- Values that change in steps from node to node show their dependence on a parameter only over a wide range. `widest`:
+-- half of this range as a share of the value; `many`, `few`: number of intervals for errors and during the search. Near
+-- a bound, the range is on one side. A design, which has no data, uses a wider range.
 problem.widest, problem.many = 0.24, 8
 local few, closest = 4, 0.05
 
@@ -116,13 +116,13 @@ local function spread(low, high, intervals)
   return list
 end
 
--- The rows of what jumps, in column i: slopes over the range. What the lines through it say in the middle
--- is added up over the unknowns.
+-- Fills the rows of stepwise values in column i with slopes over the range; adds the value of the regression line in
+-- the middle, averaged over the unknowns, to self.rippled.
 local function fill_rippled(self, column, values, i, central)
   local low, high = wide_range(self.unknowns[i], values[i], self.widest)
-  local points, wanted, rows = spread(low, high, central and self.many or few), {}, {}
-  for p, by in ipairs(points) do wanted[p] = changed(table.move(values, 1, #self.unknowns, 1, {}), i, by) end
-  for p, looks in ipairs(self.runs:many(wanted)) do rows[p] = self:predict(looks, values) end
+  local points, list, rows = spread(low, high, central and self.many or few), {}, {}
+  for p, by in ipairs(points) do list[p] = changed(table.move(values, 1, #self.unknowns, 1, {}), i, by) end
+  for p, looks in ipairs(self.runs:many(list)) do rows[p] = self:predict(looks, values) end
   local unit = high - low
   for p, by in ipairs(points) do points[p] = by / unit end
   for m in pairs(self.rippled) do
@@ -134,17 +134,17 @@ local function fill_rippled(self, column, values, i, central)
   end
 end
 
--- The columns of the derivative of predict by each parameter.
+-- The columns of the derivatives of predict by each parameter.
 function problem:jacobian(values, central)
-  local m, wanted, stencils = #self.unknowns, {}, {}
+  local m, list, stencils = #self.unknowns, {}, {}
   local own = table.move(values, 1, m, 1, {})
   for i = 1, m do
     local high, low = stencil(self, values, i, central)
     stencils[i] = { high, low }
-    wanted[2 * i - 1], wanted[2 * i] = changed(own, i, high), changed(own, i, low)
+    list[2 * i - 1], list[2 * i] = changed(own, i, high), changed(own, i, low)
   end
-  wanted[2 * m + 1] = own
-  local looks, columns = self.runs:many(wanted), {}
+  list[2 * m + 1] = own
+  local looks, columns = self.runs:many(list), {}
   for row in pairs(self.rippled) do self.rippled[row] = 0 end
   for i = 1, m do
     columns[i] = column_between(self:predict(looks[2 * i - 1], values),
@@ -157,7 +157,7 @@ function problem:jacobian(values, central)
   return columns
 end
 
--- The rows of roughness below the columns.
+-- Appends the rows of roughness to the columns.
 function problem:with_roughness(columns)
   for i, column in ipairs(columns) do
     for r, row in ipairs(self.rough) do
@@ -171,9 +171,9 @@ end
 
 local samples, spacing = 5, 1e-3
 
--- Runs that choose their own steps jump a little as values change. Differences of fourth order of
--- runs close by show this noise (the method of Hamming, as More and Wild use it); the step is the
--- one at which noise and curvature spoil a derivative least.
+-- Runs with automatic steps change slightly and irregularly with the values. This noise is estimated from fourth
+-- differences of runs with close values (the method of Hamming, as used by More and Wild); the difference step
+-- minimizes the sum of noise and curvature errors.
 function problem:measure_noise(values)
   local list = {}
   for s = 1, samples do
@@ -198,21 +198,22 @@ function problem:measure_noise(values)
   self.step.central = math.max(self.step.central, 1e-3)
 end
 
--- --- what jumps from node to node -----------------------------------------------------------------
+-- --- values that change in steps ------------------------------------------------------------------
 
-local jumps_above, counts = 0.03, 0.2 -- of the slope, between neighbours; of the error
+-- limits: of the jump between neighbours, relative to the slope; of the scatter, relative to the error
+local jumps_above, counts = 0.03, 0.2
 
--- What runs over a wide range of all unknowns at once say in place of the data, and where they lie.
+-- Runs over a wide range of all unknowns at once; returns the positions in the range and the simulated values.
 local function wide_rows(self, values)
-  local points, wanted, rows = spread(-0.5, 0.5, 2 * self.many), {}, {}
+  local points, list, rows = spread(-0.5, 0.5, 2 * self.many), {}, {}
   for p, t in ipairs(points) do
-    wanted[p] = table.move(values, 1, #self.unknowns, 1, {})
+    list[p] = table.move(values, 1, #self.unknowns, 1, {})
     for i, one in ipairs(self.unknowns) do
       local low, high = wide_range(one, values[i], self.widest)
-      wanted[p][i] = values[i] + low + (high - low) * (t + 0.5)
+      list[p][i] = values[i] + low + (high - low) * (t + 0.5)
     end
   end
-  for p, looks in ipairs(self.runs:many(wanted)) do rows[p] = self:predict(looks, values) end
+  for p, looks in ipairs(self.runs:many(list)) do rows[p] = self:predict(looks, values) end
   return points, rows
 end
 
@@ -223,7 +224,7 @@ local function has_jumping(items)
   return false
 end
 
--- Marks the values that jump. They are told no better than they scatter, if their errors are told.
+-- Marks the values that change in steps. If the user gave errors, the scatter of the values is added to them.
 function problem:measure_ripple(values, told)
   if not has_jumping(self.items) then return end
   local points, rows = wide_rows(self, values)
@@ -248,22 +249,22 @@ end
 
 -- --- making --------------------------------------------------------------------------------------
 
--- A parameter to which no value answers cannot be found.
+-- Refuses an unknown that has no effect on any value.
 function problem:refuse_idle(columns)
   for i, one in ipairs(self.unknowns) do
     local sum = 0
     for _, value in ipairs(columns[i]) do sum = sum + value * value end
     if math.sqrt(sum) * one.span <= 1e-6 then
-      check.fail(self.where, ("unknown '%s' does nothing: no value that was measured answers to it; "
-        .. "leave it out, or measure what does"):format(one.name))
+      check.fail(self.where, ("unknown '%s' has no effect on any measured value; "
+        .. "remove it, or add a measurement that depends on it"):format(one.name))
     end
   end
 end
 
--- unknowns, items: as fit/unknown.lua and fit/data.lua have them; runs: fit/runs.lua.
+-- unknowns, items: from fit/unknown.lua and fit/data.lua; runs: from fit/runs.lua.
 function problem.new(where, unknowns, items, runs)
   local self = setmetatable({ where = where, unknowns = unknowns, items = items, runs = runs,
-    positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {}, -- by row
+    positions = data.positions(items), parameters = {}, rough = {}, smooth = 0, rippled = {}, -- by row of the residuals
     step = { forward = 1e-4, central = 1e-3 } }, problem)
   for _, one in ipairs(unknowns) do self.parameters[#self.parameters + 1] = one end
   for _, one in ipairs(self.positions) do self.parameters[#self.parameters + 1] = one end
@@ -271,7 +272,7 @@ function problem.new(where, unknowns, items, runs)
   return self
 end
 
--- The data over their errors.
+-- Computes the measured values divided by their errors.
 function problem:weigh()
   self.measured = {}
   for _, item in ipairs(self.items) do
@@ -279,7 +280,7 @@ function problem:weigh()
   end
 end
 
--- Roughness counts with this weight from now on.
+-- Sets the weight of the roughness of curves.
 function problem:smooth_by(weight)
   self.smooth = weight
   self.rough = weight > 0 and unknown.roughness(self.unknowns) or {}

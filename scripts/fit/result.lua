@@ -1,5 +1,4 @@
--- What a fit has found, as an object: values, how sure they are, bands, residuals, what the data
--- cannot tell, and the run that goes on. Leans on lib/statistics.lua.
+-- The result of a fit: values, standard errors, bands, residuals, notes on undetermined unknowns, and the final run.
 
 local data = require "archard.fit.data"
 local statistics = require "archard.lib.statistics"
@@ -10,7 +9,7 @@ local result = {}
 
 -- --- numbers -------------------------------------------------------------------------------------
 
--- By name of the unknown; of a curve the list of its knots.
+-- Values by the name of the unknown; for a curve the list of its knot values.
 local function by_path(problem, list)
   local named = {}
   for i, one in ipairs(problem.unknowns) do
@@ -28,8 +27,8 @@ local function clipped(one, value)
   return math.max(one.low or -math.huge, math.min(one.high or math.huge, value))
 end
 
--- Of a parameter that a direction unseen runs through, or that stands at its bound, nothing is known.
-local function blind_to(found, problem)
+-- Parameters without a standard error: those at a bound and those in a direction that the data do not determine.
+local function undetermined(found, problem)
   local blind = {}
   for _, direction in ipairs(found.unseen) do
     for _, i in ipairs(direction) do blind[i] = true end
@@ -39,7 +38,7 @@ local function blind_to(found, problem)
 end
 
 local function deviations(found, problem, scale)
-  local blind, list = blind_to(found, problem), {}
+  local blind, list = undetermined(found, problem), {}
   for i, row in ipairs(found.covariance) do
     list[i] = blind[i] and math.huge or scale * math.sqrt(row[i])
   end
@@ -58,7 +57,7 @@ local function correlations(found)
   return list
 end
 
--- Standard error of a combination of the parameters.
+-- Standard error of a linear combination of the parameters.
 local function along(covariance, derivative)
   local sum = 0
   for a, row in ipairs(covariance) do
@@ -71,19 +70,19 @@ end
 
 -- --- bands ---------------------------------------------------------------------------------------
 
--- Each set of data with what the model says: lists x (or distance), value, error, model, low, high,
--- residual (value - model, over the error).
+-- Each set of data with its simulated values: lists x (or distance), value, error, model, low, high, residual ((value -
+-- model) / error).
 local function described(self, problem, found, scale, deviation)
   local looks, row, list = problem:runs_at(found.values), 0, {}
   for number, item in ipairs(problem.items) do
-    local place = problem:place(number, found.values)
-    local model, low, high, residual, err = data.values(item, looks, place), {}, {}, {}, {}
+    local position = problem:position(number, found.values)
+    local model, low, high, residual, err = data.values(item, looks, position), {}, {}, {}, {}
     for i, value in ipairs(model) do
       row = row + 1
       local derivative = {}
       for j, column in ipairs(found.columns) do derivative[j] = column[row] end
-      local room = self.times * scale * item.error[i] * along(found.covariance, derivative)
-      low[i], high[i], err[i] = value - room, value + room, (self.told and 1 or scale) * item.error[i]
+      local margin = self.times * scale * item.error[i] * along(found.covariance, derivative)
+      low[i], high[i], err[i] = value - margin, value + margin, (self.told and 1 or scale) * item.error[i]
       residual[i] = (item.value[i] - value) / err[i]
     end
     list[number] = { title = item.title, unit = item.unit, body = item.body, of = item.of, kind = item.kind,
@@ -100,7 +99,7 @@ local function described(self, problem, found, scale, deviation)
   return list
 end
 
--- Curves over the distance, as wear{} takes them, and the same with their bands.
+-- Fitted curves over the distance as tables for wear{}, and their bands.
 local function curves(self, problem, found, scale)
   local list, bands = {}, {}
   for _, curve in ipairs(problem.unknowns.curves) do
@@ -118,8 +117,8 @@ local function curves(self, problem, found, scale)
       for a = 1, #found.covariance do
         derivative[a] = shifted[a] and (shifted[a][1][i] - value) / shifted[a][2] or 0
       end
-      local room = self.times * scale * along(found.covariance, derivative)
-      low[i], high[i] = clipped(one, value - room), clipped(one, value + room)
+      local margin = self.times * scale * along(found.covariance, derivative)
+      low[i], high[i] = clipped(one, value - margin), clipped(one, value + margin)
     end
     list[curve.path] = series
     bands[curve.path] = { distance = series.distance, value = series.value, low = low, high = high }
@@ -127,7 +126,7 @@ local function curves(self, problem, found, scale)
   return strict.table(list, "fit.curve"), strict.table(bands, "fit.band")
 end
 
--- --- what must be said ---------------------------------------------------------------------------
+-- --- notes ---------------------------------------------------------------------------------------
 
 local function names_of(problem, list)
   local words = {}
@@ -139,8 +138,8 @@ end
 local function note_bounds(notes, problem)
   for _, one in ipairs(problem.parameters) do
     if one.bound then
-      notes[#notes + 1] = ("%s is at its %s bound, %g: it has no standard error, and those of the others "
-        .. "hold for it there. Widen the bound, or see whether the model can say what was measured"):format(
+      notes[#notes + 1] = ("%s is at its %s bound, %g: it has no standard error, and the other standard errors "
+        .. "assume this value. Widen the bound, or check whether the model can reproduce the data"):format(
         one.name, one.bound == "low" and "lower" or "upper", one[one.bound])
     end
   end
@@ -155,22 +154,22 @@ local function note_unseen(notes, problem, found)
       if not idle[i] then free[#free + 1] = i end
     end
     if #free > 1 then
-      notes[#notes + 1] = ("%s cannot be told apart by these data: only a combination of them is known")
+      notes[#notes + 1] = ("the data determine only a combination of %s")
         :format(names_of(problem, free))
     elseif #free == 1 then
-      notes[#notes + 1] = ("%s cannot be told from these data"):format(names_of(problem, free))
+      notes[#notes + 1] = ("the data do not determine %s"):format(names_of(problem, free))
     end
   end
 end
 
 local function note_correlated(notes, self, problem, found)
-  local blind = blind_to(found, problem)
+  local blind = undetermined(found, problem)
   for a = 1, #problem.unknowns do
     for b = 1, #problem.parameters do
       local value = self.correlation[a][b]
       if b > a and math.abs(value) > 0.95 and not (blind[a] and blind[b]) then
-        notes[#notes + 1] = ("%s and %s are hard to tell apart (correlation %.3f); fit.design shows what "
-          .. "would"):format(problem.parameters[a].name, problem.parameters[b].name, value)
+        notes[#notes + 1] = ("%s and %s are strongly correlated (%.3f); fit.design shows which "
+          .. "measurements separate them"):format(problem.parameters[a].name, problem.parameters[b].name, value)
       end
     end
   end
@@ -178,19 +177,19 @@ end
 
 local function note_vague(notes, problem, found, deviation)
   for i, one in ipairs(problem.unknowns) do
-    local room = one.low and one.high and (one.high - one.low) / 4 or math.abs(found.values[i]) / 2
-    if deviation[i] < math.huge and deviation[i] > room then
-      notes[#notes + 1] = ("the data hardly tell %s"):format(one.name)
+    local limit = one.low and one.high and (one.high - one.low) / 4 or math.abs(found.values[i]) / 2
+    if deviation[i] < math.huge and deviation[i] > limit then
+      notes[#notes + 1] = ("the data hardly determine %s"):format(one.name)
     end
   end
 end
 
--- Of what jumps from node to node a mesh tells no more than its scatter.
+-- Notes the scatter of values that change in steps, which limits their accuracy on a given mesh.
 local function note_rippled(notes, problem)
   for _, item in ipairs(problem.items) do
     if item.rippled then
-      notes[#notes + 1] = ("%s: the model's values move from node to node and scatter by up to %.2g %s, which "
-        .. "is in the errors; finer elements (mesh.size) scatter less"):format(item.title, item.rippled, item.unit)
+      notes[#notes + 1] = ("%s: the simulated values change in steps from node to node and scatter by up to %.2g %s, which "
+        .. "is included in the errors; a smaller mesh.size reduces it"):format(item.title, item.rippled, item.unit)
     end
   end
 end
@@ -199,10 +198,10 @@ local function note_residuals(notes, self)
   if not self.told or self.freedom < 1 then return end
   local off = (self.reduced - 1) / math.sqrt(2 / self.freedom)
   if off > 4 then
-    notes[#notes + 1] = ("residuals are %.2g times the errors given: the errors are too small or the model "
-      .. "lacks something; standard errors are those that the errors given imply"):format(math.sqrt(self.reduced))
+    notes[#notes + 1] = ("residuals are %.2g times the given errors: the errors are too small or the model "
+      .. "is incomplete; the standard errors assume the given errors"):format(math.sqrt(self.reduced))
   elseif off < -4 then
-    notes[#notes + 1] = ("residuals are only %.2g of the errors given: are those too large?"):format(
+    notes[#notes + 1] = ("residuals are only %.2g times the given errors: are the errors too large?"):format(
       math.sqrt(self.reduced))
   end
 end
@@ -230,9 +229,9 @@ local function line_of(self, i, unit)
   local text = ("  %-16s %s"):format(self.names[i], shown(self.values[i]))
   unit = unit ~= "" and " " .. unit or ""
   if self.errors[i] == math.huge then return ("%s%s, without a standard error"):format(text, unit) end
-  local room = self.times * self.errors[i]
+  local margin = self.times * self.errors[i]
   return ("%s +- %s%s, %s to %s"):format(text, ("%.2g"):format(self.errors[i]), unit,
-    shown(clipped(self.bounds[i], self.values[i] - room)), shown(clipped(self.bounds[i], self.values[i] + room)))
+    shown(clipped(self.bounds[i], self.values[i] - margin)), shown(clipped(self.bounds[i], self.values[i] + margin)))
 end
 
 local function rms(list)
@@ -242,7 +241,7 @@ local function rms(list)
 end
 
 local function data_line(item)
-  local line = ("  %s: %d value%s, residuals %.2f of the errors"):format(item.title, #item.value,
+  local line = ("  %s: %d value%s, rms of residual / error %.2f"):format(item.title, #item.value,
     #item.value == 1 and "" or "s", rms(item.residual))
   for _, name in ipairs{ "shift", "tilt", "level" } do
     local place = item.place and item.place[name]
@@ -256,7 +255,7 @@ local function data_line(item)
   return line
 end
 
--- Three pairs a line, of few unknowns all.
+-- Adds the correlations, three pairs on a line, if there are at most ten.
 local function add_correlations(lines, self)
   local words = {}
   for a = 1, #self.names do
@@ -270,7 +269,7 @@ local function add_correlations(lines, self)
   end
 end
 
--- Words of a note in lines that fit a terminal.
+-- Wraps a note to lines that fit a terminal.
 local function wrapped(text)
   local lines, line = {}, "  note:"
   for word in text:gmatch("%S+") do
@@ -288,12 +287,12 @@ function class.__tostring(self)
     #self.data, #self.data == 1 and "" or "s", self.iterations, self.runs) }
   for i in ipairs(self.names) do lines[#lines + 1] = line_of(self, i, self.units[i]) end
   lines[#lines + 1] = ("  +-: standard error; range: %g %% confidence%s"):format(100 * self.confidence,
-    self.told and "" or "; the errors of the data from their residuals")
+    self.told and "" or "; errors of the data estimated from the residuals")
   add_correlations(lines, self)
   if self.smooth > 0 then lines[#lines + 1] = ("  smoothness       weight %.3g"):format(self.smooth) end
   for _, item in ipairs(self.data) do lines[#lines + 1] = data_line(item) end
   if self.told then
-    lines[#lines + 1] = ("  chi2 %.4g at %d degrees of freedom"):format(self.chi2, self.freedom)
+    lines[#lines + 1] = ("  chi2 %.4g with %d degrees of freedom"):format(self.chi2, self.freedom)
   end
   for _, note in ipairs(self.notes) do lines[#lines + 1] = wrapped(note) end
   return table.concat(lines, "\n")
@@ -309,7 +308,7 @@ end
 
 local function head(list, count) return table.move(list, 1, count, 1, {}) end
 
--- problem, found: of fit/problem.lua and fit/solve.lua; told: whether errors of the data are known.
+-- problem, found: of fit/problem.lua and fit/solve.lua; told: true if the user gave the errors of the data.
 function result.new(problem, found, told, confidence)
   local m, count = #problem.unknowns, #problem.measured
   local self = { told = told, confidence = confidence, count = count, iterations = found.iterations,

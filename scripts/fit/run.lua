@@ -1,5 +1,4 @@
--- fit{} and fit.design{}: what users give, checked and made the problem that fit/solve.lua solves. Leans
--- on the other files of this folder.
+-- fit{} and fit.design{}: checks the user's fields and makes the problem that fit/solve.lua solves.
 
 local check = require "archard.lib.check"
 local check_names = require "archard.study.names"
@@ -22,16 +21,16 @@ local common = { model = model_kind, base = check.table, unknown = check.table, 
   workers = check.whole(1, 256), progress = check.progress, confidence = check.share }
 local fields = merged(common, { data = check.table })
 
--- What is looked for has its number in `unknown` only.
+-- Refuses a field of base that is also an unknown.
 local function refuse_double(name, base, unknowns)
   for field in pairs(unknowns) do
     if base[field] ~= nil then
-      check.fail(name, ("field 'base.%s': %s is an unknown; its start stands in unknown.%s"):format(field, field, field))
+      check.fail(name, ("field 'base.%s': %s is an unknown; give its start value in unknown.%s"):format(field, field, field))
     end
   end
 end
 
--- The fields of wear{} of all runs: long enough for the last measurement.
+-- The fields of wear{} for all runs, long enough for the last measurement.
 local function base_of(name, given, what)
   local base = merged(check.definition(name, given.base or {}, check.anything, nil, "base"), { model = given.model })
   local flat = {}
@@ -57,40 +56,40 @@ local function is_by_force(base)
   return loading.tangential ~= nil or type(loading[1]) == "table" and loading[1].tangential ~= nil
 end
 
--- How the runs move, as far as data ask: `way` is the sliding of a cycle [mm].
+-- Functions and flags on the motion for data.read: `path` returns the sliding distance of a cycle [mm].
 local function motion_of(name, given, unknowns)
   local base = merged(given.base, { model = given.model })
-  local function way()
+  local function path()
     local first = runs.new(name, base, unknowns, nil, {}):given(start_of(unknowns))
     local run <close> = wear(first)
     return run.total_distance / run.cycles
   end
-  return { way = way, by_force = is_by_force(base) }
+  return { path = path, by_force = is_by_force(base) }
 end
 
--- The bodies of all runs, as they are given.
+-- The user's model, or nil.
 local function model_of(given)
   if given.model ~= nil then return given.model end
   return type(given.base) == "table" and given.base.model or nil
 end
 
--- The parts that a fit and a design have in common; about so many runs for each unknown.
+-- Makes the problem of a fit or a design; `each`: estimated number of runs for each unknown.
 local function prepare(name, given, items, each)
   local unknowns = unknown.read(name, given.unknown, model_of(given))
-  local what = data.wanted(items)
+  local what = data.required(items)
   local options = { file = given.file, workers = given.workers, progress = given.progress,
     counter = run_counter.new(name, 3 + each * (#unknowns + 1), given.progress) }
   local all = runs.new(name, base_of(name, given, what), unknowns, what, options)
   return problems.new(name, unknowns, items, all)
 end
 
--- Errors that are told need no residuals.
+-- Refuses more unknowns than data; without errors, at least one more value is needed to estimate them.
 local function refuse_few(problem, told)
-  local count, wanted = #problem.measured, #problem.parameters
-  if count > wanted or told and count == wanted then return end
-  check.fail(where, ("too few data: %d value%s for %d unknown%s (%d to be found, %d positions of profiles and loops); "
-    .. "measure more, leave unknowns out, or fix shift, tilt and level"):format(count, count == 1 and "" or "s",
-    wanted, wanted == 1 and "" or "s", #problem.unknowns, #problem.positions))
+  local count, needed = #problem.measured, #problem.parameters
+  if count > needed or told and count == needed then return end
+  check.fail(where, ("too few data: %d value%s for %d unknown%s (%d fields, %d positions of profiles and loops); "
+    .. "add data, remove unknowns, or fix shift, tilt and level"):format(count, count == 1 and "" or "s",
+    needed, needed == 1 and "" or "s", #problem.unknowns, #problem.positions))
 end
 
 local function need(name, given, list)

@@ -1,6 +1,5 @@
--- The runs of a fit: one for each set of values that is tried, in this process, or by the workers of
--- studies with a run file that keeps them. What has been computed is not computed again, by a later
--- call with the same file neither. Leans on study/observe.lua, study/run.lua and archard.store.
+-- The runs of a fit, one for each set of values, computed in this process or, with a run file, by the workers of a
+-- study. Runs in the file are not computed again, also in a later call.
 
 local check = require "archard.lib.check"
 local observe = require "archard.study.observe"
@@ -11,7 +10,7 @@ local unknown = require "archard.fit.unknown"
 local runs = {}
 runs.__index = runs
 
--- A set of values as the label of its case, exactly.
+-- The label of a case: its values with all digits.
 local function label_of(self, values)
   local words = {}
   for i, one in ipairs(self.unknowns) do words[i] = ("%s %.17g"):format(one.name, values[i]) end
@@ -41,11 +40,11 @@ end
 local function fail_at(self, label, why)
   if type(why) ~= "table" then error(why, 0) end
   if why.code == "STOPPED" then error(why, 0) end
-  check.fail(self.where, ("the run with %s failed: %s. Closer bounds (low, high) keep the search "
-    .. "away from there"):format(label, why.message), why.code)
+  check.fail(self.where, ("the run with %s failed: %s. Narrower bounds (low, high) can keep the search "
+    .. "away from these values"):format(label, why.message), why.code)
 end
 
--- What the engine warns of is told once: of the first run, and of the one that the fit ends with.
+-- Computes one run. Its warnings are shown only for the first run and for the final run of the fit.
 local function compute_here(self, label, values)
   if self.count > 0 then warn "@off" end
   local fine, looks, run = pcall(observe.run, self:given(values), self.what)
@@ -70,12 +69,12 @@ local function same_fit(self, store)
     store:set_info("fit", base)
     store:set_info("program", "archard " .. require "archard".version)
   elseif store:info("kind") ~= "fit" or store:info("fit") ~= base then
-    check.fail(self.where, ("%s holds another fit, or none; name another file, or remove it"):format(
+    check.fail(self.where, ("%s contains another fit or other data; give another file name, or remove the file"):format(
       store.path), "ARGUMENT")
   end
 end
 
--- Flat settings as text: a fit goes on in a file that has been made with the same ones.
+-- The base settings as text, by which the file of an earlier fit is recognized.
 local function fingerprint(where, base)
   local lines = {}
   for name, value in pairs(settings.carrier(where)(settings.flatten(where, base))) do
@@ -138,7 +137,7 @@ end
 
 -- --- both ----------------------------------------------------------------------------------------
 
--- The looks of each set of values in a list, in its order.
+-- The observed results for each set of values in the list, in the same order.
 function runs:many(list)
   local wanted, seen, result = {}, {}, {}
   for _, values in ipairs(list) do
@@ -158,13 +157,13 @@ end
 
 function runs:one(values) return self:many{ values }[1] end
 
--- The run of a set of values as a wear object, at the last distance.
+-- The run for a set of values as a wear object, at the last distance.
 function runs:wear(values)
   local _, run = observe.run(self:given(values), self.what)
   return run
 end
 
--- What is changed inside a model must be there as a table.
+-- Converts a model object to a table of its fields if an unknown changes a field of the model.
 local function open_model(where, base, unknowns)
   for _, one in ipairs(unknowns) do
     if one.paths[1]:match("^model%.") and base.model ~= nil then
@@ -174,7 +173,7 @@ local function open_model(where, base, unknowns)
   end
 end
 
--- options: file, workers, progress, counter (of lib/run_counter.lua)
+-- options: file, workers, progress, counter (a run_counter).
 function runs.new(where, base, unknowns, what, options)
   local self = setmetatable({ where = where, base = deep(where, base, "base."), unknowns = unknowns, what = what,
     file = options.file, progress = options.progress, counter = options.counter, known = {}, cases = {}, last = 0, count = 0,

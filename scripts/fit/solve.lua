@@ -1,6 +1,5 @@
--- The search for the best parameters of a problem, and how sure they are: standard errors,
--- correlations, what the data cannot tell, and the weight of smoothness by cross-validation. Leans on
--- archard.least_squares.
+-- Searches for the best parameters of a problem and computes standard errors, correlations, undetermined directions,
+-- and the weight of smoothness by cross-validation.
 
 local check = require "archard.lib.check"
 local least_squares = require "archard.least_squares"
@@ -8,7 +7,8 @@ local unknown = require "archard.fit.unknown"
 
 local solve = {}
 
-local most, small = 60, 1e-4 -- iterations; the last step, over what a variable can do
+-- largest number of iterations; tolerance of the last step, relative to the parameter's typical size
+local most, small = 60, 1e-4
 
 -- --- linear algebra of columns -------------------------------------------------------------------
 
@@ -26,7 +26,7 @@ local function norm(list)
   return math.sqrt(sum)
 end
 
--- Singular values of columns brought to length 1: u, s, v flat row by row, and the lengths.
+-- Singular value decomposition of the columns scaled to length 1: u, s, v as flat lists by row, and the scale factors.
 local function decompose(columns)
   local scales, lengths = {}, {}
   for j, column in ipairs(columns) do
@@ -38,11 +38,12 @@ local function decompose(columns)
   return { u = u, s = s, v = v, scales = scales, rows = #columns[1], size = #columns }
 end
 
--- What is seen as 0 next to the largest singular value: derivatives by differences are not better.
+-- Singular values below this share of the largest one are taken as 0, as derivatives by differences are not more
+-- accurate.
 local blind = 1e-5
 
--- Covariance of the parameters of columns; `unseen` lists the directions that the data do not see,
--- each a list of the parameters in it.
+-- Covariance of the parameters; `unseen`: the directions that the data do not determine, each a list of the parameters
+-- involved.
 function solve.covariance(columns)
   local d = decompose(columns)
   local p, covariance, unseen = d.size, {}, {}
@@ -77,14 +78,14 @@ local function values_of(parameters, u)
   return values, slopes
 end
 
--- What a run that fails on the way stands for: worse than the start, so that the step is shortened.
+-- Residuals used for a failed run: larger than at the start, so that the step is shortened.
 local function beyond_all(list)
   local far = {}
   for i = 1, #list do far[i] = 1e3 * (1 + norm(list)) end
   return far
 end
 
--- Keeps the best values so far, for those who end the search.
+-- Stores the best values found up to now in fit.best, for use after an interruption.
 local function keep_best(problem, values, residuals)
   local chi2 = norm(residuals) ^ 2
   if chi2 >= (problem.least or math.huge) then return end
@@ -95,8 +96,8 @@ local function keep_best(problem, values, residuals)
   problem.runs.counter:better(solve.shown(problem, values), "fit.best")
 end
 
--- Searches from where each parameter's `start` is; returns the values and the iterations. With
--- derivatives to one side, which cost half as many runs, unless told otherwise.
+-- Searches from each parameter's `start`; returns the values and the number of iterations. Without `central`, one-sided
+-- derivatives are used, which need half as many runs.
 local function search(problem, central)
   local parameters, first, far = problem.parameters, {}, nil
   for i = 1, #parameters do first[i] = 1 end
@@ -123,7 +124,8 @@ local function search(problem, central)
   return values_of(parameters, u), iterations
 end
 
--- How far the next step would go, over the standard errors, among parameters off their bounds; and the step.
+-- Returns the largest next step divided by its standard error among parameters that are not at a bound, the name of
+-- that parameter, and the step.
 local function unfinished(problem, values, columns, covariance)
   local residuals, gradient, worst, name, steps = problem:smoothed_residuals(values), {}, 0, nil, {}
   for j, column in ipairs(columns) do
@@ -140,7 +142,7 @@ local function unfinished(problem, values, columns, covariance)
   return worst, name, steps
 end
 
--- Marks parameters at their bounds, whose derivatives say nothing about the others' errors.
+-- Marks the parameters at their bounds; they are excluded from the standard errors of the others.
 local function mark_bounds(problem, values)
   for i, one in ipairs(problem.parameters) do one.bound = unknown.at_bound(one, values[i]) end
 end
@@ -164,12 +166,12 @@ local function finish(problem, values, iterations)
     iterations = iterations, off = worst, off_name = name, step = step }
 end
 
--- How far the next step may go, over the standard errors: else derivatives to both sides are used,
--- and with those the noise of runs is allowed for.
+-- Limits of the next step divided by the standard error: above `enough` the search is repeated with central
+-- derivatives; above `tolerable`, which allows for numerical noise, it has failed.
 local enough, tolerable = 0.1, 0.3
 
--- Values that jump from node to node stop the search at any of them: from there on steps go by the lines
--- through what they say.
+-- Largest number of extra steps if values change in steps, which stop the search early. These steps use the regression
+-- lines through the values.
 local polishing = 8
 
 local function polish(problem, found, beyond)
@@ -193,14 +195,14 @@ local function from(problem, values)
 end
 
 local function refuse_unsettled(problem, found)
-  check.fail(problem.where, ("no convergence: after %d iterations %s is still %.2g standard errors from "
-    .. "where it would go next (now %s). Start nearer, fix an unknown that the data hardly tell, or "
+  check.fail(problem.where, ("no convergence: after %d iterations the next step of %s is still %.2g standard errors "
+    .. "(now %s). Give better start values, fix an unknown that the data hardly determine, or "
     .. "give steps that do not depend on the values (a fixed jump)"):format(found.iterations,
     found.off_name, found.off, solve.shown(problem, found.values)), "NOT_CONVERGED")
 end
 
--- Searches, and once more from where it ended if that was too early. Where residuals are larger than
--- the errors given, standard errors are too small a measure.
+-- Searches, and repeats the search with central derivatives if it stopped too early. If residuals exceed the given
+-- errors, the limits are scaled by their ratio.
 local function settle(problem)
   local function beyond(found, limit)
     return found.off > limit and found.off > limit * problem:error_scale(found.values)
@@ -224,8 +226,8 @@ end
 
 -- --- smoothness by cross-validation ---------------------------------------------------------------
 
--- The error in predicting each value from all others, to first order about a fit: residual over what
--- the value does not decide itself. `columns` without roughness.
+-- Mean square error in predicting each value from all others, to first order: residual / (1 - leverage). `columns` is
+-- without the rows of roughness.
 local function left_out(problem, columns, residuals, values, weight)
   local before = problem.smooth
   problem:smooth_by(weight)
@@ -256,7 +258,7 @@ local function left_out(problem, columns, residuals, values, weight)
   return sum / n
 end
 
--- The weight of roughness that predicts best, of a row of them.
+-- The weight of roughness with the smallest prediction error in a series of weights.
 local function choose_weight(problem, found)
   problem:smooth_by(0)
   local residuals, columns = problem:residuals(found.values), problem:jacobian(found.values, true)
@@ -269,9 +271,9 @@ local function choose_weight(problem, found)
   return best
 end
 
--- --- all of it -----------------------------------------------------------------------------------
+-- --- the whole fit -------------------------------------------------------------------------------
 
--- weight: of roughness, or "auto"; told: whether the data have their own errors
+-- weight: weight of the roughness, or "auto"; told: true if the user gave the errors of the data.
 function solve.fit(problem, weight, told)
   local start = {}
   for i, one in ipairs(problem.parameters) do start[i] = one.start end

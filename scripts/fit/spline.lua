@@ -1,19 +1,18 @@
--- Values at knots as a curve over the distance: cubic between knots, with slopes that keep it
--- monotonic where the knots are (Fritsch and Butland), as a table that wear{} takes, linear between
--- close points.
+-- Interpolates knots by a monotone cubic curve (Fritsch and Butland), returned as a table for
+-- wear{} with closely spaced points, linear between them.
 
 local spline = {}
 
-local pieces = 8 -- points to the next knot
+local pieces = 8 -- points per knot interval
 
--- The slope at an inner knot: harmonic mean of those beside it, 0 at a turning point.
+-- Slope at an inner knot: weighted harmonic mean of both neighbouring slopes, 0 at an extremum.
 local function inner(a, b, length_a, length_b)
   if a * b <= 0 then return 0 end
   local wa, wb = length_a + 2 * length_b, 2 * length_a + length_b
   return (wa + wb) / (wa / a + wb / b)
 end
 
--- The slope at an end: of the parabola through three knots, held to what keeps the sign.
+-- Slope at an end: of the parabola through three knots, limited to keep the curve monotone.
 local function outer(first, second, length, next_length)
   local slope = ((2 * length + next_length) * first - length * second) / (length + next_length)
   if slope * first <= 0 then return 0 end
@@ -34,7 +33,7 @@ local function slopes(knots, value)
   return list
 end
 
--- Hermite's cubic at a share t of an interval.
+-- Cubic Hermite polynomial at the share t of an interval.
 local function at(t, length, from, to, slope, next_slope)
   local s = 1 - t
   return from * s * s * (1 + 2 * t) + to * t * t * (1 + 2 * s)

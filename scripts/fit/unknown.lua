@@ -1,6 +1,5 @@
--- The unknowns of a fit: any number of wear{}, model{} and bodies, or k and alpha as curves over
--- the distance. Each number that is looked for is a parameter; bounds are kept by a
--- change of variables. Leans on the lists of settings for names, ranges and units.
+-- The unknowns of a fit: numbers of wear{}, model{} and bodies, or k and alpha as curves over the distance. Each number
+-- is a parameter; bounds are enforced by a change of variables.
 
 local check = require "archard.lib.check"
 local check_names = require "archard.study.names"
@@ -11,22 +10,22 @@ local spline = require "archard.fit.spline"
 
 local unknown = {}
 
--- --- what is given -------------------------------------------------------------------------------
+-- --- the fields ----------------------------------------------------------------------------------
 
 local not_below_0 = check.kind("a number >= 0", function(v) return check.number.test(v) and v >= 0 end)
-local distances = check.list_of(not_below_0, "growing distances", true)
-local knots = check.kind("at least two growing distances [mm]", function(v)
+local distances = check.list_of(not_below_0, "increasing distances", true)
+local knots = check.kind("at least two increasing distances [mm]", function(v)
   return distances.test(v) and #v > 1
 end)
 local starts = check.list_of(check.number, "numbers")
-local start_kind = check.kind("a number, or one for each knot", function(v)
+local start_kind = check.kind("a number, or a list with one for each knot", function(v)
   return check.number.test(v) or starts.test(v)
 end)
 local fields = { start = start_kind, low = check.number, high = check.number, knots = knots,
   smooth = check.one_of({ "auto" }, not_below_0) }
 unknown.fields = fields
 
--- How far a parameter can reasonably go: what its steps and its prior are measured by.
+-- Typical range of a parameter: the unit of its steps and its prior error.
 local function span_of(one)
   if one.low and one.high then return one.high - one.low end
   if one.low then return one.start - one.low end
@@ -34,7 +33,7 @@ local function span_of(one)
   return one.start ~= 0 and math.abs(one.start) or 1
 end
 
--- Bounds in order, and within what the setting can be.
+-- Checks that bounds are in order and within the range of the setting.
 local function check_bounds(where, field, setting, given)
   for _, name in ipairs{ "low", "high" } do
     local value = given[name]
@@ -49,7 +48,7 @@ local function check_bounds(where, field, setting, given)
   end
 end
 
--- name: as the user has it; its paths: where the numbers stand in wear{}.
+-- name: the user's name; given.paths: paths of the setting in wear{}.
 local function parameter(where, field, name, setting, given, start, distance)
   local one = { path = name, paths = given.paths, unit = setting.unit or "", start = start, distance = distance,
     name = distance and ("%s at %g mm"):format(name, distance) or name,
@@ -67,11 +66,11 @@ local function check_one(where, field, setting, given)
   check_bounds(where, field, setting, given)
   if given.start == nil then check.refuse(where, field .. ".start", fields.start.expected, nil) end
   if given.knots and not setting.series then
-    check.fail(where, ("field '%s.knots': only k, alpha and what else can be a table over the "
-      .. "distance has knots"):format(field))
+    check.fail(where, ("field '%s.knots': only k, alpha and other settings that can be a table over the "
+      .. "distance can have knots"):format(field))
   end
   if type(given.start) == "table" and #given.start ~= #(given.knots or { 1 }) then
-    check.fail(where, ("field '%s.start': expected as many numbers as there are knots, got %d")
+    check.fail(where, ("field '%s.start': expected one number for each knot, got %d")
       :format(field, #given.start))
   end
 end
@@ -98,7 +97,7 @@ local function add(self, where, name, given, paths)
   end
 end
 
--- By name the paths, each of one name only; the model is looked into where names ask for it.
+-- Paths of the settings by name, each used only once. The model is read only if a name is not a field of wear{}.
 local function paths_of(where, names, model)
   local by_name, flat, there, beneath = {}, {}, {}, nil
   for _, name in ipairs(names) do
@@ -115,12 +114,12 @@ local function paths_of(where, names, model)
   return by_name
 end
 
--- model: that of the runs, as far as one is given. -> list of parameters { name=, path=, paths=, unit=, start=,
--- low=, high=, span= }, with `curves`.
+-- model: the user's model, or nil. Returns the list of parameters { name=, path=, paths=, unit=, start=, low=, high=,
+-- span= } with `curves`.
 function unknown.read(where, given, model)
   local names, self = {}, { curves = {} }
   for name in pairs(given) do
-    if type(name) ~= "string" then check.fail(where, "field 'unknown': fields are given by name") end
+    if type(name) ~= "string" then check.fail(where, "field 'unknown': fields are given by name, as { k = ... }") end
     names[#names + 1] = name
   end
   if #names == 0 then check.fail(where, "field 'unknown': expected at least one field, got none") end
@@ -136,10 +135,10 @@ local function slice(values, curve)
   return table.move(values, curve.first, curve.first + #curve.knots - 1, 1, {})
 end
 
--- The curve that values of all parameters make: { distance=, value= }
+-- The curve for the values of all parameters: { distance=, value= }.
 function unknown.series(curve, values) return spline.series(curve.knots, slice(values, curve)) end
 
--- The settings that values stand for, by path.
+-- The settings for the values of all parameters, by path.
 function unknown.settings(self, values)
   local flat = {}
   for i, one in ipairs(self) do
@@ -156,14 +155,14 @@ end
 -- --- bounds by a change of variables -------------------------------------------------------------
 -- A variable is 1 at the start and changes by about 1 over what a parameter can reasonably do.
 
-local function place(one) -- of the start between both bounds, as the angle of a sine
+local function phase(one) -- phase of the start value between both bounds
   return math.asin(2 * (one.start - one.low) / (one.high - one.low) - 1)
 end
 
--- The parameter's value and its derivative at a variable.
+-- The parameter's value at the variable u and its derivative by u.
 function unknown.value(one, u)
   if one.low and one.high then
-    local half, angle = (one.high - one.low) / 2, u - 1 + place(one)
+    local half, angle = (one.high - one.low) / 2, u - 1 + phase(one)
     return one.low + half * (1 + math.sin(angle)), half * math.cos(angle)
   elseif one.low then
     local above = (one.start - one.low) * math.exp(u - 1)
@@ -175,14 +174,14 @@ function unknown.value(one, u)
   return one.start + one.span * (u - 1), one.span
 end
 
--- A value after a step, at most nine tenths of the way to a bound.
+-- The value after a step, which is limited to nine tenths of the distance to a bound.
 function unknown.inside(one, value, step)
   if one.low then step = math.max(step, 0.9 * (one.low - value)) end
   if one.high then step = math.min(step, 0.9 * (one.high - value)) end
   return value + step
 end
 
--- The bound that a value has been driven to, "low" or "high", or nil.
+-- The bound reached by a value, "low" or "high", or nil.
 function unknown.at_bound(one, value)
   if one.low and value - one.low < 1e-4 * one.span then return "low" end
   if one.high and one.high - value < 1e-4 * one.span then return "high" end
@@ -190,8 +189,8 @@ end
 
 -- --- roughness of curves -------------------------------------------------------------------------
 
--- Rows of a matrix over all parameters: second differences of the knots of each curve, in units of
--- the start, the distance in units of the mean knot spacing.
+-- Rows of a matrix over all parameters: second differences of the knots of each curve, in units of the start value;
+-- distances in units of the mean knot spacing.
 function unknown.roughness(self)
   local rows = {}
   for _, curve in ipairs(self.curves) do
@@ -208,7 +207,7 @@ function unknown.roughness(self)
   return rows
 end
 
--- The weight of roughness: a number, "auto" where a curve asks for it.
+-- The weight of roughness: a number, or "auto" if a curve has smooth = "auto".
 function unknown.smooth(self)
   local most = 0
   for _, curve in ipairs(self.curves) do

@@ -1,5 +1,5 @@
--- plot.animate: profiles or pressures redrawn while a run goes on, in the terminal or as a moving
--- gif. Leans on plot/draw.lua and plot/curves.lua; the run is stepped as a user would step it.
+-- plot.animate: draws profiles or pressures repeatedly while it advances a run, in the terminal or
+-- as an animated gif.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -29,7 +29,8 @@ local function pressure_panel(w)
     title = "contact pressure" }
 end
 
--- The first range of a kind is kept, so that the picture does not jump.
+-- Widens the range of a kind to include `low` and `high`; it never shrinks, so that the picture
+-- does not jump.
 local function hold(panel, limits, name, low, high)
   limits[name] = limits[name] or { low, high }
   local range = limits[name]
@@ -63,7 +64,7 @@ local function frame_of(w, what, limits)
   return panels, curves.summary(w)
 end
 
--- Panels as options, with the ranges as far as they are known.
+-- Options of the panels with the ranges of all frames so far.
 local function options_of(panels, title, limits)
   for _, panel in ipairs(panels) do
     local reach = limits.reach
@@ -81,9 +82,9 @@ local function options_of(panels, title, limits)
   return { panels = panels, layout = { 1, #panels }, title = title }
 end
 
--- --- where the frames go ------------------------------------------------------------------------
+-- --- output of the frames -----------------------------------------------------------------------
 
--- Over the frame before; each line wiped to its end, so that nothing of that stays.
+-- Draws over the previous frame and clears the rest of each line.
 local function show(options, first)
   local picture = draw.picture("plot.animate", options)
   if not picture then return end
@@ -97,7 +98,7 @@ local function film(frames, limits, delay, given)
   draw.film("plot.animate", list, delay, given)
 end
 
--- Updates between two frames, so that about `frames` of them show the rest of the run.
+-- Number of updates between frames, so that about `frames` frames show the rest of the run.
 local function updates_between(w, frames)
   local cycles, cycle, jump = curves.get(w, "cycles"), curves.get(w, "cycle"),
     curves.get(w, "jump")
@@ -105,7 +106,7 @@ local function updates_between(w, frames)
   return math.max(1, math.ceil((cycles - cycle) / jump / frames - 1e-9))
 end
 
--- Steps until the run is at its end, or `frames` times; calls visit() before and after each.
+-- Advances the run to its end or `frames` times; calls visit() at the start and after each step.
 local function each_frame(w, every, frames, visit)
   visit()
   for _ = 1, frames do
@@ -137,7 +138,7 @@ return function(w, given)
     elseif given.file then
       kept[#kept + 1] = { panels, title }
     else
-      kept[1] = { panels, title } -- not a screen: the last frame alone
+      kept[1] = { panels, title } -- not a terminal: only the last frame is drawn
     end
   end)
   if given.file then

@@ -1,5 +1,5 @@
--- plot.bands: what the samples of a study came to over the distance, as a middle line between bands
--- of quantiles. Leans on plot/draw.lua; of the uncertainty it uses only what users can.
+-- plot.bands: results of the samples of a study over the distance, as bands between quantiles and a line for the median
+-- or mean.
 
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
@@ -9,7 +9,8 @@ local shapes = require "archard.plot.shapes"
 
 local where = "plot.bands"
 
--- Quantiles from the outermost pair inwards, and the one in the middle, if there is one.
+-- The bands of a quantity from the outermost pair of quantiles inwards, and a line for the middle quantile or, if there
+-- is none, the mean.
 local function panel_of(uncertainty, name)
   local result = uncertainty[name]
   local quantiles, distance = result.quantiles, uncertainty.distance
@@ -40,7 +41,7 @@ return function(object, options)
   local panels = {}
   for i, name in ipairs(names) do
     if not naming.get(uncertainty, name) then
-      check.fail(where, ("field 'of': the uncertainty does not tell of '%s'%s"):format(tostring(name),
+      check.fail(where, ("field 'of': the uncertainty has no quantity '%s'%s"):format(tostring(name),
         check.hint(tostring(name), uncertainty.of)))
     end
     panels[i] = panel_of(uncertainty, name)

@@ -1,12 +1,12 @@
--- The numbers of a figure as CSV: a line of names, then columns, each curve an x and a y. Leans on
--- nothing but the form of a figure that plot/draw.lua makes.
+-- Converts the data of a figure of plot/draw.lua to CSV: a line of names, then columns with x and y
+-- of each curve.
 
 local csv_text = require "archard.lib.csv_text"
 
 -- Adds the columns of a panel, each { name=, values= }.
-local function panel_columns(panel, place, columns)
+local function panel_columns(panel, prefix, columns)
   local function add(name, values)
-    columns[#columns + 1] = { name = place .. name, values = values }
+    columns[#columns + 1] = { name = prefix .. name, values = values }
   end
   for i, curve in ipairs(panel.curves) do
     local title = curve.title and curve.title .. ": " or #panel.curves > 1 and i .. ": " or ""
@@ -24,13 +24,13 @@ end
 local function columns_of(figure)
   local columns = {}
   for number, panel in ipairs(figure.panels) do
-    local place = panel.name or panel.title or ("panel %d"):format(number)
-    panel_columns(panel, #figure.panels > 1 and place .. ": " or "", columns)
+    local name = panel.name or panel.title or ("panel %d"):format(number)
+    panel_columns(panel, #figure.panels > 1 and name .. ": " or "", columns)
   end
   return columns
 end
 
--- (figure) -> text; shorter columns end early.
+-- (figure) -> text; the cells below the end of a shorter column are empty.
 return function(figure)
   local columns, rows = columns_of(figure), { {} }
   for c, column in ipairs(columns) do

@@ -1,5 +1,4 @@
--- plot.pressure, plot.profile, plot.history: curves of wear and contact objects, several on one
--- picture, axes with units. Leans on plot/draw.lua; of the objects it uses only what users can.
+-- plot.pressure, plot.profile, plot.history: curves of one or several wear and contact objects, with units on the axes.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -20,8 +19,8 @@ local get, title_of = naming.get, naming.title_of
 
 local body_kind = check.text
 
--- Splits f(object, ..., word, ..., { options }): objects have the method or field `mark`, options
--- are plot's and `own`.
+-- Splits the arguments f(object, ..., word, ..., { options }); an object has the method or field `mark`; options are
+-- the fields of plot{} and `own`.
 local function split(where, mark, own, ...)
   local objects, words, options = {}, {}, {}
   for i = 1, select("#", ...) do
@@ -33,7 +32,7 @@ local function split(where, mark, own, ...)
     elseif type(value) == "table" and not getmetatable(value) and i == select("#", ...) then
       options = value
     else
-      check.fail(where, ("argument %d: expected an object with .%s, a word, or at the end a table "
+      check.fail(where, ("argument %d: expected an object with .%s, a string, or at the end a table "
         .. "of options, got %s"):format(i, mark, check.shown(value)))
     end
   end
@@ -47,8 +46,7 @@ end
 
 local scaled = shapes.scaled
 
--- Widens reach to show all that is not zero: a little beyond the last such |x|, and the first zero
--- on either side, where the curve comes down.
+-- Widens `reach` to show all nonzero values: 1.25 times their largest |x|, and the first zero beside them.
 local function reach_of(x, values, reach)
   for i = 1, #x do
     local at = math.abs(x[i])
@@ -61,10 +59,10 @@ local function reach_of(x, values, reach)
   return reach
 end
 
--- All there is where everything is zero.
+-- The range of x, or nil if all values are zero, so that everything is shown.
 local function range_of(reach) return reach > 0 and { -reach, reach } or nil end
 
--- Hertz' contact of an object: its own field, or computed from its model and load.
+-- The Hertz contact of an object: its field `hertz`, or computed from its model and load.
 local function scale_of(where, object)
   local known = get(object, "hertz")
   if known then return known end
@@ -75,7 +73,8 @@ local function scale_of(where, object)
   return hertz_of(model, load)
 end
 
--- The body that is named, as the first object calls it; all objects must know the word.
+-- The name of the body chosen by the words or options, in the first object, and the word itself; every object must have
+-- such a body.
 local function body_word(where, objects, words, options)
   local body = words[#words] or options.body
   for _, word in ipairs(words) do naming.body(where, objects[1], word) end
@@ -85,12 +84,12 @@ end
 
 -- --- the pictures -------------------------------------------------------------------------------
 
--- Pressures from the last zero before the contact to the first one after it.
+-- Returns x and p between the last zero before the contact and the first zero after it.
 local function over_contact(x, p)
   local first, last = 1, #p
   while first < #p and p[first + 1] == 0 do first = first + 1 end
   while last > first and p[last - 1] == 0 do last = last - 1 end
-  if last - first < 2 then return x, p end -- there is none
+  if last - first < 2 then return x, p end -- no contact
   return table.move(x, first, last, 1, {}), table.move(p, first, last, 1, {})
 end
 
@@ -125,8 +124,7 @@ function curves.pressure(...)
   draw.draw(where, given)
 end
 
--- One panel of wear depths of the bodies that the words mean; depth grows downwards, as the groove
--- does.
+-- A panel with the wear depths of the bodies in `of_body`; depth increases downwards.
 local function profile_panel(where, objects, names, of_body, scale, section)
   local panel, reach = {}, 0
   for i, object in ipairs(objects) do
@@ -148,7 +146,7 @@ local function is_spatial(object)
   return has and type(model) == "userdata" and model.geometry == "3-D"
 end
 
--- Two panels of a run in 3-D: along x, and across.
+-- Two panels of a run in three dimensions: along x and along z.
 local function sections(where, objects, names, of_body, scale, options)
   local panels = {}
   for i, axis in ipairs{ "x", "z" } do
@@ -158,10 +156,10 @@ local function sections(where, objects, names, of_body, scale, options)
   return panels
 end
 
--- A measured trace on the one panel there is; depths above zero are shown as well.
+-- Adds a measured trace to a single panel; depths above zero are then shown too.
 local function add_measured(where, panel, given)
   if panel.panels then
-    check.fail(where, "field 'measured': expected with one body named where several runs are drawn, got both")
+    check.fail(where, "field 'measured': expected one body if several runs are drawn, got both bodies")
   end
   local reach = panel.xrange and panel.xrange[2] or 0
   if #panel == 1 then panel[1].title = panel[1].title or "simulated" end
@@ -169,8 +167,8 @@ local function add_measured(where, panel, given)
   panel.xrange, panel.yrange = range_of(reach), nil
 end
 
--- plot.profile(w1, w2, ..., body, { ... }): both bodies where none is named. plot.profile(p1, p2, ..., { ... }) of
--- measured profiles.
+-- plot.profile(w1, w2, ..., body, { ... }): draws both bodies if no body is given. plot.profile(p1, p2, ..., { ... })
+-- draws measured profiles.
 function curves.profile(...)
   local where = "plot.profile"
   if measured.is_profile((...)) then return require "archard.plot.trace" (where, ...) end
@@ -204,7 +202,7 @@ end
 
 -- --- history ------------------------------------------------------------------------------------
 
--- Columns that share an axis: pattern of the names, label, factor to its unit.
+-- Quantities with a common axis: pattern of the column names, label, factor from the column's unit to the label's.
 local quantities = {
   { "^p_", "pressure / MPa", 1 },
   { "^depth_partition$", "wear depth partition", 1 },
@@ -222,7 +220,7 @@ end
 local spoken = { p_center = "centre", p_max = "largest", p_peak = "over the cycle" }
 local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }
 
--- The label of a column, and the factor to its unit; nil for what is none.
+-- Label of a column's quantity and the factor to its unit; nil for an unknown column.
 local function quantity_of(name)
   for _, quantity in ipairs(quantities) do
     if name:find(quantity[1]) then return quantity[2], quantity[3] end
@@ -235,7 +233,7 @@ local function column_of(where, history, name)
   check.fail(where, ("no column '%s' in the history%s"):format(name, check.hint(name, keys(history))))
 end
 
--- A panel for each quantity, in the order of the columns.
+-- Returns a panel for each quantity, in the order of the columns.
 local function history_panels(columns)
   local panels, by_label = {}, {}
   for _, name in ipairs(columns) do
@@ -257,20 +255,20 @@ local function from_second(list)
   return result
 end
 
--- What is chosen for an update holds from the row before to its own: a change is a step, not a slope.
+-- Columns with the settings of an update. They are drawn as steps: the value of a row applies from the row before.
 local chosen = { alpha = true, load = true, travel = true }
 
 local function steps_of(x, y)
   local xs, ys = {}, {}
   for i = 1, #x do
-    local row = math.max(i, 2) -- the first row is before the first update
+    local row = math.max(i, 2) -- the first row is the state before the first update
     if i > 1 and y[i] ~= y[i - 1] and i > 2 then xs[#xs + 1], ys[#ys + 1] = x[i - 1], y[i] end
     xs[#xs + 1], ys[#ys + 1] = x[i], y[row] or y[i]
   end
   return xs, ys
 end
 
--- The row before the first update has no jump, and the last one goes no further than the run.
+-- Omits the first row, which has no jump, and a last jump shortened by the end of the run.
 local function jumps_of(x, y)
   if #y > 1 and y[1] == 0 then x, y = from_second(x), from_second(y) end
   if #y > 2 and y[#y] < y[#y - 1] then
@@ -286,7 +284,7 @@ local function history_curve(where, history, abscissa, column, factor)
   return { x = x, y = scaled(y, factor) }
 end
 
--- "plate, α = 0.5": what a reader needs to tell the curves of a panel apart.
+-- Title of a curve, for example "plate, α = 0.5", with the parts that differ between the curves of a panel.
 local function history_title(column, body, name, several_columns, several_objects)
   local parts = {}
   if several_columns then parts[1] = body or spoken[column] or column end
@@ -294,7 +292,7 @@ local function history_title(column, body, name, several_columns, several_object
   return parts[1] and table.concat(parts, ", ") or nil
 end
 
--- One column of one body names it; its axis says what it is.
+-- Title of the picture; it includes the body if the only column belongs to one body.
 local function history_name(object, columns)
   local _, body = naming.column(object, columns[1])
   return #columns == 1 and body and "history of the " .. body or "history"

@@ -1,5 +1,5 @@
--- From a table of options to a picture: what plot{...} may be given, the figure made of it, and
--- where that is drawn. Leans on archard.gnuplot to draw, on plot/output.lua for the place.
+-- Checks the options of plot{...}, makes the figure, and draws it with archard.gnuplot on the output that
+-- plot/output.lua chooses.
 
 local files = require "archard.files"
 local gnuplot = require "archard.gnuplot"
@@ -15,11 +15,10 @@ local written = require "archard.lib.written"
 
 local draw = {}
 
--- Used where a call does not say otherwise: term, size (of pictures in the terminal), file_size,
--- colour, key. The user's to change.
+-- Defaults of the user for term, size (of pictures in the terminal), file_size, colour and key.
 draw.default = output.default
 
--- --- what may be given --------------------------------------------------------------------------
+-- --- the options --------------------------------------------------------------------------------
 
 local styles, key_places = gnuplot.styles, gnuplot.keys
 local terms = output.terms
@@ -34,7 +33,7 @@ local curve_fields = {
   width = check.positive, on = check.one_of(output.surfaces),
 }
 draw.curve_fields = curve_fields
-local places = check.kind("{ at = { numbers }, words = { strings } }, as many", function(v)
+local places = check.kind("{ at = { numbers }, words = { strings } } of equal length", function(v)
   return type(v) == "table" and type(v.at) == "table" and type(v.words) == "table"
     and #v.at == #v.words and #v.at > 0
 end)
@@ -53,9 +52,9 @@ local output_fields = {
 }
 local figure_fields = merged(panel_fields, output_fields,
   { panels = check.table, layout = check.grid, letters = check.flag })
-draw.fields = figure_fields -- for functions that take these options and more
+draw.fields = figure_fields -- for functions that accept these and further options
 
--- Checks the options of a picture that takes those of plot{} and its own.
+-- Checks the options of a picture: those of plot{} and its `own` options.
 function draw.options(where, options, own)
   if options ~= nil and type(options) ~= "table" then
     check.fail(where, "expected a table of options, got " .. check.shown(options))
@@ -63,11 +62,11 @@ function draw.options(where, options, own)
   return check.fields(where, options or {}, merged(figure_fields, own))
 end
 
--- What holds of options that a picture's function made: `titled` by it, not by the call; `stacked`: panels that may
--- as well stand side by side; `x`, `y`: its axes, which are in the unit that suits them.
+-- Properties of the options made by a picture's function: `titled`: the title is its default; `stacked`: its panels may
+-- be drawn side by side instead; `x`, `y`: the unit of this axis may be changed.
 local made = setmetatable({}, { __mode = "k" })
 
--- A picture as its function means it, with the options of plot{} before what it says itself.
+-- The function's defaults, overridden by the user's options of plot{}.
 function draw.over(defaults, options, nature)
   made[defaults] = { titled = options.title == nil, stacked = nature == "stacked" and not options.layout,
     x = options.xlabel == nil, y = options.ylabel == nil }
@@ -79,7 +78,7 @@ end
 
 -- --- from options to a figure -------------------------------------------------------------------
 
--- C strings end at a zero.
+-- Replaces zero bytes, which would end a C string.
 local function words(text) return text and (text:gsub("%z", " ")) or nil end
 
 local function counted(list)
@@ -104,14 +103,14 @@ local function to_curve(where, given, number, panel)
   }
 end
 
--- Both ends are given in the order they are drawn.
+-- Returns an axis. `range` may be given in the order in which the axis is drawn.
 local function to_axis(label, range, log, down, places)
   local low, high = range and range[1], range and range[2]
   if down and low and high then low, high = math.max(low, high), math.min(low, high) end
   return { label = words(label), min = low, max = high, log = log, reverse = down, places = places }
 end
 
--- The list part: curves, and at most one table with values, which is the field.
+-- Reads the list part of the options: curves, and at most one table with a list `value`, the field.
 local function to_curves(where, given, panel)
   if given.x or given.y then
     panel.curves[1] = to_curve(where, { x = given.x, y = given.y }, 1, given)
@@ -120,7 +119,7 @@ local function to_curves(where, given, panel)
     if type(item) == "table" and item.value and type(item.value) ~= "number" then
       check.fields(where, item, curve_fields, ("field %d: "):format(number))
       if not (item.x and item.y) then
-        check.fail(where, "a field of values needs x and y, four corners a polygon")
+        check.fail(where, "a field of values needs x and y with four corners for each polygon")
       end
       panel.field = { x = item.x, y = item.y, value = item.value }
     else
@@ -129,7 +128,7 @@ local function to_curves(where, given, panel)
   end
 end
 
--- Measured points over the curves.
+-- Adds measured points to a panel.
 local function add_points(where, panel, points)
   if not points then return end
   local curve = to_curve(where, merged({ style = "points", colour = "black" }, points),
@@ -145,7 +144,7 @@ local function same_numbers(a, b)
   return true
 end
 
--- Adds points; where they are there already, from a call that drew them elsewhere, they take their place.
+-- Adds points and removes equal points of an earlier call.
 local function put_points(where, panel, points)
   add_points(where, panel, points)
   local new = panel.curves[#panel.curves]
@@ -159,7 +158,7 @@ end
 
 local most_in_key = 8
 
--- More names than a key can hold stand at the ends of their curves, unless a colour tells them.
+-- Labels the curves at their ends if there are too many for a key, except curves with a colour scale.
 local function name_at_ends(panel)
   local titled = 0
   for _, curve in ipairs(panel.curves) do
@@ -185,7 +184,7 @@ local function to_panel(where, given)
   return panel
 end
 
--- A panel takes from the figure what it does not say itself, but the title.
+-- Fields that the panel does not set are copied from the figure, except the title.
 local function inherit(panel, figure)
   local taken = {}
   for name in pairs(panel_fields) do
@@ -194,7 +193,7 @@ local function inherit(panel, figure)
   return merged(taken, panel)
 end
 
--- "(a) title", in the order of the panels; `name` is what it is called without.
+-- Puts "(a)", "(b)", ... before the titles of the panels; `name` is the title without the letter.
 local function letter(panels)
   for i = 1, #panels > 1 and #panels <= 26 and #panels or 0 do
     local panel = panels[i]
@@ -228,9 +227,9 @@ end
 
 -- --- drawing ------------------------------------------------------------------------------------
 
-local last, last_given -- the figure drawn last, for plot.save, and the options it was drawn with
+local last, last_given -- the last figure drawn, for plot.save, and its options
 
--- Calls a function of archard.gnuplot; what it raises or refuses becomes an error of `where`.
+-- Calls a function of archard.gnuplot; its errors are reported as errors of `where`.
 local function run(where, f, ...)
   local ok, result, message, code = pcall(f, ...)
   if not ok then check.fail(where, tostring(result)) end
@@ -238,10 +237,9 @@ local function run(where, f, ...)
   return result
 end
 
-local fewest, few = 4, 30 -- points of a line that are marked, since what is between them is not known
+local fewest, few = 4, 30 -- number of points of a line that are marked, as the values between them are unknown
 
--- How many points a curve that goes on from left to right has in what is shown, runs of zeros aside, where nothing is; nil
--- of any other curve.
+-- The number of points of a curve within the range shown, without runs of zeros; nil if its x do not increase.
 local function count_shown(curve, axis)
   local low, high = math.min(axis.min or -math.huge, axis.max or -math.huge), math.max(axis.max or math.huge, axis.min or math.huge)
   local count = 0
@@ -252,7 +250,8 @@ local function count_shown(curve, axis)
   return count
 end
 
--- The curves of a figure whose points are marked: lines of few points, unless others over the same axis have many.
+-- Returns a function(panel, curve) that is true for curves with marked points: lines of few points, unless another
+-- curve over the same axis has many.
 local function marked_of(figure)
   local counts, most = {}, {}
   for _, panel in ipairs(figure.panels) do
@@ -265,13 +264,14 @@ local function marked_of(figure)
   return function(panel, curve) return counts[curve] >= fewest and most[panel.x.label or ""] <= few end
 end
 
--- Characters have no scale beside them that says what the values are: the title does.
+-- Appends the label of the values to the title, as a picture in characters has no colour scale.
 local function with_label(title, label)
   if not label or not title or title:find(label, 1, true) then return title or label end
   return label:sub(1, #title) == title and label or title .. ", " .. label
 end
 
--- A figure as it is on a surface: units that suit it, no curves that are for another one, points where pixels show them.
+-- The figure for a surface ("pixels" or "characters"): in suitable units, without curves for the other surface, with
+-- marked points on pixels.
 local function on(figure, surface)
   local panels = {}
   for _, name in ipairs{ "x", "y" } do
@@ -291,7 +291,8 @@ local function on(figure, surface)
   return merged(figure, { panels = panels })
 end
 
--- A figure as the style wants it in a file: without a title that nobody gave, with panels side by side.
+-- The figure in the current style for a file: without a default title if the style omits titles, with panels side by
+-- side.
 local function styled(figure)
   local result = merged(figure)
   if figure.nature.stacked then result.rows, result.columns = style.grid(figure.rows, figure.columns) end
@@ -304,7 +305,7 @@ local function styled(figure)
   return result
 end
 
--- Draws a figure; returns the picture where it is one for the terminal.
+-- Draws a figure; returns the picture as text if it is shown in the terminal.
 local function paint(where, figure, given, moving)
   local shown = given.file and styled(figure) or figure
   local to = output.choose(where, shown, given, moving)
@@ -324,7 +325,7 @@ local default_fields = { term = check.one_of(terms), size = check.size, file_siz
   colour = output_fields.colour, key = check.one_of(key_places, check.flag) }
 local default_names = keys(default_fields)
 
--- A name that is none is an error where it is written or read.
+-- Unknown names in plot.default raise an error when read or written.
 setmetatable(draw.default, { __plain = true,
   __index = function(_, name) return strict.refuse("plot.default", name, default_names) end,
   __newindex = function(default, name, value)
@@ -332,31 +333,31 @@ setmetatable(draw.default, { __plain = true,
     rawset(default, name, value)
   end })
 
--- Checks the options, draws, and returns the picture where it is one for the terminal.
+-- Checks the options and draws; returns the picture as text if it is shown in the terminal.
 local function render(where, given, moving)
   check.fields(where .. ": plot.default", draw.default, default_fields)
   return paint(where, to_figure(where, given), given, moving)
 end
 
--- Draws what the options say; a picture for the terminal is printed.
+-- Draws the options; a picture for the terminal is printed.
 function draw.draw(where, given) show(render(where, given)) end
 
--- The picture as a string, for one who writes it in another way, over and over.
+-- Returns the picture as text for a caller that prints it repeatedly.
 function draw.picture(where, given) return render(where, given, true) end
 
--- Of the last picture's options those that say where and how large.
+-- The options of the last picture for output and size.
 local function placed(options)
   return { term = options.term, size = options.size, colour = options.colour }
 end
 
--- again(): the last picture once more, in the terminal or window, as it is now.
+-- again(): draws the last picture again, in the terminal or a window, for their present size.
 function draw.again(where)
-  if not last then check.fail(where, "nothing has been drawn yet that could be drawn again") end
+  if not last then check.fail(where, "no picture has been drawn yet") end
   local on_screen = last_given.file and {} or placed(last_given)
   show(paint(where, last, on_screen))
 end
 
--- points{ x=, y=, error=, file=, ... }: the last picture with measured points over its curves.
+-- points{ x=, y=, error=, file=, ... }: draws the last picture again with measured points.
 function draw.points(where, given)
   if type(given) ~= "table" then
     check.fail(where, "expected a table { x=, y=, error= }, got " .. check.shown(given))
@@ -368,19 +369,19 @@ function draw.points(where, given)
     check.fail(where, ("field 'panel': expected one of the %d panels of the last picture, got %d")
       :format(#figure.panels, number))
   end
-  local curve, place = {}, {}
+  local curve, placement = {}, {}
   for name, value in pairs(given) do
-    if name ~= "panel" then (output_fields[name] and name ~= "colour" and place or curve)[name] = value end
+    if name ~= "panel" then (output_fields[name] and name ~= "colour" and placement or curve)[name] = value end
   end
   local panel = merged(figure.panels[number])
   panel.curves = table.move(panel.curves, 1, #panel.curves, 1, {})
   put_points(where, panel, curve)
   figure.panels = table.move(figure.panels, 1, #figure.panels, 1, {})
   figure.panels[number] = panel
-  show(paint(where, figure, merged(last_given and placed(last_given) or {}, place)))
+  show(paint(where, figure, merged(last_given and placed(last_given) or {}, placement)))
 end
 
--- Writes a gif that moves: a list of options as plot{} takes them, each one frame.
+-- Writes an animated gif; frames: a list of options of plot{}.
 function draw.film(where, frames, delay, given)
   local figures = {}
   for i, frame in ipairs(frames) do figures[i] = on(to_figure(where, frame), "pixels") end
@@ -389,7 +390,7 @@ function draw.film(where, frames, delay, given)
   written.note(where, given.file)
 end
 
--- Writes a figure to a file, and its data beside it.
+-- Writes a figure to a file and its data to a CSV file of the same name.
 local function save(where, figure, file, options)
   local given = { file = file, size = options.size, term = options.term, colour = options.colour }
   paint(where, figure, given)
@@ -398,12 +399,12 @@ local function save(where, figure, file, options)
   written.note(where, data)
 end
 
--- save("p.png" [, options]): the last picture; save{ ..., file="p.png" }: this one.
+-- save("p.png" [, options]) saves the last picture; save{ ..., file="p.png" } draws and saves the given one.
 function draw.save(where, given, options)
   if type(given) == "table" and given.file then
     save(where, to_figure(where, given), given.file, given)
   elseif type(given) == "string" then
-    if not last then check.fail(where, "nothing has been drawn yet that could be saved") end
+    if not last then check.fail(where, "no picture has been drawn yet") end
     save(where, last, given, check.fields(where, options or {}, output_fields))
   else
     check.fail(where, "expected the name of a file, or the table of plot{} with file=, got "

@@ -1,5 +1,5 @@
--- plot.fit: a fit beside its data (bars, the model with its band, the residuals below), or what a
--- design of a test lets one expect. Leans on plot/draw.lua; of fits it uses only what users can.
+-- plot.fit: a fit with its data (error bars, the model with its band, residuals below), or the expected errors of a
+-- test design.
 
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
@@ -20,7 +20,7 @@ local function band_of(x, low, high, factor)
   return area
 end
 
--- What is on the vertical axis, and the factor to its unit.
+-- Label of the vertical axis and the factor to its unit.
 local function label_of(item)
   if item.kind == "loop" then
     if item.unit == "N" then return "tangential force / N", 1 end
@@ -32,7 +32,7 @@ local function label_of(item)
   return item.unit ~= "" and item.of .. " / " .. item.unit or item.of, 1
 end
 
--- From the least to the most of lists, with a margin: one value alone has no range of its own.
+-- Range from the smallest to the largest value of the lists, with a margin.
 local function range_of(...)
   local low, high = math.huge, -math.huge
   for _, list in ipairs{ ... } do
@@ -48,14 +48,14 @@ local function ends_of(item, sign)
   return list
 end
 
--- What is on the horizontal axis, and its name.
+-- Values and label of the horizontal axis.
 local function across(item)
   if item.kind ~= "loop" then return item.x or item.distance, item.x and "x / mm" or naming.axis_of("distance") end
   if item.unit == "N" then return scaled(item.x, 1e3), "motion / µm" end
   return item.x, "tangential force / N"
 end
 
--- A loop goes round: its band would be drawn over itself, and is no wider than the line.
+-- Panel of a friction loop, without the band, which would overlap itself and is not wider than the line.
 local function loop_panel(item)
   local label, factor = label_of(item)
   local x, name = across(item)
@@ -68,7 +68,7 @@ local function loop_panel(item)
   }
 end
 
-local few = 40 -- data; more of them would hide the model, which lies over them
+local few = 40 -- with more data points, the model is drawn over them
 
 local function main_panel(item)
   if item.kind == "loop" then return loop_panel(item) end
@@ -106,7 +106,7 @@ local function curve_panel(name, curve)
     title = naming.word_of(name) .. " over the distance", xlabel = naming.axis_of("distance"), ylabel = naming.axis_of(name) }
 end
 
--- Panels of one quantity get the range that holds them all.
+-- Gives all panels with the same label a common range.
 local function share_ranges(panels)
   local all = {}
   for _, panel in ipairs(panels) do
@@ -116,7 +116,7 @@ local function share_ranges(panels)
   for _, panel in ipairs(panels) do panel.yrange = panel.yrange and all[panel.ylabel] end
 end
 
--- One column a set of data, residuals in the row below; curves of unknowns in columns of their own.
+-- One column for each set of data, with its residuals in the row below.
 local function of_fit(fit)
   local above, below, figure = {}, {}, { panels = {} }
   for _, item in ipairs(fit.data) do
@@ -139,7 +139,7 @@ end
 
 -- --- a design ------------------------------------------------------------------------------------
 
--- Expected errors in percent of the start (of what it is known to before, where that is 0).
+-- Panels with the expected error of each unknown, in percent of its initial value or, if that is 0, of its prior error.
 local function of_design(design)
   local figure = { panels = {} }
   for i, name in ipairs(design.names) do
@@ -167,7 +167,7 @@ local own = { curves = check.flag }
 return function(given, options)
   local class = type(given) == "table" and (getmetatable(given) or {}).__name
   if class ~= "fitted" and class ~= "design" then
-    check.fail(where, "expected what fit{} or fit.design{} has returned, got " .. check.shown(given))
+    check.fail(where, "expected a result of fit{} or fit.design{}, got " .. check.shown(given))
   end
   options = draw.options(where, options, own)
   local figure = class == "design" and of_design(given) or (options.curves and of_curves or of_fit)(given)

@@ -1,5 +1,5 @@
--- plot.fretting_map: the running condition fretting map: where a contact sticks, slips partially and slips grossly, over
--- load and motion. Leans on plot/draw.lua; of the map it uses only what users can.
+-- plot.fretting_map: the running condition fretting map with the regimes stick, partial slip and gross slip over load
+-- and motion amplitude.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -19,7 +19,7 @@ local function constant(value, count)
   return list
 end
 
--- The ground of a regime between two borders, from the lowest load to the highest, and back to where it began.
+-- Filled area of a regime between two borders, as a closed curve.
 local function ground(map, regime, left, right)
   local area = shapes.area(map.load, left, right, 1)
   local x, y = area.y, area.x
@@ -33,7 +33,7 @@ local function add_grounds(given, map, partial, gross, from, to)
   for i, regime in ipairs(n > 1 and regimes or {}) do given[i] = ground(map, regime, at[i], at[i + 1]) end
 end
 
--- The conditions of a regime, or of any where it is nil.
+-- Points of the map in a regime, or all points if `regime` is nil.
 local function conditions_of(map, regime)
   local curve = { x = {}, y = {}, style = "points" }
   for i, load in ipairs(map.load) do
@@ -46,8 +46,7 @@ local function conditions_of(map, regime)
   return #curve.x > 0 and curve or nil
 end
 
--- Where there is a ground it tells the regime, and the conditions that were computed lie upon it in black; where there
--- is none they say what they stand for.
+-- Adds the computed points: black over the filled regimes; without filled regimes, in the regime's colour.
 local function add_conditions(given, map)
   local ground = #map.load > 1
   for _, regime in ipairs(regimes) do
@@ -63,18 +62,18 @@ local function add_conditions(given, map)
   given[#given + 1] = all
 end
 
--- Two borders, or their ends at the one load there is.
+-- Adds the two borders; with a single load, two points.
 local function add_borders(given, map, partial, gross)
   local style = #map.load > 1 and "lines" or "points"
   given[#given + 1] = { x = partial, y = map.load, style = style, series = 7, dash = 1,
-    title = ("slips on %g %% of the width"):format(100 * map.annulus) }
-  given[#given + 1] = { x = gross, y = map.load, style = style, series = 8, dash = 1, title = "slides" }
+    title = ("slip on %g %% of the width"):format(100 * map.annulus) }
+  given[#given + 1] = { x = gross, y = map.load, style = style, series = 8, dash = 1, title = "gross slip begins" }
 end
 
 -- plot.fretting_map(map, { ... })
 return function(map, options)
   if not naming.get(map, "gross_from") then
-    check.fail(where, "expected what study.fretting_map{} gave, got " .. check.shown(map))
+    check.fail(where, "expected a result of study.fretting_map{}, got " .. check.shown(map))
   end
   options = draw.options(where, options, {})
   local partial, gross = shapes.scaled(map.partial_from, 1000), shapes.scaled(map.gross_from, 1000)
@@ -85,7 +84,7 @@ return function(map, options)
   add_grounds(given, map, partial, gross, least, most)
   add_borders(given, map, partial, gross)
   add_conditions(given, map)
-  given.yrange = { options.logy and map.load[1] / 1.1 or 0, 1.05 * map.load[#map.load] } -- clear of the frame
+  given.yrange = { options.logy and map.load[1] / 1.1 or 0, 1.05 * map.load[#map.load] } -- margin to the frame
   given.xlabel, given.ylabel, given.xrange = "amplitude of the motion / µm", "load / N", { least, most }
   given.title = ("running condition fretting map: μ = %g"):format(map.friction)
   draw.draw(where, draw.over(given, options))

@@ -1,15 +1,13 @@
--- plot: curves, and the pictures of contact and wear. Only gathers what users see; the work is in
--- plot/draw.lua, plot/output.lua (where), plot/style.lua (sizes), plot/units.lua, plot/naming.lua (titles and keys),
--- plot/curves.lua (pressures, profiles, histories), plot/mesh.lua (meshes, stresses), plot/map.lua (maps),
--- plot/shear.lua, plot/loop.lua and plot/fretting_map.lua (friction), plot/response.lua, bands.lua, tornado.lua (studies),
--- plot/track.lua (gaits), plot/fit.lua and plot/animate.lua.
+-- plot: curves and the pictures of contact and wear. This module only lists the public functions; plot/draw.lua draws,
+-- plot/output.lua chooses the output, plot/style.lua the sizes, plot/units.lua the units, plot/naming.lua titles and
+-- keys.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
 local later = require "archard.lib.later"
 
 local plot = {
-  default = draw.default, -- term, size, colour and key where a call does not give them
+  default = draw.default, -- default term, size, colour and key
   pressure = later("archard.plot.curves", "pressure"),
   profile = later("archard.plot.curves", "profile"),
   history = later("archard.plot.curves", "history"),

@@ -1,5 +1,4 @@
--- plot.loop: fretting loops, the tangential force over the plate's position in a steady cycle. Leans on plot/curves.lua
--- and plot/draw.lua.
+-- plot.loop: fretting loops, the tangential force over the plate's position in a steady cycle.
 
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
@@ -9,7 +8,7 @@ local shapes = require "archard.plot.shapes"
 
 local loop = {}
 
--- A run with friction, or what w:loop() gave.
+-- True for a loop returned by w:loop().
 local function is_loop(thing)
   return type(thing) == "table" and rawget(thing, "tangential") ~= nil and rawget(thing, "x") ~= nil
 end
@@ -20,7 +19,7 @@ local function loop_of(where, thing)
   check.fail(where, "expected wear runs with friction or their loops, got " .. check.shown(thing))
 end
 
--- Options come last: a table that is no loop.
+-- Splits the list of runs or loops from the options, the last table that is not a loop.
 local function split(...)
   local given, options = { ... }, nil
   local last = given[#given]
@@ -28,14 +27,14 @@ local function split(...)
   return given, options or {}
 end
 
--- What several runs are called; loops that were taken out of theirs have no names of their own.
+-- Names of several runs, or an empty list; loops without their run have no names.
 local function names_of(where, things, titles)
   local runs = #things > 1
   for _, thing in ipairs(things) do runs = runs and not is_loop(thing) end
   return titles or (runs and naming.names_of(where, things)) or {}
 end
 
--- Micrometres, or mm where the plate goes far.
+-- Micrometres, or mm if the positions exceed 1 mm.
 local function unit_of(loops)
   local most = 0
   for _, one in ipairs(loops) do
@@ -59,7 +58,7 @@ function loop.loop(...)
     title = #things > 1 and "fretting loops" or "fretting loop" }
   for i, one in ipairs(loops) do
     given[i] = { x = shapes.scaled(one.x, scale), y = one.tangential,
-      title = ("%s%.4g N mm a loop"):format(names[i] and tostring(names[i]) .. ", " or "", one.energy) }
+      title = ("%s%.4g N mm per loop"):format(names[i] and tostring(names[i]) .. ", " or "", one.energy) }
   end
   options.titles = nil
   draw.draw(where, draw.over(given, options))

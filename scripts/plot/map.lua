@@ -1,5 +1,4 @@
--- plot.map and plot.surface: maps from above, in colours with contours, and obliquely from the front. Leans on plot/draw.lua;
--- of a map it uses what users can.
+-- plot.map and plot.surface: a surface seen from above, in colours with contours, and as an oblique view.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -8,7 +7,7 @@ local naming = require "archard.plot.naming"
 
 local pictures = {}
 
-local most = 240 -- points along the longer side that pictures show
+local most = 240 -- points drawn along the longer side
 
 local function is_map(object)
   local class = type(object) == "table" and getmetatable(object)
@@ -22,7 +21,7 @@ local function check_map(where, object)
   return object
 end
 
--- A map with no more points than `count` along its longer side.
+-- The map with at most `count` points along its longer side.
 local function thinned(t, count)
   local longer = math.max(t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1])
   local finest = math.min((t.x[2] - t.x[1]), (t.z[2] - t.z[1]))
@@ -30,7 +29,7 @@ local function thinned(t, count)
   return t:resample(math.min(longer / count, t.x[#t.x] - t.x[1], t.z[#t.z] - t.z[1]))
 end
 
--- Lengths are shown in µm.
+-- Unit of the values and the factor to it; lengths are shown in µm.
 local function unit_of(t)
   if t.unit == "mm" then return "µm", 1000 end
   return t.unit, 1
@@ -38,13 +37,13 @@ end
 
 local function label_of(t) return ("%s / %s"):format(t.name, (unit_of(t))) end
 
--- Quadrilaterals between the points of rows j and j + 1 with place(i, j) -> x, y, from the last row to the first.
-local function field_of(t, place)
+-- Quadrilaterals between the points of rows j and j + 1, from the last row to the first; position(i, j) -> x, y.
+local function field_of(t, position)
   local field, n, nz = { x = {}, y = {}, value = {} }, 0, #t.z
   local _, scale = unit_of(t)
   local function add(i, j)
     n = n + 1
-    field.x[n], field.y[n] = place(i, j)
+    field.x[n], field.y[n] = position(i, j)
     field.value[n] = scale * t.y[(i - 1) * nz + j]
   end
   for j = nz - 1, 1, -1 do
@@ -66,7 +65,7 @@ local function is_joint_run(object)
   return type(class) == "table" and rawget(class, "__name") == "joint_wear"
 end
 
--- The map itself, that of a run, or the pressures of a contact in three dimensions.
+-- The map itself, the map of a run, or the pressure map of a contact in three dimensions.
 local function map_of(where, object, options)
   if is_joint_run(object) then
     return check.as(where, object.flat, object, options.what or options.body or "cup")
@@ -88,11 +87,11 @@ function pictures.map(object, options, more)
   local where = "plot.map"
   if type(options) == "string" then
     if more ~= nil and type(more) ~= "table" then
-      check.fail(where, "expected a table of options at the end, got " .. check.shown(more))
+      check.fail(where, "expected a table of options as the last argument, got " .. check.shown(more))
     end
     options = merged(more or {}, { what = options })
   elseif more ~= nil then
-    check.fail(where, "expected a word and then a table of options, got " .. check.shown(options))
+    check.fail(where, "expected a string before the table of options, got " .. check.shown(options))
   end
   options = draw.options(where, options, map_options)
   local t = map_of(where, object, options)
@@ -108,24 +107,24 @@ function pictures.map(object, options, more)
     rim.title, rim.colour, rim.width = "rim", "black", 1
     given[2] = rim
   end
-  given.equal, given.levels = true, 8 -- none at zero, where a levelled surface crosses all over
+  given.equal, given.levels = true, 8 -- no contour at zero, which a levelled surface crosses everywhere
   draw.draw(where, draw.over(given, options))
 end
 
--- --- obliquely ----------------------------------------------------------------------------------------
+-- --- oblique view -------------------------------------------------------------------------------------
 
-local columns, rows, lean = 150, 50, 1 -- points along x and z, columns by which each row lies to the right of the one before
-local rise = 0.5                       -- of a length along z that is seen upwards
-local share = 0.2                      -- of the longer side that the heights take, about
+local columns, rows, lean = 150, 50, 1 -- points along x and z; offset of each row to the right, in columns
+local rise = 0.5                       -- vertical length in the picture of a unit length along z
+local share = 0.2                      -- approximate range of the heights, as a share of the longer side
 
--- The greatest of 1, 2 and 5 times a power of ten that is not above a number.
+-- Rounds down to 1, 2 or 5 times a power of ten.
 local function rounded(value)
   local power = 10 ^ math.floor(math.log(value, 10) + 1e-9)
   for _, digit in ipairs{ 5, 2 } do if digit * power <= value * (1 + 1e-9) then return digit * power end end
   return power
 end
 
--- A map's values at columns x rows of points, and their limits.
+-- Values of a map at columns x rows points, and their smallest and largest.
 local function seen(t)
   local x, z, y, low, high = {}, {}, {}, math.huge, -math.huge
   for i = 1, columns do x[i] = t.x[1] + (t.x[#t.x] - t.x[1]) * (i - 1) / (columns - 1) end
@@ -139,12 +138,12 @@ local function seen(t)
   return { x = x, z = z, y = y, unit = t.unit }, low, high
 end
 
--- Every fifth row as a line where no row before it hides it.
-local function visible_rows(place)
+-- Every fifth row as a line, without the parts hidden by the rows before it.
+local function visible_rows(position)
   local curve, horizon = { x = {}, y = {}, colour = "black", width = 0.4, on = "pixels" }, {}
   for j = 1, rows do
     for i = 1, columns do
-      local x, y = place(i, j)
+      local x, y = position(i, j)
       local column = i + lean * (j - 1)
       local hidden = y < (horizon[column] or -math.huge)
       if (j - 1) % 5 == 0 or j == rows then
@@ -157,8 +156,8 @@ local function visible_rows(place)
   return curve
 end
 
--- Adds what the front and the right edge cut, down to the lowest value, to the field.
-local function add_walls(field, t, place, foot, low)
+-- Adds the vertical faces at the front and right edges, down to the lowest value, to the field.
+local function add_walls(field, t, position, foot, low)
   local _, scale = unit_of(t)
   local n = #field.x
   local function add(x, y, value)
@@ -166,8 +165,8 @@ local function add_walls(field, t, place, foot, low)
     field.x[n], field.y[n], field.value[n] = x, y, scale * value
   end
   local function wall(i, j, i2, j2)
-    local x, y = place(i, j)
-    local x2, y2 = place(i2, j2)
+    local x, y = position(i, j)
+    local x2, y2 = position(i2, j2)
     add(x, foot(j), low)
     add(x2, foot(j2), low)
     add(x2, y2, t.y[(i2 - 1) * rows + j2])
@@ -190,15 +189,15 @@ function pictures.surface(t, options)
   local factor = options.exaggeration or high > low and rounded(share * math.max(wide, deep) / (high - low)) or 1
   local step = wide / (columns - 1)
   local function foot(j) return rise * (shown.z[j] - shown.z[1]) end
-  local function place(i, j)
+  local function position(i, j)
     return shown.x[i] + lean * step * (j - 1), foot(j) + factor * (shown.y[(i - 1) * rows + j] - low)
   end
-  local given = { add_walls(field_of(shown, place), shown, place, foot, low), visible_rows(place) }
+  local given = { add_walls(field_of(shown, position), shown, position, foot, low), visible_rows(position) }
   local top = rise * deep + factor * (high - low)
   given.xrange = { t.x[1] - 0.02 * wide, t.x[#t.x] + lean * step * (rows - 1) + 0.02 * wide }
   given.yrange = { -0.05 * top, 1.05 * top }
-  given.xlabel, given.vlabel = "x / mm, along the front edge", label_of(t)
-  given.yplaces = { at = { select(2, place(1, 1)), (select(2, place(1, rows))) },
+  given.xlabel, given.vlabel = "x / mm along the front edge", label_of(t)
+  given.yplaces = { at = { select(2, position(1, 1)), (select(2, position(1, rows))) },
     words = { ("z = %.4g mm"):format(t.z[1]), ("z = %.4g mm"):format(t.z[#t.z]) } }
   given.equal = true
   given.title = t.unit == "mm" and ("%s, exaggerated %g times"):format(t.name, factor) or t.name

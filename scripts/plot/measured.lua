@@ -1,11 +1,10 @@
--- The option `measured` of plot.profile: a trace as points over the curves, with few enough of them to be told
--- apart. Leans on what users can ask of a profile.
+-- The option `measured` of plot.profile: a trace as points over the curves, reduced to a readable number of points.
 
 local check = require "archard.lib.check"
 
 local measured = {}
 
-local most, with_bars = 160, 60 -- points over what is shown; up to which number bars tell their scatter
+local most, with_bars = 160, 60 -- most points drawn; most points drawn with error bars
 
 local function is_profile(value) return require "archard.profile.class".is(value) end
 
@@ -15,16 +14,16 @@ measured.kind = check.kind("a profile, or a table { x=, h= }", function(v)
   return is_profile(v) or type(v) == "table" and type(v.x) == "table" and type(v.h) == "table" and #v.x == #v.h
 end)
 
--- Depths, with the mean of as many points for each as leaves `most` of them between from and to.
+-- The depths between from and to, averaged over groups of points to at most `most` points.
 local function thinned(p, from, to)
   local length = p.x[#p.x] - p.x[1]
   local shown = math.min(to - from, length)
   return shown / length * #p.x > most and p:average(shown / most) or p
 end
 
--- (p, reach) -> the points in um for the option `points` of a plot, and the reach of x that shows them as well as what
--- lies within the given one (0: all). A trace whose scar is beside x = 0 altogether was measured from another origin:
--- its points are moved so that the middle of the scar is at 0, and the title says so.
+-- (p, reach) -> the points in µm for the option `points` of a plot, and the range of x widened to show the scar; only
+-- points with |x| <= reach are used (reach 0: all). A scar entirely on one side of x = 0 was measured from another
+-- origin: its points are shifted so that the middle of the scar is at 0, and the title states the shift.
 function measured.points(p, reach)
   local points, by, bar = { x = {}, y = {}, title = "measured" }, 0, nil
   if is_profile(p) then

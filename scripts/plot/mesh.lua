@@ -1,5 +1,4 @@
--- plot.mesh and plot.stress: elements and fields inside the two bodies. Leans on plot/draw.lua; of
--- the objects it uses only what users can.
+-- plot.mesh and plot.stress: elements and stresses inside the two bodies.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -7,10 +6,10 @@ local naming = require "archard.plot.naming"
 
 local mesh = {}
 
--- --- unrolled along the hole -----------------------------------------------------------------------
+-- --- coordinates along a hole ----------------------------------------------------------------------
 
--- Radius of the hole in an object's pair, and where it lies: 1 above the first point of contact, -1
--- below; nil without a hole.
+-- Radius of the hole in an object's pair and its side: 1 if the hole is above the first point of contact, -1 if below;
+-- nil without a hole.
 local function hole_of(object)
   local model = naming.get(object, "model") or naming.get(naming.get(object, "contact"), "model") or object
   for role, side in pairs{ lower = 1, upper = -1 } do
@@ -19,7 +18,7 @@ local function hole_of(object)
   end
 end
 
--- Nodes by their places along the hole and across it.
+-- Coordinates of the nodes along the hole and across it.
 local function unrolled(where, object, x, y)
   local radius, side = hole_of(object)
   if not radius then check.fail(where, "field 'unrolled': expected a pair with a hole, got one without") end
@@ -36,7 +35,7 @@ local function axes_of(options)
   return "x / mm", "y / mm"
 end
 
--- The corners without what is cut where round bodies are unrolled.
+-- The elements without those cut open by the unrolling of round bodies.
 local function uncut(elements, s, radius)
   local kept, n = {}, 0
   for e = 1, #elements, 4 do
@@ -59,7 +58,7 @@ local function nodes_of(body)
   return x, y
 end
 
--- Calls f(i, j) for each edge of the elements, and tells how many elements have it.
+-- Calls f(i, j, uses) for each edge; uses: number of elements with this edge.
 local function each_edge(elements, f)
   local uses, order, stride = {}, {}, 2 ^ 26
   for e = 1, #elements, 4 do
@@ -76,7 +75,7 @@ local function each_edge(elements, f)
   end
 end
 
--- Edges as one broken line; all, or the boundary alone; those that can be seen in the box.
+-- Edges as one curve with gaps: all, or only the boundary; only edges that overlap the box, if given.
 local function edge_curve(x, y, elements, boundary, box)
   local curve, n = { x = {}, y = {} }, 0
   local cx, cy, nan = curve.x, curve.y, 0 / 0
@@ -92,7 +91,7 @@ local function edge_curve(x, y, elements, boundary, box)
   return n > 0 and curve or nil
 end
 
--- The elements of a body as one curve; with a box { x0, x1, y0, y1 } those that can be seen in it.
+-- The element edges of a body as one curve; with a box { x0, x1, y0, y1 } only the edges in it.
 function mesh.edges(body, box)
   local x, y = nodes_of(body)
   return edge_curve(x, y, body:elements(), false, box)
@@ -100,13 +99,13 @@ end
 
 -- --- arguments ----------------------------------------------------------------------------------
 
--- What the bodies to be shown are called; `all` of them, by role.
+-- The names of the bodies to be drawn, and of both bodies.
 local function shown_bodies(where, object, options)
   local all = naming.bodies(object)
   return options.body and { naming.body(where, object, options.body) } or all, all
 end
 
--- What is handed over for a view: more than it, since equal scales can widen what is shown.
+-- A box larger than the view, as equal scales can widen the range shown.
 local function around(box)
   if not box then return nil end
   local wide, high = box[2] - box[1], box[4] - box[3]
@@ -116,7 +115,7 @@ end
 
 -- --- mesh ---------------------------------------------------------------------------------------
 
--- A view about ten elements wide and as high as both wear boxes and a bit more.
+-- A view about ten elements wide that contains both wear boxes.
 local function wear_box_view(where, model)
   local depth = 0
   for _, name in ipairs(naming.bodies(model)) do
@@ -147,7 +146,7 @@ function mesh.mesh(model, options)
   if not meshes then
     check.fail(where, "expected a model or a wear run as the first argument, got " .. check.shown(model))
   end
-  if not meshes[naming.bodies(model)[1]] then check.fail(where, "expected bodies with meshes, got a model that has none") end
+  if not meshes[naming.bodies(model)[1]] then check.fail(where, "expected a model with meshes, got one without") end
   options = draw.options(where, options, mesh_options)
   local box = view_of(where, model, options.zoom)
   local defaults = { equal = true, title = "mesh" }
@@ -172,7 +171,7 @@ function mesh.mesh(model, options)
       end
     end
   end
-  if not defaults[1] then check.fail(where, "no element lies in the part to be shown") end
+  if not defaults[1] then check.fail(where, "no element lies in the range to be shown") end
   defaults.title = ("mesh: %d nodes, %d elements"):format(nodes, count)
   if box then defaults.xrange, defaults.yrange = { box[1], box[2] }, { box[3], box[4] } end
   draw.draw(where, draw.over(defaults, options))
@@ -187,7 +186,7 @@ local labels = { mises = "von Mises stress / MPa", principal = "largest principa
 local stress_options = { component = check.one_of(mesh.components), body = check.text, unrolled = check.flag,
   zoom = check.one_of({ "all" }, check.box), deformed = check.number }
 
--- Nodes of a body, displaced `factor` times as far as they were.
+-- Node positions with `factor` times their displacements.
 local function displaced(body, factor)
   if factor == 0 then return body.x, body.y end
   local x, y = {}, {}
@@ -197,7 +196,7 @@ local function displaced(body, factor)
   return x, y
 end
 
--- Appends the elements that touch the box as polygons of four corners.
+-- Appends the elements that overlap the box as polygons with four corners.
 local function add_polygons(field, x, y, values, elements, box)
   local fx, fy, fv, n = field.x, field.y, field.value, #field.x
   for e = 1, #elements, 4 do
@@ -214,7 +213,7 @@ local function add_polygons(field, x, y, values, elements, box)
   end
 end
 
--- Three half widths around the contact, or all where that is wider than the bodies, unless told otherwise.
+-- The view: the user's box; else three half widths around the contact, or everything if the bodies are smaller.
 local function stress_view(contact, zoom, bodies)
   if type(zoom) == "table" then return zoom end
   local ok, a = pcall(function() return contact.half_width end)
@@ -226,8 +225,7 @@ local function stress_view(contact, zoom, bodies)
   end
 end
 
--- The stresses of a contact, of a run as it is worn, or what stress() handed out; and the contact,
--- where it is known.
+-- The stresses of a contact, of a run in its worn state, or a table returned by stress(); and the contact, if known.
 local function field_of(where, object)
   local run, contact_of = pcall(function() return type(object) == "userdata" and object.contact end)
   if run and contact_of then object = contact_of(object) end
@@ -241,7 +239,7 @@ local function field_of(where, object)
     .. check.shown(object))
 end
 
--- Largest number of a body within the view.
+-- Largest value of a component of a body within the view.
 local function largest_of(body, component, box)
   local most = 0
   for i, value in ipairs(body[component]) do
@@ -251,16 +249,16 @@ local function largest_of(body, component, box)
   return most
 end
 
-local much = 3 -- times the stresses of the softer body, which would be all dark
+local much = 3 -- limit of the ratio of both bodies' stresses, above which the softer body would be all dark
 
--- Label and range of the colours: where one body bears much more than the other, the range is the other's and the label
--- says how far the one goes beyond it.
+-- Label and range of the colours. If one body has much larger stresses, the range is that of the other body and the
+-- label states the maximum.
 local function scale_of(bodies, names, component, box, label)
   if #bodies < 2 or not (component == "mises" or component == "shear") then return label end
   local first, second = largest_of(bodies[1], component, box), largest_of(bodies[2], component, box)
   local low, high = math.min(first, second), math.max(first, second)
   if low <= 0 or high <= much * low then return label end
-  return ("%s, in the %s up to %.3g"):format(label, names[first > second and 1 or 2], high), { 0, low }
+  return ("%s (%s: up to %.3g)"):format(label, names[first > second and 1 or 2], high), { 0, low }
 end
 
 -- plot.stress(contact or contact:stress(), { component=, zoom=, body=, deformed=, levels=, ... })
@@ -286,7 +284,7 @@ function mesh.stress(object, options)
       defaults[#defaults + 1] = outline
     end
   end
-  if not field.x[1] then check.fail(where, "no element lies in the part to be shown") end
+  if not field.x[1] then check.fail(where, "no element lies in the range to be shown") end
   table.insert(defaults, 1, field)
   defaults.xlabel, defaults.ylabel = axes_of(options)
   defaults.vlabel, defaults.vrange = scale_of(shown, names, component, box, labels[component])

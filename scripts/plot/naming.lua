@@ -1,21 +1,20 @@
--- What the objects of a picture are called: for several the settings in which they differ, for one
--- its main settings, as far as they hold for all of its run. Of the objects it uses only what users
--- can.
+-- Titles of the objects of a picture: for several objects the settings in which they differ, for one object its main
+-- settings, with their ranges over the run.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
 
 local naming = {}
 
--- A field of an object, or nil: objects refuse names they do not know.
+-- A field of an object, or nil if the object has no such field.
 function naming.get(object, name)
   local ok, value = pcall(function() return object[name] end)
   if ok then return value end
 end
 local get = naming.get
 
--- What makes an object one that can be drawn: a method, or a table. Nil where it is none of that, as in
--- tables of options.
+-- Type of the fields by which an object can be drawn; naming.part returns nil if the object has no such field of this
+-- type, as tables of options.
 local kinds = { pressure = "function", profile = "function", stress = "function", history = "table", mesh = "table" }
 
 function naming.part(object, name)
@@ -28,14 +27,14 @@ end
 
 local usual = { "cylinder", "plate" }
 
--- What the bodies of an object, of its model or of a contact's stress are called: the upper one first.
+-- Names of the two bodies of an object, its model or a contact's stress, the upper body first.
 function naming.bodies(object)
   local model = get(object, "model") or get(get(object, "contact"), "model") or object
   local names = get(model, "bodies")
   return names and { names.upper, names.lower } or usual
 end
 
--- What the body that a word means is called: its name, role or kind; nil: it means none.
+-- The name of the body with this name, role or kind, or nil.
 local function called(object, word)
   local model = get(object, "model") or get(get(object, "contact"), "model") or object
   local names = get(model, "bodies")
@@ -51,8 +50,8 @@ function naming.body(where, object, word)
   return name
 end
 
--- The column of the history that a name means, as "depth_pin" depth_cylinder, and what its body is
--- called; nil where it is of no body.
+-- The column of the history for a name, as depth_cylinder for "depth_pin", and the name of its body; no body for other
+-- columns.
 function naming.column(object, name)
   local what, word = name:match("^(%l+)_([%w_]+)$")
   if what ~= "depth" and what ~= "volume" then return name end
@@ -63,7 +62,8 @@ end
 
 -- --- one setting of an object --------------------------------------------------------------------
 
--- Field, how its numbers or words are said, its name where it is neither, and on an axis.
+-- Name of the setting, format of numbers or words, symbol for a function or table, axis label. `follows`: it depends on
+-- other settings.
 local settings = {
   { "alpha", "α = %g", "α", axis = "α" }, { "stroke", "s = %g mm", axis = "s / mm" },
   { "load", "load %g N", axis = "load / N" }, { "k", "k = %g mm²/N", "k", axis = "k / (mm²/N)" },
@@ -77,10 +77,10 @@ local settings = {
   { "friction", "μ = %g", axis = "μ" }, { "tangential", "%.4g N tangential" },
 }
 
--- How far a run has come is told once.
+-- Settings that state the progress of a run; only one of them is used in a name.
 local courses = { distance = true, update = true, cycles = true }
 
--- What has no words of its own is told by its name.
+-- Settings without an entry above get their name and unit as format.
 local worded = {}
 for _, setting in ipairs(settings) do worded[setting[1]] = true end
 for _, setting in ipairs(known.wear) do
@@ -94,13 +94,13 @@ end
 local by_name = {}
 for _, setting in ipairs(settings) do by_name[setting[1]] = setting end
 
--- The axis label of a setting, for studies too, whose names may have a path ("model.radius").
+-- Axis label of a setting; names of a study's settings may have a path ("model.radius").
 function naming.axis_of(name) return by_name[name] and by_name[name].axis or name end
 
--- A setting or a column in the words of a title: "α", "depth plate".
+-- A setting or a column as words for a title: "α", "depth plate".
 function naming.word_of(name) return name == "alpha" and "α" or name == "friction" and "μ" or (name:gsub("_", " ")) end
 
--- "α = 0.5" of a number.
+-- A setting with its value: "α = 0.5".
 function naming.value_of(name, value)
   local setting = by_name[name]
   local form = setting and setting[2]:gsub("%%s", "%%g") or name .. " = %g"
@@ -110,12 +110,12 @@ end
 
 local unnamed = { ["function"] = "%s by function", table = "%s by table" }
 
--- Columns of the history that tell what a setting was all along: a changed one holds from the next
--- update on.
+-- Columns of the history with the values of a setting during the run; a changed setting applies from the next update
+-- on.
 local course = { load = "load", alpha = "alpha", stroke = "travel", k = "k",
   load_low = "load_low", load_reference = "load_reference" }
 
--- Smallest and largest of a column from its first update on; nil: there is no such column.
+-- Smallest and largest value of a setting's column from the first update on; nil without such a column.
 local function span_of(object, name)
   local history = course[name] and get(object, "history")
   local column = history and get(history, course[name])
@@ -134,8 +134,7 @@ local function show_span(low, high)
   return same(low, high) and ("%g"):format(low) or ("%g to %g"):format(low, high)
 end
 
--- Loads are from the smallest of a cycle to the largest; where pressures are told under another one,
--- that is said too.
+-- The load, from the smallest of a cycle to the largest, and the load at which pressures are reported, if different.
 local function said_load(object, low, high)
   low = span_of(object, "load_low") or low
   local from, to = span_of(object, "load_reference")
@@ -146,7 +145,7 @@ local function said_load(object, low, high)
   return text
 end
 
--- A loading has no one stroke and load of its own: nothing is said of it that no column tells.
+-- Under a loading, stroke and load vary: their ranges are taken from the history, or nil without a column.
 local function under_loading(object, setting)
   local low, high = span_of(object, setting[1])
   if not low then return nil end
@@ -154,10 +153,11 @@ local function under_loading(object, setting)
   return ("travel %s mm"):format(show_span(low, high))
 end
 
--- One of them drives a run's plate, and steps need not have a tolerance: 0 is none.
+-- Settings omitted if they are 0: stroke or tangential of a run driven by the other one, and tolerance without error
+-- control.
 local none_at_zero = { stroke = true, tangential = true, tolerance = true }
 
--- What it has been, or as it is set where no column tells.
+-- Text of a setting: its range during the run or, without a column, its present value.
 local function said(object, setting)
   local name = setting[1]
   if (name == "stroke" or name == "load") and get(object, "loading") then
@@ -172,12 +172,12 @@ local function said(object, setting)
   if name == "cycle" and type(value) == "number" and value >= 100 then value = math.floor(value + 0.5) end
   local as_word = setting[2]:find("%s", 1, true)
   if type(value) == "number" then return setting[2]:format(as_word and ("%g"):format(value) or value) end
-  return as_word and type(value) == "string" and setting[2]:format(value) or nil -- in a file anything may stand
+  return as_word and type(value) == "string" and setting[2]:format(value) or nil -- a run file may contain any value
 end
 
 -- --- several objects -----------------------------------------------------------------------------
 
--- For each object what is said of a setting in which they differ; nil where they do not.
+-- The texts of a setting for all objects, or nil if they are equal.
 local function differing(objects, setting)
   local first, differs, all = said(objects[1], setting), false, {}
   for i, object in ipairs(objects) do
@@ -205,8 +205,8 @@ local function with_said(parts, all)
   return longer
 end
 
--- Parts with the settings that differ, and those settings. What follows from others is added only
--- where it tells more objects apart.
+-- Names made of the settings that differ, and these settings. A setting that follows from others is added only if it
+-- distinguishes more objects.
 local function parts_of(objects)
   local parts, used = {}, {}
   for i in ipairs(objects) do parts[i] = {} end
@@ -224,7 +224,7 @@ end
 
 local most_in_key = 8
 
--- The values of the one setting that differs, for a scale of colours.
+-- The values of the only setting that differs, for a colour scale, or nil.
 local function scale_of(objects, used)
   if #objects <= most_in_key or #used ~= 1 or not used[1].axis then return nil end
   local values = {}
@@ -235,9 +235,8 @@ local function scale_of(objects, used)
   return { label = used[1].axis, values = values }
 end
 
--- The settings in which the objects differ, for each object; what follows from others (SP or NSP
--- from the stroke, the cycles from the distance) only where nothing else tells them apart. With
--- more than eight that differ in one number, also a scale { label=, values= }.
+-- The name of each object: the settings in which the objects differ, or `titles`. For more than eight objects that
+-- differ in one number, also a colour scale { label=, values= }.
 function naming.names_of(where, objects, titles)
   if titles and #titles ~= #objects then
     check.fail(where, ("field 'titles': expected one for each of %d objects, got %d"):format(
@@ -254,7 +253,7 @@ end
 
 -- --- one object ----------------------------------------------------------------------------------
 
--- Whether one of its bodies has layers, each of which wears by its own k: no alpha holds for all of its run.
+-- True if a body has layers with different k, so that no single alpha applies to the run.
 local function is_layered(object)
   local model = get(object, "model")
   for _, role in ipairs{ "upper", "lower" } do
@@ -264,7 +263,7 @@ local function is_layered(object)
   return false
 end
 
--- What an object alone on a picture is: its main settings.
+-- Main settings of the only object of a picture.
 function naming.summary(object)
   local parts, layered = {}, is_layered(object)
   for _, name in ipairs { "stroke", get(object, "stroke") and "tangential" or false, "alpha", "load", "cycle" } do

@@ -1,5 +1,4 @@
--- Where a figure is drawn: characters, dots or pixels of the terminal, a window, a file; and how
--- large. Leans on archard.term, which asks the terminal, and on plot/style.lua.
+-- Chooses the output and size of a figure: characters, dots or pixels in the terminal, a window or a file.
 
 local gnuplot = require "archard.gnuplot"
 local term = require "archard.term"
@@ -8,7 +7,7 @@ local style = require "archard.plot.style"
 
 local output = {}
 
-output.default = {} -- term, size, colour, key where a call does not give them
+output.default = {} -- default term, size, colour and key
 
 local windows = { window = true, qt = true, wxt = true, x11 = true }
 local file_kinds = {}
@@ -26,8 +25,7 @@ end
 
 -- --- the terminal --------------------------------------------------------------------------------
 
--- As wide as the terminal, as high as it can be read without scrolling away; panels in rows need
--- more.
+-- Size in characters: the width of the terminal, and a height that fits without scrolling; more for panels in rows.
 local function text_size(figure)
   local columns, lines = term.size()
   local width = math.max(40, math.min(columns, 160))
@@ -36,7 +34,7 @@ local function text_size(figure)
   return width, math.max(height, rows > 1 and 12 * rows + 2 or 0)
 end
 
--- What a call says of colours, or plot.default: true, false for greys and plain characters, nil where neither does.
+-- Colours of the call or of plot.default: true; false for greys and plain characters; nil if not given.
 local function colours_of(given)
   local colour = given.colour
   if colour == nil then colour = output.default.colour end
@@ -52,8 +50,8 @@ local function to_text(figure, given, fine)
     ascii = not term.utf8() }
 end
 
--- A picture of pixels covers what one in characters would; its letters are as large as those around
--- it. Terminals that do not tell have cells of 8 by 16.
+-- A picture of pixels has the size of one in characters and letters as large as the terminal's. Cells of 8 by 16 pixels
+-- are assumed if the terminal does not report their size.
 local function to_pixels(figure, kind)
   local columns, lines = term.size()
   local wide, high = term.pixels()
@@ -64,12 +62,10 @@ local function to_pixels(figure, kind)
     dpi = math.max(50, 100 * cell_y / 18) }
 end
 
--- The fonts that xterm usually has show empty frames for these dots; other terminals borrow from
--- other fonts.
+-- False in xterm, whose usual fonts have no glyphs for Braille dots; other terminals use fallback fonts.
 local function shows_dots() return term.utf8() and not os.getenv "XTERM_VERSION" end
 
--- What the terminal can do best: pixels where it answers so, else dots, where it has colours and
--- UTF-8, else characters.
+-- The best output of the terminal: pixels if supported, else dots with colours and UTF-8, else characters.
 local function best(figure, given, moving)
   local colour = colours_of(given)
   if colour == nil then colour = term.colour() end
@@ -85,13 +81,13 @@ end
 local function to_window(where, name)
   local screen = (os.getenv("DISPLAY") or "") .. (os.getenv("WAYLAND_DISPLAY") or "")
   if screen == "" then
-    check.fail(where, "there is no screen for a window: neither DISPLAY nor WAYLAND_DISPLAY is "
+    check.fail(where, "no screen for a window: neither DISPLAY nor WAYLAND_DISPLAY is "
       .. "set. Leave out term to draw in the terminal, or give file=", "MISSING")
   end
   return { medium = "window", terminal = name ~= "window" and name or nil }
 end
 
--- On the screen; `moving`: it will be drawn over soon, which pixels are too slow for.
+-- Output on the screen; `moving`: the picture will be redrawn soon, for which pixels are too slow.
 local function to_screen(where, figure, given, kind, moving)
   if windows[kind] then return to_window(where, kind) end
   if kind == "sixel" or kind == "kitty" then return to_pixels(figure, kind) end
@@ -117,9 +113,9 @@ function output.to_file(where, figure, file, kind, size)
   return to
 end
 
--- --- which ---------------------------------------------------------------------------------------
+-- --- choice of the output ------------------------------------------------------------------------
 
--- Pixels are grey where colours are refused; those of files where the style says so.
+-- True if the picture has only greys: by the call or plot.default, for files also by the style.
 local function is_grey(given)
   local colour = colours_of(given)
   if colour == nil and given.file then colour = style.colour() end
@@ -130,7 +126,7 @@ local function chosen(where, figure, given, moving)
   local kind = given.term
   if given.file then
     if kind and not file_kinds[kind] and kind ~= "dumb" then
-      check.fail(where, ("field 'term': \"%s\" draws on the screen, but there is a file"):format(
+      check.fail(where, ("field 'term': \"%s\" draws on the screen, but a file is given"):format(
         kind))
     end
     return output.to_file(where, figure, given.file, kind == "dumb" and "txt" or kind,
@@ -141,10 +137,10 @@ local function chosen(where, figure, given, moving)
     check.fail(where, ('field \'file\': term="%s" needs the name of a file, got nil'):format(kind))
   end
   local to = to_screen(where, figure, given, kind, moving)
-  local size = given.size or output.default.size -- the default is of characters
+  local size = given.size or output.default.size -- the default size is in characters
   if size and not (to.shown_by and not given.term and not output.default.term) then
     to.width, to.height = size[1], size[2]
-  elseif size then -- meant for characters
+  elseif size then -- convert from characters to pixels
     local columns, lines = term.size()
     local wide, high = term.pixels()
     to.width = math.floor(size[1] * (wide or 8 * columns) / columns)
@@ -159,7 +155,7 @@ function output.choose(where, figure, given, moving)
   return to
 end
 
--- What a curve may be for, where it says so: characters do not show what lies behind others.
+-- Surfaces that a curve may be restricted to: characters cannot show overlapping areas.
 output.surfaces = { "pixels", "characters" }
 
 function output.surface(to)
@@ -184,7 +180,7 @@ local function base64(bytes)
   return table.concat(out)
 end
 
--- In pieces of 4096 characters, as kitty's protocol asks.
+-- Splits the picture into pieces of 4096 characters, as the kitty protocol requires.
 local function for_kitty(png)
   local text, pieces = base64(png), {}
   for i = 1, #text, 4096 do
@@ -195,7 +191,7 @@ local function for_kitty(png)
   return table.concat(pieces) .. "\n"
 end
 
--- What to write for a picture that was drawn to this output.
+-- The bytes to write to the terminal for a picture.
 function output.written(picture, to)
   if to.shown_by == "kitty" then return for_kitty(picture) end
   return picture:sub(-1) == "\n" and picture or picture .. "\n"

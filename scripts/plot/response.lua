@@ -1,5 +1,4 @@
--- plot.response: what the cases of a study come to against what was varied in it; curves for a
--- second setting, or a map of two. Leans on plot/draw.lua; of the cases it uses only what users can.
+-- plot.response: a result of a study's cases over a varied setting, as curves for a second setting or as a map of both.
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
@@ -10,7 +9,7 @@ local curves = require "archard.plot.curves"
 
 local where = "plot.response"
 
--- --- what was varied -----------------------------------------------------------------------------
+-- --- varied settings -----------------------------------------------------------------------------
 
 local function setting_of(study, case, name)
   local value = (study.flat and study.flat[case.id] or case.settings)[name]
@@ -26,8 +25,8 @@ local function check_varied(study, field, name)
     check.hint(name, study.varied)))
 end
 
-local function held(study, case, wanted)
-  for name, value in pairs(wanted) do
+local function matches(study, case, given)
+  for name, value in pairs(given) do
     local is = setting_of(study, case, name)
     local close = type(is) == "number" and type(value) == "number"
       and math.abs(is - value) <= 1e-9 * math.max(math.abs(is), math.abs(value))
@@ -36,9 +35,9 @@ local function held(study, case, wanted)
   return true
 end
 
--- A name that no case has is a misspelt one.
-local function check_where(study, wanted)
-  for name in pairs(wanted) do
+-- Refuses names in `where` that no case has.
+local function check_where(study, given)
+  for name in pairs(given) do
     local known = false
     for _, case in ipairs(study:cases()) do known = known or setting_of(study, case, name) ~= nil end
     if not known then
@@ -48,11 +47,11 @@ local function check_where(study, wanted)
   end
 end
 
--- The finished cases that are asked for, each as { x=, by=, y= }.
+-- The finished cases that match options.where, each as { case=, x=, by=, y= }.
 local function points_of(study, options)
   local points = {}
   for _, case in ipairs(study:cases()) do
-    if case.status == "done" and held(study, case, options.where or {}) then
+    if case.status == "done" and matches(study, case, options.where or {}) then
       local point = { case = case, x = setting_of(study, case, options.x),
         by = options.by and setting_of(study, case, options.by),
         y = naming.get(case, options.y) or case.last and case.last[options.y] }
@@ -63,29 +62,29 @@ local function points_of(study, options)
       points[#points + 1] = point
     end
   end
-  if #points == 0 then check.fail(where, "no finished case is among those asked for") end
+  if #points == 0 then check.fail(where, "no finished case matches 'where'") end
   return points
 end
 
--- Two cases at one place differ in something that the picture would hide.
+-- Refuses two cases at the same position in the picture, which differ in another setting.
 local function refuse_hidden(study, points)
   local seen = {}
   for _, point in ipairs(points) do
-    local place = tostring(point.x) .. "|" .. tostring(point.by)
-    local other = seen[place]
+    local position = tostring(point.x) .. "|" .. tostring(point.by)
+    local other = seen[position]
     for _, name in ipairs(other and study.varied or {}) do
       local a, b = setting_of(study, other, name), setting_of(study, point.case, name)
       if a ~= b then
-        check.fail(where, ("cases %d and %d stand at the same place and differ in %s: choose with "
+        check.fail(where, ("cases %d and %d have the same position and differ in %s: choose with "
           .. "by=\"%s\" or where={ %s=%s }"):format(other.id, point.case.id, name, name, spelling.field(name),
           type(a) == "string" and ("%q"):format(a) or tostring(a)))
       end
     end
-    seen[place] = point.case
+    seen[position] = point.case
   end
 end
 
--- The distinct values of a field, numbers by size, words as they come.
+-- The distinct values of a field: numbers sorted, other values in order of appearance; and true if all are numbers.
 local function values_of(points, field)
   local values, seen, numbers = {}, {}, true
   for _, point in ipairs(points) do
@@ -102,7 +101,7 @@ end
 
 -- --- curves --------------------------------------------------------------------------------------
 
--- Words, and numbers beside them, stand at 1, 2, 3, ...
+-- Tick positions 1, 2, 3, ... with the values as labels, if not all values are numbers.
 local function places_for(values, numbers)
   if numbers then return nil end
   local at, words = {}, {}
@@ -143,7 +142,7 @@ end
 
 -- --- map -----------------------------------------------------------------------------------------
 
--- One square a case: strokes of .11 and 20 mm have no common scale.
+-- One square for each case, as strokes of 0.11 and 20 mm have no common scale.
 local function as_map(points, options, _, factor)
   local xs, ys = values_of(points, "x"), values_of(points, "by")
   local across, up = position_in(xs, false), position_in(ys, false)
@@ -163,8 +162,8 @@ end
 
 -- --- the picture ---------------------------------------------------------------------------------
 
--- What a column is called over its picture and on its axis: "wear depth of the cylinder",
--- "wear depth / µm"; and the factor to that unit.
+-- Name of a quantity in the title ("wear depth"), label of its axis ("wear depth / µm"), factor to that unit, and the
+-- text " of the cylinder" or " of the plate".
 local function labels_of(name)
   local label, factor = curves.quantity_of(name)
   if not label then return name, name, 1 end

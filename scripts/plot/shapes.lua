@@ -1,5 +1,4 @@
--- Numbers as pictures need them: in another unit, and two curves as the area between them. Leans on
--- nothing.
+-- Helpers for curves: scaled values and the filled area between two curves.
 
 local shapes = {}
 
@@ -10,7 +9,7 @@ function shapes.scaled(list, factor)
   return result
 end
 
--- A filled curve: out along the lower one and back along the upper one.
+-- A filled curve along `low` and back along `high`.
 function shapes.area(x, low, high, factor)
   local xs, ys = table.move(x, 1, #x, 1, {}), {}
   for i = 1, #x do ys[i] = low[i] * factor end

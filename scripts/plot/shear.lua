@@ -1,4 +1,4 @@
--- plot.shear, plot.slip: what friction does in a contact. Leans on plot/curves.lua and plot/draw.lua.
+-- plot.shear, plot.slip: shear tractions and slip of a contact with friction.
 
 local check = require "archard.lib.check"
 local curves = require "archard.plot.curves"
@@ -17,7 +17,7 @@ local function bounds_of(pressure, friction)
   return upper, lower, most
 end
 
--- Each zone that sticks, shaded up to `top` on one kind of surface; the first one names them.
+-- Fills each stick zone from `bottom` to `top` on one kind of surface; the first one has the title.
 local function add_zones(given, contact, bottom, top, surface)
   for i, zone in ipairs(contact.stick) do
     given[#given + 1] = { x = { zone.left, zone.right, zone.right, zone.left, zone.left },
@@ -28,17 +28,17 @@ end
 
 local function around(contact)
   local edges = contact.edges
-  local room = 0.25 * contact.half_width
-  return { edges.left - room, edges.right + room }
+  local margin = 0.25 * contact.half_width
+  return { edges.left - margin, edges.right + margin }
 end
 
 local axes = check.one_of{ "x", "z" }
 
 local function refuse_axis(where, options)
-  if options.axis then check.fail(where, "field 'axis': expected none in the plane, where all is along x") end
+  if options.axis then check.fail(where, "field 'axis': not allowed in two dimensions, where all tractions are along x") end
 end
 
--- In 3-D: the map of a contact's method, by its size or its part along an axis, in the same units.
+-- In three dimensions: draws the map of a contact's shear or slip, its magnitude or its component along an axis.
 local function draw_map(where, contact, method, options)
   options = draw.options(where, options, { axis = axes })
   local axis = options.axis
@@ -61,7 +61,8 @@ function shear.shear(contact, options)
   local upper, lower, most = bounds_of(contact:pressure(body), contact.friction)
   local given = {}
   add_zones(given, contact, -1.05 * most, 1.05 * most, "pixels")
-  add_zones(given, contact, -1.05 * most, -0.95 * most, "characters") -- which do not show what lies behind others
+  -- narrow, as characters cannot show overlapping areas
+  add_zones(given, contact, -1.05 * most, -0.95 * most, "characters")
   given[#given + 1] = { x = q.x, y = upper, series = 2, dash = 2, title = "±μp" }
   given[#given + 1] = { x = q.x, y = lower, series = 2, dash = 2 }
   given[#given + 1] = { x = q.x, y = q.q, series = 1, title = "q" }
@@ -72,7 +73,7 @@ function shear.shear(contact, options)
   draw.draw(where, draw.over(given, options))
 end
 
--- Slip where the contact is, um.
+-- Slip within the contact [µm].
 local function slip_within(contact)
   local slip, edges = contact:slip(), contact.edges
   local x, s = {}, {}
@@ -93,7 +94,7 @@ function shear.slip(...)
   end
   local objects, words, options = curves.split(where, "stick", { titles = check.table, axis = axes }, ...)
   refuse_axis(where, options)
-  if words[1] then check.fail(where, "expected contacts, got the word " .. check.shown(words[1])) end
+  if words[1] then check.fail(where, "expected contacts, got the string " .. check.shown(words[1])) end
   local names = naming.names_of(where, objects, options.titles)
   local given = { xlabel = "x / mm", ylabel = "slip / µm", title = "slip" }
   for i, contact in ipairs(objects) do

@@ -1,5 +1,4 @@
--- plot.style: the size of figures and of their letters and lines for print, slides or the screen.
--- Leans on nothing but checks; plot/output.lua asks here.
+-- plot.style: the size of figures, letters and lines for print, slides or the screen.
 
 local check = require "archard.lib.check"
 local keys = require "archard.lib.keys"
@@ -8,8 +7,8 @@ local strict = require "archard.strict"
 
 local style = {}
 
--- Widths in mm, letters in points, lines relative to those of the screen; `shape` is height over
--- width of a figure of one panel. The screen has pixels and no width of its own.
+-- Widths in mm, letters in points, lines relative to those of the screen; `shape` is the height of a figure with one
+-- panel divided by its width. The screen's size is in pixels.
 local presets = {
   screen = { name = "screen" },
   paper = { name = "paper", column = 85, page = 170, points = 8, lines = 0.8, dpi = 600,
@@ -35,24 +34,25 @@ local fields = {
   lines = of_numbers(0.1, 10), title = check.flag, colour = check.one_of({ "grey" }, check.flag),
 }
 
--- What a style may have: its options, and what a preset brings besides.
+-- Names of the fields of a style: its options and the fields of a preset.
 local names = keys(merged(fields, { name = true, column = true, page = true, shape = true }))
 local held = { __plain = true, __index = function(_, name) return strict.refuse("plot.style", name, names) end }
 
-local as_column = { single = "column", double = "page" } -- as journals call them
+local as_column = { single = "column", double = "page" } -- names used by journals
 
 local function shown(chosen) return setmetatable(merged(chosen), held) end
 
 local function refuse_on_screen(given)
   for _, name in ipairs { "width", "height", "dpi" } do
     if given[name] ~= nil then
-      check.fail("plot.style", ("field '%s': the screen's figures have their size in pixels, by size "
-        .. 'of the plot; give "paper", "journal" or "slides" for one in mm'):format(name))
+      check.fail("plot.style", ("field '%s': figures for the screen have their size in pixels, set by the field size "
+        .. 'of plot{}; use "paper", "journal" or "slides" for a size in mm'):format(name))
     end
   end
 end
 
--- plot.style "paper", plot.style{ "paper", width="page", ... }: from now on; returns what holds.
+-- plot.style "paper", plot.style{ "paper", width="page", ... }: sets the style of all later files; returns the current
+-- style.
 function style.choose(given)
   if given == nil then return shown(current) end
   if type(given) == "string" then given = { given } end
@@ -75,15 +75,15 @@ end
 
 -- --- the size of a figure ------------------------------------------------------------------------
 
--- Figures of several columns of panels want the page.
+-- Width [mm]; figures with several columns of panels have the width of the page.
 local function width_of(columns)
   local width = current.width or (columns > 1 and "page" or "column")
   return current[width] or width
 end
 
-local highest_panel, highest = 60, 240 -- mm: what a reader takes in at once; a page of a journal
+local highest_panel, highest = 60, 240 -- [mm] largest height of a panel; height of a journal page
 
--- One panel has the style's shape; panels in a grid are a little lower than wide.
+-- Height [mm]: with one panel by the style's shape; panels in a grid are slightly lower than wide.
 local function height_of(width, rows, columns, size)
   if current.height then return current.height end
   if size then return width * size[2] / size[1] end
@@ -91,17 +91,17 @@ local function height_of(width, rows, columns, size)
   return math.min(highest, width / columns * 0.85 * rows + 8, highest_panel * rows + 8)
 end
 
--- Panels that a picture sets below each other stand side by side where they share a page: rows, columns.
+-- Rows and columns of the panels; up to three stacked panels are drawn side by side if the style has pages.
 function style.grid(rows, columns)
   if current.page and columns == 1 and rows <= 3 and current.width ~= "column" then return 1, rows end
   return rows, columns
 end
 
--- Units of an inch where there are no pixels: those of a browser; a thousandth, to round little.
+-- Units per inch of vector formats: 96 as in a browser; 1000 to keep the rounding error small.
 local units = { svg = 96, pdf = 1000, eps = 1000 }
 
--- Fills an output to a file: pixels, their number in an inch, letters and lines. `size`: what the
--- caller asks for [pixels], which are then spread over the style's width.
+-- Sets size, resolution, letters and lines of an output to a file. `size`: the caller's size [pixels], scaled to the
+-- width of the style.
 function style.apply(output, rows, columns, size, ending)
   output.points, output.lines, output.family = current.points, current.lines, current.font
   if not current.column then return end
@@ -113,11 +113,12 @@ function style.apply(output, rows, columns, size, ending)
   output.height = math.floor(height / 25.4 * dpi + 0.5)
 end
 
--- Whether pictures have a size of their own, in mm; and titles that no call gives.
+-- True if the style sets the size of pictures [mm].
 function style.in_mm() return current.column ~= nil end
+-- False if the style omits titles that the call does not give.
 function style.titled() return current.title ~= false end
 
--- What a picture's colours are where no call says it: true, false or "grey"; nil where the style says nothing.
+-- Colours of the style: true, false or "grey"; nil if the style does not set them.
 function style.colour() return current.colour end
 
 return style

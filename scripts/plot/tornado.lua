@@ -1,6 +1,5 @@
--- plot.tornado: which number matters most for a result: bars in the order of their length, of Sobol's
--- indices or rank correlations of a sampled study, or of elasticities. Leans on plot/draw.lua; of the
--- objects it uses only what users can.
+-- plot.tornado: bars for the influence of each input on a result, sorted by length: Sobol's indices or rank
+-- correlations of a sampled study, or elasticities of a sensitivity.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -8,9 +7,10 @@ local naming = require "archard.plot.naming"
 
 local where = "plot.tornado"
 
--- --- what the bars are ---------------------------------------------------------------------------
+-- --- values of the bars --------------------------------------------------------------------------
 
--- Each kind: the label of its axis, and bars { name=, value=, whole= }; whole is the longer bar behind.
+-- Each function returns the label of the axis and bars { name=, value=, whole= }; whole, if any, is the longer bar
+-- behind.
 local function of_sensitivity(object, of, at)
   local bars = {}
   for i, name in ipairs(object.to) do bars[i] = { name = name, value = object[of][name].elasticity[at] } end
@@ -41,7 +41,8 @@ end
 
 local function length_of(bar) return math.abs(bar.whole or bar.value) end
 
--- Bars lie about heights 1, 2, ..., the longest on top, from `below` to `above` of them; the first has the title.
+-- Adds filled bars at the heights 1, 2, ..., the longest on top, from `below` to `above` each height; the first bar has
+-- the title.
 local function add_bars(curves, bars, field, below, above, series, title)
   for i, bar in ipairs(bars) do
     local to = bar[field]
@@ -50,12 +51,12 @@ local function add_bars(curves, bars, field, below, above, series, title)
   end
 end
 
--- Two bars of a name stand beside each other: one upon the other would have a third colour.
+-- The curves of all bars. Two bars of one input are drawn side by side, as overlapping bars would show a third colour.
 local function curves_of(bars)
   local curves = {}
   if bars[1].whole then
-    add_bars(curves, bars, "whole", 0.02, 0.36, 1, "with all it takes part in")
-    add_bars(curves, bars, "value", -0.36, -0.02, 2, "by itself")
+    add_bars(curves, bars, "whole", 0.02, 0.36, 1, "total index")
+    add_bars(curves, bars, "value", -0.36, -0.02, 2, "first-order index")
   else
     add_bars(curves, bars, "value", -0.35, 0.35, 1)
   end
@@ -68,11 +69,11 @@ local function places_of(bars)
   return { at = at, words = words }
 end
 
--- The place of the distance nearest to the one asked for; the last.
-local function place_of(distance, wanted)
+-- Index of the distance nearest to `at`, or the last index without `at`.
+local function index_of(distance, at)
   local best = #distance
-  for i, d in ipairs(wanted and distance or {}) do
-    if math.abs(d - wanted) < math.abs(distance[best] - wanted) then best = i end
+  for i, d in ipairs(at and distance or {}) do
+    if math.abs(d - at) < math.abs(distance[best] - at) then best = i end
   end
   return best
 end
@@ -82,7 +83,7 @@ local function name_in(object, of)
   for _, name in ipairs(object.of) do
     if name == of then return of end
   end
-  check.fail(where, ("field 'of': it does not tell of '%s'%s"):format(of, check.hint(of, object.of)))
+  check.fail(where, ("field 'of': no quantity '%s'%s"):format(of, check.hint(of, object.of)))
 end
 
 -- plot.tornado(study or uncertainty or sensitivity, { of=, at=, ... })
@@ -92,14 +93,14 @@ return function(object, options)
     object = check.as(where, object.uncertainty, object, { of = options.of or "depth_cylinder" })
   end
   local read = reader_of(object)
-  local of, place = name_in(object, options.of), place_of(object.distance, options.at)
-  local label, bars = read(object, of, place)
+  local of, index = name_in(object, options.of), index_of(object.distance, options.at)
+  local label, bars = read(object, of, index)
   table.sort(bars, function(a, b)
     if length_of(a) ~= length_of(b) then return length_of(a) < length_of(b) end
     return a.name > b.name
   end)
   local given = curves_of(bars)
   given.xlabel, given.yplaces, given.yrange = label, places_of(bars), { 0.5, #bars + 0.5 }
-  given.title = ("%s at %g mm"):format(of:gsub("_", " "), object.distance[place])
+  given.title = ("%s at %g mm"):format(of:gsub("_", " "), object.distance[index])
   draw.draw(where, draw.over(given, options))
 end

@@ -1,4 +1,4 @@
--- plot.profile of measured traces: heights or depths over x, one curve a trace.
+-- plot.profile for measured traces: heights or depths over x, one curve for each trace.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"

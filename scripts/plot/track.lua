@@ -1,4 +1,5 @@
--- plot.track: paths of points of a joint's head over its cup in a cycle, azimuthal equal-area about the nominal load.
+-- plot.track: paths of points of a joint's head over its cup in a cycle, in an azimuthal equal-area projection about
+-- the nominal load.
 
 local check = require "archard.lib.check"
 local draw = require "archard.plot.draw"
@@ -11,7 +12,8 @@ local function points()
   return list
 end
 
--- Where a point is in an instant: rotations are the first nine of its fifteen numbers.
+-- Position of the point `m` of the head at instant i; each instant has 15 numbers, the first nine of which are the
+-- rotation.
 local function turned(instants, i, m)
   local n = {}
   for k = 1, 3 do
@@ -32,7 +34,7 @@ return function(g, options)
   local radius, count, given = options.radius or 14, g.increments, {}
   for number, m in ipairs(points()) do
     local path = flat.curve(radius, function(t) return turned(g.instants, math.floor(t * count + 0.5) % count, m) end, count)
-    path.title = number == 1 and "pole" or number == 2 and "30 degrees from it" or nil
+    path.title = number == 1 and "pole" or number == 2 and "30 degrees from the pole" or nil
     path.series = number == 1 and 1 or 2
     given[number] = path
   end

@@ -1,11 +1,11 @@
--- Lengths along the axes of pictures in the unit that their size asks for: distances in m or km, depths in nm. The figure
--- keeps its own numbers, so that points that come later are in those. Leans on nothing but the form of a figure.
+-- Converts lengths along the axes of a picture to a suitable unit: distances to m or km, depths to nm. The original
+-- figure is not changed, so that points can be added to it in its own units.
 
 local merged = require "archard.lib.merged"
 
 local units = {}
 
--- Labels of axes that may be shown in another unit; a mm in them, and the length [mm] up to which each is used.
+-- Axis labels whose unit may be changed; units, their size per mm, and the length [mm] up to which each is used.
 local lengths = { distance = true, ["wear depth"] = true, ["sum of wear depths"] = true, slip = true }
 local known = { { "nm", 1e6, 1e-4 }, { "µm", 1e3, 1 }, { "mm", 1, 1e4 }, { "m", 1e-3, 1e7 }, { "km", 1e-6, math.huge } }
 
@@ -15,13 +15,13 @@ local function in_mm(unit)
   end
 end
 
--- What an axis shows and a mm of its unit; nil: no length of these.
+-- Label of an axis and the length of its unit [mm]; nil for axes without a length.
 local function length_of(axis)
   local what, unit = (axis.label or ""):match "^(.-) / (%S+)$"
   if lengths[what] and in_mm(unit) then return what, in_mm(unit) end
 end
 
--- The largest number that an axis shows.
+-- Largest absolute value that an axis shows.
 local function reach_of(panel, name)
   local most, axis = 0, panel[name]
   for _, curve in ipairs(panel.curves) do
@@ -33,7 +33,7 @@ local function reach_of(panel, name)
   return most
 end
 
--- The largest lengths [mm] of a figure's axes, by what they show: panels of one kind have one unit.
+-- Largest length [mm] shown by all axes with the same label, which have the same unit.
 local function reaches_of(figure, name)
   local reaches = {}
   for _, panel in ipairs(figure.panels) do
@@ -67,7 +67,7 @@ local function in_unit(panel, name, label, factor)
   return merged(panel, { [name] = axis, curves = curves })
 end
 
--- The figure with lengths along its axis `name` ("x" or "y") in the unit that suits them.
+-- The figure with lengths along its axis `name` ("x" or "y") in a suitable unit.
 function units.shown(figure, name)
   local reaches, result = reaches_of(figure, name), merged(figure)
   result.panels = {}

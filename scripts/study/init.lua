@@ -37,7 +37,7 @@ end
 local function refuse_two(where, given)
   for _, pair in ipairs{ { "vary", "cases" }, { "vary", "sample" }, { "cases", "sample" } } do
     if given[pair[1]] and given[pair[2]] then
-      check.fail(where, ("fields '%s' and '%s': give only one of them"):format(pair[1], pair[2]))
+      check.fail(where, ("fields '%s' and '%s': expected one of them, got both"):format(pair[1], pair[2]))
     end
   end
 end

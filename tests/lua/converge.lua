@@ -69,12 +69,12 @@ c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen" }, m
 found = c.cases[1].found
 ok(found.capped and found.bound == "stability" and found.jump < limit and found.jump > limit / 1.6,
   "never past the limit of stability")
-holds(c:notes()[1], { "limit of stability", "the only case" }, "which is said")
+holds(c:notes()[1], { "stability limit", "the only case" }, "which is said")
 c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen", cycles = 400 }, mesh = false,
   smooth = 0.99, symmetric = 0.99 }
 found = c.cases[1].found
 ok(found.bound == "cycles" and found.jump == 40, "nor past a tenth of all cycles")
-holds(tostring(c), { "≥40", "up to a tenth of all cycles" }, "which is said")
+holds(tostring(c), { "≥40", "stops at a tenth of all cycles" }, "which is said")
 
 c = study.converge{ base = { geometry = "frozen", model = coarse }, mesh = false,
   vary = { stroke = { 0.11, 0.2 } }, file = file, workers = 2, progress = false }
@@ -198,9 +198,9 @@ is(#calibrate{ load = 100, distance = at, error = 1e-6, volume = { cylinder = vo
 fails(function() calibrate{ load = 1, distance = at, volume = { cylinder = { 1, 2 }, plate = 0 } } end,
   { "volume.cylinder", "5 volumes" }, "a volume for each distance")
 fails(function() calibrate{ load = 1, distance = { 1, 2 }, volume = { cylinder = { 2, 1 }, plate = 0 } } end,
-  "less at distance 2", "volumes that fall")
+  "a smaller volume at distance 2", "volumes that fall")
 fails(function() calibrate{ load = 1, distance = { 2, 1 }, volume = { cylinder = { 1, 2 }, plate = 0 } } end,
-  "growing", "distances that fall")
+  "increasing", "distances that fall")
 fails(function() calibrate{ distance = { 1, 2 }, depth = { cylinder = 1, plate = 1 } } end, "as 'depth' is given",
   "depths have one distance")
 
@@ -225,7 +225,7 @@ local known = calibrate(with{ k = 2.5e-8, depth = { cylinder = truth.depth.cylin
 near(known.alpha, 0.3, 1e-3, "alpha alone, where k is known")
 is(known.k, nil, "which is not found then")
 fails(function() calibrate(with{ k = 1e-8, depth = { cylinder = truth.depth.cylinder, plate = truth.depth.plate } }) end,
-  { "'k'", "without the field" }, "a k that makes other depths is refused")
+  { "'k'", "without this field" }, "a k that makes other depths is refused")
 fails(function() calibrate(with{ depth = { cylinder = 0.31, plate = 0.62 } }) end, "are they in um?", "depths in um")
 fails(function() calibrate{ depth = { cylinder = 1e-3, plate = 1e-3 }, distance = 440 } end, "'load'",
   "depths without the load")
@@ -255,5 +255,5 @@ fails(function() calibrate{ volume = { cylinder = -1 }, load = 1, distance = 1 }
   { "volume.cylinder", "-1" }, "no negative volume")
 fails(function() calibrate{ volume = { cyl = 1 }, load = 1, distance = 1 } end, "volume.cyl",
   "a misspelt body")
-fails(function() calibrate{ volume = { cylinder = 0, plate = 0 }, load = 1, distance = 1 } end, "got none",
+fails(function() calibrate{ volume = { cylinder = 0, plate = 0 }, load = 1, distance = 1 } end, "got 0 for both",
   "no wear at all")

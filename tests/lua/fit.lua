@@ -32,7 +32,7 @@ f.wear:run{ distance = 300 }
 is(f.wear.distance, 300.0, "and goes on")
 ok(f.data[2].low[20] < f.data[2].model[20] and f.data[2].model[20] < f.data[2].high[20], "a band")
 holds(tostring(f), { "k ", "mm2/N", "correlations", "profile of the plate at 220 mm", "chi2",
-  "of the errors given" }, "print(f)")
+  "rms of residual / error" }, "print(f)")
 
 -- --- a trace from another origin -----------------------------------------------------------------
 local surface, aside = truth:profile "plate", { x = {}, z = {} }
@@ -160,11 +160,11 @@ os.remove(file)
 local one = { of = "volume_plate", distance = { 100, 220 }, value = { 5e-5, 1.1e-4 }, relative = 0.03 }
 local three = { of = "volume_plate", distance = { 50, 100, 220 }, value = { 2.5e-5, 5e-5, 1.1e-4 }, relative = 0.03 }
 g = fit{ base = base, unknown = unknown, data = { three } }
-holds(tostring(g), { "alpha and k cannot be told apart", "without a standard error" }, "what data cannot tell")
+holds(tostring(g), { "the data determine only a combination of alpha and k", "without a standard error" }, "what data cannot tell")
 is(g.error.k, math.huge, "has no standard error")
 three.value = { 1e-4, 2e-4, 4e-4 }
 g = fit{ base = base, unknown = { alpha = 0.5 }, data = { three } }
-holds(tostring(g), { "alpha is at its lower bound, 0", "times the errors given" }, "at a bound")
+holds(tostring(g), { "alpha is at its lower bound, 0", "times the given errors" }, "at a bound")
 
 local function refused(given, parts, what)
   given.base = given.base or base
@@ -186,7 +186,7 @@ refused({ base = { radius = 1 }, unknown = unknown, data = { one } }, "it is a f
 refused({ unknown = { scheme = 1 }, data = { one } }, { "unknown.scheme", "number" }, "one that is no number")
 refused({ unknown = { alpha = 1 }, data = { one } }, { "unknown.alpha.start", "inside the bounds 0" }, "a start at a bound")
 refused({ unknown = { load = { start = 90, knots = { 0, 1 } } }, data = { one } }, "only k, alpha", "a curve of a number")
-refused({ unknown = { law_exponent = 1 }, data = { three } }, "'law_exponent' does nothing", "an idle unknown")
+refused({ unknown = { law_exponent = 1 }, data = { three } }, "'law_exponent' has no effect", "an idle unknown")
 refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = 220, value = { 1, 2 } } } },
   { "data[1].value", "expected 1 numbers", "got 2" }, "lists of different length")
 refused({ unknown = { k = 1e-8 }, data = { { of = "volum", distance = 220, value = 1 } } }, "data[1].of", "no such column")
@@ -208,7 +208,7 @@ near(d.alone[3].error.k, 1e-8 / math.sqrt(1 + 1 / 0.03 ^ 2), 1e-4, "the volume o
 near(d.alone[3].error.alpha, 1 / math.sqrt(12), 1e-4, "and nothing of alpha")
 is(#d.best, 3, "an order to measure in")
 ok(d.all.k <= d.best[3].error.k, "all together tell most")
-holds(tostring(d), { "cannot tell", "best", "together" }, "print(d)")
+holds(tostring(d), { "undetermined", "best", "together" }, "print(d)")
 holds(d:table(), { "measurement,distance [mm],error of alpha", "volume_plate,220" }, "its table")
 fails(function() fit.design{ unknown = unknown, measure = { { of = "volume", distance = 1 } } } end,
   { "measure[1]", "error" }, "an error is needed")
@@ -239,4 +239,4 @@ holds(commands, '"width / mm"', "a picture of what is no column of the history")
 holds(commands, "filledcurves closed", "its band is an area of its own, not one down to zero")
 script:close()
 os.remove(file .. ".gp")
-fails(function() plot.fit({}) end, "expected what fit{}", "plot.fit of something else")
+fails(function() plot.fit({}) end, "expected a result of fit{}", "plot.fit of something else")

@@ -273,7 +273,7 @@ local function picture(draw)
   return text
 end
 local text = picture(function(file) plot.loop(gross, partial:loop(), { file = file, titles = { "one", "two" } }) end)
-tap.holds(text, { "tangential force / N", "fretting loops", "one, ", "two, ", "N mm a loop" }, "plot.loop")
+tap.holds(text, { "tangential force / N", "fretting loops", "one, ", "two, ", "N mm per loop" }, "plot.loop")
 text = picture(function(file) plot.loop(gross, partial, { file = file }) end)
 tap.holds(text, { "s = 0.1 mm, ", "30 N tangential, " }, "runs are called by what they differ in")
 ok(not text:find "s = 0 mm" and not text:find "[^3]0 N tangential", "by what drives their plates alone")
@@ -290,10 +290,10 @@ ok(study.fretting_map{ load = { 50 }, motion = { 1e-3 }, model = m, annulus = 0.
 tap.holds(tostring(map), { "load / N", "0.1 um", "stick", "partial", "gross", "partial from / um" }, "in words")
 text = picture(function(file) plot.fretting_map(map, { file = file }) end)
 tap.holds(text, { "running condition fretting map", "load / N", "amplitude of the motion / µm", "filledcurves closed",
-  "slips on 10 % of the width", 'title "computed"' }, "as a picture")
+  "slip on 10 % of the width", 'title "computed"' }, "as a picture")
 text = picture(function(file) plot.fretting_map(study.fretting_map{ load = { 50 }, motion = { 1e-3 }, model = m }, { file = file }) end)
 tap.holds(text, { "partial slip" }, "of one load too")
-fails(function() plot.fretting_map(m) end, "expected what study.fretting_map{} gave", "a model is no map")
+fails(function() plot.fretting_map(m) end, "expected a result of study.fretting_map{}", "a model is no map")
 for label, case in pairs{ ["no motions"] = { {}, { "field 'motion'", "increasing numbers > 0 in mm", "got nil" } },
   ["a number"] = { { motion = 1 }, { "field 'motion'", "increasing numbers > 0 in mm", "got 1" } },
   ["loads that fall"] = { { load = { 100, 50 }, motion = { 1 } }, { "field 'load[2]'", "a number > 100 N", "got 50" } },

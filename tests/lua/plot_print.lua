@@ -185,7 +185,7 @@ do
   has(script, 'set cblabel "von Mises stress / MPa"', "and its label")
   script = stressed(300, 20)
   has(script, "set cbrange [0:20]", "a soft body beside a hard one has the scale")
-  has(script, "in the cylinder up to 300", "which says how far the other goes")
+  has(script, "cylinder: up to 300", "which says how far the other goes")
   lacks(script:match "set title[^\n]*", "Mises", "the title does not repeat it")
 end
 

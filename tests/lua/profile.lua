@@ -272,7 +272,7 @@ plot.profile(w, "plate", { measured = noisy, file = folder .. ".gp" })
 local drawn = assert(io.open(folder .. ".gp")):read "a"
 holds(drawn, "measured", "a picture with a measured trace")
 plot.profile(w, { measured = { x = { 0, 0.1 }, h = { 1e-3, 0 } }, file = folder .. ".gp" })
-fails(function() plot.profile(w, w, { measured = noisy }) end, "expected with one body named where several runs are drawn",
+fails(function() plot.profile(w, w, { measured = noisy }) end, "expected one body if several runs are drawn",
   "two panels")
 fails(function() plot.profile(w, { measured = 3 }) end, "expected a profile, or a table { x=, h= }, got 3", "no profile")
 

@@ -226,5 +226,5 @@ for _, wrong in ipairs{
 end
 fails(function() wear{ worn = { plate = maps.ball } } end, "maps are for geometry", "a map in the plane")
 
-fails(function() plot.mesh(m) end, "a model that has none", "no mesh to draw")
+fails(function() plot.mesh(m) end, "a model with meshes, got one without", "no mesh to draw")
 fails(function() plot.map(w, "width") end, "what", "a map of another name")

@@ -211,7 +211,7 @@ fails(function() new_study():run{ shard = "4/3", file = path "x" } end, "shard",
 local merged = study.merge(path "share1", path "share2", path "share3", { file = path "merged" })
 is(content(merged), content(one), "shares merge to the same bits")
 fails(function() study.merge(path "share1", path "share3", { file = path "gap" }) end,
-  { "1 cases", "none of the files", "2" }, "a missing case is named")
+  { "1 cases", "not finished in any of the files", "2" }, "a missing case is named")
 is(io.open(path "gap"), nil, "and no file is made")
 merged = study.merge(path "share1", path "merged", path "share1", { file = path "twice" })
 is(content(merged), content(one), "a case that is in two of them is there once")
