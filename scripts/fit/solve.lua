@@ -38,7 +38,7 @@ local function decompose(columns)
   return { u = u, s = s, v = v, scales = scales, rows = #columns[1], size = #columns }
 end
 
--- Singular values below this share of the largest one are taken as 0, as derivatives by differences are not more
+-- Singular values below this share of the largest one are treated as 0, as derivatives by differences are not more
 -- accurate.
 local blind = 1e-5
 
