@@ -1,7 +1,6 @@
--- Names of the numbers of wear{}, model{} and their bodies: what studies vary and sample, fits look for and
--- sensitivities change. A number is called as it stands in wear{}, "load", "model.radius",
--- "model.lower.layers.1.thickness"; "model." may be left out, layer1 stands for layers.1, and E and nu alone
--- for those of both bodies. Leans on the lists of settings.
+-- Names of the numbers of wear{}, model{} and bodies, as used by studies, samples, fits and sensitivities. A name is
+-- the path in wear{}, as "load", "model.radius" or "model.lower.layers.1.thickness"; "model." may be omitted, layer1
+-- means layers.1, and E and nu alone mean those of both bodies.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -16,11 +15,11 @@ end
 
 -- --- settings --------------------------------------------------------------------------------------
 
-local field_of = { upper = "cylinder", lower = "plate" } -- what the usual pair has in their place
+local field_of = { upper = "cylinder", lower = "plate" } -- fields of the default pair, cylinder on plate
 local role_of = { cylinder = "upper", plate = "lower" }
 number.role_of = role_of
 
--- Of a body: its own, or those of one of its materials. Heights of a profile are a list.
+-- The setting of a body: its own or one of its materials'. A series, as the heights of a profile, is not a number.
 local function in_body(rest)
   local layer = rest:gsub("^layers%.(%d+)%.", "layer%1.")
   local material = rest:gsub("^layers%.%d+%.", ""):gsub("^materials%.[^.]+%.", ""):gsub("^material%.", "")
@@ -28,7 +27,7 @@ local function in_body(rest)
   return own and not own.series and own or named(known.material, material)
 end
 
--- The setting that a path stands for, or nil.
+-- The setting with this path, or nil.
 function number.setting(path)
   local inside = path:match("^model%.(.+)$")
   if not inside then return named(known.wear, path) end
@@ -38,11 +37,11 @@ function number.setting(path)
   return named(known.model, inside)
 end
 
--- Raises the error for a setting that is something else.
+-- Raises an error if the setting is not a number.
 function number.check(where, field, setting)
   if not setting or not setting.type:match("^a number") then
-    check.fail(where, ("field '%s': expected the name of a number of wear{} or model{}, "
-      .. "got one that is %s"):format(field, setting and setting.type or "no number"))
+    check.fail(where, ("field '%s': expected the name of a number in wear{} or model{}, "
+      .. "got %s"):format(field, setting and "one of type " .. setting.type or "an unknown name"))
   end
 end
 
@@ -50,14 +49,15 @@ end
 
 local function kind_of(flat, role) return flat["model." .. role .. ".kind"] end
 
--- The one body that is of the kind; a cylinder below is none of the upper body, which that word stood for.
+-- The role of the only body of this kind. "cylinder" never means the lower body, as it was the older name of the upper
+-- one.
 local function role_by_kind(flat, word)
   local upper, lower = kind_of(flat, "upper") == word, kind_of(flat, "lower") == word
   if upper ~= lower then return upper and "upper" or word ~= "cylinder" and "lower" or nil end
   return not upper and role_of[word] or nil
 end
 
--- The body that a word means: its role, its name, its kind or its older name.
+-- The role of the body with this role, name, kind or older name.
 local function role(flat, word)
   if field_of[word] then return word end
   for each in pairs(field_of) do
@@ -66,7 +66,7 @@ local function role(flat, word)
   return role_by_kind(flat, word)
 end
 
--- Where the definition has a number of a material: in E=, or within a material given as a whole.
+-- Path of a material's number inside a body: E=, or inside a material given as a whole.
 local function in_material(flat, prefix, rest)
   local before, name = rest:gsub("^material%.", ""):gsub("^(layers%.%d+%.)material%.", "%1"):match("^(.-)([^.]+)$")
   for _, setting in ipairs(named(known.material, name) and known.material or {}) do
@@ -75,7 +75,7 @@ local function in_material(flat, prefix, rest)
   return before .. name
 end
 
--- The path of a number of a body, "cylinder.E" and the like, or nil where the word means none.
+-- The path of a number of a body, as "cylinder.E", or nil if the word is not a body.
 local function body_path(flat, word, rest)
   local which = role(flat, word)
   if not which then return nil end
@@ -88,14 +88,14 @@ end
 
 local both = { E = true, nu = true }
 
--- Whether a name is of wear{} and of no model.
+-- True if a name belongs to wear{} itself, not to the model.
 function number.of_run(name)
   local first = name:match("^[^.]*")
   return first ~= "model" and named(known.wear, first) ~= nil
 end
 
--- paths(name, flat) -> the paths of the number of that name, one or, of both bodies, two. flat: the settings
--- of its model by flat name, as far as there are any. A name that means nothing is its own path.
+-- paths(name, flat) -> the paths of the number with this name: one, or two for both bodies. flat: flat settings of its
+-- model, if any. An unknown name is returned unchanged.
 function number.paths(name, flat)
   if both[name] then return { body_path(flat, "upper", name), body_path(flat, "lower", name) } end
   if number.of_run(name) then return { name } end
@@ -106,17 +106,17 @@ function number.paths(name, flat)
   return { named(known.model, inside) and "model." .. inside or name }
 end
 
--- The same of one number; `field` is its place in messages.
+-- The path of a single number; `field` is its name in messages.
 function number.path(where, field, name, flat)
   local paths = number.paths(name, flat)
   if #paths > 1 then
-    check.fail(where, ("field '%s': %s stands for those of both bodies here, %s and %s; expected the name of one")
+    check.fail(where, ("field '%s': %s is ambiguous, %s or %s; expected the name of one of them")
       :format(field, name, paths[1], paths[2]))
   end
   return paths[1]
 end
 
--- Puts the paths in place of the names in flat settings.
+-- Replaces the names in flat settings by their paths.
 function number.rename(flat, names)
   for name in pairs(names) do
     local paths, value = number.paths(name, flat), flat[name]

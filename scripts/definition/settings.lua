@@ -1,5 +1,5 @@
--- What a case of a study is set to: nested tables as flat names ("model.mesh.size") for the run
--- file and back, grids of varied fields, labels. Leans on check for its errors.
+-- Settings of a study's cases: conversion between nested tables and flat names ("model.mesh.size") for the run file,
+-- grids of varied fields, labels.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -24,31 +24,31 @@ function settings.value_at(object, path)
   return object
 end
 
--- What the size of a model that is there has come of; the size tells all.
+-- Settings that are not stored, as they are implied by others (mesh.size).
 local implied = { ["mesh.fineness"] = true }
 
--- Objects as the flat settings that would make them again.
+-- Flat settings that reproduce an object.
 local function as_table(where, name, value)
   local class = (getmetatable(value) or {}).__name
   if class ~= "material" and class ~= "model" then
-    check.fail(where, ("field '%s': a %s cannot be kept in a run file; expected a number, a text, "
+    check.fail(where, ("field '%s': a %s cannot be stored in a run file; expected a number, a string, "
       .. "a boolean, a material, a model or a table of them"):format(name, class or type(value)))
   end
   local flat, outside = {}, class == "model" and (value.mesh.upper or {}).rows == 0
   for _, setting in ipairs(known[class]) do
     local own = (not setting.group or setting.class) and not implied[setting.path]
-    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- which tells its material itself
+    local body = class == "model" and number.role_of[setting.path:match("^%l+")] -- its settings contain the material
     local left = outside and setting.path:match("^mesh%.") or body and value[body]
     if own and not left then flat[setting.path] = settings.value_at(value, setting.path) end
   end
-  if outside then flat.mesh = files.msh(value) end -- no settings make that one again
+  if outside then flat.mesh = files.msh(value) end -- an imported mesh has no settings
   return flat
 end
 
--- Names as run files take them: what ASCII can print, with points between, no part of it empty.
+-- Checks a name for a run file: printable ASCII characters, parts separated by points, no empty part.
 local function check_path(where, name)
   if name:find "^[ -~]+$" and not ("." .. name .. "."):find("..", 1, true) then return name end
-  check.fail(where, ("unknown field %s: names of fields are printed letters of ASCII"):format(check.shown(name)))
+  check.fail(where, ("unknown field %s: expected printable ASCII characters"):format(check.shown(name)))
 end
 
 local function flatten(where, into, prefix, given)
@@ -71,8 +71,8 @@ local function flatten(where, into, prefix, given)
   return into
 end
 
--- A function that puts, for the names of mesh files in flat settings, what stands in them: when a case
--- runs there may be another file of that name, or none.
+-- Returns a function that replaces the name of a mesh file in flat settings by the content of the file, since the file
+-- may change before a case runs.
 function settings.carrier(where)
   local texts = {}
   return function(flat)
@@ -86,8 +86,7 @@ end
 -- { model = { radius = 8 } } -> { ["model.radius"] = 8 }
 function settings.flatten(where, given) return flatten(where, {}, "", given) end
 
--- The table and the key in it that "model.mesh.size" stands for. Parts of names that are whole
--- numbers are list positions.
+-- The table and the key in it for a name as "mesh.size". Integer parts of a name are list indices.
 function settings.place(nested, name)
   local at, last = nested, nil
   for part in name:gmatch("[^.]+") do
@@ -100,7 +99,7 @@ function settings.place(nested, name)
   return at, last
 end
 
--- The way back.
+-- Converts flat settings to nested tables.
 function settings.nest(flat)
   local nested = {}
   for name, value in pairs(flat) do
@@ -110,9 +109,9 @@ function settings.nest(flat)
   return nested
 end
 
-local most_cases, most_values = 1000000, 4000000 -- of all cases together: 200 bytes each
+local most_cases, most_values = 1000000, 4000000 -- limits for all cases of a study, about 200 bytes each
 
--- Refuses more cases than a study can have.
+-- Refuses more cases than a study may have.
 function settings.check_count(where, name, count, how)
   if count <= most_cases then return end
   check.fail(where, ("field '%s': expected at most %d cases, got %.0f (%s)"):format(name, most_cases, count, how))
@@ -120,7 +119,7 @@ end
 
 -- --- grids -------------------------------------------------------------------------------------
 
--- Flat names and their lists of values, in the order of names.
+-- Flat names and their lists of values, sorted by name.
 local function axes_of(where, vary)
   local axes = {}
   local function visit(prefix, given)
@@ -144,7 +143,7 @@ local function axes_of(where, vary)
   return axes
 end
 
--- Before there are as many tables.
+-- Refuses too many cases before their tables are made.
 local function refuse_many(where, axes)
   local count, words = 1, {}
   for i, axis in ipairs(axes) do
@@ -156,7 +155,7 @@ local function refuse_many(where, axes)
   check.fail(where, ("field 'vary': expected at most %d values in all cases, got %.0f (%s)"):format(most_values, values, how))
 end
 
--- All combinations; the last name changes fastest.
+-- All combinations of the varied values; the last name changes fastest.
 function settings.grid(where, vary)
   local cases, axes = { {} }, axes_of(where, vary)
   refuse_many(where, axes)
@@ -183,8 +182,8 @@ local function sorted_names(given)
   return names
 end
 
--- Tables of fields are joined field by field; what is a list, or a number on one of both sides,
--- is replaced as a whole. A name with points reaches into what is there.
+-- Merges `over` into `base` field by field; lists and values replace those of base. A name with points sets an inner
+-- field.
 local function lay_over(where, base, over)
   for _, name in ipairs(sorted_names(over)) do
     local at, last = settings.place(base, tostring(name))
@@ -197,9 +196,9 @@ local function lay_over(where, base, over)
   end
 end
 
--- Flat settings of `over`, whose numbers may go by any of their names, before those of `base`.
+-- Flat settings of base and over; those of over, whose numbers may have any of their names, have priority.
 function settings.join(where, base, over)
-  local names = settings.flatten(where, over) -- names what is wrong by its full name
+  local names = settings.flatten(where, over) -- for errors with the full name
   local joined = settings.nest(settings.flatten(where, base))
   lay_over(where, joined, over)
   return number.rename(settings.flatten(where, joined), names)
@@ -216,7 +215,7 @@ function settings.same(a, b)
   return true
 end
 
--- Texts may be those of a stranger's file.
+-- Text of a value; a string from an untrusted file is shown without control characters.
 function settings.shown(value)
   if type(value) == "number" then return ("%.6g"):format(value) end
   if type(value) == "table" then return ("(%d numbers)"):format(#value) end
@@ -224,7 +223,7 @@ function settings.shown(value)
   return #text < 100 and check.plain(text) or ("(%d characters)"):format(#text)
 end
 
--- The first name, in order, in which two flat tables differ; nil where they are the same.
+-- The first name, in alphabetical order, whose value differs between two flat tables; nil if they are equal.
 function settings.difference(a, b)
   local names = {}
   for name, value in pairs(a) do
@@ -237,7 +236,7 @@ function settings.difference(a, b)
   return names[1]
 end
 
--- The names whose values are not the same in all cases, those that users vary most first.
+-- The names whose values differ between cases, the most common ones first.
 local familiar = { alpha = 1, stroke = 2, load = 3, k = 4 }
 function settings.varied(cases)
   local found, names = {}, {}
@@ -260,7 +259,7 @@ function settings.varied(cases)
   return names
 end
 
--- "alpha 0.25, stroke 0.11"
+-- Label of a case, as "alpha 0.25, stroke 0.11".
 function settings.label(case, names)
   local parts = {}
   for _, name in ipairs(names) do

@@ -1,5 +1,5 @@
--- The table export: files for other programs. The writers stand in archard.files; a series of
--- files, the summary of a run and files of maps are made of these here.
+-- The table export: files for other programs. Single files are written by archard.files; series of
+-- files, run summaries and files of maps by the modules in this folder.
 
 local files = require "archard.files"
 local later = require "archard.lib.later"

@@ -1,5 +1,5 @@
--- Values as JSON text: tables with [1] are arrays, others objects with their keys in order; numbers
--- that JSON has no word for (NaN, infinite) are null.
+-- Formats values as JSON text: tables with [1] become arrays, others objects with sorted keys; NaN and infinity become
+-- null.
 
 local files = require "archard.files"
 local keys = require "archard.lib.keys"
@@ -9,7 +9,7 @@ local json = { null = setmetatable({}, { __name = "null" }) }
 local escapes = { ['"'] = '\\"', ["\\"] = "\\\\", ["\b"] = "\\b", ["\f"] = "\\f", ["\n"] = "\\n", ["\r"] = "\\r",
   ["\t"] = "\\t" }
 
--- Bytes that are no UTF-8 stand as the characters of their numbers.
+-- A JSON string; bytes that are not UTF-8 become the characters with their numbers.
 local function quoted(text)
   if not utf8.len(text) then text = text:gsub("[\x80-\xFF]", function(c) return utf8.char(c:byte()) end) end
   return '"' .. text:gsub('[%c"\\\x7F]', function(c)

@@ -1,5 +1,4 @@
--- export.vti, export.gsf and export.csv of maps: ImageData for ParaView, a field for Gwyddion and its kin, a table of
--- points. Leans on archard.files to write them.
+-- export.vti, export.gsf and export.csv for maps: ImageData for ParaView, a field for Gwyddion, a table of points.
 
 local axis = require "archard.map.axis"
 local check = require "archard.lib.check"
@@ -12,7 +11,7 @@ local maps = {}
 
 local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", ['"'] = "&quot;" }
 
--- The path, with its ending where it has none.
+-- Checks the path and appends the ending if it has none.
 local function checked_path(where, path, ending)
   local own = check.file.test(path) and path:match "%.[^./]*$"
   if not check.file.test(path) or own and own ~= ending then
@@ -31,11 +30,11 @@ end
 
 local function differ(a, b)
   if #a ~= #b then return true end
-  local room = 1e-9 * axis.step(a)
-  return math.abs(a[1] - b[1]) > room or math.abs(a[#a] - b[#b]) > room
+  local tolerance = 1e-9 * axis.step(a)
+  return math.abs(a[1] - b[1]) > tolerance or math.abs(a[#a] - b[#b]) > tolerance
 end
 
--- One map or a list of maps with the same points and names of their own, as a list.
+-- One map or a list of maps with the same points and different names, as a list.
 local function list_of(where, given)
   if map.is(given) then return { given } end
   if type(given) ~= "table" or given[1] == nil then
@@ -45,18 +44,18 @@ local function list_of(where, given)
   for i, t in ipairs(given) do
     check_map(where, t, i)
     if differ(t.x, given[1].x) or differ(t.z, given[1].z) then
-      check.fail(where, ("item %d: expected the points of the first map, got %d x %d others; t:resample and t:crop make them "
-        .. "agree"):format(i, #t.x, #t.z))
+      check.fail(where, ("item %d: expected the points of the first map, got %d x %d different ones; use t:resample and t:crop "
+        .. "on the maps"):format(i, #t.x, #t.z))
     end
     if seen[t.name] then
-      check.fail(where, ("item %d: expected a name of its own, got %q again"):format(i, t.name))
+      check.fail(where, ("item %d: expected a unique name, got %q again"):format(i, t.name))
     end
     list[i], seen[t.name] = t, true
   end
   return list
 end
 
--- Values in VTK's order: x fastest, then z.
+-- Values in the order of VTK: x fastest, then z.
 local function add_values(lines, t)
   local row, nz = {}, #t.z
   for j = 1, nz do
@@ -65,7 +64,7 @@ local function add_values(lines, t)
   end
 end
 
--- vti(map | list of maps, path) -> the file written: points in the plane y = 0, an array a map
+-- vti(map or list of maps, path) -> the file written: points in the plane y = 0 with one array for each map
 function maps.vti(given, path)
   local where = "export.vti"
   local list = list_of(where, given)
@@ -109,8 +108,8 @@ local function csv_of(t)
   return table.concat(lines, "\n") .. "\n"
 end
 
--- csv(map, path) -> the file written: x, z and the value of each point. Of a study its table. Everything else goes to the
--- writer in C.
+-- csv(map, path) -> the file written: x, z and the value of each point; for a study its table. Other objects are
+-- written by archard.files.
 function maps.csv(...)
   local t, path = ...
   local is_study = check.shown(t) == "a study object"

@@ -1,5 +1,4 @@
--- export.json: what a run was asked for, how far it is and what came out, for programs to read.
--- Follows the engine's own lists of settings and columns.
+-- export.json: definition, progress and results of a run as JSON, from the engine's lists of settings and columns.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -11,14 +10,14 @@ local written = require "archard.lib.written"
 
 local where = "export.json"
 
--- Settings that a run holds under another name: the plain one says how far it is.
+-- Settings that a run has under another name, as the plain name is its present value.
 local held_as = { distance = "total_distance", update = "update_at" }
 
--- A value as JSON can hold it: no program can read a function.
+-- Converts a value for JSON; a function becomes the string "function".
 local function plain(value)
   if type(value) == "function" then return "function" end
   local copy = {}
-  for _, setting in ipairs(type(value) == "userdata" and known.material or {}) do -- a material with a name
+  for _, setting in ipairs(type(value) == "userdata" and known.material or {}) do -- a material object
     copy[setting.path] = value[setting.path]
   end
   if next(copy) then return copy end
@@ -37,7 +36,7 @@ local function put(into, units, prefix, path, value, unit)
   if unit and unit ~= "" then units[prefix .. path] = unit end
 end
 
--- Units of a body's fields, or a layer's, and no coefficient where it has none of its own.
+-- Adds the units of a body's or layer's fields; a coefficient of 0 was not given and becomes null.
 local function complete(part, units, prefix)
   for _, class in ipairs{ "body", "material" } do
     for _, setting in ipairs(known[class]) do
@@ -49,7 +48,7 @@ local function complete(part, units, prefix)
   if part.material then complete(part.material, units, prefix .. "material.") end
 end
 
--- A body as it was given, in numbers; the usual one is null.
+-- A body with its given values; the default body is null.
 local function body_of(given, units, prefix)
   if rawequal(given, nil) then return json.null end
   local body = plain(given)
@@ -59,14 +58,14 @@ local function body_of(given, units, prefix)
   return body
 end
 
--- The settings of a class as the object has them.
+-- The settings of a class with the values of the object.
 local function definition(class, object, units, prefix)
   local into = {}
   for _, setting in ipairs(known[class]) do
     local path = setting.path
     if setting.class == "body" then
       into[path] = body_of(object[path], units, prefix .. path .. ".")
-    elseif class == "model" and role_of[path] and object[role_of[path]] then -- which tells its material itself
+    elseif class == "model" and role_of[path] and object[role_of[path]] then -- the body's fields contain the material
       into[path] = json.null
     elseif setting.class == "material" then
       into[path] = definition("material", object[path], units, prefix .. path .. ".")

@@ -1,4 +1,4 @@
--- Runs of joints as flat tables of named values, of which run files and sessions are made, and back. Leans on archard.store.
+-- Converts runs of joints to flat tables of named values, for run files and sessions, and back.
 
 local check = require "archard.lib.check"
 local made = require "archard.joint.made"
@@ -11,7 +11,7 @@ local file = {}
 -- --- definitions --------------------------------------------------------------------------------
 
 local plain = { "radius", "clearance", "inclination", "cover", "size", "foundation" }
-local callable = { "k", "alpha", "creep" } -- may be functions
+local callable = { "k", "alpha", "creep" } -- settings that may be functions
 
 local function flat_layers(layers)
   local list = {}
@@ -27,7 +27,7 @@ local function layers_from(list)
   return layers
 end
 
--- Fields "joint.NAME" of a definition.
+-- A definition as flat fields "joint.NAME".
 function file.flat_joint(def)
   local flat = { ["joint.core"] = { def.core.E, def.core.nu }, ["joint.head_layers"] = flat_layers(def.head_layers),
     ["joint.cup_layers"] = flat_layers(def.cup_layers) }
@@ -62,7 +62,7 @@ local function add(to, from)
   for name, value in pairs(from) do to[name] = value end
 end
 
--- Of a run in between: what it was defined with, and all that it has come to.
+-- The definition and all results of a run as two flat tables.
 function file.flat_run(run)
   local definition, results = file.flat_joint(run.def), { state = sphere.state(run.engine) }
   for _, name in ipairs(settings) do definition[name] = run[name] end
@@ -96,12 +96,12 @@ local function take(results, prefix)
   return part
 end
 
--- A setting, or the function again where it is one.
+-- The value of a setting, or the given function if the setting was one.
 local function function_or_value(definition, name, functions)
   if definition[name] ~= "function" then return definition[name] end
   local f = type(functions) == "table" and functions[name]
   if type(f) ~= "function" then
-    check.fail("joint.open", ("field '%s': the run has one that is a function: give the function again, { %s = f }"):format(name, name))
+    check.fail("joint.open", ("field '%s': the run has a function here: give it again, as { %s = f }"):format(name, name))
   end
   return f
 end
@@ -126,7 +126,7 @@ local function check_path(where, path)
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end
 end
 
--- The file is there whole or not at all; one of a joint is replaced, anything else refused.
+-- Writes the file completely or not at all; replaces a file of a joint, refuses any other file.
 function file.save(run, path)
   check_path("joint_wear:save", path)
   local definition, results = file.flat_run(run)

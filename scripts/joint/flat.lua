@@ -1,12 +1,12 @@
--- Maps of spheres as flat ones: azimuthal equal-area about the load, over the half sphere that the load points into. x runs
--- anterior, z along the axis of flexion, both in mm; 0 beyond the half sphere.
+-- Converts maps of spheres to flat maps: azimuthal equal-area projection about the load over one half sphere. x is
+-- anterior, z along the axis of flexion, in mm; values are 0 outside the half sphere.
 
 local made = require "archard.map.made"
 local sphere = require "archard.sphere"
 
 local points = 121 -- along each side
 
--- The value of a lattice at a direction, linear between cells.
+-- The value of a lattice in a direction, linear between cells.
 local function sampled(rows, values, n)
   local row = math.acos(math.max(-1, math.min(1, n[1]))) / math.pi * rows + 0.5
   local column = (math.atan(n[2], n[3]) + math.pi) / math.pi * rows + 0.5
@@ -19,14 +19,14 @@ end
 
 local flat = {}
 
--- Where a direction lies, nil beyond the half sphere.
+-- Position of a direction in the map, nil outside the half sphere.
 function flat.point(radius, n)
   if n[3] < 0 then return nil end
   local share = radius * math.sqrt(2 / (1 + n[3]))
   return share * n[2], share * n[1]
 end
 
--- A curve of directions n(s) over s in [0, 1], with gaps beyond the half sphere.
+-- The projected curve of directions n(s), s in [0, 1], with gaps outside the half sphere.
 function flat.curve(radius, n, count)
   local x, y = {}, {}
   for i = 0, count do
@@ -36,7 +36,7 @@ function flat.curve(radius, n, count)
   return { x = x, y = y }
 end
 
--- The rim of a cup: its opening, `cover` degrees from its axis.
+-- The rim of the cup's opening, `cover` degrees from its axis.
 function flat.rim(def)
   local tilt, cover = math.rad(def.inclination or 0), math.rad(def.cover or 90)
   local c, s = math.cos(tilt), math.sin(tilt)

@@ -1,5 +1,5 @@
--- gait "iso", gait{ flexion=, ... }, gait.rocking{}, gait.flexion{}, gait.read(path): how a joint turns and is loaded over a
--- cycle, as instants of the engine.
+-- gait "iso", gait{ flexion=, ... }, gait.rocking{}, gait.flexion{}, gait.read(path): rotations and loads of a joint
+-- over a cycle.
 
 local check = require "archard.lib.check"
 local made = require "archard.joint.made"
@@ -19,7 +19,7 @@ end)
 local fields = { flexion = angle_kind, adduction = angle_kind, rotation = angle_kind, load = load_kind, order = check.text,
   increments = check.count, t = check.list_of(check.number, "a list of times from 0 to 1", true) }
 
--- A function of t of what may be a number, a list over times (even ones where there are none), or a function.
+-- Converts a number, a list over times (evenly spaced without `times`) or a function to a function of t.
 local function over_time(name, value, times)
   if type(value) == "number" then return function() return value end end
   if type(value) == "function" then
@@ -32,7 +32,7 @@ local function over_time(name, value, times)
   local n = #value
   local function at(i) return times and times[i] or (i - 1) / (n - 1) end
   if times and #times ~= n then
-    check.fail("gait", ("field '%s': expected as many values as times, %d, got %d"):format(name, #times, n))
+    check.fail("gait", ("field '%s': expected one value for each of the %d times, got %d"):format(name, #times, n))
   end
   for i = 1, n do
     if not check.number.test(value[i]) then check.refuse("gait", ("%s[%d]"):format(name, i), "a finite number", value[i]) end
@@ -79,7 +79,7 @@ end
 module.rocking = simple("rocking", 23)
 module.flexion = simple("flexion", 21.5)
 
--- gait.read(path, { increments=, order= }): columns t, flexion, adduction, rotation and load, or Fx, Fy, Fz
+-- gait.read(path, { increments=, order= }): reads the columns t, flexion, adduction, rotation and load, or Fx, Fy, Fz
 function module.read(path, options)
   local where = "gait.read"
   if not check.file.test(path) then check.refuse(where, "path", "a file name", path) end

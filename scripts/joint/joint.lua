@@ -1,4 +1,5 @@
--- joint{ head=, cup=, foundation=, mesh= }: a ball in a socket; j:contact{}, j:wear{}. Lengths in mm, angles in degrees.
+-- joint{ head=, cup=, foundation=, mesh= }: a ball in a socket; j:contact{}, j:wear{}. Lengths in mm, angles in
+-- degrees.
 
 local check = require "archard.lib.check"
 local seen = require "archard.joint.seen"
@@ -59,7 +60,7 @@ end
 
 function class:__tostring()
   return ("joint: head of %g mm, radial clearance %g mm, %s, %d layers in the cup\n"
-    .. "  outside this model: edge loading, microseparation, lubrication, the rim"):format(2 * self.radius, self.clearance,
+    .. "  not in this model: edge loading, microseparation, lubrication, the rim"):format(2 * self.radius, self.clearance,
     self.foundation, #self.def.cup_layers)
 end
 
@@ -95,10 +96,10 @@ end
 
 -- --- wear and files -----------------------------------------------------------------------------
 
--- j:wear{ loading=, k=, alpha=, cycles=, ... }: a run on a joint of its own.
+-- j:wear{ loading=, k=, alpha=, cycles=, ... }: a run on its own copy of the joint.
 function methods:wear(given) return require "archard.joint.run".new(self.def, given) end
 
--- joint.open(path [, { k = f }]): a run that w:save(path) kept.
+-- joint.open(path [, { k = f }]): opens a run saved by w:save(path).
 function joint.open(path, functions) return require "archard.joint.file".open(path, functions) end
 
 return setmetatable(joint, { __call = function(_, given) return new(given) end })

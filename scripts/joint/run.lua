@@ -1,5 +1,5 @@
--- Runs of joints, wear{ model=j, loading=gait "iso" }: steps over blocks of gaits, histories, maps. A step is whole or
--- leaves the run as it was. Lengths in mm.
+-- Runs of joints, wear{ model=j, loading=gait "iso" }: steps over blocks of gaits, histories, maps. A step that fails
+-- leaves the run unchanged. Lengths in mm.
 
 local check = require "archard.lib.check"
 local gait = require "archard.joint.gait"
@@ -21,7 +21,7 @@ local function is_gait(value)
   return type(of) == "table" and rawget(of, "__name") == "gait"
 end
 
-local number_or_function = check.kind("a number from 0 up or a function", function(v)
+local number_or_function = check.kind("a number >= 0 or a function", function(v)
   return type(v) == "function" or check.number.test(v) and v >= 0
 end)
 local loading_kind = check.kind("a gait, or a list of blocks { gait=, cycles= }", function(v)
@@ -39,7 +39,7 @@ local shape_kind = check.kind("a function of theta and phi in degrees, a map of 
   return type(v) == "function" or type(v) == "table"
 end)
 
--- A list of { gait=, cycles= }; the last one lasts.
+-- A list of { gait=, cycles= }; the last block has no end.
 local function blocks_of(given)
   if is_gait(given) then return { { gait = given, cycles = math.huge } } end
   local blocks = {}
@@ -54,14 +54,14 @@ local function blocks_of(given)
   return blocks
 end
 
--- Depths of a lattice from what users give.
+-- The depths on the lattice from a function, a map or a list of the user.
 local function depths_of(engine, name, given)
   if not shape_kind.test(given) then check.refuse("joint:wear", "worn." .. name, shape_kind.expected, given) end
   local map = seen.map(engine, name)
   if type(given) == "table" then
     local values = rawget(given, "values") or given
     if #values ~= #map.values then
-      check.fail("joint:wear", ("field 'worn.%s': expected %d depths in mm, one a cell as of w:map, got %d"):format(name,
+      check.fail("joint:wear", ("field 'worn.%s': expected %d depths in mm, one for each cell of w:map, got %d"):format(name,
         #map.values, #values))
     end
     return values
@@ -101,10 +101,10 @@ function runs.new(def, given)
     history = {}, record = { cycles = 0, updates = 0 }, cycles = 0, volume = { head = 0, cup = 0, total = 0 },
     depth = { head = 0, cup = 0 } }
   run.loading = run.blocks[1].gait
-  run.step = run.goal * usual.updates ^ -1.5 -- to begin with
+  run.step = run.goal * usual.updates ^ -1.5 -- first step
   for _, name in ipairs(columns) do run.history[name] = { name:find "^[pa]" and 0 / 0 or 0.0 } end
   if run.scheme == "explicit" and type(run.k) == "function" then
-    check.fail("joint:wear", "field 'scheme': expected \"sweep\" beside k as a function: its limit of stability is not known")
+    check.fail("joint:wear", "field 'scheme': expected \"sweep\" if k is a function, as its stability limit is unknown")
   end
   if run.updates and given.tolerance then
     check.fail("joint:wear", "field 'updates': expected updates or a tolerance, got both")
@@ -123,7 +123,7 @@ end
 
 -- --- steps --------------------------------------------------------------------------------------
 
--- The block at a number of cycles, and where it ends.
+-- The block at the present cycle, and its last cycle.
 local function block_at(run)
   local last = 0
   for _, block in ipairs(run.blocks) do
@@ -143,7 +143,7 @@ local function largest_load(instants)
   return load
 end
 
--- The unworn contact under the largest load: whether cells are small enough, how far the rim is.
+-- Checks the unworn contact under the largest load: refuses cells that are too large, warns if the rim is near.
 local function check_contact(run)
   local load = largest_load(run.blocks[1].gait.instants)
   if not load then check.fail("joint_wear:run", "field 'loading': expected a gait with a load above 0") end
@@ -152,13 +152,13 @@ local function check_contact(run)
   seen.check_cells("joint_wear:run", run.engine, contact.half_angle)
 end
 
--- The next of the updates asked for: their ends are at goal (j/m)^1.5.
+-- Cycles up to the next of the given number of updates, which end at goal (j/m)^1.5.
 local function next_of_updates(run)
   local j = math.floor(run.updates * (run.cycles / run.goal) ^ (2 / 3) + 1e-6) + 1
   return run.goal * (j / run.updates) ^ 1.5 - run.cycles
 end
 
--- Cycles of an explicit update: as many as are stable, a part of the goal at the most.
+-- Cycles of an explicit update: the stability limit, at most a fixed part of the goal.
 local function explicit_cycles(run, instants)
   local most = run.goal / (run.updates or usual.updates)
   if run.k == 0 then return most end
@@ -166,7 +166,7 @@ local function explicit_cycles(run, instants)
   return math.min(most, run.limit)
 end
 
--- One step of at most so many cycles -> record
+-- Computes one step of at most `most` cycles and returns its record.
 local function advance(run, instants, most)
   local function update(cycles)
     return check.as("joint_wear:run", sphere.update, run.engine, instants, run.k, run.alpha, math.min(cycles, most), run.record,
@@ -180,7 +180,7 @@ local function advance(run, instants, most)
   return record
 end
 
--- What a run says of itself, by its record and maps.
+-- Sets the fields of a run from a record and its maps.
 local function read(run, record)
   run.record, run.cycles, run.p_peak, run.area = record, record.cycles, record.p_peak, record.area
   local head, cup = record.volume_head or 0, record.volume_cup or 0
@@ -199,23 +199,23 @@ local function note(run, record)
   h.p_peak[n], h.area[n], h.cycles[n] = run.p_peak, run.area, run.cycles
 end
 
--- A run as it was, its maps being there already.
+-- Restores a saved run whose maps are already set.
 function runs.restore(run, record, history)
   run.history = history
   read(run, record)
   run.loading = block_at(run).gait
 end
 
--- What is shown after each step: a bar on a terminal, or what the user's function makes of the run.
-local function watcher(run, wanted, goal)
-  if wanted == false then return function() end, nil end
-  if type(wanted) == "function" then return wanted, nil end
+-- Returns the function called after each step, a progress bar or the user's function, and the bar.
+local function watcher(run, given, goal)
+  if given == false then return function() end, nil end
+  if type(given) == "function" then return given, nil end
   local bar = progress.new{ total = goal, done = run.cycles, label = "wear", unit = "cycles" }
   return function() bar:update(run.cycles, ("update %d"):format(#run.history.cycles - 1)) end, bar
 end
 
--- w:run{ cycles=, progress= }: up to so many cycles. What ends it on the way, Ctrl-C too, leaves it after its last whole
--- step, from which it goes on as if nothing had been.
+-- w:run{ cycles=, progress= }: runs up to a number of cycles. An error or Ctrl-C leaves the run after its last complete
+-- step, from which it can be continued with identical results.
 function methods:run(given)
   given = check.definition("joint_wear:run", given or {}, { cycles = check.positive, progress = check.progress })
   local goal = given.cycles or self.goal
@@ -230,7 +230,7 @@ function methods:run(given)
   return self
 end
 
--- --- what is read -------------------------------------------------------------------------------
+-- --- results ------------------------------------------------------------------------------------
 
 -- w:map "cup" | "head" | "cross shear" | "creep" | "pressure"
 function methods:map(what)
@@ -241,7 +241,7 @@ end
 
 local units = { ["cross shear"] = "-", pressure = "MPa" }
 
--- w:flat "cup": the same as a map in mm, azimuthal equal-area about the load.
+-- w:flat "cup": the same map in mm, in an azimuthal equal-area projection about the load.
 function methods:flat(what)
   self:map(what)
   return require "archard.joint.flat".map(self.engine, self.def.radius, what, units[what] or "mm")
@@ -250,7 +250,7 @@ end
 -- w:penetration(): the head's displacement into the cup under the largest load [mm].
 function methods:penetration() return self.record.penetration end
 
--- w:save(path): all that the run needs to go on to the same bits.
+-- w:save(path): saves the run so that it can be continued with identical results.
 function methods:save(path) return require "archard.joint.file".save(self, path) end
 
 local function step_words(run)

@@ -1,4 +1,4 @@
--- What is read of a joint's lattice, and warned of its contact: for single contacts and runs.
+-- Maps of a joint and warnings on its contact, for single contacts and runs.
 
 local check = require "archard.lib.check"
 local sphere = require "archard.sphere"
@@ -6,7 +6,7 @@ local strict = require "archard.strict"
 
 local seen = {}
 
--- A map over theta and phi in degrees, values with phi fastest.
+-- A map over theta and phi in degrees; phi varies fastest in the values.
 function seen.map(engine, what)
   local rows, values = sphere.map(engine, what)
   local d = 180 / rows
@@ -23,25 +23,26 @@ function seen.deepest(engine, body)
   return most
 end
 
--- Nearer to the rim than this the complete spheres are off by more than about 1 %.
+-- Warns if the contact is so near the rim that the error of the complete spheres exceeds about 1 %.
 function seen.warn_of_rim(where, def, margin)
   local liner = def.cup_layers[1]
   local is_soft = liner.E < 1e4
   local least = is_soft and math.deg(liner.thickness / def.radius) or 25
   if (is_soft or #def.cup_layers > 1) and margin < least then
-    warn(("%s: contact comes within %.3g degrees of the cup's rim; spheres are complete here, which is off by percents below %.3g"):format(
+    warn(("%s: the contact is %.3g degrees from the cup's rim; the model has complete spheres, with errors of some percent below %.3g degrees"):format(
       where, margin, least))
   end
 end
 
-local fewest, enough = 3, 6 -- cells across a contact
+local fewest, enough = 3, 6 -- number of cells across a contact
 
--- Cells across a contact of a half angle in degrees: an error below three, a warning below six.
+-- Checks the number of cells across a contact with this half angle in degrees: an error below three, a warning below
+-- six.
 function seen.check_cells(where, engine, half_angle)
   local size = 180 / (sphere.map(engine, "pressure"))
   local across = 2 * half_angle / size
   if across >= enough then return end
-  local text = ("field 'mesh.size': expected cells small enough for the contact, got %.3g of %.3g degrees across its %.3g; %.2g is advised"):format(
+  local text = ("field 'mesh.size': expected at least 6 cells across the contact, got %.3g cells of %.3g degrees across %.3g degrees; use %.2g"):format(
     across, size, 2 * half_angle, 2 * half_angle / 10)
   if across < fewest then check.fail(where, text) end
   warn(("%s: %s"):format(where, text))

@@ -1,4 +1,4 @@
--- Rows of texts as lines of a table, each column as wide as its widest. Leans on nothing.
+-- Formats rows of texts as lines of a table with aligned columns.
 
 local function length_of(text) return utf8.len(text) or #text end
 
@@ -10,7 +10,7 @@ local function widths_of(rows)
   return widths
 end
 
--- Numbers to the right, the last column to the left; all to the left where `words` says so.
+-- Cells are right-aligned except the last column; with `words`, all are left-aligned.
 local function line_of(row, widths, words)
   local cells = {}
   for c, text in ipairs(row) do

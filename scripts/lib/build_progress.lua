@@ -1,6 +1,5 @@
--- What a terminal shows while a model is built: a function to call with what is built, the share that
--- is done and the seconds it took, and with nothing at its end; nil where no terminal would show it.
--- Leans on archard.lib.progress.
+-- Progress display of building a model: returns a function(what, share, seconds), called without arguments at the end;
+-- nil if standard error is not a terminal.
 
 local term = require "archard.term"
 

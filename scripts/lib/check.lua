@@ -1,19 +1,17 @@
--- What a user hands to a function of a script, checked: names with the nearest known one, kinds of
--- values, in the words of the classes written in C. Errors are those of every class, placed where
--- the user's own text called. Leans on archard.names for both.
+-- Checks the arguments of functions for scripts: unknown names with the nearest known one, and kinds of values. Errors
+-- have the same form as those of the C classes, with the position of the user's call.
 
 local keys = require "archard.lib.keys"
 local names = require "archard.names"
 
 local check = {}
 
--- Raises an error object; the code is a status name, "ARGUMENT" where left out.
+-- Raises an error object; code: name of a status, default "ARGUMENT".
 function check.fail(where, message, code)
   names.raise(where, code or "ARGUMENT", (message:gsub("%z", " ")))
 end
 
--- " (did you mean 'title'?)", or the list of what is known. The name itself, which has been refused, is no
--- advice.
+-- " (did you mean 'title'?)", or the list of known names, without `name` itself.
 function check.hint(name, known)
   local sorted = {}
   for _, each in ipairs(known) do
@@ -25,12 +23,12 @@ function check.hint(name, known)
   return (" (known: %s)"):format(table.concat(sorted, ", "))
 end
 
-check.plain = names.plain -- a text of a file, for people: no codes that a terminal obeys
+check.plain = names.plain -- a text from a file without control codes for terminals
 check.shown = names.shown -- a value in a message: "dumb", 3, a wear object, a table
 
 -- --- kinds of values: { test, what is expected } -------------------------------------------------
 
--- item: the kind of what stands in a list, to tell which one is wrong; growing: so must they be.
+-- A kind of values. item: kind of the items of a list, to report the wrong item; growing: true for an increasing list.
 function check.kind(expected, test, item, growing)
   return { expected = expected, test = test, item = item, growing = growing }
 end
@@ -58,7 +56,7 @@ check.progress = kind('a function, false or "lines"', function(v)
   return type(v) == "function" or v == false or v == "lines"
 end)
 
--- A whole number; without `high` as large as it likes.
+-- Kind of integers from `low` to `high`, or without an upper limit.
 function check.whole(low, high)
   return kind(high and ("a whole number in [%d, %d]"):format(low, high)
     or ("a whole number >= %d"):format(low), function(v) return whole(v, low, high or v) end)
@@ -66,40 +64,39 @@ end
 
 check.count = check.whole(1, 100000)
 
--- The first item of a list that is not what it should be, and what that is; nil where all are.
+-- Index of the first wrong item of a list and the expected value; nil if all items are right.
 local function wrong_item(list, item, growing)
   for i = 1, #list do
     local one = list[i]
     if not item.test(one) then return i, item.expected end
     if growing and i > 1 and one <= list[i - 1] then
-      return i, ("more than %g, the one before"):format(list[i - 1])
+      return i, ("more than the item before, %g"):format(list[i - 1])
     end
   end
 end
 
--- A list whose items are all of a kind, one at least; `growing`: each number beyond the one before.
+-- Kind of non-empty lists of items; growing: each number is larger than the one before.
 function check.list_of(item, expected, growing)
   return kind(expected, function(v)
     return type(v) == "table" and #v > 0 and not wrong_item(v, item, growing)
   end, item, growing)
 end
 
--- Whatever the caller has checked, or another one will.
+-- Kind of all values, for fields that are checked elsewhere.
 function check.any(expected) return kind(expected, function() return true end) end
 
-local deepest = 20 -- tables in tables
+local deepest = 20 -- nesting of tables
 
--- Refuses a table that holds itself, or goes on as if it did, where one descends into it: `name` is that of
--- the table reached, with its points.
+-- Refuses deeply nested tables, as one that contains itself. `name`: path of the nested table.
 function check.depth(where, name)
   local _, points = name:gsub("%.", "")
   if points > deepest then
-    check.fail(where, ("field '%s': expected tables within tables %d deep at most, got %d (one that holds itself?)")
+    check.fail(where, ("field '%s': expected at most %d levels of tables, got %d (does a table contain itself?)")
       :format(name:match "^[^.]*%.[^.]*%.[^.]*" .. "...", deepest, points))
   end
 end
 
--- Fields of all names, which whoever reads them checks.
+-- Accepts fields with any name, which are checked elsewhere.
 check.anything = setmetatable({}, { __index = function() return check.any "a field" end })
 
 local function pair(names, low, high)
@@ -119,7 +116,7 @@ check.box = kind("{ x0, x1, y0, y1 }", function(v)
     and v[1] < v[2] and v[3] < v[4]
 end)
 
--- One of these words; `also` is a kind whose values are taken too.
+-- Kind of the given strings; `also`: another kind that is accepted.
 function check.one_of(words, also)
   local expected = {}
   for i, word in ipairs(words) do expected[i] = '"' .. word .. '"' end
@@ -135,27 +132,27 @@ end
 
 -- --- fields ---------------------------------------------------------------------------------------
 
--- Raises the error for a field whose value is not what is expected.
+-- Raises the error for a field with an unexpected value.
 function check.refuse(where, name, expected, value)
   check.fail(where, ("field '%s': expected %s, got %s"):format(name, expected, check.shown(value)))
 end
 
--- Raises the error for a value that is not of a kind, or for the item of it that is not.
-local function refuse_kind(where, name, wanted, value)
-  if wanted.item and type(value) == "table" then
-    local i, expected = wrong_item(value, wanted.item, wanted.growing)
+-- Raises the error for a value of a wrong kind, or for the wrong item of a list.
+local function refuse_kind(where, name, expected_kind, value)
+  if expected_kind.item and type(value) == "table" then
+    local i, expected = wrong_item(value, expected_kind.item, expected_kind.growing)
     if i then check.refuse(where, ("%s[%d]"):format(name, i), expected, value[i]) end
   end
-  check.refuse(where, name, wanted.expected, value)
+  check.refuse(where, name, expected_kind.expected, value)
 end
 
--- Lists are as long as they are: one that says its own length would be read on without end.
-local function says_its_length(value)
+-- True for a table with __len, which is refused, as it could report an endless list.
+local function has_len(value)
   local metatable = type(value) == "table" and getmetatable(value)
   return type(metatable) == "table" and rawget(metatable, "__len") ~= nil
 end
 
--- Every named field of `given` must be in `fields` (name = kind). List items are the caller's.
+-- Checks every named field of `given` by its kind in `fields`. List items are not checked.
 function check.fields(where, given, fields, prefix)
   prefix = prefix or ""
   if type(given) ~= "table" then
@@ -164,21 +161,21 @@ function check.fields(where, given, fields, prefix)
   end
   for name, value in pairs(given) do
     if type(name) == "string" then
-      local wanted = fields[name]
-      if not wanted then
+      local expected_kind = fields[name]
+      if not expected_kind then
         check.fail(where, ("unknown field '%s%s'%s"):format(prefix, name, check.hint(name, keys(fields))))
-      elseif says_its_length(value) then
-        check.fail(where, ("field '%s%s': expected %s, got a table with a __len of its own"):format(prefix, name,
-          wanted.expected))
-      elseif not wanted.test(value) then
-        refuse_kind(where, prefix .. name, wanted, value)
+      elseif has_len(value) then
+        check.fail(where, ("field '%s%s': expected %s, got a table with a __len metamethod"):format(prefix, name,
+          expected_kind.expected))
+      elseif not expected_kind.test(value) then
+        refuse_kind(where, prefix .. name, expected_kind, value)
       end
     end
   end
   return given
 end
 
--- Calls a function; what it raises is told of as the call `where` that the user made.
+-- Calls a function; its errors are raised again as errors of `where`, the function that the user called.
 function check.as(where, f, ...)
   local results = table.pack(pcall(f, ...))
   if results[1] then return table.unpack(results, 2, results.n) end
@@ -187,8 +184,7 @@ function check.as(where, f, ...)
   check.fail(where, err.message, err.code)
 end
 
--- The same of a table that holds nothing else; `or_else` is what might stand in its place, `name` the
--- field that it is.
+-- Checks a table that has only named fields. or_else: text of other accepted values; name: name of the table's field.
 function check.definition(where, given, fields, or_else, name)
   if type(given) ~= "table" then
     check.fail(where, ("expected %sa table of named fields, got %s"):format(or_else or "",

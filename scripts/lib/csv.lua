@@ -1,5 +1,5 @@
--- csv.read: columns of numbers from a text file, for loadings, profiles and coefficients that were
--- measured elsewhere, in the units that stand behind their names. Leans on check for its errors.
+-- csv.read: reads columns of numbers from a text file and converts them to mm, N, MPa and s by the units after their
+-- names.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -14,13 +14,13 @@ local function refuse(path, number, text, ...)
     "FORMAT")
 end
 
--- Without blanks around it; in time linear in its length, however many there are.
+-- Removes blanks at both ends, in linear time.
 local function trimmed(text)
   local first = text:find("%S")
   return first and text:match(".*%S", first) or ""
 end
 
--- The cells of a line; quoted ones may hold the separator, and a quote written twice.
+-- Splits a line into cells; a quoted cell may contain the separator, and a quote written twice.
 local function split(line, separator)
   local cells, at = {}, 1
   repeat
@@ -42,7 +42,7 @@ local function split(line, separator)
   return cells
 end
 
--- The separator is the one that the line of names holds most of.
+-- The separator is the most frequent one in the line of names.
 local function separator_of(header)
   local best, most = ",", 0
   for _, separator in ipairs{ ",", ";", "\t" } do
@@ -52,7 +52,7 @@ local function separator_of(header)
   return best
 end
 
--- A number; with semicolons between the cells, a comma may stand for its point.
+-- The number in a cell, or nil; if cells are separated by semicolons, a decimal comma is accepted.
 local function number_in(cell, separator)
   if separator == ";" then cell = cell:gsub(",", ".") end
   if cell:lower():find("^[+-]?nan$") then return 0 / 0 end
@@ -64,7 +64,7 @@ local function names_of(path, number, header, separator)
   local seen = {}
   for i, name in ipairs(names) do
     if name == "" or seen[name] then
-      refuse(path, number, "column %d: expected a name of its own, got %q", i, name)
+      refuse(path, number, "column %d: expected a unique name, got %q", i, name)
     end
     if tonumber(name) then
       refuse(path, number, "expected a line of names first, got the number %s", name)
@@ -74,7 +74,7 @@ local function names_of(path, number, header, separator)
   return names
 end
 
--- Lines that count, with their numbers.
+-- Lines with data and their numbers.
 local function lines_of(path)
   local lines, number = {}, 0
   for line in (files.read(where, path):gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch("(.-)\r?\n") do
@@ -84,12 +84,12 @@ local function lines_of(path)
   return lines
 end
 
--- Numbers in a unit that is known become numbers in ours.
+-- Converts values in a known unit.
 local function scale(values, unit)
   for i, value in ipairs(values) do values[i] = units.scaled(value, unit) end
 end
 
--- What a column is called: without its unit where that is known, as in the file where it is not.
+-- A column with its name: without the unit if that is known, else the whole header.
 local function column_of(header)
   local name, unit = units.split(header)
   local known = unit and units.known(unit)
@@ -109,7 +109,7 @@ local function read_columns(path)
     for i, cell in ipairs(cells) do
       local value, values = number_in(cell, separator), columns[i].values
       if value == math.huge or value == -math.huge then
-        refuse(path, number, "column %q: expected a number that doubles hold, got %q", columns[i].header, cell)
+        refuse(path, number, "column %q: expected a number in the range of doubles, got %q", columns[i].header, cell)
       end
       if not value and type(values[1]) == "number" then
         refuse(path, number, "column %q: expected a number, got %q", columns[i].header, cell)
@@ -123,7 +123,7 @@ local function read_columns(path)
   return columns
 end
 
--- Columns by number and by name, with and without their units; of two of one name the first.
+-- Columns by number and by name, with and without units; the first of two equal names is used.
 local function index_of(columns)
   local index = {}
   for i, column in ipairs(columns) do
@@ -133,26 +133,26 @@ local function index_of(columns)
   return index
 end
 
--- There is no such column.
+-- Raises the error for a missing column.
 local function refuse_column(path, columns, wanted)
   local headers = {}
   for i, column in ipairs(columns) do headers[i] = column.header end
   for _, column in ipairs(columns) do
     if column.bare == wanted then
-      refuse(path, nil, "column %q: expected one of the units %s; by its whole name it is read as it is",
+      refuse(path, nil, "column %q: expected one of the units %s; to read it without conversion, use its whole name",
         column.header, units.list())
     end
   end
-  refuse(path, nil, "no column %s; there are %s", type(wanted) == "string" and ("%q"):format(wanted)
+  refuse(path, nil, "no column %s; the columns are %s", type(wanted) == "string" and ("%q"):format(wanted)
     or tostring(wanted), table.concat(headers, ", "))
 end
 
--- The columns by name, their units where headers tell them, and the names in the file's order.
+-- All columns by name, their units if headers contain them, and the names in the order of the file.
 local function all_of(path, columns)
   local result, told, order = {}, {}, {}
   for i, column in ipairs(columns) do
     if result[column.name] then
-      refuse(path, nil, "column %d: expected a name of its own, got %q again", i, column.name)
+      refuse(path, nil, "column %d: expected a unique name, got %q again", i, column.name)
     end
     result[column.name], told[column.name], order[i] = column.values, column.unit, column.name
   end

@@ -1,8 +1,9 @@
--- Rows of values as CSV text: the one way scripts write it. Leans on archard.files for numbers.
+-- Formats rows of values as CSV text.
 
 local files = require "archard.files"
 
--- What holds a comma, a quote or a line's end is quoted; a row stays one line.
+-- Text of a cell: quoted if it contains a comma, a quote or a line break; line breaks become
+-- blanks.
 local function cell(value)
   if value == nil then return "" end
   if type(value) == "number" then return files.number(value) end
@@ -11,7 +12,7 @@ local function cell(value)
   return '"' .. value:gsub('"', '""'):gsub("[\r\n]+", " ") .. '"'
 end
 
--- (rows, columns) -> text; nil in a row is an empty cell
+-- (rows, columns) -> text; nil in a row gives an empty cell
 return function(rows, columns)
   local lines, cells = {}, {}
   for i, row in ipairs(rows) do

@@ -1,4 +1,4 @@
--- Where the examples are, and larger examples that the program itself uses. Leans on archard.process.
+-- Finds the folder of the examples and reads larger examples that the program itself uses.
 
 local check = require "archard.lib.check"
 local itself = require "archard.lib.itself"
@@ -7,27 +7,26 @@ local text_file = require "archard.lib.text_file"
 
 local folder = {}
 
--- Where they are, seen from the program and from the module for the stock interpreter: as installed,
--- and as just built.
+-- Paths of the examples relative to the program and to the module for the stock interpreter, installed or just built.
 local beside_program = { "/../share/archard/examples", "/../examples", "/../../examples" }
 local beside_module = { "/../../../share/archard/examples", "/../../../../share/archard/examples", "/../../examples" }
 
-local function look(path, places)
+local function search(path, candidates)
   local here = (path or ""):match("^(.*)/[^/]*$") or "."
-  for _, place in ipairs(places) do
-    if process.files(here .. place) then return here .. place end
+  for _, candidate in ipairs(candidates) do
+    if process.files(here .. candidate) then return here .. candidate end
   end
   return nil, here
 end
 
 function folder.find()
-  local found, bin = look(process.program(), beside_program)
+  local found, bin = search(process.program(), beside_program)
   local module = not found and itself.module()
-  found = found or module and look(module, beside_module)
-  return found or check.fail("examples", "they are not there: looked in share/archard/examples beside " .. bin, "MISSING")
+  found = found or module and search(module, beside_module)
+  return found or check.fail("examples", "no examples found in share/archard/examples beside " .. bin, "MISSING")
 end
 
--- As the files are called, in the order of the course: "01_contact", ...
+-- Names of the example files in order: "01_contact", ...
 function folder.names()
   local list = {}
   for _, file in ipairs(process.files(folder.find())) do
@@ -37,7 +36,7 @@ function folder.names()
   return list
 end
 
--- The first sentence of the comment that an example begins with.
+-- First sentence of the comment at the start of an example.
 local function title(path)
   local head = {}
   for line in text_file.read(path):gmatch("[^\n]+") do
@@ -48,7 +47,7 @@ local function title(path)
   return text:match("^(.-[.])%s") or text
 end
 
--- A list as help's entries are, each with the listed name and the first sentence.
+-- List of the examples in the form of help entries, with name and first sentence.
 function folder.entries()
   local list = {}
   for i, name in ipairs(folder.names()) do
@@ -58,8 +57,8 @@ function folder.entries()
   return list
 end
 
--- Reads the parts of a larger example: a function(name) -> what FOLDER/NAME.lua returns, which is called
--- with that function, to read others by.
+-- Returns a function part(name) that loads FOLDER/NAME.lua once and returns its result; the file is called with this
+-- function to load other parts.
 function folder.parts(where, name)
   local loaded = {}
   local function part(each)

@@ -1,5 +1,5 @@
--- (model or table of its fields, load) -> Hertz' contact of its unworn bodies; rings of revolution as
--- a line as long as their circumference.
+-- (model or table of its fields, load) -> Hertz contact of the unworn bodies; rings of revolution count as a line of
+-- the length of their circumference.
 local archard = require "archard"
 
 return function(model, load)

@@ -1,5 +1,5 @@
--- at(history, column, distance): the value of a column of a history at a distance, by cubic
--- interpolation between four rows (fewer where there are no more). Leans on nothing.
+-- at(history, column, distance): the value of a history's column at a distance, by cubic
+-- interpolation between four rows (or fewer, if the history is shorter).
 return function(history, column, distance)
   local x, y, low = history.distance, history[column], 1
   while low < #x - 1 and x[low + 1] <= distance do low = low + 1 end

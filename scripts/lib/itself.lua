@@ -1,13 +1,13 @@
--- Where the module of the stock interpreter, archard.so, stands, and how another process of this program
--- calls one of its scripts. Leans on nothing.
+-- Path of archard.so, the module for the stock interpreter, and the Lua code by which another process of this program
+-- calls a module.
 
 local itself = {}
 
--- The path of archard.so, nil where the program is not that.
+-- The path of archard.so, or nil if it is not found.
 function itself.module() return (package.searchpath("archard", package.cpath)) end
 
--- (module, argument...) -> the chunk to hand to -e; the arguments are texts or numbers. The stock
--- interpreter has to find and load archard.so first.
+-- (module, argument...) -> Lua code for the option -e; arguments are strings or numbers. In the stock interpreter, the
+-- code first loads archard.so.
 function itself.chunk(module, ...)
   local list = {}
   for i = 1, select("#", ...) do list[i] = ("%q"):format((select(i, ...))) end

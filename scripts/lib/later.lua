@@ -1,5 +1,5 @@
--- (module [, name]) -> a function that calls what the module returns, or the function of that name in
--- it. The module is read at the first call: who never calls it does not pay for it.
+-- (module [, name]) -> a function that loads the module at its first call and calls its result, or the function `name`
+-- in it.
 return function(module, name)
   return function(...)
     local found = require(module)

@@ -1,5 +1,5 @@
--- linear(a, b, least) -> b: solves a x = b for each of the right sides, the columns of b, by elimination with pivots.
--- nil where a pivot is below `least`. Both matrices, lists of rows, are overwritten.
+-- linear(a, b, least) -> b: solves a x = b for all columns of b by Gauss-Jordan elimination with pivoting; nil if a
+-- pivot is below `least`. Both matrices, lists of rows, are overwritten.
 return function(a, b, least)
   local n = #a
   for i = 1, n do

@@ -1,4 +1,4 @@
--- (table, ...) -> a new table with the fields of all, later ones before earlier ones; nil adds none.
+-- (table, ...) -> a new table with the fields of all; later tables have priority; nil is ignored.
 return function(...)
   local all = {}
   for i = 1, select("#", ...) do

@@ -1,5 +1,5 @@
--- Shows a text page by page where it is longer than the terminal: through $PAGER, through less where
--- that is there, or by itself. Anywhere but on a terminal it prints.
+-- Shows a text page by page if it is longer than the terminal: with $PAGER, else with less, else by itself. Without a
+-- terminal it prints the text.
 
 local term = require "archard.term"
 
@@ -10,14 +10,14 @@ local function count_lines(text)
   return breaks + 1
 end
 
--- Colours and all; what less shows stays on the screen.
+-- The pager command, or nil: less keeps colours, and its text stays on the screen.
 local function command()
   local wished = os.getenv "PAGER"
   if wished and wished ~= "" then return wished end
   return os.execute "command -v less >/dev/null 2>&1" and "less -R -X" or nil
 end
 
--- A file, not a pipe: who leaves the pager early leaves nobody writing.
+-- Uses a temporary file instead of a pipe, so that leaving the pager early causes no write error.
 local function through(program, text)
   local name = os.tmpname()
   local file = io.open(name, "w")
@@ -29,7 +29,7 @@ local function through(program, text)
   return fine
 end
 
--- Calls write(page) for as many lines as fit, and ask() after each but the last; true ends it.
+-- Calls write(page) for each page of `lines` lines, and ask() before the next page; stops if ask() returns true.
 function pager.pages(text, lines, write, ask)
   local page, count = {}, 0
   for line in (text .. "\n"):gmatch("(.-)\n") do

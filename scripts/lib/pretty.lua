@@ -1,5 +1,5 @@
--- Shows any value in a readable way, fitted to a width: long lists shortened, nested tables
--- indented, keys sorted, cycles marked. Never runs a metamethod but __tostring.
+-- Formats any value readably for a given width: long lists shortened, nested tables indented, keys sorted, cycles
+-- marked. Calls no metamethod except __tostring.
 
 local debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8 =
   debug, math, next, pcall, rawget, rawlen, string, table, tostring, type, utf8
@@ -10,13 +10,13 @@ local term = require "archard.term"
 
 local pretty = {}
 
--- How much is shown of lists and tables before "...".
+-- Limits of the output, after which "..." is printed.
 local limits = {
-  depth = 5,        -- of tables in tables
+  depth = 5,        -- nesting of tables
   list = 40,        -- items of the outermost list
   inner_head = 4,   -- first items of a longer list within a table
   keys = 200,       -- fields of one table
-  total = 2000,     -- items altogether
+  total = 2000,     -- items in total
 }
 
 local colours = { number = "36", string = "32", boolean = "35", ["nil"] = "35", dim = "2" }
@@ -44,7 +44,7 @@ local function quote(text)
   return '"' .. names.plain(text) .. '"'
 end
 
--- Text of an object that knows how to show itself, or nil.
+-- Result of an object's __tostring, or nil without one.
 local function own_text(value)
   local metatable = debug.getmetatable(value)
   if type(metatable) ~= "table" or rawget(metatable, "__tostring") == nil
@@ -53,12 +53,12 @@ local function own_text(value)
   return fine and text or "(its __tostring failed: " .. tostring(text) .. ")"
 end
 
--- In lists six digits tell enough, and make columns that can be read.
+-- Numbers in lists have six digits, so that columns stay readable.
 local function number_in_list(value)
   return math.type(value) == "integer" and tostring(value) or ("%.6g"):format(value)
 end
 
--- NaN has no sign that means anything, nor has zero.
+-- NaN and zero are printed without a sign.
 local function number_text(value, within)
   if value ~= value then return "nan" end
   if value == 0 and within then return "0" end
@@ -73,7 +73,7 @@ function writer:scalar(value, within)
     return self:paint(kind, number_text(value, within))
   end
   local text = own_text(value) or tostring(value)
-  -- An object within a table gets one line.
+  -- An object inside a table is shown as one line.
   if within then text = text:match("^[^\n]*") .. (text:find("\n") and " ..." or "") end
   return self:paint(kind, text)
 end
@@ -107,7 +107,7 @@ function writer:key(key)
   return "[" .. self:scalar(key, "key") .. "]"
 end
 
--- Which items of a list of `count` are shown: the first `head`, and the last.
+-- Number of first items shown of a list of `count`; if it is shortened, the last item is shown too.
 local function shown_head(count, depth)
   local most = depth == 0 and limits.list or limits.inner_head + 2
   if count <= most then return count end
@@ -139,16 +139,16 @@ function writer:field_parts(parts, value, count, depth, indent)
   end
 end
 
-local function fits(parts, room)
+local function fits(parts, available)
   local length = 4
   for _, part in next, parts do
     if part:find("\n") then return false end
     length = length + visible_length(part) + 2
   end
-  return length - 2 <= room
+  return length - 2 <= available
 end
 
--- Items of a list side by side, as many as fit a line.
+-- Items of a list side by side, wrapped to the width.
 local function fill(parts, indent, width)
   local margin = string.rep(" ", indent + 2)
   local lines, line, length = {}, {}, 0
@@ -207,8 +207,8 @@ function writer:any(value, depth, indent, within, taken)
   return self:scalar(value, within)
 end
 
--- format(value, { width = 80, colour = false }) -> text, without a newline at its end. A string
--- comes back as it is, a string within a table quoted.
+-- format(value, { width = 80, colour = false }) -> text without a final newline. A string is returned unchanged; inside
+-- a table it is quoted.
 function pretty.format(value, options)
   options = options or {}
   local self = setmetatable({
@@ -220,7 +220,7 @@ function pretty.format(value, options)
   return self:any(value, 0, 0)
 end
 
--- As the prompt shows it: what print() makes of lists of ours.
+-- Text of a value for the width of the terminal, as print() shows lists.
 function pretty.fitted(value) return pretty.format(value, { width = (term.size()) }) end
 
 return pretty

@@ -1,9 +1,8 @@
--- A progress bar on standard error: only where that is a terminal, redrawn at most ten times a
--- second, fitted to the terminal's width as it is then. Leans on archard.term.
+-- A progress bar on standard error, only on a terminal, redrawn at most ten times a second and fitted to its width.
 --
 --   local bar = progress.new{ total = 1320, label = "wear", unit = "mm" }
 --   bar:update(done, "cycle 2700")     done in the unit of total; the note is optional
---   bar:close()                        wipes the bar; also when an error ended the work
+--   bar:close()                        clears the bar; also called after an error
 
 local term = require "archard.term"
 
@@ -11,7 +10,7 @@ local progress = {}
 progress.__index = progress
 progress.__close = function(self) self:close() end
 
-local pause = 0.1 -- seconds between two drawings
+local pause = 0.1 -- seconds between two redraws
 
 function progress.new(definition)
   local self = {
@@ -20,13 +19,13 @@ function progress.new(definition)
     unit = definition.unit or "",
     shown = term.movable("stderr"),
     started = term.clock(),
-    first = definition.done or 0, -- what was done before: it says nothing about the rate
+    first = definition.done or 0, -- done before the start; excluded from the rate
     last = -math.huge,
   }
   return setmetatable(self, progress)
 end
 
--- "4:05", or "1:04:05"; what nobody can wait for is "-:--".
+-- "4:05", or "1:04:05"; "-:--" above 100 hours.
 function progress.duration(seconds)
   if seconds ~= seconds or seconds > 359999 then return "-:--" end
   local whole = math.floor(seconds + 0.5)
@@ -35,18 +34,18 @@ function progress.duration(seconds)
   return ("%d:%02d"):format(minutes, whole % 60)
 end
 
--- "[###.......]", `width` between the brackets
+-- "[###.......]", with `width` characters between the brackets
 function progress.bar(share, width)
   local full = math.floor(math.max(0, math.min(1, share)) * width + 0.5)
   return "[" .. ("#"):rep(full) .. ("."):rep(width - full) .. "]"
 end
 
--- 1320 mm to four digits, cases to the last.
+-- Integers with all digits, other numbers with four.
 local function amount(value)
   return (math.type(value) == "integer" and "%d" or "%.4g"):format(value)
 end
 
--- The line without its bar: what must be said comes first, the bar gets what room is left.
+-- The share done, and the texts before and after the bar.
 function progress:parts(done, note, now)
   local share = self.total > 0 and math.min(1, math.max(0, done / self.total)) or 1
   local rate = (done - self.first) / math.max(now - self.started, 1e-9)
@@ -58,12 +57,12 @@ function progress:parts(done, note, now)
   return share, head, tail
 end
 
--- The text for one line of `width` columns; also what the tests look at.
+-- The text for a line of `width` columns; also called by the tests.
 function progress:line(done, note, now, width)
   local share, head, tail = self:parts(done, note, now)
-  local room = width - #head - #tail - 6
-  if room < 6 then return (head .. "  " .. tail):sub(1, math.max(width - 1, 0)) end
-  return ("%s %s %s"):format(head, progress.bar(share, math.min(room, 30)), tail)
+  local space = width - #head - #tail - 6
+  if space < 6 then return (head .. "  " .. tail):sub(1, math.max(width - 1, 0)) end
+  return ("%s %s %s"):format(head, progress.bar(share, math.min(space, 30)), tail)
 end
 
 function progress:update(done, note)

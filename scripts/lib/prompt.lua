@@ -1,7 +1,6 @@
--- What the prompt does with a chunk: is it complete, how are its values shown, what the prompt
--- looks like. Leans on archard.lib.pretty and archard.term.
+-- The interactive prompt: checks whether a chunk is complete, shows its values, and formats the prompt's own texts.
 
--- The user may overwrite any global: keep what is needed here.
+-- Local copies, as the user may overwrite any global.
 local error, load, print, rawget, rawset, select, type = error, load, print, rawget, rawset, select, type
 local table, string, io, os = table, string, io, os
 local globals = _G
@@ -14,7 +13,7 @@ local version = require "archard".version
 
 local prompt = {}
 
--- Loads `text` as if it stood at line `line` of `name`.
+-- Loads `text` as if it started at line `line` of `name`.
 local function load_at(text, name, line)
   local parts = { string.rep("\n", line - 1), text }
   local next_part = 0
@@ -25,16 +24,15 @@ local function load_at(text, name, line)
   end, name, "t")
 end
 
--- Did the parser come to the end and want more? A string in quotes ends with its line, unless a
--- backslash stands there.
+-- True if the parser expects more lines. An unfinished quoted string is an error unless its line ends with a backslash.
 local function is_open(message, text)
   if message:find("unfinished string near", 1, true) and not text:find("\\$") then return false end
   return message:find("<eof>'?$") ~= nil
 end
 
--- The text up to its last lines, and these, where they alone are an expression and those before them
--- alone a chunk: then the expression's values can be shown. Lines that Lua would take for the end
--- of what stands above, as in "a = b" over "(c)", are left together.
+-- Splits the text into its last lines, if they are an expression, and the lines before them, if these are a chunk, so
+-- that the expression's values can be shown. Lines that Lua would join with the line before, as "(c)" after "a = b",
+-- are not split.
 local function split_last(text)
   local at = #text
   for _ = 1, 100 do
@@ -48,23 +46,23 @@ local function split_last(text)
   end
 end
 
--- A chunk that ends with the values of `expression`. A plain `return f()` would be a tail call: the
--- chunk's frame would be gone, and with it the line that an error in f is to be reported at.
+-- Code that ends with returning the values of `expression`. `return f()` would be a tail call, which removes the
+-- chunk's frame and thereby the line number of errors in f.
 local function handed_on(head, expression)
-  local ended = expression:find("--", 1, true) and "\n)" or ")" -- on its line, as errors are told by it
+  local ended = expression:find("--", 1, true) and "\n)" or ")" -- on the same line, so that line numbers of errors are right
   return head .. "return (function(...) return ... end)(" .. expression .. ended
 end
 
-local told_about_locals = false
+local noted_locals = false
 
 local function note_locals(text)
-  if told_about_locals or not text:find("^%s*local%s") then return end
-  told_about_locals = true
-  io.stderr:write("note: a local lives in its own chunk only; leave out 'local' to keep the value\n")
+  if noted_locals or not text:find("^%s*local%s") then return end
+  noted_locals = true
+  io.stderr:write("note: a local variable exists only in its chunk; omit 'local' to keep the value\n")
 end
 
--- Lines as in IPython and Octave: ?name and name? explain, !command runs in the shell, clear clears the
--- screen unless a global has that name. Returns what does it, or nil.
+-- Short commands as in IPython and Octave: ?name and name? show help, !command runs in the shell, clear clears the
+-- screen unless a global has this name. Returns a function that runs the command, or nil.
 local function short_command(text)
   local word = text:match("^%s*%?%s*([%w_.:{}]+)%s*$") or text:match("^%s*([%w_.:{}]+)%s*%?%s*$")
   if word then return function() require "archard".help(word) end end
@@ -80,7 +78,7 @@ local function short_command(text)
   end
 end
 
--- compile(text, name, line) -> function; or nil, message; or nil, nil where more lines are needed.
+-- compile(text, name, line) -> function; or nil, message; or nil, nil if more lines are needed.
 function prompt.compile(text, name, line)
   local short = short_command(text)
   if short then return short end
@@ -102,7 +100,7 @@ function prompt.compile(text, name, line)
   return nil, text:find("^%s*=") and as_expression or as_statement
 end
 
--- Shows the values of a chunk, a text longer than the screen page by page; keeps the first in the global `_`.
+-- Shows the values of a chunk, a long text page by page, and stores the first value in the global `_`.
 function prompt.show(...)
   local count = select("#", ...)
   local first = ...
@@ -120,7 +118,7 @@ function prompt.show(...)
   print(text)
 end
 
--- Text of the prompt itself; readline wants what takes no room between \1 and \2.
+-- Texts of the prompt; readline needs \1 and \2 around invisible characters.
 local texts = {
   first = "> ",
   more = ">> ",

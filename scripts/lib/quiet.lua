@@ -1,5 +1,5 @@
--- quiet(f, ...) -> what f returns: the engine's warnings are off meanwhile, and on again afterwards, also after
--- an error. For contacts and runs that a search makes by itself, whose warnings the user did not cause.
+-- quiet(f, ...) -> results of f: calls f with the engine's warnings switched off, for contacts and runs of a search,
+-- whose warnings the user did not cause. They are switched on again also after an error.
 
 return function(f, ...)
   warn "@off"

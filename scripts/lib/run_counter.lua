@@ -1,9 +1,8 @@
--- A search of many runs: a line of progress on a terminal, and what Ctrl-C reports in place of the present
--- run. Leans on archard.lib.progress, archard.process and archard.term.
+-- Progress of a search with many runs: a line on a terminal, and the report of an interrupt (Ctrl-C).
 --
 --   local counter <close> = run_counter.new("fit", 40)   about 40 runs
---   counter:better("k 2.1e-08, alpha 0.31")              the best so far
---   counter:ran()                                        one more run is done
+--   counter:better("k 2.1e-08, alpha 0.31")              best values found
+--   counter:ran()                                        one more run is finished
 
 local process = require "archard.process"
 local progress = require "archard.lib.progress"
@@ -12,7 +11,7 @@ local term = require "archard.term"
 local counter = {}
 counter.__index = counter
 
--- mode: false for none on the terminal.
+-- mode: false to show nothing on the terminal.
 function counter.new(what, about, mode)
   local self = setmetatable({ what = what, about = about, count = 0, shown = mode == nil and term.movable "stderr",
     started = term.clock() }, counter)
@@ -39,7 +38,7 @@ function counter:ran(runs)
   self:show()
 end
 
--- kept: where users find it after an interrupt.
+-- kept: the name under which the best values are available after an interrupt.
 function counter:better(text, kept)
   self.best, self.kept = text, kept
   self:show()

@@ -1,5 +1,5 @@
--- The progress of a wear run on a terminal: a function to call with the run after each step, and
--- with nothing at its end; nil where no terminal would show it. Leans on archard.lib.progress.
+-- Progress display of a wear run: returns a function to call with the run after each step and
+-- without arguments at the end; nil if standard error is not a terminal.
 
 local term = require "archard.term"
 

@@ -1,12 +1,12 @@
--- archard --sandbox: takes out of the user's globals what reaches out of the script, and out of those of our
--- scripts what a user's argument could. Leans on archard.files, which knows what files there are.
+-- archard --sandbox: removes functions with access to the system from the user's globals, and restricts those used by
+-- the program's own scripts to allowed files.
 
 local files = require "archard.files"
 
 local load, loadfile = load, loadfile
 local globals, open, remove = _G, io.open, os.remove
 
--- --- for our scripts -----------------------------------------------------------------------------
+-- --- for the program's own scripts ---------------------------------------------------------------
 
 function io.open(path, mode)
   local use = (mode or "r"):find "^r" and not (mode or ""):find("+", 1, true) and "read" or "write"
@@ -23,35 +23,35 @@ end
 
 os.rename = nil
 
--- Code beside the program, which a script of the user could have written.
+-- Prevents loading code beside the program, which a script of the user could have written.
 function _ENV.loadfile() return nil, "the sandbox reads no examples" end
 
 function io.popen() error("the sandbox starts no other programs", 0) end
 function os.execute() return nil, "the sandbox starts no other programs" end
 
--- Temporary files are in the working folder.
+-- Temporary files are created in the working folder.
 local count = 0
 function os.tmpname()
   count = count + 1
   return (".archard-%d-%d"):format(os.time(), count)
 end
 
--- --- for the user --------------------------------------------------------------------------------
+-- --- for the user's scripts ----------------------------------------------------------------------
 
--- What fails is raised where it was called.
+-- Errors have the position of the caller.
 local function read_chunk(path, ...)
-  if type(path) ~= "string" then error("expected the name of a file, got " .. type(path), 3) end
+  if type(path) ~= "string" then error("expected a file name, got " .. type(path), 3) end
   local fine, why = files.allowed(path, "read")
   if not fine then return nil, why end
   return loadfile(path, "t", ...)
 end
 
--- require of archard, and of Lua files in the folder of the script.
+-- Returns a require function for archard, the standard libraries and Lua files in the folder of the script.
 local function requirer(folder)
   local loaded = { archard = require "archard" }
   for _, name in ipairs{ "string", "table", "math", "utf8", "coroutine", "os" } do loaded[name] = globals[name] end
   return function(name)
-    if type(name) ~= "string" or not name:find "^[%w_][%w_.]*$" then error("expected the name of a module", 2) end
+    if type(name) ~= "string" or not name:find "^[%w_][%w_.]*$" then error("expected a module name", 2) end
     if loaded[name] == nil then
       local path = ("%s/%s.lua"):format(folder, (name:gsub("%.", "/")))
       local chunk, why = read_chunk(path)
@@ -63,7 +63,7 @@ local function requirer(folder)
   end
 end
 
--- Metatables that strangers have not made are not for them: a finalizer put there would be Lua's to call.
+-- Metatables made by the user. Others are hidden, as a finalizer added to them would be called by Lua itself.
 local theirs = setmetatable({}, { __mode = "k" })
 
 local function hide_metatables()
@@ -75,8 +75,8 @@ local function hide_metatables()
   end
 end
 
--- Lua calls no hook in a finalizer, so nobody would count its instructions: they go on in a coroutine, which has
--- hooks of its own. A guard that dies with the object stands for it; the object itself Lua never finalizes.
+-- Lua calls no hook during finalizers, so their instructions would not be counted: they are run in a coroutine, which
+-- has its own hooks. A guard object that dies together with the object starts its finalizer instead of Lua.
 local function count_finalizers()
   local set = globals.setmetatable
   local guards = setmetatable({}, { __mode = "k" })

@@ -1,8 +1,8 @@
--- Programs of the system that are asked something: short commands through the shell. Leans on nothing.
+-- Runs short commands through the shell and returns their output.
 
 local shell = {}
 
--- A word that the shell takes as it stands.
+-- A word quoted for the shell.
 function shell.quote(word) return "'" .. tostring(word):gsub("'", "'\\''") .. "'" end
 
 -- The words as one command line.
@@ -12,8 +12,8 @@ function shell.line(words)
   return table.concat(quoted, " ")
 end
 
--- Runs a command line: what it printed, without an end of line, and whether it succeeded; where it
--- did not, its errors with the rest. The job that a line leaves behind holds nobody up.
+-- Runs a command line: returns its output without final line breaks and true on success; after a failure the output
+-- includes standard error. Does not wait for background jobs of the line.
 function shell.ask(line)
   local split = 'exec 3>&1; words=$({ %s; } 2>&1 >&3 3>&-) || { status=$?; printf "%%s" "$words"; exit $status; }'
   local pipe <close> = assert(io.popen(split:format(line), "r"))

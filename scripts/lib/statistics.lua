@@ -1,4 +1,4 @@
--- Means, sizes, spreads and confidence of a few measurements. Leans on archard.random.
+-- Statistics of a few measurements: mean, largest value, standard deviation, confidence.
 
 local random = require "archard.random"
 
@@ -10,7 +10,7 @@ function statistics.mean(list)
   return sum / #list
 end
 
--- The largest of their sizes, whatever their signs.
+-- Largest absolute value.
 function statistics.largest(list)
   local most = 0
   for _, value in ipairs(list) do most = math.max(most, math.abs(value)) end
@@ -25,9 +25,9 @@ function statistics.deviation(list)
   return math.sqrt(sum / (#list - 1))
 end
 
-statistics.known = 10000 -- degrees of freedom that stand for a known deviation: the normal curve
+statistics.known = 10000 -- degrees of freedom for a known deviation (normal distribution)
 
--- How many standard deviations of the mean are within a confidence, by Student's distribution.
+-- Two-sided quantile of Student's distribution for a confidence level.
 function statistics.student(confidence, freedom)
   return random.student_quantile((1 + confidence) / 2, freedom)
 end

@@ -1,4 +1,4 @@
--- Whether a file is there, and what it holds. Leans on nothing.
+-- Tests whether a file exists and reads it.
 
 local text_file = {}
 
@@ -7,7 +7,7 @@ function text_file.exists(path)
   return file ~= nil
 end
 
--- All of it; nil where it cannot be opened.
+-- The whole content, or nil if the file cannot be opened.
 function text_file.read(path)
   local file <close> = io.open(path, "rb")
   return file and file:read("a")

@@ -1,18 +1,18 @@
--- time(f, ...): how long a call took, on the clock and on the processors.
+-- time(f, ...): prints the elapsed time and the processor time of a call.
 
 local check = require "archard.lib.check"
 local term = require "archard.term"
 
-local function told(seconds) return seconds < 1 and ("%.3g ms"):format(1e3 * seconds) or ("%.3g s"):format(seconds) end
+local function shown(seconds) return seconds < 1 and ("%.3g ms"):format(1e3 * seconds) or ("%.3g s"):format(seconds) end
 
 local function is_callable(value)
   local metatable = debug.getmetatable(value)
   return type(value) == "function" or type(metatable) == "table" and metatable.__call ~= nil
 end
 
--- Prints the times and hands on what the call gave.
+-- Prints the times and returns the results of the call.
 local function report(clock, busy, ...)
-  print(("time: %s, processors %s"):format(told(term.clock() - clock), told(os.clock() - busy)))
+  print(("time: %s, processors %s"):format(shown(term.clock() - clock), shown(os.clock() - busy)))
   return ...
 end
 

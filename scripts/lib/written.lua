@@ -1,4 +1,4 @@
--- Prints the names of the files that a call has written, on standard error.
+-- Prints the names of files written by a call on standard error.
 
 local written = {}
 
@@ -6,7 +6,8 @@ function written.note(where, ...)
   io.stderr:write(("archard: %s: wrote %s\n"):format(where, table.concat({ ... }, ", ")))
 end
 
--- returned(where, file, ...) -> the files: for calls that return them, which the prompt shows.
+-- returned(where, file, ...) -> the files; prints the names unless the prompt shows the returned
+-- values.
 function written.returned(where, ...)
   if not package.loaded["archard.lib.prompt"] then written.note(where, ...) end
   return ...

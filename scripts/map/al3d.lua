@@ -1,5 +1,5 @@
--- Alicona Imaging's .al3d: tags of 52 bytes, and a depth image of single-precision numbers in metres by rows from the
--- top, each row on a multiple of eight bytes.
+-- Reads Alicona Imaging's .al3d files: tags of 52 bytes, then a depth image of single-precision numbers in metres, by
+-- rows from the top, each row padded to a multiple of eight bytes.
 
 local axis = require "archard.map.axis"
 
@@ -9,7 +9,7 @@ local function take_tag(source, tags)
   local name = source:take_text(20, "the name of a tag")
   local value = source:take_text(30, "the value of a tag")
   if source:take("c2", "the end of a tag") ~= "\r\n" then
-    source:refuse("expected tag %q to end with a line, it does not", name)
+    source:refuse("expected a line end after tag %q", name)
   end
   tags[name] = value
 end

@@ -1,12 +1,11 @@
--- One coordinate of a map: even steps, where a value lies between its points, and weights that bring values to other
--- points. Leans on nothing.
+-- Coordinates of a map along one axis: even steps, position of a value between two points, and weights for resampling.
 
 local axis = {}
 
--- The mean step.
+-- Mean step of the points.
 function axis.step(list) return (list[#list] - list[1]) / (#list - 1) end
 
--- The first point that is not where even steps put it, to a twentieth of a step; nil: all are.
+-- Index of the first point that differs from even steps by more than a twentieth of a step; nil if all steps are even.
 function axis.uneven(list)
   local step = axis.step(list)
   for i = 2, #list do
@@ -14,15 +13,15 @@ function axis.uneven(list)
   end
 end
 
--- count points from `first` on.
+-- A list of `count` points with even steps, starting at `first`.
 function axis.even(first, step, count)
   local list = {}
   for i = 1, count do list[i] = first + (i - 1) * step end
   return list
 end
 
--- The point before a value and the value's share of the way to the next one; nil outside. A value beyond an end by
--- no more than single precision rounds is at the end.
+-- Index of the point before a value, and the share of the step between this point and the value; nil outside the
+-- points. Values up to 1e-6 of a step beyond an end, the error of single precision, count as the end.
 function axis.locate(list, value)
   local n, step = #list, axis.step(list)
   local beyond = 1e-6 * step
@@ -33,7 +32,7 @@ function axis.locate(list, value)
   return i, math.max(0, math.min(1, (value - list[i]) / (list[i + 1] - list[i])))
 end
 
--- First and last point within a range that may be open at either end; nil: there are none.
+-- Indices of the first and the last point in a range, which may be open at either end; nil if no point is in it.
 function axis.within(list, range)
   local low, high = range[1] or -math.huge, range[2] or math.huge
   local beyond, first, last = 1e-6 * axis.step(list), nil, nil
@@ -48,7 +47,7 @@ local function linear(list, value)
   return { first = i, 1 - share, share }
 end
 
--- The share of each point's cell in the cell about a value.
+-- Weights of the mean over a cell of width `size` about a value: the overlap with the cell of each point.
 local function mean(list, value, size)
   local step, total = axis.step(list), 0
   local low, high = value - size / 2, value + size / 2
@@ -64,8 +63,8 @@ local function mean(list, value, size)
   return weights
 end
 
--- Points `size` apart over the same length, about its middle, and for each the weights of the old points: linear
--- between them where the new ones are closer, else means over cells of the new size.
+-- Points at distance `size` over the same length, centred, and the weights of the old points for each: linear
+-- interpolation if the new points are closer, else means over cells of the new size.
 function axis.resampled(list, size)
   local whole = list[#list] - list[1]
   local count = math.floor(whole / size + 1e-9) + 1

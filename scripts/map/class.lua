@@ -1,5 +1,5 @@
--- Class map: values y over points (x, z) at even steps, in mm: x along the motion, z across, y up. y is flat, x-major:
--- the value at x[i], z[j] is y[(i - 1) * #z + j]. Each method returns a new map.
+-- Class map: values y over points (x, z) with even steps, in mm: x along the motion, z across, y up. y is a flat list
+-- by rows of x: the value at x[i], z[j] is y[(i - 1) * #z + j]. Each method returns a new map.
 
 local axis = require "archard.map.axis"
 local check = require "archard.lib.check"
@@ -32,12 +32,13 @@ local function checked_axis(where, name, list)
   end
   local at = axis.uneven(list)
   if at then
-    check.fail(where, ("field '%s': expected points that grow in even steps of %.6g mm, got %.9g mm after %.9g mm"):format(
+    check.fail(where, ("field '%s': expected increasing points with even steps of %.6g mm, got %.9g mm after %.9g mm"):format(
       name, math.abs(axis.step(list)), list[at], list[at - 1]))
   end
 end
 
--- (where, x, z, y, { unit=, name=, missing=, outliers=, path= }), in mm; lists are checked here and kept.
+-- Makes a map from (where, x, z, y, { unit=, name=, missing=, outliers=, path= }), lengths in mm. The lists are checked
+-- and used without a copy.
 function map.new(where, x, z, y, about)
   checked_axis(where, "x", x)
   checked_axis(where, "z", z)
@@ -56,7 +57,7 @@ function map.new(where, x, z, y, about)
   return setmetatable(result, class)
 end
 
--- A map as t with other points, values and fields.
+-- A map with new points, values and changed fields; all other fields are those of t.
 function map.derived(t, x, z, y, changes)
   local result = merged(t, changes)
   result.x, result.z, result.y, result.size = x, z, y, { #x, #z }
@@ -71,7 +72,7 @@ local function outside(where, t, name, value)
     check.shown(value)))
 end
 
--- The value at a point of which the points before and the shares of the steps are known.
+-- Bilinear interpolation between the points i, i + 1 and j, j + 1 at the shares u and v of the steps.
 local function bilinear(t, i, u, j, v)
   local y, n = t.y, #t.z
   local k = (i - 1) * n + j
@@ -101,7 +102,7 @@ function methods:profile(given)
   map.self(where, self)
   given = check.definition(where, given, line_fields)
   if (given.x == nil) == (given.z == nil) then
-    check.fail(where, ("fields 'x' and 'z': expected where the section lies, one of them, got %s"):format(
+    check.fail(where, ("fields 'x' and 'z': expected the position of the section in one of them, got %s"):format(
       given.x and "both" or "none"))
   end
   local along = given.z and self.x or self.z
@@ -114,9 +115,9 @@ function methods:profile(given)
   return strict.table(line, where)
 end
 
--- --- part and other points --------------------------------------------------------------------------
+-- --- cropping and resampling ------------------------------------------------------------------------
 
--- A map of the points between two indices of either axis.
+-- The part of a map between two indices of each axis.
 local function part(t, i0, i1, j0, j1)
   local y, n = {}, #t.z
   for i = i0, i1 do table.move(t.y, (i - 1) * n + j0, (i - 1) * n + j1, #y + 1, y) end
@@ -144,7 +145,7 @@ function methods:crop(given)
   return part(self, i0, i1, range_of(where, self, "z", given.z))
 end
 
--- Weighted sums along x, then along z.
+-- Resamples with weighted sums along x, then along z.
 local function weighted(t, wx, wz)
   local n, rows, y = #t.z, {}, {}
   for i = 1, #wx do
@@ -162,7 +163,7 @@ local function weighted(t, wx, wz)
   return y
 end
 
-local most = 4096 * 4096 -- points of a map that is resampled
+local most = 4096 * 4096 -- largest number of points of a resampled map
 
 -- t:resample(size)
 function methods:resample(size)
@@ -186,13 +187,13 @@ local function same_points(a, b)
   return true
 end
 
--- The part of a where b lies too, and b's values there.
+-- The part of `a` that overlaps `b`, and the values of b at its points.
 local function shared(where, a, b)
   if same_points(a.x, b.x) and same_points(a.z, b.z) then return a, b.y end
   local i0, i1 = axis.within(a.x, { b.x[1], b.x[#b.x] })
   local j0, j1 = axis.within(a.z, { b.z[1], b.z[#b.z] })
   if not (i0 and j0 and i1 > i0 and j1 > j0) then
-    check.fail(where, ("expected maps that overlap, got x %.6g to %.6g, z %.6g to %.6g mm and x %.6g to %.6g, z %.6g to %.6g mm")
+    check.fail(where, ("expected overlapping maps, got x %.6g to %.6g, z %.6g to %.6g mm and x %.6g to %.6g, z %.6g to %.6g mm")
       :format(a.x[1], a.x[#a.x], a.z[1], a.z[#a.z], b.x[1], b.x[#b.x], b.z[1], b.z[#b.z]))
   end
   a = part(a, i0, i1, j0, j1)
@@ -209,7 +210,7 @@ local function combined(where, a, b, sign)
     check.fail(where, ("expected two maps, or a map and a number, got %s and %s"):format(check.shown(a), check.shown(b)))
   end
   if map.is(b) and a.unit ~= b.unit then
-    check.fail(where, ("expected maps in one unit, got %s and %s"):format(a.unit, b.unit))
+    check.fail(where, ("expected maps with the same unit, got %s and %s"):format(a.unit, b.unit))
   end
   local other, y = nil, {}
   if map.is(b) then a, other = shared(where, a, b) end
@@ -222,7 +223,7 @@ function class.__add(a, b) return combined("map + map", a, b, 1) end
 
 -- --- volume -----------------------------------------------------------------------------------------
 
--- t:volume([level]): what lies above and below a level; each point stands for a cell of one step by one step.
+-- t:volume([level]): volumes above and below a level; the cell of each point has the size of one step along each axis.
 function methods:volume(level)
   local where = "map:volume"
   map.self(where, self)
@@ -247,7 +248,7 @@ function map.limits(t)
   return low, high
 end
 
--- What values are shown in: lengths in um.
+-- Display unit of the values, um for lengths, and the factor to it.
 function map.shown_unit(t)
   if t.unit == "mm" then return "um", 1000 end
   return t.unit, 1
@@ -264,7 +265,7 @@ function class.__tostring(t)
     ("  %s; %s"):format(said_axis("x", t.x), said_axis("z", t.z)),
     ("  %.4g to %.4g %s"):format(scale * low, scale * high, unit) }
   if t.form then
-    lines[#lines + 1] = ("  less a %s%s"):format(t.form, t.radius and (" of radius %.6g mm"):format(t.radius) or "")
+    lines[#lines + 1] = ("  minus a %s%s"):format(t.form, t.radius and (" of radius %.6g mm"):format(t.radius) or "")
   end
   if t.missing > 0 then lines[#lines + 1] = ("  %d points without a value were filled"):format(t.missing) end
   if t.outliers > 0 then lines[#lines + 1] = ("  %d outliers were replaced"):format(t.outliers) end

@@ -1,15 +1,15 @@
--- The plane or sphere through a map's heights by least squares of the vertical distances. A sphere is that through a
--- point with a slope and a curvature, which has no trouble where it is nearly a plane. Leans on lib/linear.lua.
+-- Fits a plane or sphere to a map's heights by least squares of the vertical distances. The sphere is described by a
+-- height, two slopes and a curvature, which also works for almost plane surfaces.
 
 local solve = require "archard.lib.linear"
 
 local form = { kinds = { "plane", "sphere" } }
 local models = {}
 
--- Height and its derivatives at (u, v), in half lengths from the map's middle.
+-- Returns the height and its derivatives by p at (u, v), in units of half the map's length from its middle.
 function models.plane(u, v, p) return p[1] + p[2] * u + p[3] * v, 1, u, v end
 
--- p: height, sines of both slopes at the middle, curvature. nil where the sphere does not reach.
+-- p: height, sines of both slopes at the middle, curvature. Returns nil outside the sphere.
 function models.sphere(u, v, p)
   local t, s, k = p[2], p[3], p[4]
   local q, r = t + k * u, s + k * v
@@ -28,7 +28,7 @@ local function zeros(n)
   return list
 end
 
--- Means over the points of J'J, J'r and r'r; nil where the form does not reach a point, or there are too few.
+-- Means over all points of J'J, J'r and r'r; nil if a point is outside the form.
 local function normal(self, points, p)
   local n, a, b, rr = #p, {}, zeros(#p), 0
   for i = 1, n do a[i] = zeros(n) end
@@ -52,7 +52,7 @@ local function normal(self, points, p)
   return a, b, rr / #y
 end
 
--- One step of Gauss and Newton, halved until the form reaches all points and fits no worse.
+-- One Gauss-Newton step, halved until all points are inside the form and the residual does not increase.
 local function advance(self, points, a, b, rr)
   local right = {}
   for i = 1, #b do right[i] = { b[i] } end
@@ -72,7 +72,8 @@ local function advance(self, points, a, b, rr)
   end
 end
 
--- Points in half lengths about the map's middle, less their mean height; those of is_used(x, z) alone.
+-- Scales the points to units of half the map's length about its middle and subtracts their mean height; only points
+-- with is_used(x, z) are included.
 local function scaled(self, x, z, y, is_used)
   local points, sum = { u = {}, v = {}, y = {}, g = {} }, 0
   for i = 1, #x do
@@ -93,7 +94,7 @@ end
 local shape = {}
 shape.__index = shape
 
--- form.fit("plane" | "sphere", x, z, y, is_used(x, z) or nil) -> the form; nil where the points do not determine it.
+-- form.fit("plane" or "sphere", x, z, y, is_used(x, z) or nil) -> the form, or nil if the points do not determine it.
 function form.fit(kind, x, z, y, is_used)
   local self = setmetatable({ kind = kind, x = (x[1] + x[#x]) / 2, z = (z[1] + z[#z]) / 2,
     half = math.max(x[#x] - x[1], z[#z] - z[1]) / 2, p = zeros(kind == "plane" and 3 or 4) }, shape)
@@ -109,13 +110,13 @@ function form.fit(kind, x, z, y, is_used)
   return self
 end
 
--- Height [mm] at a point [mm]; nil where a sphere does not reach.
+-- Height of the form at a point [mm], or nil outside a sphere.
 function shape:height(x, z)
   local value = models[self.kind]((x - self.x) / self.half, (z - self.z) / self.half, self.p)
   return value and (value + self.mean) * self.half
 end
 
--- mm; nil of a plane.
+-- Radius [mm], or nil for a plane.
 function shape:radius() return self.p[4] and self.half / math.abs(self.p[4]) end
 
 return form

@@ -1,5 +1,5 @@
--- Gwyddion Simple Field: lines "name = value", zeros up to a multiple of four bytes, single-precision numbers by rows
--- from the top. Units without a prefix, points in the middle of cells.
+-- Reads and writes Gwyddion Simple Field files: header lines "name = value", zero bytes up to a multiple of four,
+-- single-precision numbers by rows from the top. Units have no prefix; points are in the middle of cells.
 
 local axis = require "archard.map.axis"
 local files = require "archard.files"
@@ -10,7 +10,7 @@ local function is_missing(value) return value ~= value end
 
 local function header_of(source)
   local header, stop = {}, source.text:find("\0", 1, true)
-  if not stop then source:refuse "expected a header that ends in a zero byte, got none" end
+  if not stop then source:refuse "expected a zero byte at the end of the header, got none" end
   for line in source.text:sub(#gsf.magic + 1, stop - 1):gmatch "[^\n]+" do
     local name, value = line:match "^%s*([%w_]+)%s*=%s*(.-)%s*$"
     if not name then source:refuse("expected lines name = value, got %q", line) end
@@ -40,7 +40,7 @@ function gsf.read(source)
     unit_y = header.ZUnits, name = header.Title }
 end
 
--- The text of a map's file: lengths in m, pressures in Pa.
+-- The content of a .gsf file for a map: lengths in m, pressures in Pa.
 function gsf.text(t)
   local nx, nz, dx, dz = #t.x, #t.z, axis.step(t.x) / 1000, axis.step(t.z) / 1000
   local pressure = t.unit == "MPa"

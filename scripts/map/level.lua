@@ -1,4 +1,4 @@
--- t:level: a map less the plane or sphere of what is not worn. A method of the class in class.lua.
+-- t:level: subtracts the plane or sphere fitted to the unworn part of a map.
 
 local check = require "archard.lib.check"
 local form = require "archard.map.form"
@@ -13,11 +13,11 @@ local function outside(scar)
 end
 
 local function refuse(where, kind, scar)
-  check.fail(where, ("field 'level': expected points that determine a %s%s, those of this map do not"):format(kind,
+  check.fail(where, ("field 'level': the points of this map do not determine a %s%s"):format(kind,
     scar and " outside the scar" or ""))
 end
 
--- (where, map, kind, scar or nil) -> the map less the form fitted outside the scar.
+-- (where, map, kind, scar or nil) -> the map minus the form fitted outside the scar.
 function level.off(where, t, kind, scar)
   local found, y = form.fit(kind, t.x, t.z, t.y, outside(scar)), {}
   if not found then refuse(where, kind, scar) end

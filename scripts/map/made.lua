@@ -1,4 +1,4 @@
--- map{ x=, z=, y= }: what is given, checked. The class is in class.lua and level.lua.
+-- map{ x=, z=, y= }: checks the fields and makes a map (class.lua).
 
 local check = require "archard.lib.check"
 local map = require "archard.map.class"
@@ -11,7 +11,7 @@ local fields = { x = check.list, z = check.list, y = values, unit = check.text, 
 
 local function copied(list) return table.move(list, 1, #list, 1, {}) end
 
--- What a user's function raises stays as it is: Lua would put our line before what coroutines raise.
+-- Calls a user's function; its errors are raised again without the position that Lua adds.
 local function called(f, x, z)
   local fine, value = pcall(f, x, z)
   if not fine then error(value, 0) end

@@ -1,4 +1,4 @@
--- map.read: the format of a file, its units, and what is done to its points before they are a map.
+-- map.read: recognizes the format of a file, converts its units, and crops, repairs and levels its points.
 
 local check = require "archard.lib.check"
 local level = require "archard.map.level"
@@ -20,11 +20,11 @@ end
 
 local function refused(what)
   return function(file)
-    file:refuse("expected a format that is read (.xyz, .grd, .sdf, .gsf, .sur, .al3d, text), got %s", what)
+    file:refuse("expected a supported format (.xyz, .grd, .sdf, .gsf, .sur, .al3d, text), got %s", what)
   end
 end
 
--- First bytes, and what reads the rest.
+-- First bytes of each format and the function that reads it.
 local formats = { { "DSAA", of("surfer", "DSAA") }, { "DSBB", of("surfer", "DSBB") }, { "DSRB", of("surfer", "DSRB") },
   { "Gwyddion Simple Field 1.0\n", of("gsf", "read") }, { "DIGITAL SURF", of "sur" },
   { "DSCOMPRESSED", refused "a compressed .sur; save it without compression" },
@@ -36,7 +36,7 @@ for _, version in ipairs{ "ISO-1.0", "ISO-2.0", "BCR-1.0" } do
   end
 end
 
--- Binary formats have zeros early on; text has none.
+-- Reads a text file; files with zero bytes are refused, as binary formats contain them near the start.
 local function read_text(file, given)
   if file.text:sub(1, 4096):find "%z" then
     file:refuse("expected .xyz, .grd, .sdf, .gsf, .sur, .al3d or text, got other bytes: %q", file.text:sub(1, 12))
@@ -65,7 +65,7 @@ local unit_kind = check.kind('a unit such as "um", or { x="mm", y="um" }', funct
   return type(v) == "string" or type(v) == "table"
 end)
 
--- The unit of x or y: the file's, else the one that is given.
+-- The unit of x or y: the file's unit, else the given one.
 local function unit_of(file, of_file, given, name)
   local stated = given
   if type(given) == "table" then
@@ -80,7 +80,7 @@ local function unit_of(file, of_file, given, name)
     return of_file
   end
   if not stated then
-    check.fail(where, ("field 'unit': expected the unit of %s (%s), as %s tells none, got nil"):format(
+    check.fail(where, ("field 'unit': expected the unit of %s (%s), as %s contains none, got nil"):format(
       name == "x" and "x and y" or "heights", length.expected, file.path))
   end
   return stated
@@ -91,7 +91,7 @@ local function scale(list, unit)
   if factor ~= 1 then for i = 1, #list do list[i] = list[i] * factor end end
 end
 
--- --- what is done to the points ---------------------------------------------------------------------
+-- --- processing of the points -----------------------------------------------------------------------
 
 local fill_kind = check.kind("true or a height in mm", function(v) return v == true or check.number.test(v) end)
 local step_kind = check.kind("a distance in mm, or { along x, along z }", function(v)
@@ -104,8 +104,8 @@ local fields = { unit = unit_kind, step = step_kind, crop = crop_kind, outliers 
   level = level.kind, scar = level.scar }
 
 local function refuse_missing(file, t, count, first)
-  file:refuse("expected a value at each point, %d of %d have none (the first at x = %.6g, z = %.6g mm); fill = true takes "
-    .. "the mean of neighbours, fill = 0 a height in mm, crop = { x={ from, to } } leaves them out", count, #t.y,
+  file:refuse("expected a value at each point, %d of %d have none (the first at x = %.6g, z = %.6g mm); fill = true uses "
+    .. "the mean of neighbours, fill = 0 a height in mm, crop = { x={ from, to } } omits them", count, #t.y,
     t.x[(first - 1) // #t.z + 1], t.z[(first - 1) % #t.z + 1])
 end
 
@@ -126,7 +126,7 @@ local function read(path, given)
   given = check.definition(where, given or {}, fields)
   if not check.file.test(path) then check.fail(where, "expected the path of a file, got " .. check.shown(path)) end
   if given.scar and not given.level then
-    check.fail(where, "field 'scar': expected with level, as what the plane or sphere is fitted beside")
+    check.fail(where, "field 'scar': only allowed with level, which is fitted outside the scar")
   end
   local file = source.open(where, path)
   local found = read_file(file, given)

@@ -1,10 +1,10 @@
--- Points of a measured map that are none: without a value, or far off their neighbours.
+-- Repairs points of a measured map: missing values and outliers.
 
 local noise = require "archard.profile.noise"
 
 local repair = {}
 
--- Calls f(index) for each neighbour of the point (i, j), eight inside.
+-- Calls f(index) for each of the up to eight neighbours of the point (i, j).
 local function each_neighbour(nx, nz, i, j, f)
   for a = math.max(1, i - 1), math.min(nx, i + 1) do
     for b = math.max(1, j - 1), math.min(nz, j + 1) do
@@ -13,7 +13,7 @@ local function each_neighbour(nx, nz, i, j, f)
   end
 end
 
--- Values of a point's neighbours that have one.
+-- The values of a point's neighbours that have a value.
 local function values_around(y, nx, nz, i, j)
   local list = {}
   each_neighbour(nx, nz, i, j, function(k) if y[k] == y[k] then list[#list + 1] = y[k] end end)
@@ -26,15 +26,15 @@ local function median(list)
   return #list % 2 == 1 and list[middle + 1] or (list[middle] + list[middle + 1]) / 2
 end
 
--- Number of points without a value, and the first of them.
+-- Number of points without a value, and the index of the first one.
 function repair.count_missing(y)
   local count, first = 0, nil
   for k = 1, #y do if y[k] ~= y[k] then count, first = count + 1, first or k end end
   return count, first
 end
 
--- Replaces points that are off the median of their neighbours by more than `limit` times what points scatter
--- about it; returns how many.
+-- Replaces points that differ from the median of their neighbours by more than `limit` times the scatter of these
+-- differences; returns the number of replaced points.
 function repair.outliers(y, nx, nz, limit)
   local middle, off = {}, {}
   for i = 1, nx do
@@ -52,7 +52,8 @@ function repair.outliers(y, nx, nz, limit)
   return count
 end
 
--- Points without a value get the mean of their neighbours, ring by ring from the edges of each hole.
+-- Fills missing values with the mean of their neighbours, ring by ring from the edge of each hole; returns the indices
+-- of these points.
 local function grow(y, nx, nz)
   local holes = {}
   for k = 1, #y do if y[k] ~= y[k] then holes[#holes + 1] = k end end
@@ -70,9 +71,10 @@ local function grow(y, nx, nz)
   return all
 end
 
-local sweeps, most_visits = 400, 2e7 -- a hole of 20 points across comes to rest in that
+local sweeps, most_visits = 400, 2e7 -- enough iterations for a hole 20 points wide
 
--- Fills points without a value: each is then the mean of its neighbours. At least one has a value.
+-- Fills missing values such that each is the mean of its four neighbours, by iteration. At least one point must have a
+-- value.
 function repair.fill(y, nx, nz)
   local holes = grow(y, nx, nz)
   for _ = 1, math.min(sweeps, most_visits // math.max(1, #holes)) do

@@ -1,9 +1,9 @@
--- Surface data files by ISO 25178-71, text and binary, version 1.0 with its forerunner BCR-1.0, and 2.0. Lengths are in
--- metres, rows begin at the smallest y.
+-- Reads surface data files (ISO 25178-71), text and binary, versions 1.0 (and its predecessor BCR-1.0) and 2.0. Lengths
+-- are in metres; rows start at the smallest y.
 
 local axis = require "archard.map.axis"
 
--- Binary items by DataType, and the value of points without one.
+-- Format of a binary item by DataType, and the value of missing points.
 local types = { [0] = { "<I1" }, { "<I2", 65535 }, { "<I4", 4294967295 }, { "<f" }, { "<i1" }, { "<i2", -32768 },
   { "<i4", -2147483648 }, { "<d" } }
 
@@ -20,7 +20,7 @@ local function binary_header(source, version)
   return header
 end
 
--- Lines "name = value" up to a star.
+-- Reads the header lines "name = value" up to a line with a star.
 local function text_header(source)
   local header, known = {}, {}
   for _, name in ipairs(names) do known[name:lower()] = name end
@@ -40,7 +40,7 @@ end
 local function checked(source, header)
   for _, name in ipairs{ "Compression", "CheckType" } do
     if header[name] and header[name] ~= 0 then
-      source:refuse("expected data that are neither compressed nor have check sums, got %s = %s", name, tostring(header[name]))
+      source:refuse("expected data without compression and check sums, got %s = %s", name, tostring(header[name]))
     end
   end
   if not types[header.DataType] then source:refuse("expected DataType 0 to 7, got %s", tostring(header.DataType)) end
@@ -48,7 +48,7 @@ local function checked(source, header)
   return source:count(header.NumPoints, "NumPoints"), source:count(header.NumProfiles, "NumProfiles")
 end
 
--- (source, "aISO-1.0" and the like)
+-- (source, magic): magic is the first bytes of the file, as "aISO-1.0".
 return function(source, magic)
   local version, is_text = magic:sub(2), magic:sub(1, 1) == "a"
   source.at = 9

@@ -1,5 +1,5 @@
--- A file of a map while it is read: its bytes from front to end, its errors, its grid of values. Sizes that a header
--- gives are compared with the file's own before anything is made of them.
+-- A map file during reading: reads its bytes in order, raises errors with its name, and reads grids of values. Sizes
+-- from a header are compared with the size of the file before memory is allocated.
 
 local check = require "archard.lib.check"
 local files = require "archard.files"
@@ -8,20 +8,20 @@ local source = {}
 source.__index = source
 
 local missing = 0 / 0
-source.missing = missing -- the value of a point that has none
+source.missing = missing -- value of a missing point
 
 function source.open(where, path)
   return setmetatable({ where = where, path = path, text = files.read(where, path), at = 1 }, source)
 end
 
--- Raises an error that names the file.
+-- Raises an error with the name of the file.
 function source:refuse(message, ...)
   check.fail(self.where, ("%s: %s"):format(self.path, message:format(...)), "FORMAT")
 end
 
 function source:starts_with(text) return self.text:sub(1, #text) == text end
 
--- The next values of a format of string.unpack; `what` they are.
+-- Reads the next values in a format of string.unpack; `what`: their name in errors.
 function source:take(format, what)
   local size = string.packsize(format)
   if #self.text < self.at + size - 1 then
@@ -32,12 +32,12 @@ function source:take(format, what)
   return table.unpack(values, 1, values.n - 1)
 end
 
--- The next `size` bytes, up to a zero, without blanks at either end.
+-- Reads the next `size` bytes up to a zero byte, without blanks at both ends.
 function source:take_text(size, what)
   return (self:take("c" .. size, what):match("^[^\0]*"):match("^%s*(.-)%s*$"))
 end
 
--- A number of points, from a header.
+-- Checks a number of points from a header.
 function source:count(value, what)
   if not (math.type(value) == "integer" and value >= 2) then
     self:refuse("expected %s, a whole number >= 2, got %s", what, tostring(value))
@@ -45,7 +45,7 @@ function source:count(value, what)
   return value
 end
 
--- A step or a scale, from a header.
+-- Checks a step or scale from a header.
 function source:positive(value, what)
   if not (type(value) == "number" and value > 0 and value < math.huge) then
     self:refuse("expected %s > 0, got %s", what, value ~= value and "nan" or tostring(value))
@@ -53,23 +53,23 @@ function source:positive(value, what)
   return value
 end
 
--- The numbers of a text; nil of a word that is none.
+-- The number in a text, or nil.
 function source.number(word)
   if not word or not word:find "^[+-]?[%d.]" or word:find "^[+-]?0[xX]" then return nil end
   local value = tonumber(word)
   return value and value + 0.0
 end
 
--- Raises an error where fewer bytes are left than nx times nz values take.
-function source:check_room(nx, nz, size, row)
+-- Raises an error if the file has fewer bytes left than nx times nz values need.
+function source:check_size(nx, nz, size, row)
   local needed, left = row * (nz - 1) + size * nx, #self.text - self.at + 1
   if needed > left then
-    self:refuse("expected %d x %d values of %d bytes, %d bytes behind a header of %d, got %d", nx, nz, size, needed,
+    self:refuse("expected %d x %d values of %d bytes, %d bytes after a header of %d, got %d", nx, nz, size, needed,
       self.at - 1, left)
   end
 end
 
--- A finite number or a missing one.
+-- Returns a finite or missing value; refuses infinite ones.
 function source:checked(value, i, j)
   if value == math.huge or value == -math.huge then
     self:refuse("point %d of row %d: expected a finite number, got %g", i, j, value)
@@ -77,14 +77,14 @@ function source:checked(value, i, j)
   return value
 end
 
--- Lists of x and z are made after the values, once their number is known to be true.
+-- Callers make the lists of x and z after reading the values, which checks nx and nz.
 
--- Values of the binary format `item`, row by row of nx, as a flat x-major list. from_top: rows begin at the largest
--- z; row: bytes from one row to the next; is_missing(value).
+-- Reads values in the binary format `item`, in rows of nx, into a flat list by rows of x. options: from_top: rows start
+-- at the largest z; row: bytes from one row to the next; is_missing(value).
 function source:grid(nx, nz, item, options)
   local size, y, from = string.packsize(item), {}, self.at
   local row = options.row or size * nx
-  self:check_room(nx, nz, size, row)
+  self:check_size(nx, nz, size, row)
   for i = 1, nx * nz do y[i] = missing end
   for r = 1, nz do
     local j, at = options.from_top and nz + 1 - r or r, from + (r - 1) * row
@@ -97,10 +97,10 @@ function source:grid(nx, nz, item, options)
   return y
 end
 
--- The same of words, from self.at on; `bad` is the word of a point without a value. What follows is left.
+-- Reads the same from words, starting at self.at; `bad` is the word for a missing value. Further words are ignored.
 function source:words(nx, nz, options)
   local left = #self.text - self.at + 1
-  if nx * nz > (left + 1) // 2 then -- a digit and a blank each
+  if nx * nz > (left + 1) // 2 then -- at least a digit and a blank for each value
     self:refuse("expected %d x %d values, got %d bytes of them", nx, nz, left)
   end
   local next_word, y = self.text:gmatch("%S+", self.at), {}

@@ -1,10 +1,10 @@
--- Digital Surf's .sur, a surface that is not compressed: a header of 512 bytes, then whole numbers by rows from the top,
--- heights in steps.
+-- Reads uncompressed .sur files of Digital Surf: a header of 512 bytes, then integers by rows from the top; heights are
+-- multiples of a step.
 
 local axis = require "archard.map.axis"
 
 local function unit_of(source, text, what)
-  text = text:gsub("^\xB5", "u") -- of Latin-1
+  text = text:gsub("^\xB5", "u") -- µ in Latin-1
   if text == "" then source:refuse("expected the unit of %s, got none", what) end
   return text
 end
@@ -12,7 +12,7 @@ end
 local kinds = { [1] = "one profile", [2] = "a surface", [3] = "a binary image", [4] = "a series of profiles",
   [5] = "a series of surfaces" }
 
--- What stands between the kind of object and the size of its points.
+-- Reads the part of the header from the object's name to the number of points.
 local function sizes(source, order)
   source:take("c60c6", "the names of object and operator")
   local special, _ = source:take(order .. "i2i2c8", "the special points")
@@ -31,7 +31,7 @@ local function scales(source, order)
     dy = source:positive(dy, "the step of z"), unit_x = unit_of(source, unit_x, "x"), unit_y = unit_of(source, unit_y, "z") }
 end
 
--- Goes on to the points; returns the offsets of x, y and z.
+-- Reads the offsets of x, y and z and moves to the first point.
 local function offsets(source, order)
   source.at = 335
   local comment, private = source:take(order .. "I2I2", "the length of the comment")

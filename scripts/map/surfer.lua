@@ -1,5 +1,5 @@
--- Golden Software's Surfer grids: text (DSAA), Surfer 6 (DSBB) and Surfer 7 (DSRB). Rows begin at the smallest y. They
--- tell no units.
+-- Reads Golden Software's Surfer grids: text (DSAA), Surfer 6 (DSBB) and Surfer 7 (DSRB). Rows start at the smallest y.
+-- The files contain no units.
 
 local axis = require "archard.map.axis"
 
@@ -11,7 +11,7 @@ local function is_blank(value) return not (value < blank * (1 - 1e-6)) end
 
 local function points(source, name, low, high, count)
   if not (high > low and high - low < math.huge) then
-    source:refuse("expected %s to grow, got %g to %g", name, low, high)
+    source:refuse("expected increasing %s, got %g to %g", name, low, high)
   end
   return axis.even(low, (high - low) / (count - 1), count)
 end
@@ -51,7 +51,7 @@ end
 
 local sections = { header = 0x42525344, grid = 0x44495247, data = 0x41544144 }
 
--- Goes to the section of that name; returns its size.
+-- Moves to the section with this name; returns its size.
 local function go_to(source, name)
   while true do
     local id, size = source:take("<i4i4", ("the %s section"):format(name))
@@ -69,7 +69,7 @@ function surfer.DSRB(source)
   go_to(source, "grid")
   local nz, nx = source:take("<i4i4", "the number of rows and columns")
   local x0, z0, dx, dz, _, _, rotation, no_value = source:take("<dddddddd", "the grid")
-  if rotation ~= 0 then source:refuse("expected a grid that is not turned, got rotation %g", rotation) end
+  if rotation ~= 0 then source:refuse("expected a grid without rotation, got rotation %g", rotation) end
   go_to(source, "data")
   local y = source:grid(source:count(nx, "the number of columns"), source:count(nz, "the number of rows"), "<d",
     { is_missing = function(value)

@@ -1,4 +1,5 @@
--- Maps as text: points "x y z" one a line, in any order, and matrices of heights, one row a line from the smallest z on.
+-- Reads maps as text: points "x y z", one on each line, in any order, or matrices of heights, one row on each line,
+-- starting at the smallest z.
 
 local axis = require "archard.map.axis"
 local units = require "archard.lib.csv_units"
@@ -7,14 +8,14 @@ local text = {}
 
 local function is_missing(word) return word:lower():find "^[+-]?nan$" or word == "BAD" or word == "---" end
 
--- Words of a line between blanks, tabs, commas or semicolons.
+-- Splits a line at blanks, tabs, commas and semicolons.
 local function words_of(line)
   local words = {}
   for word in line:gmatch "[^%s,;]+" do words[#words + 1] = word end
   return words
 end
 
--- Calls row(words, number) for each line of numbers; of a line of names before the first, header(line).
+-- Calls row(words, number) for each line of numbers, and header(line) for a line of names before them.
 local function each_line(source, row, header)
   local number, count = 0, 0
   for line in (source.text:gsub("^\xEF\xBB\xBF", "") .. "\n"):gmatch "(.-)\r?\n" do
@@ -39,7 +40,7 @@ local function number_in(source, word, line)
   return source.missing
 end
 
--- Units behind the names of three columns, where they stand.
+-- Units after the names of the three columns, if any.
 local function header_units(source, line)
   local found = {}
   for unit in line:gmatch "[%[(]%s*([^%])]-)%s*[%])]" do found[#found + 1] = unit end
@@ -52,8 +53,8 @@ end
 
 -- --- points -----------------------------------------------------------------------------------------
 
--- Values that differ by less than a third of the largest gap between neighbours are one: their means, and the
--- number of the one that each value belongs to.
+-- Groups values that differ by less than a third of the largest gap between neighbours. Returns the mean of each group,
+-- and for each value the index of its group.
 local function levels(values)
   local order, gap = {}, 0
   for i = 1, #values do order[i] = i end
@@ -85,17 +86,17 @@ function text.points(source)
   local px, pz, py, unit_x, unit_y = {}, {}, {}, nil, nil
   each_line(source, function(words, number)
     if #words ~= 3 then
-      source:refuse("line %d: expected three numbers x y z, got %d words; of a matrix of heights give step =, the distance "
-        .. "of points in mm", number, #words)
+      source:refuse("line %d: expected three numbers x y z, got %d words; for a matrix of heights give step =, the distance "
+        .. "between points in mm", number, #words)
     end
     px[#px + 1], pz[#pz + 1] = number_in(source, words[1], number), number_in(source, words[2], number)
     py[#py + 1] = number_in(source, words[3], number)
-    if px[#px] ~= px[#px] or pz[#pz] ~= pz[#pz] then source:refuse("line %d: expected x and y, got none", number) end
+    if px[#px] ~= px[#px] or pz[#pz] ~= pz[#pz] then source:refuse("line %d: expected x and y, got a missing value", number) end
   end, function(line) unit_x, unit_y = header_units(source, line) end)
   local x, column = levels(px)
   local z, row = levels(pz)
   if #px < #x * #z / 2 then
-    source:refuse("expected points of a rectangular grid, got %d points with %d values of x and %d of y", #px, #x, #z)
+    source:refuse("expected points of a rectangular grid, got %d points with %d different x and %d different y", #px, #x, #z)
   end
   check_even(source, "x", x)
   check_even(source, "y", z)

@@ -1,9 +1,9 @@
--- Fewer points with less noise: means over cells of one length, and means of several traces.
+-- Reduces points and noise of traces: means over cells of equal length, and means of several traces.
 
 local average = {}
 
--- Points where x would be at even steps, each the mean of a cell around it; `counts` of points. Nothing is put
--- where no point is: returns nil and where that is.
+-- Means over cells of width `step`: returns lists of x, z and the number of points in each cell; nil and the position
+-- of a cell without points if there is one.
 function average.cells(x, z, step)
   local count = math.max(1, math.floor((x[#x] - x[1]) / step + 1e-9))
   local first = (x[1] + x[#x] - (count - 1) * step) / 2
@@ -21,7 +21,7 @@ function average.cells(x, z, step)
   return cx, cz, counts
 end
 
--- z at the places `at`, growing and within x, on straight lines between the points.
+-- z at the increasing positions `at` within the range of x, by linear interpolation.
 function average.at(x, z, at)
   local result, i = {}, 1
   for k = 1, #at do
@@ -32,8 +32,8 @@ function average.at(x, z, at)
   return result
 end
 
--- Means of several lists of heights with weights, their standard deviation by the weights' noise, and by
--- how much they really differ (as that of a mean, over all points).
+-- Weighted mean of several lists of heights with equal positions, and the standard error of this mean from the
+-- differences between the traces.
 function average.traces(lists, errors)
   local weights, total = {}, 0
   for t, e in ipairs(errors) do

@@ -1,5 +1,5 @@
--- Class profile: a measured trace. Places x and heights z (or depths h) in mm, what it scatters, and what has
--- been done to it; each method returns a new one. What it comes to is the business of evaluate.lua.
+-- Class profile: a measured trace with positions x and heights z (or depths h) in mm, its noise, and the processing
+-- applied. Each method returns a new profile. Results are computed in evaluate.lua.
 
 local average = require "archard.profile.average"
 local check = require "archard.lib.check"
@@ -28,7 +28,7 @@ end
 
 -- --- making ---------------------------------------------------------------------------------------
 
--- Heights, of depths too.
+-- The heights; for a profile of depths, the negative depths.
 function profile.heights(p)
   if p.z then return p.z end
   local z = {}
@@ -38,7 +38,7 @@ end
 
 function profile.step(p) return (p.x[#p.x] - p.x[1]) / (#p.x - 1) end
 
--- A profile as p with other places, heights and fields; `into` "z" or "h" where that changes too.
+-- A profile with new positions, heights and changed fields; `into` "z" or "h": converts to heights or depths.
 function profile.derived(p, x, z, changes, into)
   local result = merged(p, changes)
   result.x, result.z, result.h = x, z, nil
@@ -49,7 +49,7 @@ function profile.derived(p, x, z, changes, into)
   return setmetatable(result, class)
 end
 
--- What both kinds of lists must be. Values that are not numbers are left out of both, and counted.
+-- Sorts and checks the points. Points with NaN are removed and counted.
 local function clean(where, x, z, name)
   local cx, cz, missing = {}, {}, 0
   for i = 1, #x do
@@ -73,17 +73,17 @@ local function clean(where, x, z, name)
       check.fail(where, ("fields 'x' and '%s': expected finite numbers, got %g and %g"):format(name, cx[i], cz[i]))
     end
     if i > 1 and cx[i] <= cx[i - 1] then
-      check.fail(where, ("field 'x': expected places that grow (or fall) all the way, got %.9g mm after %.9g mm")
+      check.fail(where, ("field 'x': expected strictly increasing or decreasing positions, got %.9g mm after %.9g mm")
         :format(cx[i], cx[i - 1]))
     end
   end
   return cx, cz, missing
 end
 
--- (where, x, values, "z" | "h", error or nil, path or nil), in mm, checked here.
+-- (where, x, values, "z" or "h", noise or nil, path or nil), lengths in mm; checks the lists.
 function profile.new(where, x, values, name, given, path)
   if #x ~= #values then
-    check.fail(where, ("fields 'x' and '%s': expected as many of one as of the other, got %d and %d")
+    check.fail(where, ("fields 'x' and '%s': expected lists of equal length, got %d and %d")
       :format(name, #x, #values))
   end
   local cx, cz, missing = clean(where, x, values, name)
@@ -100,7 +100,7 @@ local range = check.kind('"auto" or { from, to } in mm, from < to', function(v)
 end)
 profile.range, profile.level_kind = range, check.one_of(form.kinds)
 
--- Heights before any form was taken off.
+-- The heights before a form was subtracted.
 local function original(p)
   local z, off = profile.heights(p), p.removed
   if not off then return z end
@@ -119,13 +119,13 @@ local function fitted(where, p, z, kind, worn)
     found = form.fit(kind, p.x, z)
   end
   if not found or not (found:height(p.x[1]) and found:height(p.x[#p.x])) then
-    check.fail(where, ("field 'level': expected points that tell a %s%s, those of this trace do not"):format(kind,
-      worn and " beside what is worn" or ""))
+    check.fail(where, ("field 'level': the points of this trace do not determine a %s%s"):format(kind,
+      worn and " beside the scar" or ""))
   end
   return found, from and { from, to }, is_used
 end
 
--- The profile less its form by least squares, over all or without what is worn.
+-- Subtracts the form fitted to all points or, with `worn`, to those beside the scar.
 function profile.level(where, p, kind, worn)
   local z = original(p)
   local found, scar_at, is_used = fitted(where, p, z, kind, worn)
@@ -139,7 +139,7 @@ function profile.level(where, p, kind, worn)
     length = length }, "profile.scatter") })
   result.radius = kind == "circle" and found:radius() or nil
   result.scar = scar_at and strict.table({ from = scar_at[1], to = scar_at[2] }, "profile.scar") or nil
-  result.removed = found -- for another level, and the uncertainty of areas
+  result.removed = found -- to repeat the levelling, and for the uncertainty of areas
   return result
 end
 
@@ -152,9 +152,9 @@ function methods:level(kind, worn)
   return profile.level(where, self, kind, worn)
 end
 
--- --- filter, mean, part -----------------------------------------------------------------------------
+-- --- filter, mean, cut ------------------------------------------------------------------------------
 
--- The step where it is the same all along, to a twentieth.
+-- The step of x, which must be even within a twentieth.
 function profile.even_step(where, p)
   local step = profile.step(p)
   for i = 2, #p.x do
@@ -166,11 +166,11 @@ function profile.even_step(where, p)
   return step
 end
 
--- The long-wave heights and the step; refuses a cut-off that the trace does not hold or resolve.
+-- The long-wave part of the heights and the step; refuses a cut-off below two steps or above the length of the trace.
 function profile.long_waves(where, p, z, cutoff, name)
   local step, whole = profile.even_step(where, p), p.x[#p.x] - p.x[1]
   if not (check.positive.test(cutoff) and cutoff >= 2 * step and cutoff <= whole) then
-    check.refuse(where, name, ("a cut-off in mm in [%.4g, %.4g], two steps to the trace's length"):format(2 * step, whole),
+    check.refuse(where, name, ("a cut-off in mm in [%.4g, %.4g] (from two steps to the length of the trace)"):format(2 * step, whole),
       cutoff)
   end
   return gaussian.long(z, step, cutoff), step
@@ -201,19 +201,19 @@ function methods:average(step)
   end
   local x, z = average.cells(self.x, profile.heights(self), step)
   if not x then
-    check.refuse(where, "step", ("cells that all hold points (they are %.4g mm apart; none is near x = %.6g mm)")
+    check.refuse(where, "step", ("cells that all contain points (the points are %.4g mm apart; there is none near x = %.6g mm)")
       :format(old, z), step)
   end
   return profile.derived(self, x, z, { error = self.error * math.sqrt(math.min(1, self.correlation / step)),
     correlation = math.max(step, self.correlation) })
 end
 
--- p:cut(from, to): the part between two places
+-- p:cut(from, to): the part between two positions
 function methods:cut(from, to)
   local where = "profile:cut"
   profile.self(where, self)
   if not (check.number.test(from) and check.number.test(to) and from < to) then
-    check.fail(where, ("expected two places in mm, from < to, got %s and %s"):format(check.shown(from), check.shown(to)))
+    check.fail(where, ("expected two positions in mm, from < to, got %s and %s"):format(check.shown(from), check.shown(to)))
   end
   local x, z, all = {}, {}, profile.heights(self)
   for i = 1, #all do
@@ -225,14 +225,14 @@ function methods:cut(from, to)
   return profile.derived(self, x, z)
 end
 
--- The items of a list as it stands, whatever its metatable says of it.
+-- Copies the list part of a table; values that are not tables give an empty list.
 local function copied(given)
   local list = {}
   for i, item in ipairs(type(given) == "table" and given or {}) do list[i] = item end
   return list
 end
 
--- profile.mean{ p1, p2, ... }: over the stretch they share, at the places of the first
+-- profile.mean{ p1, p2, ... }: mean over the common range of x, at the positions of the first profile
 function profile.mean(given)
   local where = "profile.mean"
   local from, to, traces = -math.huge, math.huge, copied(given)
@@ -271,12 +271,12 @@ function class.__tostring(p)
     ("  %s %.4g to %s, noise %s%s"):format(p.z and "heights" or "depths", 1000 * low, um(high), um(p.error),
       p.correlation > 1.5 * profile.step(p) and (" over %.4g mm"):format(p.correlation) or "") }
   if p.form then
-    lines[#lines + 1] = ("  less a %s%s, scatter about it %s"):format(p.form,
+    lines[#lines + 1] = ("  minus a %s%s, scatter about it %s"):format(p.form,
       p.radius and (" of radius %.6g mm"):format(p.radius) or "", um(p.scatter.deviation))
   end
   if p.scar then lines[#lines + 1] = ("  worn from x %.4g to %.4g mm"):format(p.scar.from, p.scar.to) end
   if p.cutoff then lines[#lines + 1] = ("  Gaussian filter, cut-off %.4g mm"):format(p.cutoff) end
-  if p.missing > 0 then lines[#lines + 1] = ("  %d points without a value were left out"):format(p.missing) end
+  if p.missing > 0 then lines[#lines + 1] = ("  %d points without a value were removed"):format(p.missing) end
   return table.concat(lines, "\n")
 end
 

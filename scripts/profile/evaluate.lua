@@ -1,5 +1,5 @@
--- What a profile comes to: depths below a reference, the scar's area and volume with their uncertainty,
--- roughness, and the shape a run starts from. These are methods of the class in class.lua.
+-- Results of a profile: depths below a reference, area and volume of the scar with their uncertainty, roughness, and
+-- the start shape of a run. Methods of the class in class.lua.
 
 local average = require "archard.profile.average"
 local check = require "archard.lib.check"
@@ -17,11 +17,11 @@ local methods = profile.methods
 local depth_fields = { level = profile.level_kind, scar = profile.range,
   reference = check.kind("a profile of heights", function(v) return profile.is(v) and v.z ~= nil end) }
 
--- Heights less those of the same trace before, where both are.
+-- Heights minus those of a reference trace, over their common range.
 local function change(where, p, reference)
   local from, to = math.max(p.x[1], reference.x[1]), math.min(p.x[#p.x], reference.x[#reference.x])
   if from >= to then
-    check.fail(where, ("field 'reference': expected one that overlaps x %g to %g mm, got x %g to %g mm"):format(
+    check.fail(where, ("field 'reference': expected a profile that overlaps x %g to %g mm, got x %g to %g mm"):format(
       p.x[1], p.x[#p.x], reference.x[1], reference.x[#reference.x]))
   end
   local part = p:cut(from, to)
@@ -41,7 +41,7 @@ function methods:depth(given)
   check.definition(where, options, depth_fields, "a profile or ")
   local p = self
   if options.reference then
-    if not p.z then check.fail(where, "field 'reference': expected none, these are depths already") end
+    if not p.z then check.fail(where, "field 'reference': not allowed for a profile of depths") end
     p = change(where, p, options.reference)
   end
   p = profile.level(where, p, options.level or p.form or "line", options.scar or "auto")
@@ -52,7 +52,7 @@ end
 
 local volume_fields = { scar = profile.range, length = check.positive }
 
--- Beside a scar this share of its width is piled up, if anything is; the form is fitted beyond it.
+-- Width beside the scar, as a share of its width, where material may be piled up; the form is fitted outside it.
 local piled_share = 0.2
 
 local function dot(weights, values)
@@ -61,7 +61,7 @@ local function dot(weights, values)
   return sum
 end
 
--- Depths with the ends of the scar: heights are levelled beside it, depths stay as they are but for "auto".
+-- The depths and the ends of the scar. Heights are levelled beside the scar; depths are only levelled again for "auto".
 local function scar_of(p, options)
   if p.h and options.scar ~= "auto" then
     local at = options.scar or p.scar and { p.scar.from, p.scar.to } or { p.x[1], p.x[#p.x] }
@@ -69,14 +69,13 @@ local function scar_of(p, options)
   end
   local depths = p:depth{ scar = options.scar }
   if not depths.scar then
-    check.fail("profile:volume", ("no scar is clearly deeper than the scatter of %.3g um; scar = { from, to } says where it is")
+    check.fail("profile:volume", ("no scar is clearly deeper than the scatter of %.3g um; give its position, scar = { from, to }")
       :format(1000 * depths.scatter.deviation), "MISSING")
   end
   return depths, depths.scar.from, depths.scar.to
 end
 
--- Standard deviation of the weighted sum: by what scatters within, and by the line or circle, whose fit
--- scatters with what it was fitted to.
+-- Standard errors of the weighted sum: from the scatter within the scar, and from the fitted line or circle.
 local function errors_of(p, weights, width)
   local deviation = p.scatter and p.scatter.deviation or p.error
   local length = p.scatter and p.scatter.length or p.correlation
@@ -85,7 +84,7 @@ local function errors_of(p, weights, width)
   return deviation * math.sqrt(length * width), deviation * math.sqrt(level)
 end
 
--- The largest mean over a fiftieth of the width, or over one point.
+-- Largest mean depth over a fiftieth of the scar's width, or over one point.
 local function deepest(p, from, to)
   local cell = math.max((to - from) / 50, profile.step(p))
   local part = p:cut(from, to)
@@ -125,12 +124,12 @@ local function without_line(x, z)
   return rest
 end
 
--- Whole sections of one cut-off, as many as there are between half a cut-off off both ends.
+-- Number of points in a sampling length and number of sampling lengths; half a cut-off is excluded at both ends.
 local function section_counts(where, p, step, cutoff, wanted)
   local size = math.floor(cutoff / step + 0.5)
   local there = (#p.x - 2 * math.ceil(cutoff / step / 2)) // size
   if there < (wanted or 1) then
-    check.fail(where, ("expected a trace of at least %.4g mm, %d sections of the cut-off %g mm and half of one at either end, "
+    check.fail(where, ("expected a trace of at least %.4g mm (%d sections of the cut-off %g mm plus half a cut-off at both ends), "
       .. "got %.4g mm"):format(((wanted or 1) + 1) * cutoff, wanted or 1, cutoff, p.x[#p.x] - p.x[1]))
   end
   return size, wanted or math.min(usual_sections, there)
@@ -166,9 +165,9 @@ function methods:roughness(given)
     length = #z * step, noise = self.error }), "profile:roughness")
 end
 
--- --- the start of a run ----------------------------------------------------------------------------------
+-- --- start of a run --------------------------------------------------------------------------------------
 
--- Heights: depth below the highest point. Depths: those above the form by no more than they scatter are 0.
+-- Depths to start from. Heights: below the highest point. Depths: values above the form within the scatter become 0.
 local function start_of(p)
   local h, top = {}, -math.huge
   if p.z then
@@ -179,8 +178,8 @@ local function start_of(p)
   local room = 5 * math.max(p.error, p.scatter and p.scatter.deviation or 0)
   for i = 1, #p.h do
     if p.h[i] < -room then
-      check.fail("profile", ("expected depths no further than 5 scatters (%.3g um) above the form to start from, got %.4g um "
-        .. "at x = %.4g mm; where material is piled up, start from the heights, or level beside the scar"):format(
+      check.fail("profile", ("expected depths at most 5 times the scatter (%.3g um) above the form, got %.4g um "
+        .. "at x = %.4g mm; for piled-up material, start from the heights, or level beside the scar"):format(
         1000 * room, 1000 * p.h[i], p.x[i]))
     end
     h[i] = math.max(0, p.h[i])
@@ -188,21 +187,21 @@ local function start_of(p)
   return h
 end
 
-local clear = 5 -- scatters that the ends of a trace must differ by before a tilt is warned of
+local clear = 5 -- a tilt is reported if the ends differ by more than this multiple of the scatter
 
--- A line rises clearly along heights of which no form was taken off: is the tilt that of the instrument?
+-- Warns if a trace that was not levelled has a clear tilt, which may come from the instrument.
 local function warn_of_tilt(p)
   local line = p.z and not p.form and scar.find(p.x, p.z, "line")
   if not line then return end
   local length = p.x[#p.x] - p.x[1]
   local rise = line:height(p.x[#p.x]) - line:height(p.x[1])
   if math.abs(rise) > clear * math.max(p.error, line.deviation) then
-    warn(("worn: the profile is tilted by %.3g um/mm, %.3g um over its length, and contact starts so: was p:level() meant, "
-      .. "which takes the tilt off?"):format(1000 * rise / length, 1000 * rise))
+    warn(("worn: the profile is tilted by %.3g um/mm, %.3g um over its length, and the run starts with this tilt; to remove "
+      .. "it use p:level()"):format(1000 * rise / length, 1000 * rise))
   end
 end
 
--- { x =, h = }, the depths that worn = { plate = p } starts from.
+-- { x =, h = }: the start depths for worn = { plate = p }.
 function profile.class.__worn(p)
   warn_of_tilt(p)
   return { x = p.x, h = start_of(p) }

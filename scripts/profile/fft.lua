@@ -1,6 +1,6 @@
--- The discrete Fourier transform of 2^m complex numbers, in place: two lists, real and imaginary.
+-- Discrete Fourier transform of 2^m complex numbers in place, as two lists, real and imaginary.
 
--- Puts the numbers into the order of their bits read backwards.
+-- Reorders the numbers by bit reversal of their indices.
 local function reorder(re, im, count)
   local j = 0
   for i = 0, count - 2 do
@@ -14,8 +14,8 @@ local function reorder(re, im, count)
   end
 end
 
--- Cosines and sines of the first half turn; each on its own, so that errors do not grow.
-local function turns(count, sign)
+-- Cosines and sines of half a turn, each computed directly, so that rounding errors do not accumulate.
+local function twiddles(count, sign)
   local c, s = {}, {}
   for i = 1, count // 2 do
     local angle = sign * 2 * math.pi * (i - 1) / count
@@ -24,11 +24,11 @@ local function turns(count, sign)
   return c, s
 end
 
--- (re, im, sign): sum over j of (re + i im)[j] exp(sign 2 pi i j k / count); a transform with either
--- sign after the other gives count times what there was.
+-- (re, im, sign): sum over j of (re + i im)[j] exp(sign 2 pi i j k / count). Transforms with both signs in turn give
+-- count times the input.
 return function(re, im, sign)
   local count = #re
-  local cosines, sines = turns(count, sign)
+  local cosines, sines = twiddles(count, sign)
   reorder(re, im, count)
   local half = 1
   while half < count do

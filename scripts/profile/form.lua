@@ -1,6 +1,5 @@
--- The line or circle through heights, by least squares of the vertical distances, with what its
--- scatter does to a value or an area. A circle is that through a point with a slope and a curvature,
--- which has no trouble where it is nearly a line.
+-- Fits a line or circle to heights by least squares of the vertical distances, with its standard errors. The circle is
+-- described by a height, a slope and a curvature, which also works for almost straight traces.
 
 local solve = require "archard.lib.linear"
 local strict = require "archard.strict"
@@ -9,12 +8,12 @@ local form = { kinds = { "line", "circle" } }
 local shape = {} -- methods of a form
 local class = { __name = "form", __methods = shape, __fields = {} }
 
--- The height at u and its derivatives: all in half lengths of the trace from its middle.
+-- Returns the height at u and its derivatives by p; lengths in units of half the trace's length, from its middle.
 local models = {}
 
 function models.line(u, p) return p[1] + p[2] * u, 1, u end
 
--- p: height and sine of the slope at u = 0, curvature. nil where the circle does not reach.
+-- p: height and sine of the slope at u = 0, curvature. Returns nil outside the circle.
 function models.circle(u, p)
   local t, k = p[2], p[3]
   local q = t + k * u
@@ -25,7 +24,7 @@ function models.circle(u, p)
     u * u / sum + rise * q * u / d / sum ^ 2
 end
 
--- Sums over the points: J'J, J'r, r'r; nil where the form does not reach a point.
+-- Sums over the points: J'J, J'r, r'r; nil if a point is outside the form.
 local function normal(self, x, z, is_used)
   local a11, a12, a13, a22, a23, a33, b1, b2, b3, rr, count = 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
   local model, p, middle, half = models[self.kind], self.p, self.middle, self.half
@@ -44,7 +43,7 @@ local function normal(self, x, z, is_used)
   return { { a11, a12, a13 }, { a12, a22, a23 }, { a13, a23, a33 } }, { { b1 }, { b2 }, { b3 } }, rr, count
 end
 
--- A step of Gauss and Newton, halved until the form reaches all points and fits no worse.
+-- One Gauss-Newton step, halved until all points are inside the form and the residual does not increase.
 local function advance(self, x, z, is_used, a, b, rr)
   local step, old = solve(a, b, 1e-280), self.p
   if not step then return nil end
@@ -72,14 +71,13 @@ local function identity(n)
   return rows
 end
 
--- form.fit("line" | "circle", x, z, is_used(x) or nil) -> the form, or nil where the points do not
--- tell it: too few, all in one place, no circle through them.
+-- form.fit("line" or "circle", x, z, is_used(x) or nil) -> the form, or nil if the points do not determine it.
 function form.fit(kind, x, z, is_used)
   local self = setmetatable({ kind = kind, middle = (x[1] + x[#x]) / 2, half = (x[#x] - x[1]) / 2,
     p = kind == "line" and { 0, 0 } or { 0, 0, 0 } }, class)
   local a, b, rr, count = normal(self, x, z, is_used)
   if count <= #self.p then return nil end
-  self.p[1] = b[1][1] / count -- their mean first: what is far from zero loses no digits
+  self.p[1] = b[1][1] / count -- start with the mean, which avoids loss of digits for large heights
   a, b, rr = normal(self, x, z, is_used)
   for _ = 1, 50 do
     local size
@@ -94,17 +92,17 @@ function form.fit(kind, x, z, is_used)
   return self.inverse and self or nil
 end
 
--- Height [mm] at x [mm]; nil where a circle does not reach.
+-- Height of the form at x [mm], or nil outside a circle.
 function shape:height(x)
   local value = models[self.kind]((x - self.middle) / self.half, self.p)
   return value and value * self.half
 end
 
--- 1 / mm, at most 0 on a convex body, and mm.
+-- Curvature [1/mm], <= 0 on a convex body, and radius [mm].
 function shape:curvature() return (self.p[3] or 0) / self.half end
 function shape:radius() return 1 / math.abs(self:curvature()) end
 
--- Variance of the sum of weights[i] * height(x[i]), for independent heights of variance 1.
+-- Variance of the sum of weights[i] * height(x[i]) for independent heights of variance 1.
 function shape:variance(x, weights)
   local g = {}
   for c = 1, #self.p do g[c] = 0 end

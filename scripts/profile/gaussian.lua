@@ -1,17 +1,17 @@
--- The Gaussian filter of profiles (ISO 16610-21): weights exp(-pi (x / (alpha cutoff))^2), by which
--- a wave as long as the cut-off keeps half of its amplitude.
+-- The Gaussian filter for profiles (ISO 16610-21): weights exp(-pi (x / (alpha cutoff))^2), which reduce a wave of the
+-- cut-off's length to half its amplitude.
 --
--- Within reach of an end the weights lack a side: there a line is fitted under the weights that are
--- left, and its value taken (the moments of order 0 and 1 are kept, ISO 16610-28). Away from the
--- ends that is the plain filter, and a straight line passes unchanged everywhere.
+-- Near the ends a part of the weights is outside the trace: there a line is fitted with the remaining weights, and its
+-- value is used (moments of order 0 and 1 are preserved, ISO 16610-28). In the middle this equals the plain filter. A
+-- straight line is unchanged everywhere.
 
 local fft = require "archard.profile.fft"
 
 local gaussian = { alpha = math.sqrt(math.log(2) / math.pi) }
 
-local reach = 2 -- in cut-offs: beyond, weights are below 1e-24 of the middle one
+local reach = 2 -- in cut-offs; farther weights are below 1e-24 of the central one
 
--- Sums of weights to one side, out to 0, 1, 2, ... steps: of w, w u and w u^2, u = x / (alpha cutoff).
+-- One-sided sums of the weights up to 0, 1, 2, ... steps: of w, w u and w u^2 with u = x / (alpha cutoff).
 local function one_sided(ratio, count)
   local s0, s1, s2 = { [0] = 1 / ratio }, { [0] = 0 }, { [0] = 0 }
   for i = 1, count do
@@ -22,8 +22,7 @@ local function one_sided(ratio, count)
   return s0, s1, s2
 end
 
--- The transform of w (1 + i u), sampled in steps: that of the curve, repeated with the sampling as often as 1e-15
--- of it matters. It is real.
+-- Fourier transform of w (1 + i u) sampled in steps, including aliases above 1e-15. It is real.
 local function response(f, ratio)
   local sum, repeats = 0, ratio < 3 and 3 or 1
   for shift = -repeats, repeats do
@@ -33,7 +32,7 @@ local function response(f, ratio)
   return sum
 end
 
--- Sums of w z and w u z around each point, u towards smaller x.
+-- Sums of w z and w u z around each point; u points towards smaller x.
 local function weighted(z, ratio, steps)
   local count, re, im = 1, {}, {}
   while count < #z + steps do count = 2 * count end
@@ -48,7 +47,7 @@ local function weighted(z, ratio, steps)
   return re, im
 end
 
--- (heights at even steps, step, cutoff) -> the long-wave part, as many. Costs two transforms.
+-- (heights at even steps, step, cutoff) -> the long-wave part at the same points. Costs two transforms.
 function gaussian.long(z, step, cutoff)
   local count, ratio = #z, gaussian.alpha * cutoff / step
   local steps = math.ceil(reach * cutoff / step)
@@ -63,8 +62,8 @@ function gaussian.long(z, step, cutoff)
   return result
 end
 
--- Noise that hangs together over a length (white: over a step) behind the filter: the shares of its variance that
--- are in the long and the short waves, and the length over which the long ones hang together.
+-- Noise with a correlation length (of white noise one step) after the filter: returns the shares of its variance in the
+-- long and the short waves, and the correlation length of the long waves.
 function gaussian.noise(length, is_white, cutoff)
   local own = math.sqrt(2) * gaussian.alpha * cutoff
   local squares = { is_white and 0 or length ^ 2, own ^ 2 }

@@ -1,5 +1,5 @@
--- profile{ x=, z= } and profile.read: measured traces, to start runs from or to compare with. Only names what
--- users see; they are made in profile/made.lua.
+-- profile{ x=, z= } and profile.read: measured traces, as start of a run or for comparison. This module only lists the
+-- public functions of profile/made.lua.
 
 local later = require "archard.lib.later"
 

@@ -1,5 +1,5 @@
--- profile{ x=, z= } and profile.read: what is given, checked and brought to mm. The class is in class.lua and
--- evaluate.lua.
+-- profile{ x=, z= } and profile.read: checks the fields, converts lengths to mm and makes a profile (class.lua,
+-- evaluate.lua).
 
 local check = require "archard.lib.check"
 local csv = require "archard.lib.csv"
@@ -24,18 +24,18 @@ end
 
 local fields = with{ x = check.list, z = check.list, y = check.list, h = check.list }
 
--- Heights are z in traces, y in sections of maps.
+-- Name of the values: "z" for heights, "h" for depths.
 local function one_of_both(where, given)
   if (given.z == nil) == (given.h == nil) then
-    check.fail(where, ("fields 'z' and 'h': expected heights or depths, got %s"):format(given.z and "both" or "none"))
+    check.fail(where, ("fields 'z' and 'h': expected one of them, got %s"):format(given.z and "both" or "none"))
   end
   return given.z and "z" or "h"
 end
 
--- Levelled before it is filtered: a filter takes no part of a line or a small one of a circle, at its ends least.
+-- Levels, then filters: the filter keeps a line unchanged and a circle almost, least at the ends.
 local function treated(where, p, given)
   if given.scar and not given.level then
-    check.fail(where, "field 'scar': expected with level, as what the line or circle is fitted beside")
+    check.fail(where, "field 'scar': only allowed with level, which is fitted outside the scar")
   end
   if given.level then p = profile.level(where, p, given.level, given.scar) end
   return given.filter and p:filter(given.filter) or p
@@ -51,10 +51,10 @@ end
 local function new(given)
   local where = "profile"
   check.definition(where, given, fields)
-  if given.z and given.y then check.fail(where, "fields 'z' and 'y': expected heights once, got both") end
+  if given.z and given.y then check.fail(where, "fields 'z' and 'y': expected one of them, got both") end
   if given.y then given = merged(given, { z = given.y }) end
   local name = one_of_both(where, given)
-  if given.x == nil then check.refuse(where, "x", "places in mm", nil) end
+  if given.x == nil then check.refuse(where, "x", "positions in mm", nil) end
   local p = profile.new(where, numbers(where, "x", given.x), numbers(where, name, given[name]), name, given.error)
   return treated(where, p, given)
 end
@@ -80,17 +80,17 @@ local function unit_of(where, given, name)
   return unit
 end
 
--- The columns' own names that this file has, in the order of usual ones.
+-- The first of the usual column names that the file has, or nil.
 local function usual_name(columns, name)
   for _, word in ipairs(usual[name]) do if columns[word] then return word end end
 end
 
--- Numbers of a column in mm; its header's unit goes before the one that is given.
+-- Values of a column in mm; a unit in the header has priority over the given one.
 local function in_mm(where, path, read, name, wanted, given)
   local found = math.type(wanted) == "integer" and read.order[wanted] or wanted
   local values = found and read.columns[found]
   if not values then
-    check.fail(where, ("%s: no column for '%s'; there are %s: name one, %s=\"...\""):format(path, name,
+    check.fail(where, ("%s: no column for '%s'; the columns are %s: give its name, %s=\"...\""):format(path, name,
       table.concat(keys(read.columns), ", "), name))
   end
   for i = 1, #values do
@@ -98,7 +98,7 @@ local function in_mm(where, path, read, name, wanted, given)
   end
   local header = read.units[found]
   if header and not lengths[header] then
-    check.fail(where, ("%s: column %q: expected a length, got one in %s"):format(path, found, header), "FORMAT")
+    check.fail(where, ("%s: column %q: expected a unit of length, got %s"):format(path, found, header), "FORMAT")
   end
   local unit, result = not header and unit_of(where, given, name) or "mm", {}
   for i = 1, #values do result[i] = units.scaled(values[i], unit) end

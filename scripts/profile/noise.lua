@@ -1,4 +1,4 @@
--- How much a trace scatters, and over which length the scatter hangs together.
+-- Standard deviation and correlation length of a trace's noise.
 
 local noise = {}
 
@@ -8,16 +8,15 @@ local function median(list)
   return #list % 2 == 1 and list[middle + 1] or (list[middle] + list[middle + 1]) / 2
 end
 
--- The standard deviation that a normal scatter has with that median of distances from the median:
--- the few that are far off do not count.
+-- Robust standard deviation from the median of distances from the median; outliers have no effect.
 function noise.robust(list)
   local middle = median(list)
   for i = 1, #list do list[i] = math.abs(list[i] - middle) end
   return 1.482602218505602 * median(list)
 end
 
--- Standard deviation of noise that is independent from point to point: by how much points are off the line
--- between their neighbours; their median takes out a form's curvature. 20000 places are enough (1 %).
+-- Standard deviation of white noise: from the distances of points from the line between their neighbours; the median
+-- removes the curvature of the form. 20000 points give 1 % accuracy.
 function noise.estimate(x, z)
   local offs, stride = {}, math.max(1, (#x - 2) // 20000)
   for i = 2, #x - 1, stride do
@@ -34,8 +33,8 @@ local function covariance(list, lag, mean)
   return sum / (#list - lag)
 end
 
--- The integral of the correlation, in points: 1 of independent ones. It ends where the correlation is no
--- longer told from none; lags grow by a quarter, so that long traces cost no more.
+-- Integral of the autocorrelation in points, 1 for independent points. The sum ends where the correlation is no longer
+-- significant; lags increase by a quarter to limit the cost for long traces.
 function noise.length(list)
   local mean = 0
   for i = 1, #list do mean = mean + list[i] / #list end

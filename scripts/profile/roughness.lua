@@ -1,5 +1,4 @@
--- Profile parameters by ISO 21920-2 (and ISO 4287, whose names they keep), of heights about their mean
--- line at even steps.
+-- Profile parameters by ISO 21920-2 (names as in ISO 4287), from heights about their mean line at even steps.
 
 local roughness = {}
 
@@ -17,7 +16,7 @@ local function extremes(z, first, last)
   return low, high
 end
 
--- Rz, Rp, Rv: means over the sections of the greatest height, peak and depth.
+-- Rp and Rv: means over the sections of the largest peak and the largest depth.
 local function sections(z, size, count)
   local p, v = 0, 0
   for section = 1, count do
@@ -27,8 +26,8 @@ local function sections(z, size, count)
   return p, v
 end
 
--- Mean width of elements, from where the profile rises through the mean line to where it does so again,
--- having been above and below by a tenth of Rz; nil where there are not two.
+-- Mean width of profile elements: between upward crossings of the mean line with a valley and a hill beyond a tenth of
+-- Rz; nil for fewer than two crossings.
 local function width(z, step, height)
   local limit, state, crossing, first, last, count = height / 10, nil, nil, nil, nil, -1
   for i = 2, #z do
@@ -42,7 +41,7 @@ local function width(z, step, height)
   return count > 0 and (last - first) / count or nil
 end
 
--- Root mean square slope, by the formula over seven points.
+-- Root mean square slope by the formula for seven points.
 local function slope(z, step)
   local sum = 0
   for i = 4, #z - 3 do
@@ -52,7 +51,7 @@ local function slope(z, step)
   return math.sqrt(sum / (#z - 6))
 end
 
--- (heights [mm], step [mm], points of a section, sections, "R" | "P") -> Ra, Rq, ... in mm by name.
+-- (heights [mm], step [mm], points of a section, sections, "R" or "P") -> Ra, Rq, ... in mm by name.
 function roughness.of(z, step, size, count, letter)
   local middle = mean_power(z, 1, 0)
   local heights, a = {}, 0

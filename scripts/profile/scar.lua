@@ -1,17 +1,17 @@
--- Where a trace is worn, the form of what is not, and the area between both.
+-- Finds the scar of a trace, the form of the unworn part, and the weights for the area between them.
 
 local form = require "archard.profile.form"
 local noise = require "archard.profile.noise"
 
 local scar = {}
 
-local ends = 0.15   -- of the trace at either end is taken as not worn before more is known
-local margin = 0.2  -- of the scar's width beside it is left out, where material is piled up
-local least = 0.05  -- of the trace at either end counts as not worn even so close to the scar
-local clear = 5     -- scatters that the deepest place must be below the form
-local blocks = 500  -- means in which a scar is looked for
+local ends = 0.15   -- share of the trace at both ends assumed unworn at first
+local margin = 0.2  -- share of the scar's width excluded beside it, where material may be piled up
+local least = 0.05  -- share of the trace at both ends always used as unworn
+local clear = 5     -- least depth of a scar in multiples of the scatter
+local blocks = 500  -- number of means in the search for a scar
 
--- Means of up to `blocks` neighbours: x and z.
+-- Means of groups of neighbours, at most `blocks` of them: x and z.
 local function blocked(x, z)
   local size = math.max(1, math.ceil(#x / blocks))
   local bx, bz = {}, {}
@@ -27,14 +27,16 @@ local function outside(from, to)
   return function(x) return x < from or x > to end
 end
 
--- What counts as not worn beside a scar: what is not near it, but for a little at either end.
+-- Returns a function is_used(x) that is true for the unworn part: outside the scar and a margin, but always at the ends
+-- of the trace.
 local function beside(x, from, to)
-  local room, end_part = margin * (to - from), least * (x[#x] - x[1])
-  return outside(math.min(from, math.max(from - room, x[1] + end_part)),
-    math.max(to, math.min(to + room, x[#x] - end_part)))
+  local side, end_part = margin * (to - from), least * (x[#x] - x[1])
+  return outside(math.min(from, math.max(from - side, x[1] + end_part)),
+    math.max(to, math.min(to + side, x[#x] - end_part)))
 end
 
--- The deepest block, and the first on either side of it that is not below the form.
+-- Positions of the first blocks on both sides of the deepest block that are not below the form; nil if it is not deeper
+-- than the threshold.
 local function reach(x, depth, threshold)
   local deepest = 1
   for i = 2, #x do if depth[i] > depth[deepest] then deepest = i end end
@@ -55,8 +57,8 @@ local function depths_below(found, x, z)
   return depth
 end
 
--- (x, z, kind) -> the form of what is not worn, from, to; from is nil where nothing is clearly worn, the
--- form where the points tell none.
+-- (x, z, kind) -> form of the unworn part, from, to, is_used; from is nil if no scar is found, the form is nil if the
+-- points do not determine it.
 function scar.find(x, z, kind)
   local bx, bz = blocked(x, z)
   local whole = x[#x] - x[1]
@@ -77,14 +79,13 @@ function scar.find(x, z, kind)
   return form.fit(kind, x, z, from and is_used), from, to, from and is_used
 end
 
--- The form of what is not worn beside a scar that is known.
+-- Fits the form beside a scar with a known position.
 function scar.fit(x, z, kind, from, to)
   local is_used = beside(x, from, to)
   return form.fit(kind, x, z, is_used), from, to, is_used
 end
 
--- Scatter of what is not worn about its form: standard deviation, and the length in mm over which it hangs
--- together.
+-- Scatter of the unworn part about its form: standard deviation and correlation length [mm].
 function scar.scatter(x, depth, is_used)
   local list, sum = {}, 0
   for i = 1, #x do
@@ -96,7 +97,7 @@ function scar.scatter(x, depth, is_used)
   return math.sqrt(sum / #list), noise.length(list) * (x[#x] - x[1]) / (#x - 1)
 end
 
--- The length of each point's cell that lies between from and to.
+-- The length of each point's cell between `from` and `to`.
 function scar.weights(x, from, to)
   local weights = {}
   for i = 1, #x do

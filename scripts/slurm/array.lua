@@ -1,10 +1,10 @@
--- Shares of a study as a Slurm job array. Leans on sbatch and squeue. The interface is that of every
--- engine of study/submit.lua:
---   program               what has to be in PATH
---   start(job)            starts the shares; returns the job's name to ask for, or nil and why not
---   is_name(text)         whether a job can have this name
---   state(job)            what its shares do, as text; nil when all have ended; false and why when
---                         nobody can tell
+-- Runs the shares of a study as a Slurm job array with sbatch and squeue. Every engine of study/submit.lua has this
+-- interface:
+--   program               program that must be in PATH
+--   start(job)            starts the shares; returns the name of the job, or nil and the reason
+--   is_name(text)         true if a job can have this name
+--   state(job)            states of the shares as text; nil if all have ended; false and the reason
+--                         if the query failed
 
 local shell = require "archard.lib.shell"
 
@@ -12,9 +12,9 @@ local array = { program = "sbatch" }
 
 function array.is_name(text) return text:find "^%d+;?[%w_-]*$" ~= nil end
 
--- Within --output % is Slurm's, and a backslash anywhere makes it everybody else's.
+-- In --output, Slurm replaces %, and treats all characters as plain if the path contains a backslash.
 function array.start(job)
-  if job.folder:find("\\", 1, true) then return nil, "it writes no logs where a folder has a backslash in its name" end
+  if job.folder:find("\\", 1, true) then return nil, "Slurm writes no logs to a folder with a backslash in its name" end
   local log = ("%s/%%a-of-%d.log"):format(job.folder:gsub("%%", "%%%%"), job.shares)
   local words = { "sbatch", "--parsable", "--job-name=archard", "--array=1-" .. job.shares,
     "--cpus-per-task=" .. job.workers, "--output=" .. log, "--open-mode=truncate" }
@@ -23,7 +23,7 @@ function array.start(job)
   local said, fine = shell.ask(shell.line(words))
   local name = fine and said:match("%f[^%z\n](%d+;?[%w_-]*)$")
   if not name then return nil, said end
-  return name -- with its cluster where there are several: "4242;north"
+  return name -- with several clusters, the name includes the cluster: "4242;north"
 end
 
 local function ask(name)
@@ -33,7 +33,7 @@ local function ask(name)
   return shell.ask(shell.line(words))
 end
 
--- "2 running, 6 pending" from a line a share; nil where none tells a state.
+-- "2 running, 6 pending" from one line for each share; nil if no line contains a state.
 local function count(lines)
   local states, order = {}, {}
   for state in lines:gmatch("%f[^%z\n](%u[%u_]+)%s*%f[%z\n]") do
@@ -44,7 +44,7 @@ local function count(lines)
   return order[1] and table.concat(order, ", ")
 end
 
--- A job that ended long ago is unknown to Slurm.
+-- The state of a job; nil also if Slurm has already forgotten it.
 function array.state(job)
   local said, fine = ask(job.name)
   if not fine then

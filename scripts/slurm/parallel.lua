@@ -1,5 +1,5 @@
--- Shares of a study under GNU parallel, on this machine or, with --sshlogin among the options, on
--- several that share its files. The interface is that of slurm/array.lua.
+-- Runs the shares of a study with GNU parallel, on this machine or, with --sshlogin in the options, on several machines
+-- with common files. The interface is that of slurm/array.lua.
 
 local shell = require "archard.lib.shell"
 local text_file = require "archard.lib.text_file"
@@ -8,11 +8,11 @@ local parallel = { program = "parallel" }
 
 function parallel.is_name(text) return text:find "^%d+$" ~= nil end
 
--- A path within a command, where parallel replaces {}, {#}, {= Perl =} and the like (and \xAF<, which it
--- makes of the latter): an empty text in between makes them none.
+-- Quotes a path for a command of GNU parallel, which replaces {}, {#}, {= Perl =} (and \xAF<, which it converts to the
+-- latter); an inserted empty string prevents this.
 local function literal(path) return (shell.quote(path):gsub("[{\xAF]", "%0''")) end
 
--- In a session of its own: it outlives this program, and no Ctrl-C reaches it.
+-- Starts the job in a new session, so that it continues after this program and Ctrl-C does not reach it.
 function parallel.start(job)
   local words = { "setsid", "parallel" }
   table.move(job.options, 1, #job.options, 3, words)
@@ -25,8 +25,8 @@ function parallel.start(job)
   return said
 end
 
--- By the words of the process, for another one may have got its number. They are empty for a moment
--- while one program makes way for another, and for good once it has died.
+-- Checks the command line of the process, as another process may have got its number. It is empty for a moment while
+-- one program replaces another, and after the end of the process.
 function parallel.state(job)
   local status = text_file.read(("/proc/%s/status"):format(job.name))
   local words = text_file.read(("/proc/%s/cmdline"):format(job.name))

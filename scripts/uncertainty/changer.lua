@@ -1,5 +1,4 @@
--- The numbers of a run's definition that sensitivities can change, by name. Leans on definition/number.lua for
--- names.
+-- Reads and changes the numbers of a run's definition by name, for sensitivities.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -13,12 +12,12 @@ local where = "wear:sensitivity"
 
 local function short(path) return (path:gsub("^model%.", "")) end
 
--- They say how long the run is, and what it shows on its way does not answer to them.
+-- Numbers that set the length of the run; the results before its end do not depend on them.
 local ends = { distance = true, cycles = true }
 
--- --- what there is -------------------------------------------------------------------------------
+-- --- names ---------------------------------------------------------------------------------------
 
--- Names of the numbers of wear{} and of the bodies, of the mesh none.
+-- Names of all numbers of wear{} and the bodies, without those of the mesh.
 local function names_of(definition)
   local names = {}
   for name, value in pairs(definition) do
@@ -30,7 +29,7 @@ local function names_of(definition)
   return names
 end
 
--- Names of the coefficients that bodies have of their own.
+-- Names of the wear coefficients of bodies with their own k.
 local function coefficients(definition)
   local names = {}
   for path, value in pairs(definition.flat) do
@@ -40,7 +39,7 @@ local function coefficients(definition)
   return names
 end
 
--- What is looked at where nothing is named.
+-- Default names of a sensitivity.
 function changer.usual(definition)
   local names = coefficients(definition)
   if #names == 0 then names = { "k", "alpha" } end
@@ -53,21 +52,21 @@ local couple = { k = true, alpha = true, k_cylinder = true, k_plate = true }
 local function refuse(run, name, definition)
   local own = coefficients(definition)
   if couple[name] and #own > 0 then
-    check.fail(where, ("field 'to': %s comes from the coefficients of the bodies here; name these: %s"):format(name,
+    check.fail(where, ("field 'to': %s follows from the coefficients of the bodies; use one of these: %s"):format(name,
       table.concat(own, ", ")))
   end
   for _, setting in ipairs(known.wear) do
     if setting.name == name and setting.plain and run[name] == 0 then
-      check.fail(where, ("field 'to': %s is 0, where no percent can be changed"):format(name))
+      check.fail(where, ("field 'to': %s is 0 and cannot be changed by a percentage"):format(name))
     end
   end
-  check.fail(where, ("field 'to': \"%s\" is no number of this run's definition%s"):format(name,
+  check.fail(where, ("field 'to': \"%s\" is not a number of this run's definition%s"):format(name,
     check.hint(name, names_of(definition))))
 end
 
--- --- changing it ---------------------------------------------------------------------------------
+-- --- changing a number ---------------------------------------------------------------------------
 
--- The coefficients of both bodies, which stand for k and alpha.
+-- k_cylinder or k_plate, from which k and alpha follow.
 local function of_couple(run, name, definition)
   local there = { k_cylinder = run.k_cylinder, k_plate = run.k_plate }
   return there[name], function(value)
@@ -77,18 +76,18 @@ local function of_couple(run, name, definition)
   end
 end
 
--- A radius that a body leaves out is the model's.
+-- The value at a path; the radius of a body defaults to the model's.
 local function value_at(flat, path)
   return flat[path] or path:match("%.radius$") and flat["model.radius"]
 end
 
--- Of the model; of both bodies where it is the same.
+-- A number of the model; for a name of both bodies, their common value.
 local function of_model(run, name, definition)
   local flat, paths = definition.flat, number.paths(name, definition.flat)
   local there = value_at(flat, paths[1])
   if type(there) ~= "number" then refuse(run, name, definition) end
   if paths[2] and flat[paths[2]] ~= there then
-    check.fail(where, ("field 'to': %s is %g of one body and %g of the other; name one: \"%s\" or \"%s\""):format(
+    check.fail(where, ("field 'to': %s is %g for one body and %g for the other; choose one: \"%s\" or \"%s\""):format(
       name, there, flat[paths[2]], short(paths[1]), short(paths[2])))
   end
   return there, function(value)
@@ -101,8 +100,8 @@ end
 -- changer.of(run, name, definition) -> the number's value, and set(value) -> a changed definition
 function changer.of(run, name, definition)
   if ends[name] then
-    check.fail(where, ("field 'to': %s is where the run ends; how results go on with the distance is what "
-      .. "w.history and plot.history show"):format(name))
+    check.fail(where, ("field 'to': %s only sets the end of the run; for results over the distance see "
+      .. "w.history and plot.history"):format(name))
   end
   if type(definition[name]) == "number" then
     return definition[name], function(value) return merged(definition, { [name] = value }) end
@@ -111,7 +110,7 @@ function changer.of(run, name, definition)
     return of_couple(run, name, definition)
   end
   if definition[name] ~= nil and number.of_run(name) then
-    check.fail(where, ("field 'to': expected the name of a number, but %s is %s here"):format(name,
+    check.fail(where, ("field 'to': expected the name of a number, but %s is %s"):format(name,
       check.shown(definition[name])))
   end
   return of_model(run, name, definition)

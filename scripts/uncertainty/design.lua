@@ -1,6 +1,5 @@
--- From what is uncertain to the cases of a study: which values each case gets, by the design and
--- the seed alone. Correlations join the normal scores of the fields, so that each keeps its own
--- distribution. Leans on archard.random for the points.
+-- Makes the cases of a sampled study: the values of each case depend only on the distributions, the design and the
+-- seed. Correlations apply to the normal scores of the fields, so that each field keeps its distribution.
 
 local check = require "archard.lib.check"
 local distributions = require "archard.uncertainty.distributions"
@@ -11,9 +10,9 @@ local settings = require "archard.definition.settings"
 
 local design = {}
 
--- --- what is given -------------------------------------------------------------------------------
+-- --- the fields ----------------------------------------------------------------------------------
 
--- The uncertain fields { name=, distribution= } in the order of their paths; flat: the settings beneath.
+-- The uncertain fields { name=, distribution= } sorted by path; flat: the base settings.
 local function fields_of(where, given, flat)
   local list, there = {}, {}
   local function add(name, distribution)
@@ -67,7 +66,7 @@ local function check_correlation(where, i, item)
   end
 end
 
--- { {"k", "alpha", -0.5}, ... } as a matrix; nil where nothing is correlated.
+-- The correlation matrix for { {"k", "alpha", -0.5}, ... }; nil without correlations.
 local function correlation_of(where, fields, given, flat)
   if given == nil then return nil end
   if type(given) ~= "table" then
@@ -85,7 +84,7 @@ local function correlation_of(where, fields, given, flat)
       check.refuse(where, ("sample.correlated[%d]"):format(i), "two different fields", item[1])
     end
     if matrix[a][b] ~= 0 then
-      check.fail(where, ("field 'sample.correlated[%d]': %s and %s have their correlation already, %g"):format(i,
+      check.fail(where, ("field 'sample.correlated[%d]': the correlation of %s and %s is given twice, first as %g"):format(i,
         item[1], item[2], matrix[a][b]))
     end
     matrix[a][b], matrix[b][a] = item[3], item[3]
@@ -93,7 +92,7 @@ local function correlation_of(where, fields, given, flat)
   return matrix
 end
 
--- The lower triangle whose square is the matrix.
+-- Lower triangular Cholesky factor of the matrix.
 local function cholesky(where, matrix)
   local lower = {}
   for i = 1, #matrix do
@@ -106,7 +105,7 @@ local function cholesky(where, matrix)
       elseif rest > 1e-12 then
         lower[i][i] = math.sqrt(rest)
       else
-        check.fail(where, "field 'sample.correlated': these correlations contradict each other (their "
+        check.fail(where, "field 'sample.correlated': these correlations are inconsistent (their "
           .. "matrix is not positive definite)")
       end
     end
@@ -114,7 +113,7 @@ local function cholesky(where, matrix)
   return lower
 end
 
--- The cases of one point of the design.
+-- Number of cases for each point of the design.
 local function cases_each(sample) return sample.indices and #sample.fields + 2 or 1 end
 
 local function check_count(where, sample)
@@ -125,22 +124,22 @@ end
 
 local function check_design(where, sample, given)
   check_count(where, sample)
-  local room = sample.indices and random.most_dimensions // 2 or random.most_dimensions
-  if #sample.fields > room then
+  local most = sample.indices and random.most_dimensions // 2 or random.most_dimensions
+  if #sample.fields > most then
     check.fail(where, ("field 'sample': %d fields are more than %d, the most%s"):format(
-      #sample.fields, room, sample.indices and " with indices" or ""))
+      #sample.fields, most, sample.indices and " with indices" or ""))
   end
   if sample.n < 2 then check.refuse(where, "n", "a whole number >= 2", sample.n) end
   if sample.indices and sample.n < 16 then
     check.refuse(where, "n", "at least 16 with indices", sample.n)
   end
   if sample.indices and given.correlated ~= nil then
-    check.fail(where, "field 'indices': indices part the variance among independent fields; these are "
+    check.fail(where, "field 'indices': indices split the variance among independent fields; these are "
       .. "correlated")
   end
 end
 
--- read(where, given): given has base, sample, n, design, seed, indices. Returns what the study keeps.
+-- read(where, given): given has base, sample, n, design, seed, indices. Returns the sample's definition.
 function design.read(where, given)
   local flat = settings.flatten(where, given.base or {})
   local sample = { n = given.n or 1024, design = given.design or "sobol", seed = given.seed or 1,
@@ -153,7 +152,7 @@ end
 
 -- --- values --------------------------------------------------------------------------------------
 
--- The values of all fields at point i of the columns of shares.
+-- The values of all fields at point i; columns: cumulative probabilities.
 local function values_at(sample, columns, i)
   local values, score = {}, {}
   for f, field in ipairs(sample.fields) do
@@ -169,8 +168,8 @@ local function values_at(sample, columns, i)
   return values
 end
 
--- Where indices are wanted (Saltelli's design): for every point a first set of values, a second one,
--- and for each field the first set with that field out of the second.
+-- Cases of one point for Saltelli's design: a first set of values, a second one, and for each field the first set with
+-- this field from the second set.
 local function with_exchanges(sample, columns, i, cases)
   local second, count = {}, #sample.fields
   for f = 1, count do second[f] = columns[count + f] end
@@ -184,7 +183,7 @@ local function with_exchanges(sample, columns, i, cases)
   end
 end
 
--- The cases: n of them, or n times (fields + 2).
+-- All cases: n, or n (fields + 2) with indices.
 function design.cases(sample)
   local dimensions = #sample.fields * (sample.indices and 2 or 1)
   local columns, cases = random.points(sample.design, sample.n, dimensions, sample.seed), {}
@@ -198,9 +197,9 @@ function design.cases(sample)
   return cases
 end
 
--- --- in a run file -------------------------------------------------------------------------------
+-- --- text in a run file --------------------------------------------------------------------------
 
--- What a run file keeps of it, to look at the results: the values stand with the cases.
+-- The definition of the samples as text for the run file; the values are stored with the cases.
 function design.text(sample)
   local lines = { ("%s n=%d seed=%d indices=%s"):format(sample.design, sample.n, sample.seed,
     tostring(sample.indices)) }
@@ -210,7 +209,7 @@ function design.text(sample)
   return table.concat(lines, "\n")
 end
 
--- The fields of the lines behind the first; nil where one is none, or is there twice.
+-- Parses the fields from the lines after the first one; nil if a line is invalid or a field is repeated.
 local function parse_fields(lines)
   local fields, known = {}, {}
   if not lines:find "^\n" then return nil end
@@ -222,21 +221,21 @@ local function parse_fields(lines)
   return fields
 end
 
--- What such a text tells of; nil where it tells of no design.
+-- Parses the text of design.text; nil if it is invalid.
 function design.parse(text)
   local kind, n, seed, indices, lines = text:match "^(%a+) n=(%d+) seed=(%d+) indices=(%a+)(.*)$"
   local sample = { design = kind, n = math.tointeger(tonumber(n)), seed = math.tointeger(tonumber(seed)),
     indices = ({ ["true"] = true, ["false"] = false })[indices], fields = parse_fields(lines or ""), text = text }
-  for name, wanted in pairs(own) do
-    if not wanted.test(sample[name]) then return nil end
+  for name, kind in pairs(own) do
+    if not kind.test(sample[name]) then return nil end
   end
   return sample.fields and sample.fields[1] and sample
 end
 
--- What the cases of a run file lack of a design, by the text of it; nil where it is theirs.
+-- Describes how the cases of a run file differ from the design, or nil if they agree.
 function design.missing(sample, flat)
   local count = sample.n * cases_each(sample)
-  if count ~= #flat then return ("its samples make %d cases, it has %d"):format(count, #flat) end
+  if count ~= #flat then return ("its samples need %d cases, the file has %d"):format(count, #flat) end
   for id, case in ipairs(flat) do
     for _, field in ipairs(sample.fields) do
       if not check.number.test(case[field.name]) then

@@ -1,5 +1,5 @@
--- What is known of an uncertain number: uniform{}, normal{}, lognormal{}. A distribution turns a
--- share of the probability into the value that it reaches. Leans on archard.random.
+-- Distributions of uncertain numbers: uniform{}, normal{}, lognormal{}. Each converts a cumulative probability to a
+-- value (its quantile function).
 
 local check = require "archard.lib.check"
 local random = require "archard.random"
@@ -7,7 +7,7 @@ local strict = require "archard.strict"
 
 local class = strict.class{ __name = "distribution", __fields = { "kind", "mean", "deviation", "low", "high" } }
 
--- "normal{ mean=100, deviation=5 }", which also makes it again.
+-- Text of a distribution, as "normal{ mean=100, deviation=5 }", which can be parsed again.
 function class.__tostring(self)
   local parts = {}
   for _, name in ipairs{ "mean", "deviation", "low", "high" } do
@@ -19,7 +19,7 @@ function class.__tostring(self)
   return ("%s{ %s }"):format(self.kind, table.concat(parts, ", "))
 end
 
--- Whether a text is one of those, with a number for each of its names.
+-- True for the text of a distribution.
 local kinds = { uniform = true, normal = true, lognormal = true }
 local function is_text(text)
   local kind, inside = text:match "^(%a+){ ([^{}]*) }$"
@@ -31,9 +31,9 @@ local function is_text(text)
   return true
 end
 
--- --- what is given -------------------------------------------------------------------------------
+-- --- the fields ----------------------------------------------------------------------------------
 
--- Named fields, or the first two by their order.
+-- Reads named fields; the first two may be given by position.
 local function read(kind, order, fields, given)
   if type(given) ~= "table" then
     check.fail(kind, ("expected a table, %s{ %s=, %s= }, got %s"):format(kind, order[1], order[2],
@@ -43,8 +43,8 @@ local function read(kind, order, fields, given)
   for key, value in pairs(given) do
     local name = order[key] or key
     if type(name) ~= "string" or named[name] ~= nil then
-      check.fail(kind, ("expected two numbers, %s and %s, or fields by name; got %s more than once or "
-        .. "at place %s"):format(order[1], order[2], order[1], tostring(key)))
+      check.fail(kind, ("expected two numbers, %s and %s, or fields by name; got %s twice or "
+        .. "a value at index %s"):format(order[1], order[2], order[1], tostring(key)))
     end
     named[name] = value
   end
@@ -58,14 +58,14 @@ local function required(kind, given, name, what)
   end
 end
 
--- Both numbers in their order.
+-- Checks low < high.
 local function ordered(kind, low, high)
   if low >= high then
     check.fail(kind, ("fields 'low' and 'high': expected low < high, got %g and %g"):format(low, high))
   end
 end
 
--- The deviation, or the variation as a share of the mean, in its place.
+-- The deviation, or the variation times the mean.
 local function spread_of(kind, given)
   required(kind, given, "mean", "the mean")
   if (given.deviation == nil) == (given.variation == nil) then
@@ -79,15 +79,15 @@ end
 
 local function same(x) return x end
 
--- A normal distribution on a scale, cut to [low, high]: to_scale is the way to it, from_scale back.
+-- A normal distribution on a transformed scale, truncated to [low, high]; to_scale and from_scale transform values.
 local function bell(kind, given, middle, width, to_scale, from_scale)
   local low, high = given.low or -math.huge, given.high or math.huge
   ordered(kind, low, high)
   local function share(value) return random.normal_share((to_scale(value) - middle) / width) end
   local from, to = share(low), share(high)
   if to - from < 1e-6 then
-    check.fail(kind, ("fields 'low' and 'high': next to nothing of the distribution lies between %g "
-      .. "and %g"):format(low, high))
+    check.fail(kind, ("fields 'low' and 'high': the probability of values between %g "
+      .. "and %g is almost 0"):format(low, high))
   end
   local cut = from > 0 or to < 1
   return setmetatable({ kind = kind, mean = given.mean, deviation = spread_of(kind, given),
@@ -107,7 +107,7 @@ function distributions.normal(given)
   return bell("normal", given, given.mean, spread_of("normal", given), same, same)
 end
 
-local widest = 10 -- deviation over mean: more is a variation in the deviation's place
+local widest = 10 -- largest deviation / mean; larger ones are probably a variation given as deviation
 
 -- mean and deviation are those of the number itself, not of its logarithm.
 function distributions.lognormal(given)
@@ -115,8 +115,8 @@ function distributions.lognormal(given)
   local deviation = spread_of("lognormal", given)
   if given.mean <= 0 then check.refuse("lognormal", "mean", "a number > 0", given.mean) end
   if deviation > widest * given.mean then
-    check.fail("lognormal", ("field 'deviation': expected at most %g times the mean %g, got %g; a share of the "
-      .. "mean is given as variation="):format(widest, given.mean, deviation))
+    check.fail("lognormal", ("field 'deviation': expected at most %g times the mean %g, got %g; for deviation / "
+      .. "mean use variation="):format(widest, given.mean, deviation))
   end
   local width = math.sqrt(math.log(1 + (deviation / given.mean) ^ 2))
   local middle = math.log(given.mean) - width * width / 2

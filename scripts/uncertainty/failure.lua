@@ -1,5 +1,5 @@
--- s:failure{}: how probable it is that a result passes a limit, before a distance or at all, from
--- the share of the samples that did. Leans on uncertainty/outcomes.lua.
+-- s:failure{}: probability that a result exceeds a limit, during the run or before a distance, from the share of the
+-- samples that exceed it.
 
 local check = require "archard.lib.check"
 local history_at = require "archard.lib.history_at"
@@ -15,7 +15,7 @@ local class = strict.class{ __name = "failure", __fields = { "of", "above", "bel
 local fields = { of = check.text, above = check.number, below = check.number, before = check.positive,
   confidence = check.share }
 
--- Whether a value is past the limit.
+-- Returns a function that is true for values beyond the limit.
 local function test_of(given)
   if (given.above == nil) == (given.below == nil) then
     check.fail(where, ("fields 'above' and 'below': expected one of them, got %s"):format(
@@ -33,7 +33,7 @@ local function check_reached(history, before)
   end
 end
 
--- Whether a history passes the limit up to a distance, in one of its rows or at the very end.
+-- True if a row of the history up to a distance, or the value at this distance, is beyond the limit.
 local function passes(history, name, past, before)
   check_reached(history, before)
   for i, d in ipairs(history.distance) do
@@ -44,12 +44,12 @@ local function passes(history, name, past, before)
 end
 
 function class.__tostring(self)
-  return ("probability that %s is %s %g %s%s: %.4g\n  %.4g to %.4g by %g %% confidence: %d of %d samples%s\n"
-    .. "  from half of them: %.4g"):format(self.of, self.above and "above" or "below",
+  return ("probability that %s is %s %g %s%s: %.4g\n  %.4g to %.4g at %g %% confidence: %d of %d samples%s\n"
+    .. "  from half of the samples: %.4g"):format(self.of, self.above and "above" or "below",
     self.above or self.below, outcomes.unit(self.of),
     self.before and (" before %g mm"):format(self.before) or "", self.probability, self.low, self.high,
     100 * self.confidence, self.count, self.n,
-    self.failed > 0 and (" (%d failed and are left out)"):format(self.failed) or "",
+    self.failed > 0 and (" (%d failed and are omitted)"):format(self.failed) or "",
     self.course.probability[1])
 end
 

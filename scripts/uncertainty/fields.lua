@@ -1,4 +1,4 @@
--- The fields of study{} that samples have and nothing else. Leans on lib/check.lua.
+-- The fields of study{} that are only allowed with samples.
 
 local check = require "archard.lib.check"
 

@@ -1,13 +1,11 @@
--- Sobol's indices from a design of Saltelli: what share of a result's variance each field causes by
--- itself (first order), and with all that it takes part in (total order, by Jansen 1999). For the first
--- order there are two estimates, one good for fields that matter little (Saltelli et al. 2010), one for
--- those that matter most (Janon et al. 2014): the one with the smaller error is taken. Errors are those
--- of ratios of means (delta method), as if the points were random: even points do better. Leans on
--- nothing.
+-- Sobol's indices from Saltelli's design: the share of a result's variance caused by each field alone (first order) and
+-- including its interactions (total order, Jansen 1999). The first order has two estimates, one accurate for small
+-- indices (Saltelli et al. 2010), one for large indices (Janon et al. 2014); the estimate with the smaller error is
+-- used. Errors are those of ratios of means (delta method) for random points, an upper bound for evenly spread points.
 
 local indices = {}
 
--- mean(g) / mean(v) and its standard error from the n pairs.
+-- mean(g) / mean(v) and its standard error from n pairs.
 local function ratio(g, v)
   local n, sum_g, sum_v = #g, 0, 0
   for i = 1, n do sum_g, sum_v = sum_g + g[i], sum_v + v[i] end
@@ -22,7 +20,7 @@ local function middle_of(a, b)
   return sum / (2 * #a)
 end
 
--- by(a, b, mean, product) -> the ratio of mean products to the variance of both lists.
+-- by(a, b, mean, product) -> ratio of the mean product to the variance of both lists.
 local function by(a, b, mean, product)
   local g, v = {}, {}
   for i = 1, #a do
@@ -32,15 +30,15 @@ local function by(a, b, mean, product)
   return ratio(g, v)
 end
 
--- The second and the mixed sets share nothing but the field: their covariance is its own part.
+-- First-order index: the second and the mixed set share only the field, so their covariance is its contribution.
 local function first_of(a, b, mixed, mean)
   local little = by(a, b, mean, function(_, db, i) return db * (mixed[i] - a[i]) end)
   local most = by(b, mixed, middle_of(b, mixed), function(db, dm) return db * dm end)
   return most.error < little.error and most or little
 end
 
--- of(a, b, mixed): results of the first sets, the second ones, and the first with one field out of the
--- second. Returns { value=, error= } of first and total order; nil where the result does not vary.
+-- of(a, b, mixed): results of the first sets, of the second sets, and of the first sets with one field from the second.
+-- Returns { value=, error= } of first and total order; nil if the result does not vary.
 function indices.of(a, b, mixed)
   local mean, varies = middle_of(a, b), false
   for i = 1, #a do varies = varies or a[i] ~= a[1] or b[i] ~= a[1] end

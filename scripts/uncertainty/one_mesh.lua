@@ -1,22 +1,21 @@
--- One mesh for all samples, where the user has given none: that of the case with the middle values.
--- Meshes of their own, finer or coarser with the contact, would make every sample condense two bodies
--- anew, for twice the time of the run itself, and add what meshes differ by to what samples differ by.
+-- Uses one mesh for all samples, that of the case with the median values, if the user gave none. A separate mesh for
+-- each sample would double the run time and add mesh differences to the results.
 
 local settings = require "archard.definition.settings"
 
--- What the size of a mesh depends on; and how far contacts may differ from the middle one, as a factor.
+-- settings that change the mesh size; largest ratio of mesh sizes for one common mesh
 local largest_change = 1.5
 local function may_change(name) return name == "load" or name:match("^model%.") ~= nil end
 
 local function has_own(flat)
-  if flat["model.mesh"] then return true end -- a file
+  if flat["model.mesh"] then return true end -- a mesh file
   for _, name in ipairs{ "size", "height", "fineness" } do
     if flat["model.mesh." .. name] then return true end
   end
   return false
 end
 
--- The elements that a case would have [mm].
+-- The element size of a case [mm].
 local function size_of(flat)
   local run <close> = wear(settings.nest(flat))
   return run.model.mesh.size
@@ -26,7 +25,7 @@ local function with(flat, values)
   return settings.join("study", flat, values)
 end
 
--- How much the elements would change over the samples of a field, as a factor.
+-- The largest ratio of element sizes over the samples of one field.
 local function change_of(flat, middle, size, name)
   local low, high = flat[1][name], flat[1][name]
   for _, case in ipairs(flat) do low, high = math.min(low, case[name]), math.max(high, case[name]) end
@@ -49,8 +48,8 @@ local function find_size(sample, flat)
   return change <= largest_change and size or nil
 end
 
--- Sets the size of the elements in the flat settings of all cases; leaves them where a case cannot be
--- made (the run will tell), and where contacts differ too much for one mesh.
+-- Sets the element size in the flat settings of all cases. Changes nothing if a case cannot be made, which the run will
+-- report, or if the contacts differ too much for one mesh.
 return function(sample, flat)
   local matters = false
   for _, field in ipairs(sample.fields) do matters = matters or may_change(field.name) end

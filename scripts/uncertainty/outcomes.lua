@@ -1,5 +1,5 @@
--- What the cases of a sampled study came to, over common distances, in the order of the design.
--- Cases that failed are left out, and counted. Leans on the study's run file.
+-- Results of the cases of a sampled study at common distances, in the order of the design. Failed cases are omitted and
+-- counted.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
@@ -10,20 +10,21 @@ local outcomes = {}
 outcomes.columns = {}
 for i, column in ipairs(columns) do outcomes.columns[i] = column.name end
 
--- The unit of a column, "" where it has none.
+-- The unit of a column, "" if it has none.
 function outcomes.unit(name)
   for _, column in ipairs(columns) do
     if column.name == name then return column.unit or "" end
   end
 end
 
--- Whether a history has a column of that name: it calls bodies by their names too.
+-- True if a history has the column; bodies may have their own names.
 local function has(history, name)
   local fine, column = pcall(function() return history and history[name] end)
   return fine and column ~= nil
 end
 
--- One name of a column or several, as a list; history: one that has them, as far as it is known.
+-- Checks one column name or a list of names and returns a list; history: a history with its own names of bodies, or
+-- nil.
 function outcomes.names(where, of, history)
   local list = type(of) == "table" and of or { of }
   for _, name in ipairs(list) do
@@ -37,10 +38,10 @@ function outcomes.names(where, of, history)
   return list
 end
 
--- The cases of the run file, all of them computed.
+-- The cases of the run file; all of them must have run.
 function outcomes.rows(study, where)
   if not study.sample then
-    check.fail(where, ("study %s has no samples: make it with study{ sample={...} }"):format(study.name))
+    check.fail(where, ("study %s has no samples: create it with study{ sample={...} }"):format(study.name))
   end
   local rows, waiting = study:store():cases(), 0
   for _, row in ipairs(rows) do
@@ -52,13 +53,13 @@ function outcomes.rows(study, where)
   return rows
 end
 
--- Whether the counted case of that number is a sample of the distributions: with indices only the
--- first two of every point are.
+-- True if a case is a sample of the distributions; with indices, only the first two cases of each point are.
 function outcomes.is_sample(study, number)
   return not study.sample.indices or (number - 1) % (#study.sample.fields + 2) < 2
 end
 
--- Whether a row counts: with indices the cases of one point stand or fall together.
+-- For each row, whether it is used; with indices, all cases of one point must be finished. Also returns the number of
+-- failed cases.
 local function counted(study, rows)
   local kept, group, left_out = {}, study.sample.indices and #study.sample.fields + 2 or 1, 0
   for first = 1, #rows, group do
@@ -72,15 +73,15 @@ local function counted(study, rows)
   return kept, left_out
 end
 
--- Of a case that is done; a stranger's file may say so of any.
+-- The history of a finished case; a damaged file may have none.
 local function history_of(store, where, id)
   local history = store:history(id)
   if history then return history end
   check.fail(where, ("%s: the file is damaged: case %d is done and has no history"):format(store.path, id), "FORMAT")
 end
 
--- each(study, where, visit): calls visit(index, history) for every case that counts; returns how many
--- failed.
+-- each(study, where, visit): calls visit(number, history, index) for every case used; returns the number of failed
+-- cases and of cases used.
 function outcomes.each(study, where, visit)
   local rows = outcomes.rows(study, where)
   local kept, failed = counted(study, rows)
@@ -95,7 +96,7 @@ function outcomes.each(study, where, visit)
   return failed, number
 end
 
--- The distances asked for, or 50 equal steps to the shortest end.
+-- The given distances, or 50 equal steps up to the end of the shortest case.
 local function grid(at, shortest)
   if at then return at end
   local list = {}
@@ -111,8 +112,8 @@ local function shortest_of(study, where)
   return shortest
 end
 
--- read(study, where, names, at) -> { distance=, n=, failed=, index=, values= }: values[name][g][i] is
--- that of the i-th counted case at distance g; index[i] is its number in the study.
+-- read(study, where, names, at) -> { distance=, n=, failed=, index=, values= }: values[name][g][i] is the value of the
+-- i-th used case at distance g; index[i] is its number in the study.
 function outcomes.read(study, where, names, at)
   local shortest = shortest_of(study, where)
   local result = { distance = grid(at, shortest), values = {}, index = {} }

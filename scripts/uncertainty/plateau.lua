@@ -1,16 +1,15 @@
--- Derivatives of a function with many results, by central differences over ever smaller steps. Each
--- difference is extrapolated with the next smaller one (Richardson); of what that gives, every result
--- keeps the value that both neighbours confirm best: larger steps average over kinks of the function,
--- smaller ones drown in its noise. Leans on nothing.
+-- Derivatives of a function with many results by central differences with decreasing steps. Each difference is
+-- extrapolated with the next smaller one (Richardson); for each result, the extrapolated value that differs least from
+-- its neighbours is used: larger steps average over kinks of the function, smaller ones are dominated by noise.
 
 local levels, shrink = 8, 5
 
--- The square of the step taken out of two differences.
+-- Richardson extrapolation of two differences with an error of second order.
 local function extrapolated(wide, narrow)
   return (shrink * shrink * narrow - wide) / (shrink * shrink - 1)
 end
 
--- The value on the flattest place of the list, and how far its neighbours are off.
+-- The value of the list that differs least from its neighbours, and this difference.
 local function flattest(list)
   local best = { value = list[1], error = math.huge }
   for i = 2, #list - 1 do
@@ -20,8 +19,8 @@ local function flattest(list)
   return best
 end
 
--- derive(differences, step): differences(h) -> list of (f(x + h) - f(x - h)) / (2 h). Returns a list
--- of { value=, error= }; step is the widest.
+-- derive(differences, step): differences(h) -> list of (f(x + h) - f(x - h)) / (2 h). Returns a list of { value=,
+-- error= }; step is the largest h.
 return function(differences, step)
   local lists, before = {}, differences(step)
   for m = 1, #before do lists[m] = {} end

@@ -1,5 +1,4 @@
--- A finished run once more, from its definition as it is or with a number changed: what sensitivities
--- compare. Leans on archard.store, which knows the whole definition of a run.
+-- Repeats a finished run from its definition, unchanged or with one number changed, for sensitivities.
 
 local check = require "archard.lib.check"
 local known = require "archard.settings"
@@ -12,7 +11,7 @@ local repeated = {}
 
 local where = "wear:sensitivity"
 
--- What a run file would keep of the run.
+-- The definition of the run as stored in a run file.
 local function stored(run)
   local path = os.tmpname()
   os.remove(path)
@@ -33,12 +32,10 @@ local function loading_of(blocks)
   return blocks
 end
 
--- The definition that wear{} takes, beside it `flat`, the settings of its model: words and loading as a run file has them, all else (numbers,
--- tables, functions, the model) as the run tells. 0 stands for what was not given, where it is not a
--- choice of its own.
+-- Fields that may be 0 in a definition; 0 in other fields means that they were not given.
 local zeros = { alpha = true, friction = true, refresh = true }
 
--- Bodies with coefficients of their own make those of the couple: that has none in its definition.
+-- Removes k and alpha from the definition if bodies have their own coefficients; adds the flat settings of the model.
 local function take_coefficients(definition)
   definition.flat = settings.flatten(where, { model = definition.model })
   for path, value in pairs(definition.flat) do
@@ -63,22 +60,22 @@ function repeated.definition(run)
   return repeated.with_steps(run, definition)
 end
 
--- The cycles of the step of a history that leads on from a distance [mm].
+-- The cycles of the step of a history that starts at a distance [mm].
 local function step_from(history, distance)
   local i = 2
   while history.distance[i + 1] and history.distance[i] <= distance * (1 + 1e-9) do i = i + 1 end
   return history.cycle[i] - history.cycle[i - 1]
 end
 
--- Steps that chose themselves are taken again as they were, and implicitly, for they may be long:
--- chosen anew for every changed number, they would cover small changes with noise.
+-- A run with automatic steps is repeated with the same steps, implicitly, as they may be long: new automatic steps for
+-- every changed number would cover small changes with noise.
 function repeated.with_steps(run, definition)
   if not (definition.tolerance or definition.jump == "auto") then return definition end
   definition.tolerance, definition.scheme, definition.steps_chosen = nil, "implicit", run.history
   return repeated.in_parts(definition, 1)
 end
 
--- The same with each of these steps in so many parts.
+-- The same definition with each step divided into `parts`.
 function repeated.in_parts(definition, parts)
   local history = definition.steps_chosen
   return merged(definition, { jump = function(state) return step_from(history, state.distance) / parts end })
@@ -86,7 +83,7 @@ end
 
 -- --- running -------------------------------------------------------------------------------------
 
--- The rows of a history at the distances, all of which it has.
+-- Indices of the history's rows at the distances, which must all exist.
 local function rows_at(history, distances)
   local rows, at = {}, 1
   for i, d in ipairs(distances) do
@@ -96,7 +93,7 @@ local function rows_at(history, distances)
   return rows
 end
 
--- What wear{} knows of it.
+-- The definition without the fields that wear{} does not accept.
 local function taken(definition)
   local copy = merged(definition)
   copy.steps_chosen, copy.flat = nil, nil
@@ -116,8 +113,8 @@ local function run_to(definition, distances, names)
   return list
 end
 
--- run(definition, distances, names) -> a list: of each column in turn its values at the distances,
--- where the changed run ends a step too. What the engine warns of, the run itself has told.
+-- run(definition, distances, names) -> a flat list: for each column its values at the distances, where the repeated run
+-- also ends a step. Warnings are suppressed, as the original run has reported them.
 function repeated.run(definition, distances, names)
   return quiet(run_to, definition, distances, names)
 end

@@ -1,6 +1,5 @@
--- s:uncertainty{}: mean, deviation, quantiles over the distance of what the samples came to, which
--- field causes how much of it, and how far the estimates have settled. Leans on
--- uncertainty/outcomes.lua for the numbers.
+-- s:uncertainty{}: mean, deviation and quantiles of the samples' results over the distance, the contribution of each
+-- field, and the convergence of the estimates.
 
 local aligned = require "archard.lib.aligned"
 local check = require "archard.lib.check"
@@ -14,14 +13,14 @@ local where = "study:uncertainty"
 local class = strict.class{ __name = "uncertainty", __fields = { "name", "of", "n", "failed", "distance",
   "fields", "confidence", "design", "seed", "indices" } }
 
--- --- what is asked -------------------------------------------------------------------------------
+-- --- the fields ----------------------------------------------------------------------------------
 
 local fields = { of = check.any "names", quantiles = check.list_of(check.share, "a list of numbers in (0, 1)"),
   at = check.list_of(check.positive, "a list of distances > 0"), confidence = check.share }
 
--- --- from samples to estimates -------------------------------------------------------------------
+-- --- estimates from samples ----------------------------------------------------------------------
 
--- The positions of samples of the distributions among the counted cases.
+-- The indices of samples of the distributions among the used cases.
 local function samples_of(study, count)
   local list = {}
   for i = 1, count do
@@ -36,7 +35,7 @@ local function picked(values, positions)
   return list
 end
 
--- The estimates from one list of samples, put at place g of the columns.
+-- Adds the estimates from one list of samples at index g of the columns.
 local function add_estimates(result, g, list, quantiles, reach)
   local sorted = sampled.sorted(list)
   result.mean[g], result.deviation[g], result.mean_error[g] = sampled.moments(list, reach)
@@ -55,7 +54,7 @@ local function columns_for(quantiles)
   return result
 end
 
--- The estimates at the last distance from ever more of the samples.
+-- The estimates at the last distance from increasing numbers of samples.
 local function convergence(list, quantiles, reach)
   local result, counts, n = columns_for(quantiles), {}, #list
   while n >= 8 and #counts < 5 do
@@ -69,9 +68,9 @@ local function convergence(list, quantiles, reach)
   return result
 end
 
--- --- which field causes it -----------------------------------------------------------------------
+-- --- contribution of each field ------------------------------------------------------------------
 
--- Every group-th value from `first` on.
+-- Every group-th value, starting at `first`.
 local function strided(values, first, group)
   local list = {}
   for i = first, #values, group do list[#list + 1] = values[i] end
@@ -96,7 +95,7 @@ local function columns_by_name(names)
   return list
 end
 
--- The correlation of the last values' ranks with those of each field.
+-- Rank correlations between each field and the last values.
 local function rank_correlations(study, names, index, positions, last)
   local result = {}
   for _, name in ipairs(names) do
@@ -164,38 +163,38 @@ local function add_rows(lines, rows)
   for _, line in ipairs(aligned(rows)) do lines[#lines + 1] = "  " .. line end
 end
 
--- How far the mean and the outermost quantile moved with the second half of the samples.
-local function settled_line(self, name)
+-- Relative changes of mean, deviation and outermost quantile by the second half of the samples.
+local function convergence_line(self, name)
   local course = self[name].convergence
   local n = #course.n
   if n < 2 then return nil end
   local last = course.quantiles[#course.quantiles]
   local function moved(list) return 100 * math.abs(list[n] / list[n - 1] - 1) end
-  return ("  %s: from %d to %d samples the mean moved by %.2g %%, the deviation by %.2g %%, the %g %% "
+  return ("  %s: from %d to %d samples the mean changed by %.2g %%, the deviation by %.2g %%, the %g %% "
     .. "quantile by %.2g %%"):format(name, course.n[n - 1], course.n[n], moved(course.mean),
     moved(course.deviation), 100 * last.share, moved(last.value))
 end
 
 function class.__tostring(self)
   local g = #self.distance
-  local lines = { ("uncertainty of %s: %d samples (%s, seed %d) at %g mm, +- by %g %% confidence")
+  local lines = { ("uncertainty of %s: %d samples (%s, seed %d) at %g mm, +- at %g %% confidence")
     :format(self.name, self.n, self.design, self.seed, self.distance[g], 100 * self.confidence) }
   if self.failed > 0 then
-    lines[#lines + 1] = ("  %d cases failed and are left out: what they would have come to is missing")
+    lines[#lines + 1] = ("  %d cases failed and are omitted, which may bias the results")
       :format(self.failed)
   end
   add_rows(lines, estimates_table(self, g))
   add_rows(lines, causes_table(self, g))
-  for _, name in ipairs(self.of) do lines[#lines + 1] = settled_line(self, name) end
+  for _, name in ipairs(self.of) do lines[#lines + 1] = convergence_line(self, name) end
   if self.uneven then lines[#lines + 1] = "  " .. self.uneven end
   return table.concat(lines, "\n")
 end
 
--- Sobol's points lie evenly in whole powers of 2.
+-- A note if n is not a power of 2, for which Sobol's points are evenly distributed.
 local function uneven(sample)
   local power = 2 ^ math.floor(math.log(sample.n, 2) + 1e-9)
   if sample.design ~= "sobol" or sample.n == power then return nil end
-  return ("n = %d is no power of 2: Sobol's points lie evenly for n = %d or %d"):format(sample.n,
+  return ("n = %d is not a power of 2: Sobol's points are evenly distributed for n = %d or %d"):format(sample.n,
     math.tointeger(power), math.tointeger(2 * power))
 end
 

@@ -1,5 +1,4 @@
--- Statistics of samples: moments, quantiles and shares with what their number lets one say of them.
--- Leans on archard.random.
+-- Statistics of samples: moments, quantiles and probabilities with their confidence ranges.
 
 local random = require "archard.random"
 local statistics = require "archard.lib.statistics"
@@ -12,7 +11,7 @@ function sampled.sorted(list)
   return copy
 end
 
--- The value below which a share of the sorted samples lies, linear between two.
+-- The quantile of sorted samples, linear between two samples.
 function sampled.quantile(sorted, share)
   local at = 1 + share * (#sorted - 1)
   local low = math.floor(at)
@@ -20,24 +19,24 @@ function sampled.quantile(sorted, share)
   return sorted[low] + (at - low) * (sorted[high] - sorted[low])
 end
 
--- How many standard deviations on both sides hold a confidence.
+-- Half width of a two-sided confidence range in standard deviations.
 function sampled.reach(confidence) return random.normal_quantile((1 + confidence) / 2) end
 
--- The samples between which the true quantile lies with a confidence, by how many of n fall below it.
+-- The samples that bound the true quantile with a confidence, from the binomial distribution of their ranks.
 function sampled.quantile_range(sorted, share, reach)
   local n = #sorted
-  local room = reach * math.sqrt(n * share * (1 - share))
-  local low, high = math.floor(n * share - room), math.ceil(n * share + room) + 1
+  local margin = reach * math.sqrt(n * share * (1 - share))
+  local low, high = math.floor(n * share - margin), math.ceil(n * share + margin) + 1
   return sorted[math.max(low, 1)], sorted[math.min(high, n)]
 end
 
--- Mean and standard deviation, and half the range that holds the mean.
+-- Mean, standard deviation, and half width of the confidence range of the mean.
 function sampled.moments(list, reach)
   local mean, deviation = statistics.mean(list), statistics.deviation(list)
   return mean, deviation, reach * deviation / math.sqrt(#list)
 end
 
--- The range of a share that was seen in `count` of n samples (Clopper and Pearson).
+-- Confidence range of a probability observed in `count` of n samples (Clopper and Pearson).
 function sampled.share_range(count, n, confidence)
   local out = (1 - confidence) / 2
   local low = count > 0 and random.beta_quantile(out, count, n - count + 1) or 0
@@ -45,7 +44,7 @@ function sampled.share_range(count, n, confidence)
   return low, high
 end
 
--- Spearman's correlation of ranks; nil where one of both does not vary.
+-- Spearman's rank correlation; nil if one of the lists is constant.
 function sampled.rank_correlation(a, b)
   local value = random.rank_correlation(a, b)
   return value == value and value or nil

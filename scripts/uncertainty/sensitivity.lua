@@ -1,7 +1,6 @@
--- w:sensitivity{ of=, to= }: how results answer to numbers of the definition over the whole history,
--- as derivatives and as elasticities (percent by percent), each with its own error. Leans on
--- uncertainty/repeated.lua and uncertainty/changer.lua for runs with a number changed, on uncertainty/plateau.lua for derivatives
--- of smooth results and uncertainty/slope.lua for those of results that jump from node to node.
+-- w:sensitivity{ of=, to= }: derivatives and elasticities of results by numbers of the definition over the whole
+-- history, with their errors. Smooth results are differentiated by uncertainty/plateau.lua, results that change in
+-- steps from node to node by uncertainty/slope.lua.
 
 local aligned = require "archard.lib.aligned"
 local changer = require "archard.uncertainty.changer"
@@ -32,13 +31,13 @@ local function names_of(name, given, usual)
   return list
 end
 
--- The distances of the history but the start, where nothing has happened yet.
+-- The distances of the history without the start.
 local function distances_of(run)
   local list = {}
   for i, d in ipairs(run.history.distance) do
     if i > 1 then list[#list + 1] = d end
   end
-  if #list == 0 then check.fail(where, "the run is at its start: call run{} first") end
+  if #list == 0 then check.fail(where, "the run has not started: call run{} first") end
   return list
 end
 
@@ -50,17 +49,17 @@ local function values_of(run, names)
   return list
 end
 
--- Steps that chose themselves were corrected by the estimate of their error; the same steps again are
--- not, and differ a little.
-local function room_of(definition) return definition.steps_chosen and 0.02 or 0 end
+-- Relative tolerance between the run and its repetition: automatic steps were corrected by their error estimate, which
+-- repeated steps are not.
+local function tolerance_of(definition) return definition.steps_chosen and 0.02 or 0 end
 
--- A run that its definition does not lead to has no definition to change.
+-- Checks that the definition reproduces the run; else it cannot be used for changed runs.
 local state = { "depth_cylinder", "depth_plate", "p_center" }
 local function check_repeats(run, definition, distances)
-  local again, room = repeated.run(definition, distances, state), room_of(definition)
+  local again, tolerance = repeated.run(definition, distances, state), tolerance_of(definition)
   for i, value in ipairs(values_of(run, state)) do
-    if math.abs(value - again[i]) > room * math.abs(value) then
-      check.fail(where, "the run cannot be repeated from its definition: it was changed on its way "
+    if math.abs(value - again[i]) > tolerance * math.abs(value) then
+      check.fail(where, "the run cannot be repeated from its definition: it was changed during the run "
         .. "(w:set), or started from a worn shape")
     end
   end
@@ -70,7 +69,7 @@ end
 
 local first_step, smallest_step = 0.03, 0.0004 -- as shares of the number
 
-local counting -- of the call at hand
+local counting -- run counter of the current call
 
 local function results_at(self, definition)
   self.runs = self.runs + 1
@@ -78,7 +77,7 @@ local function results_at(self, definition)
   return repeated.run(definition, self.distance, self.of)
 end
 
--- Central differences of runs; `changed` may change the definition further.
+-- Returns a function of h with the central differences; `changed` may change the definition further.
 local function differences_for(self, value, set, changed)
   local function results(at)
     local definition = set(at)
@@ -92,16 +91,15 @@ local function differences_for(self, value, set, changed)
   end
 end
 
--- Derivatives at a fixed change h with every step of the run in `parts`.
+-- Derivatives with a fixed change h and every step of the run divided into `parts`.
 local function with_parts(self, value, set, h, parts)
   return differences_for(self, value, set, function(definition)
     return repeated.in_parts(definition, parts)
   end)(h)
 end
 
--- Steps that chose themselves have an error, and so has what the derivative of the run makes of it:
--- steps in many parts correct it. What is left is estimated from above: twice what the last halving
--- changed, and a quarter of the correction.
+-- Automatic steps cause an error of the derivative, which is corrected with runs in many parts. The remaining error is
+-- bounded by twice the change of the last halving plus a quarter of the correction.
 local coarse_parts, fine_parts = 4, 8
 
 local function step_error(whole, coarse, fine)
@@ -121,12 +119,12 @@ local function raise_stop(why)
   if type(why) ~= "table" or why.code == "STOPPED" then error(why, 0) end
 end
 
--- --- results that jump ---------------------------------------------------------------------------
+-- --- results that change in steps ----------------------------------------------------------------
 
--- Runs on either side of a number, as far as it can be changed, usually at most by the widest share of it.
+-- largest relative change of the number; runs on each side of it; limit of the ripple
 local widest, side, rippled = 0.24, 8, 0.03
 
--- The results of all runs, the outermost first: they fail where a range ends.
+-- The results of all runs, the outermost first, as these fail at the end of a range.
 local function wide_runs(self, value, set, share)
   local points, lists = {}, {}
   for j = side, 0, -1 do
@@ -147,8 +145,7 @@ local function in_order(points, lists, m)
   return t, y
 end
 
--- A local derivative of what jumps from node to node gives way to the slope over a wide range, of `over`
--- at most.
+-- Replaces the derivatives of results that change in steps by slopes over a wide range, at most `over`.
 local function replace_rippled(self, value, set, definition, found, over)
   local share, fine, points, lists = 2 * over, false, nil, nil
   while not fine and share > 2 * first_step do
@@ -161,15 +158,15 @@ local function replace_rippled(self, value, set, definition, found, over)
     if one.ripple > rippled then
       local unit = share * value
       found[m] = { value = one.value / unit, over = share,
-        error = (one.error + room_of(definition) * math.abs(one.value)) / math.abs(unit) }
+        error = (one.error + tolerance_of(definition) * math.abs(one.value)) / math.abs(unit) }
     end
   end
 end
 
--- The first change shrinks where a range ends.
+-- Derivatives by a number; the first step is reduced if a run fails at the end of a range.
 local function derivatives(self, name, value, set, definition)
   if value == 0 then
-    check.fail(where, ("field 'to': %s is 0, where no percent can be changed"):format(name))
+    check.fail(where, ("field 'to': %s is 0 and cannot be changed by a percentage"):format(name))
   end
   local differences, step, why = differences_for(self, value, set), first_step, nil
   while step >= smallest_step do
@@ -179,16 +176,16 @@ local function derivatives(self, name, value, set, definition)
     why, step = found, step / 4
     raise_stop(why)
   end
-  check.fail(where, ("field 'to': %s cannot be changed by %g %% both ways: %s"):format(name,
+  check.fail(where, ("field 'to': %s cannot be changed by %g %% in both directions: %s"):format(name,
     400 * step, why.message), why.code)
 end
 
--- Percent by percent; a result of 0 that stays 0 answers to nothing.
+-- The elasticity; 0 for a result that is always 0.
 local function elastic(derivative, value, result)
   return derivative == 0 and 0 or derivative * value / result
 end
 
--- there: the results themselves and their errors, in the order of `found`.
+-- there: the results and their errors, in the order of `found`.
 local function into_columns(self, name, value, found, there)
   local n = #self.distance
   for c, column in ipairs(self.of) do
@@ -205,7 +202,7 @@ local function into_columns(self, name, value, found, there)
   end
 end
 
--- The results as they are, of chosen steps with the error of these: what elasticities are shares of.
+-- The unchanged results, to which elasticities refer; for automatic steps with their error.
 local function results_of(self, run, definition)
   local there = values_of(run, self.of)
   if not definition.steps_chosen then

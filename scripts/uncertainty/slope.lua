@@ -1,12 +1,11 @@
--- The slope of a result through many values by least squares. Half widths and pressures jump a little
--- as the contact's edge goes from node to node: the derivative at one place is then the mesh's, and
--- only a line through runs over several nodes tells how the result answers. Leans on archard.least_squares,
--- lib/statistics.lua.
+-- The slope of a result over many values by least squares. Half widths and pressures change in small steps as the
+-- contact's edge moves from node to node; a local derivative would be determined by the mesh, a line through runs over
+-- several nodes is not.
 
 local least_squares = require "archard.least_squares"
 local statistics = require "archard.lib.statistics"
 
--- The powers of the points, flat row by row.
+-- Powers of the points as a flat list by rows.
 local function powers(points, degree)
   local flat = {}
   for _, t in ipairs(points) do
@@ -15,8 +14,7 @@ local function powers(points, degree)
   return flat
 end
 
--- The polynomial of a degree: its slope at 0, the standard error of that, the scatter about it, and its
--- value at 0.
+-- Fits a polynomial; returns its slope at 0 with standard error, the scatter of the values, and its value at 0.
 local function polynomial(points, values, degree)
   local n, sum, slope, variance, middle = degree + 1, 0, 0, 0, 0
   local u, s, v = least_squares.svd{ a = powers(points, degree), rows = #points, columns = n }
@@ -33,14 +31,14 @@ local function polynomial(points, values, degree)
   return slope, scatter * math.sqrt(variance), scatter, middle
 end
 
--- Neighbouring runs miss the line to the same side, so that the error is more than they say.
+-- factor on the error, as the deviations of neighbouring runs are correlated
 local doubt = 2
 
-local rounding = 1e-10 -- of a result: less than this is no scatter
+local rounding = 1e-10 -- relative; a smaller scatter is rounding
 
--- slope(points, values): values at evenly spaced points, of which some lie on either side of 0 or all on
--- one, in units of their range. Returns { value =, error =, middle = the result at 0, scatter = of a
--- result, ripple = scatter of the slope between neighbours, over the slope }.
+-- slope(points, values): values at evenly spaced points on both sides or one side of 0, in units of their range.
+-- Returns { value =, error =, middle = result at 0, scatter = of a result, ripple = scatter of the slope between
+-- neighbours / slope }.
 return function(points, values)
   local even, even_error, _, middle = polynomial(points, values, 2)
   local cubic, cubic_error, scatter = polynomial(points, values, 3)

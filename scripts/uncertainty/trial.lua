@@ -1,5 +1,5 @@
--- Before a sampled study starts: the least and the greatest sampled value of each field must make a
--- run, and must matter. One short look costs two runs a field, against as many as there are samples.
+-- Checks before a sampled study starts that the smallest and the largest sampled value of each field can be run and
+-- change the result. This costs two runs for each field.
 
 local check = require "archard.lib.check"
 local columns = require "archard.settings".columns
@@ -14,13 +14,13 @@ local function ends_of(flat, name)
   return low, high
 end
 
--- The history of the first case with the field at a value.
+-- The history of the first case with the field set to a value; false if the run fails.
 local function history_with(flat, name, value)
   local made, run = pcall(wear, settings.nest(merged(flat[1], { [name] = value })))
   if not made then
     local message = type(run) == "table" and run.message or tostring(run)
-    check.fail(where, ("field 'sample.%s': the sampled value %g cannot be run (%s); a distribution with "
-      .. "low= and high= stays within what can"):format(name, value, message))
+    check.fail(where, ("field 'sample.%s': the sampled value %g cannot be run (%s); give the distribution "
+      .. "low= and high= within the valid range"):format(name, value, message))
   end
   local fine, why = pcall(run.run, run, { progress = false })
   local history = run.history
@@ -29,32 +29,32 @@ local function history_with(flat, name, value)
   return fine and history
 end
 
--- Whether two histories tell the same of the wear; what merely repeats the settings does not count.
-local settings_told = { load = true, k = true, alpha = true, jump = true }
+-- True if two histories agree; columns that repeat settings are ignored.
+local setting_columns = { load = true, k = true, alpha = true, jump = true }
 
 local function equal(x, y)
   if #x ~= #y then return false end
   for i = 1, #x do
-    if x[i] ~= y[i] and (x[i] == x[i] or y[i] == y[i]) then return false end -- NaN is as good as NaN
+    if x[i] ~= y[i] and (x[i] == x[i] or y[i] == y[i]) then return false end -- two NaN are equal
   end
   return true
 end
 
 local function same(a, b)
   for _, column in ipairs(columns) do
-    if not settings_told[column.name] and not equal(a[column.name], b[column.name]) then return false end
+    if not setting_columns[column.name] and not equal(a[column.name], b[column.name]) then return false end
   end
   return true
 end
 
--- A field that does nothing would be reported as one that does not matter.
+-- Refuses a field without any effect, whose index would be 0 for the wrong reason.
 return function(study)
   for _, field in ipairs(study.sample.fields) do
     local low, high = ends_of(study.flat, field.name)
     local a, b = history_with(study.flat, field.name, low), history_with(study.flat, field.name, high)
     if a and b and same(a, b) then
-      check.fail(where, ("field 'sample.%s': it does nothing here: %g and %g give the same run (does "
-        .. "another field take its place?)"):format(field.name, low, high))
+      check.fail(where, ("field 'sample.%s': it has no effect: %g and %g give the same run (does "
+        .. "another field replace it?)"):format(field.name, low, high))
     end
   end
 end

@@ -114,7 +114,7 @@ for name, call in pairs{ ["a base"] = function() study{ base = endless } end, va
   cases = function() study{ cases = { endless } } end, samples = function() study{ sample = endless } end,
   ["study.paper"] = function() study.paper(endless) end, ["study.converge"] = function() study.converge{ base = endless } end,
   ["the model of a fit"] = function() fit{ model = endless, unknown = fit_of.unknown, data = fit_of.data } end } do
-  fails(call, { "20 deep at most, got 21 (one that holds itself?)" }, name .. " that holds itself is refused")
+  fails(call, { "at most 20 levels of tables, got 21 (does a table contain itself?)" }, name .. " that holds itself is refused")
 end
 fails(function() study{ vary = { load = many, alpha = many, stroke = many } } end,
   "field 'vary': expected at most 1000000 cases, got 1000000000 (1000 of alpha times 1000 of load times 1000 of stroke)",

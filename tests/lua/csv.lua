@@ -54,7 +54,7 @@ is(t.h[1], 1e-8, "wear coefficients as tables of others have them")
 is(t.a[1], 0.35, "per cent")
 t = csv.read(file "part [mm],x\nlid,1\n")
 is(t.part[1], "lid", "text has no unit to scale")
-fails(function() csv.read(file "x [mm],x [um]\n1,2\n") end, "column 2: expected a name of its own, got \"x\" again",
+fails(function() csv.read(file "x [mm],x [um]\n1,2\n") end, "column 2: expected a unique name, got \"x\" again",
   "a name twice but for the unit")
 is(csv.read(file "x [mm],x [um]\n1,2\n", { x = "x [um]" }).x[1], 0.002, "unless it is chosen")
 fails(function() csv.read(file "x [furlong]\n1\n", { x = "x" }) end, { 'column "x [furlong]"', "expected one of the units",
@@ -88,15 +88,15 @@ local function refused(text, parts, what) fails(function() csv.read(file(text)) 
 refused("", "the file is empty", "nothing in it")
 refused("\n# only this\n", "the file is empty", "only comments")
 refused("1,2\n3,4\n", { ":1: expected a line of names first, got the number 1" }, "no names")
-refused("a,a\n1,2\n", { ":1: column 2: expected a name of its own, got \"a\"" }, "a name twice")
-refused("a,\n1,2\n", "column 2: expected a name of its own", "no name")
+refused("a,a\n1,2\n", { ":1: column 2: expected a unique name, got \"a\"" }, "a name twice")
+refused("a,\n1,2\n", "column 2: expected a unique name", "no name")
 refused("a,b\n1,2\n3\n", { ":3: expected 2 cells, got 1" }, "a short line")
 refused("a,b\n1,2\n3,x\n", { ":3: column \"b\": expected a number, got \"x\"" }, "a text among numbers")
 refused("a,b\n1,2\n3,\n", { "column \"b\": expected a number, got \"\"" }, "an empty cell")
 refused("a,b\n1,2\n3,0x10\n", "expected a number, got \"0x10\"", "a hexadecimal")
-fails(function() csv.read(file "a,b\n1,2\n", { t = "c" }) end, "no column \"c\"; there are a, b", "an unknown column")
+fails(function() csv.read(file "a,b\n1,2\n", { t = "c" }) end, "no column \"c\"; the columns are a, b", "an unknown column")
 fails(function() csv.read(file "a,b\n1,2\n", { t = 3 }) end, "no column 3", "an unknown number")
-refused("a,b\n1,1e999\n", { ":2: column \"b\": expected a number that doubles hold, got \"1e999\"" }, "a number too large")
+refused("a,b\n1,1e999\n", { ":2: column \"b\": expected a number in the range of doubles, got \"1e999\"" }, "a number too large")
 refused("a,b\n1,2\n1,-1e400\n", { ":3: column \"b\"", "got \"-1e400\"" }, "or too small")
 
 -- Processor seconds of a call, and its result.

@@ -108,7 +108,7 @@ ok(ends[1e5] and blocks.loading.name:find "iso", "a block ends where it is to")
 
 -- --- grids too coarse ---------------------------------------------------------------------------------
 local loose = joint{ cup = { clearance = 2, layers = { { thickness = 20, material = material{ E = 230e3, nu = 0.3 } } } }, mesh = { size = 4 } }
-fails(function() contact{ model = loose, load = 50 } end, "cells small enough for the contact, got", "a grid too coarse for a contact")
+fails(function() contact{ model = loose, load = 50 } end, "at least 6 cells across the contact, got", "a grid too coarse for a contact")
 fails(function() wear{ model = loose, loading = gait.flexion{ load = 50 } }:run() end, "mesh.size", "and for a run")
 local explicit = wear{ model = springs, k = 1e-9, cycles = 1e3, scheme = "explicit", updates = 1 }
 local function updates_to(cycles)

@@ -53,8 +53,8 @@ fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = { 1, 2, 3 } } end, { "fiel
 fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = { 1, 2, 0 / 0, 3 } } end,
   { "field 'y[3]': expected a finite number (at x = 1, z = 0 mm), got" }, "no number")
 fails(function() map{ x = { 0, 1, 3 }, z = { 0, 1 }, y = zero } end,
-  "field 'x': expected points that grow in even steps of 1.5 mm, got 1 mm after 0 mm", "uneven steps")
-fails(function() map{ x = { 1, 0 }, z = { 0, 1 }, y = zero } end, "field 'x': expected points that grow", "falling points")
+  "field 'x': expected increasing points with even steps of 1.5 mm, got 1 mm after 0 mm", "uneven steps")
+fails(function() map{ x = { 1, 0 }, z = { 0, 1 }, y = zero } end, "field 'x': expected increasing points", "falling points")
 fails(function() map{ x = { 1 }, z = { 0, 1 }, y = zero } end, "field 'x': expected at least 2 points, got 1", "one point")
 fails(function() map{ x = { 0, "a" }, z = { 0, 1 }, y = zero } end, "field 'x[2]': expected a finite number in mm, got \"a\"", "a word")
 fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = function() end } end, "field 'y[1]': expected a finite number", "a function of nothing")
@@ -74,8 +74,8 @@ is(#line.y, 31, "a section along z has its points")
 near(line.y[31], bilinear(4, 2), 1e-13, "up to the corner")
 near(line.x[1], 1, 0, "positions along z are its x")
 near(profile(t:profile{ z = 1.5 }):level().form == "line" and 1 or 0, 1, 0, "a section is a profile")
-fails(function() t:profile{} end, "expected where the section lies, one of them, got none", "no section")
-fails(function() t:profile{ x = 0, z = 1 } end, "one of them, got both", "two sections")
+fails(function() t:profile{} end, "expected the position of the section in one of them, got none", "no section")
+fails(function() t:profile{ x = 0, z = 1 } end, "in one of them, got both", "two sections")
 fails(function() t:profile{ z = 3 } end, "field 'z': expected a number in [1, 2] mm, got 3", "a section beside the map")
 
 -- --- levelling ------------------------------------------------------------------------------------------
@@ -95,9 +95,9 @@ local function scar(x, z) return abs(x - 1) < 0.5 and abs(z - 1.5) < 0.2 and -1e
 local worn = sampled(function(x, z) return plane(x, z) + scar(x, z) end):level("plane", { 0.4, 1.6, 1.2, 1.8 })
 ok(apart(worn, scar) < 1e-13, "a scar that is left out of the fit keeps its depth")
 ok(apart(sampled(function(x, z) return plane(x, z) + scar(x, z) end):level(), scar) > 1e-5, "within the fit it does not")
-holds(tostring(sampled(function(x, z) return -(x * x + z * z) / 80 end):level("sphere")), "less a sphere of radius 40", "print")
+holds(tostring(sampled(function(x, z) return -(x * x + z * z) / 80 end):level("sphere")), "minus a sphere of radius 40", "print")
 fails(function() t:level("circle") end, 'field \'level\': expected "plane" or "sphere", got "circle"', "no such form")
-fails(function() t:level("plane", { -3, 5, 0, 2.5 }) end, "expected points that determine a plane outside the scar", "a scar all over")
+fails(function() t:level("plane", { -3, 5, 0, 2.5 }) end, "do not determine a plane outside the scar", "a scar all over")
 fails(function() t:level("plane", { 1, 0, 0, 1 }) end, "field 'scar': expected { x0, x1, z0, z1 } in mm", "a scar turned round")
 
 -- --- parts and steps -------------------------------------------------------------------------------------
@@ -131,8 +131,8 @@ ok(apart(difference, zero) < 1e-13, "the second is taken between its points")
 near(difference.x[1], -1, 1e-12, "where both are")
 ok(apart(before + before, function(x, z) return 2 * bilinear(x, z) end) < 1e-13, "a sum")
 near((before - 0.5):at(0, 1), bilinear(0, 1) - 0.5, 1e-14, "less a number")
-fails(function() return before - map{ x = { 8, 9 }, z = { 0, 1 }, y = zero } end, "expected maps that overlap", "none in common")
-fails(function() return before - map{ x = before.x, z = before.z, y = zero, unit = "MPa" } end, "expected maps in one unit, got mm and MPa",
+fails(function() return before - map{ x = { 8, 9 }, z = { 0, 1 }, y = zero } end, "expected overlapping maps", "none in common")
+fails(function() return before - map{ x = before.x, z = before.z, y = zero, unit = "MPa" } end, "expected maps with the same unit, got mm and MPa",
   "two units")
 fails(function() return before - "b" end, 'expected two maps, or a map and a number, got a map object and "b"', "a word")
 

@@ -263,8 +263,8 @@ is(#values, nx * nz, "a value each point")
 local exact = true
 for i = 1, nx do for j = 1, nz do exact = exact and values[(j - 1) * nx + i] == own.y[(i - 1) * nz + j] end end
 ok(exact, "x runs fastest, to the bit")
-fails(function() export.vti({ own, own }, path "a.vti") end, 'item 2: expected a name of its own, got "height" again', "one name twice")
-fails(function() export.vti({ own, p }, path "a.vti") end, "item 2: expected the points of the first map, got 2 x 2 others", "other points")
+fails(function() export.vti({ own, own }, path "a.vti") end, 'item 2: expected a unique name, got "height" again', "one name twice")
+fails(function() export.vti({ own, p }, path "a.vti") end, "item 2: expected the points of the first map, got 2 x 2 different ones", "other points")
 fails(function() export.vti(3, path "a.vti") end, "expected a map or a list of maps, got 3", "no map")
 fails(function() export.vti(own, path "a.vtk") end, { "field 'path': expected a file name that ends in .vti", "a.vtk" }, "another ending")
 fails(function() export.gsf({}, path "a.gsf") end, "export.gsf: expected a map, got a table", "a table")
@@ -273,7 +273,7 @@ fails(function() export.gsf({}, path "a.gsf") end, "export.gsf: expected a map, 
 
 fails(function() map.read(path "a.xyz") end, "field 'unit': expected the unit of heights", "a file without units")
 fails(function() map.read(path "a.xyz", { unit = "furlong" }) end, 'field \'unit\': expected "mm", "um", "nm", "cm", "m" or "in", got "furlong"', "a strange unit")
-fails(function() map.read(path "m.txt", { unit = "um" }) end, { "m.txt", "of a matrix of heights give step =" }, "a matrix without steps")
+fails(function() map.read(path "m.txt", { unit = "um" }) end, { "m.txt", "for a matrix of heights give step =" }, "a matrix without steps")
 fails(function() map.read(path "none.sdf") end, { "none.sdf", "No such file" }, "no file")
 fails(function() map.read(path "a.xyz", { units = "mm" }) end, "unknown field 'units'", "an unknown field")
 fails(function() map.read(3) end, "expected the path of a file, got 3", "no path")
@@ -292,7 +292,7 @@ local broken = { -- contents, and what its error says
   { "1 2 3\n1 two 3\n", "line 2: expected a number, got \"two\"" },
   { "1 2 3\n1 2 0x10\n", "line 2: expected a number, got \"0x10\"" },
   { "1 1 3\n1 2 3\n2 1 3\n1 1 4\n", "expected each point once, got x = 1, y = 1 twice" },
-  { "1 1 3\n2 2 3\n3 3 3\n4 4 3\n5 5 3\n", "expected points of a rectangular grid, got 5 points with 5 values of x and 5 of y" },
+  { "1 1 3\n2 2 3\n3 3 3\n4 4 3\n5 5 3\n", "expected points of a rectangular grid, got 5 points with 5 different x and 5 different y" },
   { "1 1 3\n2 1 3\n3.5 1 3\n1 2 3\n2 2 3\n3.5 2 3\n", "expected even steps of x, got 2 after 1" },
   { "1 1 3\n2 1 3\n3 1 3\n", "got 1 value of y" },
   { "1 1 1e999\n2 1 3\n", "expected a finite number, got inf" },
@@ -301,19 +301,19 @@ local broken = { -- contents, and what its error says
   { whole.dsaa:gsub("7 5", "7 1"), "expected the number of rows, a whole number >= 2, got 1" },
   { whole.dsaa:gsub("%s*%S+%s*$", ""), "point 7 of row 5: expected a number, got the file's end" },
   { whole.dsaa:gsub("7 5", "7 five"), "expected the number of rows, got \"five\"" },
-  { dsaa():gsub("1 1.06", "1 0.9"), "expected x to grow, got 1 to 0.9" },
+  { dsaa():gsub("1 1.06", "1 0.9"), "expected increasing x, got 1 to 0.9" },
   { whole.dsbb:sub(1, 40), "expected the limits of x, y and z at bytes 9 to 56, the file has 40" },
-  { whole.dsbb:sub(1, -2), "expected 7 x 5 values of 4 bytes, 140 bytes behind a header of 56, got 139" },
+  { whole.dsbb:sub(1, -2), "expected 7 x 5 values of 4 bytes, 140 bytes after a header of 56, got 139" },
   { dsbb(32767, 32767), "expected 32767 x 32767 values" },
   { dsbb(-7, 5), "expected the number of columns, a whole number >= 2, got -7" },
   { whole.dsrb:sub(1, 12) .. pack("<i4i4", 1, -8), "expected the size of a section, got -8" },
   { whole.dsrb:sub(1, 12), "expected the grid section" },
   { dsrb(9), "expected version 1 or 2, got 9" },
-  { dsrb(1, nil, 30), "expected a grid that is not turned, got rotation 30" },
+  { dsrb(1, nil, 30), "expected a grid without rotation, got rotation 30" },
   { sdf_text{ NumPoints = 0 }, "expected NumPoints, a whole number >= 2, got 0" },
   { sdf_text{ NumPoints = 1e6 // 1 | 0, NumProfiles = 1e6 // 1 | 0 }, "expected 1000000 x 1000000 values" },
   { sdf_text{ Xscale = "none" }, "expected Xscale > 0, got nil" },
-  { sdf_text{ Compression = 1 }, "neither compressed nor have check sums, got Compression = 1" },
+  { sdf_text{ Compression = 1 }, "data without compression and check sums, got Compression = 1" },
   { sdf_text{ DataType = 11 }, "expected DataType 0 to 7, got 11" },
   { whole.sdfa:gsub("%*", "+"), "expected a header that ends in a line '*', got the file's end" },
   { whole.sdfa:gsub("300.00000", "wide"), "expected a number, got \"wide\"" },
@@ -327,8 +327,8 @@ local broken = { -- contents, and what its error says
   { gsf{ XReal = -1 }, "expected XReal > 0, got -1" },
   { gsf{ ZUnits = "V" }, "expected z in a unit of length, got \"V\"" },
   { gsf{ XOffset = "left" }, "expected a number, got XOffset = \"left\"" },
-  { (whole.gsf:gsub("%z", "1")), "expected a header that ends in a zero byte, got none" },
-  { whole.gsf:sub(1, -2), "140 bytes behind a header of 1" },
+  { (whole.gsf:gsub("%z", "1")), "expected a zero byte at the end of the header, got none" },
+  { whole.gsf:sub(1, -2), "140 bytes after a header of 1" },
   { whole.gsf:gsub("YRes = 5", "YRes 5"), "expected lines name = value, got \"YRes 5\"" },
   { whole.sur:sub(1, 300), "expected the length of the comment" },
   { sur{ objects = 3 }, "expected one surface, got 3 of a surface" },
@@ -339,7 +339,7 @@ local broken = { -- contents, and what its error says
   { sur{ unit = "" }, "expected one unit of x and y, got \"\" and \"mm\"" },
   { whole.al3d:sub(1, 100), "expected the value of a tag" },
   { al3d{ TagCount = 99999 }, "expected TagCount, at most" },
-  { al3d{ TagCount = 9 }, "to end with a line, it does not" },
+  { al3d{ TagCount = 9 }, "expected a line end after tag" },
   { al3d{ Rows = 4000 }, "expected 7 x 4000 values" },
   { al3d{ Cols = "many" }, "expected a whole number, got Cols = \"many\"" },
   { al3d{ DepthImageOffset = -4 }, "expected DepthImageOffset in" },

@@ -31,7 +31,7 @@ for _, case in ipairs{
 end
 is(varied{ vary = { ["upper.E"] = { 1e5, 2e5 } } }, "model.cylinder.E", "the usual pair has its own names")
 is(varied{ cases = { {}, { model = { plate = { E = 1e5 } }, E = 2e5 } } }, "model.cylinder.E, model.plate.E", "one behind another takes its place")
-fails(function() study{ sample = { E = uniform{ 1e5, 2e5 } } } end, { "'sample.E'", "model.cylinder.E and model.plate.E" },
+fails(function() study{ sample = { E = uniform{ 1e5, 2e5 } } } end, { "'sample.E'", "model.cylinder.E or model.plate.E" },
   "a sampled number is one")
 fails(function() study{ sample = { ["plate.E"] = uniform{ 1, 2 }, ["lower.E"] = uniform{ 1, 2 } } } end,
   { "'sample.lower.E'", "'sample.plate.E'", "model.plate.E" }, "and there once")
@@ -78,7 +78,7 @@ local s = w:sensitivity{ of = "volume_plate" }.volume_plate
 near(s["plate.k"].elasticity[1], 1, 1e-10, "to k of the plate")
 near(s["cylinder.k"].elasticity[1], 0, 1e-10, "not to that of the cylinder")
 near(s.load.elasticity[1], 1, 1e-10, "and to the load")
-fails(function() w:sensitivity{ to = "k" } end, { "'to'", "k comes from", "cylinder.k, plate.k" }, "there is no k of the couple")
+fails(function() w:sensitivity{ to = "k" } end, { "'to'", "k follows from", "cylinder.k, plate.k" }, "there is no k of the couple")
 w:close()
 w = worn{ model = pair(nil, nil, 1e-8) }
 s = w:sensitivity{ of = { "depth_pin", "volume_lower" }, to = { "lower.layer1.k", "lower.layer1.thickness", "pin.E", "E" } }

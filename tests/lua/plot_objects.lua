@@ -130,7 +130,7 @@ for _, name in ipairs{ "pressure", "profile", "history", "stress", "mesh" } do
   end
 end
 refused(function() plot.profile(one, { titles = setmetatable({}, { __len = function() return 2^61 end }) }) end,
-  "field 'titles': expected a table, got a table with a __len of its own", "a list that says its own length")
+  "field 'titles': expected a table, got a table with a __len metamethod", "a list that says its own length")
 
 -- --- meshes and fields --------------------------------------------------------------------------
 

@@ -88,7 +88,7 @@ local twice = p:level("line"):level("circle")
 ok(apart(p.x, twice.z, function() return 0 end, -2, 2) > 0, "a parabola is no circle")
 is(p:level("circle").z[77], twice.z[77], "a form replaces the one before")
 fails(function() trace(-1, 1, 101, function(x) return x > 0 and 5 or 0 end):level("circle", { -0.9999, 0.98 }) end,
-  "field 'level': expected points that tell a circle beside what is worn", "too few beside a scar")
+  "field 'level': expected do not determine a circle beside the scar", "too few beside a scar")
 fails(function() p:level("plane") end, 'field \'level\': expected "line" or "circle", got "plane"', "no such form")
 fails(function() p:level("line", { 1, 0 }) end, 'field \'scar\': expected "auto" or { from, to } in mm', "a scar turned round")
 
@@ -201,7 +201,7 @@ near(r.noise, r.Rq, 0.03, "which is told")
 local spikes = trace(0, 4.8, 9601, function(x) return (x % 0.1) < 0.005 and -1e-3 or 0 end):roughness()
 ok(spikes.Rsk < -2 and spikes.Rv > 5 * spikes.Rp, "scratches are skew to below")
 fails(function() trace(0, 1, 1001, wave(0.05)):roughness() end,
-  "expected a trace of at least 1.6 mm, 1 sections of the cut-off 0.8 mm and half of one at either end, got 1 mm", "a short trace")
+  "expected a trace of at least 1.6 mm (1 sections of the cut-off 0.8 mm plus half a cut-off at both ends), got 1 mm", "a short trace")
 is(trace(0, 2, 1001, wave(0.05)):roughness{ cutoff = 0.25 }.sections, 5, "another cut-off")
 
 collectgarbage("setpause", pause)
@@ -236,15 +236,15 @@ is(p.z[11], 1, "columns by name and number")
 is(p.error, 1e-3, "noise that is known")
 p = profile.read(file "x,z\n0,1\n1,1\n2,nan\n3,1\n4,2\n5,1\n6,1\n7,1\n8,1\n9,1\n")
 is(#p.x .. " " .. p.missing, "9 1", "places without a value are left out")
-holds(tostring(p), { "profile: 9 points, x 0 to 9 mm", "1 points without a value were left out" }, "and told")
-fails(function() profile.read(rows("a,b", 0, 1, 11, sin)) end, { "no column for 'x'; there are a, b" }, "strange names")
-fails(function() profile.read(rows("x [N],z", 0, 1, 11, sin)) end, 'column "x": expected a length, got one in N', "no length")
+holds(tostring(p), { "profile: 9 points, x 0 to 9 mm", "1 points without a value were removed" }, "and told")
+fails(function() profile.read(rows("a,b", 0, 1, 11, sin)) end, { "no column for 'x'; the columns are a, b" }, "strange names")
+fails(function() profile.read(rows("x [N],z", 0, 1, 11, sin)) end, 'column "x": expected a unit of length, got N', "no length")
 fails(function() profile.read(rows("x,z", 0, 1, 11, sin), { unit = "MPa" }) end, "expected a length: mm, um", "no unit of one")
-fails(function() profile.read(rows("x,z", 0, 1, 11, sin), { scar = "auto" }) end, "expected with level", "a scar of nothing")
+fails(function() profile.read(rows("x,z", 0, 1, 11, sin), { scar = "auto" }) end, "only allowed with level", "a scar of nothing")
 fails(function() profile.read(rows("x,z", 0, 1, 5, sin)) end, "expected at least 8 points, got 5", "too few")
 fails(function() profile.read(file "x,z\n0,1\n1,1\n1,1\n3,1\n4,2\n5,1\n6,1\n7,1\n8,1\n") end,
-  "expected places that grow (or fall) all the way, got 1 mm after 1 mm", "one place twice")
-fails(function() profile{ x = { 1 } } end, "fields 'z' and 'h': expected heights or depths, got none", "no heights")
+  "expected strictly increasing or decreasing positions, got 1 mm after 1 mm", "one place twice")
+fails(function() profile{ x = { 1 } } end, "fields 'z' and 'h': expected one of them, got none", "no heights")
 fails(function() return p.heigth end, "profile: no field 'heigth'", "an unknown field")
 os.remove(path)
 
@@ -263,7 +263,7 @@ local hilly = profile{ x = p.x, h = (function()
   for i, x in ipairs(p.x) do h[i] = 1e-3 * sin(x) end
   return h
 end)() }
-fails(function() contact{ model = m, worn = { plate = hilly } } end, { "expected depths no further than 5 scatters",
+fails(function() contact{ model = m, worn = { plate = hilly } } end, { "expected depths at most 5 times the scatter",
   "material is piled up" }, "depths above the surface")
 local folder = os.tmpname()
 os.remove(folder)

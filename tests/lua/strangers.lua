@@ -51,7 +51,7 @@ damaged({ cases = { two[1], [3] = two[2] } }, { "it has a case 3, but no case 2"
 damaged({ cases = {} }, { "it has no case" }, "no case at all")
 damaged({ cases = two, info = { looks = "-1" } }, { "-1 looks" }, "looks that are none")
 damaged({ cases = two, info = { task = "dance" } }, { "'dance'" }, "a task that is none")
-fails(function() study{ base = { [""] = 1 } } end, { 'study: unknown field ""', "letters" }, "no study is made with such a name")
+fails(function() study{ base = { [""] = 1 } } end, { 'study: unknown field ""', "ASCII" }, "no study is made with such a name")
 fails(function() study{ vary = { ["alp\0ha"] = { 1, 2 } } } end, [[unknown field "alp\0ha"]], "with a zero byte it is told whole")
 
 -- --- samples -------------------------------------------------------------------------------------
@@ -65,8 +65,8 @@ for _, text in ipairs{ "nonsense", "", head, head .. "\nalpha uniform{}", head .
   head .. "\nalpha uniform{ low=one }", ("9"):rep(400) .. line, "sobol n=" .. ("9"):rep(400) .. " seed=1 indices=false" .. line } do
   damaged(sampled(text), { "invalid samples: " }, ("samples %q"):format(text:sub(1, 50)))
 end
-damaged(sampled((head:gsub("n=2", "n=3")) .. line), { "its samples make 3 cases, it has 2" }, "cases too few")
-damaged(sampled(head:gsub("false", "true") .. line), { "its samples make 6 cases, it has 2" }, "the more with indices")
+damaged(sampled((head:gsub("n=2", "n=3")) .. line), { "its samples need 3 cases, the file has 2" }, "cases too few")
+damaged(sampled(head:gsub("false", "true") .. line), { "its samples need 6 cases, the file has 2" }, "the more with indices")
 for what, value in pairs{ ["a text"] = "x", ["a list"] = { 1, 2 }, ["a flag"] = true } do
   damaged(sampled(head .. line, { two[1], { alpha = value } }), { "case 2 has no number for the sampled field 'alpha'" }, what)
 end

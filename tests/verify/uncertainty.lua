@@ -60,7 +60,7 @@ fails(function() normal{ 100, 5, variation = 0.1 } end, "both", "both forms of t
 fails(function() normal{ 100, -5 } end, { "'deviation'", "> 0" }, "a negative deviation")
 fails(function() uniform{ 0.7, 0.3 } end, { "low < high", "0.7 and 0.3" }, "ends the wrong way round")
 fails(function() lognormal{ -1, 1 } end, { "'mean'", "> 0" }, "a lognormal number is above 0")
-fails(function() normal{ 100, 5, low = 200 } end, "next to nothing", "nothing is left")
+fails(function() normal{ 100, 5, low = 200 } end, "is almost 0", "nothing is left")
 fails(function() uniform(3) end, { "uniform", "table" }, "no table")
 
 -- --- Sobol's indices -----------------------------------------------------------------------------
@@ -141,7 +141,7 @@ end
 fails(function() with{ sample = joined{ { "k", "alfa", 0.5 } } } end, { "correlated", "'alfa'" }, "a stranger")
 fails(function() with{ sample = joined{ { "k", "alpha", 2 } } } end, { "correlated[1]", "(-1, 1)" }, "too much")
 fails(function() with{ sample = joined{ { "k", "alpha", 0.9 }, { "k", "load", 0.9 }, { "alpha", "load", -0.9 } } }
-end, "contradict", "correlations that cannot be")
+end, "inconsistent", "correlations that cannot be")
 fails(function() with{ indices = true, sample = joined{ { "k", "alpha", 0.5 } } } end, { "'indices'", "correlated" },
   "no indices of correlated fields")
 local many = {}
@@ -160,7 +160,7 @@ fails(function() with{ n = 4, sample = { alpha = normal{ 0.5, 0.4 } } }:run{ fil
 end, { "sample.alpha", "low=" }, "values out of range are told before anything runs")
 is(io.open(path("out")), nil, "and leave no file")
 fails(function() with{ n = 4, sample = { law_pressure = uniform{ 50, 150 } } }:run{ file = path("out"),
-  progress = false } end, { "sample.law_pressure", "does nothing" }, "a field that does nothing")
+  progress = false } end, { "sample.law_pressure", "has no effect" }, "a field that does nothing")
 fails(function() with{ n = 4 }:uncertainty() end, "the study has no results yet", "no results yet")
 
 -- --- a case with a known answer ------------------------------------------------------------------
@@ -305,7 +305,7 @@ end
 ok(jumping.volume_plate.k.over[1] == 0, "what does not jump has its derivative")
 local pair = { k = uniform{ 1e-8, 2e-8 }, alpha = uniform{ 0.3, 0.7 } }
 pair.correlated = { { "k", "alpha", 0.9 }, { "alpha", "k", -0.9 } }
-fails(function() study{ sample = pair } end, { "'sample.correlated[2]'", "already, 0.9" }, "a correlation given twice")
+fails(function() study{ sample = pair } end, { "'sample.correlated[2]'", "given twice, first as 0.9" }, "a correlation given twice")
 pair.correlated = { { "k", "alpha", 2 } }
 fails(function() study{ sample = pair } end, { "'sample.correlated[1][3]'", "a number in (-1, 1), got 2" }, "a correlation of 2")
 fails(function() study{ sample = { increments = uniform{ 10, 100 } } } end, { "'sample.increments'", "an even number" },
@@ -321,7 +321,7 @@ fails(function() w:sensitivity{ to = "kk" } end, { "'to'", "kk" }, "an unknown n
 fails(function() w:sensitivity{ to = "scheme" } end, { "'to'", "scheme" }, "a word")
 fails(function() w:sensitivity{ of = "depth" } end, { "'of'", "depth" }, "an unknown result")
 fails(function() w:sensitivity{ off = 1 } end, { "'off'", "'of'" }, "a misspelt field")
-fails(function() wear{}:sensitivity() end, "at its start", "a run that has not run")
+fails(function() wear{}:sensitivity() end, "has not started", "a run that has not run")
 local changed = wear{ distance = 110 }
 changed:step()
 changed:set{ load = 120 }
