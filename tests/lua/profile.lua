@@ -88,7 +88,7 @@ local twice = p:level("line"):level("circle")
 ok(apart(p.x, twice.z, function() return 0 end, -2, 2) > 0, "a parabola is no circle")
 is(p:level("circle").z[77], twice.z[77], "a form replaces the one before")
 fails(function() trace(-1, 1, 101, function(x) return x > 0 and 5 or 0 end):level("circle", { -0.9999, 0.98 }) end,
-  "field 'level': expected do not determine a circle beside the scar", "too few beside a scar")
+  "field 'level': the points of this trace do not determine a circle beside the scar", "too few beside a scar")
 fails(function() p:level("plane") end, 'field \'level\': expected "line" or "circle", got "plane"', "no such form")
 fails(function() p:level("line", { 1, 0 }) end, 'field \'scar\': expected "auto" or { from, to } in mm', "a scar turned round")
 
@@ -264,7 +264,7 @@ local hilly = profile{ x = p.x, h = (function()
   return h
 end)() }
 fails(function() contact{ model = m, worn = { plate = hilly } } end, { "expected depths at most 5 times the scatter",
-  "material is piled up" }, "depths above the surface")
+  "piled-up material" }, "depths above the surface")
 local folder = os.tmpname()
 os.remove(folder)
 local w = wear{ model = m, worn = { plate = p } }

@@ -1,6 +1,5 @@
-/* What the unit tests share: cmocka, a random generator with a seed that is told, comparisons, a
- * small model. Every function is static: each test program is one file.
- */
+/* Common parts of the unit tests: cmocka, a random generator that prints its seed, comparisons, a
+ * small model. All functions are static, as each test program is one file. */
 #ifndef TESTS_CHECK_H
 #define TESTS_CHECK_H
 
@@ -23,7 +22,7 @@
 
 static uint64_t random_state = 1;
 
-/* Starts the generator from ARCHARD_SEED, or from `usual`, and prints the seed. */
+/* Seeds the generator from ARCHARD_SEED, or with `usual`, and prints the seed. */
 UNUSED static void random_start(uint64_t usual) {
   const char *wish = getenv("ARCHARD_SEED");
   random_state = wish ? strtoull(wish, NULL, 10) : usual;
@@ -31,7 +30,7 @@ UNUSED static void random_start(uint64_t usual) {
   if (random_state == 0) random_state = 1;
 }
 
-/* Uniform in [low, high). xorshift64*. */
+/* Uniform random number in [low, high), by xorshift64*. */
 UNUSED static double random_in(double low, double high) {
   random_state ^= random_state >> 12;
   random_state ^= random_state << 25;
@@ -46,7 +45,7 @@ UNUSED static int random_int(int low, int high) {
 
 /* --- comparisons ------------------------------------------------------------------------------ */
 
-/* |got - expected| <= room, with both numbers in the failure. */
+/* Checks |got - expected| <= room; a failure prints both numbers. */
 #define check_near(got, expected, room) check_near_at(got, expected, room, #got, __FILE__, __LINE__)
 
 UNUSED static void check_near_at(double got, double expected, double room, const char *what,
@@ -56,7 +55,7 @@ UNUSED static void check_near_at(double got, double expected, double room, const
   _fail(file, line);
 }
 
-/* The same, `share` relative to the expected value. */
+/* Like check_near, with a tolerance relative to the expected value. */
 #define check_share(got, expected, share)                                                          \
   check_near_at(got, expected, (share)*fabs((double)(expected)), #got, __FILE__, __LINE__)
 
@@ -80,8 +79,8 @@ UNUSED static void check_below_at(double got, double limit, const char *what, co
     }                                                                                              \
   } while (0)
 
-/* The call (which passes `why` as its error) is refused with status `wanted` and a message that
- * holds `part`. */
+/* Checks that the call (with `why` as its error) fails with status `wanted` and a message that
+ * contains `part`. */
 #define check_refused(call, wanted, part)                                                          \
   do {                                                                                             \
     arc_error check_error = {ARC_OK, ""};                                                          \
@@ -95,8 +94,8 @@ UNUSED static void check_below_at(double got, double limit, const char *what, co
     }                                                                                              \
   } while (0)
 
-/* While one of `count` numbers is wrong the call is refused with ARC_NUMERIC and a message that
- * holds its part. */
+/* Replaces one of `count` numbers at a time by `wrong` and checks that the call fails with
+ * ARC_NUMERIC and the message part of this number. */
 #define check_spoilt(call, count, numbers, wrong, parts)                                           \
   for (int spoilt = 0; spoilt < (count); spoilt++) {                                               \
     const double right = *(numbers)[spoilt];                                                       \
@@ -107,7 +106,7 @@ UNUSED static void check_below_at(double got, double limit, const char *what, co
 
 /* --- models ----------------------------------------------------------------------------------- */
 
-/* A coarse model, built in milliseconds; contacts of 100 N fit. */
+/* A coarse model, built in milliseconds, for contacts up to 100 N. */
 UNUSED static arc_model_def coarse_definition(void) {
   arc_model_def def = arc_model_default();
   def.mesh.size = 0.04;

@@ -1,5 +1,5 @@
-/* What the tests of exported files share: a folder of their own, lines and numbers read back, a
- * worn contact. */
+/* Common parts of the export tests: a temporary folder, reading of lines and numbers, a worn
+ * contact. */
 #ifndef TESTS_EXPORT_SHARED_H
 #define TESTS_EXPORT_SHARED_H
 
@@ -37,8 +37,8 @@ UNUSED static int files_in_folder(void) {
   return count;
 }
 
-/* Reads on to the line that begins with `start`; fails where there is none. The line is in `line`.
- */
+/* Reads up to the line that starts with `start` and stores it in `line`; the test fails without
+ * such a line. */
 UNUSED static char line[400];
 
 UNUSED static void find_line(FILE *file, const char *start) {

@@ -1,5 +1,5 @@
-/* Texts of Gmsh files: tests/files/msh/NAME.msh, or the entry "* NAME" of tests/files/msh/broken
- * applied to good-41.msh. */
+/* Texts of Gmsh files: tests/files/msh/NAME.msh, or good-41.msh changed by the entry "* NAME" of
+ * tests/files/msh/broken. */
 #ifndef TESTS_MESH_TEXT_H
 #define TESTS_MESH_TEXT_H
 
@@ -15,7 +15,7 @@
 
 enum { MESH_TEXT_ROOM = 20000 };
 
-/* The whole file; NULL: there is none. */
+/* Reads a whole file; NULL if it does not exist. */
 static char *mesh_file(const char *name, size_t *length) {
   char path[100];
   snprintf(path, sizeof path, "tests/files/msh/%s", name);
@@ -29,13 +29,13 @@ static char *mesh_file(const char *name, size_t *length) {
   return text;
 }
 
-/* The line behind the one at `at`. */
+/* Start of the line after the one at `at`. */
 static const char *next_line(const char *at) {
   const char *end = strchr(at, '\n');
   return end ? end + 1 : at + strlen(at);
 }
 
-/* Copies lines of `*from` until `*line` of them are behind it. */
+/* Copies lines from `*from` up to the line number `until`. */
 static void copy_lines(char *to, const char **from, long *line, long until) {
   for (; *line < until && **from; (*line)++) {
     const char *next = next_line(*from);
@@ -44,8 +44,8 @@ static void copy_lines(char *to, const char **from, long *line, long until) {
   }
 }
 
-/* Applies the entry at `change`: "4a5" adds "> ..." behind line 4, "4,6d3" takes lines, "4c4" both.
- */
+/* Applies the change at `change`: "4a5" inserts lines after line 4, "4,6d3" deletes lines, "4c4"
+ * replaces lines. */
 static void apply_change(const char *change, const char *good, char *to) {
   for (long line = 0; *change && *change != '*';) {
     char *kind;
@@ -59,7 +59,7 @@ static void apply_change(const char *change, const char *good, char *to) {
   }
 }
 
-/* The text of a mesh by its name, for the caller to free. */
+/* The text of a mesh by its name; the caller frees it. */
 static char *mesh_text(const char *name, size_t *length) {
   char with_ending[60], entry[60];
   snprintf(with_ending, sizeof with_ending, "%s.msh", name);

@@ -1,10 +1,10 @@
-/* What the tests of wear runs share: a model, quick runs, comparisons of whole runs. */
+/* Common parts of the tests of wear runs: a model, short runs, comparison of whole runs. */
 #ifndef TESTS_RUNS_H
 #define TESTS_RUNS_H
 
 #include "check.h"
 
-static arc_model *coarse; /* built once; wide enough for every stroke here */
+static arc_model *coarse; /* built once; its zone is wide enough for every stroke used here */
 
 UNUSED static int set_up(void **state) {
   (void)state;
@@ -19,7 +19,7 @@ UNUSED static int tear_down(void **state) {
   return 0;
 }
 
-/* A case of few steps and increments. */
+/* A case with few steps and increments. */
 UNUSED static arc_wear_def quick(double stroke, double alpha) {
   arc_wear_def def = arc_wear_default();
   def.stroke = stroke;
@@ -42,7 +42,7 @@ UNUSED static arc_wear *run(const arc_wear_def *def) {
   return wear;
 }
 
-/* --- the same bits ---------------------------------------------------------------------------- */
+/* --- identical bits --------------------------------------------------------------------------- */
 
 UNUSED static void check_same_shape(const arc_shape *one, const arc_shape *two) {
   arc_array s[ARC_SHAPE_STATE], t[ARC_SHAPE_STATE];
@@ -54,7 +54,7 @@ UNUSED static void check_same_shape(const arc_shape *one, const arc_shape *two) 
   }
 }
 
-/* Shape, definition and history; `solutions` aside, they are bits. */
+/* Checks that shape, definition and history are identical bit by bit, except `solutions`. */
 UNUSED static void check_same(const arc_wear *one, const arc_wear *two) {
   size_t n, m;
   const arc_wear_record *r = arc_wear_history(one, &n), *s = arc_wear_history(two, &m);

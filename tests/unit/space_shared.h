@@ -1,4 +1,5 @@
-/* What the tests of core/space share: half-spaces of balls, positions of a stroke, histories. */
+/* Common parts of the tests of core/space: half-spaces of balls, positions of a stroke, histories.
+ */
 #ifndef TESTS_SPACE_SHARED_H
 #define TESTS_SPACE_SHARED_H
 
@@ -8,7 +9,7 @@
 
 #include <time.h>
 
-static const double steel_modulus = 200e3 / (2 * (1 - 0.09)); /* of the pair [MPa] */
+static const double steel_modulus = 200e3 / (2 * (1 - 0.09)); /* of both bodies together [MPa] */
 
 UNUSED static arc_halfspace *make_space(const arc_halfspace_def *def) {
   arc_halfspace *h = NULL;
@@ -16,7 +17,7 @@ UNUSED static arc_halfspace *make_space(const arc_halfspace_def *def) {
   return h;
 }
 
-/* A ball on a flat, n x n cells. */
+/* A ball on a flat with n x n cells. */
 UNUSED static arc_halfspace_def ball(double radius, double size, int n) {
   arc_halfspace_def def = arc_halfspace_default();
   def.body[ARC_UPPER].radius_x = def.body[ARC_UPPER].radius_z = radius;
@@ -43,7 +44,7 @@ UNUSED static double largest_of(const double *value, int count) {
   return most;
 }
 
-/* One contact at x = 0. */
+/* One contact solution at x = 0. */
 typedef struct solved {
   arc_halfspace *h;
   double *p, approach;
@@ -71,7 +72,8 @@ UNUSED static void free_solved(solved *s) {
 /* --- histories
  * ------------------------------------------------------------------------------------ */
 
-/* A reciprocating stroke: cycles are so short that the distance may be taken as continuous. */
+/* A reciprocating stroke with cycles so short that wear can be treated as continuous in the
+ * distance. */
 typedef struct history_def {
   arc_halfspace_def space;
   double load, k, alpha, stroke, distance;
@@ -150,7 +152,8 @@ UNUSED static void run_step(history *w, const history_def *d, double length, int
   run_stage(w, d, w->known, gamma * length, 1, w->depth);
 }
 
-/* Ratio of steps that begin with `first` and add up to the distance. */
+/* Ratio of successive steps for which `steps` steps starting with `first` add up to the distance.
+ */
 UNUSED static double ratio_of(double first, double distance, int steps) {
   double low = 1, high = 4;
   for (int k = 0; k < 100; k++) {

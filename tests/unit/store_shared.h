@@ -1,4 +1,4 @@
-/* What the tests of run files share: a folder of their own, runs on a coarse mesh, comparisons. */
+/* Common parts of the run file tests: a temporary folder, runs on a coarse mesh, comparisons. */
 #ifndef TESTS_STORE_SHARED_H
 #define TESTS_STORE_SHARED_H
 
@@ -22,7 +22,7 @@
 
 static char folder[] = "/tmp/archard-store-XXXXXX";
 
-/* The path of a file in the test's folder; the next call but three overwrites it. */
+/* The path of a file in the test's folder, valid for the next three calls. */
 __attribute__((unused)) static const char *in_folder(const char *name) {
   static char path[4][200];
   static int turn;
@@ -55,7 +55,7 @@ __attribute__((unused)) static void must(arc_status status, const arc_error *err
   if (status != ARC_OK) fail_msg("%s", error->message);
 }
 
-/* All bytes of a file; to be freed. */
+/* All bytes of a file; the caller frees them. */
 __attribute__((unused)) static unsigned char *bytes_of(const char *path, size_t *count) {
   FILE *file = fopen(path, "rb");
   assert_non_null(file);
@@ -84,7 +84,7 @@ __attribute__((unused)) static void copy_file(const char *path, const char *name
   free(bytes);
 }
 
-/* The file "good" of the test's folder under another name. */
+/* Copies the file "good" of the test's folder to another name. */
 __attribute__((unused)) static void copy_good(const char *name) {
   copy_file(in_folder("good"), name);
 }

@@ -1,4 +1,4 @@
-/* Run files that SQLite changed behind archard's back, and what comes of reading them. */
+/* Helpers that change run files by SQL, bypassing archard, and read them. */
 #ifndef TESTS_STORE_SQL_H
 #define TESTS_STORE_SQL_H
 
@@ -14,7 +14,7 @@ __attribute__((unused)) static void run_sql(const char *name, const char *sql) {
   sqlite3_close(db);
 }
 
-/* Gives case 1 a checksum that fits what it is now. */
+/* Updates the checksum of case 1 after a change. */
 __attribute__((unused)) static void seal(const char *name) {
   arc_error error = {0};
   arc_store *store = opened(name, ARC_STORE_WRITE);
@@ -22,7 +22,7 @@ __attribute__((unused)) static void seal(const char *name) {
   arc_store_close(&store);
 }
 
-/* Reads all there is of case 1, makes its run and goes a step on with it. */
+/* Reads all data of case 1, creates its run and computes one step. */
 __attribute__((unused)) static arc_status read_run(arc_store *store, arc_error *error) {
   arc_stored_run run;
   arc_model *model = NULL;

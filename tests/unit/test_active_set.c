@@ -1,4 +1,4 @@
-/* The active set with three rigid unknowns, areas of cells, coupled blocks and its fallback. */
+/* Tests of the active set: three rigid unknowns, areas of cells, coupled blocks, fallback. */
 #include "check.h"
 
 #include "core/numeric/active_set.h"
@@ -6,7 +6,7 @@
 
 enum { side = 9, n = side * side, blocks = 2, modes = 3 };
 
-/* A dense compliance: decays with the distance, and is self-adjoint with the areas. */
+/* A dense compliance matrix that decays with the distance and is self-adjoint with the areas. */
 static double kernel[n][n], area[n], mode[modes][n], gap[blocks][n], load[blocks][modes];
 
 static void set_up_problem(void) {
@@ -86,7 +86,8 @@ static void solve(double coupling, int guarded, double *p) {
   arc_active_work_destroy(&work);
 }
 
-/* Loads and both moments of each block are carried, alone and coupled; some cells are open. */
+/* Loads and both moments of each block are balanced, separately and coupled; some cells are open.
+ */
 static void test_three_modes(void **state) {
   (void)state;
   double p[blocks * n];
@@ -98,7 +99,7 @@ static void test_three_modes(void **state) {
   }
 }
 
-/* The fallback comes to the same pressures. */
+/* The fallback gives the same pressures. */
 static void test_fallback(void **state) {
   (void)state;
   double p[blocks * n], q[blocks * n];

@@ -1,4 +1,4 @@
-/* Statuses and error messages, measures of plain arrays. */
+/* Tests of status codes, error messages and measures of arrays. */
 #include "archard/measure.h"
 #include "check.h"
 
@@ -58,7 +58,8 @@ static void test_show_text(void **state) {
   assert_shown("\xc2\x9b"
                "2J",
                "\\xc2\\x9b2J");
-  assert_shown("a\xe2\x80\xaez", "a\\xe2\\x80\\xaez"); /* turns what follows */
+  assert_shown("a\xe2\x80\xaez",
+               "a\\xe2\\x80\\xaez"); /* reverses the order of the following text */
   assert_shown("\xe2\x81\xa6\xd8\x9c\xe2\x80", "\\xe2\\x81\\xa6\\xd8\\x9c\\xe2\\x80");
   assert_shown("\xe2\x80\x93\xd8\x9b", "\xe2\x80\x93\xd8\x9b");
   assert_shown("\x9b\xff\xc3", "\\x9b\\xff\\xc3");
@@ -109,7 +110,7 @@ static void test_interpolate(void **state) {
   assert_true(arc_measure_interpolate(NULL, NULL, 0, 0, -1) == -1);
 }
 
-/* A cubic has no sawtooth part; one of amplitude 0.5 on top of it is all that is seen. */
+/* A cubic has no sawtooth part; a sawtooth of amplitude 0.5 added to it is measured exactly. */
 static void test_sawtooth(void **state) {
   (void)state;
   double x[21], y[21];

@@ -1,11 +1,12 @@
-/* Condensed bodies against a direct solution on the whole mesh: unworn, worn, and inside. Leans on
- * the inside of elastic and contact, to see the matrices. */
+/* Tests of condensed bodies against a direct solution on the whole mesh: unworn, worn, and inside.
+ * Uses internal functions of elastic and contact to read the matrices. */
 #include "check.h"
 
 #include "core/base/dense.h"
 #include "core/contact/shape.h"
 
-/* The whole body as one matrix, with nodes at `xy`: unknown[node] of its x, or -1 where fixed. */
+/* The matrix of the whole body with nodes at `xy`; unknown[node]: index of its x displacement, or
+ * -1 if fixed. */
 typedef struct whole {
   const elastic_body *body;
   int n, *unknown;
@@ -27,8 +28,9 @@ static void add_entry(const whole *w, sparse_entries *entries, int row, int colu
     assert_int_equal(arc_sparse_add(entries, i + row % 2, j + column % 2, value), ARC_OK);
 }
 
-/* Triangles with one first corner on one side of the body share their dilatation: the change of all
- * their area, squared. Found here by search, whatever the order of elements. */
+/* Triangles with the same first corner on one side of the body have a common dilatation: adds the
+ * square of the change of their total area. The triangles are found by search, independent of the
+ * order of elements. */
 static void add_dilatation(const whole *w, const double *xy, int e, sparse_entries *entries) {
   const arc_mesh *m = w->body->mesh;
   int unknown[64], count = 0;
@@ -88,7 +90,8 @@ static void push(const whole *w, int s, int direction, double *u) {
   check_ok(arc_factor_solve(w->k, u, why));
 }
 
-/* The compliance against the direct solution, to 1e-10 of its largest entry; symmetric. */
+/* Compares the compliance with the direct solution, to 1e-10 of its largest entry, and checks its
+ * symmetry. */
 static void check_compliance(const whole *w, const compliance *c) {
   const arc_mesh *m = w->body->mesh;
   assert_int_equal(c->n, m->surface);
@@ -133,7 +136,7 @@ static void test_unworn(void **state) {
     }
 }
 
-/* F is positive definite: every contact problem has one solution. */
+/* F is positive definite, so every contact problem has exactly one solution. */
 static void test_definite(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -167,8 +170,8 @@ static void test_mirror(void **state) {
   arc_model_release(&model);
 }
 
-/* A rough, lopsided scar of up to half the wear box, but none at the box's sides, where elements
- * outside it lean on it. */
+/* Wears a rough, asymmetric scar of up to half the wear box, with no wear at the sides of the box,
+ * where elements outside share its nodes. */
 static void wear_at_random(arc_shape *shape, arc_body body) {
   const arc_mesh *m = arc_model_mesh(arc_shape_model(shape), body);
   const double most = 0.1 * m->rows * m->def.height;
@@ -206,7 +209,8 @@ static void test_worn(void **state) {
   }
 }
 
-/* Frozen geometry keeps the unworn compliance; moving geometry renews it only beyond `refresh`. */
+/* Frozen geometry keeps the unworn compliance; moving geometry recomputes it only if the wear
+ * exceeds `refresh`. */
 static void test_refresh(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -231,8 +235,8 @@ static void test_refresh(void **state) {
   arc_model_release(&model);
 }
 
-/* Between condensations the compliance is followed to first order: of the
- * change at the nodes themselves a small part is left. */
+/* Between condensations the compliance is updated to first order: only a small part of the change
+ * at the nodes remains as error. */
 static void test_drift(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -266,7 +270,8 @@ static void test_drift(void **state) {
   arc_model_release(&model);
 }
 
-/* Displacements inside, by back-substitution, against the whole mesh under the same forces. */
+/* Compares displacements inside, by back-substitution, with a solution on the whole mesh under the
+ * same forces. */
 static void check_field(const arc_contact *contact, const arc_shape *shape, arc_body b) {
   const elastic_body *body = arc_model_body(arc_shape_model(shape), b);
   const arc_mesh *m = body->mesh;
@@ -313,7 +318,7 @@ static void test_inside(void **state) {
   arc_model_release(&model);
 }
 
-/* A matrix without supports is refused, not solved. */
+/* A matrix without supports gives an error instead of a solution. */
 static void test_not_definite(void **state) {
   (void)state;
   sparse_entries entries = {0};

@@ -1,5 +1,5 @@
-/* Contact solutions: Hertz, balance, symmetry, the plate's position, worn shapes, stresses, and
- * what is refused. */
+/* Tests of contact solutions: Hertz, balance, symmetry, position of the plate, worn shapes,
+ * stresses, refused input. */
 #include "check.h"
 
 static arc_model *steel; /* the default model, built once */
@@ -68,7 +68,7 @@ static void test_hertz_refused(void **state) {
   check_refused(arc_hertz_solve(10, 1, 100, fluid, &hertz, why), ARC_ARGUMENT, "nu'");
 }
 
-/* The whole profile against Hertz', over 75 to 200 N, where five to eight nodes are in contact on a
+/* The whole profile against Hertz for 75 to 200 N, with five to eight nodes in contact on each
  * side. */
 static void test_hertz_profile(void **state) {
   (void)state;
@@ -136,7 +136,7 @@ static void test_symmetry(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* A plate moved to the right and one moved to the left: mirror images. */
+/* A plate moved to the right and one moved to the left give mirror images. */
 static void test_mirrored_positions(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -157,7 +157,8 @@ static void test_mirrored_positions(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* On a flat plate the position matters little, and not at all but for the nodes it meets. */
+/* On a flat plate the position has a small effect, caused only by the positions of the plate's
+ * nodes. */
 static void test_position(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -172,7 +173,7 @@ static void test_position(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* Twice as thick and twice the load, or both bodies and the load k times as stiff: the same
+/* Twice the thickness with twice the load, or moduli and load multiplied by k, give the same
  * contact. */
 static void test_scaling(void **state) {
   (void)state;
@@ -214,8 +215,8 @@ static void wear_scar(arc_shape *shape, arc_body body, double deepest, double ha
   free(depth);
 }
 
-/* Wear that flattens the cylinder to a radius three times as large gives Hertz' contact of that
- * radius, whichever body carries it. */
+/* Wear that flattens the cylinder to three times its radius gives the Hertz contact of that radius,
+ * on either body. */
 static void test_other_radius(void **state) {
   (void)state;
   const double half = 0.45, deepest = half * half / 2 * (1 / 10.0 - 1 / 30.0);
@@ -234,7 +235,7 @@ static void test_other_radius(void **state) {
   }
 }
 
-/* A solution does not follow its shape. */
+/* A solution does not change when its shape is worn. */
 static void test_keeps_its_shape(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -252,7 +253,7 @@ static void test_keeps_its_shape(void **state) {
   arc_contact_destroy(&contact);
 }
 
-/* Depth along the normal, the vector sum beside it, and the nodes where they should be. */
+/* Depth along the normal, its components in the vector sum, and the positions of the nodes. */
 static void test_profile(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -290,7 +291,7 @@ static void test_even_wear(void **state) {
   arc_shape_destroy(&shape);
 }
 
-/* Wear through the box is refused, and nothing has moved. */
+/* Wear through the box is refused and leaves the shape unchanged. */
 static void test_box_used_up(void **state) {
   (void)state;
   for (int b = 0; b < ARC_BODIES; b++) {
@@ -312,7 +313,7 @@ static void test_box_used_up(void **state) {
 
 /* --- stresses --------------------------------------------------------------------------------- */
 
-/* Hertz' stresses on the axis, both bodies: within 2 % of p_H from the second element row on. */
+/* Hertz stresses on the axis of both bodies: within 2 % of p_H from the second element row on. */
 static void test_axis_stresses(void **state) {
   (void)state;
   arc_shape *shape = unworn(steel);
@@ -402,7 +403,7 @@ static void test_models_refused(void **state) {
   check_refused(arc_model_build(&def, &model, why), ARC_ARGUMENT, "cylinder.nu");
 }
 
-/* References: a shape keeps its model, a contact its shape's. */
+/* A shape keeps a reference to its model, a contact to the model of its shape. */
 static void test_ownership(void **state) {
   (void)state;
   arc_model *model = coarse_model();

@@ -1,5 +1,6 @@
-/* Elements: patch tests on distorted patches and on whole bodies, rigid motions, symmetry,
- * definiteness, bending. */
+/* Tests of elements: patch tests on distorted patches and whole bodies, rigid motions, symmetry,
+ * definiteness, bending.
+ */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -7,7 +8,7 @@
 
 static const arc_material steel = {.E = 200e3, .nu = 0.3};
 
-/* A linear field of displacements with every strain and a rotation. */
+/* A linear displacement field with all strains and a rotation. */
 static void linear_field(const double *xy, double *u) {
   u[0] = 3e-4 + 1.1e-3 * xy[0] - 0.7e-3 * xy[1];
   u[1] = -2e-4 + 0.4e-3 * xy[0] - 1.9e-3 * xy[1];
@@ -48,7 +49,7 @@ static double largest(const double *value, int count) {
   return most;
 }
 
-/* f := K u; returns the largest entry of |K| |u|, against which rounding is measured. */
+/* f := K u; returns the largest entry of |K| |u|, the scale of rounding errors. */
 static double forces(const element *e, elasticity d, const double *u, double *f) {
   const int n = 2 * e->corners;
   double k[64], scale = 0;
@@ -80,7 +81,7 @@ static void test_symmetric(void **state) {
   }
 }
 
-/* Rigid motions cost no force; every other motion costs energy: K plus the rigid modes is positive
+/* Rigid motions need no force; all other motions need energy: K plus the rigid modes is positive
  * definite. */
 static void test_rigid_motions(void **state) {
   (void)state;
@@ -107,7 +108,7 @@ static void test_rigid_motions(void **state) {
   }
 }
 
-/* Constant strain: the exact stress, and forces that are the boundary integral of the tractions. */
+/* Constant strain: exact stress, and forces equal to the boundary integral of the tractions. */
 static void test_constant_strain(void **state) {
   (void)state;
   random_start(9);
@@ -129,8 +130,8 @@ static void test_constant_strain(void **state) {
   }
 }
 
-/* u = (x y, -x2/2 - nu/(1-nu) y2/2): bending about a rectangle's middle. CPE4I holds its energy
- * exactly, whatever the aspect; CPE4 locks more and more. */
+/* u = (x y, -x2/2 - nu/(1-nu) y2/2): bending of a rectangle. CPE4I has the exact energy for every
+ * aspect ratio; CPE4 locks increasingly. */
 static double bending_energy_ratio(arc_element kind, double half_length) {
   const double half_height = 1, nu = steel.nu;
   element e = {.corners = 4,
@@ -155,14 +156,14 @@ static void test_bending(void **state) {
   (void)state;
   for (double length = 1; length < 20; length *= 2) {
     check_near(bending_energy_ratio(ARC_CPE4I, length), 1, 1e-12);
-    /* parasitic shear: G over E* times the aspect squared comes on top */
+    /* parasitic shear adds G over E* times the aspect ratio squared */
     const double nu = steel.nu, shear = (1 - nu) / 2 * length * length;
     const double plane = (1 - nu) * (1 - nu) / (1 - 2 * nu);
     check_near(bending_energy_ratio(ARC_CPE4, length), plane + shear, 1e-9 * shear);
   }
 }
 
-/* "auto" is the paper's element up to nu = 0.4; what was named stays. */
+/* "auto" is the paper's element up to nu = 0.4; an element given by the user is not changed. */
 static void test_kind_for_nu(void **state) {
   (void)state;
   for (double nu = -0.9; nu < 0.5; nu += 0.05) {
@@ -173,8 +174,8 @@ static void test_kind_for_nu(void **state) {
   assert_int_equal(arc_element_for(ARC_ELEMENT_AUTO, 0.4), ARC_CPE4);
 }
 
-/* Shape and volume apart: the deviatoric stiffness of a triangle and the square of its change of
- * area make the whole one. */
+/* The deviatoric stiffness of a triangle plus the square of its change of area is its whole
+ * stiffness. */
 static void test_volume_apart(void **state) {
   (void)state;
   random_start(10);
@@ -197,8 +198,8 @@ static void test_volume_apart(void **state) {
 
 /* --- patches ---------------------------------------------------------------------------------- */
 
-/* The usual patch: a rectangle of five quadrilaterals around a twisted one, or ten triangles.
- * Four inner nodes are free, the outer ones follow a linear field: the inner ones must too. */
+/* The standard patch: a rectangle of five quadrilaterals around a rotated one, or of ten triangles.
+ * The outer nodes follow a linear field; the four free inner nodes must follow it too. */
 static const double patch_xy[16] = {0,    0,    0.24, 0,    0.24, 0.12, 0,    0.12,
                                     0.04, 0.02, 0.18, 0.03, 0.16, 0.08, 0.08, 0.08};
 static const int patch_quad[5][4] = {
@@ -244,8 +245,8 @@ static void test_patch(void **state) {
   }
 }
 
-/* The linear field on a whole mesh, graded, with the triangles that close hanging nodes: no force
- * is left at an inner node, every element has the one stress. */
+/* The linear field on a whole graded mesh, including triangles at hanging nodes: no force remains
+ * at an inner node, every element has the same stress. */
 static void check_body_patch(arc_body body, arc_element kind) {
   arc_mesh_def def = arc_mesh_default();
   def.element = kind;

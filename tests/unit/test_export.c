@@ -1,5 +1,5 @@
-/* Files for other tools, all kinds of them: a write that fails leaves no file, and one that was
- * there before stays. */
+/* Tests of failures of all export formats: a failed write leaves no new file and keeps an existing
+ * one. */
 #include "export_shared.h"
 
 #include <signal.h>
@@ -51,7 +51,7 @@ static void limit_files(rlim_t bytes) {
   setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-/* The disk is full after some bytes: no new file, the old one as it was. */
+/* A full disk: no new file, the old file unchanged. */
 static void test_full_disk(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -81,7 +81,7 @@ static void test_full_disk(void **state) {
   arc_model_release(&model);
 }
 
-/* No such folder, and a folder where the file should be. */
+/* A missing folder, and a folder with the name of the file. */
 static void test_no_place(void **state) {
   (void)state;
   arc_model *model = coarse_model();
@@ -95,7 +95,7 @@ static void test_no_place(void **state) {
   arc_model_release(&model);
 }
 
-/* A file that was there is replaced as a whole. */
+/* An existing file is replaced as a whole. */
 static void test_replaced(void **state) {
   (void)state;
   arc_model *model = coarse_model();

@@ -1,4 +1,4 @@
-/* Comma-separated columns, read back to the bit. */
+/* Comma-separated columns, read back bit by bit. */
 #include "export_shared.h"
 
 #include <sys/stat.h>

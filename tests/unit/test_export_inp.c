@@ -1,7 +1,7 @@
-/* Input decks, read back to the digits they have. */
+/* Input decks, read back with all their digits. */
 #include "export_shared.h"
 
-/* CalculiX reads 20 characters of a number. */
+/* Reads a number of at most 20 characters, the limit of CalculiX. */
 static double read_short(FILE *file) {
   char text[64];
   assert_int_equal(fscanf(file, " , %63[^,\n]", text), 1);
@@ -9,7 +9,7 @@ static double read_short(FILE *file) {
   return strtod(text, NULL);
 }
 
-/* Nodes of one face of a body. */
+/* Checks the nodes of one face of a body. */
 static void check_deck_nodes(FILE *file, int nodes, const double *xy, double shift, double z,
                              int first) {
   for (int n = 0; n < nodes; n++) {
@@ -23,7 +23,8 @@ static void check_deck_nodes(FILE *file, int nodes, const double *xy, double shi
   }
 }
 
-/* Elements with their corners at the given offset; `layer` > 0: a second face of each. */
+/* Checks the elements and their corners with the given offset; layer > 0: each has a second face.
+ */
 static void check_deck_elements(FILE *file, const arc_mesh *m, int node, int element, int layer) {
   for (int corners = 4; corners >= 3; corners--) {
     find_line(file, "*ELEMENT, TYPE=");
@@ -52,7 +53,7 @@ static void check_deck_set(FILE *file, const int *list, int count, int offset, i
   }
 }
 
-/* Every face of the contact surface lies between two neighbours of the candidate nodes. */
+/* Checks that every face of the contact surface connects two neighbouring candidate nodes. */
 static void check_deck_surface(FILE *file, const arc_mesh *m, int element, int first_face) {
   find_line(file, "*SURFACE, NAME=");
   for (int k = 0; k + 1 < m->surface; k++) {

@@ -1,4 +1,4 @@
-/* VTK files, legacy and XML, read back to the bit. */
+/* VTK files, legacy and XML, read back bit by bit. */
 #include "export_shared.h"
 
 /* --- legacy ----------------------------------------------------------------------------------- */
@@ -119,7 +119,7 @@ static char *read_whole(const char *path, size_t *size) {
   return text;
 }
 
-/* The bytes of the array of that name, and how many, as its description says. */
+/* The bytes of the named array and their number, from its description. */
 static const void *array_bytes(const char *text, const char *name, uint64_t *bytes) {
   char start[80];
   snprintf(start, sizeof start, "Name=\"%s\"", name);
@@ -159,7 +159,7 @@ static void check_cells(const char *text, const arc_mesh *m) {
   }
 }
 
-/* Surface columns stand at the surface's nodes. */
+/* Values of surface columns are at the nodes of the surface, 0 elsewhere. */
 static void check_surface(const char *text, const char *name, const arc_mesh *m,
                           const double *expected) {
   double *all = calloc((size_t)m->nodes, sizeof *all), sum = 0;

@@ -1,6 +1,6 @@
-/* Increments of Coulomb friction: every one is checked against its conditions, over random
- * histories of load and motion; forces balance; states carry on to the same bits. Leans on the
- * inside of contact. */
+/* Tests of increments of Coulomb friction: every increment satisfies its conditions over random
+ * histories of load and motion; forces balance; restored states give identical bits. Uses internal
+ * functions of contact. */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -15,14 +15,14 @@ typedef struct history {
   tangential_compliance compliance;
   friction_workspace workspace;
   friction_state state, before;
-  double mu, slope; /* steepest of the surfaces */
+  double mu, slope; /* largest slope of the surfaces */
 } history;
 
 static double scar(double x) {
   return fmax(0, 4e-3 * (1 - x * x / 0.09));
 }
 
-/* Worn by a smooth scar, or not; the other body half as much. */
+/* Wears one body by a smooth scar, or not at all, and the other body by half as much. */
 static void wear_down(history *h, double share) {
   for (int b = 0; b < ARC_BODIES; b++) {
     const arc_profile profile = arc_shape_profile(h->shape, (arc_body)b);
@@ -63,7 +63,7 @@ static void go(history *h, const friction_step *step) {
 
 /* --- its conditions -------------------------------------------------------------------------- */
 
-/* Gaps by the matrices and the gaps of the shape alone. */
+/* Recomputes the gaps from the matrices and the shape only. */
 static void check_gaps(const history *h) {
   const pose *p = &h->pose;
   const tangential_compliance *g = &h->compliance;
@@ -83,7 +83,7 @@ static void check_gaps(const history *h) {
   arc_pose_free(&plain);
 }
 
-/* Slip from where the points of both surfaces have gone, not from the matrices. */
+/* Recomputes the slip from the displacements of points on both surfaces, without the matrices. */
 static void check_slip(history *h, double p0) {
   const pose *p = &h->pose;
   double *room = calloc((size_t)(2 * p->nc + p->np), sizeof *room), *was = room, *is = was + p->nc;
@@ -149,7 +149,8 @@ static void count(tally *t, const history *h) {
   if (h->workspace.sweeps > t->most) t->most = h->workspace.sweeps;
 }
 
-/* Small and large motions, forces up to what friction carries, other loads, lifting off. */
+/* A random step: small and large motions, forces up to the friction limit, changed loads, lift-off.
+ */
 static friction_step random_step(const history *h) {
   friction_step s = {.mu = h->mu, .line = random_in(20, 110), .x = h->state.x};
   const int kind = random_int(0, 9);
@@ -159,7 +160,8 @@ static friction_step random_step(const history *h) {
   if (kind == 6) s.x = random_in(-0.06, 0.06);
   if (kind < 7 || h->slope >= h->mu) return s;
   s.by_force = 1;
-  s.tangential = random_in(-0.95, 0.95) * (h->mu - h->slope) * s.line; /* slopes bear some of it */
+  s.tangential =
+      random_in(-0.95, 0.95) * (h->mu - h->slope) * s.line; /* slopes carry a part of the force */
   return s;
 }
 
@@ -209,7 +211,8 @@ typedef struct ways {
   int most, bracketed;
 } ways;
 
-/* An increment by the sweeps alone, with its force bracketed, beside the same as usual. */
+/* Compares an increment solved by sweeps alone, with its force found by bracketing, with the
+ * default method. */
 static void compare_ways(history *quick, history *slow, ways *found) {
   const friction_step step = random_step(quick);
   go(quick, &step);
@@ -238,7 +241,7 @@ static void run_ways(arc_model *model, double worn, ways *found) {
   end(&quick);
 }
 
-/* Without the coupled iteration the sweeps find the same, and so does bracketing of forces. */
+/* Sweeps without the coupled Newton iteration, and bracketing of forces, give the same results. */
 static void test_ways_to_solve(void **state) {
   (void)state;
   static const double worn[] = {0, 0.2, 1};
@@ -254,7 +257,7 @@ static void test_ways_to_solve(void **state) {
 
 /* --- single increments ----------------------------------------------------------------------- */
 
-static arc_model *coarse; /* built once, for all of them */
+static arc_model *coarse; /* built once, for all tests */
 
 static int set_up(void **state) {
   (void)state;
@@ -268,7 +271,7 @@ static int tear_down(void **state) {
   return 0;
 }
 
-/* Pressed, then moved to and fro: ends in partial slip on worn surfaces. */
+/* Presses, then moves to and fro: ends in partial slip on worn surfaces. */
 static void play(history *h, int first, int last) {
   static const double x[] = {0, 1.5e-3, -1e-3, 0, 5e-4, 0.03, 0.0285};
   static const double force[] = {0, 0, 0, 8, 0, 0, 0};
@@ -281,7 +284,7 @@ static void play(history *h, int first, int last) {
 
 enum { played = 7 };
 
-/* Without friction it is the solver without friction, to the same bits. */
+/* Without friction the result is identical to the frictionless solver, bit by bit. */
 static void test_no_friction(void **state) {
   (void)state;
   history h;
@@ -307,7 +310,7 @@ static void check_same(const friction_state *a, const friction_state *b) {
   assert_memory_equal(a->f, b->f, arc_friction_bytes(a));
 }
 
-/* A copied state goes on to the same bits on other poses. */
+/* A copied state continues with identical bits in other poses. */
 static void test_copied(void **state) {
   (void)state;
   history one, two;
@@ -323,7 +326,7 @@ static void test_copied(void **state) {
   end(&one);
 }
 
-/* What is refused leaves the state as it was. */
+/* A refused step leaves the state unchanged. */
 static void test_refused(void **state) {
   (void)state;
   history h;
@@ -342,7 +345,7 @@ static void test_refused(void **state) {
   end(&h);
 }
 
-/* Lifted off and pressed again: the points start anew, what was dissipated stays. */
+/* After lift-off and a new load the slip starts at zero; the dissipated energy is kept. */
 static void test_lifted(void **state) {
   (void)state;
   history h;
@@ -360,8 +363,8 @@ static void test_lifted(void **state) {
   end(&h);
 }
 
-/* Displacements made from the forces are those that the matrices of the worn shape have: what is
- * held has not slipped. */
+/* Displacements recomputed from the forces equal those of the matrices of the worn shape: sticking
+ * points have not slipped. */
 static void test_displaced(void **state) {
   (void)state;
   history h;
@@ -386,8 +389,8 @@ static void test_displaced(void **state) {
   end(&h);
 }
 
-/* Shear that changes from node to node moves the surface as such pressure does: that of the
- * elements alone would by half. Wide loads are left to the elements. */
+/* Shear that alternates from node to node moves the surface like alternating pressure; elements
+ * alone would have an error of one half. Wide loads are left to the elements. */
 static void test_alternating(void **state) {
   (void)state;
   history h;
@@ -411,8 +414,8 @@ static void test_alternating(void **state) {
   end(&h);
 }
 
-/* The force over the plate's way is what nodes dissipate; what they do not see is on top, and is
- * there where none of them slips. */
+/* The work of the force over the plate's path equals the energy dissipated at the nodes plus the
+ * part between nodes, which exists even if no node slips. */
 static void test_between(void **state) {
   (void)state;
   history h;
@@ -427,13 +430,14 @@ static void test_between(void **state) {
     if (i == 4) assert_true(h.state.energy > 0 && h.state.energy == h.state.between);
   }
   const double energy = h.state.energy - start[0], between = h.state.between - start[1];
-  check_near(energy, 3.2635e-3, 0.04 * 3.2635e-3); /* of half-planes; the nodes have 27 % less */
+  check_near(energy, 3.2635e-3,
+             0.04 * 3.2635e-3); /* of half-planes; the nodes alone give 27 % less */
   check_near(area, energy - between, 1e-3 * energy);
   end(&h);
 }
 
-/* Bodies alike press without shear; a plate pushed to +x is driven by a positive force and slips
- * along +x at the edges; back from gross slip it is the other way round. */
+/* Equal bodies are pressed without shear; a plate pushed to +x has a positive force and slips along
+ * +x at the edges; on the way back from gross slip the signs are reversed. */
 static void test_signs(void **state) {
   (void)state;
   history h;

@@ -1,5 +1,5 @@
-/* Contacts with friction as users have them: what their validation sees, and the warning where
- * solutions may not be unique. Reaches into contact to spoil its numbers. */
+/* Tests of the public contact functions with friction: validation, and the warning for solutions
+ * that may not be unique. Changes internal numbers of contact to test the validation. */
 #include "check.h"
 
 #include "core/friction/friction.h"

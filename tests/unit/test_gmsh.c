@@ -1,5 +1,5 @@
-/* Meshes from Gmsh files: good ones in both versions, what is written reads back to the bit, broken
- * ones are refused with their reason, and whatever comes leaves nothing behind. */
+/* Tests of meshes from Gmsh files: valid files of both versions, identical bits after writing and
+ * reading, error messages for broken files, no memory leaks. */
 #include "check.h"
 #include "mesh_text.h"
 
@@ -21,7 +21,7 @@ static void forget(arc_mesh *mesh[ARC_BODIES]) {
 
 /* --- good ones -------------------------------------------------------------------------------- */
 
-/* Both hold x^2 / 20 on four edges over a flat: the same pair. */
+/* Both files contain the parabola x^2 / 20 on four edges above a flat: the same pair. */
 static void test_both_versions(void **state) {
   (void)state;
   static const char *const names[] = {"good-41", "good-22"};
@@ -43,7 +43,7 @@ static void test_both_versions(void **state) {
       check_near(m->def.size, 1, 0);
       for (int i = 0; i < 5; i++) check_near(m->xy[2 * m->surface_node[i]], i - 2, 0);
     }
-    /* the polygon through five points of a parabola of radius 10 is a little flatter */
+    /* the polygon through five points of a parabola of radius 10 is slightly flatter */
     check_share(mesh[ARC_CYLINDER]->radius, 10, 0.01);
     forget(mesh);
   }
@@ -67,10 +67,10 @@ static void test_materials(void **state) {
       arc_model_build_given(&def, mesh, NULL, &model, why), ARC_ARGUMENT,
       "field 'upper.materials': expected one for each name in the mesh, 'steel', 'bronze', "
       "got none for 'steel'");
-  assert_null(mesh[ARC_CYLINDER]); /* taken over all the same */
+  assert_null(mesh[ARC_CYLINDER]); /* ownership is transferred also on failure */
 }
 
-/* --- written and read ------------------------------------------------------------------------- */
+/* --- writing and reading ---------------------------------------------------------------------- */
 
 static void check_same(const arc_mesh *got, const arc_mesh *expected) {
   assert_int_equal(got->nodes, expected->nodes);
@@ -79,7 +79,7 @@ static void check_same(const arc_mesh *got, const arc_mesh *expected) {
   assert_int_equal(got->surface, expected->surface);
   assert_int_equal(got->fixed, expected->fixed);
   assert_int_equal(got->outline, expected->outline);
-  for (int k = 0; k < 2 * got->nodes; k++) /* zero alone loses its sign */
+  for (int k = 0; k < 2 * got->nodes; k++) /* only zero loses its sign */
     assert_true(got->xy[k] == expected->xy[k]);
   assert_memory_equal(got->surface_node, expected->surface_node,
                       (size_t)got->surface * sizeof(int));
@@ -142,7 +142,7 @@ static void check_same_materials(const arc_mesh *got, const arc_mesh *expected) 
   }
 }
 
-/* What is written of a mesh makes the same one, and the same text again. */
+/* The text written for a mesh gives the same mesh and the same text again. */
 static void test_text(void **state) {
   (void)state;
   static const char *const names[] = {"tests/files/msh/good-41.msh", "tests/files/msh/good-22.msh",
@@ -175,7 +175,7 @@ static void test_bad_text(void **state) {
   assert_null(mesh[ARC_PLATE]);
 }
 
-/* --- models of them --------------------------------------------------------------------------- */
+/* --- models from mesh files ------------------------------------------------------------------- */
 
 static arc_model *read_model(const arc_model_def *def, const char *path) {
   arc_mesh *mesh[ARC_BODIES];
@@ -198,7 +198,7 @@ static arc_wear *frozen_run(arc_model *model) {
   return wear;
 }
 
-/* The pair of the paper, through a file, in a frozen run: as its own. */
+/* The paper's pair read from a file gives the same frozen run as the built-in mesh. */
 static void test_same_run(void **state) {
   (void)state;
   arc_model *own = default_model();
@@ -321,7 +321,7 @@ static size_t read_text(const char *path, char *text, size_t room) {
   return length;
 }
 
-/* Some characters of a good file become others, or are lost with all behind them. */
+/* Changes some characters of a valid file or truncates it. */
 static size_t spoil(char *text, size_t length) {
   static const char others[] = "0123456789 -.$\"\nE\0";
   for (int k = random_int(1, 2); k > 0; k--)
@@ -329,7 +329,7 @@ static size_t spoil(char *text, size_t length) {
   return random_int(0, 9) ? length : (size_t)random_int(0, (int)length);
 }
 
-/* It is read or refused with a reason; the sanitizers look on. */
+/* A random file is read or refused with a message; run with sanitizers. */
 static void test_random(void **state) {
   (void)state;
   char good[2][4096], text[4096];

@@ -63,7 +63,7 @@ static void test_slow(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* Dies at the first plot that names it, then is started again as the real one. */
+/* A fake gnuplot that dies at the first plot, then is replaced by the real one. */
 static void test_killed_in_mid_plot(void **state) {
   arc_gnuplot *session = *state;
   arc_error error;
@@ -75,7 +75,7 @@ static void test_killed_in_mid_plot(void **state) {
   assert_draws(session);
 }
 
-/* Killed while nobody looks: the next plot does not notice. */
+/* gnuplot is killed between two plots: the next plot starts a new one. */
 static void test_killed_idle(void **state) {
   arc_gnuplot *session = *state;
   assert_draws(session);
@@ -103,8 +103,8 @@ static void test_stop(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* A Ctrl-C at the terminal goes to the foreground group: gnuplot must be in another. The signals a
- * caller ignores or blocks must not be ignored or blocked there, nor touched here. */
+/* Ctrl-C is sent to the foreground process group, so gnuplot must be in another one. Signals that
+ * the caller ignores or blocks must be at their default in gnuplot and unchanged in the caller. */
 static void test_signals(void **state) {
   (void)state;
   struct sigaction ignore = {.sa_handler = SIG_IGN}, before, now;
@@ -119,11 +119,12 @@ static void test_signals(void **state) {
   sigaction(SIGINT, &(struct sigaction){.sa_handler = SIG_DFL}, NULL);
   kill(pid, SIGTERM);
   usleep(50000);
-  assert_draws(session); /* SIGPIPE is at its default: writing to the dead one would end us */
+  assert_draws(
+      session); /* SIGPIPE is at its default: writing to the dead process would end this program */
   arc_gnuplot_close(&session);
 }
 
-/* Whether the process has ended within a second; nobody may have waited for it. */
+/* True if the process, which nobody has waited for, ends within a second. */
 static int ends_soon(long pid) {
   char path[40], state = '?';
   snprintf(path, sizeof path, "/proc/%ld/stat", pid);
@@ -138,7 +139,7 @@ static int ends_soon(long pid) {
   return 0;
 }
 
-/* A program that is killed while gnuplot is busy, and reads nothing, takes it along. */
+/* If the program is killed while gnuplot is busy and reads no input, gnuplot ends too. */
 static void test_killed_program(void **state) {
   (void)state;
   int told[2];
@@ -165,7 +166,7 @@ static void test_killed_program(void **state) {
   assert_true(ended);
 }
 
-/* More than a pipe holds in both directions at once must not lock up. */
+/* More data than a pipe can buffer, in both directions at once, cause no deadlock. */
 static void test_much_both_ways(void **state) {
   arc_gnuplot *session = *state;
   enum { LINES = 20000 };
@@ -183,7 +184,7 @@ static void test_much_both_ways(void **state) {
   free(reply);
 }
 
-/* After an error in a command the session goes on with the same gnuplot. */
+/* After an error in a command the session continues with the same gnuplot process. */
 static void test_refused_command(void **state) {
   arc_gnuplot *session = *state;
   arc_error error;

@@ -1,5 +1,5 @@
-/* A ball in a socket: exchange of head and cup, compliances, gaits, contacts, wear; numbers of an
- * independent program and closed forms. */
+/* Tests of a ball in a socket: exchange of head and cup, compliances, gaits, contacts, wear;
+ * against an independent program and closed forms. */
 #include "check.h"
 
 #include "archard/joint.h"
@@ -12,7 +12,7 @@ static arc_joint_def metal(double size) {
   return def;
 }
 
-/* A liner of 8 mm under a head that is rigid. */
+/* A liner of 8 mm on a rigid head. */
 static arc_joint_def liner(double size) {
   arc_joint_def def = metal(size);
   def.clearance = 0.1;
@@ -44,7 +44,7 @@ static double deepest(const arc_joint *j, arc_body body) {
   return 1000 * most;
 }
 
-/* Updates up to `cycles`, graded. */
+/* Graded updates up to `cycles`. */
 static arc_joint_record wear_down(arc_joint *j, const arc_joint_wear_def *def, double cycles,
                                   int updates) {
   arc_joint_record r = {0};
@@ -67,7 +67,7 @@ static void walk(const char *name, int n, double angle, double load, arc_gait_in
   assert_int_equal(arc_gait_named(name, n, angle, load, gait, &error), ARC_OK);
 }
 
-/* alpha, R, F against 1 - alpha, R', R' F: head and cup change roles exactly. */
+/* alpha, R, F against 1 - alpha, R', R' F: head and cup exchange their roles exactly. */
 static void test_exchange(void **state) {
   (void)state;
   const arc_joint_def def = metal(3);
@@ -174,7 +174,7 @@ static void test_metal(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* Springs: p_max 15.13737, u .1578969, the integral of p 1.139244 of 3000 N. */
+/* Winkler springs: p_max 15.13737, u .1578969, the integral of p 1.139244 of 3000 N. */
 static void test_springs(void **state) {
   (void)state;
   arc_joint_def def = liner(2);
@@ -187,7 +187,7 @@ static void test_springs(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* A load across the grid's lines. */
+/* A load in a direction between the grid lines. */
 static void test_turned_load(void **state) {
   (void)state;
   const arc_joint_def def = liner(3);
@@ -202,7 +202,7 @@ static void test_turned_load(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* The head on a circle: the same sliding at all times. */
+/* The head moves on a circle: constant sliding speed. */
 static void test_rocking(void **state) {
   (void)state;
   const arc_joint_def def = liner(4);
@@ -225,8 +225,8 @@ static void test_rocking(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* Both bodies of a metal joint in a million cycles of walking, alpha 0.5; of an independent
- * program, which has 20 updates. */
+/* Wear of both bodies of a metal joint in a million cycles of walking, alpha 0.5, against an
+ * independent program with 20 updates. */
 static void test_walk(void **state) {
   (void)state;
   const arc_joint_def def = metal(3);
@@ -243,8 +243,7 @@ static void test_walk(void **state) {
   arc_joint_destroy(&j);
 }
 
-/* Cross-shear at the pole of a liner, and the volume that a coefficient which grows with it gives.
- */
+/* Cross-shear at the pole of a liner, and the volume for a coefficient that increases with it. */
 static double sheared(void *context, double share, double p, double cycles) {
   (void)context, (void)p, (void)cycles;
   return 1e-9 * fmin(0.2 + 3.2 * share, 1);

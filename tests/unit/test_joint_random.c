@@ -1,7 +1,7 @@
-/* Random joints: radii, clearances, layers, E from rubber to ceramics, cups that lean, gaits,
- * shares of wear. Each run ends with Archard's volumes, and contacts on unworn and worn surfaces
- * hold balance and complementarity, recomputed here. ARCHARD_RUNS=500 build/tests/test_joint_random
- * more of them */
+/* Random joints: radii, clearances, layers, moduli from rubber to ceramics, inclined cups, gaits,
+ * wear partition. Each run must have Archard's volumes; contacts on unworn and worn surfaces must
+ * satisfy balance and complementarity, recomputed here. For more runs: ARCHARD_RUNS=500
+ * build/tests/test_joint_random */
 #include "check.h"
 
 #include "core/sphere/sphere.h"
@@ -9,10 +9,9 @@
 enum { instants = 8 };
 
 typedef struct worst_case {
-  double force, touching, overlap;     /* over the load; over the largest displacement */
-  double volume, share;                /* of both bodies' volume */
-  int runs, refused, springs, updates; /* refused: contact round
-                                          the head */
+  double force, touching, overlap; /* relative to the load; relative to the largest displacement */
+  double volume, share;            /* relative to the volume of both bodies */
+  int runs, refused, springs, updates; /* refused: the contact extends round the head */
 } worst_case;
 
 /* --- random definitions ----------------------------------------------------------------------- */
@@ -47,7 +46,7 @@ static arc_joint_def definition(void) {
   return def;
 }
 
-/* A built-in gait about a load, of which it keeps direction and share of its largest. */
+/* A built-in gait scaled to a load; keeps the directions and the relative size of its loads. */
 static void gait_of(double load, arc_gait_instant *gait) {
   static const char *const name[] = {"iso", "prosim", "flexion", "rocking"};
   const double turn = uniform(-0.3, 0.3);
@@ -64,7 +63,7 @@ static void gait_of(double load, arc_gait_instant *gait) {
   }
 }
 
-/* --- what has to hold ------------------------------------------------------------------------- */
+/* --- conditions checked ----------------------------------------------------------------------- */
 
 static void check_contact(arc_joint *j, const double load[3], const double approach[3],
                           worst_case *worst) {
@@ -94,7 +93,7 @@ static void check_contact(arc_joint *j, const double load[3], const double appro
   free(u);
 }
 
-/* 0 where the contact would go round the head. */
+/* 0 if the contact would extend round the head. */
 static int press(arc_joint *j, const arc_gait_instant *at, arc_joint_contact *c,
                  worst_case *worst) {
   arc_error error = {0};
@@ -104,8 +103,8 @@ static int press(arc_joint *j, const arc_gait_instant *at, arc_joint_contact *c,
   return status == ARC_OK;
 }
 
-/* The load [N] that presses a joint in by a share of its clearance, and cells fit for its contact:
- * 0 where the contact would go round the head. */
+/* The load [N] whose approach is a share of the clearance, and cells suitable for its contact: 0 if
+ * the contact would extend round the head. */
 static double fit(arc_joint_def *def) {
   arc_error error = {0};
   arc_joint *j;
@@ -125,7 +124,8 @@ static double fit(arc_joint_def *def) {
   return c.half_angle > 0 ? load : 0;
 }
 
-/* Four updates; 0 where the worn contact would go round the head, which changes nothing. */
+/* Four updates; 0 if the worn contact would extend round the head, which leaves the joint
+ * unchanged. */
 static int wear_down(arc_joint *j, const arc_joint_wear_def *wear, double cycles,
                      arc_joint_record *r) {
   const size_t bytes = (size_t)j->sites * sizeof(double);
@@ -158,7 +158,7 @@ static int run_one(worst_case *worst) {
   assert_int_equal(arc_joint_create(&def, &j, NULL), ARC_OK);
   int fine = press(j, &gait[0], &c, worst);
   if (fine) {
-    /* wear of .1 to 10 times what the contact gives by */
+    /* wear depth of 0.1 to 10 times the approach */
     const double sag = fmax(c.approach[2] - def.clearance, 0.01 * def.clearance);
     const double depth = fmin(between(0.1, 10) * sag, 0.02 * def.radius);
     const double corners[] = {0, 1, 0.5, uniform(0, 1)};

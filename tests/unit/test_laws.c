@@ -1,5 +1,5 @@
-/* Wear laws: the properties in a law's row are those of its formulas. A step is chosen by the
- * properties, so that a wrong one would be a wrong result. */
+/* Tests of wear laws: the properties in a law's table row agree with its formula. Steps are chosen
+ * by these properties, so a wrong one would give wrong results. */
 #include "check.h"
 
 typedef struct law {
@@ -29,15 +29,15 @@ static int is_parameter(const arc_setting *s) {
 
 typedef int (*seen_fn)(const law *l, const arc_wear_def *d, double p);
 
-/* Pressures [MPa], those of contacts and far beyond them on both sides. */
+/* True for a pressure [MPa] in a range far beyond that of contacts on both sides. */
 static int at_any_pressure(const law *l, const arc_wear_def *d, seen_fn seen) {
   for (double p = 1e-3; p < 1e4; p *= 1.01)
     if (seen(l, d, p)) return 1;
   return 0;
 }
 
-/* Whether something is seen at any pressure: with the defaults, and with every parameter at twice
- * and at two thirds of them. */
+/* True if `seen` is true at any pressure, with the default parameters or with each parameter times
+ * 2 or 2/3. */
 static int at_any(const law *l, seen_fn seen) {
   const arc_wear_def usual = arc_wear_default();
   int found = at_any_pressure(l, &usual, seen);
@@ -51,13 +51,13 @@ static int at_any(const law *l, seen_fn seen) {
   return found;
 }
 
-/* --- what is seen at a pressure --- */
+/* --- properties at a pressure ----- */
 
 static int is_not_archards(const law *l, const arc_wear_def *d, double p) {
   return l->factor(d, p) != 1 || l->growth(d, p) != 1;
 }
 
-/* A difference that does not shrink with the interval. */
+/* True for a discontinuity: a difference that does not decrease with the interval. */
 static int jumps(const law *l, const arc_wear_def *d, double p) {
   double low = p, high = 1.01 * p;
   for (int i = 0; i < 40; i++) {
@@ -70,13 +70,13 @@ static int jumps(const law *l, const arc_wear_def *d, double p) {
   return fabs(l->factor(d, high) - l->factor(d, low)) > 1e-6 * l->factor(d, 2 * p);
 }
 
-/* Logarithmic slope of p times the factor, over a small interval to one side. */
+/* Logarithmic slope of p times the factor, over a small interval on one side. */
 static double slope(const law *l, const arc_wear_def *d, double p, double side) {
   const double to = p * (1 + side);
   return log(to * l->factor(d, to) / (p * l->factor(d, p))) / log1p(side);
 }
 
-/* Where the factor is smooth. */
+/* True if the exponent differs from the stated one where the factor is smooth. */
 static int grows_otherwise(const law *l, const arc_wear_def *d, double p) {
   const double left = slope(l, d, p, -1e-5), right = slope(l, d, p, 1e-5);
   if (!(l->factor(d, p) > 0) || !(fabs(left - right) < 1e-2)) return 0;
@@ -116,7 +116,7 @@ static void test_growth(void **state) {
     is_as_told(l, "a growth other than d ln(p factor) / d ln p", at_any(l, grows_otherwise), 0);
 }
 
-/* Users learn from the text which settings a law has. */
+/* The help text of a law lists its settings. */
 static void test_parameters(void **state) {
   (void)state;
   int parameters = 0;

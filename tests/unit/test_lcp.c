@@ -1,13 +1,13 @@
-/* The contact problem on random matrices: against all active sets tried in turn, cold and warm, by
- * Newton and by the fallback alone; degenerate problems end too. Includes lcp.c itself, whose
- * fallback is not visible from outside. */
+/* Tests of the contact problem on random matrices against an enumeration of all active sets: cold
+ * and warm start, Newton and fallback, degenerate problems. Includes lcp.c, whose fallback is
+ * static. */
 #include "check.h"
 
 #include "core/contact/lcp.c"
 
 enum { most = 80 };
 
-/* A pose of n candidates with nothing but what lcp.c uses. */
+/* A contact problem of n candidates with only the fields that lcp.c uses. */
 static pose room(int n) {
   pose p = {.nc = n, .np = n, .count = n};
   p.set = calloc((size_t)n, sizeof(int));
@@ -38,8 +38,8 @@ static void room_free(pose *p) {
   free(p->work);
 }
 
-/* A = G G' + ridge, G [n x rank]: positive definite, of no special kind; a low rank and a small
- * ridge make it nasty. */
+/* A = G G' + ridge, G [n x rank]: positive definite without special structure; a low rank and a
+ * small ridge make it ill-conditioned. */
 static void random_matrix(pose *p, int rank, double ridge) {
   const int n = p->count;
   double *g = malloc((size_t)(n * rank) * sizeof *g);
@@ -54,7 +54,7 @@ static void random_matrix(pose *p, int rank, double ridge) {
   p->factored = 0;
 }
 
-/* Whole numbers: ties everywhere. */
+/* Integer data, which cause ties. */
 static void whole_numbers(pose *p) {
   const int n = p->count;
   memset(p->a, 0, (size_t)(n * n) * sizeof(double));
@@ -71,7 +71,7 @@ static void random_gaps(pose *p, double high) {
   for (int k = 0; k < p->count; k++) p->gap[k] = random_in(0, high);
 }
 
-/* How far a solution is from f >= 0, g >= 0, f g = 0, sum f = load, all in units of force. */
+/* Violation of f >= 0, g >= 0, f g = 0, sum f = load, in units of force. */
 static double defect(const pose *p, double load, const double *f, double approach) {
   double worst = 0, sum = 0, size = fabs(load);
   for (int k = 0; k < p->count; k++) size = fmax(size, fabs(f[k]));
@@ -93,8 +93,9 @@ static void check_solution(const pose *p, double load) {
   for (int s = 1; s < p->active; s++) assert_true(p->set[s] > p->set[s - 1]);
 }
 
-/* All 2^n - 1 sets in turn: the forces of the one that solves the problem. Gauss elimination on
- * [A -1; 1' 0]. */
+/* Tries all 2^n - 1 sets and returns the forces of the one that solves the problem; Gauss
+ * elimination on [A -1; 1' 0].
+ */
 static int solve_set(const pose *p, unsigned set, double load, double *f, double *approach) {
   double m[9 * 9], x[9];
   int list[8], pivots[9], n = 0;
@@ -150,7 +151,7 @@ static void test_against_all_sets(void **state) {
   }
 }
 
-/* From nothing, from the last solution, and from any wrong set: one and the same solution. */
+/* Starts from zero, from the last solution and from random sets give the same solution. */
 static void test_warm_start(void **state) {
   (void)state;
   random_start(32);
@@ -176,8 +177,8 @@ static void test_warm_start(void **state) {
   }
 }
 
-/* Ill-conditioned matrices of no structure make Newton cycle now and then: the fallback must take
- * over, and this test must see it do so. */
+/* Ill-conditioned matrices sometimes make Newton cycle: the fallback must then solve the problem.
+ * The test requires at least one such case. */
 static void test_newton_gives_up(void **state) {
   (void)state;
   random_start(33);
@@ -214,7 +215,7 @@ static void test_fallback_alone(void **state) {
   }
 }
 
-/* Ties: gaps that close just so, forces that vanish just so. */
+/* Ties: gaps and forces that are exactly zero. */
 static void test_degenerate(void **state) {
   (void)state;
   random_start(35);
@@ -234,7 +235,7 @@ static void test_degenerate(void **state) {
   }
 }
 
-/* A step at a time through changing gaps, as wear does: each solution starts from the last set. */
+/* A sequence of changing gaps, as in a wear run: each solution starts from the last active set. */
 static void test_path(void **state) {
   (void)state;
   random_start(36);

@@ -1,5 +1,5 @@
-/* Meshes of both bodies: mirror images to the bit, positive Jacobians, wear box, sets, outline,
- * quality, random definitions, and refusals. */
+/* Tests of the meshes of both bodies: exact mirror symmetry, positive Jacobians, wear box, node
+ * sets, outline, quality, random definitions, refusals. */
 #include "check.h"
 
 static const double pi = 3.14159265358979323846;
@@ -28,8 +28,8 @@ static int compare_elements(const void *a, const void *b) {
   return memcmp(a, b, 4 * sizeof(int));
 }
 
-/* twin[n] = the node at (-x, y) to the bit; fails where there is none. Nodes of one height stand
- * together by increasing x, so that the k-th from the left must mirror the k-th from the right. */
+/* twin[n]: the node at exactly (-x, y); the test fails without one. Nodes of one height are sorted
+ * by x, so the k-th from the left must mirror the k-th from the right. */
 static int *find_twins(const arc_mesh *m) {
   int *order = malloc((size_t)m->nodes * sizeof(int)),
       *twin = malloc((size_t)m->nodes * sizeof(int));
@@ -49,7 +49,7 @@ static int *find_twins(const arc_mesh *m) {
   return twin;
 }
 
-/* Corners of all elements, mapped, each element's in increasing order, elements sorted. */
+/* Mapped corners of all elements, each element's in increasing order, elements sorted. */
 static int *canonical(const arc_mesh *m, const int *map) {
   int *list = malloc(4 * (size_t)m->elements * sizeof(int));
   for (int e = 0; e < m->elements; e++) {
@@ -95,7 +95,7 @@ static int has_corner(const int *element, int node) {
   return element[0] == node || element[1] == node || element[2] == node || element[3] == node;
 }
 
-/* Element (column, row) of the box is a quadrilateral between four box nodes. */
+/* Element (column, row) of the box is a quadrilateral of four box nodes. */
 static void check_box_elements(const arc_mesh *m) {
   const int high = m->rows + 1;
   for (int column = 0; column + 1 < m->surface; column++)
@@ -128,7 +128,7 @@ static void check_surface(const arc_mesh *m) {
   assert_true(width < m->def.zone[m->body] + 2 * m->def.size * (1 + 1e-9));
 }
 
-/* Rows of the box are `height` apart along the normal. */
+/* Rows of the box have the distance `height` along the normal. */
 static void check_rows(const arc_mesh *m) {
   for (int c = 0; c < m->surface; c++)
     for (int row = 0; row < m->rows; row++) {
@@ -166,8 +166,8 @@ static double area_of(const arc_mesh *m, const int *corner, int corners) {
   return area;
 }
 
-/* Closed, counter-clockwise, each node once, holding exactly the area of the elements, which is the
- * body's. */
+/* The outline is closed, counter-clockwise, contains each node once, and its area equals that of
+ * the elements and of the body. */
 static void check_outline(const arc_mesh *m) {
   char *seen = calloc((size_t)m->nodes, 1);
   for (int k = 0; k < m->outline; k++) assert_int_equal(seen[m->outline_node[k]]++, 0);
@@ -214,8 +214,8 @@ static void test_default(void **state) {
   }
 }
 
-/* Good shapes at the default: what a user would be shown. The sharpest angles are those of the fan
- * at the half cylinder's centre. */
+/* Element quality of the default mesh. The smallest angles are at the centre of the half cylinder's
+ * fan. */
 static void test_default_quality(void **state) {
   (void)state;
   const arc_mesh_def def = arc_mesh_default();
@@ -231,7 +231,7 @@ static void test_default_quality(void **state) {
   }
 }
 
-/* The half disc is met to second order in the element size along its rim. */
+/* The area of the half disc converges with second order in the element size at its rim. */
 static void test_half_disc_area(void **state) {
   (void)state;
   arc_mesh_def def = arc_mesh_default();
@@ -257,8 +257,8 @@ static double longest_edge(const arc_mesh *m, const int *corner) {
   return longest;
 }
 
-/* None is much larger than `far`: diagonals of the closing triangles, and the stretch that fits
- * whole cells, make up to twice of it. The fan at the half cylinder's centre keeps its own size. */
+/* No element is much larger than `far`: diagonals of closing triangles, and stretching to whole
+ * cells, give up to twice this size. The fan at the half cylinder's centre is excluded. */
 static void test_far_size(void **state) {
   (void)state;
   static const double far[] = {0.3, 1, 2.5};
@@ -276,7 +276,7 @@ static void test_far_size(void **state) {
     }
 }
 
-/* Same request, same bits. */
+/* The same definition gives identical bits. */
 static void test_deterministic(void **state) {
   (void)state;
   const arc_mesh_def def = arc_mesh_default();
@@ -290,7 +290,7 @@ static void test_deterministic(void **state) {
   }
 }
 
-/* A definition anywhere in the allowed range, but of a size that is quick to build. */
+/* A random definition in the allowed range, limited to sizes that are quick to build. */
 static arc_mesh_def random_definition(double radius) {
   arc_mesh_def def = arc_mesh_default();
   def.size = radius * exp(random_in(log(2e-3), log(0.1)));
@@ -387,7 +387,7 @@ static void test_refused_rows(void **state) {
   }
 }
 
-/* A mesh that would not fit into memory is refused, not tried. */
+/* A mesh too large for memory is refused before any allocation. */
 static void test_refused_too_fine(void **state) {
   (void)state;
   arc_mesh_def def = arc_mesh_default();

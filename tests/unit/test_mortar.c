@@ -1,5 +1,6 @@
-/* The mortar coupling: rows of B sum to one and carry linear functions, forces and moments balance,
- * at any position of the plate and on worn surfaces. Leans on the inside of contact. */
+/* Tests of the mortar coupling: rows of B sum to one and reproduce linear functions, forces and
+ * moments balance, at any position of the plate and on worn surfaces. Uses internal functions of
+ * contact. */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -11,7 +12,7 @@ static arc_shape *make_shape(arc_model *model) {
   return shape;
 }
 
-/* A plate zone so wide that the cylinder slides far over it. */
+/* A model with a wide plate zone, over which the cylinder slides far. */
 static arc_model *make_model(void) {
   arc_model_def def = coarse_definition();
   def.mesh.zone[ARC_PLATE] = 1.9;
@@ -46,7 +47,7 @@ static void check_rows(const arc_shape *shape, const pose *p) {
   free(v);
 }
 
-/* Any forces of the cylinder have the same sum and the same moment on the plate. */
+/* Forces of the cylinder have the same sum and the same moment on the plate. */
 static void check_balance(const arc_shape *shape, const pose *p) {
   double *f = calloc((size_t)(p->np + p->nc), sizeof *f), *on_plate = f + p->nc;
   double sum[2] = {0}, moment[2] = {0}, size = 0;
@@ -67,7 +68,7 @@ static void check_balance(const arc_shape *shape, const pose *p) {
   free(f);
 }
 
-/* Forces of a solution on worn surfaces, along x and y, and those along the plate's normals. */
+/* Forces of a solution on worn surfaces along x and y, and along the plate's normals. */
 static void check_forces(const arc_shape *shape, double x) {
   pose p;
   assert_int_equal(arc_pose_create(&p, arc_shape_model(shape)), ARC_OK);
@@ -82,7 +83,7 @@ static void check_forces(const arc_shape *shape, double x) {
     for (int i = 0; i < p.np; i++) sum[ARC_PLATE][d] += l[d * p.np + i];
   }
   for (int i = 0; i < p.nc; i++) along_x += fabs(c[i]);
-  assert_true(along_x > 0.01); /* else there is nothing to balance */
+  assert_true(along_x > 0.01); /* else the balance would be trivial */
   check_near(sum[ARC_CYLINDER][0], -sum[ARC_PLATE][0], 1e-11);
   check_near(sum[ARC_CYLINDER][1], 100, 1e-10);
   check_near(sum[ARC_PLATE][1], -100, 1e-10);
@@ -92,7 +93,7 @@ static void check_forces(const arc_shape *shape, double x) {
   arc_pose_free(&p);
 }
 
-/* (B v)'f = v'(B'f): one matrix both ways. */
+/* (B v)'f = v'(B'f): the same matrix in both directions. */
 static void check_adjoint(const pose *p) {
   double *v = calloc((size_t)(2 * p->np + 2 * p->nc), sizeof *v);
   double *bv = v + p->np, *f = bv + p->nc, *bf = f + p->nc, one = 0, other = 0;
@@ -125,7 +126,7 @@ static void test_random_positions(void **state) {
   arc_model_release(&model);
 }
 
-/* Where nodes meet nodes, and half way between. */
+/* Positions with matching nodes, and half an element off. */
 static void test_special_positions(void **state) {
   (void)state;
   random_start(22);
@@ -158,7 +159,7 @@ static void test_slopes(void **state) {
   arc_model_release(&model);
 }
 
-/* Depths made to conserve take just their areas off the polygon. */
+/* Conserved depths reduce the area of the polygon by exactly their own area. */
 static void test_conserve(void **state) {
   (void)state;
   random_start(25);
@@ -208,12 +209,12 @@ static void test_worn(void **state) {
   arc_model_release(&model);
 }
 
-/* The plate's nodes under the cylinder's: B is the mean of neighbours that meet, and at x = 0 on
- * equal nodes of flat surfaces the identity. */
+/* With the plate's nodes below the cylinder's, B is the mean over adjacent nodes, and the identity
+ * at x = 0 on flat surfaces with equal nodes. */
 static void test_matching_nodes(void **state) {
   (void)state;
   arc_model_def def = coarse_definition();
-  def.radius = 2000; /* x of the cylinder's nodes is then that of the plate's to 1e-7 */
+  def.radius = 2000; /* the x of both bodies' nodes then agree to 1e-7 */
   def.mesh.far = 200;
   arc_model *model = build_model(&def);
   arc_shape *shape = make_shape(model);
@@ -229,7 +230,7 @@ static void test_matching_nodes(void **state) {
   arc_model_release(&model);
 }
 
-/* The contact matrix is symmetric to the bit. */
+/* The contact matrix is exactly symmetric. */
 static void test_matrix(void **state) {
   (void)state;
   arc_model *model = make_model();
@@ -261,7 +262,7 @@ static void test_apart(void **state) {
   arc_model_release(&model);
 }
 
-/* The same bits as a pose made for this shape and position. */
+/* Checks that an updated pose equals a new one for this shape and position, bit by bit. */
 static void check_fresh(const pose *p, const arc_shape *shape, double x) {
   pose fresh;
   assert_int_equal(arc_pose_create(&fresh, arc_shape_model(shape)), ARC_OK);
@@ -275,8 +276,8 @@ static void check_fresh(const pose *p, const arc_shape *shape, double x) {
   arc_pose_free(&fresh);
 }
 
-/* A pose follows its shape, copies of it that are worn and given up, and the plate; also after a
- * position where it could not be placed. */
+/* A pose is updated correctly after changes of its shape, of copies of the shape, and of the
+ * plate's position, also after a position that was refused. */
 static void test_update(void **state) {
   (void)state;
   random_start(24);

@@ -1,7 +1,7 @@
-/* Out of memory: the n-th allocation fails, for every n until the call no longer meets the failure.
- * Each call must then say ARC_MEMORY or have done without, leave what was there as it was, and free
- * what it took. Linked with malloc and the like wrapped; CHOLMOD is given the same wrappers.
- */
+/* Tests of memory exhaustion: the n-th allocation fails, for every n until the call succeeds
+ * without reaching it. Each call must return ARC_MEMORY or succeed without the memory, leave
+ * existing data unchanged, and free its own. malloc and related functions are wrapped by the
+ * linker; CHOLMOD gets the same wrappers. */
 #include "runs.h"
 
 #if __has_include(<suitesparse/SuiteSparse_config.h>)
@@ -23,7 +23,7 @@ void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *old, size_t size);
 void __wrap_free(void *block);
 
-static long until_failure = -1; /* allocations that still work; negative: all do */
+static long until_failure = -1; /* number of allocations that still succeed; negative: all */
 static long live;               /* blocks not yet freed */
 
 static int fails_now(void) {
@@ -62,7 +62,7 @@ static void wrap_cholmod(void) {
   SuiteSparse_config.free_func = __wrap_free;
 }
 
-/* Everything the calls work on. */
+/* Data used by the calls. */
 static arc_model *model;
 static arc_shape *shape;
 static arc_contact *contact, *rough;
@@ -98,7 +98,7 @@ static int tear_down_all(void **state) {
   return live != 0;
 }
 
-/* One call that makes something, and its undoing. */
+/* A call that creates an object, and the call that frees it. */
 typedef struct maker {
   const char *name;
   arc_status (*make)(void **made, arc_error *error);
@@ -182,7 +182,7 @@ static arc_status make_halfspace(void **made, arc_error *error) {
 static void unmake_halfspace(void **made) {
   arc_halfspace_destroy((arc_halfspace **)made);
 }
-/* All that is done with one. */
+/* Runs all functions of a half-space. */
 static arc_status use_halfspace(arc_halfspace *h, arc_error *error) {
   enum { cells = 21 * 21, sites = 23 * 21 };
   static double depth[2][sites], rate[2][sites], pressure[3 * cells], stress[6 * cells];
@@ -224,8 +224,8 @@ static const maker makers[] = {
     {"arc_halfspace_stage and others", make_halfspace_wear, unmake_halfspace},
 };
 
-/* Nothing may be left of a call. What a shared model keeps as working space is taken by the first
- * call, and may be given back by one that fails. */
+/* Checks that a failed call leaves no memory allocated. The working space of the shared model is
+ * allocated by the first call and may be freed by a failed one. */
 static void try_maker(const maker *m) {
   void *made = NULL;
   check_ok(m->make(&made, why));
@@ -260,7 +260,7 @@ static void test_makers(void **state) {
   for (size_t k = 0; k < sizeof makers / sizeof *makers; k++) try_maker(&makers[k]);
 }
 
-/* A shape that could not be worn is as it was. */
+/* A failed wear increment leaves the shape unchanged. */
 static void test_shape_wear(void **state) {
   (void)state;
   double *depth = calloc(200, sizeof *depth);
@@ -294,7 +294,7 @@ static arc_status stability(arc_wear *run) {
   return arc_wear_stability(run, NULL, &eigenvalue, NULL);
 }
 
-/* A run whose step failed is as it was, and then goes on to the same bits. */
+/* A failed step leaves the run unchanged; it then continues with identical results. */
 static void check_run_survives(const arc_wear_def *def, wear_call call) {
   arc_wear *whole = start(def), *run_ = start(def), *before = NULL;
   for (int steps = 0; steps < 2; steps++) {
@@ -329,7 +329,7 @@ static void test_steps(void **state) {
     }
 }
 
-/* The same of implicit steps. */
+/* The same for implicit steps. */
 static void test_implicit_steps(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
@@ -346,7 +346,8 @@ static arc_status write_grid(const char *path) {
   return arc_export_vtu(path, arc_model_mesh(model, ARC_PLATE), contact, 0, NULL);
 }
 
-/* Writers: out of memory, or the file. A factor may give up its room and take it again. */
+/* Tests a file writer with exhausted memory or a full disk. A factor may free its memory and
+ * allocate it again. */
 static void check_writer(arc_status (*writer)(const char *path)) {
   char path[64];
   snprintf(path, sizeof path, "/tmp/archard-oom-%ld", (long)getpid());

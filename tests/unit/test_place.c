@@ -1,4 +1,5 @@
-/* Files that appear whole or not at all: what they replace, what they follow, what is left. */
+/* Tests of files that are written completely or not at all: replacement, links, remaining temporary
+ * files. */
 #include "check.h"
 
 #include <dirent.h>
@@ -55,7 +56,7 @@ static int parts(const char *where) {
   return count;
 }
 
-/* Writes a text through a place, as everything of ours does. */
+/* Writes a text by the functions for atomic files, as all writers do. */
 static arc_status put(const char *path, const char *text, arc_error *error) {
   arc_place *place;
   arc_status status = arc_place_take(path, &place, error);
@@ -86,7 +87,7 @@ static void test_links_are_followed(void **state) {
   mkdir("far", 0700);
   assert_int_equal(symlink("far/there", "link"), 0);
   assert_int_equal(symlink("link", "link of link"), 0);
-  assert_int_equal(put("link", "made", NULL), ARC_OK); /* names nothing yet */
+  assert_int_equal(put("link", "made", NULL), ARC_OK); /* the target does not exist yet */
   assert_holds("far/there", "made");
   assert_int_equal(put("link of link", "anew", NULL), ARC_OK);
   assert_holds("far/there", "anew");
@@ -99,7 +100,7 @@ static void test_links_are_followed(void **state) {
   assert_non_null(strstr(error.message, strerror(ELOOP)));
 }
 
-/* What a name means, for all who open, make or confine files. */
+/* The file meant by a name, for all functions that open, create or confine files. */
 static void test_names_mean_files(void **state) {
   (void)state;
   char meant[PATH_MAX], expected[PATH_MAX], descriptor[40];
@@ -143,7 +144,7 @@ static void test_permissions_stay(void **state) {
   assert_int_equal(facts.st_mode & 07777, 0640);
 }
 
-/* Each says why. root may write everywhere: where it runs the tests, those two are left out. */
+/* Each refusal has a message. Two of them are skipped for root, who may write everywhere. */
 static void test_refused(void **state) {
   (void)state;
   arc_error error;
@@ -194,7 +195,7 @@ static void test_devices_are_written_to(void **state) {
   assert_true(S_ISFIFO(facts.st_mode));
 }
 
-/* A disk that is full when the file is brought to it. */
+/* The disk becomes full when the file is completed. */
 static void test_no_room(void **state) {
   (void)state;
   struct rlimit limit, usual;
@@ -215,8 +216,8 @@ static void test_no_room(void **state) {
   assert_int_equal(parts("."), 0);
 }
 
-/* A program that is killed leaves its part, and a database its journal: the next that writes there
- * takes them away, and nothing that is in use or of somebody else's making. */
+/* A killed program leaves its temporary file, and a database its journal: the next writer there
+ * removes them, but no file that is in use or has another origin. */
 static void test_strays(void **state) {
   (void)state;
   arc_place *held;
@@ -243,8 +244,8 @@ static void test_strays(void **state) {
   arc_place_sweep("nowhere");
 }
 
-/* A lock by its name is its program's, and anybody's once that is gone; one of a program on another
- * system stays. */
+/* A lock file belongs to the program named in it and is free after its end; a lock of a program on
+ * another system is kept. */
 static void test_locks_by_name(void **state) {
   (void)state;
   char text[60] = "";
@@ -265,7 +266,7 @@ static void test_locks_by_name(void **state) {
   assert_int_equal(arc_lock_leave("file.lock"), -1);
 }
 
-/* Many programs on one name: the first stays, or the last; always one that is whole. */
+/* Many programs write to one name: the first or the last file remains, always a complete one. */
 static void test_together(void **state) {
   (void)state;
   arc_place *early, *late;

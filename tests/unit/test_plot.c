@@ -1,4 +1,4 @@
-/* Figures: texts that run nothing, pictures of every kind, what is refused. */
+/* Tests of figures: texts cannot run commands, pictures of every kind, refused input. */
 #include "plot_shared.h"
 
 #include <math.h>
@@ -17,16 +17,15 @@ static void test_quote(void **state) {
   assert_quoted("it's `date` \"x\" \\", 0, "\"it's \\140date\\140 \\\"x\\\" \\\\\"");
   assert_quoted("a\nb\rc\033[31m\177", 0, "\"a b c [31m \"");
   assert_quoted("\302\233A", 0, "\" A\"");        /* a control character of two bytes */
-  assert_quoted("\342\200\256A", 0, "\" A\"");    /* one that turns the order of the rest */
+  assert_quoted("\342\200\256A", 0, "\" A\"");    /* reverses the order of the following text */
   assert_quoted("\302\265m", 0, "\"\302\265m\""); /* micro */
   assert_quoted("\302\265m \316\261", 1, "\"um alpha\"");
-  assert_quoted("a\342\200\231\342\200\235", 1,
-                "\"a'\\\"\"");            /* quotes from ASCII's point of view */
-  assert_quoted("\377\302", 0, "\"??\""); /* no UTF-8 */
-  assert_quoted("\300\247", 0, "\"??\""); /* a quote in too many bytes */
+  assert_quoted("a\342\200\231\342\200\235", 1, "\"a'\\\"\""); /* quotes in ASCII */
+  assert_quoted("\377\302", 0, "\"??\"");                      /* no UTF-8 */
+  assert_quoted("\300\247", 0, "\"??\"");                      /* a quote in an overlong encoding */
 }
 
-/* Whatever bytes a text has, gnuplot must read the quoted text as one string. */
+/* For any bytes of a text, gnuplot must read the quoted text as one string. */
 static void test_quote_is_one_string(void **state) {
   (void)state;
   unsigned seed = 12345;
@@ -48,7 +47,7 @@ static void test_quote_is_one_string(void **state) {
   }
 }
 
-/* What of a label gnuplot is told to lower, raise or leave alone. */
+/* Checks which parts of a label are subscripts, superscripts or plain text. */
 static void assert_label(const char *label, const char *expected) {
   arc_plot_curve c = curve(NULL);
   arc_plot_panel panel = panel_of(&c, 1);
@@ -75,7 +74,7 @@ static void test_marks(void **state) {
   assert_label("it's p_H'", "\"it's p_{H}'\" enhanced");
 }
 
-/* Quotes of every kind are shown, in each place that words can stand in. */
+/* Quotes of every kind are shown in each kind of text of a figure. */
 static void test_quotes_are_shown(void **state) {
   double at[2] = {1, 3};
   const char *words[2] = {"'low", "''high"};
@@ -93,7 +92,7 @@ static void test_quotes_are_shown(void **state) {
   free(picture);
 }
 
-/* A refusal is told although what follows makes gnuplot forget it. */
+/* An error is reported although the following command resets gnuplot's error state. */
 static void test_refusal_is_told(void **state) {
   static const char commands[] = "set title (\n" ARC_GNUPLOT_NOTE_FAILURE "reset\nset title 'fine'";
   arc_error error;
@@ -102,7 +101,7 @@ static void test_refusal_is_told(void **state) {
   assert_int_equal(arc_gnuplot_run(*state, "set title 'x'", 13, NULL, NULL, &error), ARC_OK);
 }
 
-/* The dots of a known line: from corner to corner each cell holds some. */
+/* The dots of a diagonal line: each cell on it contains some. */
 static void test_dots(void **state) {
   arc_gnuplot *session = *state;
   double x[2] = {0, 1}, y[2] = {0, 1};
@@ -125,7 +124,7 @@ static void test_dots(void **state) {
   free(picture);
 }
 
-/* Titles, labels and file names full of what gnuplot or a shell would run. */
+/* Titles, labels and file names full of commands for gnuplot and the shell. */
 static void test_nothing_is_run(void **state) {
   arc_gnuplot *session = *state;
   char evil[600], path[256];
@@ -203,7 +202,8 @@ static void test_text_colour(void **state) {
   output.colour = 1;
   assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
   assert_non_null(strstr(picture, "\033[1;31m*")); /* the second curve's colour and mark */
-  for (char *line = picture; *line; line = strchr(line, '\n') + 1) { /* each line ends uncoloured */
+  for (char *line = picture; *line;
+       line = strchr(line, '\n') + 1) { /* each line ends without colour */
     size_t length = strcspn(line, "\n");
     char *last = NULL;
     for (char *at = line; (at = strchr(at, '\033')) && at < line + length; at++) last = at;
@@ -212,7 +212,7 @@ static void test_text_colour(void **state) {
   free(picture);
 }
 
-/* Lines of dots differ without their colours: each has marks, and the key shows them. */
+/* Lines of dots are distinguishable without colours: each has marks, which the key shows. */
 static void test_dot_marks(void **state) {
   arc_plot_curve c[2] = {curve("one"), curve("two")};
   arc_plot_panel panel = panel_of(c, 2);
@@ -226,12 +226,12 @@ static void test_dot_marks(void **state) {
     int count = 0;
     for (char *at = picture; (at = strstr(at, marks[i])); at++) count++;
     assert_in_range(count, 4,
-                    6); /* five upon the curve, where none hides another, and one in the key */
+                    6); /* five on the curve, as the curve hides no marks, and one in the key */
   }
   free(picture);
   figure.panels = &panel, panel.curve_count = 1;
   assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
-  assert_null(strstr(picture, marks[0])); /* one alone needs none */
+  assert_null(strstr(picture, marks[0])); /* a single curve needs no marks */
   free(picture);
 }
 
@@ -250,7 +250,7 @@ static void test_ascii(void **state) {
   free(picture);
 }
 
-/* A file of each kind begins with what that kind begins with. */
+/* A file of each format starts with the signature of the format. */
 static void test_files(void **state) {
   static const char *const kinds[][2] = {
       {"a.png", "\211PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}, {"a.eps", "%!PS"},
@@ -272,7 +272,7 @@ static int stop_as_told(void *told) {
   return *(int *)told;
 }
 
-/* A file that cannot be written, or a picture that is not finished, leaves what there was. */
+/* A file that cannot be written, or an incomplete picture, leaves the old file. */
 static void test_file_whole_or_not(void **state) {
   (void)state;
   int stop = 0;
@@ -307,7 +307,7 @@ static void test_file_whole_or_not(void **state) {
   arc_gnuplot_close(&session);
 }
 
-/* A gnuplot whose disk is full does not notice: the old picture stays, and it is told. */
+/* gnuplot does not detect a full disk: the old picture is kept and an error is returned. */
 static void test_full_disk(void **state) {
   (void)state;
   static const char *const names[] = {"full.png", "full.svg", "full.pdf", "full.eps", "full.gif"};
@@ -344,7 +344,7 @@ static void test_animation(void **state) {
   assert_int_equal(arc_plot_animate(*state, frames, 0, 0.1, &output, NULL), ARC_ARGUMENT);
 }
 
-/* Twelve panels: every title once, one key below, frames in line. */
+/* Twelve panels: every title once, one key below, aligned frames. */
 static void test_panels(void **state) {
   arc_plot_curve c[2] = {curve("one"), curve("two")};
   arc_plot_panel panels[12];
@@ -364,7 +364,7 @@ static void test_panels(void **state) {
   free(picture);
 }
 
-/* The contour lines of x + y are at these values and no others. */
+/* Checks that the contour lines of x + y are at exactly these values. */
 static void assert_contours_at(const char *script, double one, double two) {
   const char *at = strstr(script, "$k0 << END\n");
   int found[2] = {0, 0};
@@ -378,7 +378,8 @@ static void assert_contours_at(const char *script, double one, double two) {
   assert_true(found[0] >= 2 && found[1] >= 2);
 }
 
-/* The numbers on the lines stand where x + y has their value, well apart; one for each line. */
+/* Checks that the numbers on the contour lines are at points where x + y has their value, with
+ * distance from each other, one for each line. */
 static void assert_numbers_on_lines(const char *script) {
   const char *at = strstr(script, "$n0 << END\n");
   double x[2], y[2], value[2];
@@ -393,7 +394,8 @@ static void assert_numbers_on_lines(const char *script) {
   assert_true(hypot((x[1] - x[0]) / 2, y[1] - y[0]) > 0.2);
 }
 
-/* A field x + y on two squares: the samples are exact, and the contour is where it belongs. */
+/* A field x + y on two squares: the samples are exact and the contours are at the right positions.
+ */
 static void test_field(void **state) {
   const double x[8] = {0, 1, 1, 0, 1, 2, 2, 2}, y[8] = {0, 0, 1, 1, 0, 0, 1, 1};
   double value[8];
@@ -412,12 +414,12 @@ static void test_field(void **state) {
   arc_plot_output fine = as_text;
   fine.colour = fine.fine = 1;
   assert_int_equal(arc_plot_draw(*state, &figure, &fine, &picture, NULL, NULL), ARC_OK);
-  assert_non_null(strchr(picture, 'O')); /* levels are none of the marks of curves */
+  assert_non_null(strchr(picture, 'O')); /* marks of levels differ from those of curves */
   assert_null(strstr(picture, "\342\226\241"));
   free(picture);
   arc_plot_output output = {.medium = ARC_PLOT_FILE, .file = path_of("field.gp", path)};
   assert_int_equal(arc_plot_script(&figure, &output, &script, NULL, NULL), ARC_OK);
-  assert_contours_at(script, 1, 2); /* round numbers between 0 and 3, which the scale shows */
+  assert_contours_at(script, 1, 2); /* round numbers between 0 and 3, shown by the scale */
   assert_non_null(strstr(script, "set cbtics 1\n"));
   assert_numbers_on_lines(script);
   free(script);
@@ -425,7 +427,7 @@ static void test_field(void **state) {
   assert_int_equal(arc_plot_draw(*state, &figure, &output, &picture, NULL, NULL), ARC_OK);
 }
 
-/* --- what a curve must be --------------------------------------------------------------------- */
+/* --- requirements on curves ------------------------------------------------------------------- */
 
 static void assert_refused(arc_plot_panel panel, const char *words) {
   arc_plot_figure figure = {.panels = &panel, .panel_count = 1};
@@ -461,7 +463,7 @@ static void test_check(void **state) {
   assert_refused(panel, "must be finite");
 }
 
-/* NaN and infinite rows break the line; one that is not positive does so on a logarithmic axis. */
+/* NaN and infinite values interrupt the line; on a logarithmic axis also values <= 0. */
 static void test_breaks(void **state) {
   (void)state;
   const double x[7] = {NAN, 1, 2, NAN, INFINITY, 3, 4}, y[7] = {1, 0, 10, 5, 5, -3, 1000};

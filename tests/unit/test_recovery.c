@@ -1,5 +1,5 @@
-/* Stresses at nodes: exact where stresses vary linearly, on the boundary as inside; symmetric; and
- * what the boundary's tractions say is kept. Leans on the inside of contact. */
+/* Tests of nodal stresses: exact for linear stresses, inside and on the boundary; symmetric; given
+ * boundary tractions are reproduced. Uses internal functions of contact. */
 #include "check.h"
 
 #include "core/contact/pose.h"
@@ -34,15 +34,15 @@ static arc_model *model_with(arc_element kind, double nu) {
   return build_model(&def);
 }
 
-/* Calls for the nodes of the wear box that are some columns away from its sides: where the pressure
- * is the one given, whatever the rest of the boundary is told. */
+/* True for nodes of the wear box at some distance from its sides, where the stresses do not depend
+ * on the rest of the boundary. */
 static int is_judged(const arc_mesh *m, int box) {
   const int column = box / (m->rows + 1);
   return column >= 6 && column < m->surface - 6;
 }
 
-/* The plate squeezed, stretched, sheared: sigma_xx = s, sigma_yy = -p, sigma_xy = q. Its outward
- * normal is y: a tangential traction q towards larger x. */
+/* The plate compressed, stretched and sheared: sigma_xx = s, sigma_yy = -p, sigma_xy = q. Its
+ * outward normal is y: a tangential traction q points towards larger x. */
 static void test_constant(void **state) {
   (void)state;
   random_start(21);
@@ -71,8 +71,8 @@ static void test_constant(void **state) {
   }
 }
 
-/* Bending, ux = x y, uy = -x2/2 - nu/(1-nu) y2/2: sigma_xx = E* y, nothing else, no pressure.
- * Elements of one size know it exactly at their centres. */
+/* Bending, ux = x y, uy = -x2/2 - nu/(1-nu) y2/2: sigma_xx = E* y, all other stresses and the
+ * pressure are 0. Elements of one size are exact at their centres. */
 static void test_bending(void **state) {
   (void)state;
   arc_model *model = model_with(ARC_CPE4, 0.3);
@@ -102,9 +102,8 @@ static int mirror_of(const arc_mesh *m, int node) {
   return -1;
 }
 
-/* By how much the pressure at surface node i may differ from what its element gets: within two
- * elements of an end the square-root law tells it, which is another one within the first of them.
- */
+/* Tolerance of the pressure at surface node i against its element: near an end of the contact the
+ * square-root law gives another value. */
 static double room_at(const arc_contact *contact, arc_pressure pressure, int i) {
   const arc_contact_result c = arc_contact_get(contact);
   const double x = pressure.x[i], width = 1.01 * (pressure.x[i + 1] - x);
@@ -112,7 +111,7 @@ static double room_at(const arc_contact *contact, arc_pressure pressure, int i) 
   return c.p_max * (off < width ? 0.15 : off < 2 * width ? 0.01 : 1e-6);
 }
 
-/* Fields of a contact: tractions kept at every free node of the surface, mirrored on both sides. */
+/* Checks the stresses of a contact: tractions at every free surface node, mirror symmetry. */
 static void check_contact(const arc_contact *contact, arc_body body) {
   const arc_mesh *m = arc_model_mesh(arc_contact_model(contact), body);
   const arc_pressure pressure = arc_contact_pressure(contact, body);
@@ -153,8 +152,8 @@ static void test_tractions(void **state) {
   }
 }
 
-/* Pressures (1 + d / 9) sqrt(d) at both ends, spoilt within two elements of them, are found again,
- * shear too, and where the end is a kink they stay. */
+/* Pressures (1 + d / 9) sqrt(d) at both ends, disturbed within two elements of them, are restored,
+ * also shear; at a kink they are kept. */
 static void test_edges(void **state) {
   (void)state;
   enum { n = 20 };
@@ -182,13 +181,14 @@ static void test_edges(void **state) {
   }
 }
 
-/* 2 out (1 - s / 9) sqrt(s) at s outside. */
+/* 2 out (1 - s / 9) sqrt(s) at the distance s outside the edge. */
 static double cusp(const contact_edge *edge, double x) {
   const double s = fmax(0, edge->out * (x - edge->x));
   return 2 * edge->out * (1 - s / 9) * sqrt(s);
 }
 
-/* What a node's two means miss of the cusp, by many small steps, on nodes at uneven distances. */
+/* The part of the cusp missed by a node's two mean values, against integration with small steps,
+ * for unevenly spaced nodes. */
 static void test_cusp(void **state) {
   (void)state;
   enum { n = 20, steps = 20000 };

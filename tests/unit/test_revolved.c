@@ -1,5 +1,5 @@
-/* Elements of revolution and of plane stress: constant strains, rigid motions, what curves at the
- * axis, no locking. */
+/* Tests of elements of revolution and of plane stress: constant strains, rigid motions, curved
+ * fields at the axis, no locking. */
 #include "check.h"
 
 #include "core/base/dense.h"
@@ -20,7 +20,8 @@ static element random_ring(int trial) {
                .kind = trial % 3 == 2 ? ARC_CPE4I : ARC_CPE4,
                .revolved = {1, trial % 2 == 0 ? 0 : 20}};
   const double turn =
-      trial % 2 == 0 ? 0 : random_in(0, 6.3); /* about x = 0 they stay right of it */
+      trial % 2 == 0 ? 0
+                     : random_in(0, 6.3); /* with the axis at x = 0, the elements stay at x > 0 */
   for (int c = 0; c < e.corners; c++) {
     const double x = 0.3 + unit[c][0] + random_in(-0.2, 0.2), y = unit[c][1] + random_in(-0.2, 0.2);
     e.xy[c][0] = cos(turn) * x - sin(turn) * y;
@@ -29,7 +30,7 @@ static element random_ring(int trial) {
   return e;
 }
 
-/* Only a motion along the axis is free; the stiffness is symmetric. */
+/* Only translation along the axis needs no force; the stiffness is symmetric. */
 static void test_rigid(void **state) {
   (void)state;
   random_start(17);
@@ -51,9 +52,8 @@ static void test_rigid(void **state) {
   }
 }
 
-/* u_x = a r, u_y = b y on the plate's mesh, graded, with its triangles: no force is left inside,
- * the stresses are those of the strains a, b, a, and the pressure on top is carried by the areas
- * that nodes have there. */
+/* u_x = a r, u_y = b y on the graded plate mesh: no force remains inside, the stresses are those of
+ * the strains a, b, a, and the pressure on top is balanced by the areas of the nodes. */
 static void check_constant(arc_element kind, double axis) {
   const double a = 2e-4, b = -7e-4;
   arc_mesh_def def = arc_mesh_default();
@@ -105,7 +105,7 @@ static void test_constant_strain(void **state) {
   }
 }
 
-/* Volumes by Pappus, and their change. */
+/* Volumes by Pappus' theorem, and their change. */
 static void test_swelling(void **state) {
   (void)state;
   const element e = {.corners = 3, .xy = {{0, 0}, {3, 0}, {0, 2}}, .revolved = {1, 4}};
@@ -116,8 +116,8 @@ static void test_swelling(void **state) {
   check_near(change, 3 * 2 * pi * 5 * 3, 1e-10);
 }
 
-/* u_y = r^2, the shear 2 r of a column beside the axis: its energy is exact, where linear functions
- * miss an eighth of it. */
+/* u_y = r^2 with the shear 2 r in a column of elements at the axis: the energy is exact; linear
+ * functions would miss an eighth. */
 static void test_curved_at_axis(void **state) {
   (void)state;
   const element e = {
@@ -133,8 +133,9 @@ static void test_curved_at_axis(void **state) {
   check_near(energy, exact, 1e-9 * exact);
 }
 
-/* A change of shape at constant volume must not cost more and more as nu nears 1/2: u_x = r (1 + c
- * y), which bilinear functions follow only with changes of volume in the corners. */
+/* The energy of a change of shape at constant volume must not increase without limit as nu
+ * approaches 1/2: u_x = r (1 + c y), which bilinear functions represent only with volume changes in
+ * the corners. */
 static double shape_energy(arc_element kind, double nu) {
   const element e = {
       .corners = 4, .kind = kind, .xy = {{0, -1}, {2, -1}, {2, 1}, {0, 1}}, .revolved = {1, 0}};
@@ -157,7 +158,7 @@ static void test_no_locking(void **state) {
   assert_true(full > 100);
 }
 
-/* Thin plates: E along a free strip, and the shear modulus of any space. */
+/* Thin plates: E for a free strip, and the shear modulus. */
 static void test_plane_stress(void **state) {
   (void)state;
   const elasticity d = arc_elasticity_in(ARC_PLANE_STRESS, steel);

@@ -1,4 +1,5 @@
-/* Contact in space: closed forms, reference solutions of an independent program, complementarity.
+/* Tests of contact in three dimensions: closed forms, reference solutions of an independent
+ * program, complementarity.
  */
 #include "space_shared.h"
 
@@ -21,7 +22,8 @@ static void test_ball(void **state) {
   free_solved(&s);
 }
 
-/* Errors of the approach fall with the cells' size, though the edge is a staircase. */
+/* The error of the approach decreases with the cell size, although the edge of the contact is a
+ * staircase. */
 static void test_order(void **state) {
   (void)state;
   double error[3];
@@ -43,7 +45,7 @@ static void test_ellipse(void **state) {
   def.body[ARC_UPPER].radius_z = 20;
   def.nz = 71;
   solved s = solve_space(&def, 20, 1e-6);
-  check_share(s.extent.center, 816.56, 5e-5); /* computed at these cells */
+  check_share(s.extent.center, 816.56, 5e-5); /* reference computed with the same cells */
   check_share(s.approach, 1.19867e-3, 1e-5);
   check_share(s.extent.half_width, 0.0683891, 0.015);
   check_share(s.extent.half_width_z, 0.171021, 0.01);
@@ -95,7 +97,8 @@ static double punch_recess(void *context, double x, double z) {
   return hypot(x, z) <= *(double *)context ? 0 : 1;
 }
 
-/* approach P / (2 E* c) = 1.82e-3, from above in first order: a staircase. */
+/* approach P / (2 E* c) = 1.82e-3; converges from above with first order, as the edge is a
+ * staircase. */
 static void test_punch(void **state) {
   (void)state;
   static const double computed[2] = {1.83020e-3, 1.82612e-3};
@@ -114,7 +117,7 @@ static void test_punch(void **state) {
 /* --- layers, periodic surfaces
  * ------------------------------------------------------------------------ */
 
-/* A rigid ball on a layer bonded to a rigid base: p0, a, approach of an independent program. */
+/* A rigid ball on a layer bonded to a rigid base: p0, a and approach of an independent program. */
 static void test_layers(void **state) {
   (void)state;
   static const double row[3][5] = {{0.3, 1, 29.190, 0.4059, 0.012998},
@@ -133,7 +136,7 @@ static void test_layers(void **state) {
   }
 }
 
-/* Sizes for a ball on a layer: cells of about an eighth of the contact. */
+/* Recommended sizes for a ball on a layer: cells of about an eighth of the contact. */
 static void test_fit(void **state) {
   (void)state;
   static const double thickness[3] = {0, 1, 0.1}, half_width[3] = {0.0880442, 0.4059, 0.2994};
@@ -153,7 +156,7 @@ static void test_fit(void **state) {
   }
 }
 
-/* A layer of the base's material changes nothing; a thin coat hardly does. */
+/* A layer with the material of the base changes nothing; a thin coating changes little. */
 static void test_coats(void **state) {
   (void)state;
   arc_halfspace_def def = ball(10, 0.0880442 / 10, 31);
@@ -177,8 +180,8 @@ static double wave_recess(void *context, double x, double z) {
   return w[0] * (1 - cos(q * (x + shift)) * cos(q * (z + shift)));
 }
 
-/* Waves D cos cos of length 0.1: p* = sqrt 2 pi E* D / l; shares in contact of an independent
- * program, whose first cell is on a crest. */
+/* Waves D cos cos of length 0.1: p* = sqrt 2 pi E* D / l; contact shares of an independent program,
+ * whose first cell is on a crest. */
 static void test_waves(void **state) {
   (void)state;
   static const double share[6] = {.1, .2, .4, .6, .8, .9};
@@ -199,7 +202,7 @@ static void test_waves(void **state) {
   }
 }
 
-/* In full contact the pressure is the mean and a wave. */
+/* In full contact the pressure is its mean plus a wave. */
 static void test_full_contact(void **state) {
   (void)state;
   double wave[2] = {1e-4, 0.05 / 64};
@@ -224,7 +227,7 @@ static double rough_recess(void *context, double x, double z) {
   return y;
 }
 
-/* Gaps and pressures of a solution against each other. */
+/* Checks complementarity of the gaps and pressures of a solution. */
 static void check_complementary(const solved *s, double load, double x, double tolerance) {
   const arc_halfspace_def *d = arc_halfspace_definition(s->h);
   const int n = d->nx * d->nz;
@@ -278,7 +281,7 @@ static arc_halfspace_def random_pair(double waves[48], double *load) {
   return def;
 }
 
-/* ARCHARD_PAIRS of them; 300 else. */
+/* Random pairs of bodies: ARCHARD_PAIRS of them, default 300. */
 static void test_random_pairs(void **state) {
   (void)state;
   const char *wish = getenv("ARCHARD_PAIRS");
@@ -318,8 +321,7 @@ static void test_random_pairs(void **state) {
       pairs, (double)all / pairs, most, guarded, wider);
 }
 
-/* --- what is refused
- * ---------------------------------------------------------------------------------- */
+/* refused input */
 
 static void test_refused(void **state) {
   (void)state;
@@ -349,7 +351,7 @@ static int stop_at_once(void *context) {
   return 1;
 }
 
-/* A failure leaves what the caller has. */
+/* A failure leaves the caller's arrays unchanged. */
 static void test_failures(void **state) {
   (void)state;
   const arc_halfspace_def def = ball(10, 0.01, 15);

@@ -1,4 +1,5 @@
-/* Stick and slip in space: kernels, Mindlin, Vermeulen and Johnson, symmetries, random paths. */
+/* Tests of stick and slip in three dimensions: kernels, Mindlin, Vermeulen and Johnson, symmetries,
+ * random paths. */
 #include "space_shared.h"
 
 #include "core/numeric/convolution.h"
@@ -25,7 +26,7 @@ static double direct(lag_parity parity, const double *p, int rows, int columns, 
   return sum;
 }
 
-/* Kernels of all parities against the sum itself; a pair of fields against each by itself. */
+/* Kernels of all parities against direct summation; a pair of fields against separate fields. */
 static void test_parity(void **state) {
   (void)state;
   enum { rows = 9, columns = 14, cells = rows * columns };
@@ -58,7 +59,7 @@ static void test_parity(void **state) {
   for (int k = 0; k < 4; k++) arc_convolution_destroy(&c[k]);
 }
 
-/* Rectangles beside their integrals by the rule of midpoints. */
+/* Influence coefficients of rectangles against integration by the midpoint rule. */
 static void test_rectangles(void **state) {
   (void)state;
   enum { points = 200 };
@@ -90,7 +91,7 @@ static arc_material elastic(double E, double nu) {
   return m;
 }
 
-/* A contact with friction on its way. */
+/* A contact with friction during a loading history. */
 typedef struct rubbing {
   arc_halfspace *h;
   arc_halfspace_friction s;
@@ -117,7 +118,7 @@ static void end(rubbing *r) {
   arc_halfspace_destroy(&r->h);
 }
 
-/* To forces in equal increments. */
+/* Increases the tangential force to (x, z) in equal increments. */
 static void pull(rubbing *r, double x, double z, int increments) {
   const double from[2] = {r->s.force[0], r->s.force[1]};
   r->to.by_force[0] = r->to.by_force[1] = 1;
@@ -143,7 +144,7 @@ static double stick_area(const rubbing *r) {
   return sum_of(r->s.stick, d->nx * d->nz) * d->size_x * d->size_z;
 }
 
-/* Shear within its bound, and slip along it where it is there. */
+/* Checks that the shear is within the friction bound and slip is along the shear. */
 static void check_coulomb(const rubbing *r, double scale) {
   const arc_halfspace_def *d = arc_halfspace_definition(r->h);
   for (int k = 0; k < d->nx * d->nz; k++) {
@@ -155,7 +156,7 @@ static void check_coulomb(const rubbing *r, double scale) {
   }
 }
 
-/* A ball of 10 mm under 10 N, friction 0.5; cells of a share of the contact's half width. */
+/* A ball of 10 mm under 10 N, friction 0.5; cell size as a share of the contact's half width. */
 static rubbing mindlin(double nu, int cells, double *a) {
   arc_halfspace_def def = ball(10, 1, cells);
   def.body[0].material = def.body[1].material = elastic(200e3, nu);
@@ -164,7 +165,8 @@ static rubbing mindlin(double nu, int cells, double *a) {
   return press(&def, 10, 0.5);
 }
 
-/* Mindlin's displacement and loop; at nu = 0.3 shear across the motion takes .42 % off the loop. */
+/* Mindlin's displacement and loop; at nu = 0.3 shear across the motion reduces the loop by 0.42 %.
+ */
 static void test_mindlin(void **state) {
   (void)state;
   static const double share[4] = {0.2, 0.4, 0.7, 0.95};
@@ -189,7 +191,7 @@ static void test_mindlin(void **state) {
   }
 }
 
-/* Vermeulen and Johnson: an ellipse at nu = 0, motion along either axis. */
+/* Vermeulen and Johnson: an ellipse at nu = 0 with motion along either axis. */
 static void test_ellipse(void **state) {
   (void)state;
   for (int along = 0; along < 2; along++) {
@@ -210,7 +212,8 @@ static void test_ellipse(void **state) {
 
 /* --- symmetries ------------------------------------------------------------------------------- */
 
-/* A path of forces and motions, turned by quarters; E of the bodies apart, or exchanged. */
+/* A path of forces and motions, rotated by quarter turns or mirrored; different moduli of the
+ * bodies, or exchanged. */
 static rubbing along_path(const arc_halfspace_def *def, int turned, int mirrored) {
   static const double force[2][2] = {{1.5, 0.4}, {-2, 1}};
   const double sign = mirrored ? -1 : 1;
@@ -238,8 +241,8 @@ static void check_same(const rubbing *a, const rubbing *b, int turned, int mirro
     }
 }
 
-/* Turned by exchanging x and z; mirrored in x; and with the bodies exchanged: seen from the other
- * body all of it is turned by half a turn, with the same forces. */
+/* Exchanging x and z, mirroring in x, and exchanging the bodies: seen from the other body
+ * everything is rotated by half a turn with the same forces. */
 static void test_symmetries(void **state) {
   (void)state;
   arc_halfspace_def def = ball(10, 0.0095, 25);
@@ -263,7 +266,7 @@ static void test_symmetries(void **state) {
 
 /* --- random paths ----------------------------------------------------------------------------- */
 
-/* Bodies of a ratio of moduli up to ten under friction .05 to 1.2. */
+/* Random bodies with a ratio of moduli up to ten and friction 0.05 to 1.2. */
 static rubbing random_contact(double *stuck) {
   const double ratio = exp(random_in(-log(10), log(10))), mu = exp(random_in(log(0.05), log(1.2)));
   arc_halfspace_def def = ball(10, 1, 17);
@@ -277,7 +280,7 @@ static rubbing random_contact(double *stuck) {
   return press(&def, 10 * random_in(0.5, 1), mu);
 }
 
-/* One leg: the load stays or changes, towards a motion or a force in any direction. */
+/* One random leg: constant or changed load, to a motion or force in any direction. */
 static void random_leg(rubbing *r, double stuck) {
   const double before = r->to.position.load, force = hypot(r->s.force[0], r->s.force[1]);
   const int forced = random_int(0, 1), parts = random_int(1, 4);
@@ -299,7 +302,8 @@ static void random_leg(rubbing *r, double stuck) {
   }
 }
 
-/* Every increment is Coulomb's, and converged but for single cells. SPACE_PATHS: more of them. */
+/* Every increment satisfies Coulomb's conditions and has converged except for single cells.
+ * SPACE_PATHS: number of paths. */
 static void test_random_paths(void **state) {
   (void)state;
   const char *wish = getenv("SPACE_PATHS");
@@ -323,7 +327,7 @@ static void test_random_paths(void **state) {
   assert_true(all.flipping <= all.sweeps / 100 && all.unfinished == 0);
 }
 
-/* A failed increment leaves the state; layers and windows that repeat are refused. */
+/* A failed increment leaves the state unchanged; layers and periodic windows are refused. */
 static void test_refused(void **state) {
   (void)state;
   double a;

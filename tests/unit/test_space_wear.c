@@ -1,10 +1,10 @@
-/* Wear in space: whole histories against an independent program and closed forms, volumes,
- * symmetries, stability of explicit steps. */
+/* Tests of wear in three dimensions: histories against an independent program and closed forms,
+ * volumes, symmetries, stability of explicit steps. */
 #include "space_shared.h"
 
 static const double pi = 3.14159265358979323846;
 
-/* R 10, cells of dx, a track for the stroke. */
+/* A ball of R = 10 with cells of dx and a track long enough for the stroke. */
 static history_def reciprocating(double load, double dx, int n, double alpha, double stroke,
                                  double distance) {
   history_def d = {.space = ball(10, dx, n), .load = load, .k = 1e-8, .alpha = alpha};
@@ -17,7 +17,8 @@ static history_def reciprocating(double load, double dx, int n, double alpha, do
   return d;
 }
 
-/* k P d, alpha of it on the upper body; both surfaces symmetric in x to the bit and in z to 1e-9.
+/* Checks the volume k P d, the share alpha on the upper body, and the symmetry of both surfaces:
+ * exact in x, 1e-9 in z.
  */
 static void check_history(const history *w, const history_def *d) {
   const double volume = d->k * d->load * d->distance;
@@ -39,10 +40,10 @@ static void check_history(const history *w, const history_def *d) {
  * ----------------------------------------------------------------------------------------- */
 
 typedef struct row {
-  double alpha, stroke, upper, lower, share; /* depths, and how near */
+  double alpha, stroke, upper, lower, share; /* depths and their relative tolerance */
 } row;
 
-/* Two rows of each table, or all of them by tests/run -a. */
+/* Checks two rows of each table, or all rows with tests/run -a. */
 static void check_rows(const row *rows, int count, double load, double dx, int n, double distance) {
   const char *all = getenv("ARCHARD_ALL");
   if (!all || !*all) count = 2;
@@ -60,7 +61,7 @@ static void check_rows(const row *rows, int count, double load, double dx, int n
   }
 }
 
-/* 10 N, 1320 mm: an independent program with the same cells. */
+/* 10 N, 1320 mm, against an independent program with the same cells. */
 static void test_short_strokes(void **state) {
   (void)state;
   static const row rows[] = {{0, .04, 0, 1.97333e-3, 3e-4},
@@ -88,7 +89,7 @@ static void test_deep_scars(void **state) {
   check_rows(rows, 5, 30, 0.015, 53, 3000);
 }
 
-/* Finer cells: depths come nearer in second order. */
+/* With finer cells the depths converge with second order. */
 static void test_order(void **state) {
   (void)state;
   double depth[3];
@@ -106,7 +107,7 @@ static void test_order(void **state) {
   assert_true(fabs(depth[1] - depth[2]) < fabs(depth[0] - depth[1]) / 2.5);
 }
 
-/* With the upper body alone worn the scar becomes a cap: V = pi R h^2, c^2 = 2 R h. */
+/* If only the upper body wears, the scar is a spherical cap: V = pi R h^2, c^2 = 2 R h. */
 static void test_cap(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.02, 81, 1, 0, 20000);
@@ -122,7 +123,7 @@ static void test_cap(void **state) {
 /* --- steps
  * ------------------------------------------------------------------------------------------ */
 
-/* Equal steps from the unworn ball, one of 3000 mm included. */
+/* Equal steps from the unworn ball, including a single step of 3000 mm. */
 static void test_any_step(void **state) {
   (void)state;
   static const double share[3] = {0.35, 0.03, 1e-3};
@@ -142,7 +143,7 @@ static void test_any_step(void **state) {
   free_history(&graded);
 }
 
-/* Explicit Euler by rates: steps as long as `share` of the limit 1.168 dx / (k E*). */
+/* Explicit Euler steps of `share` times the limit 1.168 dx / (k E*). */
 static double ripple_after(double share, int steps) {
   history_def d = reciprocating(10, 0.01, 49, 1, 0, 0);
   history w = make_history(&d);
@@ -170,7 +171,7 @@ static void test_explicit_limit(void **state) {
   assert_true(rough > 20 * smooth);
 }
 
-/* One spot: 2 / eigenvalue is that limit. */
+/* For a single spot, 2 / eigenvalue equals this limit. */
 static void test_eigenvalue(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.005, 49, 1, 0, 0);
@@ -187,7 +188,8 @@ static void test_eigenvalue(void **state) {
 /* --- exchange, grooves, fractions
  * --------------------------------------------------------------------- */
 
-/* A stage of a ball above at x = -2 .. 3 cells, or of the same ball below, moving the other way. */
+/* A stage with the ball above at x = -2 .. 3 cells, or the same ball below, moving in the opposite
+ * direction. */
 static void stage_of(int below, double *upper, double *lower) {
   enum { small = 41, large = 51 };
   const double dx = 0.0880442 / 8;
@@ -220,7 +222,7 @@ static void stage_of(int below, double *upper, double *lower) {
   arc_halfspace_destroy(&h);
 }
 
-/* Bodies change places, and nothing else happens. */
+/* Exchanging the bodies changes nothing else. */
 static void test_exchange(void **state) {
   (void)state;
   static double upper[2][41 * 41], lower[2][51 * 41];
@@ -231,7 +233,8 @@ static void test_exchange(void **state) {
   for (int k = 0; k < 51 * 41; k++) check_near(lower[1][k], lower[0][k], 1e-6 * most);
 }
 
-/* A stroke of eleven contacts as one position and a groove: against all positions. */
+/* A stroke of eleven contact widths, computed with one position and a groove, against all
+ * positions. */
 static void test_groove(void **state) {
   (void)state;
   static const double upper[3] = {0, 1.31788e-3, 1.68647e-3},
@@ -250,7 +253,7 @@ static void test_groove(void **state) {
   }
 }
 
-/* Positions between cells: volumes stay exact, depths hardly move. */
+/* Positions between cells: exact volumes, almost unchanged depths. */
 static void test_fractions(void **state) {
   (void)state;
   double depth[2][ARC_BODIES];
@@ -269,7 +272,7 @@ static void test_fractions(void **state) {
   for (int b = 0; b < ARC_BODIES; b++) check_share(depth[1][b], depth[0][b], 3e-3);
 }
 
-/* Twice the factor on a body is twice its coefficient. */
+/* Twice the factor of a body equals twice its coefficient. */
 static void test_factors(void **state) {
   (void)state;
   enum { n = 41, rows = 49 };
@@ -320,7 +323,7 @@ static void test_workers(void **state) {
   free_history(&four);
 }
 
-/* On larger windows depths are copied, on finer cells their volume stays. */
+/* Depths are copied to larger windows and keep their volume on finer cells. */
 static void test_regrow(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.01, 41, 0.5, 0.04, 200);
@@ -347,7 +350,7 @@ static void test_regrow(void **state) {
   free_history(&w);
 }
 
-/* A stage that fails leaves depths and pressures alone. */
+/* A failed stage leaves depths and pressures unchanged. */
 static void test_failures(void **state) {
   (void)state;
   history_def d = reciprocating(10, 0.01, 25, 0.5, 0.04, 5000);
@@ -369,7 +372,7 @@ static void test_failures(void **state) {
   free_history(&w);
 }
 
-/* ARCHARD_HISTORIES of them, 12 else: any radii, moduli, strokes, alpha; steps of any length. */
+/* Random radii, moduli, strokes, alpha and step lengths: ARCHARD_HISTORIES of them, default 12. */
 static void test_random_histories(void **state) {
   (void)state;
   const char *wish = getenv("ARCHARD_HISTORIES");
@@ -390,7 +393,7 @@ static void test_random_histories(void **state) {
     d.k = 1e-8;
     d.distance = volume / (d.k * d.load);
     arc_halfspace_fit(&d.space, d.load, 4 * volume, d.stroke, 0, 6);
-    d.space.track += 2; /* positions between cells read the next one */
+    d.space.track += 2; /* positions between cells also read the next cell */
     d.space.groove = d.increments == 0 && random_int(0, 1) ? d.stroke + a : 0;
     d.steps = random_int(1, 4);
     history w = run_history(&d);
@@ -407,8 +410,8 @@ static void test_random_histories(void **state) {
 /* --- below the surface
  * ---------------------------------------------------------------------------------- */
 
-/* Hertz: largest von Mises stress 0.620 p0 at 0.48 a; on the surface -(1 + 2 nu) / 2 p0 at the
- * centre. */
+/* Hertz: largest von Mises stress 0.620 p0 at depth 0.48 a; at the surface -(1 + 2 nu) / 2 p0 at
+ * the centre. */
 static void test_stress(void **state) {
   (void)state;
   enum { n = 41, middle = (n * n - 1) / 2 };
@@ -436,7 +439,7 @@ static void test_stress(void **state) {
   free_solved(&s);
 }
 
-/* Forces on a thin slab of each cell column balance along x and y. */
+/* Forces on thin horizontal slabs of each cell column balance along x and y. */
 static void test_equilibrium(void **state) {
   (void)state;
   enum { n = 64 };

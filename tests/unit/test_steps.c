@@ -1,5 +1,5 @@
-/* Steps of wear runs: whole or not at all, stopped and gone on with, met distances, history, copies
- * and stored states that go on to the same bits. */
+/* Tests of the steps of wear runs: complete or without effect, stopped and continued, exact
+ * distances, history, copies and restored states with identical bits. */
 #include "runs.h"
 
 /* --- steps ------------------------------------------------------------------------------------ */
@@ -7,7 +7,7 @@
 static void test_last_step(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
-  def.jump = 170; /* 37.4 mm a step: 132 mm takes 3.53 */
+  def.jump = 170; /* 37.4 mm for each step: 132 mm need 3.53 steps */
   arc_wear *wear = start(&def);
   static const double distance[] = {37.4, 74.8, 112.2, 132, 132};
   for (int step = 0; step < 5; step++) {
@@ -25,7 +25,7 @@ static void test_last_step(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* Distances that binary fractions miss still make whole steps, and no crumb at the end. */
+/* Distances that are not exact binary fractions give whole steps without a tiny last step. */
 static void test_whole_steps(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
@@ -73,7 +73,7 @@ static void test_reference_contact(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* --- stopping and going on -------------------------------------------------------------------- */
+/* --- stopping and continuing ------------------------------------------------------------------ */
 
 static int count_down(void *context) {
   int *left = context;
@@ -101,8 +101,8 @@ static void check_stops(const arc_wear_def *def, int step_length) {
   arc_wear_destroy(&whole);
 }
 
-/* Stopped at any solution of a step, everything is as it was; the run then goes on to the same bits
- * as one that was never stopped. */
+/* Stopped at any solution of a step, the run is unchanged; it then continues with identical bits.
+ */
 static void test_stop(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
@@ -139,7 +139,7 @@ static void test_progress(void **state) {
   arc_wear_destroy(&whole);
 }
 
-/* A step that cannot be taken: the jump wears through the box. Twice the same refusal, no byte has
+/* A step that cannot be computed, as the jump wears through the box: the same error twice, no byte
  * changed. */
 static void test_failing_step(void **state) {
   (void)state;
@@ -206,13 +206,13 @@ static void test_copies_go_on(void **state) {
         arc_wear_def def = quick(strokes[s], alphas[a]);
         def.geometry = (arc_geometry)geometry;
         check_goes_on(&def);
-        def.jump = 0; /* the estimates of earlier steps stand in the history */
+        def.jump = 0; /* the history contains the error estimates of earlier steps */
         def.k = 5e-8;
         check_goes_on(&def);
       }
 }
 
-/* Deaf to each other: the original's steps do not reach the copy. */
+/* Independence of copies: steps of the original do not change the copy. */
 static void test_copies_apart(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.11, 0.5);
@@ -228,7 +228,7 @@ static void test_copies_apart(void **state) {
   arc_wear_destroy(&other);
 }
 
-/* A run from another's worn shape starts with that shape and no history of its own. */
+/* A run started from another run's worn shape has this shape and an empty history. */
 static void test_worn_start(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.11, 0.5);

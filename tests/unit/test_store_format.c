@@ -1,8 +1,9 @@
-/* Formats of the run file: what its columns are, and that files of older releases (tests/files)
- * become files of today, whole or not at all. tests/lua/formats.lua looks at what they hold. */
+/* Tests of the formats of the run file: structure of the tables, and files of older releases
+ * (tests/files), which are converted completely or not at all. tests/lua/formats.lua checks their
+ * contents. */
 #include "store_sql.h"
 
-/* A line for each column of each table and view, in the order of their names; to be freed. */
+/* A line for each column of each table and view, sorted by name; the caller frees it. */
 static char *structure_of(const char *path) {
   static const char sql[] =
       "SELECT group_concat(line, char(10)) || char(10) FROM (SELECT m.name || '.' || c.name || "
@@ -27,7 +28,7 @@ static void make_new(const char *name) {
   arc_store_close(&store);
 }
 
-/* Copies tests/files/format-N.KIND into the test's folder. */
+/* Copies tests/files/format-N.KIND to the test's folder. */
 static void copy_old(int format, const char *kind, const char *name) {
   char path[100];
   snprintf(path, sizeof path, "tests/files/format-%d.%s", format, kind);
@@ -37,10 +38,11 @@ static void copy_old(int format, const char *kind, const char *name) {
 static const char *const kinds[] = {"wear", "study", "share"};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* --- what the columns are --------------------------------------------------------------------- */
+/* --- structure -------------------------------------------------------------------------------- */
 
-/* The columns follow from ARC_WEAR_COLUMNS and src/store/schema.c; files of one format must have
- * the same ones for ever. */
+/* The columns follow from ARC_WEAR_COLUMNS and src/store/schema.c; all files of one format must
+ * have the same columns.
+ */
 static void test_structure(void **state) {
   (void)state;
   char path[100], found[300];
@@ -103,7 +105,7 @@ static void test_reader_changes_nothing(void **state) {
   free(after);
 }
 
-/* What is wrong in an old file stays wrong, in its case alone. */
+/* Damage in an old file stays in its case and affects no other case. */
 static void test_damage_stays(void **state) {
   (void)state;
   arc_error error = {0};
@@ -122,7 +124,7 @@ static void test_damage_stays(void **state) {
   }
 }
 
-/* The last but one of the changes fails: none of them is there. */
+/* If the last conversion but one fails, no conversion is applied. */
 static void test_whole_or_not_at_all(void **state) {
   (void)state;
   arc_error error = {0};
@@ -162,7 +164,8 @@ static void test_many_open_at_once(void **state) {
   }
 }
 
-/* Refused when opened (test_store_trouble.c), and when it becomes newer under a writer. */
+/* A newer format is refused when opened (test_store_trouble.c), and also when another program
+ * converts the file during writing. */
 static void test_newer_meanwhile(void **state) {
   (void)state;
   arc_error error = {0};
@@ -181,12 +184,11 @@ static void test_newer_meanwhile(void **state) {
   arc_store_close(&store);
 }
 
-/* --- surfaces for those who look with SQL ------------------------------------------------------
- */
+/* surfaces in SQL */
 
 enum { MOST_NUMBERS = 20000 };
 
-/* All numbers of the surfaces, in the order of rows; how many. */
+/* Reads all numbers of the surfaces in the order of the rows; returns their count. */
 static int numbers_of(const char *name, double *number) {
   sqlite3 *db;
   sqlite3_stmt *s;
@@ -208,7 +210,7 @@ static int numbers_of(const char *name, double *number) {
   return count;
 }
 
-/* The view shows what the table had that it stands for. */
+/* The view shows the same surfaces as the table that it replaced. */
 static void test_surfaces_stay(void **state) {
   (void)state;
   static double table[MOST_NUMBERS], view[MOST_NUMBERS];
@@ -221,7 +223,7 @@ static void test_surfaces_stay(void **state) {
   assert_memory_equal(view, table, (size_t)count * sizeof *view);
 }
 
-/* A finite number of any size, from a sequence that repeats; none too small to be normal. */
+/* A finite normal number of any magnitude from a reproducible sequence. */
 static double any_number(uint64_t *seed) {
   double number;
   do {
@@ -232,7 +234,7 @@ static double any_number(uint64_t *seed) {
   return number;
 }
 
-/* Numbers of all sizes are shown to the bit. */
+/* Numbers of all magnitudes are shown with all bits. */
 static void test_any_number_is_shown(void **state) {
   (void)state;
   enum { NODES = 2000, PLACES = 9, AT_H = 6, AT_Y = 7 };

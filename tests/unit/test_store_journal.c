@@ -1,5 +1,5 @@
-/* What stands beside a run file: a journal of ours puts right what a killed program left; whatever
- * a stranger may have laid there has no file deleted, written to or waited for. */
+/* Tests of files beside a run file: archard's own journal restores the state before a killed
+ * program's change; a foreign file there causes no deletion, writing or waiting. */
 #include "store_sql.h"
 
 #include <fcntl.h>
@@ -27,7 +27,7 @@ static void put_magic(FILE *to) {
   fwrite("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 1, 8, to);
 }
 
-/* Begins the journal of a file of `pages`, with room for `records` pages as they were. */
+/* Starts the journal of a file with `pages` pages and the number of saved pages, `records`. */
 static FILE *begin_journal(const char *name, uint32_t records, uint32_t pages) {
   char path[300];
   snprintf(path, sizeof path, "%s-journal", in_folder(name));
@@ -40,7 +40,7 @@ static FILE *begin_journal(const char *name, uint32_t records, uint32_t pages) {
   return to;
 }
 
-/* A page as it was, with the number that SQLite checks it by. */
+/* Writes the saved content of a page with SQLite's checksum. */
 static void put_page(FILE *to, uint32_t number, const unsigned char *page) {
   uint32_t sum = 7;
   for (int i = PAGE - 200; i > 0; i -= 200) sum += page[i];
@@ -49,7 +49,7 @@ static void put_page(FILE *to, uint32_t number, const unsigned char *page) {
   put_number(to, sum);
 }
 
-/* The end of a journal of several files, of which `names` is the list. */
+/* Writes the end of a journal for several files, listed in `names`. */
 static void put_name(FILE *to, const char *names) {
   uint32_t sum = 0;
   for (const char *c = names; *c; c++) sum += (unsigned char)*c;
@@ -62,7 +62,7 @@ static void put_name(FILE *to, const char *names) {
 
 /* --- ours ------------------------------------------------------------------------------------- */
 
-/* A file without its last page, and the journal that has it. */
+/* Makes a file without its last page and the journal that contains this page. */
 static void cut_in_mid_change(const char *name) {
   size_t count;
   unsigned char *bytes = bytes_of(in_folder("good"), &count);
@@ -106,7 +106,7 @@ static void assert_there(const char *name) {
   free(bytes);
 }
 
-/* Refused in all modes, and the file "victim" is as it was. */
+/* Checks that the file is refused in all modes and the file "victim" is unchanged. */
 static void assert_none_of_ours(const char *name) {
   for (int mode = ARC_STORE_READ; mode <= ARC_STORE_CREATE; mode++) {
     arc_error error = {0};
@@ -133,7 +133,7 @@ static void test_names_a_file(void **state) {
   put_name(journal, in_folder("victim"));
   fclose(journal);
   assert_none_of_ours("named");
-  /* a name that looks like a journal's */
+  /* a name that looks like that of a journal */
   assert_int_equal(rename(in_folder("victim"), in_folder("other-journal")), 0);
   copy_good("again");
   journal = begin_journal("again", 0, 10);
@@ -143,7 +143,7 @@ static void test_names_a_file(void **state) {
   assert_there("other-journal");
 }
 
-/* Of a share that is joined, too. */
+/* The same for a share that is merged. */
 static void test_share(void **state) {
   (void)state;
   arc_error error = {0};
@@ -174,7 +174,7 @@ static void test_links_and_pipes(void **state) {
   assert_none_of_ours("piped");
 }
 
-/* A log holds pages that stand for those of the file; its index may be any file. */
+/* A log contains pages that replace those of the file; its index could be any file. */
 static void test_logs(void **state) {
   (void)state;
   lay_file("victim");
@@ -188,7 +188,7 @@ static void test_logs(void **state) {
   assert_there("beside-wal");
 }
 
-/* A file that is gone left its journal: a new one of that name is not changed back by it. */
+/* The journal of a deleted file is not applied to a new file of the same name. */
 static void test_left_alone(void **state) {
   (void)state;
   arc_error error = {0};
@@ -207,7 +207,7 @@ static void test_left_alone(void **state) {
 
 int main(void) {
   arc_single_threaded();
-  alarm(60); /* a pipe would be waited for */
+  alarm(60); /* opening a pipe would wait */
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_put_right), cmocka_unit_test(test_names_a_file),
       cmocka_unit_test(test_share),     cmocka_unit_test(test_links_and_pipes),

@@ -1,14 +1,15 @@
-/* Runs on meshes from outside in run files: the file carries the mesh, runs go on to the same bits,
- * many cases share one text, and a stranger's mesh is read as one from any file. */
+/* Tests of runs on imported meshes in run files: the file contains the mesh, runs continue with
+ * identical bits, several cases share one text, and meshes in untrusted files are checked like any
+ * mesh file. */
 #include "mesh_text.h"
 #include "store_sql.h"
 
 #include "archard/export.h"
 #include "store/store.h"
 
-/* --- a run on a given mesh -------------------------------------------------------------------- */
+/* --- a run on an imported mesh ---------------------------------------------------------------- */
 
-/* A coarse pair whose cylinder has a thin coat, as the text of a Gmsh file. */
+/* A coarse pair whose cylinder has a thin coating, as the text of a Gmsh file. */
 static char *coated_text(void) {
   arc_error error = {0};
   arc_model_def def = arc_model_default();
@@ -67,7 +68,7 @@ static int make_good(void **state) {
   return 0;
 }
 
-/* --- to the same bits ------------------------------------------------------------------------- */
+/* --- identical bits --------------------------------------------------------------------------- */
 
 static void test_goes_on(void **state) {
   (void)state;
@@ -78,7 +79,7 @@ static void test_goes_on(void **state) {
   assert_true(arc_model_is_given(again));
   assert_string_equal(arc_model_definition(again)->body[ARC_UPPER].layer[0].name, "layer1");
   must(arc_wear_run(stored, 330, NULL, &error), &error);
-  assert_true(arc_wear_last(stored)->depth_cylinder > 5e-4); /* through the coat */
+  assert_true(arc_wear_last(stored)->depth_cylinder > 5e-4); /* worn through the coating */
   assert_same_runs(stored, whole);
   free(text);
   arc_wear_destroy(&whole);
@@ -87,7 +88,7 @@ static void test_goes_on(void **state) {
   arc_model_release(&again);
 }
 
-/* --- one text for all ------------------------------------------------------------------------- */
+/* --- one text for all cases ------------------------------------------------------------------- */
 
 static int number_of(const char *name, const char *sql) {
   sqlite3 *db;
@@ -116,7 +117,7 @@ static void finish(const char *name, int id, const arc_wear *wear) {
   arc_store_close(&store);
 }
 
-/* Cases share the text of their mesh, and shares of a study bring it along. */
+/* Cases share the text of their mesh; merging a share also copies the text. */
 static void test_shared(void **state) {
   (void)state;
   arc_error error = {0};
@@ -146,7 +147,7 @@ static int keep_text(void *context, const arc_value *value) {
   return 0;
 }
 
-/* Any text comes back as it was, also one that looks like the name of another. */
+/* Any text is read back unchanged, also one that looks like the name of another. */
 static void test_texts(void **state) {
   (void)state;
   arc_error error = {0};
@@ -181,7 +182,7 @@ static void set_mesh(const char *name, const char *value) {
   sqlite3_close(db);
 }
 
-/* The good run on another mesh. */
+/* The good run with another mesh. */
 static void change_mesh(const char *name, const char *text) {
   arc_error error = {0};
   char of_text[ARC_TEXT_NAME];
@@ -193,7 +194,7 @@ static void change_mesh(const char *name, const char *text) {
   seal(name);
 }
 
-/* Every kind of broken mesh, as a stranger would put it into a run file. */
+/* Every kind of broken mesh in a run file. */
 static void test_broken_meshes(void **state) {
   (void)state;
   static const struct {
@@ -214,7 +215,7 @@ static void test_broken_meshes(void **state) {
       {"huge-nodes", "expected a number of nodes"},
       {"truncated", "the file ends"},
       {"nan", "three finite coordinates"},
-      {"good-41", "field 'upper.materials'"}, /* a sound one, of another run */
+      {"good-41", "field 'upper.materials'"}, /* a valid mesh of another run */
       {"good-materials", "field 'upper.materials'"},
   };
   for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
@@ -226,7 +227,7 @@ static void test_broken_meshes(void **state) {
   }
 }
 
-/* A sound mesh whose surface has other nodes than the state. */
+/* A valid mesh whose surface has another number of nodes than the state. */
 static void test_other_surface(void **state) {
   (void)state;
   size_t count;
@@ -252,7 +253,7 @@ static void test_texts_of_strangers(void **state) {
                     "* FROM texts; DROP TABLE texts; ALTER TABLE t RENAME TO texts");
     run_sql("text", wrong[i]);
     assert_damaged("text", "text");
-    if (i == 0) continue; /* nobody's loss but the case's */
+    if (i == 0) continue; /* only this case is lost */
     arc_store *store = opened("text", ARC_STORE_READ);
     assert_int_equal(arc_store_check(store, &error), ARC_FORMAT);
     arc_store_close(&store);
@@ -279,7 +280,8 @@ static void test_values_of_strangers(void **state) {
   }
 }
 
-/* Fields of a definition that no given mesh goes with; without its mesh the run is none, too. */
+/* Fields of a definition that are not allowed with an imported mesh; without its mesh a run is
+ * refused too. */
 static void test_definitions_of_strangers(void **state) {
   (void)state;
 #define SET(name, value) "UPDATE definition SET value = " value " WHERE name = '" name "'"

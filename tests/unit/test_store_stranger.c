@@ -1,8 +1,8 @@
-/* Run files of strangers, who may write anything and a checksum that fits it: what is not sound is
- * refused in words before any object is made of it. Meant for the sanitizers, too. */
+/* Tests of untrusted run files with arbitrary content and valid checksums: invalid content is
+ * refused with a message before any object is created. Also run with sanitizers. */
 #include "store_sql.h"
 
-/* --- a good file, and files made of it -------------------------------------------------------- */
+/* --- a good file and changed copies ----------------------------------------------------------- */
 
 static const double distances[3] = {0, 50, 400}, k_at[3] = {2e-8, 1e-8, 1.5e-8};
 static const double to_and_fro[5] = {-0.05, 0, 0.05, 0, -0.05}, loads[5] = {80, 100, 90, 100, 80};
@@ -30,14 +30,14 @@ static int make_good(void **state) {
   return 0;
 }
 
-/* A copy of the good file after some SQL, with checksums that fit. */
+/* Copies the good file, applies some SQL and updates the checksums. */
 static void spoil(const char *name, const char *sql) {
   copy_good(name);
   run_sql(name, sql);
   seal(name);
 }
 
-/* The array that `select` finds gets another number in one place; `update` puts it back. */
+/* Replaces one number in the array selected by `select` and writes it back with `update`. */
 static void set_number(const char *name, const char *name_of, int at, double value) {
   sqlite3 *db;
   sqlite3_stmt *s;
@@ -95,7 +95,8 @@ static void test_values_twice(void **state) {
   assert_damaged("twice", "load");
 }
 
-/* Nor are they joined with a study; a value twice is no word of SQLite's. */
+/* Such files cannot be merged with a study; the message for a duplicate value does not quote
+ * SQLite. */
 static void test_share_with_values_twice(void **state) {
   (void)state;
   arc_error error = {0};
@@ -263,7 +264,7 @@ static void test_histories(void **state) {
 static void test_surfaces(void **state) {
   (void)state;
   static const char *const wrong[] = {
-      "numbers = zeroblob(8 * rows) WHERE name = 'x'", /* none after the other */
+      "numbers = zeroblob(8 * rows) WHERE name = 'x'", /* not one after the other */
       "numbers = CAST(substr(numbers, 1, 16) || x'000000000000f07f' || substr(numbers, 25) AS "
       "BLOB) "
       "WHERE name = 'h'", /* infinite */
@@ -303,7 +304,7 @@ static void test_checksums_are_required(void **state) {
   run_sql("orphan", "PRAGMA foreign_keys = OFF; DELETE FROM cases");
   assert_damaged("orphan", "case 1");
 
-  /* nor does a program that writes to the file give it one */
+  /* writing to the file does not add a checksum */
   arc_store *store = opened("unsealed", ARC_STORE_WRITE);
   must(arc_store_add(store, 2, "another", &error), &error);
   must(arc_store_mark(store, 2, ARC_CASE_DONE, NULL, 1, &error), &error);
@@ -337,7 +338,7 @@ static void test_cases(void **state) {
   assert_damaged("status", "odd");
 }
 
-/* --- what SQLite would do for a stranger ------------------------------------------------------ */
+/* --- effects of SQLite on untrusted files ----------------------------------------------------- */
 
 static void test_structure(void **state) {
   (void)state;
@@ -359,7 +360,7 @@ static void test_structure(void **state) {
   assert_damaged("table", "arrays");
 }
 
-/* A stranger's trigger does nothing. */
+/* A trigger in the file has no effect. */
 static void test_triggers(void **state) {
   (void)state;
   arc_error error = {0};
@@ -375,7 +376,7 @@ static void test_triggers(void **state) {
   arc_store_close(&store);
 }
 
-/* An inner page of 300 rows, behind each of which stands the same page. */
+/* An inner page of 300 rows, all with the same child page. */
 static void make_inner(unsigned char *page, unsigned child) {
   enum { ROWS = 300, FIRST = 4096 - 8 * ROWS };
   const unsigned char header[8] = {5, 0, 0, ROWS >> 8, ROWS & 255, FIRST >> 8, FIRST & 255, 0};
@@ -387,13 +388,13 @@ static void make_inner(unsigned char *page, unsigned child) {
     link[2] = (unsigned char)(child >> 8);
     link[3] = (unsigned char)child;
     if (row == ROWS) continue;
-    link[4] = 1; /* the row's number, which is not looked at */
+    link[4] = 1; /* the row's number, which is not read */
     page[12 + 2 * row] = (unsigned char)(at >> 8);
     page[13 + 2 * row] = (unsigned char)at;
   }
 }
 
-/* Pages that a tree holds many times over would be walked for ever. */
+/* A tree that refers to the same page many times would take endless time. */
 static void test_tangled_tree(void **state) {
   (void)state;
   copy_good("tangled");
@@ -414,7 +415,7 @@ static void test_tangled_tree(void **state) {
   assert_damaged("tangled", "");
 }
 
-/* --- files that are none ---------------------------------------------------------------------- */
+/* --- not run files ---------------------------------------------------------------------------- */
 
 static void test_devices(void **state) {
   (void)state;
@@ -429,7 +430,7 @@ static void test_devices(void **state) {
     }
 }
 
-/* Words of a file that a terminal would obey are told harmlessly. */
+/* Text from a file is shown without the control characters that terminals interpret. */
 static void test_escape_codes(void **state) {
   (void)state;
   arc_error error = {0};

@@ -1,10 +1,10 @@
-/* The run file in trouble: what is not ours or damaged is refused and left as it is; a full disk, a
- * killed writer, two writers at once, shares that do not belong together. */
+/* Tests of error conditions of the run file: foreign and damaged files are refused and unchanged; a
+ * full disk, a killed writer, two writers at once, shares of different studies. */
 #include "store_shared.h"
 
-/* --- files that are not ours ------------------------------------------------------------------ */
+/* --- foreign files ---------------------------------------------------------------------------- */
 
-/* Opening `name` in every mode is refused with `words`, and leaves every byte as it was. */
+/* Checks that opening `name` in every mode fails with `words` and leaves every byte unchanged. */
 static void assert_refused(const char *name, arc_status expected, const char *words) {
   const char *path = in_folder(name);
   size_t before_count, after_count;
@@ -24,7 +24,7 @@ static void assert_refused(const char *name, arc_status expected, const char *wo
   free(after);
 }
 
-/* A copy of a good file with some bytes changed. */
+/* Makes a copy of a good file with some bytes changed. */
 static void write_changed(const char *name, size_t at, const char *bytes, size_t count,
                           size_t keep) {
   arc_store *store = opened("good", ARC_STORE_CREATE);
@@ -70,7 +70,7 @@ static void test_damaged_pages(void **state) {
   arc_store_close(&store);
 }
 
-/* Reads all of the first case; whether that worked. */
+/* True if all data of the first case can be read and are as expected. */
 static int reads_well(const char *name, const arc_wear_record *expected, size_t expected_count) {
   arc_error error = {0};
   arc_store *store;
@@ -88,7 +88,7 @@ static int reads_well(const char *name, const arc_wear_record *expected, size_t 
   return well;
 }
 
-/* A bit turned over anywhere is refused, or does not touch what is read. */
+/* A changed bit anywhere is refused, or does not affect the data read. */
 static void test_turned_bits(void **state) {
   (void)state;
   arc_error error = {0};
@@ -132,7 +132,7 @@ static void test_replace(void **state) {
     must(arc_store_publish(&store, &error), &error);
   }
   must(arc_store_replace(in_folder("replaced"), "wear", &store, &error), &error);
-  arc_store_close(&store); /* thought better of it */
+  arc_store_close(&store); /* close without storing */
   store = opened("replaced", ARC_STORE_READ);
   must(arc_store_info(store, "kind", &text, &error), &error);
   assert_string_equal(text, "wear");
@@ -176,7 +176,8 @@ static size_t count_of(const char *name) {
   return count;
 }
 
-/* A limit on the size of files stands in for a full disk: in a child, since it cannot be raised. */
+/* A limit on the size of files simulates a full disk, in a child process, as the limit cannot be
+ * raised again. */
 static void test_full_disk(void **state) {
   (void)state;
   arc_store *store = opened("full", ARC_STORE_CREATE);
@@ -202,7 +203,7 @@ static void test_full_disk(void **state) {
   assert_int_equal(count_of("full"), 99);
 }
 
-/* A writer is killed at some moment; whole batches are there, never a part of one. */
+/* A writer is killed at some moment; the file contains complete batches only. */
 static void test_killed_writer(void **state) {
   (void)state;
   enum { ROUNDS = 12, BATCH = 50 };
@@ -253,11 +254,11 @@ static void test_two_writers(void **state) {
   assert_int_equal(count_of("shared"), WRITERS * EACH);
 }
 
-/* A program that keeps one run and another as case 1, by turns, until it is killed. */
+/* A program that stores two runs alternately as case 1 until it is killed. */
 static pid_t keep_by_turns(const char *name, const arc_wear *one, const arc_wear *two) {
   const pid_t child = fork();
   if (child != 0) return child;
-  alarm(60); /* its parent may fail */
+  alarm(60); /* in case the parent fails */
   arc_store *store = opened(name, ARC_STORE_WRITE);
   for (int turn = 0;; turn++) {
     save_run(store, 1, turn % 2 ? one : two);
@@ -265,7 +266,7 @@ static pid_t keep_by_turns(const char *name, const arc_wear *one, const arc_wear
   }
 }
 
-/* What is read while another program stores it is of one moment, and sound. */
+/* Data read while another program stores them belong to one moment and are valid. */
 static void test_reader_beside_writer(void **state) {
   (void)state;
   enum { READS = 25 };
@@ -321,11 +322,11 @@ static void test_merge(void **state) {
   make_share("stranger", 2, 0.25, wear);
   make_share("joined", 0, 0.5, wear);
   arc_store *store = opened("joined", ARC_STORE_WRITE);
-  save_run(store, 2, other); /* kept halfway by a program that was killed */
+  save_run(store, 2, other); /* stored in part by a program that was killed */
   must(arc_store_merge(store, in_folder("share 1"), &error), &error);
   assert_int_equal(arc_store_merge(store, in_folder("stranger"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "different studies"));
-  must(arc_store_merge(store, in_folder("share 1"), &error), &error); /* once more, the same */
+  must(arc_store_merge(store, in_folder("share 1"), &error), &error); /* the same share again */
   assert_int_equal(arc_store_merge(store, in_folder("share 1 of others"), &error), ARC_ARGUMENT);
   assert_non_null(strstr(error.message, "case 1 is finished in both, with other results"));
   must(arc_store_merge(store, in_folder("share '2'"), &error), &error);

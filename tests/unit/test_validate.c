@@ -1,4 +1,5 @@
-/* The validators: sound contacts and runs pass, each kind of damage is found and named. */
+/* Tests of the validators: valid contacts and runs pass, each kind of damage is detected and named.
+ */
 #include "runs.h"
 
 #include "core/plane/solution.h"
@@ -55,7 +56,7 @@ static void test_sound_runs(void **state) {
     }
 }
 
-/* A change of load between steps: each part by its own k L d. */
+/* A change of load between steps: each part has its own k L d. */
 static void test_changed_run(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
@@ -91,7 +92,8 @@ static void test_broken_runs(void **state) {
   arc_wear_destroy(&w);
 }
 
-/* A number in the last record that is none, or is less than in the one before, is told by name. */
+/* Checks that a number in the last record that is NaN or smaller than the one before is reported
+ * with its name. */
 static void check_record(arc_wear *w, double *number, double wrong, const char *name,
                          const char *how) {
   char told[80];

@@ -1,4 +1,4 @@
-/* Wear runs: volumes, procedures, integration, stability, refusals. */
+/* Tests of wear runs: volumes, procedures, integration, stability, refusals. */
 #include "runs.h"
 
 /* --- volumes ---------------------------------------------------------------------------------- */
@@ -17,7 +17,7 @@ static void test_volumes(void **state) {
     }
 }
 
-/* The record's volume is the volume of the profile: depth times width, node by node. */
+/* The record's volume equals that of the profile: depth times width, summed over the nodes. */
 static void test_volume_of_profile(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.22, 0.5);
@@ -31,8 +31,8 @@ static void test_volume_of_profile(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* Thickness: the load is that of the whole width, so is the volume; depths are those of load per
- * mm. */
+/* With a thickness, load and volume refer to the whole width; depths are those of the load per mm.
+ */
 static void test_thickness(void **state) {
   (void)state;
   arc_model_def md = *arc_model_definition(coarse);
@@ -72,7 +72,7 @@ static void test_choice(void **state) {
   }
 }
 
-/* Stroke 2R: the plate wears (1 - alpha) k L a pass and mm, Eq. (27). */
+/* Stroke 2R: the plate wears by (1 - alpha) k L for each pass and mm, Eq. (27). */
 static void test_plate_under_long_strokes(void **state) {
   (void)state;
   arc_wear_def def = quick(20, 0.25);
@@ -84,7 +84,7 @@ static void test_plate_under_long_strokes(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* alpha = 0 at 2R needs no finite elements: Hertz, and no contact solution. */
+/* alpha = 0 at 2R needs no finite elements: Hertz pressure without a contact solution. */
 static void test_hertz_forever(void **state) {
   (void)state;
   arc_wear_def def = quick(20, 0);
@@ -97,7 +97,7 @@ static void test_hertz_forever(void **state) {
   arc_wear_destroy(&wear);
 }
 
-/* alpha = 1: the sliding plate changes nothing but the nodes it meets. */
+/* alpha = 1: the sliding plate has no effect except by the positions of its nodes. */
 static void test_forced_sliding(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 1);
@@ -113,7 +113,7 @@ static void test_forced_sliding(void **state) {
   arc_wear_destroy(&slides);
 }
 
-/* alpha = 1 wears by the distance alone, whatever the stroke. */
+/* With alpha = 1 the wear depends only on the distance, not on the stroke. */
 static void test_one_cylinder(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 1);
@@ -128,8 +128,8 @@ static void test_one_cylinder(void **state) {
 
 /* --- integration ------------------------------------------------------------------------------ */
 
-/* Eq. (5) has the same volume and a slightly shifted plate; the shift shrinks with the increments.
- */
+/* Eq. (5) gives the same volume and a slightly shifted plate profile; the shift decreases with the
+ * number of increments. */
 static void test_simple_rule(void **state) {
   (void)state;
   double apart[2];
@@ -153,7 +153,7 @@ static void test_simple_rule(void **state) {
   check_below(apart[1], 0.4 * apart[0]);
 }
 
-/* The elastic part of the slip is small (Eq. 25), and there. */
+/* The elastic part of the slip is small (Eq. 25), but not zero. */
 static void test_total_slip(void **state) {
   (void)state;
   arc_wear_def def = quick(0.22, 0.5);
@@ -186,7 +186,7 @@ static void test_frozen(void **state) {
   arc_wear_destroy(&frozen);
 }
 
-/* Shorter steps change little, and twice as short ones half of that: first order. */
+/* Shorter steps change little, and steps of half the length change half as much: first order. */
 static void test_step_size(void **state) {
   (void)state;
   double depth[3];
@@ -216,8 +216,8 @@ static void test_symmetric(void **state) {
 
 /* --- stability and roughness ------------------------------------------------------------------ */
 
-/* The eigenvalue says when explicit steps become rough: below its limit they are smooth, above it
- * they are not, and a run ends before its pressures mean nothing. */
+/* The eigenvalue gives the limit of explicit steps: smooth below, rough above, and a run ends
+ * before its pressures become meaningless. */
 static void test_stability(void **state) {
   (void)state;
   arc_model *model = default_model();
@@ -246,7 +246,7 @@ static void test_stability(void **state) {
   arc_model_release(&model);
 }
 
-/* Asking for the limit changes nothing: the run goes on to the same bits. */
+/* Computing the limit does not change the run, which continues with identical bits. */
 static void test_stability_is_a_question(void **state) {
   (void)state;
   const arc_wear_def def = quick(0.11, 0.5);
@@ -270,7 +270,7 @@ static void hear(void *context, const char *text) {
   snprintf(warning, sizeof warning, "%s", text);
 }
 
-/* Increments that leap are told of, with a number that does not. */
+/* Increments that are too long give a warning with a sufficient number of increments. */
 static void test_leaps(void **state) {
   (void)state;
   static const arc_callbacks callbacks = {.warn = hear};
@@ -282,7 +282,8 @@ static void test_leaps(void **state) {
     if (k == 1) def.increments = 0; /* follows the contact */
     if (k > 1) def.blocks = 1, def.loading = k == 4 ? &once : &ends, def.jump = 1;
     if (k == 3) def.increments = 2;
-    if (k == 4) def.increments = 0, def.jump = 1e6, def.distance = 0; /* a jump of no use there */
+    if (k == 4)
+      def.increments = 0, def.jump = 1e6, def.distance = 0; /* a jump without effect there */
     if (k == 0) def.increments = 8;
     arc_wear *wear = start(&def);
     warnings = 0;
@@ -294,8 +295,8 @@ static void test_leaps(void **state) {
   }
 }
 
-/* A jump past the limit is told of once for a definition, before its first step; asking costs no
- * bits. */
+/* A jump beyond the limit gives one warning for each definition, before its first step; results are
+ * unchanged. */
 static void test_warnings(void **state) {
   (void)state;
   static const arc_callbacks callbacks = {.warn = hear};
@@ -388,7 +389,8 @@ static void test_refused_combinations(void **state) {
   refuse(&def, ARC_ZONE, "zone");
 }
 
-/* A stroke the plate's zone cannot hold is refused with the zone it needs; that zone is enough. */
+/* A stroke too long for the plate's zone is refused with the required zone; this zone is
+ * sufficient. */
 static void test_zone(void **state) {
   (void)state;
   arc_wear_def def = quick(2, 0.5);
@@ -405,7 +407,7 @@ static void test_zone(void **state) {
   arc_model_release(&wide);
 }
 
-/* The zones of a run hold its contact whatever its size, with much wear and with hardly any. */
+/* The zones of a run are large enough for its contact, with much and with little wear. */
 static void test_zones_are_enough(void **state) {
   (void)state;
   random_start(51);
@@ -422,14 +424,14 @@ static void test_zones_are_enough(void **state) {
     def.alpha = random_int(0, 4) / 4.0;
     def.increments = 10;
     def.jump = def.distance / (2 * def.stroke) / 20;
-    /* hardly any wear, or a scar of up to three times the first half width */
+    /* little wear, or a scar of up to three times the first half width */
     const double scar = hertz.half_width * random_in(0, trial % 2 ? 3 : 0.2);
     def.k = pow(scar, 3) / (1.5 * md.radius * def.load * def.distance);
     arc_wear_zones(&def, &md, md.mesh.zone);
     for (int b = 0; b < ARC_BODIES; b++) md.mesh.zone[b] = fmin(md.mesh.zone[b], 1.6 * md.radius);
     arc_model *model = build_model(&md);
     arc_wear *wear = NULL;
-    def.scheme = ARC_IMPLICIT; /* so few steps would make explicit ones rough */
+    def.scheme = ARC_IMPLICIT; /* explicit steps would be rough with so few steps */
     check_ok(arc_wear_create(model, &def, NULL, &wear, why));
     check_ok(arc_wear_run(wear, def.distance, NULL, why));
     check_volumes(wear);
@@ -438,7 +440,7 @@ static void test_zones_are_enough(void **state) {
   }
 }
 
-/* No wear at k = 0, but a run. */
+/* A run with k = 0 has no wear. */
 static void test_no_wear(void **state) {
   (void)state;
   arc_wear_def def = quick(0.11, 0.5);
