@@ -1,4 +1,4 @@
--- Definition tables: what is refused, with which words, and error objects as values.
+-- Tests of definition tables: refused fields and the messages; error objects as values.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
@@ -54,7 +54,7 @@ fails(function() model{ mesh = { element = "CPE8" } } end, [[expected "auto", "C
 fails(function() wear{}:profile("pin") end,
   [[wear:profile: field 'body': expected "cylinder" or "plate", got "pin"]], "body of a method")
 
--- what excludes each other
+-- fields that exclude each other
 fails(function() wear{ distance = 10, cycles = 10 } end, "expected one of them, got both",
   "distance and cycles")
 fails(function() wear{ jump = "often" } end, [[field 'jump': expected a number > 0 cycles, "auto" or a function of the state, got "often"]],
@@ -81,17 +81,17 @@ is(err.step, nil, "error.step outside a run")
 is(err.message, "field 'alpha': expected a number in [0, 1], got 2", "error.message")
 is("failed: " .. err, "failed: " .. tostring(err), "errors can be joined with text")
 
--- the physics' own checks
+-- checks of the physical model
 fails(function() wear{ stroke = 30 } end, { "stroke", "30" }, "stroke over the plate")
 fails(function() wear{ procedure = "NSP" } end, { "NSP", "alpha" }, "NSP where the plate does not stay flat")
 fails(function() model{ mesh = { size = 100 } } end, { "size" }, "element larger than the body")
 ok(pcall(wear), "no table at all: the defaults")
 
--- what belongs elsewhere is said so
+-- messages that name the right place of a misplaced field
 fails(function() wear{ radius = 6 } end, "it is a field of model{}", "a field of a model in wear{}")
 fails(function() wear{}.k = 3 end, "change it by w:set{ field = value }", "a field that cannot be set")
 
--- names of files, numbers of cases
+-- file names, numbers of cases
 for where, call in pairs{ ["wear.open"] = wear.open, ["csv.read"] = csv.read, ["study.open"] = study.open,
   ["session.open"] = session.open, ["session.save"] = session.save, ["profile.read"] = profile.read } do
   fails(function() call "a\0b" end, { where, [[got "a\0b"]] }, where .. ": a zero byte in a name is refused, not its end")
@@ -105,7 +105,7 @@ for _, case in ipairs{ 0, -1, 1.5, 2 ^ 31, 2 ^ 62, 0 / 0, "1" } do
     ("case %s"):format(case))
 end
 
--- tables that hold themselves, studies of more cases than there can be
+-- tables that contain themselves, studies with too many cases
 local endless, many = {}, {}
 endless.k = endless
 for i = 1, 1000 do many[i] = i end
@@ -129,7 +129,7 @@ fails(function() study{ vary = pairs_of } end, "field 'vary': expected at most 4
 fails(function() study{ n = 1000000, indices = true, sample = { k = uniform{ 1, 2 }, load = uniform{ 1, 2 } } } end,
   "expected at most 1000000 cases, got 4000000 (1000000 samples, with indices 4 cases each)", "samples likewise")
 
--- an element keeps its shape when only its width is given
+-- an element keeps its aspect ratio when only its width is given
 local fine = model{ mesh = { size = 0.04 } }
 near(fine.mesh.height, 0.05, 1e-15, "the height follows the size")
 is(model{ mesh = { size = 0.04, height = 0.03 } }.mesh.height, 0.03, "unless it is given")

@@ -1,9 +1,9 @@
--- contact: solutions, pressures, stresses, worn shapes of the three kinds.
+-- Tests of contact: solutions, pressures, stresses, worn shapes of the three kinds.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
--- sum of p dx over the nodes, the load per thickness
+-- sum of p dx over the nodes: the load divided by the thickness
 local function load_of(pressure)
   local sum = 0
   for i = 2, #pressure.x do
@@ -57,7 +57,7 @@ near(contact{ model = { radius = 5 } }.half_width, hertz{ radius = 5 }.half_widt
   "model as a table")
 ok(contact{ load = 3000 }.model.mesh.zone.plate > 1.2, "a heavy load gets a wider zone")
 near(contact{ model = model{}, load = 5000 }.p_max, contact{ load = 5000 }.p_max, 0.01, "a model object gets wider zones")
-do -- the numbers of the message do
+do -- the numbers suggested by the message work
   local narrow = { size = 0.02, zone = { cylinder = 0.2, plate = 0.3 } }
   local why = fails(function() contact{ model = { mesh = narrow }, load = 1000, x = 0.1 } end, "this contact needs mesh.zone",
     "the zones are named")
@@ -93,7 +93,7 @@ near(other.p_center, w.p_center, 2e-2, "a wear object on another mesh: its profi
 local copy = contact{ worn = { cylinder = w:profile("cylinder"), plate = w:profile("plate") } }
 near(copy.p_center, w.p_center, 2e-3, "profiles of a run are profiles")
 
--- worn shapes that are refused
+-- refused worn shapes
 fails(function() contact{ worn = { pin = scar } } end, "unknown field 'worn.pin'", "unknown body")
 fails(function() contact{ worn = { plate = 1 } } end, "field 'worn.plate': expected a function",
   "number for a profile")

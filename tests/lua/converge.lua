@@ -1,5 +1,5 @@
--- study.converge and calibrate: what they find, and that it is the right thing.
--- Run once: its work is in Lua alone, which small steps of the collector only slow.
+-- Tests of study.converge and calibrate: results and messages.
+-- Run once: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -21,12 +21,12 @@ ok(math.abs(good.error) < 0.02 and math.abs(steps[#steps].error) < 0.02, "both a
 ok(#steps == 3 or math.abs(steps[#steps - 2].error) > 0.02 or steps[#steps - 2].elements < 8,
   "it stops where it may")
 
--- Three elements across are within 1 % by luck here.
+-- With three elements across the contact the error is below 1 % by chance here.
 local lucky = { load = 40, model = { radius = 6, cylinder = material{ E = 410e3, nu = 0.14 } } }
 steps, good = search.mesh(lucky, 0.01)
 ok(good and good.elements >= 8, "luck on a coarse mesh is not taken")
 
--- --- the jump and the increments -----------------------------------------------------------------
+-- --- jump and increments -------------------------------------------------------------------------
 local c = study.converge{ base = { alpha = 1, model = coarse }, mesh = false }
 local found = c.cases[1].found
 is(found.increments, nil, "a plate that does not slide needs no increments")
@@ -49,7 +49,7 @@ is(found.judged, math.min(100, math.ceil(6000 / found.jump)), "it is judged by t
 ok(found.smooth > search.limits.smooth, "the limit of roughness that this mesh needs")
 holds(tostring(c), { "jump", "roughness", "stable to", "was allowed" }, "print")
 
--- A k that depends on the state is searched as its table is.
+-- A k that depends on the state gives the same result as the equivalent table.
 local simple = study.converge{ base = { stroke = 0.15, rule = "simple", model = coarse }, mesh = false }
 ok(tostring(simple):find("profiles are asymmetric"), "Eq. (5): it is the rule that is to blame, and it says so")
 
@@ -63,7 +63,7 @@ fails(function() study.converge{ base = { k = function() return 0 end, alpha = 1
 fails(function() study.converge{ base = { k = function() return 1e-8 end }, vary = { alpha = { 0, 1 } } } end,
   { "field 'base.k'", "table over distance" }, "functions in many cases")
 
--- With a roughness that everything keeps to, only stability is left; or a tenth of all cycles.
+-- With a large limit of the roughness, the search is limited only by stability or by a tenth of all cycles.
 c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen" }, mesh = false, smooth = 0.99,
   symmetric = 0.99 }
 found = c.cases[1].found
@@ -94,7 +94,7 @@ fails(function()
 end, "loading", "a loading history")
 fails(function() study.converge{ smooth = 2 } end, "smooth", "a limit out of range")
 
--- The paper's table, from results as they might be.
+-- The paper's table, from made-up results.
 local rows = {}
 for i, case in ipairs(study.paper():cases()) do
   rows[i] = { settings = case.settings, found = { jump = i, increments = 16, capped = i == 4,
@@ -104,7 +104,7 @@ local table_1 = setmetatable({ cases = rows }, getmetatable(c)):table_1()
 is(table.concat(table_1[2], " "), "0 75 1 16 50 2 16 30 3 16 - ≥4 16", "Table 1, first row")
 is(#table_1, 6, "a row for each alpha")
 
--- --- calibrate by volumes ------------------------------------------------------------------------
+-- --- calibrate with volumes ----------------------------------------------------------------------
 local one = calibrate{ volume = { cylinder = 3e-4, plate = 1e-4 }, load = 100, distance = 400 }
 near(one.k, 1e-8, 1e-12, "k from volumes")
 near(one.alpha, 0.75, 1e-12, "alpha from volumes")
@@ -117,7 +117,7 @@ near(many.spread.k, 1, 1e-12, "of k")
 near(many.spread.alpha, 2 / 16, 1e-12, "of alpha, to first order")
 holds(tostring(many), { "+-", "0.5000", "3 measurements" }, "print")
 
--- What one body lost more the other lost less: the couple's k is surer than either body's.
+-- With correlated losses of the bodies, the error of the sum's k is smaller than that of each body's k.
 local paired = calibrate{ load = 100, distance = 1320,
   volume = { cylinder = { 0.41e-3, 0.44e-3, 0.39e-3 }, plate = { 0.92e-3, 0.88e-3, 0.97e-3 } } }
 near(paired.spread.k, 1.5771e-10, 1e-4, "spread of k by pairs")
@@ -131,7 +131,7 @@ near(calibrate{ volume = { cylinder = 1, plate = 3 }, load = 1, distance = 1, er
 near(calibrate{ volume = { cylinder = { 1, 2 }, plate = { 1, 1 } }, load = 1, distance = 1,
   confidence = 0.5 }.high.k - 2.5, 0.5, 1e-9, "another confidence")
 
--- --- calibrate by volumes on the way ---------------------------------------------------------------
+-- --- calibrate with volumes at several distances ---------------------------------------------------
 local at = { 40, 100, 150, 300, 440 }
 local function volumes(settled, fresh, factor)
   local list = {}
@@ -170,7 +170,7 @@ is(course.k.value[#course.k.value], course.band.k.value[#at], "the last stretch'
 near(taken.cylinder, on_way.cylinder[2][#at], 1e-9, "the cylinder's table alone gives its volume")
 near(taken.plate, on_way.plate[2][#at], 1e-9, "the plate's its own")
 is(#course.band.k.low, #at, "a band for each stretch")
--- the share may change as it likes: nothing is lost between the bodies
+-- a changing partition does not change the sum of both bodies
 for _, case in ipairs{ { { 1e-6, 2e-6, 4e-5, 8e-5 }, { 1e-5, 2e-5, 2.2e-5, 2.4e-5 } },
   { { 0, 1e-5, 1e-5, 1e-5 }, { 2e-5, 2e-5, 8e-5, 8e-5 } } } do
   local hard = { distance = { 50, 137, 140, 400 }, load = 50, volume = { cylinder = case[1], plate = case[2] } }
@@ -204,7 +204,7 @@ fails(function() calibrate{ load = 1, distance = { 2, 1 }, volume = { cylinder =
 fails(function() calibrate{ distance = { 1, 2 }, depth = { cylinder = 1, plate = 1 } } end, "as 'depth' is given",
   "depths have one distance")
 
--- --- calibrate by depths -------------------------------------------------------------------------
+-- --- calibrate with depths -----------------------------------------------------------------------
 local fields = { geometry = "frozen", increments = 8, distance = 440, load = 100, stroke = 0.44, jump = 50,
   model = coarse }
 local function with(more)

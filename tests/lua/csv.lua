@@ -1,5 +1,5 @@
--- csv.read: separators, quotes, names, numbers, and what it refuses.
--- Run once: its work is in Lua alone, which small steps of the collector only slow.
+-- Tests of csv.read: separators, quotes, names, numbers, refused files.
+-- Run once: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, near, fails = tap.is, tap.near, tap.fails
@@ -30,7 +30,7 @@ is(t.t[2], 1, "a column by its name")
 is(t.x[1], 1, "and by its number")
 is(rawget(t, "time"), nil, "only those that are asked for")
 
--- units behind names
+-- units after names
 t = csv.read(file "x [mm],h [um],p (GPa),T [K],w/h,\"\"\"a\"\" [nm]\"\n1,0.3,0.5,300,2,7\n2,-1.7,0.25,301,3,8\n")
 is(t.x[2], 2, "mm stay")
 is(t.h[1], 0.0003, "um to mm, rounded once")
@@ -60,7 +60,7 @@ is(csv.read(file "x [mm],x [um]\n1,2\n", { x = "x [um]" }).x[1], 0.002, "unless 
 fails(function() csv.read(file "x [furlong]\n1\n", { x = "x" }) end, { 'column "x [furlong]"', "expected one of the units",
   "um" }, "a strange unit")
 
--- a measured profile, and a history of ours read back
+-- a measured profile, and an exported history read back
 local measured = csv.read(file "x [mm];h [um]\n-0,2;0\n-0,1;1,5\n0;2\n0,1;1,5\n0,2;0\n")
 local start = wear{ worn = { plate = measured } }
 near(start.depth.plate, 0.002, 1e-6, "a measured profile as the start of a run")
@@ -79,7 +79,7 @@ end
 is(columns, #require "archard.settings".columns, "all columns of a history")
 tap.ok(same, "come back by name, to the bit")
 
--- what it is for
+-- use in definitions
 local w = wear{ loading = csv.read(file "t,x,load\n0,-0.05,100\n3,0.05,50\n4,-0.05,100\n"), cycles = 3 }
 is(w.loading[1].load[2], 50, "a file as a loading")
 near(w.total_distance, 0.6, 1e-12, "its distance")
@@ -106,7 +106,7 @@ local function timed(f)
   return os.clock() - start, result
 end
 
--- Seconds to read a file of so many columns, chosen by name.
+-- Seconds to read a file with this number of columns, chosen by name.
 local function seconds_for(columns)
   local names, numbers, choice = {}, {}, {}
   for i = 1, columns do
@@ -121,7 +121,7 @@ end
 local few = seconds_for(5000)
 tap.ok(seconds_for(50000) < 40 * few, "ten times the columns take some ten times as long, not a hundred times")
 
--- Seconds to read a field that holds so many blanks; never less than a millisecond.
+-- Seconds to read a field with this number of blanks, at least a millisecond.
 local function seconds_of_blanks(count)
   local blanks = (" "):rep(count)
   local given = file("a,b\n1,x" .. blanks .. "y" .. blanks .. "\n")

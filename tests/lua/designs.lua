@@ -1,10 +1,10 @@
--- The points of designs of experiments, and the distributions they are taken to.
+-- Tests of the points of experimental designs and of distributions.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails = tap.ok, tap.is, tap.fails
 local random = require "archard.random"
 
--- How many points lie in each of `n` slices of (0, 1): the least and the most.
+-- Smallest and largest number of points in the `n` slices of (0, 1).
 local function slices(column, n)
   local count = {}
   for i = 1, n do count[i] = 0 end

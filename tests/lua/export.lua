@@ -1,4 +1,4 @@
--- export and mesh:write: files of the right form, names, failures.
+-- Tests of export and mesh:write: formats, file names, failures.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -15,7 +15,7 @@ local function read(name)
   return text
 end
 
--- The columns of a CSV file by name, numbers from row 1; names come without units, and as they are.
+-- The columns of a CSV file by name, with and without units; numbers start at row 1.
 local function read_csv(name)
   local names, columns, headers = {}, {}, read(name):match("[^\n]*")
   for line in read(name):gmatch("[^\n]+") do
@@ -94,7 +94,7 @@ is(files[2], at "stress-plate.vtk", "and one for the plate")
 local text = read "stress-plate.vtk"
 holds(text, { "# vtk DataFile", "POINTS " .. w.model.mesh.plate.nodes, "CELLS", "POINT_DATA", "mises" },
   "stresses in VTK")
--- a stress object stands for its contact
+-- a stress object is exported like its contact
 export.vtk(c:stress(), at "field.vtk")
 is(read "field-plate.vtk", text, "a stress in VTK, the same file")
 files = { export.csv(c:stress(), at "field.csv") }
@@ -130,7 +130,7 @@ ok(columns.x[7] == x and columns.y[7] == y, "node by node")
 fails(function() mesh:write(at "mesh.stl") end, "ends in .vtk, .vtu, .inp, .msh or .csv", "another ending")
 fails(function() mesh:write() end, "expected a file name", "no name")
 
--- decks: tests/verify/calculix.lua runs them
+-- decks (tests/verify/calculix.lua runs them)
 is(export.inp(w.model, at "model"), at "model.inp", "a deck, the ending is added")
 local deck = read "model.inp"
 holds(deck, { "*NODE, NSET=cylinder", "*ELEMENT, TYPE=C3D8, ELSET=plate", "TYPE=C3D6", "*ELASTIC\n200000, 0.3",
@@ -149,7 +149,7 @@ holds(read "soft.inp", { "TYPE=C3D8, ELSET=cylinder", "TYPE=C3D8I, ELSET=plate" 
 fails(function() export.inp(hertz{}, at "h.inp") end, "export.inp: expected a run, a contact or a model", "of others")
 fails(function() export.inp(c, at "c.dat") end, "ends in .inp", "another ending")
 
--- series: tests/cli/test_vtk reads them
+-- series (tests/cli/test_vtk reads them)
 ok(not pcall(export.pvd, w, at "se\233ries.pvd"), "no name that XML cannot hold")
 local add = export.pvd(w, at "series.pvd")
 add()

@@ -1,5 +1,5 @@
--- fit and fit.design: what they refuse, what they find, what they say of it, run files, pictures.
--- Run once: its work is in Lua alone, which small steps of the collector only slow.
+-- Tests of fit and fit.design: refused input, results, notes, run files, pictures.
+-- Run once: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -55,7 +55,7 @@ near(g.value.k, 1e-8, 1e-6, "k of exact volumes")
 near(g.error.k, 0.03 / 2 * 1e-8, 1e-4, "its standard error is that of the mean of four")
 near(g.times, 1.96, 1e-3, "ranges are those of known errors")
 
--- Errors from residuals: a weighted mean has a closed form with equal weights too.
+-- Errors from residuals: a weighted mean has a closed form for equal weights too.
 local plain = { of = "volume", distance = { 55, 110, 165, 220 }, value = { 56e-6, 109e-6, 166e-6, 219e-6 } }
 g = fit{ base = base, unknown = { k = 2e-8 }, data = { plain } }
 local sxx, sxy = 0, 0
@@ -95,7 +95,7 @@ is(slid.data[1].distance, 4.0, "cycles are distances by the stroke")
 holds(tostring(slid), { "loop at 4 mm: 50 values", "level 1.5 +- ", " N" }, "they print")
 plot.fit(slid, { file = file .. ".txt" })
 os.remove(file .. ".txt")
--- In partial slip, driven by a force: places at the forces.
+-- In partial slip under a force: positions at the measured forces.
 local partial = loop_of({ tangential = 40 }, 1)
 for i, force in ipairs(partial.tangential) do partial.x[i] = partial.x[i] - 1e-5 * force end
 local stuck = fit{ base = moving{ tangential = 40 }, unknown = { friction = { start = 0.8, low = 0.5, high = 1.2 } },
@@ -156,7 +156,7 @@ fails(function() fit{ base = { jump = 40 }, unknown = { k = 2e-8 }, data = { vol
   { file, "another fit" }, "a file of another fit is refused")
 os.remove(file)
 
--- --- what must be said ---------------------------------------------------------------------------
+-- --- notes ---------------------------------------------------------------------------------------
 local one = { of = "volume_plate", distance = { 100, 220 }, value = { 5e-5, 1.1e-4 }, relative = 0.03 }
 local three = { of = "volume_plate", distance = { 50, 100, 220 }, value = { 2.5e-5, 5e-5, 1.1e-4 }, relative = 0.03 }
 g = fit{ base = base, unknown = unknown, data = { three } }
@@ -213,8 +213,8 @@ holds(d:table(), { "measurement,distance [mm],error of alpha", "volume_plate,220
 fails(function() fit.design{ unknown = unknown, measure = { { of = "volume", distance = 1 } } } end,
   { "measure[1]", "error" }, "an error is needed")
 
--- Widths move from node to node: alone they tell k by 27, 28, 28 and 38 % with elements of 5 um, and with those
--- that nobody chose as well, if not by chance (41, 45, 15, 41 % by slopes over a fit's range).
+-- Widths change in steps from node to node: each alone determines k within 27, 28, 28 and 38 % with elements of 5 um,
+-- and with the default mesh as well, except by chance (41, 45, 15, 41 % with slopes over a fit's range).
 local widths = fit.design{ base = { stroke = 0.22, jump = 50 }, unknown = unknown,
   measure = { { of = "width", distance = { 150, 300, 660, 1320 }, relative = 0.02 } } }
 for _, one in ipairs(widths.alone) do

@@ -1,6 +1,6 @@
--- Run files of older releases (tests/files, written by write.lua there): they are read right, go on
--- and merge. tests/unit/test_store_format.c looks at their tables.
--- Run once: most of it compares texts.
+-- Tests of run files of older releases (tests/files, written by write.lua there): they are read correctly, continued
+-- and merged. tests/unit/test_store_format.c checks their tables.
+-- Run once: mostly text comparison.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local content = dofile(here .. "/lib/content.lua")
@@ -12,7 +12,7 @@ os.remove(folder)
 assert(os.execute("mkdir " .. folder))
 local function path(name) return folder .. "/" .. name end
 
--- Copies a file of tests/files; nil where there is none.
+-- Copies a file of tests/files; nil if it does not exist.
 local function copy(name, to)
   local from = io.open(here .. "/../files/" .. name, "rb")
   if not from then return nil end
@@ -23,16 +23,16 @@ local function copy(name, to)
   return path(to)
 end
 
--- What the history had from the first format on; an old file has no value of what came later. The
--- element that was the default then is "auto" now: the same for these bodies, to the bit.
+-- Columns of the history since the first format; an old file has no values of later columns. The element type that was
+-- the default then is now chosen by "auto", with identical results for these bodies.
 local first = {}
 for name in ("update cycle distance jump k alpha p_center p_max half_width depth_cylinder depth_plate "
   .. "volume_cylinder volume_plate depth_partition error solutions"):gmatch "%S+" do
   first[name] = true
 end
 
--- Settings that came later are not in an old file's definition: only those that both have are told;
--- nor is refresh, whose default has changed and which says nothing of frozen geometry.
+-- Settings added later are missing in an old file's definition: only common settings are compared; `refresh` is
+-- ignored, as its default has changed, without effect on frozen geometry.
 local function definition_of(line) return line:match "^(.*definition%.[%w_.]+) " end
 
 local function settings_in(text)
@@ -53,9 +53,9 @@ local function without_later(text, settings)
   return table.concat(lines, "\n")
 end
 
--- Equal to the bit where the file was written by a machine like this one and nothing rounds otherwise
--- since; else to 1e-6: other processors and other orders of elimination round differently. What is read is the bits that were written: that is
--- what the checksums are for.
+-- Compares values: identical bits if the file was written on such a machine and rounding has not changed since; else to
+-- 1e-6, as other processors and elimination orders round differently. The bits read are those written, which the
+-- checksums guarantee.
 local function same(got, expected, what)
   local in_got, in_expected = settings_in(got), settings_in(expected)
   got, expected = without_later(got, in_expected), without_later(expected, in_got)

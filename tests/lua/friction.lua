@@ -1,11 +1,11 @@
--- contact with friction: pressing, moving, what can be read of it, what is refused.
+-- Tests of contact with friction: pressing, moving, results, refused input.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
 
 local m = model{ mesh = { size = 0.04, height = 0.05, far = 2, zone = { plate = 1 } } }
 
--- without friction a motion is another solution
+-- without friction a motion gives a new independent solution
 local smooth = contact{ model = m }
 is(smooth.friction, 0, "no friction unless asked for")
 is(#smooth.stick, 0, "nothing sticks")
@@ -25,7 +25,7 @@ near(c.tangential, 0, 1e-6, "no force along x")
 is(#c.stick, 1, "all of it sticks")
 near(c.stick[1].right, c.edges.right, 1e-12, "to the edges")
 is(c.energy, 0, "nothing is dissipated")
--- bodies of different materials: the shear that is left does not hang on the steps, whatever the elements
+-- different materials: the remaining shear does not depend on the increments, for any element size
 local fine = model{ plate = { E = 420e3 }, mesh = { size = 0.005, zone = { cylinder = 0.3, plate = 0.3 } } }
 local function shear_left(increments)
   return contact{ model = fine, friction = 0.6, increments = increments }:shear().q
@@ -99,7 +99,7 @@ fails(function() contact{ model = m, x = 15 } end, { "field 'x'", "got 15 mm" },
 fails(function() d:slip("plate") end, { "expected no argument", "cylinder's nodes", '"plate"' }, "slip of a body")
 is(c.load, 100, "all of which leaves the contact as it is")
 
--- what no file keeps comes again, to the same bits
+-- a contact, which no file stores, is reproduced with identical bits
 do
   local again = contact{ model = m, friction = 0.6, load = 100 }:move{ tangential = 45 }
   is(again.x, d.x, "the same motions lead to the same place")
@@ -111,7 +111,7 @@ do
   end
 end
 
--- its columns in a file
+-- columns in a file
 do
   local file = os.tmpname() .. ".csv"
   export.csv(d, file)

@@ -1,4 +1,4 @@
--- Runs that outgrow their meshes go on: wider or deeper ones are built, and the worn surfaces taken over.
+-- Tests of runs that need a larger mesh: a wider or deeper mesh is built and the worn surfaces are transferred.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, ok = tap.is, tap.ok
@@ -6,7 +6,7 @@ local warnings = require "archard.warnings"
 
 local function off(a, b) return math.abs(a / b - 1) end
 
--- A small mesh for a contact that grows, and one that held it from the start.
+-- A small mesh for a growing contact, and one large enough from the start.
 local fields = { alpha = 1, k = 3e-8, load = 100, jump = 40 }
 local function mesh(cylinder, plate, rows)
   return model{ mesh = { size = 0.04, height = rows and 0.02, zone = { cylinder = cylinder, plate = plate }, rows = rows } }
@@ -48,7 +48,7 @@ is(rows[1] .. " " .. rows[#rows], "1.0 " .. flat.model.mesh.rows .. ".0", "the h
 ok(off(flat.volume.total, deep.volume.total) < 1e-9, "volume")
 ok(off(flat.p_center, deep.p_center) < 0.002, "pressure")
 
--- Stored before or after the change, the bits are the same.
+-- Saving before or after the change of the mesh gives identical bits.
 local path = os.tmpname()
 os.remove(path)
 local a = run_on(small)
@@ -117,7 +117,7 @@ warnings.take()
 contact{ model = model{}, load = 0.1 }
 ok((warnings.take() or ""):find("found for another load: give the model's fields", 1, true), "what helps is said")
 
--- Where there is no room to grow, the run stays as it was.
+-- If no larger mesh is possible, the run is unchanged.
 local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder = 1.6, plate = 1.6 } } },
   alpha = 1, k = 4e-6, jump = "auto" }
 local fine, message = pcall(full.run, full)
@@ -128,8 +128,8 @@ ok(not fine, "and the run ends there")
 ok(not pcall(full.step, full), "again")
 ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is what it was")
 
--- Layers much thinner than the rows, as many as there are rows: worn through, each by its own k, and the
--- contact rests on what is under them in the end.
+-- As many layers as element rows, much thinner than the rows: each wears by its own k, and finally the contact rests on
+-- the base.
 local function on_layers(rows)
   local layers = {}
   for i, k in ipairs{ 4e-9, 1e-9, 8e-9 } do layers[i] = { thickness = 1e-4 * i, material = { E = 200e3, nu = 0.3, k = k } } end
@@ -141,8 +141,8 @@ ok(off(few.p_center, many.p_center) < 1e-3 and off(few.distance, many.distance) 
   ("three thin layers in a box of three rows wear as in one of ten: %.2g, %.2g"):format(off(few.p_center,
   many.p_center), off(few.distance, many.distance)))
 
--- Automatic steps that come to the edge of a zone do not creep up to it: the meshes grow before.
-local function pin_in_hole() -- a model that is given was sized before it was known what wears
+-- Automatic steps do not become short near the edge of a zone: the meshes are enlarged before.
+local function pin_in_hole() -- a given model was sized before the wear was known
   return wear{ model = model{ upper = body.disc{ radius = 9.95 }, lower = body.ring{ inner = 10, outer = 20 } }, load = 1000,
     stroke = 0.1, alpha = 1, k = 1e-7, distance = 1000, jump = "auto", geometry = "frozen" }
 end
@@ -157,20 +157,21 @@ local narrow, wide = ball{ cylinder = 0.5, plate = 0.5 }:run(), ball{ cylinder =
 ok(narrow.model.mesh.zone.cylinder > 0.5 and narrow.update < 60, "a ball does")
 ok(off(narrow.depth.cylinder, wide.depth.cylinder) < 5e-3, "its depth is that on the large mesh")
 local halfway = pin_in_hole()
-for _ = 1, 14 do halfway:step() end -- in the steps that are cut for the edge
+for _ = 1, 14 do halfway:step() end -- during the steps shortened at the edge
 halfway:save(path)
 halfway = wear.open(path):run()
 is(halfway.p_center, pin.p_center, "stored at the edge: the same bits")
 is(halfway.update, pin.update, "and updates")
 os.remove(path)
 
--- Steps that would never come to an end.
+-- Steps so short that the run would never end.
 local endless = wear{ jump = function() return 1e-14 end, distance = 2000 }
 local ended, because = pcall(endless.run, endless)
 ok(not ended and endless.update < 50, "steps without end are refused")
 tap.holds(because, { "field 'jump'", "the last 30 steps", "are left: this would not end", "take longer ones" }, "by what they went")
 
--- What wears evenly, over the whole plate, changes no contact but where layers get thinner: automatic steps go by that.
+-- Uniform wear over the whole plate changes the contact only where layers become thinner; automatic steps take this
+-- into account.
 local function over_plate(fields)
   fields.stroke, fields.distance = 20, 1e5
   return wear(fields):run()
@@ -189,7 +190,7 @@ for i = 2, #pressure do rise = math.max(rise, pressure[i] / pressure[i - 1]) end
 ok(rise < 1.05 and pressure[#pressure] > 1.1 * pressure[1], "its pressure rises in steps of less than 5 %")
 ok(off(depth[#depth], 0.05) < 1e-12, "half of it is gone")
 
--- Worn surfaces may touch more widely than unworn ones ever did: such a run starts with room for all of it.
+-- Worn surfaces may touch over a larger width than unworn ones: the mesh of such a run is large enough from the start.
 local conformal = { k = 1e-6, distance = 660, jump = "auto", worn = { plate = function(x) return math.max(0, (0.81 - x * x) / 20) end } }
 local wide = wear(conformal)
 ok(wide.half_width > 0.8, ("a conformal start: half width %.2f mm"):format(wide.half_width))

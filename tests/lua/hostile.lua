@@ -1,10 +1,10 @@
--- Hostile scripts: every public function and every method and field of every object, with arguments whose
--- metamethods, callbacks and finalizers close, change and use the objects that the call is about. Nothing
--- breaks, the message is a text without lines of our own, and what the objects hold stays whole.
+-- Hostile scripts: every public function, method and field is called with arguments whose metamethods, callbacks and
+-- finalizers close, change and use the objects of the call. Nothing may crash, messages must be texts without lines of
+-- the program's own scripts, and objects must stay valid.
 -- Long
---   ARCHARD_CALLS=100000 ARCHARD_SEED=7 tests/run lua/hostile      more of them, others
---   ARCHARD_FIRST=1234 ARCHARD_CALLS=1234 ...                      the 1234th of a seed alone
--- Run once: the collector has its own part in it.
+--   ARCHARD_CALLS=100000 ARCHARD_SEED=7 tests/run lua/hostile      more and other calls
+--   ARCHARD_FIRST=1234 ARCHARD_CALLS=1234 ...                      only call 1234 of a seed
+-- Run once: the test controls the collector itself.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, settings = require "archard.help", require "archard.settings"
@@ -49,14 +49,14 @@ for i, class in ipairs{ "wear", "model", "contact", "mesh", "store" } do
   world.closed[i] = make[class]()
   world.closed[i]:close()
 end
-world.closed[#world.closed + 1] = select(2, pcall(wear, { alpha = 7 })) -- the error of one that never was
+world.closed[#world.closed + 1] = select(2, pcall(wear, { alpha = 7 })) -- the error of an object that was never created
 objects.wear:save(calls.path "hostile.archard")
 
 local hostile = dofile(here .. "/lib/hostile.lua")(world)
 
--- --- what can be called --------------------------------------------------------------------------
+-- --- functions to call ---------------------------------------------------------------------------
 
--- Those that take long, run in other processes, or with what the rest of the test stands on.
+-- Omitted functions: slow ones, and those that start other processes or change what this test needs.
 local left_out = { ["examples.run"] = true, ["study.submit"] = true, ["study.figures"] = true, ["session.open"] = true,
   ["study.close"] = true, ["plot.save"] = true }
 local long = { fit = true, ["fit.design"] = true, calibrate = true }
@@ -72,7 +72,7 @@ local function add(address, f) -- f() makes the call
   list[#list + 1] = { address = address, call = f }
 end
 
--- The first argument, mostly the right one.
+-- The first argument, mostly a right one.
 local function itself(class)
   world.target = random(8) == 1 and hostile.value() or objects[class]
   return world.target
@@ -106,7 +106,7 @@ local function add_field(class, name)
   end)
 end
 
--- The functions of a metatable, with whatever.
+-- Calls to the functions of a metatable with arbitrary arguments.
 local function add_metatable(class, value)
   local metatable = debug.getmetatable(value or objects[class])
   for _, event in ipairs{ "__index", "__newindex", "__tostring", "__gc", "__close", "__eq", "__call", "__worn" } do
@@ -118,7 +118,7 @@ local function add_metatable(class, value)
   end
 end
 
--- A run goes on no further than it is let.
+-- Limits the length of a run.
 local function limited(owner, given)
   if owner == "wear.run" or owner == "wear.set" or owner == "wear" then
     for _, name in ipairs{ "distance", "cycles" } do
@@ -131,7 +131,7 @@ local function limited(owner, given)
   return given
 end
 
--- The table that a function takes, with one or two of its fields hostile.
+-- Adds a call to a function with its table, in which one or two fields are hostile.
 local function add_option(entry, rest)
   local owner = entry.owner
   local field = (entry.path ~= "" and entry.path .. "." or "") .. entry.name
@@ -168,7 +168,7 @@ local function add_entries()
   end
 end
 
--- The modules in C below the scripts: a script reaches them by require.
+-- The C modules below the scripts, which a script reaches by require.
 local function add_modules()
   local modules = {
     ["archard.files"] = { "csv", "vtk", "inp", "msh", "write", "read", "is_there", "number", "allowed" },
@@ -211,7 +211,7 @@ for _, class in ipairs{ "model", "contact", "wear", "hertz", "material" } do
   end
 end
 
--- --- how it is called ----------------------------------------------------------------------------
+-- --- ways of calling -----------------------------------------------------------------------------
 
 local function in_coroutine(f)
   local co = coroutine.create(f)
@@ -250,14 +250,14 @@ local ways = { pcall, pcall, pcall, pcall, in_coroutine, in_finalizer, in_a_run,
   function(f) table.sort({ 1, 2, 3 }, function(a, b) f() return a < b end) end,
   function(f) return setmetatable({}, { __index = f }).x end }
 
-local chosen -- the call at hand
+local chosen -- the current call
 local function draw()
   local list = random(40) == 1 and long_list or short_list
   chosen = list[random(#list)]
   return chosen.call
 end
 
--- One hostile call within another.
+-- A hostile call inside another one.
 function hostile.call()
   local list = short_list
   list[random(#list)].call()
@@ -269,8 +269,8 @@ local collectors = {
   function() collectgarbage("incremental", 1, 1000) end,
 }
 
--- A step of the generational collector is a whole round over what is young, which costs little: mines go off.
--- The one that never rests costs much.
+-- A step of the generational collector collects all young objects at little cost, so that finalizers run. The collector
+-- that runs all the time is expensive.
 local collector
 local function choose_collector(number)
   local chance = number // 25 % 80
@@ -291,7 +291,7 @@ local function call(number)
   end)
 end
 
--- --- what must hold afterwards -------------------------------------------------------------------
+-- --- conditions after each call ------------------------------------------------------------------
 
 local wrong = { words = {}, kind = {}, state = {} }
 local function note(list, number, what)
@@ -309,7 +309,7 @@ local function check_error(err, number)
   if text:find "scripts/[%w_/]+%.lua:%d" and not text:find "stack overflow" then note(wrong.words, number, text) end
 end
 
--- A run is at the end of an update: its rows grow, all numbers are there, and the volume is what was rubbed.
+-- Checks a run after an update: complete rows, finite numbers, and the volume given by load and distance.
 local function lack_of_run(w)
   local history = w.history
   local rows = #history.distance
@@ -332,7 +332,7 @@ end
 local untouched = tostring(objects.wear)
 
 local function check_run(number)
-  collectgarbage "stop" -- a finalizer may step the run between two looks
+  collectgarbage "stop" -- a finalizer could step the run between two reads
   local fine, lack = pcall(lack_of_run, objects.wear)
   collectgarbage "restart"
   if not fine and not tostring(lack):find "has been closed" then lack = tostring(lack) end
@@ -340,7 +340,7 @@ local function check_run(number)
   if tostring(objects.wear) ~= untouched then world.again "wear" end
 end
 
--- Every bit of a small run that nobody interferes with.
+-- All bits of a small run that no hostile code changes.
 local function fingerprint()
   local w, parts = make.wear():run{ progress = false }, {}
   local function take(list)
@@ -359,7 +359,7 @@ local function fingerprint()
   return table.concat(parts)
 end
 
--- --- all of it -----------------------------------------------------------------------------------
+-- --- main loop -----------------------------------------------------------------------------------
 
 local open_output = io.output
 local kept, loud = print, io.stderr
@@ -403,5 +403,5 @@ none(wrong.words, "no message tells of a line of ours")
 none(wrong.state, "runs are at the end of an update")
 tap.is(different, 0, "a run on the same model gives the same bits")
 os.execute("rm -rf " .. folder)
--- Words that calls took for names of files: this is where the tests run, which has none of these.
+-- Removes files that calls created from arguments used as file names.
 for _, name in ipairs{ "cylinder", "plate", "auto", "%s%n", "100", "implicit", ("x"):rep(300) } do os.remove(name) end

@@ -1,4 +1,4 @@
--- Balls in sockets by the Lua interface: defaults, gaits, contact, wear, messages.
+-- Tests of balls in sockets: defaults, gaits, contact, wear, messages.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 
@@ -91,7 +91,7 @@ local function bits(list)
   return table.concat(words, " ")
 end
 
--- --- shapes to start from, blocks of gaits ------------------------------------------------------------
+-- --- start shapes, blocks of gaits --------------------------------------------------------------------
 local worn = wear{ model = springs, k = 1e-9, cycles = 1, worn = { cup = function(theta, phi) return 0.02 * math.cos(math.rad(2 * phi)) end } }
 near(worn.depth.cup, 0.02, 1e-2, "worn by a function")
 local copy = wear{ model = springs, k = 1e-9, cycles = 1, worn = { cup = worn:map "cup" } }
@@ -106,7 +106,7 @@ local ends = {}
 for _, cycles in ipairs(blocks.history.cycles) do ends[cycles] = true end
 ok(ends[1e5] and blocks.loading.name:find "iso", "a block ends where it is to")
 
--- --- grids too coarse ---------------------------------------------------------------------------------
+-- --- grids that are too coarse ------------------------------------------------------------------------
 local loose = joint{ cup = { clearance = 2, layers = { { thickness = 20, material = material{ E = 230e3, nu = 0.3 } } } }, mesh = { size = 4 } }
 fails(function() contact{ model = loose, load = 50 } end, "at least 6 cells across the contact, got", "a grid too coarse for a contact")
 fails(function() wear{ model = loose, loading = gait.flexion{ load = 50 } }:run() end, "mesh.size", "and for a run")

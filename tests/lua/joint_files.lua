@@ -1,4 +1,4 @@
--- Runs of joints in files: opened ones, and those that go on, are the same to the bit.
+-- Tests of joint runs in files: opened and continued runs have identical bits.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, fails = tap.is, tap.ok, tap.fails
 
@@ -45,7 +45,7 @@ fails(function() joint.open(kept) end, "run file", "a file of another kind")
 fails(function() wear{ model = liner }:save(kept) end, kept, "which is not replaced")
 os.remove(kept)
 
--- Sessions do not hold them, and say so.
+-- Sessions do not store them and report this.
 w = wear{ model = liner, k = 1e-9, cycles = 10 }
 local text = session.save(kept)
 ok(text:find("not kept: w (joint_wear)", 1, true), "a session says what it does not keep: " .. text)

@@ -1,16 +1,16 @@
--- Objects come and go: sharing, closing, the collector.
+-- Tests of the lifetime of objects: sharing, closing, garbage collection.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
 
--- models of one definition are one
+-- models with equal definitions are shared
 local a, b = wear{}, wear{ alpha = 0.25 }
 is(a.model, b.model, "two runs share a model")
 is(model{ radius = 7 }, model{ radius = 7 }, "two equal definitions are one model")
 ok(model{ radius = 7 } ~= model{ radius = 7.5 }, "two others are not")
 is(wear{ model = { radius = 10 } }.model, a.model, "a table of defaults is the default")
 
--- children keep their parents
+-- objects keep the objects that they are part of
 local mesh = model{ radius = 6 }.mesh.plate
 local contact_alone = wear{ model = model{ radius = 6 } }:contact()
 collectgarbage() collectgarbage()
@@ -41,7 +41,7 @@ fails(function() return reused.cycle end, "closed", "to-be-closed variables clos
 fails(function() w.close(3) end, "call this method with a colon: object:close()", "close of a number")
 fails(function() return material{}.close end, "no field 'close'", "values need no closing")
 
--- a user function that closes what is being used
+-- a user function that closes the object being used
 local doomed = model{ radius = 6.5 }
 local survived = pcall(contact, { model = doomed, worn = { plate = function(x)
   doomed:close()
@@ -50,8 +50,7 @@ local survived = pcall(contact, { model = doomed, worn = { plate = function(x)
 end } })
 ok(survived, "a model closed while a contact is being made on it")
 
--- metatables as completion and help expect them
--- (a model says its bodies where they are not the usual pair)
+-- metatables have the entries for completion and help (a model shows its bodies only if they are not the default pair)
 local own = model{ upper = body.punch{ flat = 1, radius = 2 }, lower = body.block{}, mesh = { size = 0.08, height = 0.1 } }
 for _, object in ipairs{ wear{}, contact{}, own, model{}.mesh.plate, hertz{}, material{ name = "steel" } } do
   local meta = debug.getmetatable(object)
@@ -64,7 +63,7 @@ for _, object in ipairs{ wear{}, contact{}, own, model{}.mesh.plate, hertz{}, ma
   ok(pcall(meta.__gc or print), meta.__name .. ": __gc of nothing is harmless")
 end
 
--- what print shows fits a terminal
+-- printed objects fit a terminal
 local run = wear{}:run{ progress = false }
 for _, object in ipairs{ run, wear{}, run:contact(), run:contact():stress(), run.model,
   run.model.mesh.plate, hertz{}, material{}, run:step(), wear{}:step(70) } do
@@ -73,7 +72,7 @@ for _, object in ipairs{ run, wear{}, run:contact(), run:contact():stress(), run
   ok(longest <= 80, tostring(object):match("^%s*%a+") .. ": print fits 80 columns")
 end
 
--- the collector hears of what objects weigh; a sanitizer holds freed memory back, so not there
+-- the collector knows the size of objects; not tested with a sanitizer, which delays freeing memory
 local function memory() -- resident [MB]
   for line in io.lines("/proc/self/status") do
     local kilobytes = line:match("^VmRSS:%s*(%d+)")
@@ -94,7 +93,7 @@ if (os.getenv "SANITIZER" or "") == "" then
   ok(models < 60, ("12 dropped models neither (%+.0f MB)"):format(models))
 end
 
--- --- what scripts can do to what is in use -----------------------------------------------------------
+-- --- changes by scripts to objects in use ------------------------------------------------------------
 
 local small = { mesh = { size = 0.1, height = 0.1, far = 2, rows = 2 } }
 warn "@off"
@@ -116,7 +115,7 @@ for what, call in pairs{ x = function() profile{ x = endless, z = endless } end,
   fails(call, { "field '" .. (what == "x" and "" or what) }, "a list that says its own length is refused: " .. what)
 end
 
--- closed by the table that is read: it is held as long as it is needed
+-- the object is closed by a metamethod of the table being read: it is kept as long as needed
 local shape = run_of{}
 shape:step()
 local made = contact{ model = small, worn = setmetatable({ plate = shape:profile "plate" }, { __index = function()
@@ -132,7 +131,7 @@ shape:step()
 local depth = setmetatable({}, { __index = function(_, name) shape:close() collectgarbage() return name == "h" and { 0, 0 } end })
 fails(function() contact{ model = small, worn = { plate = depth, cylinder = shape } } end, "field", "and within it")
 
--- finalizers that step and close while rows are handed out
+-- finalizers that step and close a run while rows are returned
 local stepped = run_of{}
 stepped:step()
 collectgarbage("generational", 1)
@@ -161,7 +160,7 @@ ok(not pcall(getmetatable(other).__methods.step, setmetatable({}, getmetatable(o
 debug.setmetatable(steel, getmetatable(material{}))
 is(steel.E, 200e3, "and back")
 
--- errors that cannot be told
+-- errors without a printable text
 fails(function() run_of{ k = function() error(setmetatable({}, { __tostring = error })) end } end,
   "k(state at distance 0 mm, cycle 0) failed: (error value is a table)", "an error without a text")
 local files = os.tmpname()

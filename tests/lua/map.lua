@@ -1,5 +1,5 @@
--- Maps: points and values, sections, levelling, parts, other steps, differences, volumes.
--- Run once: its work is in Lua alone, which small steps of the collector only slow.
+-- Tests of maps: points and values, sections, levelling, cropping, resampling, differences, volumes.
+-- Run once: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -13,7 +13,7 @@ end
 
 local function sampled(f, nx, nz) return map{ x = even(-2, 4, nx or 61), z = even(1, 2, nz or 31), y = f } end
 
--- The largest difference from f at the points.
+-- Largest difference from f at the points.
 local function apart(t, f)
   local most = 0
   for i, x in ipairs(t.x) do

@@ -1,6 +1,6 @@
--- Files of maps: each format made here from its published layout and read back; units, missing points, outliers; broken
--- files, each refused by an error that names the file, what was expected and what came.
--- Run once: its work is in Lua alone, which small steps of the collector only slow.
+-- Tests of map files: each format is written here from its specification and read back; units, missing points,
+-- outliers; broken files give errors with the name of the file, the expected and the found value.
+-- Run once: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -22,7 +22,7 @@ end
 local nx, nz, dx, dz = 7, 5, 0.01, 0.02 -- mm
 local function height(x, z) return 1e-3 * (0.3 * x / dx - 0.2 * z / dz + 0.05 * x * z / (dx * dz)) end
 
--- Rows of whole numbers of `step` mm, the first at the smallest z; from_top: at the largest.
+-- Rows of integers in steps of `step` mm, starting at the smallest z, or with from_top at the largest.
 local function rows(step, from_top)
   local list = {}
   for j = 1, nz do
@@ -54,7 +54,7 @@ local function worded(list, format)
   return table.concat(lines, "\n")
 end
 
--- The map read is the surface, x and z from the given corner.
+-- Checks that the map equals the surface, with x and z from the given corner.
 local function same(t, tolerance, what, x0, z0)
   local most = t.size[1] == nx and t.size[2] == nz and 0 or 1
   for i, x in ipairs(most == 0 and t.x or {}) do
@@ -200,14 +200,15 @@ local function al3d(changes, list)
     local value = changes and changes[tag[1]] or tag[2]
     if value ~= "none" then head = head .. pack("c20c30c2", tag[1], tostring(value), "\r\n") end
   end
-  return head .. ("\0"):rep(254) .. "\r\n" .. packed(list or rows(1e3, true), "<f", "\0\0\0\0") -- 7 columns: rows of 32 bytes
+  -- 7 columns: rows of 32 bytes
+  return head .. ("\0"):rep(254) .. "\r\n" .. packed(list or rows(1e3, true), "<f", "\0\0\0\0")
 end
 same(map.read(write("a.al3d", al3d())), 1e-6, ".al3d")
 holed = rows(1e3, true)
 holed[3][3] = 1e10
 is(map.read(write("hole.al3d", al3d(nil, holed)), { fill = true }).missing, 1, "a point without a value")
 
--- --- what is done to points -----------------------------------------------------------------------------------
+-- --- processing of points -------------------------------------------------------------------------------------
 
 local function matrix(n, f)
   local lines = {}
@@ -282,7 +283,7 @@ fails(function() map.read(3) end, "expected the path of a file, got 3", "no path
 
 local whole = { xyz = xyz("", 1, 1), dsaa = dsaa(), dsbb = dsbb(), dsrb = dsrb(), sdfa = sdf_text(), sdfb = sdf_binary(7, "<d"),
   gsf = gsf(), sur = sur(), al3d = al3d() }
-local broken = { -- contents, and what its error says
+local broken = { -- contents, and a part of the error message
   { "", "expected a map, the file is empty" },
   { "\0\1\2\3", "got other bytes" },
   { "PK\3\4 and more", "got a zip archive, such as .x3p; save it as .sdf" },
@@ -350,7 +351,7 @@ for i, case in ipairs(broken) do
   fails(function() map.read(name, { unit = "um" }) end, { "map.read: ", name .. ": ", case[2] }, ("broken %d: %s"):format(i, case[2]))
 end
 
--- A byte changed or a file cut anywhere is read, or refused as that; never an error from within.
+-- A changed byte or a truncated file gives a map or an error with its name, never an internal error.
 math.randomseed(7)
 local strange = 0
 for name, text in pairs(whole) do

@@ -1,6 +1,5 @@
--- The modules behind the classes, which scripts reach by require: what they refuse, what becomes of
--- worker processes.
--- Run once: its work is in other programs, which small steps of the collector only slow.
+-- Tests of the C modules behind the classes, reached by require: refused arguments, worker processes.
+-- Run once: mostly other programs, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
@@ -15,7 +14,7 @@ for _, count in ipairs{ 0, 257 } do
 end
 fails(function() process.pool(1, { {} }) end, "argument 1 is not a text", "an argument that is a table")
 
--- What a worker that runs `chunk` says until it has ended: its lines, and how it ended.
+-- All lines of a worker that runs `chunk`, and how it ended.
 local function worker(chunk, line)
   local pool <close> = process.pool(1, { "-e", chunk })
   pool:send(1, line or "go")

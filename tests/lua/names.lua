@@ -1,12 +1,12 @@
--- Names of numbers of definitions: the same for studies, samples, fits and sensitivities.
--- Run once: its work is in Lua alone, which small steps of the collector only slow.
+-- Tests of the names of numbers, which are the same for studies, samples, fits and sensitivities.
+-- Run once: only Lua code, which small steps of the collector slow down.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 
 local mesh = { size = 0.03, height = 0.03, zone = { cylinder = 0.6, plate = 0.6 } }
 
--- A pair of one's own with a layer, whose bodies have coefficients of their own where `k` is one.
+-- A pair with a layer, whose bodies have their own coefficients if `k` is given.
 local function pair(E, thickness, k)
   return { mesh = mesh, upper = body.cylinder{ name = "pin", k = k },
     lower = body.block{ E = E or 2e5, k = k and 2 * k, layers = { { thickness = thickness or 0.05,
@@ -14,7 +14,7 @@ local function pair(E, thickness, k)
 end
 local usual = { cylinder = { k = 1e-8 }, plate = { k = 2e-8 }, mesh = mesh }
 
--- What they stand for.
+-- Meaning of the names.
 local function varied(given) return tostring(study(given)):match("varied: (.*)$") end
 for _, case in ipairs{
   { "lower.E", "model.lower.E" }, { "plate.E", "model.lower.E" }, { "block.nu", "model.lower.nu" },
@@ -92,7 +92,7 @@ s = w:sensitivity{ of = "volume_plate", to = { "k_cylinder", "k_plate", "k" } }.
 near(s.k_cylinder.elasticity[1], 0, 1e-10, "k_cylinder leaves the plate alone")
 near(s.k_plate.elasticity[1], 1, 1e-10, "k_plate does not")
 near(s.k.derivative[1], 2 / 3 * s.k_plate.derivative[1], 1e-10, "k changes both")
--- What was refused is no advice.
+-- A refused name is not suggested.
 for _, name in ipairs{ "cylinder.G", "upper.layer1.E", "increments", "model.lower.width" } do
   local refused = fails(function() w:sensitivity{ to = name } end, "'to'", name .. " is no number here")
   ok(not tostring(refused):find("mean '" .. name .. "'", 1, true), name .. " is not suggested")

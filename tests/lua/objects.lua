@@ -1,4 +1,4 @@
--- material, hertz, model and mesh: values, fields, methods, text.
+-- Tests of material, hertz, model and mesh: values, fields, methods, text.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -85,7 +85,7 @@ for body, mesh in pairs{ cylinder = m.mesh.cylinder, plate = m.mesh.plate } do
   holds(tostring(mesh), { body, "nodes", "degrees" }, body .. ": print(mesh)")
 end
 
--- the worn mesh: the nodes where wear has moved them, as they were when it was asked for
+-- the worn mesh: nodes as displaced by wear at the moment of the call
 do
   local w = wear{ k = 1e-7, jump = "auto", distance = 100 }
   w:run()

@@ -1,4 +1,4 @@
--- Bodies of one's own: what they are made from, refusals, studies and run files.
+-- Tests of user-defined bodies: definitions, refusals, studies and run files.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
@@ -6,7 +6,7 @@ local ok, is, near, fails = tap.ok, tap.is, tap.near, tap.fails
 local coarse = { size = 0.1, height = 0.1, far = 2, zone = { cylinder = 4, plate = 5 } }
 local pin = { upper = body.disc{ radius = 9.5, k = 1e-8 }, lower = body.ring{ inner = 10, outer = 15, E = 20e3, nu = 0.4 }, mesh = coarse }
 
--- What they are.
+-- Kinds of bodies.
 local m = model(pin)
 is(m.upper.kind, "disc", "the upper body as it was given")
 is(m.lower.outer, 15.0, "and the lower one")
@@ -25,7 +25,7 @@ local traced = body.profile(profile(trace))
 ok(traced.x[3] == trace.x[3] and traced.y[3] == trace.z[3], "those of a measured one")
 is(model{ geometry = "plane", mesh = { size = 0.2, height = 0.2 } }.geometry, "plane strain", "plane is plane strain")
 
--- What they are called: by name, role or kind.
+-- Names of bodies: by name, role or kind.
 local called = model{ upper = body.disc{ radius = 9.5, k = 1e-8, name = "pin" },
   lower = body.ring{ inner = 10, outer = 15, name = "bush" }, mesh = coarse }
 local run_of = wear{ model = called, load = 20, stroke = 0.5, distance = 40, jump = 10 }
@@ -64,7 +64,7 @@ local field = c:stress()
 for _, v in ipairs(field.plate.mises) do worst = math.max(worst, v) end
 ok(worst > 0.3 * c.p_max and worst < c.p_max, "stresses in a ring are of the contact's size")
 
--- Runs: in two parts, stored in between.
+-- Runs in two parts, stored between them.
 local file = os.tmpname()
 os.remove(file)
 local function run(distance) return wear{ model = m, load = 20, stroke = 0.5, distance = distance, jump = 10 } end
@@ -88,14 +88,14 @@ run_of:save(file)
 is(wear.open(file).depth.pin, run_of.depth.pin, "so are names")
 os.remove(file)
 
--- A study that varies a body of a model that is there.
+-- A study that varies a body of an existing model.
 local varied = study{ base = { model = layered, load = 1000, distance = 1 }, vary = { ["model.lower.E"] = { 1e5, 2e5 } } }
 local of_both = varied:run{ file = file, workers = 1, progress = false }:cases()
 ok(of_both[1].last.p_center < of_both[2].last.p_center, "a study varies what a body is of")
 varied:close()
 os.remove(file)
 
--- Rotations and loads from an angle.
+-- Rotations, and loads at an angle.
 local function swinging(distance)
   return wear{ model = m, load = 20, distance = distance, jump = 10, load_angle = 2, loading = {
     rotation = function(t) return 2 * math.sin(2 * math.pi * t) end, load_angle = function(t) return 1 + t - t * t end } }
@@ -131,7 +131,7 @@ end
 near(f.szz[top], 0.2 * (f.sxx[top] + f.syy[top]), 1e-12, "stress out of the plane by the layer's own nu")
 near(f.szz[deep], 0.3 * (f.sxx[deep] + f.syy[deep]), 1e-12, "and by that of what is below")
 
--- Decks: layers with materials of their own, bodies where they are.
+-- Decks: layers with their own materials, bodies at their positions.
 local lined = contact{ load = 50, x = 1, model = { upper = body.disc{ radius = 9.5, name = "pin" }, mesh = coarse,
   lower = body.ring{ inner = 10, outer = 15, name = "bush", layers = { { thickness = 0.3, E = 1e5 } } } } }
 export.inp(lined, file .. ".inp")
@@ -243,7 +243,7 @@ refused({ "zone.", "given twice" }, "a zone given twice", function() model{ mesh
 refused({ "'friction'", "in a hole" }, "a run with friction in a hole", function() wear{ model = m, friction = 0.3, load = 10, stroke = 0.1 } end)
 refused({ "'friction'", "in a hole" }, "friction in a hole", function() contact{ model = m, friction = 0.1, load = 10 } end)
 
--- The names hold in functions of the state, in studies and in pictures of the history, too.
+-- Names of bodies are also used in functions of the state, in studies and in pictures of the history.
 local hip = { upper = body.disc{ radius = 9.95, name = "pin" }, lower = body.ring{ inner = 10, outer = 20, name = "bush" },
   mesh = { size = 0.5, height = 0.3, zone = { cylinder = 20, plate = 20 } } }
 local of_hip = { model = hip, load = 1000, stroke = 1, cycles = 2, jump = 1, increments = 10 }

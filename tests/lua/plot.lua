@@ -1,5 +1,5 @@
--- plot{...}: curves, panels, axes, keys, and what it refuses. Pictures go to files that end in .txt or .gp,
--- and are read back.
+-- Tests of plot{...}: curves, panels, axes, keys, refused input. Pictures are written to .txt or .gp files and read
+-- back.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local pictures = dofile(here .. "/lib/pictures.lua")
@@ -127,7 +127,7 @@ do
   has(script, "set format y '%.6g'", "others plain")
 end
 
--- --- what is refused ----------------------------------------------------------------------------
+-- --- refused input ------------------------------------------------------------------------------
 
 local function refusals(list)
   for _, case in ipairs(list) do
@@ -197,7 +197,7 @@ end
 
 pictures.remove()
 
--- a key of three lines below dots
+-- a key of three lines below a picture of dots
 do
   local titles, given = { "a", "a long title that takes half of it", "c", "d", "e" }, { term = "dots", size = { 90, 22 } }
   for i, title in ipairs(titles) do

@@ -1,5 +1,5 @@
--- Files of plot{...}: their kinds, sizes for print, names that must not be run, and a gnuplot that is
--- missing, old or slow.
+-- Tests of files of plot{...}: formats, sizes for print, file names that contain commands, and a missing, old or slow
+-- gnuplot.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local pictures = dofile(here .. "/lib/pictures.lua")
@@ -7,7 +7,7 @@ local ok, has, refused = tap.ok, tap.holds, tap.fails
 local folder, read, picture_of, line = pictures.folder, pictures.read, pictures.picture_of, pictures.line
 local gnuplot = require "archard.gnuplot"
 
--- --- nothing is run -----------------------------------------------------------------------------
+-- --- no command is run --------------------------------------------------------------------------
 
 do
   local ran = folder .. "/ran"
@@ -55,7 +55,7 @@ end
 
 -- --- for print -----------------------------------------------------------------------------------
 
--- Width and height of a png, and where it says so its pixels in a metre.
+-- Width and height of a png, and its pixels per metre, if given.
 local function png_size(name)
   local png = read(name) or ""
   if #png < 24 then return 0, 0 end
@@ -93,7 +93,7 @@ do
   ok(png_size("c.png") == 900, "and screen is as before")
 end
 
--- --- a gnuplot that is not well -----------------------------------------------------------------
+-- --- a defective gnuplot ------------------------------------------------------------------------
 
 local function fake(name, body)
   local path = folder .. "/" .. name

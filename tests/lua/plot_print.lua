@@ -1,5 +1,5 @@
--- Figures for print: the style of journals, greys, titles, panels side by side, and the details that an editor looks at, as
--- they stand in gnuplot's commands.
+-- Tests of figures for print: journal style, greys, titles, panels side by side, and typographic details in gnuplot's
+-- commands.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local pictures = dofile(here .. "/lib/pictures.lua")
@@ -10,7 +10,7 @@ local run = pictures.stand_in { k = 1e-8 }
 
 local function lacks(text, word, what) ok(not text:find(word, 1, true), what) end
 
--- --- the style of journals -----------------------------------------------------------------------
+-- --- journal style -------------------------------------------------------------------------------
 
 local function png_size(name)
   local png = read(name)
@@ -48,7 +48,7 @@ end
 
 -- --- greys ---------------------------------------------------------------------------------------
 
--- Whether all colours of a script are greys.
+-- True if all colours of a script are greys.
 local function is_grey(script)
   for r, g, b in script:gmatch "#%x?%x?(%x%x)(%x%x)(%x%x)'" do
     if r ~= g or g ~= b then return false end
@@ -144,7 +144,7 @@ do
   lacks(drawn { { x = { 0, 1, 1, 0, 0 }, y = { 0, 0, 1, 1, 0 } } }, "linespoints", "nor corners of an outline")
 end
 
--- --- what is chosen ------------------------------------------------------------------------------
+-- --- choice of the style -------------------------------------------------------------------------
 
 do
   local columns = { distance = { 0, 10, 20, 30 }, alpha = { 0.5, 0.5, 0.5, 0.1 }, jump = { 0, 40, 50, 7 },
@@ -168,7 +168,7 @@ end
 
 -- --- stresses, depths, bars ----------------------------------------------------------------------
 
--- A square of one element, under stresses up to `most`.
+-- A square of one element with stresses up to `most`.
 local function square(low, most)
   return { x = { 0, 1, 1, 0 }, y = { low, low, low + 1, low + 1 }, mises = { 0, most, most, 0 }, elements = { 1, 2, 3, 4 } }
 end

@@ -1,4 +1,4 @@
--- What is printed of pairs with layers, and warnings of numbers that look as if they were in another unit.
+-- Tests of the printed text of pairs with layers, and of warnings for values in a wrong unit.
 package.path = arg[0]:gsub("[^/]*$", "") .. "lib/?.lua;" .. package.path
 local tap = require "tap"
 local ok = tap.ok

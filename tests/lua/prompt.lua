@@ -1,4 +1,4 @@
--- The prompt's Lua: what is a complete chunk, how values look, what may be completed.
+-- Tests of the prompt: complete chunks, display of values, completion.
 package.path = arg[0]:gsub("[^/]*$", "") .. "lib/?.lua;" .. package.path
 local tap = require "tap"
 local pretty = require "archard.lib.pretty"

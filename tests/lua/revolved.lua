@@ -1,4 +1,4 @@
--- Bodies of revolution and thin plates: what is refused and why, what is printed, kept and written.
+-- Tests of bodies of revolution and thin plates: refused input, printed text, files.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, fails = tap.is, tap.ok, tap.fails
 
@@ -79,7 +79,7 @@ local function deck_of(mesh)
   file:close()
   return text
 end
--- Elements of a deck, and the least radius of their nodes.
+-- Elements of a deck, and the smallest radius of their nodes.
 local function rings_of(text)
   local x, count, least = {}, 0, math.huge
   for number, at in text:match("%*NODE[^\n]*\n([^*]*)"):gmatch("(%d+), ([^,]+),[^\n]*\n") do x[number] = tonumber(at) end

@@ -1,6 +1,7 @@
--- Run once. Every row of every list comes back: what can be set is set to another value than the default, in all
--- that has it, and read back from the object, from a copy, from a run file, from a session and from export.json.
--- A row that is added to a list is tried without a change here, unless it needs something beside it.
+-- Run once.
+-- Tests every row of every list of settings: each setting is changed from its default in all objects that have it, and
+-- read back from the object, a copy, a run file, a session and export.json. A new row is tested without a change here,
+-- unless it depends on another one.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok = tap.ok
@@ -25,7 +26,7 @@ local function text_of(name)
   return file:read "a"
 end
 
--- Values that a row may take besides its default, most likely ones first.
+-- Values of a row besides its default, the most likely valid ones first.
 local function others(row)
   local list, usual = {}, tonumber(row.default)
   for _, value in ipairs(row.choice and row.values or {}) do
@@ -39,7 +40,7 @@ local function others(row)
   return list
 end
 
--- The first of them with which `make` makes something: object, value.
+-- The first value for which `make` succeeds: object, value.
 local function tried(row, make)
   local why
   for _, value in ipairs(others(row)) do
@@ -68,7 +69,7 @@ local function saved(w)
   return path "run.archard"
 end
 
--- Reads a value from all that an object can become: `places` are where it stands. Of a run and of a model.
+-- Reads a value back from all forms of a run or a model; `places`: its paths.
 local function reads_back_run(w, places, value, what, held_as)
   local function look(run, where)
     for _, place in ipairs(places) do same(at(run, held_as or place), value, what .. ", " .. where .. " as " .. place) end
@@ -100,7 +101,7 @@ local function reads_back_model(given, places, value, what)
   for _, place in ipairs(places) do same(at(m, place), value, what .. ", the model as " .. place) end
   local again = model(settings.nest(settings.flatten("rows", { is = m })).is)
   for _, place in ipairs(places) do
-    local found = place == "mesh.fineness" -- stands for a size, which is told
+    local found = place == "mesh.fineness" -- fineness determines the size, which is read instead
     if not found then same(at(again, place), value, what .. ", a model like it as " .. place) end
   end
   local in_run = {}
@@ -124,7 +125,7 @@ for _, row in ipairs(known.material) do
   same(hertz{ cylinder = m }.cylinder[name], value, "hertz.cylinder." .. name)
   local function a_pair(given) return merged({ mesh = coarse }, given) end
   reads_back_model(a_pair{ cylinder = m }, { "cylinder." .. name }, value, "of the usual pair")
-  local is_text = type(value) == "string" -- `name` beside E is that of the body or layer
+  local is_text = type(value) == "string" -- `name` beside E is the name of the body or layer
   local inner = is_text and "material." .. name or name
   local function own_of(fields) return is_text and merged(fields, { material = m }) or merged(fields, { E = 1e5, [name] = value }) end
   reads_back_model(a_pair{ lower = body.block(own_of{}) }, { "lower." .. inner, "plate." .. name }, value, "of a body")
@@ -158,7 +159,7 @@ end
 
 -- --- bodies --------------------------------------------------------------------------------------
 
--- What makes one of each kind.
+-- Fields to make each kind of body.
 local kinds = {
   cylinder = { radius = 8, hold = "free" }, block = { width = 18, height = 9 }, disc = { radius = 8 },
   ring = { inner = 8, outer = 12, fixed = "inner" }, ball = { radius = 8, radius_z = 12 }, punch = { flat = 2, radius = 6, height = 9 },
@@ -200,7 +201,7 @@ for name in pairs(rows_of_bodies) do ok(tried_rows[name], "body." .. name .. " i
 
 -- --- models --------------------------------------------------------------------------------------
 
-local beside = { -- what a row needs, or what is in its way
+local beside = { -- other fields that a row requires or excludes
   model = { axis = { geometry = "axisymmetric", axis = 40 } },
   wear = {
     load_angle = { model = { mesh = coarse, lower = body.ring{ inner = 10.2, outer = 14 } }, stroke = 1 },

@@ -1,5 +1,5 @@
--- session.save and session.open: what a session has made comes back by name, runs to the same bits;
--- who(), time(), examples() beside it.
+-- Tests of session.save and session.open: objects are restored by name, runs with identical bits; also who(), time(),
+-- examples().
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
@@ -12,7 +12,7 @@ os.remove(folder)
 assert(os.execute("mkdir " .. folder))
 local function path(name) return folder .. "/" .. name end
 
--- What a function prints, in one text.
+-- The printed text of a function.
 local function printed(f, ...)
   local lines, kept = {}, print
   print = function(...)
@@ -26,7 +26,7 @@ local function printed(f, ...)
   return table.concat(lines, "\n"), table.unpack(results, 2, results.n)
 end
 
--- Forgets all globals but Lua's and ours.
+-- Removes all globals except those of Lua and archard.
 local function forget()
   for _, each in ipairs(own.list()) do rawset(_G, each.name, nil) end
 end
@@ -171,9 +171,9 @@ is(file_module.suggested(), path "s.archard", "it proposes the session's file")
 holds(printed(leave.answer, "yes"), "saved in " .. path "s.archard", "yes saves")
 is(w.saved, true, "indeed")
 
--- --- sessions of strangers -------------------------------------------------------------------------
+-- --- untrusted sessions ----------------------------------------------------------------------------
 
--- A session file of one value, made of these settings.
+-- A session file with one value made of these settings.
 local function stranger(settings)
   local file <close> = require "archard.store".replace(path "stranger", "session")
   file:begin()

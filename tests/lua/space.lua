@@ -1,4 +1,4 @@
--- Three dimensions: balls and rollers on flats as half-spaces, from the definition to the file.
+-- Tests of three dimensions: balls and rollers on flats as half-spaces, from the definition to the file.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 
@@ -101,7 +101,7 @@ s:run{ progress = false, workers = 1 }
 is(#s:cases(), 2, "a study of runs in 3-D")
 s:close()
 
--- --- windows grow by themselves, tracks with the stroke ---------------------------------------------
+-- --- automatic enlargement of windows, tracks for strokes -------------------------------------------
 local function growing() return wear{ model = m, load = 10, stroke = 0.04, alpha = 0.5, distance = 300, k = { distance = { 0, 1000 }, value = { 1e-8, 1e-8 } } } end
 local grown = growing()
 local narrow = grown:map("ball").x
@@ -125,7 +125,7 @@ near(math.max(table.unpack(groove:profile("block", { x = 0 }).h)), groove.depth.
 fails(function() groove:map "block" end, "{ x = 0 }", "and no map")
 fails(function() run{ procedure = "NSP", stroke = 0.1 } end, "'procedure'", "a groove shorter than two contacts")
 
--- --- across, and round -----------------------------------------------------------------------------
+-- --- elliptic and round contacts -------------------------------------------------------------------
 local function on_flat(rx, rz) return model{ geometry = "3-D", upper = body.ball{ radius = rx, radius_z = rz }, lower = body.block{} } end
 local function factor(x) return x > 0 and 2 or 1 end
 local across = run{ model = on_flat(20, 5), slide = "z", distance = 10, local_factor = function(_, _, _, _, z) return factor(z) end }
@@ -164,7 +164,7 @@ near(section * 2 * math.pi * 10, disc.volume.block, 1e-3, "is the section of the
 local turned_pair = model{ geometry = "3-D", upper = body.block{}, lower = body.ball{} }
 fails(function() run{ model = turned_pair, procedure = "NSP", stroke = 1 } end, "a lower body.block{}", "a groove on a ball")
 
--- --- what is not there -----------------------------------------------------------------------------
+-- --- unsupported options ---------------------------------------------------------------------------
 for _, wrong in ipairs{
   { { friction = 0.1 }, "'friction'" },
   { { law = "energy" }, "'law'" }, { { update = "increment" }, "'update'" }, { { slip = "total" }, "'slip'" },
@@ -207,7 +207,7 @@ fails(function() w:combined() end, "half-spaces", "no combined profile")
 fails(function() export.inp(m, "x.inp") end, "half-spaces", "no input deck")
 fails(function() w:set{ mesh = { size = 0.01 } } end, "mesh", "cells stay")
 
--- --- depths to start from ---------------------------------------------------------------------------
+-- --- start depths -----------------------------------------------------------------------------------
 local maps = { ball = opened:map "ball", block = opened:map "block" }
 local from_maps, from_run = run{ worn = maps, distance = 20 }, run{ worn = opened, distance = 20 }
 near(from_maps.depth.block, from_run.depth.block, 1e-6, "depths from maps")

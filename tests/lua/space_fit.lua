@@ -1,5 +1,5 @@
--- Fits, designs, sensitivities and samples of runs in three dimensions, through what runs in the plane use.
--- Run once: its work is in Lua alone, which small steps of the collector only slow.
+-- Tests of fits, designs, sensitivities and samples of runs in three dimensions.
+-- Run once: only Lua code, which small steps of the collector slow down.
 -- Long
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds

@@ -1,4 +1,4 @@
--- contact with friction in three dimensions: pressing, moving, what can be read of it, what is refused.
+-- Tests of contact with friction in three dimensions: pressing, moving, results, refused input.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -29,7 +29,7 @@ near(e:move{ x = d.x, increments = 2 }.tangential, 3, 2e-3, "moved back as far, 
 is(d:move{}.x, d.x, "a motion that goes nowhere changes nothing")
 holds(tostring(d), { "friction  0.5", "tangential force 3 N" }, "print(contact)")
 
--- across, and round corners
+-- motion along z, and changes of direction
 local z = c:move{ tangential_z = 3, increments = 2 }
 near(z.z, d.x, 2e-6, "along z as along x in a round contact")
 near(z.energy, d.energy, 5e-6, "with the same energy")

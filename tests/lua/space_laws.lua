@@ -1,4 +1,4 @@
--- Wear in three dimensions that is not k p ds: laws of pressure, local factors, coefficients that change on the way.
+-- Tests of wear laws in three dimensions: powers of pressure, local factors, coefficients that change during the run.
 -- Long
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local ok, near = tap.ok, tap.near
@@ -10,7 +10,7 @@ local function run(changes)
   return wear(all)
 end
 
--- --- laws, and factors of sites ---------------------------------------------------------------------
+-- --- laws, and factors of cells ---------------------------------------------------------------------
 for _, exponent in ipairs{ 1, -0.5 } do
   local law = { law = "power", law_exponent = exponent, law_pressure = 500, distance = 50 }
   local implicit = run(law)

@@ -1,4 +1,5 @@
--- Bodies from maps of heights in three dimensions: on either side, with and without a ball's radius; their ends; bad ones.
+-- Tests of bodies from height maps in three dimensions: as upper and lower body, with and without a ball's radius;
+-- edges of maps; invalid maps.
 local tap = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/tap.lua")
 local is, ok, near, fails = tap.is, tap.ok, tap.near, tap.fails
 
@@ -12,7 +13,7 @@ local cap = map{ x = x, z = z, y = function(u, v) return -(u * u + v * v) / 20 e
 local flat = map{ x = x, z = z, y = function() return 0 end }
 local function pair(upper, lower) return model{ geometry = "3-D", upper = upper, lower = lower } end
 
--- --- the same contact, five times ------------------------------------------------------------------
+-- --- the same contact in five forms ----------------------------------------------------------------
 local ball, block = body.ball{ radius = 10 }, body.block{}
 local c = contact{ model = pair(ball, block), load = 10 }
 for what, m in pairs{
@@ -49,7 +50,7 @@ local below = wear{ model = pair(ball, body.map{ y = rough }), load = 10, stroke
 below:run()
 near(below.volume.lower, 1e-8 * 10 * 10, 1e-9, "a rough flat below, which moves")
 
--- --- ends, and what is no body -----------------------------------------------------------------------
+-- --- edges of maps, and invalid bodies ---------------------------------------------------------------
 fails(function() contact{ model = pair(body.map(cap), block), load = 3000 } end, "reaches the end of the part of a map", "a contact beyond the map")
 fails(function() pair(body.map(flat), block) end, "expected surfaces between which the gap grows on all sides", "two flats")
 local cup = map{ x = x, z = z, y = function(u, v) return (u * u + v * v) / 20.4 end }

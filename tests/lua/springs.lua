@@ -101,7 +101,7 @@ for _, draw in ipairs{ function(file) return plot.profile(w, "plate", { file = f
   os.remove(svg)
 end
 
--- --- what they have not ----------------------------------------------------------------------------
+-- --- unsupported options ---------------------------------------------------------------------------
 fails(function() run{ friction = 0.3 } end, "field 'friction': on springs expected 0", "friction")
 fails(function() run{ load = 1e6 }:step() end, "the contact reaches the edge of the springs", "a contact too wide")
 fails(function() contact{ model = m } end, "expected a model with meshes", "contact objects")

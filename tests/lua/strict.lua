@@ -1,5 +1,5 @@
--- Names that nobody has given: globals, fields and methods of objects and tables of ours are errors
--- that say the nearest; what Lua's own habits ask for still is nil.
+-- Tests of unknown names: misspelt globals, fields and methods of the program's objects and tables give errors with the
+-- nearest name; names that Lua programs usually test for still give nil.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, fails, holds = tap.ok, tap.is, tap.fails, tap.holds
@@ -52,7 +52,7 @@ for _, each in ipairs{
   { function() return c:stress().plate.mise end, "stress: no field 'mise'; did you mean 'mises'?" },
   { function() return s:caes() end, "study: no field 'caes'; did you mean 'cases'?" },
   { function() return s:cases()[1].p_centre end, "case: no field 'p_centre'; did you mean 'p_center'?" },
-  -- tables that objects hand out
+  -- tables returned by objects
   { function() return w.depth.cilinder end, "wear.depth: no field 'cilinder'" },
   { function() return w.volume.sum end, "wear.volume: no field 'sum'" },
   { function() return w.history.p_centre end, "history: no field 'p_centre'; did you mean 'p_center'?" },
@@ -71,7 +71,7 @@ for _, each in ipairs{
   { function() return math.sqr(2) end, "math: no field 'sqr'; did you mean 'sqrt'?" },
   { function() return string.fromat("%d", 1) end, "string: no field 'fromat'; did you mean 'format'?" },
   { function() return ("a"):uper() end, "string: no field 'uper'; did you mean 'upper'?" },
-  -- and functions of ours
+  -- functions of the program
   { function() plot.presure(w) end, "plot: no field 'presure'; did you mean 'pressure'?" },
   { function() export.cvs(w, "w.csv") end, "export: no field 'cvs'; did you mean 'csv'?" },
   { function() study.papr() end, "study: no field 'papr'; did you mean 'paper'?" },

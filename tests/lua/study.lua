@@ -1,4 +1,4 @@
--- Studies: settings, running, resuming, shares, tables, what cases tell; wear:save and wear.open.
+-- Tests of studies: settings, running, resuming, shares, tables, results of cases; wear:save and wear.open.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, near, fails, holds = tap.is, tap.near, tap.fails, tap.holds
@@ -36,7 +36,7 @@ is(#grid, 4, "a grid holds all combinations")
 is(grid[2].alpha .. " " .. grid[2].stroke .. " " .. grid[2]["model.radius"], "0 2 8",
   "the last name changes fastest")
 
--- What a case gives comes before what the base gives, whatever the form of both.
+-- Settings of a case have priority over those of base, whatever the form of both.
 local function joined(base, over) return settings.nest(settings.join("test", base, over)) end
 is(joined({ k = { distance = { 0, 1 }, value = { 1, 2 } } }, { k = 3 }).k, 3, "a number for a series")
 is(joined({ k = 3 }, { k = { distance = { 0, 1 }, value = { 1, 2 } } }).k.value[2], 2,
@@ -152,7 +152,7 @@ do
   is(#assert(io.open(path "letter")):read("a"), 200, "and stays as it was")
 end
 
--- A case that fails costs no other, and is tried again.
+-- A failed case does not affect other cases and is tried again.
 local bad = small{ cases = { { alpha = 0.5 }, { alpha = 2 }, { alpha = 0.25 } } }
 local quiet = io.stderr
 local errors = {}
@@ -170,7 +170,7 @@ is(study.open(path "bad"):cases()[2].status, "failed", "study.open")
 
 holds(bad:table{ format = "csv" }, '\n2,2,,,,,,,,,,,"failed: ', "empty cells in CSV")
 
--- What a run warns of is told by the study.
+-- A study reports the warnings of its runs.
 errors = {}
 io.stderr = { write = function(_, ...) errors[#errors + 1] = table.concat{ ... } end }
 local ripples = small{ vary = { jump = { 50, 530 } } }:run{ file = path "ripples", progress = false }
@@ -190,7 +190,7 @@ holds(tostring(ripples[2]), "ripples will grow", "print(case) tells of it")
 holds(study.open(path "ripples"):table(), "done, warned: jump = 530 cycles is past", "the table too")
 holds(study.open(path "ripples"):table(), "half_w", "which keeps its columns")
 
--- Histories and series are settings as any other.
+-- Loadings and series are stored like other settings.
 local blocks = study{ looks = 0, base = { geometry = "frozen", jump = 50, model = coarse.model,
   loading = { { x = { -0.05, 0.05, -0.05 }, load = { 80, 100, 80 }, cycles = 200 },
     { x = { -0.1, 0, 0.1, 0, -0.1 }, load = { 90, 90, 90, 90, 90 }, cycles = 100 } } },
@@ -218,7 +218,7 @@ is(content(merged), content(one), "a case that is in two of them is there once")
 fails(function() study.merge(path "share1", path "bad", { file = path "gap" }) end,
   "different studies", "as is another study")
 
--- --- a file whose program was killed as it began ------------------------------------------------
+-- --- a file whose program was killed during its start -------------------------------------------
 local function begun()
   os.remove(path "begun")
   require "archard.store".open(path "begun", "create"):close()

@@ -1,13 +1,13 @@
--- Functions of the user's that fail: told at the first call, with what they were called for and what
--- they said, and the run stays at its last whole step, from which it goes on.
+-- Tests of user functions that fail: the error is reported at the first failing call, with the arguments and the
+-- function's message, and the run stays at its last complete step, from which it can be continued.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local is, ok, holds, fails = tap.is, tap.ok, tap.holds, tap.fails
 
 local m = model{ mesh = { size = 0.1, height = 0.1 } }
-require "archard.warnings".keep() -- the mesh is coarse
+require "archard.warnings".keep() -- suppresses the warning of the coarse mesh
 
--- A function that fails once the run has made five updates, and counts how often it was asked after that.
+-- A function that fails after five updates and counts its later calls.
 local asked
 local function failing(value, words)
   asked = 0
@@ -20,7 +20,7 @@ local function failing(value, words)
   end
 end
 
--- `good` is what takes the function's place then; the run stands after five updates, or as many as given.
+-- `good` then replaces the function; the run has five updates, or `stands`.
 local function try(name, fields, parts, good, stands)
   fields.model, fields.distance, fields.jump = m, 440, fields.jump or 100
   local w = wear(fields)
@@ -45,9 +45,9 @@ try("a text of k", { k = failing(1e-8, "x") }, { "k(state at distance 110 mm, cy
   { k = 1e-8 })
 try("a NaN of k", { k = failing(1e-8, 0 / 0) }, { "field 'k': expected a number >= 0 mm2/N, got nan" }, { k = 1e-8 })
 try("friction", { friction = failing(0.2) }, { "friction(state at distance 110 mm", "boom" }, { friction = 0.2 },
-  4) -- its state is that of an update's end
+  4) -- called with the state at the end of an update
 
--- --- those of one call ---------------------------------------------------------------------------
+-- --- functions called once for each step ---------------------------------------------------------
 for _, name in ipairs{ "progress", "stop_when" } do
   asked = 0
   local w = wear{ model = m, distance = 440, jump = 100 }
@@ -72,7 +72,7 @@ end }
 holds(select(2, pcall(w.run, w)), { "local_factor(\"cylinder\", x = ", "boom" }, "local_factor: it is told for which point")
 is(asked .. " " .. w.update, "1 5", "local_factor: at once, at a whole step")
 
--- Wherever it fails first, also where the engine only looks ahead and could go on without.
+-- The function may fail at any call, also at one made only for an estimate.
 for nth = 2, 12 do
   asked = 0
   local w = wear{ model = m, distance = 440, jump = 100, alpha = function()

@@ -1,4 +1,4 @@
--- wear: definition, stepping, running, records, measures, clones, failures in mid-run.
+-- Tests of wear: definition, stepping, running, records, measures, clones, failures during a run.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local ok, is, near, fails, holds = tap.ok, tap.is, tap.near, tap.fails, tap.holds
@@ -64,8 +64,8 @@ end
 is(history.p_center[13], w.p_center, "its end is the state")
 is(history.distance[1], 0, "its beginning the start")
 
--- Eq. (15): the volume of each body is its k times the integral of p ds dA, which is that of the load over the way,
--- whatever the path, the steps and the procedure
+-- Eq. (15): the volume of each body is its k times the integral of p ds dA, the load integrated over the sliding path,
+-- for every motion, step and procedure
 for name, case in pairs{ explicit = {}, by_half = { rule = "simple" },
   implicit = { scheme = "implicit", tolerance = 1e-3 }, over_the_plate = { stroke = 20, increments = 10 },
   increments = { update = "increment", geometry = "frozen" },
@@ -87,7 +87,7 @@ for name, case in pairs{ explicit = {}, by_half = { rule = "simple" },
   is(run.history.load_distance[#run.history.load_distance], sum, name .. ": in the history")
 end
 
--- the largest pressure on the way: that of contacts along the path, on the row's own surfaces
+-- the largest pressure during the cycle equals that of contacts along the path on the surfaces of the same row
 do
   local run = wear{ increments = 8, jump = 50 }
   is(run.p_peak, run.p_max, "p_peak before any update")
@@ -187,7 +187,7 @@ ok(pcall(p.step, p), "afterwards it runs on")
 is(coroutine.wrap(function() return wear{ increments = 4 }:run{ distance = 100 }.distance end)(), 100,
   "a run within a coroutine")
 
--- a failure leaves the run as it was
+-- a failure leaves the run unchanged
 local deep = wear{ k = 1e-6, jump = 1000, increments = 4, distance = 1e6,
   model = model{ mesh = { zone = { cylinder = 1, plate = 1.2 } } } }
 local before, state
@@ -229,7 +229,7 @@ is(law.law, "threshold", "law can be read back")
 is(wear{ update = "increment", jump = 1, increments = 4, distance = 0.22 }.update_at, "increment",
   "quasi-continuous can be read back")
 
--- worn to start from
+-- worn shapes as start
 local start = wear{}:run{ distance = 220 }
 local onward = wear{ worn = start }
 is(onward.model, start.model, "worn: the same model")
@@ -245,7 +245,7 @@ ok(wider.model.mesh.zone.plate > start.model.mesh.zone.plate, "worn: a wider zon
 near(wider.p_center, start.p_center, 5e-3, "worn: and the shape goes along")
 near(wear{ model = model{}, stroke = 3 }.model.mesh.zone.plate, wear{ stroke = 3 }.model.mesh.zone.plate, 1e-12, "a model object gets wider zones")
 
--- a step of a finished run says that there is none
+-- a step of a finished run warns that it has no effect
 do
   local warnings = require "archard.warnings"
   local run = wear{ increments = 8, jump = 10, distance = 2.2 }

@@ -1,7 +1,6 @@
--- Wrong calls of every public function: made from the help entries, which stand beside the definitions.
--- Each value that does not fit is refused by an error that names the function and the argument, says
--- what was expected and what came, and never comes from the middle of our own text.
--- Run once: what is looked at are messages.
+-- Tests of wrong calls of every public function, made from the help entries. Each wrong value gives an error with the
+-- function, the argument, the expected and the given value, and with the position of the user's call.
+-- Run once: only messages are tested.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/lib/tap.lua")
 local help, names = require "archard.help", require "archard.names"
@@ -15,14 +14,14 @@ local calls = dofile(here .. "/lib/calls.lua")(folder)
 local objects, before, beside, callee = calls.objects, calls.before, calls.beside, calls.callee
 local copy, put, w = calls.copy, calls.put, calls.wear
 
--- --- what is given -------------------------------------------------------------------------------
+-- --- wrong values --------------------------------------------------------------------------------
 
 local wrong = { true, -1, 0 / 0, math.huge, path "nonsense", path "a\0b", "", {}, { "a" }, { nonsense = 1 }, { {} },
   function() end, coroutine.create(print), io.stderr, material{}, w, objects.profile }
 
 -- --- what comes ----------------------------------------------------------------------------------
 
--- Words of which a message has some: what was expected, or why a value of the right kind cannot be.
+-- Words of messages: the expected value, or the reason to refuse a value of the right kind.
 local reasons = { "expected", "unknown field", "by name", "must be", "needs", "no column", "known:", "did you mean",
   "No such file", "nothing to draw", "no points", "not varied", "of its wear box", "contains another", "holds another", "holds a ",
   "not a run file", "belongs to", "only allowed for", "is almost 0", "has no stored", "no scar is", "do not overlap" }
@@ -34,14 +33,14 @@ local function has_one(text, list)
   return false
 end
 
--- The parts of a field's path, and what messages say in its place.
+-- The parts of a field's path, and texts that messages contain instead of the field.
 local function names_of(field)
   local list = { "unknown field", "panel ", "curve ", "cannot read", "holds a " }
   for part in field:gmatch "[^.]+" do list[#list + 1] = part end
   return list
 end
 
--- What is missing in the message of a call that failed, or nil.
+-- The part missing in the message of a failed call, or nil.
 local function lack(err, address, field)
   if type(err) ~= "table" or not err.message then return "an error object" end
   local text = tostring(err)
@@ -66,13 +65,13 @@ local function try(f, address, field, value, ...)
   end
 end
 
--- What is right, and takes long.
+-- True for valid calls that take long.
 local function would_work(address, value)
   if type(value) ~= "table" or getmetatable(value) then return false end
   return address == "study.figures" or address == "study.converge" and next(value) == nil
 end
 
--- Each wrong value as the first argument.
+-- Tries each wrong value as the first argument.
 local function try_arguments(entry)
   local f = callee(entry)
   for _, value in ipairs(f and wrong or {}) do
@@ -80,7 +79,7 @@ local function try_arguments(entry)
   end
 end
 
--- Each wrong value in the field of the table that an entry is about.
+-- Tries each wrong value in the field of the table described by an entry.
 local function try_field(entry)
   local owner, field = entry.owner, (entry.path ~= "" and entry.path .. "." or "") .. entry.name
   local f = callee(help.entry(owner))
@@ -93,9 +92,9 @@ local function try_field(entry)
   end
 end
 
--- --- all of it -----------------------------------------------------------------------------------
+-- --- main loop -----------------------------------------------------------------------------------
 
--- What the calls that work print and draw goes nowhere.
+-- Discards the output and pictures of calls that succeed.
 local kept = print
 print = function() end
 io.output "/dev/null"

@@ -1,5 +1,5 @@
--- What the tests that make calls out of the help entries share: small objects of every class, what stands
--- beside the field or argument that is tried, and how an entry becomes a function.
+-- Helpers to make calls from the help entries: small objects of every class, valid arguments beside the one tested, and
+-- the function of an entry.
 local help = require "archard.help"
 
 return function(folder)
@@ -8,7 +8,7 @@ return function(folder)
   local function path(name) return folder .. "/" .. name end
   calls.path = path
 
-  -- --- objects to call, small ones -----------------------------------------------------------------
+  -- --- small objects for the calls -----------------------------------------------------------------
 
   local coarse = { size = 0.1, height = 0.1, far = 2, rows = 2 }
   local m = model{ mesh = coarse }
@@ -48,9 +48,9 @@ return function(folder)
   objects.distribution = uniform{ 0, 1 }
   objects.calibration = calibrate{ volume = { cylinder = 1e-5, plate = 1e-5 }, load = 100, distance = 22 }
 
-  -- --- what is called ------------------------------------------------------------------------------
+  -- --- calls ---------------------------------------------------------------------------------------
 
-  -- The rest of a call whose one field is wrong: what stands before the table, and in it.
+  -- Valid arguments of a call with one wrong field: the arguments before the table, and other fields of the table.
   local before = {
     ["plot.pressure"] = { w }, ["plot.profile"] = { w }, ["plot.history"] = { w }, ["plot.mesh"] = { m },
     ["plot.stress"] = { objects.contact }, ["plot.shear"] = { objects.contact }, ["plot.slip"] = { objects.contact },
@@ -87,7 +87,7 @@ return function(folder)
     return type(module) == "table" and rawget(module, name) or nil
   end
 
-  -- The function of an entry, and the object that stands before its arguments, if one does.
+  -- The function of an entry, and the object of its method, if any.
   local function callee(entry)
     local owner, name = entry.address:match("^(.*)%.(.*)$")
     if entry.kind == "method" and objects[owner] then
@@ -105,7 +105,7 @@ return function(folder)
     return new
   end
 
-  -- Sets a field by its path; of a list that of its first item.
+  -- Sets a field by its path; in a list, the field of the first item.
   local function put(given, field, value)
     local at = given
     for part in field:gmatch("([^.]+)%.") do

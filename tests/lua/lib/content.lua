@@ -1,5 +1,5 @@
--- All that a run file holds of a study but times, as text: equal texts mean equal bits.
---   archard tests/lua/lib/content.lua FILE     prints it
+-- Prints a run file of a study as text, without times: equal texts mean identical bits.
+--   archard tests/lua/lib/content.lua FILE
 
 local function add(lines, name, value)
   if type(value) == "table" then
@@ -18,7 +18,7 @@ local function add(lines, name, value)
   end
 end
 
--- every: n, where the state to go on from is looked at in every n-th case only; nil: in all
+-- every: n, to check the continuation state in every n-th case only; nil: in all cases
 local function content(s, every)
   local lines = {}
   for _, case in ipairs(s:cases()) do
@@ -28,7 +28,7 @@ local function content(s, every)
     add(lines, case.id .. " history", case.history or "none")
     add(lines, case.id .. " surfaces", case.surfaces)
     if case.status == "done" and case.id % (every or 1) == 0 then
-      -- the state to go on from, by going on
+      -- checks the continuation state by continuing the run
       local run <close> = case:wear()
       run:set{ distance = 2 * run.distance }
       run:step()

@@ -1,16 +1,15 @@
--- What a hostile script is made of: values that are not what they seem, and deeds that callbacks, metamethods
--- and finalizers do while a call of ours is under way. All of it is drawn from math.random, so that a seed
--- gives the same again.
+-- Hostile values and actions: metamethods, callbacks and finalizers that act during a call. Everything is drawn from
+-- math.random, so that a seed reproduces it.
 
--- make(world): world.objects are those to attack, by class, world.target the one that the call is of;
--- world.again(class) makes one anew; world.closed is a list of closed ones; world.path(name) names a file.
+-- make(world): world.objects: objects to attack, by class; world.target: the object of the call; world.again(class):
+-- makes a new one; world.closed: list of closed objects; world.path(name): a file name.
 return function(world)
   local hostile = {}
   local random, objects = math.random, world.objects
 
   local function one_of(list) return list[random(#list)] end
 
-  -- What hostile code raises itself: the call that meets it may hand it on as it is.
+  -- Errors raised by hostile code, which a call may pass on.
   local raised = setmetatable({}, { __mode = "k" })
   local spoken = "hostile words"
 
@@ -34,7 +33,7 @@ return function(world)
   for class in pairs(objects) do classes[#classes + 1] = class end
   table.sort(classes)
 
-  -- An object, mostly the one under attack.
+  -- An object, mostly the one of the call.
   local function victim()
     if random(2) == 1 then return world.target end
     return objects[one_of(classes)]
@@ -43,8 +42,8 @@ return function(world)
 
   local function quietly(f, ...) return pcall(f, ...) end
 
-  local depth, budget = 0, 0 -- of deeds within deeds; how many more the call may meet
-  local given = {} -- tables that were handed to the call
+  local depth, budget = 0, 0 -- depth of nested actions; number of actions left for the call
+  local given = {} -- tables passed to the call
 
   local deeds = {
     function() quietly(function() objects.wear:close() end) world.again "wear" end,
@@ -100,10 +99,10 @@ return function(world)
   -- --- values -------------------------------------------------------------------------------------
 
   local numbers = { 0, -1, 1, 2, 0.5, 3, 7, 12, 0 / 0, -(0 / 0), math.huge, -math.huge, 2^53, -2^61,
-    math.maxinteger, math.mininteger, 1e300, -1e-300 } -- no small steps, no fine meshes: they only take long
+    math.maxinteger, math.mininteger, 1e300, -1e-300 } -- no small steps or fine meshes, which only take long
   local texts = { "", "cylinder", "plate", "auto", "a\0b", ("x"):rep(300), "\27[31m", "%s%n", "100", "implicit" }
 
-  -- Answers of a callback.
+  -- Return values of a callback.
   local function answer(...)
     local choice = random(10)
     if choice <= 3 then return 1e-8 end
@@ -114,7 +113,7 @@ return function(world)
     return random()
   end
 
-  -- A function that does something first, not always.
+  -- A function that sometimes first performs an action.
   local function callback()
     local often = random(3)
     return function(...)
@@ -154,7 +153,7 @@ return function(world)
   for name in pairs(metamethods) do events[#events + 1] = name end
   table.sort(events)
 
-  -- Gives a table some metamethods.
+  -- Adds some metamethods to a table.
   local function armed(value)
     local metatable = {}
     for _ = 1, random(3) do
@@ -212,7 +211,7 @@ return function(world)
     return value
   end
 
-  -- Remembers a table that a call gets, for deeds that change it.
+  -- Stores a table passed to a call, for actions that change it.
   function hostile.hand_over(value)
     if type(value) == "table" and debug.getmetatable(value) == nil then given[#given + 1] = value end
     return value
@@ -223,7 +222,7 @@ return function(world)
     depth, nested, budget = 0, 0, 30
   end
 
-  -- Garbage whose finalizers act while the next call allocates.
+  -- Creates garbage whose finalizers act during the next call.
   function hostile.lay_mines()
     for _ = 1, random(4) do
       setmetatable({}, { __gc = function() quietly(act) end })

@@ -1,11 +1,11 @@
--- What tests of pictures share: a folder of their own, pictures in characters read back, stand-ins for
--- the objects of the engine.
+-- Common parts of the picture tests: a temporary folder, reading of pictures in characters, replacements for the
+-- engine's objects.
 
 local pictures = { folder = os.tmpname() }
 os.remove(pictures.folder)
 os.execute("mkdir " .. pictures.folder)
 
--- What a file in the folder holds; nil where it is not there.
+-- The content of a file in the folder; nil if it does not exist.
 function pictures.read(name)
   local file = io.open(pictures.folder .. "/" .. name, "rb")
   if not file then return nil end
@@ -14,7 +14,7 @@ function pictures.read(name)
   return text
 end
 
--- The picture in characters of what the function draws; it must hand `file` on.
+-- The picture drawn by the function as characters; the function passes `file` on.
 function pictures.picture_of(draw)
   os.remove(pictures.folder .. "/p.txt")
   draw(pictures.folder .. "/p.txt")
@@ -29,7 +29,7 @@ end
 
 pictures.line = { x = { 0, 1, 2, 3 }, y = { 0, 1, 4, 9 }, title = "squares" }
 
--- A stand-in for a wear object; refuses names it does not know, as objects do.
+-- A replacement for a wear object, which refuses unknown names like the real one.
 function pictures.stand_in(fields)
   fields.pressure = function(_, body)
     return { x = { -0.2, -0.1, 0, 0.1, 0.2 }, p = { 0, 300, body == "plate" and 500 or 400, 300, 0 } }

@@ -1,4 +1,4 @@
--- Checks that print TAP lines. A check returns whether it held, so that a test can go on or not.
+-- Checks that print TAP lines. Each returns true if it passed, so that a test can stop.
 
 local tap = {}
 local number = 0
@@ -19,7 +19,7 @@ function tap.is(got, expected, what)
   return false
 end
 
--- |got - expected| within a share of |expected|, or of 1 where that is zero.
+-- Checks |got - expected| <= share |expected|, or <= share if `expected` is zero.
 function tap.near(got, expected, share, what)
   local room = share * (expected == 0 and 1 or math.abs(expected))
   if tap.ok(type(got) == "number" and math.abs(got - expected) <= room, what) then return true end
@@ -27,7 +27,7 @@ function tap.near(got, expected, share, what)
   return false
 end
 
--- Every one of the texts stands in the text (plainly, no patterns).
+-- Checks that the text contains all parts (plain strings, not patterns).
 function tap.holds(text, parts, what)
   text = tostring(text)
   for _, part in ipairs(type(parts) == "table" and parts or { parts }) do
@@ -40,7 +40,7 @@ function tap.holds(text, parts, what)
   return tap.ok(true, what)
 end
 
--- The function fails with an error whose text holds all of `parts`; returns the error.
+-- Checks that the function fails with an error that contains all `parts`; returns the error.
 function tap.fails(f, parts, what)
   local done, err = pcall(f)
   if done then
