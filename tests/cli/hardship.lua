@@ -1,5 +1,5 @@
--- What users write, each into the folder arg[1], for tests that do not let them: a line each, with
--- what went wrong or "fine". arg[2]: the share of the study to compute; none: all of it.
+-- Writes all kinds of files to the folder arg[1], for tests in which writing fails; prints a line for each with the
+-- error or "fine". arg[2]: share of the study to compute; default: all of it.
 warn "@off"
 local folder, share = arg[1], arg[2]
 local small = { radius = 10, mesh = { size = 0.08, height = 0.06 } }

@@ -1,4 +1,4 @@
--- Writes the run files by which later programs are tested; run it with a release's own program:
+-- Writes the run files that test later releases; run it with the program of a release:
 --   archard tests/files/write.lua tests/files/format-N.
 local prefix = arg and arg[1]
 local base = { geometry = "frozen", increments = 8, distance = 88, jump = 100,

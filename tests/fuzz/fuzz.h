@@ -1,6 +1,6 @@
-/* What the fuzz targets share. A target is one file with LLVMFuzzerTestOneInput: built with clang's
- * libFuzzer by `make fuzz`, and with replay.c by `make check`, which runs what stands in corpus/.
- */
+/* Common parts of the fuzz targets. A target is one file with LLVMFuzzerTestOneInput, built with
+ * clang's libFuzzer by `make fuzz`, and with replay.c by `make check`, which runs the files in
+ * corpus/. */
 #ifndef TESTS_FUZZ_H
 #define TESTS_FUZZ_H
 
@@ -14,10 +14,10 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* A finding: said, and the process ends where it stands. */
+/* Reports a finding and aborts. */
 #define FOUND(...) (fprintf(stderr, "found: " __VA_ARGS__), fputc('\n', stderr), abort())
 
-/* A file of this process, in memory where the system has a folder that is. */
+/* A file of this process, in a folder in memory if the system has one. */
 __attribute__((unused)) static const char *own_file(const char *ending) {
   static char path[4][80];
   static int turn;
@@ -35,7 +35,7 @@ __attribute__((unused)) static const char *as_file(const uint8_t *data, size_t s
   return path;
 }
 
-/* Takes the next bytes of an input as a value; zero where there are none left. */
+/* Reads values from the bytes of an input; zero after its end. */
 typedef struct source {
   const uint8_t *data;
   size_t left;
@@ -54,14 +54,14 @@ __attribute__((unused)) static unsigned take_byte(source *s) {
   return byte;
 }
 
-/* In [low, high], by 16 bits. */
+/* A number in [low, high] from 16 bits. */
 __attribute__((unused)) static double take_in(source *s, double low, double high) {
   uint16_t bits;
   take_bytes(s, &bits, sizeof bits);
   return low + (high - low) * bits / 65535;
 }
 
-/* Any number: NaN, infinite, tiny ones too. */
+/* Any double, including NaN, infinity and denormal numbers. */
 __attribute__((unused)) static double take_any(source *s) {
   double value;
   take_bytes(s, &value, sizeof value);

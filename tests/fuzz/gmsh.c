@@ -1,4 +1,4 @@
-/* A Gmsh file of a stranger. */
+/* Fuzz target for untrusted Gmsh files. */
 #include "fuzz.h"
 
 #include "archard/model.h"

@@ -1,4 +1,4 @@
-/* A history file of the prompt: no byte in it keeps what comes later from being found. */
+/* Fuzz target for history files of the prompt: after any content, later entries are still found. */
 #include "fuzz.h"
 
 #include "cli/history_file.h"

@@ -1,5 +1,5 @@
-/* Runs a target on the files of a folder, which stand for findings and for what covers the code:
- * replay FOLDER prints a TAP line each. Linked with a target where there is no libFuzzer. */
+/* Runs a target on the files of a folder, earlier findings and files that cover the code: replay
+ * FOLDER prints a TAP line for each. Linked with a target instead of libFuzzer. */
 #include <dirent.h>
 
 #include "fuzz.h"

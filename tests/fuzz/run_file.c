@@ -1,13 +1,13 @@
-/* Run files of strangers: any bytes; a sound file with bytes changed; and one whose tables were
- * changed by somebody who knows SQL, and how the checksum goes. All of it is read as `wear.open`
- * does, and what opens as good goes on for a step. */
+/* Fuzz target for untrusted run files: arbitrary bytes; a valid file with changed bytes; a file
+ * whose tables were changed by SQL with valid checksums. Each file is read as by `wear.open`; if it
+ * opens, the run computes one step. */
 #include "fuzz.h"
 
 #include <sqlite3.h>
 
 #include "store/store.h"
 
-/* --- the sound file --------------------------------------------------------------------------- */
+/* --- the valid file --------------------------------------------------------------------------- */
 
 static void must(arc_status status, const arc_error *error) {
   if (status != ARC_OK) FOUND("%s", error->message);
@@ -79,7 +79,7 @@ static const char *with_bytes_changed(source *s) {
   return path;
 }
 
-/* Binds a value of any kind to a parameter. */
+/* Binds a value of any type to a parameter. */
 static void bind_any(sqlite3_stmt *q, int index, source *s) {
   uint8_t text[40];
   const unsigned length = take_byte(s) % sizeof text;
@@ -131,7 +131,7 @@ static const char *const changes[] = {
     "UPDATE info SET value = ?1",
     "INSERT OR REPLACE INTO settings VALUES (1, ?1, ?2)",
     "INSERT OR REPLACE INTO results VALUES (1, ?1, ?2)",
-    /* one number of an array among others */
+    /* one number of an array */
     "UPDATE arrays SET numbers = CAST(substr(numbers, 1, 8 * (?2 % 30)) || substr(CAST(?1 AS BLOB) "
     "|| x'0000000000000000', 1, 8) || substr(numbers, 8 * (?2 % 30) + 9) AS BLOB) WHERE part = "
     "'state' AND name = 'h'",
@@ -154,7 +154,7 @@ static void change(sqlite3 *db, source *s) {
     bind_any(q, 2, s);
   else
     sqlite3_bind_int(q, 2, (int)(take_byte(s) % 64));
-  sqlite3_step(q); /* what the tables refuse is not done */
+  sqlite3_step(q); /* changes refused by the tables have no effect */
   sqlite3_finalize(q);
 }
 
@@ -186,7 +186,7 @@ static int see(void *context, const arc_value *value) {
   return 0;
 }
 
-/* The model of the sound file is built once. */
+/* Builds the model of the valid file once. */
 static arc_status model_of(arc_stored_run *run, arc_model **model) {
   static arc_model *kept;
   static arc_model_def of_kept;

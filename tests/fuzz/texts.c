@@ -1,5 +1,5 @@
-/* Texts: tables and profiles in CSV files, chunks at the prompt and their completion. What fails
- * must be told by an error of ours; chunks and completion never fail. */
+/* Fuzz target for texts: tables and profiles in CSV files, chunks at the prompt and their
+ * completion. Failures must be reported by archard's errors; chunks and completion never fail. */
 #include "fuzz.h"
 
 #include <lauxlib.h>

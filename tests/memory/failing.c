@@ -1,13 +1,10 @@
-/* Memory that runs out, and a system that refuses, on demand, for a program that this is loaded
- * into (LD_PRELOAD). An attempt to allocate 2^30 + 64 n bytes, which fails, makes those after the
- * next n fail as well, a few in a row, as Lua tries again once it has collected; one of 2^30 + 2^29
- * + 64 n bytes makes the system refuse what it is asked for after the next n times, once; 2^30 -
- * 4096 bytes end both. Nothing else here asks for so much.
- *
- * With n = 2^22 nothing fails, and the file ARCHARD_COUNT then tells how often there was something
- * to fail, and for each place the numbers of its first and its last time. A place is a chain of
- * callers.
- */
+/* Simulates exhausted memory and failing system calls in a program that loads this library
+ * (LD_PRELOAD). The program sends commands by allocations of special sizes, which fail: 2^30 + 64 n
+ * bytes make the allocations after the next n fail, a few in a row, as Lua retries after a garbage
+ * collection; 2^30 + 2^29 + 64 n bytes make one system call after the next n fail; 2^30 - 4096
+ * bytes end both. The program itself never needs such sizes. With n = 2^22 nothing fails, and the
+ * file ARCHARD_COUNT receives the number of possible failures and for each call site the numbers of
+ * its first and last call. A call site is a chain of callers. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -78,7 +75,7 @@ static void tell(long count) {
   if (fclose(file) != 0) abort();
 }
 
-/* What it does itself asks for memory and files too. */
+/* Calls `work` without counting its own allocations and system calls. */
 static void unseen(void (*work)(long), long n) {
   inside = 1;
   work(n);
@@ -94,7 +91,7 @@ static int fails(kind what) {
   return n >= first && n < first + in_a_row[what];
 }
 
-/* libgomp ends the program where it gets none, and asks for some hundred bytes in each thread. */
+/* True for libgomp, which ends the program if an allocation of its threads fails. */
 static int ends_the_program(const void *caller) {
   Dl_info from;
   return dladdr(caller, &from) && strstr(from.dli_fname, "libgomp");
@@ -130,8 +127,8 @@ void *realloc(void *memory, size_t size) {
                                                                      : __libc_realloc(memory, size);
 }
 
-/* What the system is asked for: it refuses with `refusal`, having done nothing, as where a disk on
- * the network is gone. */
+/* Wraps a system call: on failure it returns `refusal` without effect, as if a network disk were
+ * gone. */
 #define CALL(type, name, refusal, parameters, ...)                                                 \
   type name parameters;                                                                            \
   type name parameters {                                                                           \
@@ -177,7 +174,7 @@ CALL(int, stat64, -1, (const char *path, struct stat64 *to), path, to)
 CALL(int, lstat64, -1, (const char *path, struct stat64 *to), path, to)
 CALL(int, fstat64, -1, (int file, struct stat64 *to), file, to)
 
-/* The mode follows where one is needed. */
+/* Wraps an open call; the mode argument exists only with O_CREAT. */
 #define OPENING(name)                                                                              \
   int name(const char *path, int how, ...) {                                                       \
     static int (*system_s)(const char *, int, ...);                                                \

@@ -1,6 +1,6 @@
--- What users do, with something that fails at each place that asks for it, the first time and the last
--- that it does (or at as many as ARCHARD_POINTS says, spread evenly): an error that tells of it, or
--- success; the program goes on, and the same piece then works. Prints TAP.
+-- Runs typical uses with a failure at each call site, in its first and last call (or at ARCHARD_POINTS calls, evenly
+-- spaced): the result must be an error that reports the failure, or success; afterwards the same use must succeed.
+-- Prints TAP.
 --   failing.lua memory|system [piece]
 
 local what, only = arg[1], arg[2]
@@ -10,10 +10,10 @@ local counted = folder .. "/count"
 local pieces = assert(loadfile "tests/memory/pieces.lua")(folder)
 
 
--- What tests/memory/failing.c takes orders by.
+-- Sends commands to tests/memory/failing.c.
 local function order(size) pcall(string.rep, "x", size) end
 local function arm(n) order((what == "memory" and 1 << 30 or 3 << 29) + n * 64) end
-local function disarm() -- more than once: what it takes may itself be among those that fail
+local function disarm() -- repeated, as the command itself may fail
   for _ = 1, 10 do order((1 << 30) - 4096) end
 end
 
@@ -23,7 +23,7 @@ local function ok(fine, says)
   print(("%s %d - %s"):format(fine and "ok" or "not ok", number, says))
 end
 
--- Whether it is told: Lua's own errors are strings, ours tables with a code.
+-- True if the failure is reported: Lua's own errors are strings, archard's are tables with a code.
 local told = {}
 
 function told.memory(why)
@@ -32,7 +32,7 @@ end
 
 function told.system(why) return type(why) == "table" and why.code == "IO" end
 
--- How often there is something to fail, and which of these times are the first or last of a place.
+-- The number of possible failures, and which of them are the first or last of a call site.
 local function points_of(work)
   arm(1 << 22)
   pcall(work)
@@ -47,7 +47,7 @@ local function points_of(work)
   return count, list
 end
 
--- The first thing that was wrong with what came of it, or nothing.
+-- Runs a use with failures; returns the first error found, or nothing.
 local function try(piece, list, tried)
   for k = 0, tried - 1 do
     local n = list[1 + k * #list // tried]

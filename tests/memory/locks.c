@@ -1,6 +1,6 @@
-/* A disk without locks, for a program that this is loaded into (LD_PRELOAD): ARCHARD_LOCKS is the
- * number that every request for a lock fails with, or "hang": then it never ends, as where the lock
- * daemon of a server is gone. */
+/* Simulates a disk without locks for a program that loads this library (LD_PRELOAD): every lock
+ * request fails with the error number ARCHARD_LOCKS, or never returns if it is "hang", as if the
+ * lock daemon of a server were gone. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

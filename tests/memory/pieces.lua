@@ -1,9 +1,9 @@
--- What users do, piece by piece: a name and the work; files: it is about those, in the folder given;
--- whole: fails where what was there before is lost.
+-- Typical uses, each with a name and a function; files: it writes files in the given folder; whole: fails if existing
+-- data are lost.
 
 local folder = ...
 local small = { radius = 10, mesh = { size = 0.08 } }
-local function new() return model{ radius = 10 + math.random() / 1000, mesh = small.mesh } end -- none that is shared
+local function new() return model{ radius = 10 + math.random() / 1000, mesh = small.mesh } end -- not a shared model
 local function run_of(distance)
   local w = wear{ model = model(small), distance = 400, increments = 20, jump = 20 }
   for _ = 1, distance do w:step() end

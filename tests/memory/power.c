@@ -1,11 +1,9 @@
-/* What a program does to the files of a folder, written down as it does it, for
- * tests/trust/power.lua, which replays what a power cut could leave of it. To be loaded into it
- * (LD_PRELOAD): POWER_FOLDER is the folder, POWER_LOG the file for the list.
- *
- * A record: a letter and six numbers of 8 bytes: device, inode, offset, length of the bytes, length
- * of the first and of the second path, then these. Writes are told before they are done, what
- * brings to the disk after it. Those that stdio does by itself cannot be seen: where a file is
- * brought to the disk or gets another name its content is told as a whole. */
+/* Records the file operations of a program in a folder for tests/trust/power.lua, which simulates
+ * power cuts. Loaded with LD_PRELOAD; POWER_FOLDER is the folder, POWER_LOG the file for the
+ * record. A record: a letter and six numbers of 8 bytes (device, inode, offset, length of the
+ * bytes, lengths of the first and the second path), then the bytes and paths. Writes are recorded
+ * before they are done, synchronizations after. Writes inside stdio are not visible: when a file is
+ * synchronized or renamed, its whole content is recorded. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -49,7 +47,7 @@ static void tell(char what, const struct stat *facts, long long offset, const vo
   free(record);
 }
 
-/* The path within the folder, or NULL: it is not there. */
+/* The path relative to the folder, or NULL if it is outside. */
 static const char *within(int folder, const char *path, char whole[PATH_MAX]) {
   const char *base = getenv("POWER_FOLDER");
   char stands[PATH_MAX] = "";
@@ -67,7 +65,7 @@ static const char *within(int folder, const char *path, char whole[PATH_MAX]) {
   return strncmp(whole, base, length) == 0 && whole[length] == '/' ? whole + length + 1 : NULL;
 }
 
-/* The path of what is open within the folder; "." the folder itself. */
+/* The path of an open file relative to the folder; "." for the folder itself. */
 static const char *opened(int file, char whole[PATH_MAX]) {
   char link[40], target[PATH_MAX];
   const char *base = getenv("POWER_FOLDER");
@@ -97,7 +95,7 @@ static void tell_content_of(const char *path) {
   close(file);
 }
 
-/* --- what makes files ------------------------------------------------------------------------- */
+/* --- creation of files ------------------------------------------------------------------------ */
 
 static void tell_opened(int file, const char *path, int flags, int was_there) {
   struct stat facts;
@@ -160,7 +158,7 @@ PWRITE(pwrite64, off64_t)
 TRUNCATE(ftruncate, off_t)
 TRUNCATE(ftruncate64, off64_t)
 
-/* --- what brings to the disk ------------------------------------------------------------------ */
+/* --- synchronization -------------------------------------------------------------------------- */
 
 static void tell_synced(int file, char whole[PATH_MAX]) {
   struct stat facts;

@@ -1,6 +1,6 @@
-/* A program that wants out of the sandbox, run there in gnuplot's place. What it is after stands in
- * the environment: OUTSIDE, a folder with a file "secret" and a folder "empty"; VICTIM, a process.
- * Writes a line for each attempt to the file "tried": what it was, and "held" or "OUT". */
+/* A program that tries to leave the sandbox; it is run there instead of gnuplot. The environment
+ * has its targets: OUTSIDE, a folder with a file "secret" and a folder "empty"; VICTIM, a process.
+ * It writes a line for each attempt to the file "tried": the attempt, and "held" or "OUT". */
 #define _GNU_SOURCE
 #include <arpa/inet.h>
 #include <dirent.h>
@@ -155,7 +155,7 @@ static void try_files(void) {
 
 /* --- programs --------------------------------------------------------------------------------- */
 
-/* Whether a child that runs it gets that far. */
+/* Returns whether a child process can run the program. */
 static int runs(const char *path, char *const argv[]) {
   int how = 0;
   const pid_t child = fork();
@@ -266,7 +266,7 @@ static void try_others(void) {
 
 /* --- bombs ------------------------------------------------------------------------------------ */
 
-/* root's processes are not counted. */
+/* Not for root, whose processes are not limited. */
 static int has_no_end_of_processes(void) {
   int count = 0;
   if (getuid() == 0) return 0;

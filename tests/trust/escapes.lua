@@ -1,6 +1,6 @@
--- A script that wants out of the sandbox: arg[1] is a folder outside, with a file "secret" (whose text is
--- "the secret"), a run file "run.archard" and a Lua file "code.lua". A line for each attempt: what it was, and
--- "held" or "OUT". What must not come about outside, or by a program, its caller looks at afterwards.
+-- A script that tries to leave the sandbox; arg[1] is a folder outside with a file "secret" (with the text "the
+-- secret"), a run file "run.archard" and a Lua file "code.lua". Prints a line for each attempt: the attempt, and "held"
+-- or "OUT". The calling test checks afterwards for effects outside.
 local outside = arg[1]
 local secret = outside .. "/secret"
 warn "@off"
@@ -8,7 +8,7 @@ warn "@off"
 local w = wear{ model = { mesh = { size = 0.1, height = 0.1 } }, distance = 22, jump = 50 }
 w:step()
 
--- Where what came back holds what only the file has.
+-- Reports an attempt whose result contains the content of the secret file.
 local function shows(...)
   for _, value in ipairs{ ... } do
     if tostring(value):find("the secret", 1, true) then return true end
@@ -20,13 +20,13 @@ local function try(what, call)
   print(("%s: %s"):format(what:gsub("%c", "?"), shows(pcall(call)) and "OUT" or "held"))
 end
 
--- Something that must not be there, or not do anything.
+-- Reports an attempt that must fail or return nothing.
 local function absent(what, call)
   local fine, value = pcall(call)
   print(("%s: %s"):format(what, fine and value and "OUT" or "held"))
 end
 
--- --- names of files ------------------------------------------------------------------------------
+-- --- file names ----------------------------------------------------------------------------------
 
 local names = { secret, "../out/secret", "./../out/secret", "link/secret", "linked", "a/../../out/secret",
   "/proc/self/cwd/../out/secret", "/proc/self/root" .. secret, "/dev/fd/../../" .. secret, "file:" .. secret,
@@ -67,7 +67,7 @@ for _, name in ipairs(names) do
     overwrite = function() export.csv({ x = { 1 } }, name) end,
   } do
     pcall(write)
-    print(("%s into %s: held"):format(what, into:gsub("%c", "?"))) -- its caller looks
+    print(("%s into %s: held"):format(what, into:gsub("%c", "?"))) -- the calling test checks
   end
 end
 
@@ -89,7 +89,7 @@ for _, text in ipairs(words) do
     study = function(t) study{ looks = t, base = { model = t } } end,
   } do
     pcall(call, text)
-    print(("%s '%s': held"):format(what, text:gsub("%c", "?"))) -- its caller looks
+    print(("%s '%s': held"):format(what, text:gsub("%c", "?"))) -- the calling test checks
   end
 end
 pcall(plot.style, "screen")

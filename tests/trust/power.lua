@@ -1,13 +1,12 @@
--- Power cuts: what a program did to a folder, as tests/memory/power.c wrote it down, is replayed into what
--- a disk may hold afterwards, and every such state is looked at.
+-- Simulates power cuts: replays the operations of a program on a folder, recorded by tests/memory/power.c, into states
+-- that a disk may have after a power cut, and checks each state.
 --   archard tests/trust/power.lua BEFORE LOG WORK COUNT SEED TARGET...
--- BEFORE: a copy of the folder as it was. Each TARGET must be what it was, or what it was after one of
--- the program's own commits. Prints what it finds wrong, then how many states were looked at.
+-- BEFORE: a copy of the folder at the start. Each TARGET must have its initial content or the content after one of the
+-- program's own commits. Prints the errors found and the number of states checked.
 --
--- What is assumed of a disk: a sector of 512 bytes is written whole or not at all; what was written to a file
--- since it was last brought to the disk (fsync) stands there in any part and any order; a file is as long
--- as it was at some time since; names change in the order in which they were changed, and are sure once
--- their folder was brought to the disk.
+-- Model of the disk: a sector of 512 bytes is written completely or not at all; data written since the last fsync of a
+-- file may be on the disk in any part and order; the length of a file is one of its lengths since then; names change in
+-- the order of the operations and are certain after the fsync of their folder.
 
 local stores = require "archard.store"
 
@@ -38,8 +37,8 @@ end
 
 -- --- files ---------------------------------------------------------------------------------------
 
--- A file: the sectors and the length that are sure, and the writes since, in order. A write is
--- { sector =, bytes = } with all bytes of the sector, or { length = }.
+-- A file: the synchronized sectors and length, and the later writes in order. A write is { sector =, bytes = } with all
+-- bytes of the sector, or { length = }.
 local function new_file(content)
   local file = { sure = {}, length = #content, now = {}, now_length = #content, pending = {} }
   for s = 0, (#content - 1) // SECTOR do
@@ -85,7 +84,7 @@ local function now(file)
   return table.concat(list):sub(1, file.now_length)
 end
 
--- What stdio wrote unseen.
+-- Adds the writes of stdio, which the recorder does not see.
 local function compare(file, content)
   if now(file) == content then return end
   if #content ~= file.now_length then truncate(file, #content) end
@@ -100,7 +99,8 @@ local function bring(file)
   for s, bytes in pairs(file.now) do file.sure[s] = bytes end
 end
 
--- What a cut leaves of it: each write since is kept with this chance, a length at some time since. 1: all.
+-- A possible content of the file after a power cut: each later write is kept with probability `chance`, the length is
+-- one of the later lengths. chance = 1: everything.
 local function left_of(file, chance)
   local sectors, length, lengths = {}, file.length, { file.length }
   for s, bytes in pairs(file.sure) do sectors[s] = bytes end
@@ -144,10 +144,10 @@ local apply = {
   end,
 }
 
--- As if nothing were ever brought to the disk: states must then be found that are wrong.
+-- Ignores fsync: the test must then find wrong states.
 if os.getenv "POWER_BLIND" then apply.S = function() end end
 
--- --- looking at it -------------------------------------------------------------------------------
+-- --- checks --------------------------------------------------------------------------------------
 
 local function lines_of(lines, name, value)
   if type(value) ~= "table" then
@@ -160,7 +160,7 @@ local function lines_of(lines, name, value)
   for _, key in ipairs(keys) do lines_of(lines, name .. "." .. tostring(key), value[key]) end
 end
 
--- All that a run file holds, as text.
+-- All data of a run file as text.
 local function said_by(path)
   local store <close> = stores.open(path, "read")
   store:check()
@@ -174,7 +174,7 @@ local function said_by(path)
   return table.concat(lines, "\n")
 end
 
--- What a target is: "absent", the bytes of a file that is none of SQLite's, or what a run file says.
+-- State of a target: "absent", the bytes of a file that is not an SQLite file, or the text of a run file.
 local function look(content)
   if not content then return "absent" end
   if content:sub(1, 15) ~= "SQLite format 3" then return content end
@@ -189,7 +189,7 @@ local function put(name, content)
   file:write(content)
 end
 
--- The target under a cut: how much of what was written is kept; after how many changes of names.
+-- A possible state of a target after a power cut; chance: probability of a write; cut: number of changed names.
 local function state_of(target, chance, cut)
   local list = {}
   for name, file in pairs(sure_names) do list[name] = file end
@@ -205,7 +205,7 @@ end
 
 local allowed, tried, wrong, seen = {}, 0, 0, 0
 
--- A file that was there before is met with its first record.
+-- A file that existed before is first seen in its first record.
 local ops = parse(bytes_of(log))
 assert(#ops > 0, "nothing was written")
 local function known(op)
@@ -219,7 +219,7 @@ local function step(op)
   apply[op.what](op)
 end
 
--- One state, which must be one of those that the program itself went through.
+-- Checks that a state equals one of the states of the uninterrupted program.
 local function try(target, chance, cut, at)
   tried = tried + 1
   local fine, found = pcall(state_of, target, chance, cut)
@@ -231,7 +231,7 @@ end
 
 for _, target in ipairs(targets) do allowed[target] = {} end
 
--- The states without a cut, wherever names changed: a journal that goes is a commit.
+-- Visits the states without a power cut after each change of names: the removal of a journal is a commit.
 local function pass(visit)
   files, changes = {}, {}
   names, sure_names = {}, {}

@@ -1,5 +1,5 @@
--- Meshes that nobody chose: contacts under layers, rounded edges, in holes, of profiles and balls, as
--- accurate as the paper's pair, and what is said where a mesh is too small.
+-- Accuracy of default meshes: contacts under layers, with rounded edges, in holes, of profiles and balls, compared with
+-- the paper's pair; messages for meshes that are too small.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
@@ -23,8 +23,8 @@ for _, row in ipairs{ { 0.1, 1000, 0.3, 10, 33.257, 0.2102, 10, rigid }, { 1, 10
   if half then below(off_elements(c, half), 1, of .. "half width off [elements]") end
 end
 
--- Layers much thinner than the contact yield like springs side by side: a^3 = 3 P R C / 2, p0 = a^2 / (2 R C) with
--- C = t (1 - 2 nu) (1 + nu) / (E (1 - nu)).
+-- Layers much thinner than the contact act like a Winkler foundation: a^3 = 3 P R C / 2, p0 = a^2 / (2 R C) with C = t
+-- (1 - 2 nu) (1 + nu) / (E (1 - nu)).
 for _, t in ipairs{ 1e-4, 1e-3 } do
   local C = t * 0.4 * 1.3 / (1000 * 0.7)
   local a = (1.5 * 10 * 10 * C) ^ (1 / 3)
@@ -32,7 +32,7 @@ for _, t in ipairs{ 1e-4, 1e-3 } do
   within(c.p_center, a * a / (20 * C), 0.01, ("layer of %g mm, thin as springs: centre pressure [MPa]"):format(t))
   below(off_elements(c, a), 1, "half width off [elements]")
 end
--- Squeezed out sideways; on eight times finer meshes: 0.8294, 24.53 and 1.4222 MPa.
+-- Layers squeezed out sideways; with eight times finer meshes: 0.8294, 24.53 and 1.4222 MPa.
 for _, row in ipairs{ { 20, 0.3, 0.1, 0.83026 }, { 2000, 0.1, 1, 24.606 }, { 20, 0.1, 0.1, 1.4222 } } do
   local E, t, load, p0 = table.unpack(row)
   local c = contact{ load = load, model = { lower = body.block{ layers = soft(t * 0.10764, E, 0.49) } } }
@@ -83,7 +83,7 @@ ok((warnings.take() or ""):find("its peaks there come out too low; mesh.size = "
 
 -- --- pins ---------------------------------------------------------------------------------------
 
--- Loads in proportion to clearances: the same angle, about the same p0 / P.
+-- Loads proportional to the clearance give the same angle and almost the same p0 / P.
 local least, most = math.huge, 0
 for i = 1, 40 do
   local clearance = i * 0.0025
@@ -129,7 +129,7 @@ for _, row in ipairs{ { 10, 50, 200e3 }, { 10, 5, 200e3 }, { 3, 100, 400e3 } } d
   within(c.approach, contact{ load = load, model = pair }.approach, 0.001, of .. "approach of bodies of this size, on a finer mesh [mm]")
 end
 
--- --- what is said -------------------------------------------------------------------------------
+-- --- messages -----------------------------------------------------------------------------------
 
 for what, case in pairs{
   ["a soft layer"] = { 10, { upper = body.cylinder{ E = rigid }, lower = body.block{ E = rigid, layers = soft(0.1, 1000, 0.3) } } },

@@ -1,5 +1,5 @@
--- A ring that wears a block over 3600 m, until the scar is 25 times as wide as the first contact: steps and meshes
--- that follow the scar, beside much shorter steps, the rigid limit and published depths.
+-- A ring wears a block over 3600 m, until the scar is 25 times as wide as the initial contact: automatic steps and
+-- meshes against much shorter steps, the rigid limit and published depths.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, within = figures.below, figures.within
 
@@ -35,8 +35,8 @@ for _, case in ipairs{ { 1e-3, 1e-4, 60 }, { 1e-2, 3e-4, 40 } } do
   within(depth[3] * 1e3, 16.155, 0.0005, what .. "depth at 800 m, published [um]")
 end
 
-warn "@off" -- of the coarse mesh
--- Any step converges: all of it in few steps of backward Euler.
+warn "@off" -- for the coarse mesh
+-- Long steps converge too: the whole distance in a few steps of backward Euler.
 for _, case in ipairs{ { 1, 0.002 }, { 8, 0.001 } } do
   local steps, error = table.unpack(case)
   local w = wear{ model = { radius = radius, mesh = { size = 0.05, height = 0.06, zone = { cylinder = 8, plate = 8 } } },

@@ -1,5 +1,5 @@
--- The exported decks, run by CalculiX as they are: they load, hold together, and give the pressures and stresses of archard.
--- Skipped where CalculiX is missing. On a coarse mesh, to be quick: make peer compares on the usual one.
+-- Runs exported decks in CalculiX: they are valid and reproduce archard's pressures and stresses. Skipped without
+-- CalculiX. On a coarse mesh for speed; make peer compares on the default mesh.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
 local ccx = dofile(here .. "/../../scripts/tools/ccx.lua")
@@ -18,7 +18,7 @@ local function largest(values)
   return most
 end
 
--- CalculiX' result of what is exported, or nil.
+-- The result of CalculiX for an exported object, or nil.
 local function solve(name, object, c)
   export.inp(object, ("%s/%s.inp"):format(folder, name))
   local mesh = c.model.mesh
@@ -32,7 +32,7 @@ local function compare(name, object, c, room)
   if not r then return end
   local stress = c:stress()
   tap.near(r.force, c.load, 1e-6, name .. ": carries the load")
-  -- CalculiX extrapolates pressures to nodes from points within the elements: so much too high on an ellipse.
+  -- CalculiX extrapolates pressures from integration points to nodes; for an ellipse they are too high by this share.
   local elements = c.half_width / c.model.mesh.size
   tap.near(r.p_center, c.p_center, 0.01 + 1 / (12 * elements ^ 2), name .. ": centre pressure")
   for _, body in ipairs{ "cylinder", "plate" } do
@@ -41,7 +41,7 @@ local function compare(name, object, c, room)
   tap.near(r.approach, c.approach, room.approach, name .. ": approach")
 end
 
--- Radius, thickness, load and position that are not the usual ones; worn by a smooth scar.
+-- Non-default radius, thickness, load and position; worn by a smooth scar.
 local function scar(x) return 2e-3 * math.max(0, 1 - (x / 0.4) ^ 2) ^ 2 end
 local steel = model{ radius = 8, thickness = 2, mesh = { size = 0.04, height = 0.05, far = 2, zone = { cylinder = 1, plate = 1.4 } } }
 local unworn = contact{ model = steel, load = 300, x = 0.08 }

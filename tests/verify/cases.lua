@@ -1,5 +1,5 @@
--- The 20 cases of the study with its N-bar: volumes, symmetry, smoothness for all; final values of some
--- against an independent solution; and what was found of them.
+-- The 20 cases of the paper with its N-bar: volumes, symmetry and smoothness of all; final values of some against an
+-- independent solution; the findings of the paper.
 local paper = require "archard.study.paper"
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
@@ -17,7 +17,7 @@ for _, settings in ipairs(paper.cases()) do
   case[settings.alpha][settings.stroke] = w
 end
 
--- All of them -------------------------------------------------------------------------------------
+-- all cases ---------------------------------------------------------------------------------------
 
 local function off_volume(w, alpha)
   local total = k * load * distance
@@ -34,7 +34,7 @@ local function off_line(w)
   return worst
 end
 
--- The load that each body feels: sum of pressure times tributary width.
+-- The load on each body: sum of pressure times tributary width.
 local function carried(w, body)
   local p, sum = w:pressure(body), 0
   for i = 2, #p.x - 1 do sum = sum + p.p[i] * (p.x[i + 1] - p.x[i - 1]) / 2 end
@@ -75,14 +75,14 @@ for _, row in ipairs(dofile(here .. "/lib/finals.lua")) do
   depth(w.depth.plate, h_p, what .. ": depth of the plate")
   within(w.p_center, p, 0.01, what .. ": centre pressure [MPa]")
   if first then
-    local partition = w.history.depth_partition -- its first value, before any wear, is NaN
+    local partition = w.history.depth_partition -- the first value, before any wear, is NaN
     about(partition[2], first, 1e-3, what .. ": first depth partition")
     about(figures.mean(partition, 2), mean, 1e-3, what .. ": mean depth partition")
     about(partition[#partition], last, 1e-3, what .. ": last depth partition")
   end
 end
 
--- What was found -----------------------------------------------------------------------------------
+-- findings -----------------------------------------------------------------------------------------
 
 local function partition_range(w)
   local low, high = math.huge, -math.huge
@@ -126,7 +126,7 @@ for _, alpha in ipairs{ 0, 0.25, 0.75, 1 } do
     ("s = a, alpha = %g: h_c + h_p as at alpha = 0.5 [um]"):format(alpha))
 end
 
--- Largest distance from the straight line between the ends, as a share of the fall.
+-- Largest distance from the straight line between the ends, as a share of the total decrease.
 local function bend(w)
   local p, d, worst = w.history.p_center, w.history.distance, 0
   for i = 1, #p do

@@ -1,11 +1,12 @@
--- What is smooth in nature is smooth here: sweeps over what is given, and inputs that differ by rounding. A step is what a result
--- goes from one point to the next beyond what it goes before and after. ARCHARD_POINTS points of each sweep (24).
+-- Continuity: results vary smoothly over sweeps of the input, and inputs that differ by rounding give the same result.
+-- A step is the change of a result between two points beyond the changes before and after. ARCHARD_POINTS: points of
+-- each sweep (24).
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local points = tonumber(os.getenv("ARCHARD_POINTS")) or 24
 local most, noise = 2e-3, 1e-9
 
--- The largest step of a list, as a share of its largest value.
+-- Largest step of a list, relative to its largest value.
 local function largest_step(list)
   local largest, step = 0, 0
   for _, v in ipairs(list) do largest = math.max(largest, math.abs(v)) end
@@ -73,11 +74,12 @@ sweep("the plate's E", 200e3, 260e3, of_run, worn(function(x) return { model = {
 sweep("the plate's nu", 0.25, 0.4, of_run, worn(function(x) return { model = { plate = { nu = x } } } end))
 sweep("fineness", 0.8, 1.6, { "V", "depth_cylinder", "depth_plate" },
   worn(function(x) return { model = { mesh = { fineness = x } } } end))
--- the elements go with the rims that slip: half widths of worn contacts are .15 of an element off, largest depths that of a node
+-- elements are sized by the slip annuli: half widths of worn contacts vary by .15 of an element, largest depths as
+-- those of a node
 sweep("a tangential force", 20, 40, { "V", "p_center" }, fretted(function(x) return { tangential = x } end))
 sweep("the plate's E, with friction", 380e3, 450e3, { "V", "p_center" }, fretted(function(x) return { model = { plate = { E = x } } } end))
 
--- A load that stays but for its rounding is one that stays.
+-- A load that varies by rounding gives the same result as a constant one.
 local function under(load)
   local loading = { tangential = function(t) return 24 * math.sin(2 * math.pi * t) end, load = load, increments = 40 }
   return wear{ friction = 0.6, k = 1e-7, cycles = 1000, jump = "auto", loading = loading }:run().volume.total

@@ -1,12 +1,12 @@
--- Meshes that fit by themselves: whatever the radius and the load, the centre pressure of the unworn
--- contact is as near to Hertz' as the paper's case.
+-- Default mesh sizes: for every radius and load the error of the centre pressure of the unworn contact is as small as
+-- in the paper's case.
 -- Long
 local here = arg[0]:match("^(.*)/") or "."
 local figures = dofile(here .. "/lib/figures.lua")
 local below, ok = figures.below, figures.ok
 local steel, soft = material{}, material{ E = 1000, nu = 0.45 }
 
--- As a share of Hertz' pressure; and of that on elements of a third of the size.
+-- Errors relative to Hertz' pressure and to the pressure on elements of a third of the size.
 local function errors(R, load, plate)
   local h = hertz{ radius = R, load = load, plate = plate }
   local c <close> = contact{ load = load, model = { radius = R, plate = plate } }
@@ -14,7 +14,7 @@ local function errors(R, load, plate)
   return math.abs(c.p_center / h.p_max - 1), math.abs(c.p_center / finer.p_center - 1), h.half_width / R, c
 end
 
--- Half-planes are only like the bodies where the contact is narrow beside them.
+-- Half-planes approximate the bodies only if the contact is narrow compared with them.
 local narrow, against_hertz, against_finer, soft_one = 0.03, 0, 0, 0
 for _, R in ipairs{ 0.5, 2, 10, 50, 200, 1000 } do
   for _, load in ipairs{ 1, 100, 10000 } do
@@ -30,7 +30,7 @@ below(against_hertz, 0.0005, "steel, radii 0.5 to 1000 mm, 1 to 10000 N: centre 
 below(against_finer, 0.0008, "against elements of a third of the size")
 below(soft_one, 0.002, "polyethylene (nu = 0.45) against steel: centre pressure against Hertz")
 
--- The paper's case is what it was.
+-- The paper's case is unchanged.
 local c = contact{}
 ok(c.model.mesh.size == 0.02 and c.model.mesh.height == 0.025 and c.model.mesh.far == 1
   and c.model.mesh.zone.cylinder == 1, "the paper's mesh, to the bit")

@@ -1,5 +1,4 @@
--- A plate that stays flat: the cylinder's wear depends on k_c d alone, and tends to a flat scar under
--- uniform pressure.
+-- A plate that stays flat: the cylinder's wear depends only on k_c d and tends to a flat scar under uniform pressure.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
 
@@ -17,14 +16,14 @@ local function check(w, row, what)
   within(1000 * w.depth.cylinder, row[3], 3e-3, what .. ": depth [um]")
 end
 
--- One run past all the rows, with steps short against the first of them.
+-- One run through all rows, with steps short compared with the first of them.
 local w = wear{ alpha = 1, stroke = 0.11, jump = 5 }
 for _, row in ipairs(rows) do
   w:run{ distance = row[1] / 1e-8 }
   check(w, row, "alpha = 1")
 end
 
--- The same products by other alpha, k and strokes.
+-- The same products with other alpha, k and strokes.
 w = wear{ alpha = 0.5, stroke = 20, jump = 0.1, distance = 2640 }
 for _, row in ipairs(rows) do
   w:run{ distance = row[1] / 0.5e-8 }

@@ -1,6 +1,6 @@
--- Wear with friction: McColl's fretting case in gross slip, the energy law, and partial slip against the reduced law,
--- which needs no friction solver: dw/dN = 4 mu k p (g + w) outside the stick zone, whose edge c stays; g is half the
--- slip of Cattaneo and Mindlin's half cycle over mu, w the wear of both bodies, p the pressure on the worn surfaces.
+-- Wear with friction: McColl's fretting case in gross slip, the energy law, and partial slip against a reduced law
+-- without friction solver: dw/dN = 4 mu k p (g + w) outside the stick zone with constant edge c; g is half the slip of
+-- Cattaneo and Mindlin's half cycle divided by mu, w the wear of both bodies, p the pressure on the worn surfaces.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, note, ok = figures.within, figures.note, figures.ok
@@ -42,7 +42,7 @@ local function g(x, c)
   return t > 1 and c * c / 20 * (t * math.sqrt(t * t - 1) - math.log(t + math.sqrt(t * t - 1))) or 0
 end
 
--- Wear depth of both bodies by the nodes' position, each of which wears half.
+-- Sum of both wear depths by the position of the nodes; each body wears by half.
 local function depths(run, body)
   local depth = {}
   if not run then return depth end
@@ -51,7 +51,7 @@ local function depths(run, body)
   return depth
 end
 
--- A run without friction whose factor is the reduced law: it slides 2 mm a cycle.
+-- A run without friction with the reduced law as local factor: it slides 2 mm per cycle.
 local function reduced(bodies, c)
   local run
   run = wear{ model = bodies, load = load, slide = "z", stroke = 1, k = k, cycles = last, jump = jump,
@@ -65,7 +65,7 @@ local function reduced(bodies, c)
   return run:run{ progress = false }
 end
 
--- Its nodes are too few where it slips, too: as for the law of second order, from two meshes.
+-- The slip annulus has few nodes here too: extrapolated with second order from two meshes.
 local c = 0.0675 -- between nodes of all meshes
 local function reduced_on(nodes)
   local size = c / (nodes + 0.5)

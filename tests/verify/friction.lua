@@ -1,5 +1,6 @@
--- Friction against closed forms of half-planes: partial slip of Cattaneo and Mindlin, cycles of force and of load and
--- force together (Jaeger), sticking under a normal load alone (Goodman), sliding, and what the bodies' outer boundaries set.
+-- Friction against closed forms of half-planes: partial slip (Cattaneo and Mindlin), cycles of force and of load and
+-- force together (Jaeger), stick under a normal load alone (Goodman), sliding, and the effect of the bodies' outer
+-- boundaries.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, about, below, note, ok = figures.within, figures.about, figures.below, figures.note, figures.ok
@@ -18,7 +19,7 @@ local function circle(x, half_width) return math.sqrt(math.max(0, half_width ^ 2
 
 local function exact_shear(x, c) return mu * (circle(x, a) - circle(x, c)) end
 
--- Root mean square over the contact's width, as a share of mu p0.
+-- Root mean square error over the contact's width, relative to mu p0.
 local function shear_error(contact, c)
   local shear, sum = contact:shear(), 0
   for i = 2, #shear.x - 1 do
@@ -56,7 +57,7 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
   end
 end
 
--- slip over a half cycle, 2 mu g; nodes out of contact left out
+-- slip over a half cycle, 2 mu g; without nodes out of contact
 do
   local c, worst = a * math.sqrt(0.5), 0
   local there, back = slipping.there:slip(), slipping.back:slip()
@@ -70,7 +71,7 @@ do
   below(worst / (2 * 9.2606e-5), 0.005, "5 um, 30 N: slip of a half cycle, largest error / slip at the edge")
 end
 
--- --- what the energy's error depends on ---------------------------------------------------------
+-- --- dependence of the energy's error -----------------------------------------------------------
 
 local function energy_off(model, force, each, at, x)
   local f = force / (mu * load)
@@ -82,7 +83,7 @@ local function energy_off(model, force, each, at, x)
   return (back.energy - there.energy) / wanted - 1
 end
 
--- Mean, root mean square and largest over contacts whose edges pass over two elements.
+-- Mean, root mean square and largest value over contacts whose edges move across two elements.
 local function energy_errors(model, force, size)
   local sum, squares, most, count = 0, 0, 0, 12
   for i = 1, count do
@@ -94,8 +95,9 @@ end
 
 local function n_of(force, size) return a * (1 - math.sqrt(1 - force / (mu * load))) / size end
 
--- It matters neither how the bodies are pressed, nor how many increments follow, nor which cycle it is. The area of the loop
--- has the plate's way as the nodes have it, without what slips between them: it scatters as sums over nodes do.
+-- The error does not depend on the way of pressing, the number of increments or the cycle. The area of the loop is
+-- computed from the plate's displacement of the nodes without the slip between them, so it scatters like sums over
+-- nodes.
 do
   local c = contact{ model = models[0.01], friction = mu }:move{ tangential = 30 }
   local cycle = c:move{ tangential = -30 }:move{ tangential = 30 }
@@ -113,8 +115,8 @@ do
   ok(later.x > start, "which is run through the right way")
 end
 
--- Over contacts whose edges pass over two elements, whatever the elements' height. Fewer than one element on either side slips
--- at 20 um under 12 N, where no node does in half of the contacts.
+-- Over contacts whose edges move across two elements, for any element height. At 20 um under 12 N the slip annulus is
+-- narrower than one element on both sides, and no node slips in half of the contacts.
 local rms = { [0.02] = { [12] = 0.08, [30] = 0.0075, [48] = 0.006 }, [0.01] = { [12] = 0.01, [30] = 0.002, [48] = 0.002 },
   [0.005] = { [12] = 0.001, [30] = 0.0005, [48] = 0.001 } }
 local scatters = {}
@@ -134,7 +136,7 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
 end
 figures.above(math.log(scatters[0.02] / scatters[0.005], 4), 2, "30 N: its order of convergence from 20 to 5 um")
 
--- Nor does it matter where the plate's nodes are between the cylinder's.
+-- The error does not depend on the position of the plate's nodes between the cylinder's.
 for _, row in ipairs{ { 0.01, 12, 0.02 }, { 0.01, 30, 0.004 }, { 0.005, 12, 0.002 }, { 0.005, 48, 0.0015 } } do
   local size, force, most = table.unpack(row)
   local worst = 0
@@ -146,16 +148,17 @@ for _, row in ipairs{ { 0.01, 12, 0.02 }, { 0.01, 30, 0.004 }, { 0.005, 12, 0.00
   below(worst, most, ("%g um, %g N, the plate off the grid: energy of a cycle, largest error"):format(1e3 * size, force))
 end
 
--- Under a force that hardly moves the plate no node slips at all: what is dissipated is all between them. Close to sliding.
+-- Under a small force no node slips: all dissipation is between the nodes. Then close to sliding.
 for _, case in ipairs{ { 6, 0.06 }, { 57, 0.005 }, { 59.4, 0.005 } } do
   local force, most = table.unpack(case)
   below(math.abs(energy_off(models[0.01], force, load)), most, ("10 um, %g N: energy of a cycle, error"):format(force))
 end
 
--- --- forces with a mean ---------------------------------------------------------------------------
+-- --- forces with a mean value ---------------------------------------------------------------------
 
--- A way of D after a turn dissipates half of what the cycle of +-D/2 does, whatever the mean force: each half of each cycle,
--- in one increment or nine, and in the loops of wear. Where a way goes on past an earlier turn, the earlier way goes on.
+-- A displacement D after a reversal dissipates half of the energy of the cycle of +-D/2 for any mean force: checked for
+-- each half of each cycle, in one increment or nine, and in the loops of wear. If a displacement continues beyond an
+-- earlier reversal, the earlier branch is continued.
 local function way_energy(change) return cycle_energy(change / (2 * mu * load)) / 2 end
 
 for _, row in ipairs{ { 0.02, 0.06 }, { 0.01, 0.015 }, { 0.005, 0.001 } } do
@@ -188,13 +191,13 @@ do
     worst = math.max(worst, math.abs((c:move{ tangential = force }.energy - c.energy) / wanted - 1))
   end
   below(worst, 0.003, "5 um, 45, -45, 10, -20 N and up again, past the turn at 10 N too: energy, largest error")
-  for i = 1, 100 do c = c:move{ tangential = (-1) ^ i * (40 - 0.3 * i) } end -- more turns than are remembered
+  for i = 1, 100 do c = c:move{ tangential = (-1) ^ i * (40 - 0.3 * i) } end -- more reversals than are stored
   within(c:move{ tangential = -10 }.energy - c.energy, way_energy(20), 0.005, "after 100 turns, each inside the one before: a way")
   c = c:move{ tangential = -20 }
   within(c:move{ tangential = 10 }.energy - c.energy, way_energy(30), 0.002, "and one past many of them")
 end
 
--- The zone that sticks after a turn: a way of D leaves half of it, a sqrt(1 - D / (2 mu L)) on either side.
+-- The stick zone after a reversal: a displacement D leaves half its width, a sqrt(1 - D / (2 mu L)).
 for _, size in ipairs{ 0.02, 0.01, 0.005 } do
   local c, worst = contact{ model = models[size], friction = mu }:move{ tangential = 48 }, 0
   for _, force in ipairs{ 40, 30, 20, 10, 0, -10, -20, -30, -40, -45, -48 } do
@@ -205,7 +208,7 @@ for _, size in ipairs{ 0.02, 0.01, 0.005 } do
   below(worst / size, 0.15, ("%g um, back from 48 N: edges of the zone that sticks, elements off"):format(1e3 * size))
 end
 
--- Other bodies: a thin pair, one of plastics, another kind of elements.
+-- Other bodies: a thin pair, plastics, another element type.
 do
   local plastic, fine = { E = 1000, nu = 0.46 }, mesh_of(0.02)
   fine.zone = { cylinder = 1, plate = 1.2 }
@@ -223,8 +226,8 @@ end
 
 -- --- load and force together --------------------------------------------------------------------
 
--- Jaeger: similar bodies under P(t), Q(t) are slices of load, each with a share eta = dQ/dP of shear that slip turns
--- to +-mu from the outermost one; a slice at load P moves by eta dP (const - ln P) / (pi E*). Exact.
+-- Jaeger: similar bodies under P(t), Q(t) as slices of load, each with a share eta = dQ/dP of shear, which slip changes
+-- to +-mu from the outermost slice on; a slice at load P moves by eta dP (const - ln P) / (pi E*). Exact.
 local slices = {}
 function slices.new(count, most) return { n = 0, step = most / count, eta = {}, force = 0, way = 0 } end
 
@@ -291,7 +294,8 @@ local function elliptic(k)
   return math.pi / (2 * x)
 end
 
--- Goodman: K(k') / K(k) = |beta| / mu, k the share of the contact that sticks; what shear does to pressures is left out.
+-- Goodman: K(k') / K(k) = |beta| / mu, where k is the share of the contact that sticks; the effect of shear on the
+-- pressure is neglected.
 local function stuck_share(beta, friction)
   local low, high = 1e-9, 1 - 1e-12
   for _ = 1, 100 do
@@ -337,8 +341,8 @@ do
   within(largest, 2 * mu * p0, 0.25, "largest principal stress, at the trailing edge, where it has a cusp [MPa]")
 end
 
--- Beside the edges the stress along the surface has cusps of 2 mu p0: nodes within an element and a half of them, whose
--- place between the nodes the load changes. (The largest at a node is lower than a tip between two.)
+-- At the edges the stress along the surface has cusps of 2 mu p0: nodes within one and a half elements of them, whose
+-- position the load varies. (The largest value at a node is below a peak between two nodes.)
 for _, row in ipairs{ { 0.02, 0.09 }, { 0.01, 0.065 } } do
   local size, worst = row[1], 0
   for normal = 80, 120, 10 do
@@ -360,7 +364,7 @@ for _, row in ipairs{ { 0.02, 0.09 }, { 0.01, 0.065 } } do
   below(worst, row[2], ("sliding, %g um: stress along both surfaces beside the edges, largest error / p0"):format(1000 * size))
 end
 
--- --- what the outer boundaries set --------------------------------------------------------------
+-- --- effect of the outer boundaries -------------------------------------------------------------
 
 do
   local pressed = contact{ model = models[0.01], friction = mu }

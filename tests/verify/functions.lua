@@ -1,5 +1,5 @@
--- Coefficients as functions of the state: those that come and go within an update or a cycle are met, by
--- the integral of k, and those of the pressure, width and depth keep the order of the steps that ask them.
+-- Coefficients as functions of the state: peaks within an update or a cycle are included by the integral of k, and
+-- functions of pressure, width and depth keep the order of the time steps.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 
@@ -34,10 +34,10 @@ for _, course in ipairs(courses) do
   within(run(fields).volume.total, 100 * integral, 1e-4, name .. ": volume [mm3]")
 end
 
--- of what is measured -----------------------------------------------------------------------------------
+-- functions of results ----------------------------------------------------------------------------------
 
--- Small explicit steps, extrapolated to length zero; their error in these cases is of first order.
-local measured = { -- name, fields, what is compared, shares allowed: auto, implicit
+-- Small explicit steps extrapolated to length zero; their error in these cases is of first order.
+local measured = { -- name, fields, compared columns, tolerances: auto, implicit
   { "k of the pressure", { k = function(s) return 1e-8 * (s.p_center / 500) ^ 2 end },
     function(w) return w.volume.total end, 4e-3, 5e-4 },
   { "alpha of the pressure", { alpha = function(s) return math.min(1, s.p_center / 600) end },
@@ -56,13 +56,14 @@ for _, case in ipairs(measured) do
     name .. ", implicit: volume [mm3]")
 end
 
--- A tenth once the pressure is down: by a run with the first k, whose distance there is met exactly.
+-- k drops to a tenth when the pressure has decreased: compared with a run with the first k, which gives the exact
+-- distance.
 local there = wear{ k = 2e-8, jump = 1 }:run{ p_center = 350, progress = false }.distance
 local jumping = run{ k = function(s) return s.p_center > 350 and 2e-8 or 2e-9 end, distance = 660,
   scheme = "implicit", tolerance = 1e-3 }
 within(jumping.volume.total, 100 * (2e-8 * there + 2e-9 * (660 - there)), 3e-3, "k that jumps with the pressure: volume [mm3]")
 
--- Without a tolerance too: implicit steps of a twentieth of the run.
+-- Also without a tolerance: implicit steps of a twentieth of the run.
 local steps = {}
 for i, jump in ipairs{ 150, 18.75 } do
   steps[i] = run{ k = measured[1][2].k, distance = 660, scheme = "implicit", jump = jump }.volume.total

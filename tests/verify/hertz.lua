@@ -1,5 +1,4 @@
--- The unworn contact against Hertz: pressure at the default mesh, its convergence, stresses below the
--- surface.
+-- The unworn contact against Hertz: pressure on the default mesh, its convergence, stresses below the surface.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, above = figures.within, figures.below, figures.above
 
@@ -28,8 +27,8 @@ within(c.p_center, exact.p_max, 5e-3, "centre pressure, 20 x 25 um [MPa]")
 within(c.half_width, exact.half_width, 0.02, "half width, 20 x 25 um [mm]")
 below(profile_error(c, exact), 0.02, "pressure profile, mean error, 20 x 25 um")
 
--- Where the contact's edge falls between two nodes moves a single figure to and fro: the error of a mesh
--- is the root mean square over loads whose edges pass over several nodes.
+-- The error of a single contact depends on the position of its edge between two nodes: the error of a mesh is therefore
+-- the root mean square over loads whose edges move across several nodes.
 local function centre_error(model)
   local sum, worst, count = 0, 0, 0
   for load = 60, 140, 4 do
@@ -54,7 +53,7 @@ for i = 2, #sizes do
     :format(1000 * sizes[i - 1], 1000 * sizes[i]))
 end
 
--- CPE4I reaches the same
+-- CPE4I has the same accuracy
 within(contact{ model = { mesh = { element = "CPE4I" } } }.p_center, exact.p_max, 5e-3,
   "centre pressure, CPE4I [MPa]")
 

@@ -1,11 +1,11 @@
--- Implicit steps with a tolerance: depths and pressures at every update, against explicit updates on
--- the same mesh; what they cost; and that a stored run goes on alike.
+-- Implicit steps with a tolerance: depths and pressures at every update against explicit updates on the same mesh;
+-- number of solutions; continuation of a stored run.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, ok, within = figures.below, figures.ok, figures.within
 
--- Explicit runs with updates of at most `jump` cycles, short at first where the pressure changes fast,
--- and of half of them: what they tend to is twice the finer minus the coarser.
+-- Explicit runs with updates of at most `jump` cycles, short at first, when the pressure changes quickly, and with
+-- updates of half that length: their limit is twice the finer minus the coarser result.
 local function references(fields, jump)
   local pair = {}
   for i = 1, 2 do
@@ -20,7 +20,7 @@ end
 
 local function largest(values) return math.max(table.unpack(values)) end
 
--- Largest error over a body's nodes that have more than a twentieth of the deepest one's depth.
+-- Largest relative error over a body's nodes deeper than a twentieth of the largest depth.
 local function depth_error(w, coarse, fine, body)
   local h, hc, hf, worst = w:profile(body).h, coarse:profile(body).h, fine:profile(body).h, 0
   local deepest = largest(hf)
@@ -32,7 +32,8 @@ local function depth_error(w, coarse, fine, body)
   return worst
 end
 
--- Mean error of the pressures over the mean pressure: single nodes at the edge of the contact are the mesh's.
+-- Mean error of the pressures divided by the mean pressure; the error of single nodes at the edge of the contact
+-- depends on the mesh.
 local function pressure_error(w, coarse, fine)
   local p, pc, pf, sum, all = w:pressure("cylinder").p, coarse:pressure("cylinder").p, fine:pressure("cylinder").p, 0, 0
   for i, got in ipairs(p) do
@@ -41,7 +42,7 @@ local function pressure_error(w, coarse, fine)
   return sum / all
 end
 
--- The worst over all updates of a run.
+-- Largest error over all updates of a run.
 local function compare(fields, jump, tolerance)
   local coarse, fine = references(fields, jump)
   fields.scheme, fields.tolerance = "implicit", tolerance
@@ -77,7 +78,7 @@ local function mesh(um)
   return meshes[um]
 end
 
--- Cases of the paper, at several element sizes -------------------------------------------------------
+-- cases of the paper with several element sizes ------------------------------------------------------
 
 local cases = { -- element [um], stroke, alpha, longest explicit update, most solutions, most updates
   { 20, 0.11, 0.5, 10, 14e3, 20 }, { 20, 0.22, 0.75, 5, 13e3, 20 }, { 20, 0.44, 0.25, 2.5, 9e3, 15 },
@@ -92,17 +93,17 @@ for _, case in ipairs(cases) do
   below(w.update, updates + 1, what .. ": updates")
   within(w.volume.total, 1.32e-3, 1e-9, what .. ": volume [mm3]")
   local off = figures.asymmetry(w:profile("cylinder").h)
-  local rests = stroke == 20 -- one contact for the whole stroke: symmetric to rounding
+  local rests = stroke == 20 -- one contact position for the whole stroke: symmetric up to rounding
   ok(off == 0 or rests and off < 1e-9, ("%s: asymmetry %.2g, to the bit where the contact moves"):format(what, off))
 end
 
--- Others: a soft cylinder, moving nodes, a tighter tolerance ------------------------------------------
+-- other cases: a soft cylinder, moving nodes, a smaller tolerance -------------------------------------
 
 check("soft cylinder, moving", { model = { radius = 5, cylinder = { E = 3e3, nu = 0.35 } }, load = 8, stroke = 0.3,
   alpha = 0.8, k = 3e-7, distance = 400 }, 2, 1e-3)
 check("tolerance 2e-4", { model = mesh(20), geometry = "frozen", stroke = 0.22, alpha = 0.5 }, 2.5, 2e-4)
 
--- A stored run goes on to the same bits ---------------------------------------------------------------
+-- a stored run continues with identical bits ----------------------------------------------------------
 
 local fields = { stroke = 0.22, scheme = "implicit", tolerance = 1e-3, distance = 300 }
 local whole, file = wear(fields):run{ progress = false }, os.tmpname()

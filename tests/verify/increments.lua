@@ -1,5 +1,6 @@
--- Updates within a cycle on surfaces that move: the forces of a point are those of the geometry before, and balance the load
--- wherever the nodes have come to stand. So the volume is k times the load over the sliding, and shared out as alpha says.
+-- Updates within a cycle on moving surfaces: the forces at a point are those of the previous geometry and balance the
+-- load after any displacement of the nodes. So the volume is k times the load integrated over the sliding distance,
+-- divided by alpha.
 
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
@@ -8,7 +9,7 @@ local function pulsing(t) return 50 + 30 * math.cos(4 * math.pi * t) end
 local function sine(t) return 0.11 * math.sin(2 * math.pi * t) end
 local pulses = { x = sine, load = pulsing, increments = 8 }
 
-local cases = { -- name, fields, tolerance of the volume: nil where elastic slip counts
+local cases = { -- name, fields, tolerance of the volume: nil if elastic slip contributes
   { "explicit, condensed anew at each", { refresh = 0, jump = 1 }, 1e-12 },
   { "explicit, a plate that wears more", { refresh = 0, jump = 1, alpha = 0.25 }, 1e-12 },
   { "implicit", { scheme = "implicit", jump = 10 }, 1e-12 },

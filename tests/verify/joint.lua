@@ -56,7 +56,7 @@ both(run(liner(3, "winkler", 30), gait "iso", 1e-9, 0, 5e6), "cup inclined by 30
 local rocking = gait.rocking()
 within(run(metal(2), rocking, 3e-11, 0, 1e6).volume.cup, 2.15182, 5e-3, "metal, rocking: volume")
 
--- --- k that grows with cross-shear -------------------------------------------------------------------
+-- --- k that increases with cross-shear ---------------------------------------------------------------
 -- There k is of the update before, the first one's 1e-9; that is 1 % of volume above k of the present surfaces, which 80
 -- updates change by 4e-4. Cells come in one order.
 local function sheared(s) return 1e-9 * math.min(0.2 + 3.2 * s.cross_shear, 1) end

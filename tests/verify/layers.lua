@@ -1,5 +1,5 @@
--- Scars in soft layers on the default mesh, against another program: finite elements remeshed as the surface wears, with
--- the interface where it is and errors below .1 % (steel cylinder of 10 mm and 200 GPa, 200 N/mm, on 210 GPa, stroke .02 mm).
+-- Scars in soft layers on the default mesh against another program: finite elements remeshed during wear with an exact
+-- interface, errors below .1 % (steel cylinder of 10 mm and 200 GPa, 200 N/mm, on 210 GPa, stroke .02 mm).
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
 

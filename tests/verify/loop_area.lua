@@ -1,6 +1,7 @@
--- The area of a fretting loop in gross slip against the energy of shear times slip. Surfaces under a pressure p are shorter by
--- (1 + nu)(1 - 2 nu) p / E, and what slides over them goes as much farther by its own measure; linear elasticity, and with it
--- slip, counts their unloaded way. Weighed by Hertz' pressure that is 8 / (3 pi) p_max; whatever the mesh and the friction.
+-- The area of a fretting loop in gross slip against the energy of shear times slip. A surface under the pressure p is
+-- strained by (1 + nu)(1 - 2 nu) p / E, so the sliding distance measured along it is longer; linear elasticity, and
+-- with it the slip, uses the unloaded length. Weighted with Hertz' pressure, the mean is 8 / (3 pi) p_max, for any mesh
+-- and friction.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 
 local function area_of(loop)

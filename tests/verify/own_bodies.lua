@@ -1,18 +1,18 @@
--- Bodies of one's own against closed forms and independent numbers: a rounded punch.
+-- User-defined bodies against closed forms and independent results: a rounded punch.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
 
 local function hexes(c) return ("%a %a %a"):format(c.p_max, c.half_width, c.approach) end
 
--- --- the paper's pair, as bodies ----------------------------------------------------------------
+-- --- the paper's pair as bodies -----------------------------------------------------------------
 
 figures.ok(hexes(contact{ model = { upper = body.cylinder{ radius = 10 }, lower = body.block{ width = 20, height = 10 } } })
   == hexes(contact{}), "cylinder on block is the paper's pair to the bit")
 
 -- --- rounded punch ------------------------------------------------------------------------------
 
--- sin f = b/a, 4 P R / (E* a^2) = pi - 2 f - sin 2f on half-planes: a = 0.530577. Bodies 10 mm high
--- by finite elements of 5 um, another program: p(0) = 123.70, p_max = 644.46.
+-- sin f = b/a, 4 P R / (E* a^2) = pi - 2 f - sin 2f on half-planes: a = 0.530577. Bodies 10 mm high with finite
+-- elements of 5 um, another program: p(0) = 123.70, p_max = 644.46.
 local punch = model{ upper = body.punch{ flat = 1, radius = 2, height = 10 }, lower = body.block{ width = 20, height = 10 },
   mesh = { size = 0.01, height = 0.0125, zone = { cylinder = 1.4, plate = 1.4 } } }
 local c = contact{ model = punch, load = 200 }

@@ -1,5 +1,6 @@
--- Random pairs worn to 1.2 to 12 unworn half widths, implicit with a tolerance: depths at four distances against a
--- tenth of the tolerance. ARCHARD_RUNS=300 tests/run verify/random_scars   more of them
+-- Random pairs worn to 1.2 to 12 unworn half widths with implicit steps: depths at four distances against runs with a
+-- tenth of the tolerance.
+--   ARCHARD_RUNS=300 tests/run verify/random_scars   more runs
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 warn "@off"
@@ -7,7 +8,7 @@ math.randomseed(23)
 
 local function between(low, high) return low * (high / low) ^ math.random() end
 
--- A pair whose flat scar would have `wide` unworn half widths.
+-- A pair whose flat scar has `wide` unworn half widths.
 local function random_run()
   local radius, load = between(1, 200), between(10, 500)
   local pair = { radius = radius, cylinder = { E = between(3e3, 4e5) }, plate = { E = between(3e3, 4e5) } }
@@ -44,7 +45,7 @@ while runs < (tonumber(os.getenv "ARCHARD_RUNS") or 12) do
     figures.ok(tostring(list):find("no larger mesh fits", 1, true), "refused: scars wider than the bodies alone")
   end
 end
--- The reference pair worn to a scar of ten half widths, on meshes that follow it.
+-- The reference pair worn to a scar of ten half widths on automatically enlarged meshes.
 local wide = { k = 1e-5, distance = 2000, scheme = "implicit" }
 local list, updates = depths(wide, 1e-3)
 for i, depth in ipairs((depths(wide, 1e-4))) do
@@ -52,7 +53,7 @@ for i, depth in ipairs((depths(wide, 1e-4))) do
 end
 figures.below(updates, 100, "reference pair, k = 1e-5: updates")
 
--- A stroke of one element: steps of any length converged only with a Jacobian for each part of it.
+-- A stroke of one element: long steps converge only with a Jacobian for each part of the stroke.
 local _, short = depths({ model = { radius = 42.317, cylinder = { E = 372e3 }, plate = { E = 18114 } }, load = 34.81, stroke = 0.05842,
   alpha = 0.61729, distance = 1320, k = 3.5677e-6, scheme = "implicit" }, 1e-3)
 figures.below(short, 60, "a stroke of one element: updates")

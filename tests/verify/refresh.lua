@@ -1,5 +1,5 @@
--- Moving geometry with the wear box condensed now and then, against condensing at every update: at every update, on
--- every node.
+-- Moving geometry with occasional condensation of the wear box against condensation at every update, compared at every
+-- update and node.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
@@ -18,8 +18,8 @@ local function path(definition, refresh)
   return states
 end
 
--- Largest differences: of a pressure, as a share of the centre's, at any node and farther than 2.5 elements inside the
--- contact's edges; of a depth, as a share of it.
+-- Largest differences: of the pressures, relative to the centre's, at any node and at nodes farther than 2.5 elements
+-- inside the contact's edges; of the depths, relative.
 local function compare(definition, size)
   local exact, found = path(definition, 0), path(definition)
   local any, inside, depth = 0, 0, 0
@@ -41,7 +41,7 @@ local function check(what, definition, size)
   local any, inside, depth = compare(definition, size)
   below(any, 5e-4, what .. ": pressure at any node, share of p_center")
   below(inside, 1e-4, what .. ": the same inside the contact's edges")
-  -- nodes stand a little apart from where the coupling has them: depths follow the areas, which are exact
+  -- nodes differ slightly from their positions in the coupling: depths follow the areas, which are exact
   below(depth, 5e-5, what .. ": depth, relative")
 end
 
@@ -55,7 +55,7 @@ check("10 um", { model = { mesh = { size = 0.01, height = 0.0125 } }, jump = 50,
 check("a soft plate, 8 um deep", { model = { plate = { E = 2e3, nu = 0.4 }, mesh = { size = 0.02, height = 0.025, far = 1, zone = { cylinder = 2.4, plate = 2.8 } } },
   load = 20, k = 1e-6, jump = 15, distance = 330, alpha = 0 }, 0.02)
 
--- Stored half-way, between two condensations, a run goes on to the same bits.
+-- A run stored between two condensations continues with identical bits.
 local w = wear{ model = usual }
 w:run{ distance = 500, progress = false }
 local file = os.tmpname()

@@ -1,4 +1,5 @@
--- A worn surface taken over to another mesh: the pressures are those of a run on that mesh, the areas lost are the same.
+-- A worn surface transferred to another mesh: the pressures equal those of a run on that mesh, the lost areas are the
+-- same.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, ok = figures.within, figures.below, figures.ok
@@ -22,7 +23,7 @@ local function at(p, x)
   end
 end
 
--- Largest difference over the inner part of the contact, as a share of the pressure at the centre.
+-- Largest difference over the inner part of the contact, relative to the pressure at the centre.
 local function apart(contact, w, reach)
   local largest = 0
   for _, body in ipairs{ "cylinder", "plate" } do
@@ -34,7 +35,7 @@ local function apart(contact, w, reach)
   return largest / w.p_center
 end
 
--- Area that the outline of a body has lost, and its least depth.
+-- The area lost from the outline of a body, and its smallest depth.
 local function lost(w, body)
   local p, area, least, radius = w:profile(body), 0, math.huge, w.model.radius
   local function top(x) return body == "plate" and 0 or radius - math.sqrt(radius ^ 2 - x ^ 2) end
@@ -71,8 +72,8 @@ for _, case in ipairs{ {}, { alpha = 0.25, stroke = 0.22 }, { alpha = 1 }, { alp
   end
 end
 
--- Measured profiles: points of a known scar, 20 um apart and off the nodes, put on meshes of 20 to 5 um. The scar
--- itself, a function, is evaluated as it is; broken lines through the points give 2.4, 13 and 22 % too much pressure.
+-- Measured profiles: points of a known scar 20 um apart, between the nodes, transferred to meshes of 20 to 5 um. The
+-- scar as a function is evaluated directly; broken lines through the points give 2.4, 13 and 22 % too much pressure.
 local depth, reach = 2e-3, 0.25
 local function scar(x) return math.abs(x) < reach and depth * (1 - (x / reach) ^ 2) ^ 2 or 0 end
 local function points(spacing, offset)

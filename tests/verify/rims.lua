@@ -1,4 +1,4 @@
--- Partial slip on the meshes that runs get by themselves, whose elements follow the rims that slip: volume, energy and depth after 10000
+-- Partial slip on the default meshes, whose elements are sized by the slip annuli: volume, energy and depth after 10000
 -- cycles against twice the fineness.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
@@ -11,7 +11,7 @@ local function worn(case, fineness)
   return w:run{ progress = false }
 end
 
--- A force that goes to and fro while the load changes, a quarter of a cycle apart.
+-- An alternating force with a load that varies a quarter of a cycle later.
 local function under(swing)
   return { increments = 40, tangential = function(t) return 30 * math.sin(2 * math.pi * t) end,
     load = function(t) return 100 + swing * math.cos(2 * math.pi * t) end }

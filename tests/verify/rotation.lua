@@ -1,5 +1,5 @@
--- Rotation as motion and loads from an angle, in pairs with a hole: what must not change with either, the
--- cosine law of a bush that alone wears, volumes.
+-- Rotation as motion and loads at an angle in pairs with a hole: results that must not depend on either, the cosine law
+-- of a bush that wears alone, volumes.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local bush_law = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/bush.lua")
@@ -12,7 +12,7 @@ local function bush() return body.ring{ inner = R, outer = 20, name = "bush" } e
 local journal = model{ upper = bush(), lower = pin(), mesh = mesh } -- the pin turns under a load fixed in the bush
 local hip = model{ upper = pin(), lower = bush(), mesh = mesh } -- the bush turns under a load fixed in the pin
 
--- --- unworn: round bodies are the same from everywhere -------------------------------------------
+-- --- unworn: round bodies are the same from all directions ---------------------------------------
 
 for name, m in pairs{ journal = journal, hip = hip } do
   local straight = contact{ model = m, load = P }
@@ -31,7 +31,7 @@ local lopsided = 0
 for i = 1, #right do lopsided = math.max(lopsided, math.abs(right[i] - left[#left + 1 - i]) / P) end
 below(lopsided, 1e-10, "loads from either side: mirror images")
 
--- Stresses are told where the body is: turned with the bush, the field of a straight load.
+-- Stresses are given in the position of the body: rotated with the bush, the field of a straight load.
 local straight, turned = contact{ model = hip, load = P }:stress(), contact{ model = hip, load = P, load_angle = 20,
   x = R * math.rad(20) }:stress()
 local function largest(field)
@@ -47,7 +47,7 @@ below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0
 
 -- --- the cosine law -------------------------------------------------------------------------------
 
--- The largest deviation of pressures over nine tenths of the contact.
+-- Largest deviation of the pressures over nine tenths of the contact.
 local function deviation(w, at) return bush_law.deviation(w, R, gap, at) end
 local function swing(t) return 15 * math.sin(2 * math.pi * t) end
 local function run(m, angle, share, to_bush)
@@ -72,14 +72,14 @@ below(deviation(aside, math.rad(12)), 0.045, "the same under a load from 12 degr
 local other = run(journal, -12, 1, 1)
 within(other.depth.bush, aside.depth.bush, 1e-9, "and from -12 degrees [mm]")
 
--- --- both wear, and the bush turns ----------------------------------------------------------------
+-- --- both bodies wear, and the bush rotates -------------------------------------------------------
 
 local both = run(journal, 0, 0.5, 0.5)
 within(both.volume.bush, k / 2 * both.load_distance, 1e-12, "both wear: V of the bush [mm3]")
 within(both.volume.pin, k / 2 * both.load_distance, 1e-12, "and of the pin [mm3]")
 figures.ok(both.depth.pin < both.depth.bush, "the pin, whose wear the swing spreads, is worn less deep")
 
--- A load that follows the swinging bush wears it as one that stands still in it.
+-- A load that follows the swinging bush wears it like a load fixed in the resting bush.
 local led = wear{ model = hip, k_cylinder = 0, k_plate = k, load = P, geometry = "frozen", distance = 50,
   loading = { rotation = swing, load_angle = swing }, jump = 0.5 }
 local fixed = wear{ model = journal, k_cylinder = k, k_plate = 0, load = P, geometry = "frozen", distance = 50,

@@ -1,4 +1,4 @@
--- Steps that choose themselves: implicit updates with a tolerance, and automatic explicit ones.
+-- Automatic steps: implicit updates with a tolerance, and automatic explicit updates.
 -- Long
 
 local at = require "archard.lib.history_at"
@@ -22,7 +22,7 @@ local function depths(w, true_depth, share, what)
   end
 end
 
--- What explicit updates tend to as they get shorter: twice the finer minus the coarser.
+-- Limit of explicit updates for decreasing length: twice the finer minus the coarser result.
 local function extrapolated(fields, jump)
   local depth = {}
   for i, part in ipairs{ 5, 10 } do
@@ -32,7 +32,7 @@ local function extrapolated(fields, jump)
   return { cylinder = 2 * depth[2].cylinder - depth[1].cylinder, plate = 2 * depth[2].plate - depth[1].plate }
 end
 
--- Implicit: the error is held, with few steps -----------------------------------------------------------
+-- implicit: the error is within the tolerance, with few steps -------------------------------------------
 
 local cases = { -- stroke, alpha, N-bar of Table 1, most steps
   { 0.11, 0.5, 100, 50 }, { 0.22, 0.25, 40, 50 }, { 0.44, 0.75, 20, 50 }, { 20, 0.5, 1, 50 },
@@ -49,7 +49,8 @@ for _, case in ipairs(cases) do
   below(asymmetry(w), 1e-9, what .. ": asymmetry")
 end
 
--- Both orders tend to the same, at their rate; over the whole profile, as the deepest node alone is right by chance.
+-- Both orders converge to the same result at their rate; over the whole profile, as the deepest node alone agrees by
+-- chance.
 local function apart(w, other)
   local h, g, off, all = w:profile("cylinder").h, other:profile("cylinder").h, 0, 0
   for i = 1, #h do off, all = off + (h[i] - g[i]) ^ 2, all + g[i] ^ 2 end
@@ -66,17 +67,17 @@ for order = 1, 2 do
   below(off[2], order == 1 and 2e-3 or 5e-5, ("order %d, N-bar = 200: depths off by"):format(order))
 end
 
--- Functions of the state are part of the error that is held: running-in.
+-- The error control includes functions of the state: running-in.
 local function running_in(s) return 1e-8 * (1 + 4 * math.exp(-s.distance / 100)) end
 local exact = 1e-6 * (1320 + 400 * (1 - math.exp(-13.2)))
 local w = run{ k = running_in, scheme = "implicit", tolerance = 1e-3 }
 within(w.volume.total, exact, 1e-3, "running-in k, tolerance = 1e-3: volume [mm3]")
 below(w.update, 60, "running-in k: steps")
--- the tolerance is that of a step: errors of one sign add up
+-- the tolerance is that of one step: errors of the same sign add up
 within(run{ k = running_in, scheme = "implicit", tolerance = 1e-4 }.volume.total, exact, 3e-4,
   "running-in k, tolerance = 1e-4: volume [mm3]")
 
--- Implicit: nothing grows where explicit updates fail -------------------------------------------------------
+-- implicit: stable where explicit updates fail --------------------------------------------------------------
 
 for _, jump in ipairs{ 200, 300, 1000 } do
   for _, order in ipairs{ 1, 2 } do
@@ -91,7 +92,7 @@ local ended, problem = pcall(rough.run, rough)
 ok(not ended and problem.message:find "ripples" ~= nil, "N-bar = 300, explicit: ends in ripples")
 figures.above(roughest(rough) / calm, 100, "times as rough before as at 100")
 
--- Automatic explicit updates: no number set by hand ------------------------------------------------------------
+-- automatic explicit updates without a given number ------------------------------------------------------------
 
 for _, stroke in ipairs{ 0.11, 0.22, 0.44, 20 } do
   for _, alpha in ipairs{ 0, 0.25, 0.5, 0.75, 1 } do
@@ -103,8 +104,8 @@ for _, stroke in ipairs{ 0.11, 0.22, 0.44, 20 } do
   end
 end
 
--- Largest error of a column at any stored update, as a share: against explicit updates extrapolated to
--- length zero, at the same distance.
+-- Largest relative error of a column over all stored updates, against explicit updates extrapolated to length zero at
+-- the same distance.
 local function worst(history, coarse, fine, column)
   local most = 0
   for i = 2, #history.distance do
@@ -115,7 +116,7 @@ local function worst(history, coarse, fine, column)
   return most
 end
 
--- A law that jumps: nodes hop to and fro across the threshold, and stages are short enough to follow.
+-- A law with a threshold: nodes alternate across it, and steps are short enough to follow.
 for _, case in ipairs{ { 250, 0.22, 0.4, 0.2 }, { 150, 0.11, 0.5, 0.5 } } do
   local p0, stroke, alpha, jump = table.unpack(case)
   local fields = { law = "threshold", law_pressure = p0, stroke = stroke, alpha = alpha, distance = 660, geometry = "frozen" }
@@ -130,7 +131,7 @@ for _, case in ipairs{ { 250, 0.22, 0.4, 0.2 }, { 150, 0.11, 0.5, 0.5 } } do
 end
 
 local aluminium = material{ E = 70e3, nu = 0.33 }
-local whole_runs = { -- name, fields, jump of the coarser reference; the last three are not the paper's
+local whole_runs = { -- name, fields, jump of the coarser reference; the last three cases are not from the paper
   { "s = a, alpha = 0.5", { stroke = 0.11, alpha = 0.5 }, 4 },
   { "s = a, alpha = 0", { stroke = 0.11, alpha = 0 }, 4 },
   { "s = 2a, alpha = 0.25", { stroke = 0.22, alpha = 0.25 }, 2 },

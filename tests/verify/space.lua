@@ -1,5 +1,5 @@
--- Wear in three dimensions against an independent computation of the same problem, and its exact
--- symmetries: volumes, exchange of bodies, mirror across the motion.
+-- Wear in three dimensions against an independent computation of the same problem, and its exact symmetries: volumes,
+-- exchange of bodies, mirror symmetry across the motion.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below = figures.within, figures.below
@@ -90,7 +90,7 @@ end
 below(asymmetry(runs[0.25]:map "ball"), 1e-9, "mirror across the motion: ball")
 below(asymmetry(runs[0.25]:map "block"), 1e-9, "mirror across the motion: flat")
 
--- The flat above and the ball below: the same bodies wear by the same shares in the same motion.
+-- The flat above and the ball below: the same bodies wear by the same amounts in the same motion.
 local turned = model{ geometry = "3-D", upper = body.block{}, lower = body.ball{ radius = 10 } }
 local w = wear{ model = turned, load = 10, stroke = 0.04, alpha = 0.75, distance = 1320, k = 1e-8 }
 w:run()

@@ -1,6 +1,7 @@
--- Random histories in three dimensions: radii of 0.5 to 500 mm, E ratios to 1000, layers, rigid bases, maps, any alpha, motions
--- along x and z, strokes of 0.1 to 4 contact widths, grooves, tracks, laws, local factors. Each ends, and what Archard's law
--- wears off both bodies is k P d and alpha of it. ARCHARD_RUNS=500 tests/run verify/space_random   more of them (an hour)
+-- Random histories in three dimensions: radii of 0.5 to 500 mm, E ratios to 1000, layers, rigid bases, maps, any alpha,
+-- motions along x and z, strokes of 0.1 to 4 contact widths, grooves, tracks, laws, local factors. Each run ends, and
+-- with Archard's law the volume of both bodies is k P d, the share of the upper one alpha.
+--   ARCHARD_RUNS=500 tests/run verify/space_random   more runs (an hour)
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below = figures.below
@@ -15,7 +16,7 @@ local function even(from, to, points)
   return list
 end
 
--- A body under the ball whose contact with it has half widths a (the smaller) and b [mm].
+-- A body for a contact with the ball with half widths a (the smaller) and b [mm].
 local function partner(E, a, b, approach)
   local kind = random()
   if kind < 0.2 then return body.block{ E = E, layers = { { thickness = a * between(0.3, 3), E = between(1e3, 1e6) } } } end
@@ -41,7 +42,7 @@ local function history()
   local a, b = math.min(h.half_width, h.half_width_z), math.max(h.half_width, h.half_width_z)
   local slide = random() < 0.3 and "z" or "x"
   local def = motion(slide == "x" and h.half_width or h.half_width_z, b)
-  local groove = def.track or def.procedure -- on a flat body alone
+  local groove = def.track or def.procedure -- only on a flat body
   local ball = body.ball{ radius = radius, radius_z = radius_z, E = E }
   local flat = groove and body.block{ E = other } or partner(other, a, b, h.approach)
   local turned = not groove and random() < 0.15

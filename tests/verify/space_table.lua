@@ -1,5 +1,5 @@
--- Contact and wear in three dimensions as scripts use them: closed forms and tables, order in the grid, other engines of
--- this program (finite elements of revolution, of the plane), steps of other kinds and lengths.
+-- Contact and wear in three dimensions by scripts: closed forms and tables, order of convergence, other solvers of this
+-- program (finite elements of revolution and of plane strain), other steps.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within, below, above = figures.within, figures.below, figures.above
@@ -21,7 +21,7 @@ within(roller.p_center, 816.46, 0.003, "ellipse: centre pressure [MPa]")
 within(roller.approach, 1.19891e-3, 0.002, "ellipse: approach [mm]")
 within(roller.half_width_z, 0.171021, 0.02, "ellipse: half width across [mm]")
 
--- A cone as a map: a = sqrt(2 P / (pi E* t)), approach pi a t / 2, p(a / 2) = E* t acosh(2) / 2; p(0) has no limit.
+-- A cone as a map: a = sqrt(2 P / (pi E* t)), approach pi a t / 2, p(a / 2) = E* t acosh(2) / 2; p(0) is unbounded.
 local slope, a = 0.01, 0.0761133
 local cone = map{ x = even(-0.3, 0.3, 301), z = even(-0.3, 0.3, 301), y = function(x, z) return -slope * math.sqrt(x * x + z * z) end }
 local pointed = contact{ load = 10, model = { geometry = "3-D", upper = body.map{ y = cone }, lower = body.block{}, mesh = { size = a / 32 } } }
@@ -79,7 +79,7 @@ local few = run{ scheme = "implicit", jump = 3000 / (2 * 0.12) / 8 }
 within(few.depth.ball, tight.depth.ball, 0.001, "8 equal steps against graded ones: ball")
 within(few.depth.block, tight.depth.block, 0.001, "flat")
 
--- --- other engines ---------------------------------------------------------------------------------------
+-- --- other solvers ---------------------------------------------------------------------------------------
 -- A ball that wears alone, on finite elements of revolution: bodies of 10 mm are stiffer by .9 % in the approach.
 local spot = { load = 50, alpha = 1, distance = 2000, k = 1e-8 }
 local revolved = wear{ load = spot.load, alpha = 1, distance = spot.distance, slide = "z", scheme = "implicit", tolerance = 1e-3,

@@ -1,6 +1,6 @@
--- Where explicit updates become rough: the N-bar at which a sawtooth grows, by a scan, against the limit
--- from the largest eigenvalue. Roughness is the root mean square of the profile's fourth differences over
--- 16 (1 for a sawtooth of amplitude 1), as a share of the depth, over the middle of the contact.
+-- Stability limit of explicit updates: the N-bar at which a sawtooth grows, by a scan, against the limit from the
+-- largest eigenvalue. Roughness: root mean square of the profile's fourth differences divided by 16 (1 for a sawtooth
+-- of amplitude 1), relative to the depth, over the middle of the contact.
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 
 local function roughest(w) return math.max(w:roughness("cylinder"), w:roughness("plate")) end
@@ -25,7 +25,7 @@ local worn = reference:stability().jump_limit
 local limit = math.min(unworn, worn)
 figures.note(("limit 2 / eigenvalue: N-bar = %.1f unworn, %.1f worn"):format(unworn, worn))
 
--- The scan: rough is ten times as rough as at N-bar = 100.
+-- The scan: "rough" means ten times the roughness at N-bar = 100.
 local onset
 for share = 0.80, 1.401, 0.05 do
   local jump = share * limit
@@ -39,19 +39,19 @@ end
 figures.ok(onset ~= nil, ("roughness sets in at N-bar = %.0f"):format(onset or 0 / 0))
 figures.about(onset / limit, 1.05, 0.1501, "that N-bar over the limit of the eigenvalue")
 
--- The limit in length of sliding, r s N-bar, goes down with the element size: a ripple as short as the
--- elements is the first to grow.
+-- The limit of the sliding distance, r s N-bar, decreases with the element size: the shortest ripple, of one element,
+-- grows first.
 local halved = wear{ model = { mesh = { size = 0.01, height = 0.0125 } } }:stability().jump_limit
 figures.within(halved, unworn / 2, 0.02, "limit at half the element size, N-bar")
 
--- alpha = 1 puts all of k on one surface, that is always in the middle of its contact: the sliding between
--- updates stays under about 40 mm for matched quadrilaterals of 20 x 25 um.
+-- alpha = 1 puts all of k on one surface, which is always in the middle of its contact: the sliding distance between
+-- updates must be below about 40 mm for matched quadrilaterals of 20 x 25 um.
 local alone = wear{ alpha = 1 }:stability().jump_limit
 figures.note(("alpha = 1: limit N-bar = %.1f, %.1f at alpha = 0.5"):format(alone, unworn))
 figures.within(2 * 0.11 * alone, 40, 0.05, "alpha = 1: sliding between updates at the limit [mm]")
 
--- The search for settings keeps below the limit of all states on the way, and judges to the end. Kinks
--- of the plate's scar pass through the contact at alpha = 0: they are not taken for ripples.
+-- The search for settings stays below the limit of all states during the run and evaluates the whole run. Kinks of the
+-- plate's scar move through the contact at alpha = 0: they are not treated as ripples.
 local search = require "archard.study.search"
 for _, case in ipairs{ { 0, 0.44, 30 }, { 0, 0.22, 50 }, { 0.5, 0.22, 50 } } do
   local alpha, stroke, table_1 = table.unpack(case)
@@ -72,8 +72,8 @@ for _, case in ipairs{ { 0, 0.44, 30 }, { 0, 0.22, 50 }, { 0.5, 0.22, 50 } } do
   figures.ok(found.judged == w.update, what .. "judged to the end")
 end
 
--- The limit is looked at again where the coefficients grow, the share moves, the path widens; a run that
--- keeps within it says nothing. One that ripples ends before its pressures mean nothing.
+-- The limit is computed again if coefficients increase, alpha changes or the path becomes wider; a run below it gives
+-- no warning. A run with ripples ends before its pressures become meaningless.
 local warnings = require "archard.warnings"
 warnings.keep()
 local function told(fields)

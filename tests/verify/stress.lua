@@ -1,13 +1,13 @@
--- Stresses against the closed form under Hertz' pressure (McEwen): at the surface, which the contact's
--- tractions and the strain along it fix, next to the contact's edge too, and inside; on worn surfaces against the half-plane's law that
--- the stress along the surface is the pressure. Shares are of the largest pressure. Bodies of finite
--- size carry the load to their supports by a tension along the surface, of the order of L / (pi R) and
--- of p a / R, that half-planes do not have: 1 % of the pressure here, and counted as an error.
+-- Stresses against the closed form for Hertz' pressure (McEwen): at the surface, where they follow from the contact's
+-- tractions and the strain along it, also near the contact's edge, and inside; on worn surfaces against the
+-- half-plane's law that the stress along the surface equals the pressure. Errors are relative to the largest pressure.
+-- Finite bodies carry the load to their supports with a tension along the surface, of the order of L / (pi R) and of p
+-- a / R, which half-planes do not have: 1 % of the pressure here, counted as an error.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local below, within = figures.below, figures.within
 
--- xx, yy and xy at x and a depth, by Hertz' pressure p0 over 2 a
+-- xx, yy and xy at x and `depth` for Hertz' pressure p0 over the width 2 a
 local function mcewen(x, depth, a, p0)
   local q = a * a - x * x + depth * depth
   local root = math.sqrt(q * q + 4 * x * x * depth * depth)
@@ -22,7 +22,7 @@ end
 
 local steel = { E = 200e3, nu = 0.3 }
 
--- Calls each(node, x, depth, exact stresses, field) of all nodes near the contact.
+-- Calls each(node, x, depth, exact stresses, field) for all nodes near the contact.
 local function nodes_near(c, bodies, load, each)
   local h = hertz{ load = load, cylinder = bodies.cylinder, plate = bodies.plate }
   for body, field in pairs(c:stress()) do
@@ -38,8 +38,8 @@ local function nodes_near(c, bodies, load, each)
   end
 end
 
--- Largest errors of a mesh over loads whose edges pass over several nodes: at surface nodes more than an
--- element and a half from the edge, at the others, in the first row inside, deeper; and von Mises' stress at the
+-- Largest errors of a mesh over loads whose edges move across several nodes: at surface nodes more than one and a half
+-- elements from the edge, at the other surface nodes, in the first row inside, deeper; and of von Mises' stress at the
 -- free surface.
 local function errors_of(bodies, size)
   local scale = hertz(bodies).E_star / hertz{}.E_star
@@ -78,8 +78,8 @@ for _, pair in ipairs{ { "steel on steel", steel, steel }, { "steel on nu = .499
   end
 end
 
--- Second order: the stress along the surface at the centre and near it, and von Mises' largest, against
--- the finest mesh, r.m.s. over the same loads and both bodies [MPa].
+-- Second-order convergence: the stress along the surface at the centre and near it, and the largest von Mises stress,
+-- against the finest mesh, r.m.s. over the same loads and both bodies [MPa].
 local models = {}
 local function figures_at(size, load)
   models[size] = models[size] or model{ mesh = { size = size, height = 1.25 * size } }
@@ -115,8 +115,8 @@ for _, row in ipairs{ { "along", "stress along the surface" }, { "mises", "large
   figures.above(math.log(coarse / fine, 2), 1.7, what .. ": order of convergence from 20 to 10 um")
 end
 
--- The largest von Mises stress at the nominal load, and what it converges to: Hertz' with the tension
--- that finite bodies have at that place on top of the half-plane's stresses.
+-- The largest von Mises stress at the nominal load and its limit: the half-plane's stresses plus the tension of finite
+-- bodies at the same position.
 local function mises_of(xx, yy)
   local zz = 0.3 * (xx + yy)
   return math.sqrt(((xx - yy) ^ 2 + (yy - zz) ^ 2 + (zz - xx) ^ 2) / 2)
@@ -137,9 +137,9 @@ for _, body in ipairs{ "cylinder", "plate" } do
   within(math.max(table.unpack(default[body].mises)), most, 0.01, body .. ": the same at 20 um [MPa]")
 end
 
--- Worn surfaces, kinks at the edges of scars included: the stress along the surface follows the pressure
--- but for the tension of finite bodies and what inclined surfaces add (a share of some slopes), whatever
--- the shape, the mesh and the materials.
+-- Worn surfaces, including kinks at the edges of scars: the stress along the surface equals the pressure except for the
+-- tension of finite bodies and the effect of inclined surfaces (proportional to the slopes), for any shape, mesh and
+-- material.
 for _, case in ipairs{ { "steel on steel", {}, { alpha = 0.5, load = 100 } },
   { "cylinder alone", {}, { alpha = 1, load = 100 } }, { "s = 4a", {}, { alpha = 0.75, stroke = 0.44 } },
   { "steel on nu = .4999", { plate = soft }, { alpha = 0.5, load = 1.2, k = 1e-6 } } } do

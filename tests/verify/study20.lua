@@ -1,4 +1,4 @@
--- The twenty cases of the paper: invariants, final values, findings; and their figures.
+-- The twenty cases of the paper: invariants, final values, findings and figures.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
 local ok, near, holds = tap.ok, tap.near, tap.holds
@@ -89,7 +89,7 @@ local bow = straight.p_center[(n + 1) // 2] - (straight.p_center[1] + straight.p
 ok(math.abs(bow) < 0.15 * (straight.p_center[1] - straight.p_center[n]),
   "s = 4a, alpha = 0: the pressure falls almost in a straight line")
 
--- --- as examples/paper/findings.lua has them ---------------------------------------------------------------
+-- --- findings of examples/paper/findings.lua ---------------------------------------------------------------
 local part = require "archard.lib.examples_folder".parts("study20", "paper")
 local findings = part "findings"
 local share = findings.partition(case_of(0.11, 0.25))
@@ -118,7 +118,7 @@ for i, head in ipairs(table_1[1]) do
   end
 end
 
--- --- the rule decides on symmetry --------------------------------------------------------------------
+-- --- symmetry depends on the rule --------------------------------------------------------------------
 local trials = study.trials():run{ workers = 2, file = folder .. "/trials", progress = false }
 local function lopsided(increments, jump, rule, body)
   for _, case in ipairs(trials:cases()) do

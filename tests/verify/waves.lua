@@ -1,14 +1,13 @@
--- Rough profiles: the mesh they get by themselves, Westergaard's waves in partial contact, the decay of waves in
--- full contact.
+-- Rough profiles: default meshes, Westergaard's waves in partial contact, the decay of waves in full contact.
 -- Long
 local figures = dofile((arg[0]:match("^(.*)/") or ".") .. "/lib/figures.lua")
 local within = figures.within
 
 local length, height = 0.1, 1e-4
-local star = math.pi * 109890.1 * height / length -- the mean pressure that flattens the waves
+local star = math.pi * 109890.1 * height / length -- mean pressure for full contact
 
--- Eight elements a wave by themselves; six times as many for 1 %. Where pressures are as Westergaard's,
--- (p / cos)^2 is a line over sin^2 of pi x / l, and comes down to zero where the contact ends.
+-- Default meshes have eight elements per wave; an error of 1 % needs six times as many. For Westergaard's pressures, (p
+-- / cos)^2 is linear in sin^2 of pi x / l and becomes zero at the edge of the contact.
 local function wavy(radius, fineness, zone)
   return model{ upper = body.profile{ width = 4, height = 2,
       y = function(x) return height * math.cos(2 * math.pi * x / length) - x * x / (2 * radius) end },
@@ -33,7 +32,7 @@ within(2 / math.pi * math.asin(math.sqrt(s0 + q0 * (s1 - s0) / (q0 - q1))), 2 / 
   "waves: share in contact")
 within(fine.p_center, 2 * math.sqrt(mean * star), 0.01, "waves: pressure at a crest, 48 elements each [MPa]")
 
--- In full contact waves wear as exp(-d / d_c), d_c = l / (pi k E*), the form of the profile taken off.
+-- In full contact waves decay as exp(-d / d_c), d_c = l / (pi k E*), after subtraction of the profile's form.
 local decay = length / (math.pi * 1e-8 * 109890.1)
 local flattened = wear{ model = wavy(22, 2, 1.2), load = 400, k_cylinder = 1e-8, k_plate = 0, stroke = 0.01, jump = "auto",
   geometry = "frozen", distance = decay / 2 }
@@ -41,5 +40,5 @@ flattened:run()
 local h = flattened:profile("profile").h
 middle = #h // 2 + 1
 local function dip(nodes) return h[middle] - (h[middle + nodes] + h[middle - nodes]) / 2 end
-local lost = (dip(8) - dip(16) / 4) / 2 -- sixteen elements a wave; the form alone dips after a whole one
+local lost = (dip(8) - dip(16) / 4) / 2 -- sixteen elements per wave; at the distance of a whole wave, only the form contributes
 within(-math.log(1 - lost / height), 0.5, 0.01, "waves: exponent of their decay")

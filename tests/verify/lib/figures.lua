@@ -1,17 +1,17 @@
--- Checks of figures against reference values: TAP lines that name the figure found.
+-- Checks of values against references: TAP lines that print the value found.
 local here = arg[0]:match("^(.*)/") or "."
 local tap = dofile(here .. "/../lua/lib/tap.lua")
 
 local figures = { note = tap.note, ok = tap.ok }
 
--- |got - expected| <= share |expected|
+-- Checks |got - expected| <= share |expected|.
 function figures.within(got, expected, share, what)
   local off = got / expected - 1
   return tap.ok(math.abs(off) <= share, ("%s: %.6g, expected %.6g (%+.3f %%, allowed %g %%)")
     :format(what, got, expected, 100 * off, 100 * share))
 end
 
--- |got - expected| <= room, for figures given to some digits
+-- Checks |got - expected| <= room, for references with few digits.
 function figures.about(got, expected, room, what)
   return tap.ok(math.abs(got - expected) <= room,
     ("%s: %.5g, expected %.5g within %g"):format(what, got, expected, room))
@@ -31,7 +31,7 @@ function figures.mean(values, first)
   return sum / (#values - (first or 1) + 1)
 end
 
--- largest |v[i] - v[mirror]| as a share of the largest value
+-- Largest |v[i] - v[mirror]|, relative to the largest value.
 function figures.asymmetry(values)
   local largest, apart = 0, 0
   for i, v in ipairs(values) do

@@ -1,17 +1,17 @@
--- Trials of fit with a known truth: a run, measured with noise, and whether the true values are in
--- the ranges that the fit gives. Returns trial(seed, kind) -> { name = inside }, seconds; kind "pair"
--- (k and alpha from one pair of profiles and the volumes), "curve" (alpha at three knots from four
--- pairs), or "width" (k from the contact's widths, which go from node to node).
+-- Trials of fit with a known truth: simulates a run, adds noise to its results, fits them, and checks whether the true
+-- values are in the ranges of the fit. Returns trial(seed, kind) -> { name = inside }, seconds; kind "pair" (k and
+-- alpha from one pair of profiles and the volumes), "curve" (alpha at three knots from four pairs), or "width" (k from
+-- the contact's widths, which change in steps from node to node).
 
 local spline = require "archard.fit.spline"
 
-local noise, share = 5e-5, 0.03 -- of profiles [mm], of volumes
+local noise, share = 5e-5, 0.03 -- noise of profiles [mm]; relative error of volumes
 
 local function normal()
   return math.sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * math.pi * math.random())
 end
 
--- Small seeds beside each other give like numbers at first.
+-- Consecutive small seeds give similar first numbers, so they are spread.
 local function seed_well(seed)
   math.randomseed(7919 * seed + 13, 104729 * seed)
   for _ = 1, 200 do math.random() end
@@ -21,7 +21,7 @@ local function base()
   return { jump = 50, stroke = 0.22, model = { mesh = { size = 0.04, height = 0.05 } } }
 end
 
--- Profiles as an instrument has them: between the nodes, shifted, tilted, lifted, noisy.
+-- Profiles as measured by an instrument: points between the nodes, shifted, tilted, displaced, noisy.
 local function measured(run, body)
   local shift, tilt, level = 0.004 * normal(), 1e-4 * normal(), 2e-4 * normal()
   local surface, x, h = run:profile(body), {}, {}
