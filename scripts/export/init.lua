@@ -2,7 +2,7 @@
 -- files, run summaries and files of maps by the modules in this folder.
 
 local files = require "archard.files"
-local later = require "archard.lib.later"
+local lazy = require "archard.lib.lazy"
 local written = require "archard.lib.written"
 
 local function noted(where, write)
@@ -10,12 +10,12 @@ local function noted(where, write)
 end
 
 return {
-  csv = later("archard.export.maps", "csv"),
-  vti = later("archard.export.maps", "vti"),
-  gsf = later("archard.export.maps", "gsf"),
+  csv = lazy("archard.export.maps", "csv"),
+  vti = lazy("archard.export.maps", "vti"),
+  gsf = lazy("archard.export.maps", "gsf"),
   vtk = noted("export.vtk", files.vtk),
   inp = noted("export.inp", files.inp),
   msh = noted("export.msh", files.msh),
-  pvd = later "archard.export.series",
-  json = later "archard.export.summary",
+  pvd = lazy "archard.export.series",
+  json = lazy "archard.export.summary",
 }

@@ -1,10 +1,10 @@
 -- fit: determines values of wear{} and model{} from measurements by weighted nonlinear least squares, with their
 -- standard errors. This module only lists the public functions; fit/run.lua runs a fit.
 
-local later = require "archard.lib.later"
+local lazy = require "archard.lib.lazy"
 
-local run = later("archard.fit.run", "run")
+local run = lazy("archard.fit.run", "run")
 
 -- best: best values of the latest search
-return setmetatable({ design = later("archard.fit.run", "design"), best = {} },
+return setmetatable({ design = lazy("archard.fit.run", "design"), best = {} },
   { __call = function(_, given) return run(given) end })

@@ -2,7 +2,7 @@
 -- degrees.
 
 local check = require "archard.lib.check"
-local seen = require "archard.joint.seen"
+local lattice = require "archard.joint.lattice"
 local sphere = require "archard.sphere"
 local strict = require "archard.strict"
 
@@ -85,9 +85,9 @@ function methods:contact(given)
   local result = check.as("joint:contact", sphere.press, self.engine, load * n[1] / length, load * n[2] / length,
     load * n[3] / length)
   result.load = load
-  result.pressure = seen.map(self.engine, "pressure")
-  seen.warn_of_rim("contact", self.def, result.rim_margin)
-  seen.check_cells("joint:contact", self.engine, result.half_angle)
+  result.pressure = lattice.map(self.engine, "pressure")
+  lattice.warn_of_rim("contact", self.def, result.rim_margin)
+  lattice.check_cells("joint:contact", self.engine, result.half_angle)
   strict.table(result, "joint:contact")
   local shown = getmetatable(result)
   shown.__tostring, shown.__plain = show_contact, nil

@@ -4,7 +4,7 @@
 local check = require "archard.lib.check"
 local gait = require "archard.joint.gait"
 local progress = require "archard.lib.progress"
-local seen = require "archard.joint.seen"
+local lattice = require "archard.joint.lattice"
 local sphere = require "archard.sphere"
 
 local runs = {}
@@ -57,7 +57,7 @@ end
 -- The depths on the lattice from a function, a map or a list of the user.
 local function depths_of(engine, name, given)
   if not shape_kind.test(given) then check.refuse("joint:wear", "worn." .. name, shape_kind.expected, given) end
-  local map = seen.map(engine, name)
+  local map = lattice.map(engine, name)
   if type(given) == "table" then
     local values = rawget(given, "values") or given
     if #values ~= #map.values then
@@ -114,7 +114,7 @@ function runs.new(def, given)
   if given.worn then
     put_shapes(run.engine, given.worn)
     for _, body in ipairs{ "head", "cup" } do
-      run.depth[body] = seen.deepest(run.engine, body)
+      run.depth[body] = lattice.deepest(run.engine, body)
       run.history["depth_" .. body][1] = run.depth[body]
     end
   end
@@ -148,8 +148,8 @@ local function check_contact(run)
   local load = largest_load(run.blocks[1].gait.instants)
   if not load then check.fail("joint_wear:run", "field 'loading': expected a gait with a load above 0") end
   local contact = check.as("joint_wear:run", sphere.press, run.engine, load[1], load[2], load[3])
-  seen.warn_of_rim("joint_wear:run", run.def, contact.rim_margin)
-  seen.check_cells("joint_wear:run", run.engine, contact.half_angle)
+  lattice.warn_of_rim("joint_wear:run", run.def, contact.rim_margin)
+  lattice.check_cells("joint_wear:run", run.engine, contact.half_angle)
 end
 
 -- Cycles up to the next of the given number of updates, which end at goal (j/m)^1.5.
@@ -185,7 +185,7 @@ local function read(run, record)
   run.record, run.cycles, run.p_peak, run.area = record, record.cycles, record.p_peak, record.area
   local head, cup = record.volume_head or 0, record.volume_cup or 0
   run.volume = { head = head, cup = cup, total = head + cup }
-  for _, body in ipairs{ "head", "cup" } do run.depth[body] = seen.deepest(run.engine, body) end
+  for _, body in ipairs{ "head", "cup" } do run.depth[body] = lattice.deepest(run.engine, body) end
   run.depth_partition = run.depth.head / (run.depth.head + run.depth.cup)
 end
 
@@ -236,7 +236,7 @@ end
 function methods:map(what)
   local known = check.one_of{ "cup", "head", "cross shear", "creep", "pressure" }
   if not known.test(what) then check.refuse("joint_wear:map", "what", known.expected, what) end
-  return seen.map(self.engine, what)
+  return lattice.map(self.engine, what)
 end
 
 local units = { ["cross shear"] = "-", pressure = "MPa" }

@@ -1,9 +1,9 @@
 -- profile{ x=, z= } and profile.read: measured traces, as start of a run or for comparison. This module only lists the
 -- public functions of profile/made.lua.
 
-local later = require "archard.lib.later"
+local lazy = require "archard.lib.lazy"
 
-local new = later("archard.profile.made", "new")
+local new = lazy("archard.profile.made", "new")
 
-return setmetatable({ read = later("archard.profile.made", "read"), mean = later("archard.profile.made", "mean") },
+return setmetatable({ read = lazy("archard.profile.made", "read"), mean = lazy("archard.profile.made", "mean") },
   { __call = function(_, given) return new(given or {}) end })

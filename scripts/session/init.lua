@@ -1,5 +1,5 @@
 -- The table session as users see it; the work is in session/file.lua.
 
-local later = require "archard.lib.later"
+local lazy = require "archard.lib.lazy"
 
-return { save = later("archard.session.file", "save"), open = later("archard.session.file", "open") }
+return { save = lazy("archard.session.file", "save"), open = lazy("archard.session.file", "open") }

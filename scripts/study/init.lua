@@ -2,7 +2,7 @@
 -- study/case.lua reads the results, study/table.lua, figures.lua and converge.lua show them.
 
 local check = require "archard.lib.check"
-local later = require "archard.lib.later"
+local lazy = require "archard.lib.lazy"
 local merged = require "archard.lib.merged"
 local of_samples = require "archard.uncertainty.fields"
 local settings = require "archard.definition.settings"
@@ -16,7 +16,7 @@ local class = { __name = "study", __methods = methods, __fields = { "name", "fil
 -- Default of `looks`: number of times that the surfaces of a case are stored before its end.
 local usual_looks = 6
 
-local open_file = later("archard.study.definitions", "open")
+local open_file = lazy("archard.study.definitions", "open")
 
 -- --- making ------------------------------------------------------------------------------------
 

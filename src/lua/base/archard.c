@@ -91,7 +91,7 @@ static void open_scripted(lua_State *L) {
 
 static void open_functions(lua_State *L) {
   for (int i = 0; i < FUNCTIONS; i++) {
-    script_require(L, "archard.lib.later");
+    script_require(L, "archard.lib.lazy");
     lua_pushstring(L, functions[i][1]);
     lua_pushstring(L, functions[i][2]);
     lua_call(L, 2, 1);

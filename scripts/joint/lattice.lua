@@ -4,10 +4,10 @@ local check = require "archard.lib.check"
 local sphere = require "archard.sphere"
 local strict = require "archard.strict"
 
-local seen = {}
+local lattice = {}
 
 -- A map over theta and phi in degrees; phi varies fastest in the values.
-function seen.map(engine, what)
+function lattice.map(engine, what)
   local rows, values = sphere.map(engine, what)
   local d = 180 / rows
   local map = { theta = {}, phi = {}, values = values }
@@ -17,14 +17,14 @@ function seen.map(engine, what)
 end
 
 -- The largest depth of a body [mm].
-function seen.deepest(engine, body)
+function lattice.deepest(engine, body)
   local most, _, depth = 0, sphere.map(engine, body)
   for i = 1, #depth do most = math.max(most, depth[i]) end
   return most
 end
 
 -- Warns if the contact is so near the rim that the error of the complete spheres exceeds about 1 %.
-function seen.warn_of_rim(where, def, margin)
+function lattice.warn_of_rim(where, def, margin)
   local liner = def.cup_layers[1]
   local is_soft = liner.E < 1e4
   local least = is_soft and math.deg(liner.thickness / def.radius) or 25
@@ -38,7 +38,7 @@ local fewest, enough = 3, 6 -- number of cells across a contact
 
 -- Checks the number of cells across a contact with this half angle in degrees: an error below three, a warning below
 -- six.
-function seen.check_cells(where, engine, half_angle)
+function lattice.check_cells(where, engine, half_angle)
   local size = 180 / (sphere.map(engine, "pressure"))
   local across = 2 * half_angle / size
   if across >= enough then return end
@@ -48,4 +48,4 @@ function seen.check_cells(where, engine, half_angle)
   warn(("%s: %s"):format(where, text))
 end
 
-return seen
+return lattice
