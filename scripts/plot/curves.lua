@@ -217,7 +217,7 @@ for _, column in ipairs(known.columns) do
   local unit = column.unit ~= "" and " / " .. column.unit or ""
   quantities[#quantities + 1] = { "^" .. column.name .. "$", column.name .. unit, 1 }
 end
-local spoken = { p_center = "centre", p_max = "largest", p_peak = "over the cycle" }
+local short_titles = { p_center = "centre", p_max = "largest", p_peak = "over the cycle" }
 local against = { distance = "distance / mm", cycle = "cycles", update = "updates" }
 
 -- Label of a column's quantity and the factor to its unit; nil for an unknown column.
@@ -287,7 +287,7 @@ end
 -- Title of a curve, for example "plate, α = 0.5", with the parts that differ between the curves of a panel.
 local function history_title(column, body, name, several_columns, several_objects)
   local parts = {}
-  if several_columns then parts[1] = body or spoken[column] or column end
+  if several_columns then parts[1] = body or short_titles[column] or column end
   if several_objects then parts[#parts + 1] = name end
   return parts[1] and table.concat(parts, ", ") or nil
 end

@@ -186,11 +186,11 @@ end
 
 -- Fields that the panel does not set are copied from the figure, except the title.
 local function inherit(panel, figure)
-  local taken = {}
+  local inherited = {}
   for name in pairs(panel_fields) do
-    if name ~= "title" and name ~= "x" and name ~= "y" and name ~= "points" then taken[name] = figure[name] end
+    if name ~= "title" and name ~= "x" and name ~= "y" and name ~= "points" then inherited[name] = figure[name] end
   end
-  return merged(taken, panel)
+  return merged(inherited, panel)
 end
 
 -- Puts "(a)", "(b)", ... before the titles of the panels; `name` is the title without the letter.

@@ -135,7 +135,7 @@ local function show_span(low, high)
 end
 
 -- The load, from the smallest of a cycle to the largest, and the load at which pressures are reported, if different.
-local function said_load(object, low, high)
+local function load_text(object, low, high)
   low = span_of(object, "load_low") or low
   local from, to = span_of(object, "load_reference")
   local text = ("load %s N"):format(show_span(low, high))
@@ -149,7 +149,7 @@ end
 local function under_loading(object, setting)
   local low, high = span_of(object, setting[1])
   if not low then return nil end
-  if setting[1] == "load" then return said_load(object, low, high) end
+  if setting[1] == "load" then return load_text(object, low, high) end
   return ("travel %s mm"):format(show_span(low, high))
 end
 
@@ -158,7 +158,7 @@ end
 local none_at_zero = { stroke = true, tangential = true, tolerance = true }
 
 -- Text of a setting: its range during the run or, without a column, its present value.
-local function said(object, setting)
+local function setting_text(object, setting)
   local name = setting[1]
   if (name == "stroke" or name == "load") and get(object, "loading") then
     return under_loading(object, setting)
@@ -179,9 +179,9 @@ end
 
 -- The texts of a setting for all objects, or nil if they are equal.
 local function differing(objects, setting)
-  local first, differs, all = said(objects[1], setting), false, {}
+  local first, differs, all = setting_text(objects[1], setting), false, {}
   for i, object in ipairs(objects) do
-    all[i] = said(object, setting) or false
+    all[i] = setting_text(object, setting) or false
     differs = differs or (all[i] or nil) ~= first
   end
   return differs and all or nil
@@ -196,7 +196,7 @@ local function count_names(parts)
   return count
 end
 
-local function with_said(parts, all)
+local function with_texts(parts, all)
   local longer = {}
   for i, part in ipairs(parts) do
     longer[i] = table.move(part, 1, #part, 1, {})
@@ -213,7 +213,7 @@ local function parts_of(objects)
   for _, follows in ipairs { false, true } do
     for _, setting in ipairs(settings) do
       local all = not setting.follows == not follows and differing(objects, setting)
-      local longer = all and with_said(parts, all)
+      local longer = all and with_texts(parts, all)
       if longer and (not follows or count_names(longer) > count_names(parts)) then
         parts, used[#used + 1] = longer, setting
       end
@@ -267,7 +267,7 @@ end
 function naming.summary(object)
   local parts, layered = {}, is_layered(object)
   for _, name in ipairs { "stroke", get(object, "stroke") and "tangential" or false, "alpha", "load", "cycle" } do
-    parts[#parts + 1] = name and not (layered and name == "alpha") and said(object, by_name[name]) or nil
+    parts[#parts + 1] = name and not (layered and name == "alpha") and setting_text(object, by_name[name]) or nil
   end
   return table.concat(parts, ", ")
 end

@@ -193,9 +193,9 @@ return function(study, options)
   local name, label, factor, body = labels_of(options.y)
   local given = (options.map and as_map or as_curves)(points, options, label, factor)
   given.title = name .. (body or "") .. (options.map and label:sub(#name + 1) or "")
-  local taken = {}
+  local remaining = {}
   for name, value in pairs(options) do
-    if not own[name] then taken[name] = value end
+    if not own[name] then remaining[name] = value end
   end
-  draw.draw(where, draw.over(given, taken))
+  draw.draw(where, draw.over(given, remaining))
 end

@@ -175,12 +175,12 @@ local function start_of(p)
     for i = 1, #p.z do h[i] = top - p.z[i] end
     return h
   end
-  local room = 5 * math.max(p.error, p.scatter and p.scatter.deviation or 0)
+  local margin = 5 * math.max(p.error, p.scatter and p.scatter.deviation or 0)
   for i = 1, #p.h do
-    if p.h[i] < -room then
+    if p.h[i] < -margin then
       check.fail("profile", ("expected depths at most 5 times the scatter (%.3g um) above the form, got %.4g um "
         .. "at x = %.4g mm; for piled-up material, start from the heights, or level beside the scar"):format(
-        1000 * room, 1000 * p.h[i], p.x[i]))
+        1000 * margin, 1000 * p.h[i], p.x[i]))
     end
     h[i] = math.max(0, p.h[i])
   end

@@ -86,11 +86,11 @@ local function partial_share(pressed, annulus)
     add_end(sums, share, there)
   end
   if sums.count < 4 then return sliding end
-  local det, gone = sums[2] * sums[4] - sums[3] ^ 2, 1 - (1 - annulus) ^ 2
+  local det, target = sums[2] * sums[4] - sums[3] ^ 2, 1 - (1 - annulus) ^ 2
   local b1 = (sums.of[1] * sums[4] - sums.of[2] * sums[3]) / det
   local b2 = (sums.of[2] * sums[2] - sums.of[1] * sums[3]) / det
-  local under = b1 ^ 2 + 4 * b2 * gone
-  local share = under >= 0 and 2 * gone / (b1 + math.sqrt(under)) or sliding
+  local under = b1 ^ 2 + 4 * b2 * target
+  local share = under >= 0 and 2 * target / (b1 + math.sqrt(under)) or sliding
   return share > 0 and math.min(share, sliding) or sliding
 end
 

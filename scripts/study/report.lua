@@ -3,17 +3,17 @@
 local most_warnings = 3 -- most warnings printed one by one; more are combined in one line
 
 return function(failed, warned)
-  local function tell(text, ...) io.stderr:write("study: ", text:format(...), "\n") end
+  local function print_line(text, ...) io.stderr:write("study: ", text:format(...), "\n") end
   for _, case in ipairs(failed) do
-    tell("case %d (%s) failed: %s", case.id, case.label, case.message)
+    print_line("case %d (%s) failed: %s", case.id, case.label, case.message)
   end
   table.sort(warned, function(a, b) return a.id < b.id end)
   for i = 1, #warned <= most_warnings and #warned or 0 do
-    tell("case %d (%s): warning: %s", warned[i].id, warned[i].label, warned[i].message)
+    print_line("case %d (%s): warning: %s", warned[i].id, warned[i].label, warned[i].message)
   end
   if #warned <= most_warnings then return end
   local ids = {}
   for i, case in ipairs(warned) do ids[i] = case.id end
-  tell("%d cases (%s) have warnings, for example case %d (%s): %s", #warned, table.concat(ids, ", "),
+  print_line("%d cases (%s) have warnings, for example case %d (%s): %s", #warned, table.concat(ids, ", "),
     warned[1].id, warned[1].label, warned[1].message)
 end

@@ -49,7 +49,7 @@ end
 
 -- Handles the end of a worker process. Its current case fails; its computed but not stored cases are queued again. If
 -- it ended while storing, those cases fail too, as storing them again would fail again.
-function run:bury(i, event)
+function run:handle_exit(i, event)
   local case, computed = self.busy[i], self.computed[i]
   local words = event.words:gsub("%s+", " "):gsub("^ ", ""):gsub(" $", "")
   local message = ("its process ended by %s%s"):format(event.ended,
@@ -67,7 +67,7 @@ function run:computed_case(i)
   self:feed(i)
 end
 
-function run:hear(i, line)
+function run:handle_line(i, line)
   local word, id, rest = line:match("^(%a+) (%d+) ?(.*)$")
   if line:match("^broken ") then check.fail("study:run", line:match("^broken (.*)$"), "IO") end
   if not word then return end
@@ -85,9 +85,9 @@ function run:hear(i, line)
   end
 end
 
-function run:attend(event)
-  if event.line then return self:hear(event.worker, event.line) end
-  self:bury(event.worker, event)
+function run:handle_event(event)
+  if event.line then return self:handle_line(event.worker, event.line) end
+  self:handle_exit(event.worker, event)
   self:feed(event.worker)
 end
 
@@ -113,7 +113,7 @@ return function(store, options)
   end
   while self.left > 0 do
     process.report(("%d of %d done, stored in %s; run the study again to continue"):format(display.done, display.total, store.path))
-    for _, event in ipairs(pool:wait(0.5)) do self:attend(event) end
+    for _, event in ipairs(pool:wait(0.5)) do self:handle_event(event) end
     display:draw()
   end
   process.report ""

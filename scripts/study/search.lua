@@ -130,7 +130,7 @@ local function run_course(self)
     run:step()
     self.course[i + 1] = { run.distance, roughness(run) }
     if i % every == 0 then self.stable = math.min(self.stable, run:stability().jump_limit) end
-    if i % 10 == 0 then self.tell(0.3 * i / most) end
+    if i % 10 == 0 then self.report(0.3 * i / most) end
   end
   -- roughness caused by a coarse mesh appears at different distances in different runs
   self.allowed = math.max(self.limit.smooth, self:own_roughness(0, math.huge) / 4)
@@ -140,7 +140,7 @@ local function new_trial(given, limit, on_progress)
   local first <close> = wear(given)
   local self = setmetatable({ given = given, limit = limit, model = first.model, count = 0,
     strokes = first.strokes, cycles = first.cycles, procedure = first.procedure,
-    stroke = first.stroke, k = first.k_cylinder + first.k_plate, tell = on_progress, jumps = {}, roughnesses = {} }, trial)
+    stroke = first.stroke, k = first.k_cylinder + first.k_plate, report = on_progress, jumps = {}, roughnesses = {} }, trial)
   self.p_hertz = hertz_of(first.model, first.load).p_max
   if not (self.k > 0) then
     error("study.converge: field 'k': k = 0 at the start, so that no jump can be "
@@ -174,7 +174,7 @@ function trial:run(jump, increments)
       - self:own_roughness(run.distance - span, run.distance + span))
   end
   self.count = self.count + 1
-  self.tell(math.min(0.95, 0.3 + self.count / 30))
+  self.report(math.min(0.95, 0.3 + self.count / 30))
   return run, worst
 end
 

@@ -6,7 +6,7 @@ local transaction = require "archard.study.transaction"
 
 -- Returns a function that decides at which updates the surfaces are recorded: `count` times, first the unworn surfaces,
 -- then at the first update at or after each share of the distance. The store records the final surfaces.
-local function looker(count, total)
+local function recorder(count, total)
   local next_look = 0
   return function(distance)
     if total <= 0 or next_look >= count or distance < next_look / count * total then return false end
@@ -15,7 +15,7 @@ local function looker(count, total)
   end
 end
 
-local function look(run, list)
+local function record(run, list)
   for i, body in ipairs { "cylinder", "plate" } do
     local role = i == 1 and "upper" or "lower"
     local profile, pressure = run:profile(role), run:pressure(role)
@@ -25,7 +25,7 @@ local function look(run, list)
 end
 
 -- The surfaces recorded before the run was saved; its state at that moment was saved with them.
-local function looked_at(run, surfaces, is_due)
+local function recorded(run, surfaces, is_due)
   local due, list, history = {}, {}, run.history
   for i, distance in ipairs(history.distance) do
     if is_due(distance) then due[history.update[i]] = true end
@@ -37,7 +37,7 @@ local function looked_at(run, surfaces, is_due)
 end
 
 -- The saved run and its surfaces, or nil if the run was not saved.
-local function kept(store, id)
+local function saved_run(store, id)
   local fine, run = pcall(store.wear, store, id)
   if fine and run.update > 0 and not run.done then return run, store:surfaces(id) end
 end
@@ -45,14 +45,14 @@ end
 -- (store, id, given = fields of wear{}, looks = number of records, every = seconds between saves, on_progress) -> the
 -- finished run, the recorded surfaces
 return function(store, id, given, looks, every, on_progress)
-  local run, surfaces = kept(store, id)
+  local run, surfaces = saved_run(store, id)
   run = run or wear(given)
   local total, last = run.total_distance, term.clock()
-  local is_due = looker(looks, total)
-  local list = surfaces and looked_at(run, surfaces, is_due) or {}
-  if not surfaces and is_due(run.distance) then look(run, list) end
+  local is_due = recorder(looks, total)
+  local list = surfaces and recorded(run, surfaces, is_due) or {}
+  if not surfaces and is_due(run.distance) then record(run, list) end
   run:run{ progress = function()
-    if not run.done and is_due(run.distance) then look(run, list) end
+    if not run.done and is_due(run.distance) then record(run, list) end
     on_progress(run.distance / total)
     if term.clock() - last < every or run.done then return end
     transaction(store, store.save, store, id, run, list)

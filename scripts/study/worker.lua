@@ -21,7 +21,7 @@ local function one_line(value)
   return (tostring(value):gsub("%s+", " "):sub(1, 480))
 end
 
-local function say(...)
+local function print_words(...)
   io.write(table.concat({ ... }, " "), "\n")
   io.flush()
 end
@@ -68,7 +68,7 @@ end
 -- --- one case after the other ------------------------------------------------------------------
 
 -- Returns the progress callback of a case. Only cases longer than `pause` are marked as running.
-local function speaker(store, id)
+local function progress_of(store, id)
   local last, marked = term.clock(), false
   return function(share)
     local now = term.clock()
@@ -76,7 +76,7 @@ local function speaker(store, id)
     last = now
     if not marked then store:mark(id, "running") end
     marked = true
-    say("at", id, ("%.3f"):format(share))
+    print_words("at", id, ("%.3f"):format(share))
   end
 end
 
@@ -92,7 +92,7 @@ local function compute_case(store, id, every)
   local start = term.clock()
   warnings.take()
   local task = tasks[store:info("task") or "wear"]
-  local fine, keep, run = pcall(task, store, id, speaker(store, id), every)
+  local fine, keep, run = pcall(task, store, id, progress_of(store, id), every)
   return { id = id, seconds = term.clock() - start, warning = warning_of(store), run = run,
     keep = fine and keep or nil, failure = not fine and one_line(keep) or nil }
 end
@@ -112,8 +112,8 @@ end
 
 local function report(case)
   if case.run then case.run:close() end
-  if case.warning then say("warned", case.id, one_line(case.warning)) end
-  if case.failure then say("failed", case.id, case.failure) else say("done", case.id) end
+  if case.warning then print_words("warned", case.id, one_line(case.warning)) end
+  if case.failure then print_words("failed", case.id, case.failure) else print_words("done", case.id) end
 end
 
 -- Writes all cases in one transaction, or none; returns the seconds that the commit took.
@@ -130,13 +130,13 @@ end
 
 -- Stores computed cases. As each commit waits for the disk, short cases are stored together, so that at most a tenth of
 -- the time is spent waiting.
-local keeper = {}
-keeper.__index = keeper
+local result_queue = {}
+result_queue.__index = result_queue
 
-function keeper:is_due() return term.clock() - self.since >= math.min(longest_wait, 10 * self.commit) end
+function result_queue:is_due() return term.clock() - self.since >= math.min(longest_wait, 10 * self.commit) end
 
 -- Stores all cases together; if this fails, for example on a full disk, one by one.
-function keeper:store()
+function result_queue:store()
   local cases = self.cases
   self.cases = {}
   if #cases == 0 then return end
@@ -149,29 +149,29 @@ function keeper:store()
   self.since = term.clock()
 end
 
-function keeper:add(case)
+function result_queue:add(case)
   self.cases[#self.cases + 1] = case
   if self:is_due() then self:store() end
 end
 
-local function attend(held, line)
-  if line == "store" then return held:store() end
+local function handle_line(results, line)
+  if line == "store" then return results:store() end
   local id = math.tointeger(tonumber(line:match("^case (%d+)$")))
   if not id then error("worker: unknown command: " .. line) end
-  local case = compute_case(held.file, id, held.every)
-  say("computed", id)
-  held:add(case)
+  local case = compute_case(results.file, id, results.every)
+  print_words("computed", id)
+  results:add(case)
 end
 
 -- folder: folder of the sandboxed script, which also applies to the worker; "" without a sandbox. every: seconds
 -- between saves of a long case.
 return function(path, folder, every)
   if folder ~= "" then files.confine(folder) end
-  local held = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),
-    commit = 0, every = tonumber(every) }, keeper)
+  local results = setmetatable({ file = stores.open(path, "write"), cases = {}, since = term.clock(),
+    commit = 0, every = tonumber(every) }, result_queue)
   warnings.keep()
   for line in io.lines() do
-    local fine, why = pcall(attend, held, line)
-    if not fine then say("broken", one_line(type(why) == "table" and why.message or why)) end
+    local fine, why = pcall(handle_line, results, line)
+    if not fine then print_words("broken", one_line(type(why) == "table" and why.message or why)) end
   end
 end

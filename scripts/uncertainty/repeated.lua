@@ -94,14 +94,14 @@ local function rows_at(history, distances)
 end
 
 -- The definition without the fields that wear{} does not accept.
-local function taken(definition)
+local function wear_fields(definition)
   local copy = merged(definition)
   copy.steps_chosen, copy.flat = nil, nil
   return copy
 end
 
 local function run_to(definition, distances, names)
-  local run <close> = wear(taken(definition))
+  local run <close> = wear(wear_fields(definition))
   for _, d in ipairs(distances) do
     if d * (1 - 1e-9) > run.distance then run:run{ distance = d, progress = false } end
   end
