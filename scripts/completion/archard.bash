@@ -9,7 +9,7 @@ _archard() {
     return
     ;;
   esac
-  for ((i = 1; i < COMP_CWORD; i++)); do # what follows the script are its own arguments
+  for ((i = 1; i < COMP_CWORD; i++)); do # the words after the script are its arguments
     case ${COMP_WORDS[i]} in
     -e | -l | --memory | --seconds | --instructions) i=$((i + 1)) ;;
     -?*) ;;

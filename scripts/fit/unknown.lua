@@ -153,7 +153,7 @@ function unknown.settings(self, values)
 end
 
 -- --- bounds by a change of variables -------------------------------------------------------------
--- A variable is 1 at the start and changes by about 1 over what a parameter can reasonably do.
+-- A variable is 1 at the start value and changes by about 1 over the typical range of its parameter.
 
 local function phase(one) -- phase of the start value between both bounds
   return math.asin(2 * (one.start - one.low) / (one.high - one.low) - 1)

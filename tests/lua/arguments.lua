@@ -87,7 +87,7 @@ fails(function() wear{ procedure = "NSP" } end, { "NSP", "alpha" }, "NSP where t
 fails(function() model{ mesh = { size = 100 } } end, { "size" }, "element larger than the body")
 ok(pcall(wear), "no table at all: the defaults")
 
--- messages that name the right place of a misplaced field
+-- messages for fields of another table
 fails(function() wear{ radius = 6 } end, "it is a field of model{}", "a field of a model in wear{}")
 fails(function() wear{}.k = 3 end, "change it by w:set{ field = value }", "a field that cannot be set")
 

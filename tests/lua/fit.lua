@@ -47,7 +47,7 @@ near(g.value.k, 1.4e-8, 1e-2, "a scar at x = 2.1 mm gives k all the same")
 near(g.data[1].place.shift.value, 2.1, 1e-3, "and where it is")
 
 -- --- standard errors by theory -------------------------------------------------------------------
--- The volume of thin wear is k L d alpha: relative errors of k are those of its mean.
+-- The volume after little wear is k L d alpha: the relative error of k is that of the mean volume.
 local volumes = { of = "volume", distance = { 55, 110, 165, 220 }, relative = 0.03,
   value = { 55e-6, 110e-6, 165e-6, 220e-6 } }
 local g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
@@ -67,7 +67,7 @@ near(g.error.k, math.sqrt(rest / 3 / sxx), 1e-4, "and its standard error, from t
 near(g.times, 3.1824, 1e-4, "with Student's factor")
 
 -- --- friction loops ------------------------------------------------------------------------------
--- The loop of a run with friction 0.63, moved, lifted, and with what a rig of 1e-5 mm/N gives in.
+-- The loop of a run with friction 0.63, shifted in x and force, plus the compliance of a test rig, 1e-5 mm/N.
 local rubbing = { load = 92.5, k = 1e-8, jump = 50, model = { radius = 6, mesh = { size = 0.02 } } }
 local function moving(given)
   for name, value in pairs(rubbing) do given[name] = value end

@@ -356,8 +356,8 @@ refused({ stroke = 0.1, procedure = "NSP", alpha = 1 }, "field 'procedure'", "a 
 refused({ stroke = 0.1, friction = 0, law = "energy" }, { "field 'law'", "friction" }, "energy without friction")
 
 
--- --- a load that breathes --------------------------------------------------------------------------
--- Unlike bodies slip by a changing load alone; alike ones do not.
+-- --- cycles of the load alone ----------------------------------------------------------------------
+-- Dissimilar bodies slip under a changing load alone; equal ones do not.
 local unlike = { cylinder = { E = 4e5, nu = 0.22 }, plate = { E = 7e4, nu = 0.33 }, mesh = { size = 0.02, height = 0.025 } }
 local function breathing(bodies, strength)
   local w = run{ model = model(bodies), loading = { tangential = function() return 0 end,

@@ -68,7 +68,7 @@ fails(function() fit{ model = pair(), unknown = { ["lower.layer1.thicknes"] = 1 
   { "thicknes'", "did you mean 'thickness'" }, "a misspelt unknown of a layer")
 
 -- --- sensitivities -------------------------------------------------------------------------------
--- Bodies with coefficients of their own: the plate's volume answers to its own, and to the load.
+-- Bodies with their own coefficients: the plate's volume depends on its own coefficient and on the load.
 local function worn(given)
   given.distance, given.jump = 22, 50
   return wear(given):run{ progress = false }

@@ -19,7 +19,7 @@ local copy, put, w = calls.copy, calls.put, calls.wear
 local wrong = { true, -1, 0 / 0, math.huge, path "nonsense", path "a\0b", "", {}, { "a" }, { nonsense = 1 }, { {} },
   function() end, coroutine.create(print), io.stderr, material{}, w, objects.profile }
 
--- --- what comes ----------------------------------------------------------------------------------
+-- --- messages ------------------------------------------------------------------------------------
 
 -- Words of messages: the expected value, or the reason to refuse a value of the right kind.
 local reasons = { "expected", "unknown field", "by name", "must be", "needs", "no column", "known:", "did you mean",

@@ -82,7 +82,7 @@ static void unseen(void (*work)(long), long n) {
   inside = 0;
 }
 
-/* --- what fails ------------------------------------------------------------------------------- */
+/* --- failures --------------------------------------------------------------------------------- */
 
 static int fails(kind what) {
   if (inside || armed != what) return 0;

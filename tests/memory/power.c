@@ -121,7 +121,7 @@ static void tell_opened(int file, const char *path, int flags, int was_there) {
 OPEN(open)
 OPEN(open64)
 
-/* --- what writes ------------------------------------------------------------------------------ */
+/* --- writes ----------------------------------------------------------------------------------- */
 
 static void tell_write(int file, const void *bytes, size_t count, long long offset) {
   char whole[PATH_MAX];

@@ -45,13 +45,14 @@ UNUSED static int random_int(int low, int high) {
 
 /* --- comparisons ------------------------------------------------------------------------------ */
 
-/* Checks |got - expected| <= room; a failure prints both numbers. */
-#define check_near(got, expected, room) check_near_at(got, expected, room, #got, __FILE__, __LINE__)
+/* Checks |got - expected| <= tolerance; a failure prints both numbers. */
+#define check_near(got, expected, tolerance)                                                       \
+  check_near_at(got, expected, tolerance, #got, __FILE__, __LINE__)
 
-UNUSED static void check_near_at(double got, double expected, double room, const char *what,
+UNUSED static void check_near_at(double got, double expected, double tolerance, const char *what,
                                  const char *file, int line) {
-  if (fabs(got - expected) <= room) return;
-  print_error("%s: got %.17g, expected %.17g within %g\n", what, got, expected, room);
+  if (fabs(got - expected) <= tolerance) return;
+  print_error("%s: got %.17g, expected %.17g within %g\n", what, got, expected, tolerance);
   _fail(file, line);
 }
 

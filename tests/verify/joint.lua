@@ -57,8 +57,8 @@ local rocking = gait.rocking()
 within(run(metal(2), rocking, 3e-11, 0, 1e6).volume.cup, 2.15182, 5e-3, "metal, rocking: volume")
 
 -- --- k that increases with cross-shear ---------------------------------------------------------------
--- There k is of the update before, the first one's 1e-9; that is 1 % of volume above k of the present surfaces, which 80
--- updates change by 4e-4. Cells come in one order.
+-- k is computed from the cross-shear of the previous update (1e-9 in the first one); the volume is then 1 % larger than
+-- with k of the present surfaces, and 80 updates change it by 4e-4. The engine calls k for the cells in a fixed order.
 local function sheared(s) return 1e-9 * math.min(0.2 + 3.2 * s.cross_shear, 1) end
 local function delayed()
   local before, cell, cells = {}, 0, 2 * 60 * 60

@@ -47,7 +47,7 @@ for _, row in ipairs{ { 1, 0.3, 29.190, 0.4059, 0.012998 }, { 0.1, 0.3, 64.59, 0
 end
 
 -- --- order in the grid --------------------------------------------------------------------------------
--- Depths at a/4, a/8 and a/16 after the same six steps, stroke a, both bodies worn.
+-- Depths with cells of a/4, a/8 and a/16 after the same six steps, stroke a, both bodies worn.
 local function depths(fineness)
   local w = wear{ model = { geometry = "3-D", mesh = { fineness = fineness } }, load = 10, stroke = 0.0880442, alpha = 0.5, distance = 600,
     scheme = "implicit", jump = 600 / (2 * 0.0880442) / 6 }
@@ -80,7 +80,8 @@ within(few.depth.ball, tight.depth.ball, 0.001, "8 equal steps against graded on
 within(few.depth.block, tight.depth.block, 0.001, "flat")
 
 -- --- other solvers ---------------------------------------------------------------------------------------
--- A ball that wears alone, on finite elements of revolution: bodies of 10 mm are stiffer by .9 % in the approach.
+-- Only the ball wears, compared with finite elements of revolution: bodies of 10 mm are stiffer by .9 % in the
+-- approach.
 local spot = { load = 50, alpha = 1, distance = 2000, k = 1e-8 }
 local revolved = wear{ load = spot.load, alpha = 1, distance = spot.distance, slide = "z", scheme = "implicit", tolerance = 1e-3,
   model = { geometry = "axisymmetric", mesh = { size = 0.01, height = 0.01, zone = { cylinder = 1.2, plate = 1.2 } } } }

@@ -21,8 +21,8 @@ end
 
 -- Checks |got - expected| <= share |expected|, or <= share if `expected` is zero.
 function tap.near(got, expected, share, what)
-  local room = share * (expected == 0 and 1 or math.abs(expected))
-  if tap.ok(type(got) == "number" and math.abs(got - expected) <= room, what) then return true end
+  local tolerance = share * (expected == 0 and 1 or math.abs(expected))
+  if tap.ok(type(got) == "number" and math.abs(got - expected) <= tolerance, what) then return true end
   tap.note(("expected %.17g, got %s"):format(expected, tostring(got)))
   return false
 end

@@ -11,10 +11,10 @@ function figures.within(got, expected, share, what)
     :format(what, got, expected, 100 * off, 100 * share))
 end
 
--- Checks |got - expected| <= room, for references with few digits.
-function figures.about(got, expected, room, what)
-  return tap.ok(math.abs(got - expected) <= room,
-    ("%s: %.5g, expected %.5g within %g"):format(what, got, expected, room))
+-- Checks |got - expected| <= tolerance, for references with few digits.
+function figures.about(got, expected, tolerance, what)
+  return tap.ok(math.abs(got - expected) <= tolerance,
+    ("%s: %.5g, expected %.5g within %g"):format(what, got, expected, tolerance))
 end
 
 function figures.below(got, limit, what)
