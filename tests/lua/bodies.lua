@@ -17,10 +17,10 @@ is(same.model.plate.k, 3e-8, "a material's own")
 holds(tostring(same.model.plate), "k 3e-08 mm2/N", "print(material)")
 same:step()
 is(same.p_center, w.p_center, "given by the bodies: the same run to the bit")
-is(same.volume.plate, w.volume.plate, "and the same volume")
+is(same.volume.plate, w.volume.plate, "the volume by the bodies' coefficients equals that by k and alpha")
 local hard = wear{ model = { cylinder = { k = 0 }, plate = { k = 1e-8 }, mesh = coarse } }
 is(hard.alpha, 0.0, "a body of k = 0 does not wear")
-is(wear{ model = { cylinder = { k = 1e-8 }, mesh = coarse } }.alpha, 1.0, "nor does one without")
+is(wear{ model = { cylinder = { k = 1e-8 }, mesh = coarse } }.alpha, 1.0, "a body without a coefficient does not wear")
 
 w:set{ k_plate = 0 }
 near(w.k, 1e-8, 1e-15, "w:set of one leaves the other")

@@ -51,7 +51,7 @@ holds(tostring(s), { "cylinder", "plate", "mises up to" }, "print(stress)")
 near(contact{ load = 25 }.half_width, h.half_width / 2, 6e-2, "load")
 ok(contact{ load = 100 }.model.mesh.plate.nodes == c.model.mesh.plate.nodes, "default models alike")
 near(contact{ load = 25 }.model.mesh.size, 0.01, 1e-12, "elements follow the contact's width")
-near(contact{ load = 25, model = { mesh = { fineness = 2 } } }.model.mesh.size, 0.005, 1e-12, "and fineness")
+near(contact{ load = 25, model = { mesh = { fineness = 2 } } }.model.mesh.size, 0.005, 1e-12, "fineness 2 halves the elements")
 is(contact{ x = 0.1 }.x, 0.1, "position")
 near(contact{ model = { radius = 5 } }.half_width, hertz{ radius = 5 }.half_width, 8e-2,
   "model as a table")
@@ -63,7 +63,7 @@ do -- the numbers suggested by the message work
     "the zones are named")
   narrow.zone.cylinder, narrow.zone.plate = why.message:match("{cylinder = ([%d.]+), plate = ([%d.]+)} mm")
   narrow.zone = { cylinder = tonumber(narrow.zone.cylinder), plate = tonumber(narrow.zone.plate) }
-  ok(math.abs(contact{ model = { mesh = narrow }, load = 1000, x = 0.1 }.p_max / 1871.3 - 1) < 1e-3, "and hold it")
+  ok(math.abs(contact{ model = { mesh = narrow }, load = 1000, x = 0.1 }.p_max / 1871.3 - 1) < 1e-3, "the wider zones contain the contact")
 end
 is(fails(function() contact{ model = { mesh = { zone = { cylinder = 0.4, plate = 0.4 } } }, load = 5000 } end, "zone", "once more").code, "ZONE",
   "its code")
@@ -115,4 +115,4 @@ is(err.code, "CALLBACK", "its code")
 holds(err.cause, { "attempt to index", "stack traceback" }, "its cause, with a traceback")
 fails(function() contact{ worn = { plate = function() return "deep" end } } end,
   'expected a depth >= 0 in mm, got "deep"', "the function returns text")
-fails(function() contact{ worn = { plate = function() return -1 end } } end, "got -1", "and less than 0")
+fails(function() contact{ worn = { plate = function() return -1 end } } end, "got -1", "a worn shape with negative depths")

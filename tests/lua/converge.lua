@@ -12,11 +12,11 @@ local coarse = { mesh = { size = 0.04, height = 0.05 } }
 local search = require "archard.study.search"
 local steps, good = search.mesh({}, 0.02)
 ok(good, "a mesh within 2 % of Hertz' pressure is found")
-is(good, steps[#steps - 1], "it is the last but one: the last confirms it")
+is(good, steps[#steps - 1], "the size found is the last but one; the last one confirms it")
 ok(good.elements >= 8, "at least eight elements across the contact")
-near(good.elements, 2 * hertz{}.half_width / good.size, 1e-12, "which are counted so")
+near(good.elements, 2 * hertz{}.half_width / good.size, 1e-12, "elements across the contact")
 is(steps[2].size, steps[1].size / 2, "the element size")
-near(steps[2].error, steps[2].p_max / hertz{}.p_max - 1, 1e-12, "what it is off Hertz'")
+near(steps[2].error, steps[2].p_max / hertz{}.p_max - 1, 1e-12, "error against Hertz")
 ok(math.abs(good.error) < 0.02 and math.abs(steps[#steps].error) < 0.02, "both are near Hertz'")
 ok(#steps == 3 or math.abs(steps[#steps - 2].error) > 0.02 or steps[#steps - 2].elements < 8,
   "it stops where it may")
@@ -44,8 +44,8 @@ ok(at <= found.smooth, "the jump found is smooth")
 ok(found.capped or next_up / found.jump < 1.6, "the next larger one on the ladder is not")
 ok(found.jump < limit and found.jump > limit / 3,
   ("and it is near the limit of stability (%g, %.0f)"):format(found.jump, limit))
-near(found.limit, limit, 0.1, "which is told")
-is(found.judged, math.min(100, math.ceil(6000 / found.jump)), "it is judged by the whole run")
+near(found.limit, limit, 0.1, "the stability limit is reported")
+is(found.judged, math.min(100, math.ceil(6000 / found.jump)), "the jump is judged by the whole run")
 ok(found.smooth > search.limits.smooth, "the limit of roughness that this mesh needs")
 holds(tostring(c), { "jump", "roughness", "stable to", "was allowed" }, "print")
 
@@ -69,12 +69,12 @@ c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen" }, m
 found = c.cases[1].found
 ok(found.capped and found.bound == "stability" and found.jump < limit and found.jump > limit / 1.6,
   "never past the limit of stability")
-holds(c:notes()[1], { "stability limit", "the only case" }, "which is said")
+holds(c:notes()[1], { "stability limit", "the only case" }, "the stability limit is noted")
 c = study.converge{ base = { alpha = 1, model = coarse, geometry = "frozen", cycles = 400 }, mesh = false,
   smooth = 0.99, symmetric = 0.99 }
 found = c.cases[1].found
-ok(found.bound == "cycles" and found.jump == 40, "nor past a tenth of all cycles")
-holds(tostring(c), { "≥40", "stops at a tenth of all cycles" }, "which is said")
+ok(found.bound == "cycles" and found.jump == 40, "no jump beyond a tenth of all cycles")
+holds(tostring(c), { "≥40", "stops at a tenth of all cycles" }, "the bound of a tenth of all cycles is noted")
 
 c = study.converge{ base = { geometry = "frozen", model = coarse }, mesh = false,
   vary = { stroke = { 0.11, 0.2 } }, file = file, workers = 2, progress = false }
@@ -150,7 +150,7 @@ local run = wear{ k = course.k, alpha = course.alpha, geometry = "frozen", incre
 for i, d in ipairs(at) do
   run:run{ distance = d }
   near(run.volume.cylinder, on_way.cylinder[2][i], 1e-9, ("its tables give the cylinder's volume at %g mm"):format(d))
-  near(run.volume.plate, on_way.plate[2][i], 1e-9, "and the plate's")
+  near(run.volume.plate, on_way.plate[2][i], 1e-9, "volume of the plate from the tables")
 end
 local worst_off, taken = 0, { cylinder = 0, plate = 0 }
 for i, d in ipairs(course.k.distance) do
@@ -185,7 +185,7 @@ for _, case in ipairs{ { { 1e-6, 2e-6, 4e-5, 8e-5 }, { 1e-5, 2e-5, 2.2e-5, 2.4e-
 end
 for i = 1, #at do
   local band = course.band.alpha
-  ok(band.low[i] < band.value[i] and band.value[i] < band.high[i] and band.high[i] <= 1, "which holds the mean")
+  ok(band.low[i] < band.value[i] and band.value[i] < band.high[i] and band.high[i] <= 1, "bands contain the mean")
 end
 near(course.mean.k, (on_way.cylinder[2][#at] + on_way.plate[2][#at]) / (100 * at[#at]), 1e-9,
   "k over the whole distance")
@@ -217,13 +217,13 @@ local back = calibrate(with{ depth = { cylinder = truth.depth.cylinder, plate = 
   accuracy = 1e-6, jump = 20 })
 fields.jump = 20
 near(back.alpha, 0.3, 1e-4, "the alpha of a simulation comes back from its depths")
-near(back.k, 2.5e-8, 1e-4, "and its k")
+near(back.k, 2.5e-8, 1e-4, "the k of a simulation is recovered from its depths")
 near(back.k_cylinder + back.k_plate, back.k, 1e-12, "parts of k")
-near(back.simulated_depth, back.measured_depth, 1e-5, "and so do its depths")
+near(back.simulated_depth, back.measured_depth, 1e-5, "simulated depths equal the measured ones")
 ok(back.runs < 12, "in few runs: " .. back.runs)
 local known = calibrate(with{ k = 2.5e-8, depth = { cylinder = truth.depth.cylinder, plate = truth.depth.plate } })
 near(known.alpha, 0.3, 1e-3, "alpha alone, where k is known")
-is(known.k, nil, "which is not found then")
+is(known.k, nil, "a given k is not computed")
 fails(function() calibrate(with{ k = 1e-8, depth = { cylinder = truth.depth.cylinder, plate = truth.depth.plate } }) end,
   { "'k'", "without this field" }, "a k that makes other depths is refused")
 fails(function() calibrate(with{ depth = { cylinder = 0.31, plate = 0.62 } }) end, "are they in um?", "depths in um")
@@ -239,7 +239,7 @@ fails(function() calibrate(with{ depth = { cylinder = { 1e-3, 0 }, plate = { 1e-
   "a test without wear")
 
 fails(function() calibrate{} end, "got neither", "volume or depth")
-fails(function() calibrate{ volume = {}, depth = {} } end, "got both", "but not both")
+fails(function() calibrate{ volume = {}, depth = {} } end, "got both", "volume and depth together")
 fails(function() calibrate{ volume = { cylinder = 1 } } end, "load", "volumes without the load")
 fails(function() calibrate{ volume = { plate = 1e-4 }, load = 40, distance = 2000 } end,
   { "'volume.cylinder'", "got none", "0: too little" }, "a body that is left out")

@@ -33,7 +33,7 @@ end
 -- CSV
 local w = wear{ increments = 20 }
 w:step(3)
-is(export.csv(w, at "history.csv"), at "history.csv", "it says what it wrote")
+is(export.csv(w, at "history.csv"), at "history.csv", "returns the name of the file")
 local columns, names, headers = read_csv "history.csv"
 holds(headers, { "cycle,distance [mm],", ",p_center [MPa],", ",volume_plate [mm3],", ",depth_partition," },
   "history: units behind the names")
@@ -54,13 +54,13 @@ columns = read_csv "pressure.csv"
 is(select(3, read_csv "pressure.csv"), "x_cylinder [mm],p_cylinder [MPa],x_plate [mm],p_plate [MPa]",
   "pressures have units")
 is(columns.p_cylinder[26], c:pressure("cylinder").p[26], "pressures of the cylinder")
-is(#columns.p_plate, #c:pressure("plate").p, "and of the plate")
+is(#columns.p_plate, #c:pressure("plate").p, "pressures of the plate")
 export.csv(w:profile("plate"), at "profile.csv")
 columns, names = read_csv "profile.csv"
 is(table.concat(names, ","), "x,y,h,way,worn_x", "a plain table: x first")
 is(columns.h[31], w:profile("plate").h[31], "its numbers")
 export.csv(w:profile("plate"), at "profile.csv", { x = "mm", h = "mm" })
-is(select(3, read_csv "profile.csv"), "x [mm],y [mm],h [mm],way [mm],worn_x [mm]", "which our own tables know")
+is(select(3, read_csv "profile.csv"), "x [mm],y [mm],h [mm],way [mm],worn_x [mm]", "columns of a profile")
 export.csv(w:pressure("plate"), at "pressure.txt", { p = "N/mm2" })
 is(select(3, read_csv "pressure.txt"), "x [mm],p [N/mm2]", "unless another is given")
 export.csv(w.history, at "columns")
@@ -90,7 +90,7 @@ is(err.code, "IO", "its code")
 -- VTK
 local files = { export.vtk(c, at "stress.vtk") }
 is(files[1], at "stress-cylinder.vtk", "a file for the cylinder")
-is(files[2], at "stress-plate.vtk", "and one for the plate")
+is(files[2], at "stress-plate.vtk", "a file for the plate")
 local text = read "stress-plate.vtk"
 holds(text, { "# vtk DataFile", "POINTS " .. w.model.mesh.plate.nodes, "CELLS", "POINT_DATA", "mises" },
   "stresses in VTK")
@@ -108,7 +108,7 @@ ok(not read("mesh-plate.vtk"):find("mises"), "a model in VTK has no stresses; th
 is(export.vtk(w.model.mesh.plate, at "plate.vtk"), at "plate.vtk", "a mesh is one file")
 holds(read "plate.vtk", "POINTS " .. w.model.mesh.plate.nodes, "with its nodes")
 is(#{ export.vtk(w, at "run.vtk") }, 2, "a run: two files")
-is(read "run-plate.vtk", text, "those of its contact")
+is(read "run-plate.vtk", text, "the files of a run are those of its contact")
 fails(function() export.vtk(hertz{}, at "w.vtk") end, "expected a run, a contact, its stress, a model or a mesh",
   "anything else")
 fails(function() export.vtk(c, at "c.stl") end, { "field 'path': expected a file name that ends in .vtk (legacy) or .vtu",
@@ -136,12 +136,12 @@ local deck = read "model.inp"
 holds(deck, { "*NODE, NSET=cylinder", "*ELEMENT, TYPE=C3D8, ELSET=plate", "TYPE=C3D6", "*ELASTIC\n200000, 0.3",
   "*CONTACT PAIR", "*CLOAD\nbase, 2, 100\n", "*CONTACT FILE" }, "of a model at the usual load")
 export.inp(contact{ model = w.model }, at "unworn.inp")
-is(read "unworn.inp", deck, "as of its contact")
+is(read "unworn.inp", deck, "the deck of a model is that of its contact")
 export.inp(w, at "run.inp")
 export.inp(c, at "c.inp")
 is(read "run.inp", read "c.inp", "a run is its contact")
 export.inp(c:stress(), at "stress.inp")
-is(read "stress.inp", read "c.inp", "and so is a stress")
+is(read "stress.inp", read "c.inp", "the deck of a stress is that of its contact")
 ok(read "run.inp" ~= deck, "worn")
 local soft = model{ plate = { E = 1000, nu = 0.48 }, mesh = { size = 0.04, height = 0.05 } }
 export.inp(contact{ model = soft, load = 1 }, at "soft.inp")
@@ -176,7 +176,7 @@ w:step(3)
 is(export.json(w, at "w"), at "w.json", "a summary, the ending is added")
 local summary = read "w.json"
 holds(summary, { '"archard": "' .. require "archard".version .. '"', '"stroke": 0.11', '"definition.load": "N"', '"update": 3,',
-  '"definition.model.radius": "mm"', '"depth_plate": ' .. require "archard.files".number(w.depth.plate) }, "what it holds")
+  '"definition.model.radius": "mm"', '"depth_plate": ' .. require "archard.files".number(w.depth.plate) }, "content of the summary")
 local fresh = wear{ model = w.model, k = function() return 1e-8 end }
 export.json(fresh, at "fresh.json")
 holds(read "fresh.json", { '"depth_partition": null', '"k": "function"' }, "NaN is null, a function is named")

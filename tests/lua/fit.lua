@@ -21,15 +21,15 @@ local data = { profile_of("cylinder", 0.004, 1e-4), profile_of("plate", -0.003, 
 local unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }
 local f = fit{ base = base, unknown = unknown, data = data }
 near(f.value.k, 1.4e-8, 1e-5, "k comes back from exact data")
-near(f.value.alpha, 0.3, 1e-5, "and alpha")
+near(f.value.alpha, 0.3, 1e-5, "alpha from exact data")
 near(f.data[1].place.shift.value, 0.004, 1e-4, "the shift of a profile")
-near(f.data[1].place.level.value, 1e-4, 1e-4, "and its level")
+near(f.data[1].place.level.value, 1e-4, 1e-4, "the level of a profile")
 ok(f.low.k < 1.4e-8 and f.high.k > 1.4e-8 and f.error.k > 0, "a range")
 is(f.freedom, #data[1].profile.x + #data[2].profile.x + 1 - 8, "degrees of freedom")
 is(f.wear.distance, 220.0, "the run stands at the last measurement")
 near(f.wear.k, f.value.k, 1e-15, "with the values found")
 f.wear:run{ distance = 300 }
-is(f.wear.distance, 300.0, "and goes on")
+is(f.wear.distance, 300.0, "the run of a fit continues")
 ok(f.data[2].low[20] < f.data[2].model[20] and f.data[2].model[20] < f.data[2].high[20], "a band")
 holds(tostring(f), { "k ", "mm2/N", "correlations", "profile of the plate at 220 mm", "chi2",
   "rms of residual / error" }, "print(f)")
@@ -44,7 +44,7 @@ end
 g = fit{ base = base, unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }, data = {
   { body = "plate", distance = 220, profile = profile(aside):depth(), error = 2e-5 } } }
 near(g.value.k, 1.4e-8, 1e-2, "a scar at x = 2.1 mm gives k all the same")
-near(g.data[1].place.shift.value, 2.1, 1e-3, "and where it is")
+near(g.data[1].place.shift.value, 2.1, 1e-3, "a scar at x = 2.1 mm: its shift")
 
 -- --- standard errors by theory -------------------------------------------------------------------
 -- The volume after little wear is k L d alpha: the relative error of k is that of the mean volume.
@@ -63,7 +63,7 @@ for i, d in ipairs(plain.distance) do sxx, sxy = sxx + 1e4 * d * d, sxy + 100 * 
 local k, rest = sxy / sxx, 0
 for i, d in ipairs(plain.distance) do rest = rest + (plain.value[i] - k * 100 * d) ^ 2 end
 near(g.value.k, k, 1e-6, "a line through the origin")
-near(g.error.k, math.sqrt(rest / 3 / sxx), 1e-4, "and its standard error, from the residuals")
+near(g.error.k, math.sqrt(rest / 3 / sxx), 1e-4, "standard error of the slope from the residuals")
 near(g.times, 3.1824, 1e-4, "with Student's factor")
 
 -- --- friction loops ------------------------------------------------------------------------------
@@ -90,9 +90,9 @@ local slid = fit{ base = moving{ stroke = 0.02 }, unknown = friction, data = {
   { loop = loop_of({ stroke = 0.02 }, 2), cycle = 100, compliance = 1e-5, error = 0.5 } } }
 near(slid.value.friction, 0.63, 1e-5, "friction from a loop in gross slip")
 near(slid.data[1].place.shift.value, 4e-4, 1e-3, "its shift")
-near(slid.data[1].place.level.value, 1.5, 1e-3, "and its level")
+near(slid.data[1].place.level.value, 1.5, 1e-3, "the level of a loop")
 is(slid.data[1].distance, 4.0, "cycles are distances by the stroke")
-holds(tostring(slid), { "loop at 4 mm: 50 values", "level 1.5 +- ", " N" }, "they print")
+holds(tostring(slid), { "loop at 4 mm: 50 values", "level 1.5 +- ", " N" }, "print of a loop")
 plot.fit(slid, { file = file .. ".txt" })
 os.remove(file .. ".txt")
 -- In partial slip under a force: positions at the measured forces.
@@ -123,7 +123,7 @@ local series = spline.series({ 0, 1, 2, 3 }, { 0, 1, 1, 4 })
 local monotonic = true
 for i = 2, #series.value do monotonic = monotonic and series.value[i] >= series.value[i - 1] end
 ok(monotonic, "the spline is monotonic where the knots are")
-is(series.value[9], 1, "and goes through them")
+is(series.value[9], 1, "the spline passes through the knots")
 local curved = wear{ k = 1e-8, alpha = spline.series(knots, values), jump = 50, stroke = 0.22,
   model = base.model }
 local shares = { of = "volume_cylinder", distance = {}, value = {}, relative = 0.01 }
@@ -138,7 +138,7 @@ ok(h.band.alpha.low[9] < 0.45 and h.band.alpha.high[9] > 0.45, "with its band")
 local smooth = fit{ base = base, data = { shares },
   unknown = { alpha = { start = 0.5, knots = { 0, 50, 130, 220 }, smooth = "auto" } } }
 ok(smooth.smooth > 0, "smoothness by cross-validation has a weight")
-near(smooth.value.alpha[4], 0.35, 0.05, "and leaves the curve where it is")
+near(smooth.value.alpha[4], 0.35, 0.05, "smoothing does not change the curve's values")
 
 -- --- run files -----------------------------------------------------------------------------------
 local function stored(workers, other)
@@ -151,7 +151,7 @@ local again = stored(1)
 is(again.value.k, first.value.k, "the same file gives the same")
 is(again.runs, 0, "without a run")
 g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
-is(g.value.k, first.value.k, "and so does a fit in this process, to the bit")
+is(g.value.k, first.value.k, "a fit in this process gives the same bits")
 fails(function() fit{ base = { jump = 40 }, unknown = { k = 2e-8 }, data = { volumes }, file = file } end,
   { file, "another fit" }, "a file of another fit is refused")
 os.remove(file)
@@ -160,7 +160,7 @@ os.remove(file)
 local one = { of = "volume_plate", distance = { 100, 220 }, value = { 5e-5, 1.1e-4 }, relative = 0.03 }
 local three = { of = "volume_plate", distance = { 50, 100, 220 }, value = { 2.5e-5, 5e-5, 1.1e-4 }, relative = 0.03 }
 g = fit{ base = base, unknown = unknown, data = { three } }
-holds(tostring(g), { "the data determine only a combination of alpha and k", "without a standard error" }, "what data cannot tell")
+holds(tostring(g), { "the data determine only a combination of alpha and k", "without a standard error" }, "data that determine a combination only")
 is(g.error.k, math.huge, "has no standard error")
 three.value = { 1e-4, 2e-4, 4e-4 }
 g = fit{ base = base, unknown = { alpha = 0.5 }, data = { three } }
@@ -205,7 +205,7 @@ local d = fit.design{ base = base, unknown = unknown, measure = {
 is(#d.alone, 4, "every measurement at every distance")
 ok(d.alone[2].error.alpha < d.alone[1].error.alpha, "a deeper scar tells more")
 near(d.alone[3].error.k, 1e-8 / math.sqrt(1 + 1 / 0.03 ^ 2), 1e-4, "the volume of both tells k as well as it is measured")
-near(d.alone[3].error.alpha, 1 / math.sqrt(12), 1e-4, "and nothing of alpha")
+near(d.alone[3].error.alpha, 1 / math.sqrt(12), 1e-4, "the volume does not determine alpha")
 is(#d.best, 3, "an order to measure in")
 ok(d.all.k <= d.best[3].error.k, "all together tell most")
 holds(tostring(d), { "undetermined", "best", "together" }, "print(d)")

@@ -115,7 +115,7 @@ end
 -- partial slip under a force
 local partial = run{ stroke = false, cycles = 200 }
 partial:run{ progress = false }
-is(partial.cycle, 200, "so many cycles")
+is(partial.cycle, 200, "number of cycles")
 is(partial.gross, 0, "a part sticks")
 ok(math.abs(partial.stick_width - 2 * hertz{}.half_width * math.sqrt(0.5)) < 2 * 0.02, "Cattaneo and Mindlin's, by nodes")
 near(partial.largest_shear, 30, 1e-9, "under the force that is given")
@@ -163,7 +163,7 @@ for beta, of in pairs(unlike) do
         ("loop and contact, beta %g, force %g mu L, press %s: energy"):format(beta, share, press))
     end
     -- by 2.5, 0.6, 2.2 and 0.4 % on finer elements; here, with few slipping nodes, by 0.35 % and more
-    ok(math.abs(energy.friction / energy.frictionless - 1) > 1e-3, "which friction while pressing changes")
+    ok(math.abs(energy.friction / energy.frictionless - 1) > 1e-3, "friction during pressing changes the energy")
   end
 end
 is(run{ stroke = false }:loop().energy, run{ stroke = false, press = "frictionless" }:loop().energy,
@@ -180,7 +180,7 @@ near(pulled.x, 1e-3, 1e-6, "the force found leads to the motion given")
 near(out.energy, pulled.energy, 1e-4, "energy of the first way, 2 % more where partners change")
 near(again.energy - back.energy, back.energy - out.energy, 1e-4, "to and fro alike")
 pulled = pulled:move{ tangential = back.tangential, increments = 20 }
-near(back.energy, pulled.energy, 1e-4, "and of the way back")
+near(back.energy, pulled.energy, 1e-4, "energy of the second half of the cycle")
 
 -- almost equal bodies behave like equal ones; node sums alone gave up to 44 % less
 local cycle_of = {}
@@ -197,8 +197,8 @@ near(cycle_of[2], cycle_of[1], 1e-4, "nothing jumps where bodies are nearly alik
 local plain, slight = run{ friction = 0, stroke = 0.2, jump = 10 }, run{ friction = 1e-6, stroke = 0.2, jump = 10 }
 plain:run{ progress = false } slight:run{ progress = false }
 near(slight.volume.total, plain.volume.total, 1e-3, "without shear slip is nearly the way")
-near(slight.depth.plate, plain.depth.plate, 5e-3, "and depths as without friction")
-is(plain.energy, 0, "where nothing is dissipated")
+near(slight.depth.plate, plain.depth.plate, 5e-3, "small friction: depths as without friction")
+is(plain.energy, 0, "no energy is dissipated without friction")
 fails(function() plain:loop() end, { "field 'friction'", "without friction" }, "no loop without friction")
 
 -- files and copies contain only the shape and the history
@@ -253,13 +253,13 @@ local rim, size = a * (1 - math.sqrt(1 - 0.7)), under_force.model.mesh.size
 ok(rim / size >= 5 and rim / size < 6, "five elements in a rim")
 near((a - rim) / size % 1, 0.5, 0.01, "halfway between nodes what sticks ends")
 under_force:run{ progress = false }
-is((heard.take() or ""):find "the surfaces slip over", nil, "which needs no warning")
-near(under_force.stick_width, 2 * (a - rim), 1e-3, "and is measured so")
+is((heard.take() or ""):find "the surfaces slip over", nil, "no warning with elements sized by the slip annulus")
+near(under_force.stick_width, 2 * (a - rim), 1e-3, "the stick width agrees with Cattaneo and Mindlin")
 local x = under_force:loop().x
 local under_stroke = automatic{ stroke = math.max(table.unpack(x)) - math.min(table.unpack(x)) }
 near(under_stroke.model.mesh.size, size, 0.1, "a stroke that takes the same force has the same elements")
 near(automatic({ tangential = 42 }, { size = 0.02 }).model.mesh.size, 0.02, 1e-12, "a size that is given stays")
-near(automatic{ stroke = 0.1 }.model.mesh.size, 0.02, 1e-3, "in gross slip there are no rims")
+near(automatic{ stroke = 0.1 }.model.mesh.size, 0.02, 1e-3, "in gross slip the mesh is the default one")
 local unresolved = automatic({ tangential = 6, jump = "auto", cycles = 2000 }, { size = 0.01 }):run{ progress = false }
 ok(unresolved.update < 400, ("rims of a quarter of an element: %d updates"):format(unresolved.update))
 fails(function() automatic{ tangential = 61 } end, { "expected less than friction times the load" }, "more force than friction carries")
@@ -290,10 +290,10 @@ is(table.concat(map.regime[1], " "), "stick partial gross", "from stick to gross
 ok(map.gross_from[1] < map.gross_from[2] and map.partial_from[2] < map.gross_from[2], "borders are in order")
 ok(study.fretting_map{ load = { 50 }, motion = { 1e-3 }, model = m, annulus = 0.3 }.partial_from[1] > map.partial_from[1],
   "more has to slip")
-tap.holds(tostring(map), { "load / N", "0.1 um", "stick", "partial", "gross", "partial from / um" }, "in words")
+tap.holds(tostring(map), { "load / N", "0.1 um", "stick", "partial", "gross", "partial from / um" }, "print(map)")
 text = picture(function(file) plot.fretting_map(map, { file = file }) end)
 tap.holds(text, { "running condition fretting map", "load / N", "amplitude of the motion / µm", "filledcurves closed",
-  "slip on 10 % of the width", 'title "computed"' }, "as a picture")
+  "slip on 10 % of the width", 'title "computed"' }, "plot of the map")
 text = picture(function(file) plot.fretting_map(study.fretting_map{ load = { 50 }, motion = { 1e-3 }, model = m }, { file = file }) end)
 tap.holds(text, { "partial slip" }, "of one load too")
 fails(function() plot.fretting_map(m) end, "expected a result of study.fretting_map{}", "a model is no map")
@@ -323,14 +323,14 @@ for _, thickness in ipairs{ 1, 5 } do
 end
 local later = run{ stroke = 0.1, cycles = 100, jump = 20, friction = function(state) return state.cycle < 20 and 0.6 or 0 end }
 later:run{ progress = false }
-is(later.gross, 0, "where friction has gone nothing is told of it")
-is(later.cycle_energy, 0, "nor dissipated")
+is(later.gross, 0, "no gross slip is reported when friction has vanished")
+is(later.cycle_energy, 0, "no energy is dissipated when friction has vanished")
 
 -- the slip annulus is narrower than an element: no node slips, but the slip between the nodes causes wear
 for _, law in ipairs{ "archard", "energy" } do -- against Cattaneo and Mindlin's energy of a cycle
   local w = run{ tangential = 12, law = law }:run{ progress = false }
   near(w.energy, 400 * 6.1948e-5, 0.1, law .. ": the energy of partial slip narrower than an element")
-  near(w.volume.total, 1e-7 * w.energy / (law == "energy" and 1 or 0.6), 1e-9, "and what it wears")
+  near(w.volume.total, 1e-7 * w.energy / (law == "energy" and 1 or 0.6), 1e-9, "wear is k times the energy")
   near(w.volume_cylinder, w.volume_plate, 1e-9, "of both bodies")
 end
 
@@ -367,7 +367,7 @@ end
 local strong, alike = breathing(unlike, 0.5), breathing({ mesh = unlike.mesh }, 0.5)
 is(strong.cycle, 400.0, "a load that breathes drives a cycle")
 ok(strong.energy > 0 and strong.volume_plate > 0, "unlike bodies slip by it and wear")
-ok(alike.energy <= 1e-9 * strong.energy, "those of one material do not")
+ok(alike.energy <= 1e-9 * strong.energy, "bodies of one material do not slip under a changing load")
 ok(math.abs(strong.largest_shear) < 1e-6 * 100, "there is no force along the surface")
 local weak = breathing(unlike, 0.25)
 ok(weak.energy > 0 and weak.energy < strong.energy / 2, "half as strongly, less than half is lost")

@@ -48,8 +48,8 @@ near(d.tangential, 45, 1e-9, "the force")
 ok(d.x > 1e-3 and d.x < 3e-3, "the way the plate goes under it")
 near(c.tangential, 0, 1e-6, "the contact it starts from stays")
 is(#d.stick, 1, "partial slip")
-ok(d.stick[1].right < d.edges.right - 0.01, "it slips at the edges")
-ok(d.energy > 0, "and dissipates")
+ok(d.stick[1].right < d.edges.right - 0.01, "slip at the edges")
+ok(d.energy > 0, "energy is dissipated")
 local q, p = d:shear(), d:pressure()
 for i in ipairs(q.q) do
   if math.abs(q.q[i]) > 0.6 * p.p[i] * (1 + 1e-12) then ok(false, "friction carries no more than mu p") end
@@ -65,7 +65,7 @@ local slip = d:slip()
 is(#slip.x, #slip.s, "slip at every node")
 local same = c:move{ x = d.x }
 near(same.tangential, 45, 2e-3, "moved as far, the force is the same")
-near(same.energy, d.energy, 3e-2, "and so is the energy")
+near(same.energy, d.energy, 3e-2, "energy of the motion equals that of the force")
 local held = d:move{ load = 110 }
 is(held.x, d.x, "load alone: the base is held")
 is(held.load, 110, "under the new load")

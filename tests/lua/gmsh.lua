@@ -71,7 +71,7 @@ local function coated(upper, lower)
 end
 local m = coated(body.gmsh{ name = "roller", E = 210e3, k = 2e-8, materials = { layer1 = coat } })
 is(m.upper.materials.layer1.E, 400e3, "the body tells its materials")
-is(m.bodies.upper, "roller", "and is called by its name")
+is(m.bodies.upper, "roller", "bodies have the names of the mesh")
 local function wear_through(pair)
   return wear{ model = pair, geometry = "frozen", stroke = 0.1, cycles = 1600, jump = 100 }:run()
 end
@@ -79,7 +79,7 @@ local own_coat, its_coat = wear_through(layered), wear_through(m)
 ok(its_coat.depth.roller > 7e-4, "the coat is worn through")
 -- The layer has constant thickness along the normal; along y, the direction of frozen depths, that of the mesh is
 -- slightly thicker.
-near(its_coat.depth.roller, own_coat.depth.upper, 1e-4, "as deep as archard's own layer")
+near(its_coat.depth.roller, own_coat.depth.upper, 1e-4, "depth equals that with archard's own layer")
 near(its_coat.p_center, own_coat.p_center, 1e-4, "under the same pressure")
 near(largest_mises(contact{ model = m, load = 100 }), largest_mises(contact{ model = layered, load = 100 }), 1e-6,
   "the same stresses below it")
@@ -142,7 +142,7 @@ for i = 1, 2 do
 end
 local roller = coated(of_roller, body.gmsh{})
 local alone = wear{ model = roller, geometry = "frozen", stroke = 0.1, cycles = 40, jump = 20, increments = 20, k = 1e-8, alpha = 0.5 }
-near(q[2].last.depth_plate, alone:run().depth_plate, 1e-9, "and as the run by itself")
+near(q[2].last.depth_plate, alone:run().depth_plate, 1e-9, "a case equals the run outside the study")
 near(wear.open(at("file.study"), 2).depth_plate, alone.depth_plate, 1e-9, "opened from the study")
 is(#study.open(at("file.study")):cases(), 2, "the study opens without the file")
 fails(function() coated_study{ mesh = at("gone.msh") }:run{ file = at("none.study"), workers = 1 } end, "cannot read", "no file")
@@ -151,7 +151,7 @@ session.save(at("session"))
 the_model, the_run = nil, nil
 session.open(at("session"))
 is(the_run.depth.roller, alone.depth.roller, "a session keeps runs")
-is(the_model.upper.materials.layer1.E, 400e3, "and models, with their materials")
+is(the_model.upper.materials.layer1.E, 400e3, "a session stores models with their materials")
 is(contact{ model = the_model, load = 100 }.p_center, contact{ model = roller, load = 100 }.p_center, "the same ones")
 is(export.msh(the_model), export.msh(roller), "on the same mesh; without a path export.msh gives the text")
 

@@ -32,7 +32,7 @@ ok(changed, "the zone was outgrown")
 ok(changed and off(changed[2], changed[3]) < 0.002, "pressures within 0.2 % across the change")
 ok(off(w.volume.total, 3e-8 * 100 * 1320) < 1e-9, "the volume is exact")
 ok(off(w.depth.cylinder, held.depth.cylinder) < 1e-3, "the depth is that on the large mesh")
-ok(off(w.p_center, held.p_center) < 0.002, "and so is the pressure")
+ok(off(w.p_center, held.p_center) < 0.002, "the pressure equals that on the large mesh")
 local elements = w.history.elements
 ok(elements[1] < elements[#elements] and held.history.elements[1] == held.elements, "the history tells of it")
 is(before.mesh.zone.cylinder, 0.8, "the model that was given is what it was")
@@ -58,7 +58,7 @@ local b = wear.open(path)
 a:run()
 b:run()
 is(b.p_center, a.p_center, "a run that was stored before it grew: the same bits")
-ok(b.model.mesh.zone.cylinder == a.model.mesh.zone.cylinder and b.model.mesh.zone.cylinder > 0.8, "and the same mesh")
+ok(b.model.mesh.zone.cylinder == a.model.mesh.zone.cylinder and b.model.mesh.zone.cylinder > 0.8, "a stored run has the same mesh")
 a:save(path)
 local c = wear.open(path)
 c:run{ distance = 1500 }
@@ -73,11 +73,11 @@ s:run{ distance = 100 }
 local volume = s.volume.total
 warnings.keep()
 s:set{ stroke = 1.2, jump = "auto" }
-ok((warnings.take() or ""):find("the contact outgrows its mesh", 1, true), "which is said")
+ok((warnings.take() or ""):find("the contact outgrows its mesh", 1, true), "the larger mesh is reported")
 ok(s.model.mesh.zone.plate > 1.3, "a longer stroke gets a wider plate")
 is(s.volume.total, volume, "the record stays")
 s:run{ distance = 120 }
-ok(off(s.volume.total, 1e-8 * 100 * 120) < 1e-9, "and the run goes on")
+ok(off(s.volume.total, 1e-8 * 100 * 120) < 1e-9, "a longer stroke: the run continues")
 local light = wear{ jump = "auto" }
 light:step()
 volume = light.volume.total
@@ -85,11 +85,11 @@ light:set{ load = 2 }
 is(light.model.mesh.size, 0.02, "a lighter load leaves the mesh")
 light:set{ mesh = { fineness = 2 }, load = 50 }
 ok(off(light.model.mesh.size, 0.01 / math.sqrt(2)) < 1e-9, "finer elements where they are asked for")
-ok((warnings.take() or ""):find("the meshes are those asked for", 1, true), "which is said")
+ok((warnings.take() or ""):find("the meshes are those asked for", 1, true), "a given mesh is reported")
 ok(light.model.mesh.rows * light.model.mesh.height >= 0.075, "the wear box is as deep as before")
 is(light.volume.total, volume, "the record stays")
 light:step()
-ok(light.volume.total > volume, "and the run goes on")
+ok(light.volume.total > volume, "a lighter load: the run continues")
 light:set{ mesh = { size = 0.02, rows = 4, zone = { plate = 1.6 } } }
 local mesh_now = light.model.mesh
 is(mesh_now.size .. " " .. mesh_now.rows .. " " .. mesh_now.zone.plate, "0.02 4 1.6", "sizes, rows and zones too")
@@ -104,7 +104,7 @@ for fields, said in pairs{ [{ mesh = 3 }] = "field 'mesh': expected a table",
   local set, why = pcall(light.set, light, fields)
   ok(not set and tostring(why):find(said, 1, true), said)
 end
-is(tostring(light), stays, "what is refused changes nothing")
+is(tostring(light), stays, "a refused change leaves the run unchanged")
 
 -- A contact as wide as the bodies.
 local soft = { radius = 7.3, cylinder = { E = 1e6, nu = 0.1 }, plate = { E = 5, nu = 0.49 } }
@@ -115,7 +115,7 @@ ok(tostring(why):find("the bodies are too small for it: their zones end at 11.68
 -- A model sized for another load.
 warnings.take()
 contact{ model = model{}, load = 0.1 }
-ok((warnings.take() or ""):find("found for another load: give the model's fields", 1, true), "what helps is said")
+ok((warnings.take() or ""):find("found for another load: give the model's fields", 1, true), "the message states a remedy")
 
 -- If no larger mesh is possible, the run is unchanged.
 local full = wear{ model = { radius = 1, mesh = { size = 0.05, zone = { cylinder = 1.6, plate = 1.6 } } },
@@ -124,7 +124,7 @@ local fine, message = pcall(full.run, full)
 local at, pressure = full.distance, full.p_center
 tap.holds(message, { "of its wear box of 4 rows of 0.0625 mm, the most that fit; use smaller steps",
   "zones end at 1.6 and 1.6 mm, wear boxes at 0.25 mm" }, "no room: the limits are named, no deeper box is advised")
-ok(not fine, "and the run ends there")
+ok(not fine, "without a larger mesh the run ends")
 ok(not pcall(full.step, full), "again")
 ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is what it was")
 
@@ -161,7 +161,7 @@ for _ = 1, 14 do halfway:step() end -- during the steps shortened at the edge
 halfway:save(path)
 halfway = wear.open(path):run()
 is(halfway.p_center, pin.p_center, "stored at the edge: the same bits")
-is(halfway.update, pin.update, "and updates")
+is(halfway.update, pin.update, "a run stored at the edge: number of updates")
 os.remove(path)
 
 -- Steps so short that the run would never end.
@@ -194,4 +194,4 @@ ok(off(depth[#depth], 0.05) < 1e-12, "half of it is gone")
 local conformal = { k = 1e-6, distance = 660, jump = "auto", worn = { plate = function(x) return math.max(0, (0.81 - x * x) / 20) end } }
 local wide = wear(conformal)
 ok(wide.half_width > 0.8, ("a conformal start: half width %.2f mm"):format(wide.half_width))
-ok(wide:run{ progress = false }.done, "it goes on to its end")
+ok(wide:run{ progress = false }.done, "a conformal worn start runs to its end")

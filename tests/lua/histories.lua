@@ -137,7 +137,7 @@ do
   end
   collectgarbage() collectgarbage()
   ok(kept[1] ~= nil, "a clone keeps the functions alive")
-  ok(copy:step().volume_cylinder > 0, "and uses them")
+  ok(copy:step().volume_cylinder > 0, "a clone calls the functions")
   copy:close()
   copy = nil
   collectgarbage() collectgarbage()
@@ -161,7 +161,7 @@ local one = run_of{ local_factor = function(body, x, p, s)
   return 1
 end }:run()
 is(one.p_center, plain.p_center, "a factor of 1: the bits of none")
-ok(asked.cylinder > 100 and asked.plate > 100, "it is asked for both bodies")
+ok(asked.cylinder > 100 and asked.plate > 100, "the local factor is called for both bodies")
 local double = run_of{ local_factor = { vector = function(_, xs, ps)
   local factors = {}
   for i in ipairs(ps) do factors[i] = xs[i] and 2 end
@@ -195,9 +195,9 @@ local calls = 0
 local cosine = run_of{ loading = { x = function(t) calls = calls + 1 return position(t) end, increments = 20 } }
 is(calls, 21, "x is called once for each point")
 cosine:step(2)
-is(calls, 21, "and never again")
+is(calls, 21, "x is not called again")
 is(#cosine.functions, 0, "sampled functions are data")
-is(#cosine.loading[1].x, 21, "which can be read back")
+is(#cosine.loading[1].x, 21, "sampled functions can be read back")
 is(cosine.loading[1].x[6], position(0.25), "to the bit")
 is(plain.loading, false, "no loading reads false")
 holds(tostring(cosine), "loading of 1 block", "print tells of it")
@@ -225,7 +225,7 @@ end
 local lifted, nearly = lifting(0), lifting(1e-9) -- cos(pi / 2) is 6e-17
 near(lifted.volume.total, 1e-8 * lifted.load_distance, 1e-12, "a load that lifts off by a function")
 ok(lifted.solutions < 5000, ("in few increments: %d solutions"):format(lifted.solutions))
-near(nearly.volume.total, lifted.volume.total, 1e-9, "and one that does so nearly")
+near(nearly.volume.total, lifted.volume.total, 1e-9, "a load that almost lifts off gives the same volume")
 local out = run_of{ slide = "z", geometry = "frozen", k = 1e-11, jump = 1, distance = 2000, loading = { x = { 0, 1000, 0 }, load = { 100, 50, 100 } } }:run()
 near(out.volume.total, 1e-11 * 75 * 2000, 1e-12, "a long way out of the plane")
 ok(out.solutions < 1000, ("has only its load to follow: %d solutions"):format(out.solutions))
@@ -247,7 +247,7 @@ bad({ x = position, cycles = -1 }, "field 'loading.cycles': expected a number > 
 bad({ x = position, periodic = 1 }, "field 'loading.periodic': expected true or false, got 1", "periodic a number")
 bad({ x = position, periodic = false, cycles = 2 }, "expected 1 for a history that is not periodic, got 2", "twice a history")
 bad({ x = position, period = 1 }, "unknown field 'loading.period' (did you mean 'periodic'?)", "misspelt field")
-bad({ { x = position, cycles = 1 }, { x = position, lod = 1 } }, "unknown field 'loading[2].lod'", "in the second block")
+bad({ { x = position, cycles = 1 }, { x = position, lod = 1 } }, "unknown field 'loading[2].lod'", "an unknown field in the second block")
 bad({ { x = position }, { x = position } }, "field 'loading[1].cycles': expected a number > 0 and finite", "endless first block")
 bad({ { x = position }, 3 }, "loading[2].", "a number for a block")
 bad(3, "field 'loading': expected a block { x=, load= } or a list of blocks, got 3", "loading a number")
@@ -268,17 +268,17 @@ w:step(2)
 is(w:set{ alpha = 1, load = 200 }, w, "set returns the run")
 holds(tostring(w), { "stroke 0.11 mm, load 100 N until now, 200 N from here on\n  wears by  k 1e-08 mm2/N "
   .. "= 1e-05 mm3/(N m), alpha 0.5 until now, 1 from here on" }, "print says what the last record was made with")
-is(w.alpha, 1, "what is given changes")
-is(w.k, 1e-8, "what is not stays")
-is(w.update, 2, "and so does the history")
+is(w.alpha, 1, "a changed setting")
+is(w.k, 1e-8, "other settings are unchanged")
+is(w.update, 2, "the history is unchanged")
 is(w.procedure, "NSP", "the procedure follows")
 w:step()
 near(w.volume.total, 1e-8 * (100 * 44 + 200 * 22), 1e-9, "the wear goes on under the new load")
-holds(tostring(w), { "load 200 N\n  wears by  k 1e-08 mm2/N = 1e-05 mm3/(N m), alpha 1\n" }, "and print has one load again")
+holds(tostring(w), { "load 200 N\n  wears by  k 1e-08 mm2/N = 1e-05 mm3/(N m), alpha 1\n" }, "print shows the new load")
 w:set{ k = function() return 3e-8 end }
 is(w.functions[1], "k", "a number becomes a function")
 w:step()
-is(w.history.k[#w.history.k], 3e-8, "which is asked")
+is(w.history.k[#w.history.k], 3e-8, "the function is called")
 w:set{ alpha = function() return 1 end }
 is(#w.functions, 2, "functions not given stay")
 w:set{ k = 1e-8, alpha = { distance = { 0, 5000 }, value = { 1, 0 } } }
@@ -290,7 +290,7 @@ w:set{ loading = { { x = { 0, 0.1, 0 }, load = 30, cycles = 50 }, { x = { 0, 0.2
 near(w.total_distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "a new loading begins at its start")
 is(w.load, 200, "the nominal load stays")
 near(w.stroke, 0.1, 1e-15, "the stroke is the way of the loading")
-holds(tostring(w), "loading of 2 blocks, now over 0.1 mm", "and print says so")
+holds(tostring(w), "loading of 2 blocks, now over 0.1 mm", "print shows the loading")
 w:step()
 is(w.travel .. " " .. w.history.load[#w.history.load], "0.1 30.0", "load and travel of the last update")
 is(w.load_low .. " " .. w.load_reference, "30.0 200.0", "the smallest load too, and that of the pressures")
@@ -301,15 +301,15 @@ swing:set{ load = 20 }
 holds(tostring(swing), "load 150 N until now, 20 N from here on", "the load of the pressures changes")
 w:run{ distance = 105 }
 is(w.travel .. " " .. w.history.load[#w.history.load], "0.2 200.0", "of the next block")
-is(w.history.load[1] .. " " .. w.history.travel[1], "100.0 0.11", "and of the first")
+is(w.history.load[1] .. " " .. w.history.travel[1], "100.0 0.11", "load and travel of the first block")
 local volume = w.volume.total
 w:set{ k = 2e-8 }
 w:run()
 near(w.distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "other changes leave the place in the loading")
-near(w.volume.total - volume, 2e-8 * 200 * 9, 1e-9, "and its loads")
+near(w.volume.total - volume, 2e-8 * 200 * 9, 1e-9, "loads continue after another change")
 w:set{ stroke = 0.2, distance = 200, jump = "auto" }
 is(w.loading, false, "stroke goes back to the plain stroke")
-near(w:run().distance, 200, 1e-12, "and on it goes")
+near(w:run().distance, 200, 1e-12, "the run continues with the plain stroke")
 w:set{ scheme = "implicit", tolerance = 1e-3 }:set{ scheme = "explicit" }
 is(w.tolerance, 0, "the other scheme's fields go with it")
 local before = tostring(w)
@@ -317,7 +317,7 @@ fails(function() w:set{ model = bodies } end, "wear:set: field 'model' cannot be
 fails(function() w:set{ alpha = 2 } end, "wear:set: field 'alpha': expected a number in [0, 1], got 2", "alpha 2")
 fails(function() w:set{ alhpa = 0.2 } end, "did you mean 'alpha'", "misspelt")
 fails(function() w:set{ distance = 3 } end, "the run is already at 200 mm", "backwards")
-fails(function() w:set{ procedure = "NSP" } end, "NSP needs a plate that stays flat", "what does not go together")
+fails(function() w:set{ procedure = "NSP" } end, "NSP needs a plate that stays flat", "settings that exclude each other")
 fails(function() w:set{ loading = { x = { -8, 8, -8 } } } end, "zone", "a way that no model has room for")
 fails(function() w:set{ local_factor = function() error("no factor") end } end, "no factor", "a function that fails")
 is(tostring(w), before, "after a refusal all is as it was")
@@ -333,11 +333,11 @@ fails(function() w:set{ loading = { x = function(at) w:close() return 0.05 * at 
 w = run_of{}
 local again, why = w:run{ depth = { cylinder = 1e-3 } }
 is(again, w, "run returns the run")
-is(why, "depth.cylinder", "and what ended it")
+is(why, "depth.cylinder", "run returns the reason of its end")
 near(w.depth.cylinder, 1e-3, 1e-9, "a depth is met")
 is(select(2, w:run{ volume = { total = 9e-4 } }), "volume.total", "a volume")
 near(w.volume.total, 9e-4, 1e-9, "is met")
-near(w.distance, 900, 1e-9, "where V = k L d says")
+near(w.distance, 900, 1e-9, "the distance of a volume follows from V = k L d")
 is(select(2, w:run{ p_center = 205 }), "p_center", "a pressure")
 near(w.p_center, 205, 1e-9, "is met")
 is(select(2, w:run{ half_width = 0.252, depth = { plate = 1 } }), "half_width", "the first of several")

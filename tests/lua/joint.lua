@@ -13,7 +13,7 @@ local path = os.tmpname()
 local file = io.open(path, "w")
 file:write("t,flexion,adduction,rotation,load\n0,0,0,0,1000\n0.5,10,0,0,1000\n1,0,0,0,1000\n")
 file:close()
-near(gait.read(path).track, list.track, 1e-9, "and from a table")
+near(gait.read(path).track, list.track, 1e-9, "flexion from a table")
 os.remove(path)
 fails(function() gait "isso" end, "did you mean 'iso'", "a gait by a wrong name")
 fails(function() gait{ flexion = function(t) return 20 * t end } end, "20 degrees", "a gait that does not close")
@@ -25,7 +25,7 @@ local liner = joint{ head = { material = material{ E = 1e15 } }, cup = { clearan
   mesh = { size = 4 } }
 local c = contact{ model = liner, load = 3000 }
 near(c.p_center, 14.738, 5e-3, "centre pressure of a liner")
-near(c.approach[3], 0.158792, 1e-3, "and its displacement")
+near(c.approach[3], 0.158792, 1e-3, "displacement of a liner")
 ok(tostring(c):find("load 3000 N") and tostring(c):find("degrees to the rim"), "print(c): " .. tostring(c))
 is(c.p_max, liner:contact{ load = 3000 }.p_max, "by either call")
 fails(function() contact{ model = liner, direction = { 0, 0, -1 } } end, "180 degrees", "a load out of the cup")
@@ -41,7 +41,7 @@ fails(function() joint{ head = { layers = { { thickness = 15, material = pe } } 
 local w = wear{ model = liner, loading = gait "iso", k = 1e-9, alpha = 0, cycles = 1e6 }
 w:run()
 near(1000 * w.depth.cup, 101.75, 5e-3, "1e6 cycles of walking: depth of the cup [um]")
-near(w.volume.cup, 31.483, 2e-3, "and its volume")
+near(w.volume.cup, 31.483, 2e-3, "wear volume of the cup [mm3]")
 is(w.volume.head, 0, "alpha = 0 leaves the head")
 near(w.p_peak, 7.965, 0.02, "largest pressure of the last cycle")
 ok(#w.history.cycles > 5 and #w.history.cycles < 20, "a row a step, whose errors are held: " .. #w.history.cycles)
@@ -79,10 +79,10 @@ fails(function()
   end }
 end, "enough", "a progress function ends a run")
 is(#ended.history.cycles, seen + 1, "after its last whole step")
-ok(ended:run{ progress = false }.cycles == 1e6, "and it goes on")
+ok(ended:run{ progress = false }.cycles == 1e6, "a run ended by progress continues")
 local twenty = wear{ model = liner, k = 1e-9, alpha = 0, updates = 20 }:run{ progress = false }
 is(#twenty.history.cycles, 21, "a row an update, of updates asked for")
-near(twenty.depth.cup, w.depth.cup, 3e-4, "and much the same depth")
+near(twenty.depth.cup, w.depth.cup, 3e-4, "depth with fewer updates")
 fails(function() wear{ model = springs, updates = 5, tolerance = 0.1 } end, "got both", "updates and a tolerance")
 
 local function bits(list)
@@ -95,7 +95,7 @@ end
 local worn = wear{ model = springs, k = 1e-9, cycles = 1, worn = { cup = function(theta, phi) return 0.02 * math.cos(math.rad(2 * phi)) end } }
 near(worn.depth.cup, 0.02, 1e-2, "worn by a function")
 local copy = wear{ model = springs, k = 1e-9, cycles = 1, worn = { cup = worn:map "cup" } }
-ok(bits(copy:map "cup".values) == bits(worn:map "cup".values), "and by the map of a run")
+ok(bits(copy:map "cup".values) == bits(worn:map "cup".values), "worn by the map of a run")
 fails(function() wear{ model = springs, worn = { cup = { 1, 2 } } } end, "worn.cup", "a list of another length")
 fails(function() wear{ model = springs, worn = { cap = function() return 0 end } } end, "did you mean 'cup'", "a body that there is not")
 fails(function() wear{ model = springs, worn = { cup = function() return "x" end } }:run() end, "worn.cup(", "no depth")
@@ -109,7 +109,7 @@ ok(ends[1e5] and blocks.loading.name:find "iso", "a block ends where it is to")
 -- --- grids that are too coarse ------------------------------------------------------------------------
 local loose = joint{ cup = { clearance = 2, layers = { { thickness = 20, material = material{ E = 230e3, nu = 0.3 } } } }, mesh = { size = 4 } }
 fails(function() contact{ model = loose, load = 50 } end, "at least 6 cells across the contact, got", "a grid too coarse for a contact")
-fails(function() wear{ model = loose, loading = gait.flexion{ load = 50 } }:run() end, "mesh.size", "and for a run")
+fails(function() wear{ model = loose, loading = gait.flexion{ load = 50 } }:run() end, "mesh.size", "a grid that is too coarse for a run")
 local explicit = wear{ model = springs, k = 1e-9, cycles = 1e3, scheme = "explicit", updates = 1 }
 local function updates_to(cycles)
   local before = #explicit.history.cycles

@@ -42,7 +42,7 @@ local foreign = io.open(kept, "w")
 foreign:write "mine"
 foreign:close()
 fails(function() joint.open(kept) end, "run file", "a file of another kind")
-fails(function() wear{ model = liner }:save(kept) end, kept, "which is not replaced")
+fails(function() wear{ model = liner }:save(kept) end, kept, "a file of another kind is not replaced")
 os.remove(kept)
 
 -- Sessions do not store them and report this.

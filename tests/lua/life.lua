@@ -16,7 +16,7 @@ local contact_alone = wear{ model = model{ radius = 6 } }:contact()
 collectgarbage() collectgarbage()
 ok(mesh:node(1) ~= nil, "a mesh outlives its model's name")
 ok(contact_alone:stress().plate.x[1] ~= nil, "a contact outlives run and model")
-is(contact_alone.model.radius, 6, "and still knows its model")
+is(contact_alone.model.radius, 6, "a contact keeps its model")
 
 -- close
 local w = wear{}
@@ -129,7 +129,7 @@ fails(function() contact(setmetatable({ worn = shape }, { __index = function() s
 shape = run_of{}
 shape:step()
 local depth = setmetatable({}, { __index = function(_, name) shape:close() collectgarbage() return name == "h" and { 0, 0 } end })
-fails(function() contact{ model = small, worn = { plate = depth, cylinder = shape } } end, "field", "and within it")
+fails(function() contact{ model = small, worn = { plate = depth, cylinder = shape } } end, "field", "a run closed while its shape is read")
 
 -- finalizers that step and close a run while rows are returned
 local stepped = run_of{}
@@ -158,7 +158,7 @@ fails(function() return io.stdout.distance end, "expected a wear object", "a fil
 debug.setmetatable(io.stdout, streams)
 ok(not pcall(getmetatable(other).__methods.step, setmetatable({}, getmetatable(other))), "a table with it")
 debug.setmetatable(steel, getmetatable(material{}))
-is(steel.E, 200e3, "and back")
+is(steel.E, 200e3, "the metatable of a material restored")
 
 -- errors without a printable text
 fails(function() run_of{ k = function() error(setmetatable({}, { __tostring = error })) end } end,

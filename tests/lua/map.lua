@@ -30,7 +30,7 @@ local t = map{ x = { 0, 1, 2 }, z = { 10, 20 }, y = { 1, 2, 3, 4, 5, 6 } }
 is(t:at(0, 20), 2, "y is x-major: the second value is at the first x and the second z")
 is(t:at(1, 10), 3, "the third at the second x and the first z")
 is(t:at(2, 20), 6, "the last at both ends")
-is(t:at(0.5, 15), 2.5, "in the middle of four points the mean")
+is(t:at(0.5, 15), 2.5, "the mean in the middle of four points")
 is(t.size[1] * 10 + t.size[2], 32, "size")
 is(t.unit .. t.name, "mmheight", "unit and name where none is given")
 local given = { 0, 1, 2 }
@@ -48,7 +48,7 @@ holds(tostring(map{ x = { 0, 1 }, z = { 0, 1 }, y = { 0, 100, 0, 7 }, unit = "MP
 fails(function() map{ x = { 0, 1 }, z = { 0, 1 } } end, "field 'y': expected a list of numbers, or a function (x, z) -> number, got nil", "no values")
 local ended = coroutine.wrap(function() return 1 end)
 local fine, why = pcall(map, { x = { 0, 1 }, z = { 0, 1 }, y = ended })
-is(why, "cannot resume dead coroutine", "what a function raises has no line of ours before it")
+is(why, "cannot resume dead coroutine", "an error of a user function has no position in a script of archard")
 fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = { 1, 2, 3 } } end, { "field 'y': expected 2 x 2 = 4 values", "got 3" }, "too few values")
 fails(function() map{ x = { 0, 1 }, z = { 0, 1 }, y = { 1, 2, 0 / 0, 3 } } end,
   { "field 'y[3]': expected a finite number (at x = 1, z = 0 mm), got" }, "no number")
@@ -68,7 +68,7 @@ fails(function() t.at(3, 4) end, "expected a map object, got 3", "a dot for a co
 
 local line = t:profile{ z = 1.234 }
 is(#line.x, 61, "a section along x has its points")
-near(line.y[17], bilinear(line.x[17], 1.234), 1e-13, "and values between two rows")
+near(line.y[17], bilinear(line.x[17], 1.234), 1e-13, "values of a section between two rows")
 line = t:profile{ x = 4 }
 is(#line.y, 31, "a section along z has its points")
 near(line.y[31], bilinear(4, 2), 1e-13, "up to the corner")
@@ -82,7 +82,7 @@ fails(function() t:profile{ z = 3 } end, "field 'z': expected a number in [1, 2]
 
 local function plane(x, z) return 40 + 0.3 * x - 0.1 * z end
 ok(apart(sampled(plane):level(), zero) < 1e-13, "a plane is subtracted to rounding")
-is(sampled(plane):level().form, "plane", "and said")
+is(sampled(plane):level().form, "plane", "form of a levelled map")
 for _, case in ipairs{ { 10, 1, 1.5, 1 }, { 10, 3, 0, -1 }, { 500, -20, 30, 1 }, { 6, -1, 1, 1 } } do
   local radius, x0, z0, sign = table.unpack(case)
   local ball = sampled(function(x, z) return 7 + sign * sqrt(radius ^ 2 - (x - x0) ^ 2 - (z - z0) ^ 2) end)
@@ -94,7 +94,7 @@ ok(apart(sampled(plane):level("sphere"), zero) < 1e-12, "a plane is a sphere too
 local function scar(x, z) return abs(x - 1) < 0.5 and abs(z - 1.5) < 0.2 and -1e-3 or 0 end
 local worn = sampled(function(x, z) return plane(x, z) + scar(x, z) end):level("plane", { 0.4, 1.6, 1.2, 1.8 })
 ok(apart(worn, scar) < 1e-13, "a scar that is left out of the fit keeps its depth")
-ok(apart(sampled(function(x, z) return plane(x, z) + scar(x, z) end):level(), scar) > 1e-5, "within the fit it does not")
+ok(apart(sampled(function(x, z) return plane(x, z) + scar(x, z) end):level(), scar) > 1e-5, "a scar inside the fit changes its depth")
 holds(tostring(sampled(function(x, z) return -(x * x + z * z) / 80 end):level("sphere")), "minus a sphere of radius 40", "print")
 fails(function() t:level("circle") end, 'field \'level\': expected "plane" or "sphere", got "circle"', "no such form")
 fails(function() t:level("plane", { -3, 5, 0, 2.5 }) end, "do not determine a plane outside the scar", "a scar all over")
@@ -116,7 +116,7 @@ ok(apart(finer, bilinear) < 1e-12, "linear between the points")
 local function waves(x) return math.cos(2 * math.pi * x / 0.2) end
 local coarser = sampled(waves, 601):resample(0.2)
 ok(apart(coarser:crop{ x = { -1.7, 3.7 } }, zero) < 1e-3, "larger steps are means: a wave of one step is gone")
-near(sampled(bilinear, 601, 301):resample(0.05):at(1, 1.5), bilinear(1, 1.5), 1e-12, "and a plane stays")
+near(sampled(bilinear, 601, 301):resample(0.05):at(1, 1.5), bilinear(1, 1.5), 1e-12, "resampling keeps a plane")
 fails(function() t:resample(0) end, "field 'size': expected a step in mm in", "no step")
 fails(function() t:resample(1e-9) end, "got 1e-09", "more points than memory holds")
 fails(function() t:resample(2) end, "1]", "a step beyond the map")
@@ -128,7 +128,7 @@ ok(apart(t - before, zero) == 0, "a map less itself")
 local shifted = map{ x = even(-1.03, 2, 77), z = even(0, 1.41, 13), y = bilinear }
 local difference = before - shifted
 ok(apart(difference, zero) < 1e-13, "the second is taken between its points")
-near(difference.x[1], -1, 1e-12, "where both are")
+near(difference.x[1], -1, 1e-12, "the common part of two maps")
 ok(apart(before + before, function(x, z) return 2 * bilinear(x, z) end) < 1e-13, "a sum")
 near((before - 0.5):at(0, 1), bilinear(0, 1) - 0.5, 1e-14, "less a number")
 fails(function() return before - map{ x = { 8, 9 }, z = { 0, 1 }, y = zero } end, "expected overlapping maps", "none in common")

@@ -82,7 +82,7 @@ local function xyz(head, scale_x, scale_y, order)
 end
 
 same(map.read(write("a.xyz", xyz("", 1, 1)), { unit = "mm" }), 1e-6, ".xyz in mm")
-same(map.read(write("b.xyz", xyz("# made\n", 1000, 1e6)), { unit = { x = "um", y = "nm" } }), 1e-6, "in um and nm")
+same(map.read(write("b.xyz", xyz("# made\n", 1000, 1e6)), { unit = { x = "um", y = "nm" } }), 1e-6, ".xyz in um and nm")
 same(map.read(write("c.xyz", xyz("x [um], y [um], z [nm]\n", 1000, 1e6, function(a, b) return a:reverse() < b:reverse() end))), 1e-6,
   "its header's units, points in any order")
 same(map.read(write("m.txt", "# heights\n", worded(rows(1e-3), "%.7f"), "\n"), { step = { dx, dz }, unit = "um" }), 1e-6,
@@ -118,7 +118,7 @@ for name, text in pairs{ text = dsaa(holed), ["6"] = dsbb(nil, nil, holed), ["7"
 end
 local filled = map.read(path "hole.grd", { unit = mixed.unit, fill = true })
 near(filled:at(1.02, 2.02), height(0.02, 0.02), 1e-6, "filled from its neighbours")
-is(filled.missing, 1, "and counted")
+is(filled.missing, 1, "number of filled points")
 is(map.read(path "hole.grd", { unit = mixed.unit, fill = 7 }):at(1.02, 2.02), 7, "filled by a height")
 is(map.read(path "hole.grd", { unit = mixed.unit, crop = { x = { 1.025 } } }).missing, 0, "or left out")
 
@@ -151,7 +151,7 @@ same(map.read(write("d.sdf", sdf_binary(3, "<f", nil, nil, "bISO-2.0"))), 1e-6, 
 holed = rows(1e-6)
 holed[5][7] = -32768
 is(map.read(write("hole.sdf", sdf_binary(5, "<i2", holed)), { fill = 0 }).missing, 1, "the smallest number is none")
-is(map.read(write("hole.sdf", (sdf_text({ DataType = 5 }, nil, "%d"):gsub("300", "BAD", 1))), { fill = 0 }).missing, 1, "nor is BAD")
+is(map.read(write("hole.sdf", (sdf_text({ DataType = 5 }, nil, "%d"):gsub("300", "BAD", 1))), { fill = 0 }).missing, 1, "BAD is a missing value")
 
 -- --- Gwyddion, Digital Surf, Alicona -----------------------------------------------------------------------------
 

@@ -29,7 +29,7 @@ end
 
 do
   local pool <close> = process.pool(2, { "-e", "print(io.read())" })
-  is(tostring(pool), "a pool of worker processes", "it says what it is")
+  is(tostring(pool), "a pool of worker processes", "print of a worker pool")
   for _, which in ipairs{ 0, 3 } do
     fails(function() pool:send(which, "x") end, "no such worker", "worker " .. which .. " of 2")
   end
@@ -45,7 +45,7 @@ end
 
 local lines, event = worker("print(io.read()) os.exit()", "word")
 is(lines[1], "word", "a line goes there and back")
-is(event.ended, "exit status 0", "it ended by itself")
+is(event.ended, "exit status 0", "a worker that ended normally")
 _, event = worker("io.stderr:write(('a'):rep(300), ('b'):rep(700), '!') os.exit(3)")
 is(event.ended, "exit status 3", "its exit status")
 is(event.words, ("b"):rep(399) .. "!", "the last 400 letters of what it said")
@@ -53,7 +53,7 @@ _, event = worker("os.execute 'kill -9 $PPID'")
 ok(event.ended:find("^signal 9 %("), "a signal: " .. event.ended)
 lines = worker("print(('x'):rep(5000)) print 'after' os.exit()")
 is(lines[#lines], "after", "a line that is too long is not the end")
-ok(#lines[1] < 4096, "and is not whole")
+ok(#lines[1] < 4096, "a line that is too long is cut")
 
 do
   local pool <close> = process.pool(1, { "-e", "io.stderr:close() io.read() print 'closed' io.flush() io.read()" })

@@ -34,7 +34,7 @@ is(varied{ cases = { {}, { model = { plate = { E = 1e5 } }, E = 2e5 } } }, "mode
 fails(function() study{ sample = { E = uniform{ 1e5, 2e5 } } } end, { "'sample.E'", "model.cylinder.E or model.plate.E" },
   "a sampled number is one")
 fails(function() study{ sample = { ["plate.E"] = uniform{ 1, 2 }, ["lower.E"] = uniform{ 1, 2 } } } end,
-  { "'sample.lower.E'", "'sample.plate.E'", "model.plate.E" }, "and there once")
+  { "'sample.lower.E'", "'sample.plate.E'", "model.plate.E" }, "a sampled number given twice")
 for _, given in ipairs{ { vary = { ["lower.EE"] = { 1, 2 } } }, { sample = { ["lower.EE"] = uniform{ 1, 2 } } } } do
   given.base = { model = pair() }
   fails(function() study(given) end, { "'model.lower.EE'", "did you mean 'E'" }, "a misspelt number of a body")
@@ -77,7 +77,7 @@ local w = worn{ model = usual }
 local s = w:sensitivity{ of = "volume_plate" }.volume_plate
 near(s["plate.k"].elasticity[1], 1, 1e-10, "to k of the plate")
 near(s["cylinder.k"].elasticity[1], 0, 1e-10, "not to that of the cylinder")
-near(s.load.elasticity[1], 1, 1e-10, "and to the load")
+near(s.load.elasticity[1], 1, 1e-10, "elasticity by the load")
 fails(function() w:sensitivity{ to = "k" } end, { "'to'", "k follows from", "cylinder.k, plate.k" }, "there is no k of the couple")
 w:close()
 w = worn{ model = pair(nil, nil, 1e-8) }
@@ -97,5 +97,5 @@ for _, name in ipairs{ "cylinder.G", "upper.layer1.E", "increments", "model.lowe
   local refused = fails(function() w:sensitivity{ to = name } end, "'to'", name .. " is no number here")
   ok(not tostring(refused):find("mean '" .. name .. "'", 1, true), name .. " is not suggested")
 end
-is(require "archard.lib.check".hint("load", { "load" }), " (known: )", "nor by any other list")
+is(require "archard.lib.check".hint("load", { "load" }), " (known: )", "the refused name is not suggested from any list")
 w:close()

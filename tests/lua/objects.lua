@@ -117,7 +117,7 @@ do
   ok(select(2, w.mesh.plate:node(node)) < y, "the run's next one has worn on")
   w:close()
   collectgarbage()
-  ok(worn.plate:quality().aspect > 1, "and outlives the run")
+  ok(worn.plate:quality().aspect > 1, "a worn mesh outlives its run")
 end
 fails(function() m.mesh.plate:node(0) end, "expected a node number from 1 to", "node 0")
 fails(function() m.mesh.plate:node("a") end, "expected a node number", "node by name")

@@ -9,7 +9,7 @@ local pin = { upper = body.disc{ radius = 9.5, k = 1e-8 }, lower = body.ring{ in
 -- Kinds of bodies.
 local m = model(pin)
 is(m.upper.kind, "disc", "the upper body as it was given")
-is(m.lower.outer, 15.0, "and the lower one")
+is(m.lower.outer, 15.0, "outer radius of the lower body")
 is(m.plate.E, 20e3, "its material is that of the role")
 is(model{ mesh = coarse }.upper, nil, "the usual pair has none")
 is(contact{ model = { upper = m.upper, lower = m.lower, mesh = coarse }, load = 10 }.p_max, contact{ model = m, load = 10 }.p_max,
@@ -22,7 +22,7 @@ near(listed.upper.y[2], 0.01, 1e-15, "a profile's heights")
 local trace = { x = {}, z = {} }
 for i = 1, 21 do trace.x[i], trace.z[i] = (i - 11) / 10, 1e-3 * math.cos(i) end
 local traced = body.profile(profile(trace))
-ok(traced.x[3] == trace.x[3] and traced.y[3] == trace.z[3], "those of a measured one")
+ok(traced.x[3] == trace.x[3] and traced.y[3] == trace.z[3], "points of a measured trace")
 is(model{ geometry = "plane", mesh = { size = 0.2, height = 0.2 } }.geometry, "plane strain", "plane is plane strain")
 
 -- Names of bodies: by name, role or kind.
@@ -45,7 +45,7 @@ local zones = model{ upper = called.upper, lower = called.lower, mesh = { size =
 ok(zones.cylinder == 4 and zones.plate == 5, "zones of a mesh do, too")
 is(called.mesh.pin.body, "pin", "meshes know their name")
 is(called.bodies.ring, "bush", "model.bodies tells it")
-is(called.upper.name, "pin", "and the body as it was given")
+is(called.upper.name, "pin", "name of the upper body")
 ok(tostring(run_of):find("pin (disc of radius ", 1, true) and tostring(run_of):find("bush 0.0000e+00 mm3", 1, true),
   "print(run) uses names")
 ok(tostring(contact{ model = called, load = 20 }:stress()):find("\n  bush ", 1, true), "print(stress) too")
@@ -53,7 +53,7 @@ local dug = contact{ model = called, load = 20, worn = { bush = function(x) retu
 ok(dug.p_center > contact{ model = called, load = 20 }.p_center, "worn by name")
 local turned = model{ upper = body.block{}, lower = body.cylinder{ radius = 10 }, mesh = { size = 0.2, height = 0.2 } }
 is(turned.bodies.lower, "lower", "a cylinder below is not called by its kind")
-fails(function() contact{ model = turned }:pressure("cylinder") end, { "'body'", "block" }, "as that could be either")
+fails(function() contact{ model = turned }:pressure("cylinder") end, { "'body'", "block" }, "a name that could mean both bodies")
 fails(function() return run_of.depth.bash end, "did you mean 'bush'", "an unknown name")
 fails(function() run_of:profile("hip") end, { '"pin" or "bush"', "hip" }, "no body of that name")
 
@@ -85,7 +85,7 @@ waves:save(file)
 is(wear.open(file).model.upper.y[7], waves.model.upper.y[7], "a profile is kept in the run file")
 os.remove(file)
 run_of:save(file)
-is(wear.open(file).depth.pin, run_of.depth.pin, "so are names")
+is(wear.open(file).depth.pin, run_of.depth.pin, "names are stored")
 os.remove(file)
 
 -- A study that varies a body of an existing model.
@@ -102,8 +102,8 @@ local function swinging(distance)
 end
 whole = swinging(400)
 near(whole.stroke, 4 * math.rad(10), 1e-3, "a rotation is a way along the hole")
-near(whole.loading[1].rotation[26], 2, 1e-12, "as it was given, in degrees")
-near(whole.loading[1].load_angle[51], 1.25, 1e-12, "and the load's direction")
+near(whole.loading[1].rotation[26], 2, 1e-12, "rotation in degrees")
+near(whole.loading[1].load_angle[51], 1.25, 1e-12, "angle of the load")
 whole:run()
 near(whole.volume.upper, whole.k * whole.load_distance, 1e-12, "V = k integral normal force ds")
 part = swinging(400)
@@ -129,7 +129,7 @@ for i, y in ipairs(f.y) do
   if y < f.y[deep] then deep = i end
 end
 near(f.szz[top], 0.2 * (f.sxx[top] + f.syy[top]), 1e-12, "stress out of the plane by the layer's own nu")
-near(f.szz[deep], 0.3 * (f.sxx[deep] + f.syy[deep]), 1e-12, "and by that of what is below")
+near(f.szz[deep], 0.3 * (f.sxx[deep] + f.syy[deep]), 1e-12, "szz uses the nu of the material below")
 
 -- Decks: layers with their own materials, bodies at their positions.
 local lined = contact{ load = 50, x = 1, model = { upper = body.disc{ radius = 9.5, name = "pin" }, mesh = coarse,
@@ -264,7 +264,7 @@ is(case.volume.total, case.volume.pin + case.volume.lower, "case.volume.total")
 is(#case:profile("bush").h, #case:profile("lower").h, "case:profile by name")
 is(case.model.bodies.upper, "pin", "case.model.bodies")
 fails(function() case:profile("plug") end, '"pin" or "bush"', "another name")
-fails(function() return case.depth.plug end, "plug", "nor in its depths")
+fails(function() return case.depth.plug end, "plug", "unknown body in the depths of a case")
 local picture = file .. ".txt"
 plot.history(case, "depth_pin", "depth_bush", { file = picture, term = "dumb" })
 local drawn = io.open(picture):read("a")

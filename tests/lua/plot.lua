@@ -66,8 +66,8 @@ do
   local large = { x = { 0, 1 }, y = { 1.0000001, 1.0000004 }, ylabel = "p", xlabel = "d" }
   plot { panels = { small, large }, layout = { 2, 1 }, file = folder .. "/n.gp" }
   local script = read("n.gp") or ""
-  has(script, "set format y '%.0t×10^{%T}'", "as a power of ten in files")
-  has(script, "set format y '%.9g'", "and as many digits as neighbours need")
+  has(script, "set format y '%.0t×10^{%T}'", "powers of ten in files")
+  has(script, "set format y '%.9g'", "enough digits to distinguish neighbouring numbers")
   local margins = {}
   for left in script:gmatch("set lmargin at screen ([%d.]+)\nset rm") do
     margins[#margins + 1] = tonumber(left)
@@ -94,8 +94,8 @@ do
   for i = 9, 12 do curves[i] = { x = { 0, 1 }, y = { 0, i }, title = "curve " .. i } end
   script = script_of(function(file) curves.file = file plot(curves) end)
   has(script, "unset key", "more than eight have no key")
-  has(script, 'set label 12 "curve 12" noenhanced at graph 1.015, graph 1', "but names at their ends")
-  ok(not script:find("title \"curve"), "and nowhere else")
+  has(script, 'set label 12 "curve 12" noenhanced at graph 1.015, graph 1', "many curves are labelled at their ends")
+  ok(not script:find("title \"curve"), "many curves have no key")
   for i = 1, 12 do curves[i].value = i end
   curves.vlabel = "\\alpha"
   script = script_of(function(file) curves.file = file plot(curves) end)

@@ -71,7 +71,7 @@ do
   ok(png_size("c.png") == 4016, "panels side by side take the page's 170 mm")
   plot.style { width = "page", dpi = 300 }
   plot { line, file = folder .. "/c.png" }
-  ok(png_size("c.png") == 2008, "what the style is told later holds from then on")
+  ok(png_size("c.png") == 2008, "a later option of the style applies to later files")
   plot { line, file = folder .. "/c.png", size = { 1000, 500 } }
   width, height = png_size("c.png")
   ok(width == 1000 and height == 500, "pixels that are asked for are given")
@@ -90,7 +90,7 @@ do
   refused(function() plot.style { "screen", width = 85 } end, "size in pixels", "mm on the screen")
   plot.style "screen"
   plot { line, file = folder .. "/c.png" }
-  ok(png_size("c.png") == 900, "and screen is as before")
+  ok(png_size("c.png") == 900, "the screen style restores the sizes")
 end
 
 -- --- a defective gnuplot ------------------------------------------------------------------------
@@ -114,7 +114,7 @@ do
   fake("slow", "sleep 0.5; exec gnuplot \"$@\"")
   has(picture_of(function(file) plot { line, file = file } end), "squares", "a slow start is awaited")
   gnuplot.use("gnuplot")
-  has(picture_of(function(file) plot { line, file = file } end), "squares", "and all is well again")
+  has(picture_of(function(file) plot { line, file = file } end), "squares", "drawing works again after a failure")
   local version, terminals = gnuplot.about()
   ok(version >= 5.2 and terminals:find(" dumb "), "about() tells version and terminals")
 end

@@ -14,7 +14,7 @@ local two = stand_in { alpha = 0.75, stroke = 0.11, load = 100 }
 do
   local text = picture_of(function(file) plot.pressure(one, { file = file }) end)
   has(text, "p / MPa", "plot.pressure has units")
-  has(text, "contact pressure of the cylinder: s = 0.11 mm, α = 0.25", "and says of what")
+  has(text, "contact pressure of the cylinder: s = 0.11 mm, α = 0.25", "the title shows the settings")
   text = picture_of(function(file) plot.pressure(one, two, { file = file }) end)
   local coarse = { pressure = function()
     return { x = { -3, -1, 0, 1, 3 }, p = { 0, 300, 400, 300, 0 } }
@@ -23,10 +23,10 @@ do
   local low, high = (read("z.gp") or ""):match("set xrange %[([%d.-]+):([%d.-]+)%]")
   ok(low and tonumber(low) <= -3 and tonumber(high) >= 3, "the curve comes down to zero in sight")
   has(text, "α = 0.25", "several objects are told apart by what differs")
-  ok(text:find("α = 0.75") and not text:find("0.11"), "and by nothing else")
+  ok(text:find("α = 0.75") and not text:find("0.11"), "titles show only the settings that differ")
   text = picture_of(function(file) plot.pressure(one, "plate", { scaled = true, file = file }) end)
   has(text, "p / p_H", "scaled as the paper does")
-  has(text, "x / a", "and x too")
+  has(text, "x / a", "x divided by a")
   ok(text:match("\n +1 [+|]"), "the plate's largest pressure is that of Hertz here")
   text = picture_of(function(file)
     plot.pressure(one, two, { titles = { "before", "after" }, file = file })
@@ -44,7 +44,7 @@ end
 do
   local text = picture_of(function(file) plot.profile(one, { file = file }) end)
   ok(text:find("* cylinder", 1, true) and text:find("# plate", 1, true), "plot.profile: both bodies")
-  has(text, "wear depth / µm", "in micrometres")
+  has(text, "wear depth / µm", "wear depths in um")
   local zero, two_um = text:find("\n +0 [+]"), text:find("\n +2 [+]")
   ok(zero and two_um and zero < two_um, "depth grows downwards")
   text = picture_of(function(file) plot.profile(one, "plate", { file = file }) end)
@@ -109,7 +109,7 @@ do
   changed.alpha, changed.load, changed.stroke = 0.9, 10, 0.3
   changed.history.alpha, changed.history.travel = { 0.5, 0.5, 0.5 }, { 0.11, 0.11, 0.11 }
   text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
-  has(text, "s = 0.11 mm, α = 0.5, load 100 to 150 N", "what is set for the next update is not told of those before")
+  has(text, "s = 0.11 mm, α = 0.5, load 100 to 150 N", "a setting for the next update is not in the title")
   changed.history.load = nil
   local loaded = stand_in { alpha = 0.5, stroke = 0.11, load = 100, loading = {} }
   text = picture_of(function(file) plot.pressure(loaded, { file = file }) end)
@@ -156,7 +156,7 @@ end }
 do
   local text = picture_of(function(file) plot.mesh(model_, { file = file }) end)
   has(text, "mesh: 12 nodes, 6 elements", "plot.mesh counts")
-  ok(text:find("cylinder") and text:find("plate"), "and draws both bodies")
+  ok(text:find("cylinder") and text:find("plate"), "a mesh plot shows both bodies")
   text = picture_of(function(file) plot.mesh(model_, { body = "plate", file = file }) end)
   ok(not text:find("cylinder") and text:find("plate"), "or one")
   text = picture_of(function(file) plot.mesh(model_, { zoom = "wear box", file = file }) end)
@@ -178,12 +178,12 @@ do
   has(text, "1.56 to 2", "values of both signs: zero in the middle")
   has(text, "-2 to -1.56", "of the levels")
   plot.stress(contact_, { file = folder .. "/stress.png" })
-  ok(read("stress.png"), "and in colour")
+  ok(read("stress.png"), "a stress plot in colour")
   text = picture_of(function(file) plot.stress(contact_.stress(), { file = file }) end)
   has(text, "von Mises stress / MPa", "plot.stress takes the field itself")
   text = picture_of(function(file) plot.stress(wear { model = { mesh = { size = 0.04 } } }, { file = file }) end)
-  has(text, "von Mises stress / MPa", "and a run, for its contact as it is")
-  refused(function() plot.stress({}) end, "expected a contact, its stress() or a run", "but no other table")
+  has(text, "von Mises stress / MPa", "stress of a run, from its present contact")
+  refused(function() plot.stress({}) end, "expected a contact, its stress() or a run", "stress of another table")
   refused(function() plot.stress(material {}) end, "got a material", "a contact is asked for")
   refused(function() plot(material {}) end, "got a material", "objects are named by their kind")
   refused(function() plot.stress(contact_, { component = "misses" }) end, "field 'component'",
@@ -203,7 +203,7 @@ do
   plot.animate(running, { what = "both", file = folder .. "/run.gif" })
   local gif = read("run.gif") or ""
   ok(gif:sub(1, 6) == "GIF89a", "plot.animate writes a gif")
-  ok(steps == 6, "and ends where the run does")
+  ok(steps == 6, "the animation ends with the run")
   ok(select(2, gif:gsub("\33\249\4", "")) >= 6, "a picture before and after every step")
   refused(function() plot.animate(running, { file = folder .. "/run.png" }) end, "ends in .gif",
     "only as a gif")

@@ -11,7 +11,7 @@ do
   local measured = { x = { 1, 2 }, y = { 2, 5 }, error = { 0.5, 1 }, title = "measured" }
   local script = script_of(function(file) plot { line, points = measured, file = file } end)
   has(script, "using 1:2:3 with yerrorbars", "points have bars")
-  has(script, "2 5 1\n", "as long as was said")
+  has(script, "2 5 1\n", "length of the error bars")
   plot { line, file = folder .. "/p.txt" }
   measured.file = folder .. "/q.txt"
   plot.points(measured)
@@ -61,7 +61,7 @@ do
     plot.response(sweep(), { x = "alpha", y = "depth_plate", by = "stroke", map = true, file = file })
   end)
   has(script, 'set xtics ("0.25" 1, "0.75" 2)', "a map has the values at its sides")
-  has(script, "with image", "and colours")
+  has(script, "with image", "a map in colours")
   refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { alfa = 0.5 } }) end,
     "field 'where': no case has a setting 'alfa' (did you mean 'alpha'?)", "a misspelt setting")
   refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { stroke = 7 } }) end,
@@ -70,9 +70,9 @@ do
   for id = 1, 4 do dotted.flat[id]["model.radius"] = id end
   dotted.flat[2].alpha = 0.75
   refused(function() plot.response(dotted, { x = "alpha", y = "depth_plate", by = "stroke" }) end,
-    'where={ ["model.radius"]=1 }', "what to choose, as Lua spells it")
+    'where={ ["model.radius"]=1 }', "a hint in Lua's spelling")
   refused(function() plot.response(sweep(), { x = "alpha", y = "depth_plate" }) end,
-    'by="stroke" or where={ stroke=1 }', "what the picture would hide")
+    'by="stroke" or where={ stroke=1 }', "a hint on hidden settings")
   script = script_of(function(file)
     plot.response(sweep(), { x = "alpha", y = "depth_plate", where = { stroke = 2 }, file = file })
   end)

@@ -29,7 +29,7 @@ do
   plot.style "journal"
   local script = history {}
   lacks(script, "history", "a journal has none")
-  has(history { title = "Mine" }, "Mine", "but the one that is given")
+  has(history { title = "Mine" }, "Mine", "a given title is kept")
   lacks(history { title = false }, "history", "title=false")
   plot.history(run, "p_center", "depth_plate", { file = folder .. "/h.png" })
   local width, height = png_size "h.png"
@@ -37,7 +37,7 @@ do
   plot.style { width = "single" }
   plot.history(run, "p_center", "depth_plate", { file = folder .. "/h.png" })
   width, height = png_size "h.png"
-  ok(width == 2008 and height > width, "and below each other in a single column")
+  ok(width == 2008 and height > width, "panels are stacked in a single column")
   ok(plot.style { width = "double" }.width == "page", "a double one is the page")
   plot.style { "journal", width = "page" }
   plot { panels = { { line }, { line } }, layout = { 2, 1 }, file = folder .. "/h.png" }
@@ -93,7 +93,7 @@ do
   has(script, "set format y '%.6g'", "plain ones where all are short")
   local low, high = script:match "set yrange %[(%S+):(%S+)%]"
   ok(math.abs(low / 2 - 1) < 1e-6 and math.abs(high / 50 - 1) < 1e-6, "open ends at 1, 2 or 5 times a power of ten")
-  has(script, "5e1", "where decades are few, their halves are shown")
+  has(script, "5e1", "on few decades their halves are labelled")
   script = drawn { { x = { 1, 2, 3, 4 }, y = { 0, 0, 5, 0 } }, yrange = { 0 } }
   low = script:match "set yrange %[(%S+):"
   ok(tonumber(low) < 0 and tonumber(low) > -0.5, "a line along an end of the range is seen whole")
@@ -122,8 +122,8 @@ do
   local script = history({ 0, 1e6, 2e6 }, { 0, 1e-5, 2e-5 }, {})
   has(script, 'set xlabel "distance / m"', "distances in m")
   has(script, 'set ylabel "wear depth / nm"', "depths in nm")
-  has(script, "\n1000 10\n2000 20\n", "and so are the numbers")
-  has(history({ 0, 1e7, 2.5e7 }, { 0, 1e-3, 2e-3 }, {}), 'set xlabel "distance / km"', "in km")
+  has(script, "\n1000 10\n2000 20\n", "numbers are converted with the unit")
+  has(history({ 0, 1e7, 2.5e7 }, { 0, 1e-3, 2e-3 }, {}), 'set xlabel "distance / km"', "distances in km")
   script = history({ 0, 1e6, 2e6 }, { 0, 1e-3, 2e-3 }, { xlabel = "distance / mm" })
   has(script, "\n1000000 1\n", "a label that is given is true to its numbers")
   plot.history(run, "depth_plate", { file = folder .. "/p.gp" })
@@ -138,10 +138,10 @@ do
   for i = 1, 100 do many.x[i], many.y[i] = i, i * i end
   has(drawn { line }, "with linespoints", "few points of a line are marked")
   has(drawn { many }, "with lines ", "many are not")
-  lacks(drawn { line, many }, "linespoints", "nor few beside them: marks are not for a kind of curve")
-  has(drawn { many, xrange = { 1, 10 } }, "with linespoints", "it counts what is shown")
+  lacks(drawn { line, many }, "linespoints", "few points are not marked beside a curve with many")
+  has(drawn { many, xrange = { 1, 10 } }, "with linespoints", "only points in the range shown are counted")
   has(drawn { { x = line.x, y = line.y, style = "lines" } }, "with lines ", 'nor where style = "lines"')
-  lacks(drawn { { x = { 0, 1, 1, 0, 0 }, y = { 0, 0, 1, 1, 0 } } }, "linespoints", "nor corners of an outline")
+  lacks(drawn { { x = { 0, 1, 1, 0, 0 }, y = { 0, 0, 1, 1, 0 } } }, "linespoints", "corners of an outline are not marked")
 end
 
 -- --- choice of the style -------------------------------------------------------------------------
@@ -163,7 +163,7 @@ do
     plot { { x = { 1, 2 }, y = { 1, 2 }, title = "k = 5e-10 mm²/N" }, file = file }
   end)
   has(panels, "k = 5×10^{-10} mm²/N", "powers of ten are written as such")
-  lacks(drawn { { x = { 1, 2 }, y = { 1, 2 }, title = "run5e-10" } }, "×", "but not in names")
+  lacks(drawn { { x = { 1, 2 }, y = { 1, 2 }, title = "run5e-10" } }, "×", "names contain no power of ten")
 end
 
 -- --- stresses, depths, bars ----------------------------------------------------------------------
@@ -182,10 +182,10 @@ end
 do
   local script = stressed(300, 200)
   has(script, "set cbrange [0:300]", "bodies under stresses alike have one scale")
-  has(script, 'set cblabel "von Mises stress / MPa"', "and its label")
+  has(script, 'set cblabel "von Mises stress / MPa"', "label of the colours")
   script = stressed(300, 20)
   has(script, "set cbrange [0:20]", "a soft body beside a hard one has the scale")
-  has(script, "cylinder: up to 300", "which says how far the other goes")
+  has(script, "cylinder: up to 300", "the label states the maximum of the other body")
   lacks(script:match "set title[^\n]*", "Mises", "the title does not repeat it")
 end
 
@@ -201,7 +201,7 @@ do
   local ranges = ranges_of(script_of(profiles))
   ok(ranges[1] == ranges[2] and ranges[1]:find "^%[2%.0", "panels of depths have one range: " .. tostring(ranges[1]))
   local text = pictures.picture_of(profiles)
-  ok((text:find "\n *0 %+" or 1e9) < (text:find "\n *1 |" or 0), "and depth grows downwards in characters, too")
+  ok((text:find "\n *0 %+" or 1e9) < (text:find "\n *1 |" or 0), "depth increases downwards, also in characters")
   local function panels(label)
     return ranges_of(drawn { panels = { { { x = { 1, 2 }, y = { 3, 90 } }, ylabel = "p" },
       { { x = { 1, 2 }, y = { 0.6, 9 } }, ylabel = label } }, logy = true })

@@ -14,9 +14,9 @@ local w = wear{ model = { upper = roller, lower = body.block{ name = "base", E =
   mesh = { size = 0.05, height = 0.05 } }, load = 100, distance = 100 }
 local layer = "0.003 mm of E 400000 MPa nu 0.3"
 has(w, "layers    roller " .. layer, "a run names layers")
-has(w, "k 1.1e-09 mm2/N = 1.1e-06 mm3/(N m), alpha 0.0909091 at the present surfaces", "and what wears now")
+has(w, "k 1.1e-09 mm2/N = 1.1e-06 mm3/(N m), alpha 0.0909091 at the present surfaces", "coefficients at the present surfaces")
 has(w.model, "roller (cylinder of radius 5 mm) on base (block)", "a model its bodies")
-has(w.model, "layer   " .. layer .. " k 1e-10 mm2/N = 1e-07 mm3/(N m)", "and their layers")
+has(w.model, "layer   " .. layer .. " k 1e-10 mm2/N = 1e-07 mm3/(N m)", "layers of a model")
 ok(not tostring(w.model):find("radius 10", 1, true), "no radius that nothing has")
 w:run{ progress = false }
 has(w, "in a cycle ", "the largest pressure of a cycle is printed")
@@ -61,7 +61,7 @@ tap.is(tostring(coated), "coated (block): 100Cr6, E 210000 MPa nu 0.3\n  0.05 mm
   "print(body)")
 local named = model{ lower = coated, cylinder = { name = "bronze", E = 1e5 }, mesh = coarse.mesh and { size = 0.1, height = 0.1 } }
 tap.is(named.cylinder.name, "bronze", "a model keeps the names")
-tap.is(tostring(named.lower), tostring(coated), "and gives its bodies back")
+tap.is(tostring(named.lower), tostring(coated), "print of the bodies")
 for _, part in ipairs{ "of bronze", "of 100Cr6", "0.05 mm of DLC" } do
   tap.ok(tostring(named):find(part, 1, true), "print(model) says " .. part)
 end

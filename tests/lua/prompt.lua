@@ -18,7 +18,7 @@ tap.is(state("1 + 1"), 2, "an expression gives its value")
 tap.is(state("= 6 * 7"), 42, "with = before it too")
 tap.is(state("return 5"), 5, "return is understood")
 tap.is(state("-- nothing"), nil, "a comment is complete")
-tap.is(state(""), nil, "so is nothing")
+tap.is(state(""), nil, "an empty text is complete")
 for _, text in ipairs { "for i = 1, 2 do", "x = {", "f(", "1 +", "[[ text", "a = [==[ x", "if x then",
   "function f()", "x =", "--[[ comment", "print('a',", "repeat", "w = wear{ k=1e-8,",
   "'text \\" } do
@@ -30,9 +30,9 @@ end
 tap.is(state("local a = 2\na * 3"), 6, "the last line of a paste is shown")
 tap.is(state("t = 0\nfor i = 1, 3 do\n  t = t + i\nend\nt"), 6, "a loop before it runs to its end")
 tap.is(state("n = 0\nfor i = 1, 3 do\n  n = n + 1\nend"), nil, "the end of a loop is no value")
-tap.is(n, 3, "and the loop is whole")
+tap.is(n, 3, "a whole loop is run")
 tap.is(state("a = 7\n-2"), nil, "a line that goes on the one above is left with it")
-tap.is(a, 5, "as Lua reads it")
+tap.is(a, 5, "the value is as Lua reads it")
 local _, message = prompt.compile("x = = 1", "=name", 12)
 tap.is(message, "name:12: unexpected symbol near '='", "messages count lines from where it began")
 
@@ -54,9 +54,9 @@ looks({ x = 1 / 3 }, "{ x = 0.33333333333333 }", "all in a field")
 looks({ { { { { { 1 } } } } } }, "{ { { { { {...} } } } } }", "depth has an end")
 local cycle = {}
 cycle.me = { cycle }
-looks(cycle, "{ me = { <cycle> } }", "so have cycles")
+looks(cycle, "{ me = { <cycle> } }", "a table with a cycle")
 local twice = { 1 }
-looks({ twice, twice }, "{ { 1 }, { 1 } }", "what comes twice is no cycle")
+looks({ twice, twice }, "{ { 1 }, { 1 } }", "a table shown twice is not a cycle")
 looks(setmetatable({}, { __tostring = function() return "mine" end }), "mine", "__tostring rules")
 looks({ setmetatable({}, { __tostring = function() return "one\ntwo" end }) }, "{ one ... }",
   "in one line within a table")
@@ -187,10 +187,10 @@ offers("broken.", "")
 -- --- help --------------------------------------------------------------------------------------
 
 tap.is(help.address_of(wear), "wear", "help knows a constructor")
-tap.is(help.address_of(w), "wear", "and an object")
-tap.is(help.address_of(w.step), "wear.step", "and a method")
-tap.is(help.address_of(plot.pressure), "plot.pressure", "and a function")
-tap.is(help.address_of(print), nil, "and not what is Lua's")
+tap.is(help.address_of(w), "wear", "help address of an object")
+tap.is(help.address_of(w.step), "wear.step", "help address of a method")
+tap.is(help.address_of(plot.pressure), "plot.pressure", "help address of a function")
+tap.is(help.address_of(print), nil, "no help address of Lua's functions")
 tap.is(#help.find("w:step()"), 1, "help reads a name as it is written")
 tap.ok(#help.find("alpha") >= 2, "help finds all of a name")
 tap.holds(help.text("strok"), 'did you mean "stroke"', "help proposes the nearest name")

@@ -42,12 +42,12 @@ end
 is(leave.question(), nil, "nothing made, nothing to ask")
 w = quickened{}
 is(w.saved, false, "a new run is in no file")
-is(leave.question(), nil, "but nothing would be lost")
+is(leave.question(), nil, "no question without unsaved results")
 w:step(2)
-holds(leave.question(), { "not saved: w\n", "session.archard before leaving? yes, no or stay" }, "what it has computed would")
+holds(leave.question(), { "not saved: w\n", "session.archard before leaving? yes, no or stay" }, "a question about unsaved results")
 w:save(path "w.archard")
 is(w.saved, true, "a saved run is in a file")
-is(w:clone().saved, true, "and so is its clone")
+is(w:clone().saved, true, "the clone of a saved run counts as saved")
 is(leave.question(), nil, "nothing to ask then")
 w:step()
 is(w.saved, false, "a step makes it another")
@@ -95,7 +95,7 @@ holds(said, { "saved in " .. path "s.archard", "4 runs, 2 models, 2 studies, 3 c
   "driven: give its functions again when you open it (k)", "computed: its cases stay in " .. path "computed.archard" },
   "it says what was kept and what was not")
 is(w.saved and driven.saved and runs.pair[1].saved, true, "the runs are in a file now")
-holds(leave.question(), "not saved: on_function\n", "what cannot be kept is still asked about")
+holds(leave.question(), "not saved: on_function\n", "a question about a run that cannot be stored")
 on_function = nil
 is(leave.question(), nil, "nothing to ask")
 local w_next = w:clone():step(3)
@@ -106,8 +106,8 @@ forget()
 is(rawget(_G, "w"), nil, "an empty session")
 fails(function() session.open(path "s.archard") end, { "session.open: driven: field 'k': expected a function, as when",
   "session.open(path, { driven = { k = f } })" }, "functions are asked for, and how to give them")
-is(#own.list(), 0, "and nothing has come without them")
-holds(session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }), "4 runs, 2 models, 2 studies, 3 contacts, 3 results", "it opens")
+is(#own.list(), 0, "nothing is opened without the functions")
+holds(session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }), "4 runs, 2 models, 2 studies, 3 contacts, 3 results", "a session opens with its functions")
 is(leave.question(), nil, "nothing to ask about what has just been opened")
 is(tostring(pulled), before.pulled, "a contact with its motions")
 is(tostring(on_worn), before.on_worn, "one on worn surfaces")
@@ -118,13 +118,13 @@ is(trace:volume{ scar = { 2, 3 } }.error, before.area, "with the uncertainty of 
 is(tostring(results[1]), before.map, "a map")
 is(tostring(w), before.w, "a run as it was")
 is(driven.volume.total, before.volume, "one with a function too")
-is(driven.k(), 2e-8, "which it has again")
-is(runs.pair[1].depth.plate, before.pair, "and one in a table")
+is(driven.k(), 2e-8, "the function is restored")
+is(runs.pair[1].depth.plate, before.pair, "a run in a table is restored")
 ok(rawequal(runs[1], w), "one object under two names is one again")
 is(runs[7], "text", "values stand at their numbers")
 is(w.model, m, "the model is that of the run")
 is(on_fitted.model, fitted, "also where its size followed from the load")
-is(fitted.mesh.fineness, 1, "and may again")
+is(fitted.mesh.fineness, 1, "a fitted mesh keeps its fineness")
 is(steel.E, 210e3, "a material")
 is(math.type(whole) .. " " .. whole .. " " .. share .. " " .. tostring(yes) .. " " .. text, "integer 7 0.1 true a\nb", "plain values")
 is(huge, math.maxinteger, "the largest whole number")
@@ -143,15 +143,15 @@ is(w_next.p_center == kept[3][1] and w_next.depth_plate == kept[3][2] and w_next
 -- --- nothing lost --------------------------------------------------------------------------------
 
 fails(function() session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }) end,
-  { "session.open", "is a run that has not been saved" }, "what is not saved is not overwritten")
-is(w.update, 6, "it is still there")
+  { "session.open", "is a run that has not been saved" }, "an unsaved run is not overwritten")
+is(w.update, 6, "the unsaved run is unchanged")
 holds(session.save(), "saved in " .. path "s.archard", "saved again without a name")
 for _, case in ipairs{ false, 1, 2 } do
   fails(function() wear.open(path "s.archard", case or nil) end, { "got a session", "use session.open" },
     "wear.open takes no part of a session")
 end
 fails(function() session.save(path "w.archard") end, { "session.save", "w.archard" }, "another file is not replaced")
-is(wear.open(path "w.archard").update, 2, "and is whole")
+is(wear.open(path "w.archard").update, 2, "the run file is complete")
 fails(function() session.save(path "none/s.archard") end, "session.save", "a folder that is not there")
 fails(function() session.open(path "w.archard") end, { "session.open", "expected a file of session.save, got a run file of kind wear" },
   "a run is no session")
@@ -167,7 +167,7 @@ w:step()
 is(leave.answer "no", true, "no leaves")
 is(leave.answer "s", false, "stay stays")
 is(leave.answer "what", nil, "anything else is asked again")
-is(file_module.suggested(), path "s.archard", "it proposes the session's file")
+is(file_module.suggested(), path "s.archard", "the suggested file is that of the session")
 holds(printed(leave.answer, "yes"), "saved in " .. path "s.archard", "yes saves")
 is(w.saved, true, "indeed")
 
@@ -206,15 +206,15 @@ for what, settings in pairs{
 } do
   fails(function() session.open(stranger(settings)) end, { "session.open: ", "the file is damaged: case 1" }, what)
 end
-is(print, kept, "and the program's own is not replaced")
+is(print, kept, "a function of Lua is not replaced")
 is(rawget(_G, "t"), nil, "nothing was made")
 os.execute("mkfifo " .. path "pipe")
 holds(session.open(stranger{ kind = "study", file = path "pipe", ["key.1"] = "s" }),
   { "left out: ", "s: " .. path "pipe" .. " is not there" }, "a pipe is no file")
 holds(session.open(stranger{ kind = "study", file = path "pi\27[2Jpe", ["key.1"] = "s" }),
   { "left out: ", path "pi\\x1b[2Jpe" .. " is not there" }, "codes are shown")
-fails(function() study.open(path "pipe") end, { "not a file" }, "nor a study")
-fails(function() wear.open(path "pipe") end, { "not a file" }, "nor a run")
+fails(function() study.open(path "pipe") end, { "not a file" }, "a pipe as a study")
+fails(function() wear.open(path "pipe") end, { "not a file" }, "a pipe as a run")
 
 -- --- who, time, examples ---------------------------------------------------------------------------
 
@@ -223,28 +223,28 @@ holds(printed(who), "nothing yet", "an empty session")
 w, length, title = quickened{}, 0.5, "a title"
 w:step()
 local list = printed(who)
-holds(list, { "length  number  0.5\n", "title   string  a title\n", "w       wear    cycle 20 of 6000, 1 update, not saved" }, "who lists names, classes and states")
-ok(not list:find "print" and not list:find "session", "and nothing else")
+holds(list, { "length  number  0.5\n", "title   string  a title\n", "w       wear    cycle 20 of 6000, 1 update, not saved" }, "who() lists names, classes and states")
+ok(not list:find "print" and not list:find "session", "who() lists nothing else")
 rawset(_G, "od\27d", 1)
 title = "a\27[2J\194\155title"
 list = printed(who)
 holds(list, { "od\\x1bd", "a\\x1b[2J\\xc2\\x9btitle" }, "codes that a terminal obeys are shown")
-ok(not list:find "\27" and not list:find "\155", "and nothing of them is left")
+ok(not list:find "\27" and not list:find "\155", "control characters are removed")
 list = printed(require "archard.lib.prompt".show, title, { title })
 holds(list, { "a\\x1b[2J\\xc2\\x9btitle", '"a\\27[2J\\xc2\\x9btitle"' }, "by the prompt too")
 holds(session.save(path "odd"), "not kept: od\\x1bd (number)", "such names are in no file")
 rawset(_G, "od\27d", nil)
 local told, a, b = printed(time, function(...) return ..., 5 end, 4)
 holds(told, { "time: ", " ms, processors " }, "time tells how long")
-is(a + b, 9, "and hands on the results")
+is(a + b, 9, "time() returns the results")
 fails(function() time(3) end, { "time", "expected a function", "got 3" }, "of a function")
 holds(printed(examples), { "01_contact", "05_running_in", "examples.run" }, "examples are listed")
-holds(printed(examples, "coating"), "local thickness", "and shown")
+holds(printed(examples, "coating"), "local thickness", "an example is shown")
 is(printed(examples, 6), printed(examples, "06_coating"), "by number as by full name")
-fails(function() examples(0) end, "no example 0", "which must be there")
+fails(function() examples(0) end, "no example 0", "a missing example")
 fails(function() examples "coatin" end, "did you mean 'coating'?", "by name")
 local script = arg
-holds(printed(examples.run, "calibrate"), { "calibration from 3 measurements", "alpha" }, "and run")
+holds(printed(examples.run, "calibrate"), { "calibration from 3 measurements", "alpha" }, "an example is run")
 is(arg, script, "with arguments of their own")
 
 os.execute("rm -r " .. folder)

@@ -18,7 +18,7 @@ local roller = model{ geometry = "3-D", upper = body.ball{ radius = 5, radius_z 
 local c = contact{ model = roller, load = 20 }
 near(c.p_max, h.p_max, 3e-3, "a crowned roller's pressure")
 near(c.half_width, h.half_width, 0.02, "its half widths")
-near(c.half_width_z, h.half_width_z, 0.02, "in both directions")
+near(c.half_width_z, h.half_width_z, 0.02, "half width along z")
 near(c.approach, h.approach, 3e-3, "its approach")
 near(c.area, math.pi * h.half_width * h.half_width_z, 0.03, "its area")
 
@@ -71,7 +71,7 @@ near(w.volume.ball, 0.3 * 1e-8 * 10 * 200, 1e-9, "the ball's volume is alpha k L
 near(w.volume.block, 0.7 * 1e-8 * 10 * 200, 1e-9, "the flat's the rest")
 is(w.depth.cylinder, w.depth.ball, "bodies answer to their usual words")
 ok(w.history.area[#w.history.area] > w.history.area[1], "the history has areas")
-is(#w.history.half_width_z, #w.history.distance, "and widths across")
+is(#w.history.half_width_z, #w.history.distance, "half widths along z in the history")
 local depth = w:map("ball")
 near(depth:volume().net, w.volume.ball, 1e-9, "a map's volume is the run's")
 near(w:map("block", "depth"):volume().net, w.volume.block, 1e-9, "the flat's, too")
@@ -113,7 +113,7 @@ grown:run()
 rest:run()
 ok(#grown:map("ball").x > #narrow, "the window has grown")
 ok(same(grown, rest), "to the same bits from a file")
-near(grown.volume.total, 1e-8 * 10 * 300, 1e-9, "and no wear is lost")
+near(grown.volume.total, 1e-8 * 10 * 300, 1e-9, "no wear is lost when the window grows")
 local longer = wear{ worn = w, load = 10, stroke = 0.5, distance = 10 }
 longer:run()
 near(longer.volume.total, 1e-6, 1e-9, "a worn pair goes on under a longer stroke")
@@ -121,8 +121,8 @@ near(longer.volume.total, 1e-6, 1e-9, "a worn pair goes on under a longer stroke
 local groove = wear{ model = m, load = 10, stroke = 1, alpha = 0.5, distance = 100, procedure = "NSP" }
 groove:run()
 near(groove.volume.block, 0.5 * 1e-8 * 10 * 100, 1e-9, "long strokes as a groove")
-near(math.max(table.unpack(groove:profile("block", { x = 0 }).h)), groove.depth.block, 1e-12, "which has one section")
-fails(function() groove:map "block" end, "{ x = 0 }", "and no map")
+near(math.max(table.unpack(groove:profile("block", { x = 0 }).h)), groove.depth.block, 1e-12, "the deepest point of a groove's section")
+fails(function() groove:map "block" end, "{ x = 0 }", "a groove has no map")
 fails(function() run{ procedure = "NSP", stroke = 0.1 } end, "'procedure'", "a groove shorter than two contacts")
 
 -- --- elliptic and round contacts -------------------------------------------------------------------
@@ -139,7 +139,7 @@ along:run{ distance = 5 }
 along:run()
 resumed:run()
 is(across.depth.block, along.depth.block, "a motion along z with the radii exchanged: the same to the bit")
-is(across.volume.ball, along.volume.ball, "and the volume")
+is(across.volume.ball, along.volume.ball, "volume of wear across the motion")
 is(resumed.depth.block, across.depth.block, "from a file, too")
 is(across.half_width_z, along.half_width, "half widths keep their axes")
 local turned, straight = across:map "block", along:map "block"
@@ -147,8 +147,8 @@ ok(#turned.x == #straight.z and #turned.z == #straight.x, "maps keep theirs")
 near(turned:at(0.01, 0.03), straight:at(0.03, 0.01), 1e-12, "the same map, turned")
 is(#across:profile("block", { x = 0 }).h, #turned.z, "sections, too")
 fails(function() across:set{ slide = "x", distance = 20 } end, "'slide'", "no other axis for worn surfaces")
-fails(function() run{ model = on_flat(20, 5), worn = across } end, "'slide'", "nor as a start")
-fails(function() contact{ model = across.model, worn = across, x = 0.1 } end, "'x'", "nor a contact beside the middle")
+fails(function() run{ model = on_flat(20, 5), worn = across } end, "'slide'", "slide of a start shape")
+fails(function() contact{ model = across.model, worn = across, x = 0.1 } end, "'x'", "x of a contact from a groove")
 
 fails(function() wear{ model = m, load = 10, track = 0.1, cycles = 2 } end, "'track': expected more than the contact's width", "a narrow track")
 fails(function() wear{ model = m, load = 10, track = 5, cycles = 2, procedure = "SP" } end, "'procedure'", "a track with both ways")
@@ -193,7 +193,7 @@ near(largest, 0.620 * c.p_max, 0.01, "von Mises below a ball: 0.62 p0")
 near(-where, 0.48 * c.half_width, 0.1, "0.48 a deep")
 local surface = c:stress{ y = 0, body = "ball" }
 near(surface.syy:at(0, 0), -c.p_center, 1e-2, "at the surface the pressure")
-near(surface.sxx:at(0, 0), -0.8 * c.p_center, 2e-2, "and (1 + 2 nu) / 2 of it along x")
+near(surface.sxx:at(0, 0), -0.8 * c.p_center, 2e-2, "stress along x at the centre")
 near(c:stress{ x = 0 }.szz:at(0, 0), surface.szz:at(0, 0), 1e-9, "sections and planes agree")
 fails(function() c:stress() end, "expected a table", "stresses without a place")
 fails(function() c:stress{} end, "got none", "no place")

@@ -30,13 +30,13 @@ os.remove(file)
 local f = fit{ base = test, unknown = unknown, data = data, file = file, workers = 2 }
 near(f.value.k, 1.3e-8, 5e-3, "k from sections along and across, a volume and a width")
 near(f.value.alpha, 0.4, 5e-3, "alpha")
-ok(math.abs(f.value.k - 1.3e-8) < f.error.k, "within the standard error that it says")
+ok(math.abs(f.value.k - 1.3e-8) < f.error.k, "k within its standard error")
 near(f.data[1].place.shift.value, 0.003, 1e-2, "the shift along")
-near(f.data[2].place.shift.value, -0.004, 1e-2, "and across")
+near(f.data[2].place.shift.value, -0.004, 1e-2, "shift of a section across the motion")
 holds(tostring(f), { "along the motion at z = 0 mm", "across the motion at x = 0.05 mm" }, "print(f) names the sections")
 local again = fit{ base = test, unknown = unknown, data = data, file = file, workers = 2 }
 is(again.value.k, f.value.k, "sections come back from the file")
-is(again.runs, 0, "and nothing is run again")
+is(again.runs, 0, "a repeated fit runs nothing")
 os.remove(file)
 for section, text in pairs{ [{}] = "section", [{ x = 0, z = 0 }] = "section", [{ y = 0 }] = "section" } do
   local one = trace("plate", { x = 0 }, 0)

@@ -35,7 +35,7 @@ near(z.z, d.x, 2e-6, "along z as along x in a round contact")
 near(z.energy, d.energy, 5e-6, "with the same energy")
 local corner = d:move{ tangential = 3, tangential_z = 2, increments = 2 }
 near(corner.tangential_z, 2, 1e-4, "both forces")
-ok(corner.energy > d.energy and corner.z > 1e-4, "it moves and dissipates")
+ok(corner.energy > d.energy and corner.z > 1e-4, "a changed direction moves and dissipates")
 local slid = c:move{ x = 2e-3 }
 near(slid.tangential, 5, 1e-4, "gross slip")
 is(slid.stick, 0, "nothing sticks")
@@ -59,7 +59,7 @@ is(s.unit, "mm", "slip is a length")
 -- unlike bodies
 local soft = contact{ model = ball_on(body.block{ material = { E = 3600, nu = 0.4 } }, { size = 0.0125 }), load = 10, friction = 0.1, increments = 8 }
 ok(soft.stick > 0.3 and soft.stick < 0.6, "the rim slips while unlike bodies are pressed together")
-is(contact{ model = soft.model, load = 10, friction = 0.1, press = "frictionless" }.energy, 0, "but not without friction then")
+is(contact{ model = soft.model, load = 10, friction = 0.1, press = "frictionless" }.energy, 0, "frictionless pressing dissipates nothing")
 
 -- plots
 local function picture(draw)
@@ -83,7 +83,7 @@ fails(function() c:move{ z = 0, tangential_z = 1 } end, "fields 'z' and 'tangent
 fails(function() c:shear("y") end, '"x", "z"', "an axis there is not")
 fails(function() contact{ model = m, load = 10 }:shear() end, "expected a contact with friction", "no shear without friction")
 fails(function() contact{ model = m, load = 10 }:move{ z = 1e-4 } end, "field 'z'", "no motion across without friction")
-fails(function() contact{ friction = 0.5 }:move{ tangential_z = 1 } end, "field 'tangential_z'", "nor in the plane")
+fails(function() contact{ friction = 0.5 }:move{ tangential_z = 1 } end, "field 'tangential_z'", "tangential_z in two dimensions")
 fails(function()
   contact{ model = ball_on(body.block{ height = 1 }), load = 10, friction = 0.1 }
 end, { "field 'friction'", "rigid base" }, "no shear of layers")

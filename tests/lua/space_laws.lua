@@ -19,7 +19,7 @@ for _, exponent in ipairs{ 1, -0.5 } do
   local explicit = run(law)
   explicit:run()
   near(implicit.depth.ball, explicit.depth.ball, 3e-3, ("power law, exponent %g: implicit and explicit, ball"):format(exponent))
-  near(implicit.volume.total, explicit.volume.total, 1e-3, "and the volume")
+  near(implicit.volume.total, explicit.volume.total, 1e-3, "volume of implicit and explicit steps")
   law.law, law.jump = "archard", nil
   law.local_factor = function(_, _, p) return (p / 500) ^ exponent end
   local factors = run(law)
@@ -51,4 +51,4 @@ local falling = run{ distance = 50, alpha = function(state) return state.distanc
   k = { distance = { 0, 50 }, value = { 2e-8, 1e-9 } } }
 falling:run()
 near(falling.volume.total, 1.05e-8 * 10 * 50, 1e-8, "a coefficient that falls with the distance: its mean")
-near(falling.volume.ball, 10 * (2e-8 * 50 ^ 2 / 2 - 1.9e-8 / 50 * 50 ^ 3 / 3) / 100, 1e-3, "and a share that grows")
+near(falling.volume.ball, 10 * (2e-8 * 50 ^ 2 / 2 - 1.9e-8 / 50 * 50 ^ 3 / 3) / 100, 1e-3, "k that decreases and alpha that increases")

@@ -32,7 +32,7 @@ local m = pair(body.map{ y = rough, radius = 10, E = 210e3 }, block)
 local smooth = contact{ model = pair(body.ball{ radius = 10, E = 210e3 }, block), load = 10 }
 local spots = contact{ model = m, load = 10 }
 ok(spots.p_max > 1.3 * smooth.p_max and spots.area < 0.9 * smooth.area, "waves on a ball: higher pressures on less area")
-near(spots:pressure():volume().net, 10, 1e-3, "they carry the load")
+near(spots:pressure():volume().net, 10, 1e-3, "separate spots carry the load")
 local w = wear{ model = m, load = 10, stroke = 0.04, alpha = 0.5, distance = 40 }
 w:run{ distance = 20 }
 local file = os.tmpname()

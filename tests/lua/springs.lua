@@ -25,7 +25,7 @@ ok(tostring(m):find("springs 1 mm thick", 1, true), "print(model): " .. tostring
 w:run()
 near(w.volume.cylinder, 0.3 * 1e-8 * 100 * 1000, 1e-9, "the ball's volume is alpha k L d")
 near(w.volume.plate, 0.7 * 1e-8 * 100 * 1000, 1e-9, "the flat's the rest")
-near(w.depth_partition, 0.3, 1e-9, "and so are depths, site by site")
+near(w.depth_partition, 0.3, 1e-9, "local partition of the depths")
 -- Archard's law and one approach: h'' = 0 far from the start, a cap of V = pi R h^2 of both together
 local cap = math.sqrt(1e-8 * 100 * 1000 / (math.pi * 10))
 ok(w.depth.cylinder + w.depth.plate < cap and w.depth.cylinder + w.depth.plate > 0.8 * cap,
@@ -33,13 +33,13 @@ ok(w.depth.cylinder + w.depth.plate < cap and w.depth.cylinder + w.depth.plate >
 local free = run{ model = { geometry = "springs", mesh = { size = 0.04, zone = { cylinder = 3, plate = 3 } } },
   k = 1e-7, distance = 10000 }
 free:run()
-near(free.depth.cylinder + free.depth.plate, math.sqrt(1e-7 * 100 * 10000 / (math.pi * 10)), 0.03, "which is the limit of long wear")
+near(free.depth.cylinder + free.depth.plate, math.sqrt(1e-7 * 100 * 10000 / (math.pi * 10)), 0.03, "limit of much wear")
 local staged = run{ scheme = "none", tolerance = "none", jump = "auto" }
 staged:run()
 near(staged.depth.plate, w.depth.plate, 0.02, "explicit updates in stages come to the same")
 local euler = run{ scheme = "none", tolerance = "none", jump = 2000 }
 euler:run()
-near(euler.depth.plate, w.depth.plate, 0.02, "and plain ones")
+near(euler.depth.plate, w.depth.plate, 0.02, "depth by explicit steps")
 local ten = run{ k = function(s) return s.distance < 500 and 1e-8 or 3e-8 end }
 ten:run()
 near(ten.volume.total, 1e-6 * (500 + 3 * 500), 1e-6, "coefficients as functions of the state")
@@ -68,8 +68,8 @@ half:run{ distance = 1000 }
 again:run{ distance = 1000 }
 local a, b = half:profile("plate"), again:profile("plate")
 is(table.concat(a.h, " "), table.concat(b.h, " "), "a stored run goes on to the same bits")
-is(again.p_center, half.p_center, "and to the same pressure")
-is(half:clone().p_center, half.p_center, "as a copy does")
+is(again.p_center, half.p_center, "pressure of a restored run")
+is(half:clone().p_center, half.p_center, "pressure of a copy")
 os.remove(path)
 
 -- --- studies, fits, plots --------------------------------------------------------------------------
@@ -81,7 +81,7 @@ for _, case in ipairs(s:cases()) do
   near(case.volume.total, 1e-8 * case.load * 200, 1e-9, case.label)
 end
 local case = s:cases()[4]
-is(case:profile("plate").h[30], case:wear():profile("plate").h[30], "what a case shows is what its run has")
+is(case:profile("plate").h[30], case:wear():profile("plate").h[30], "a case shows the profile of its run")
 os.remove(path)
 local truth = run{ k = 1.4e-8, distance = 200 }
 truth:run()
@@ -90,7 +90,7 @@ local f = fit{ base = base, unknown = { k = { start = 1e-8 }, alpha = { start = 
   { body = "plate", distance = 200, profile = { x = seen.x, h = seen.h }, error = 1e-6 },
   { of = "volume_cylinder", distance = 200, value = truth.volume.cylinder, relative = 0.01 } } }
 near(f.value.k, 1.4e-8, 1e-3, "a fit finds k again")
-near(f.value.alpha, 0.3, 1e-3, "and alpha")
+near(f.value.alpha, 0.3, 1e-3, "alpha of a fit")
 for _, draw in ipairs{ function(file) return plot.profile(w, "plate", { file = file }) end,
   function(file) return plot.history(w, "p_center", { file = file }) end } do
   local svg = os.tmpname() .. ".svg"

@@ -10,16 +10,16 @@ stroke = 0.2
 fails(function() return wear{ stroke = strok } end, { "strict.lua:10: ", "no global 'strok'; did you mean 'stroke'?" },
   "a misspelt global is no silent nil")
 fails(function() return quite_another_thing end, "no global 'quite_another_thing'", "nothing near, no guess")
-fails(function() plott{} end, "did you mean 'plot'?", "nor is a call of one")
+fails(function() plott{} end, "did you mean 'plot'?", "a call of an unknown global")
 is(rawget(_G, "strok"), nil, "rawget asks without an error")
 nothing = nil
 is(nothing, nil, "a global that was assigned nil is nil")
 stroke = nil
-is(stroke, nil, "and one that became nil")
+is(stroke, nil, "a global set to nil")
 local function declare() inner = 3 end
 declare()
 is(inner, 3, "functions declare globals too")
-is(_ or unpack or jit or setfenv, nil, "what Lua text asks for to know where it runs is nil")
+is(_ or unpack or jit or setfenv, nil, "names by which Lua programs detect their version")
 is(load("return strok", "=own", "t", {})(), nil, "other environments are their owner's")
 local count = 0
 for _ in pairs(_G) do count = count + 1 end
@@ -80,12 +80,12 @@ for _, each in ipairs{
 } do
   fails(each[1], { "strict.lua:", each[2] }, each[2])
 end
-is(math.mod or table.getn or string.gfind, nil, "what text for other versions of Lua asks its libraries for is nil")
-is(plot.style().width, nil, "so is an option that a style may have")
+is(math.mod or table.getn or string.gfind, nil, "library names of other Lua versions")
+is(plot.style().width, nil, "an unset option of a style")
 is(s.file, nil, "a field that may be without a value is nil")
-is(s:cases()[1].message, nil, "as of a case that has not failed")
+is(s:cases()[1].message, nil, "the message of a case that did not fail")
 is(w.history.distance[9], nil, "a list ends with nil")
-is(#w.history.distance .. " " .. table.concat(w.history.distance, " "), "3 0.0 2.2 4.4", "and is a list")
+is(#w.history.distance .. " " .. table.concat(w.history.distance, " "), "3 0.0 2.2 4.4", "a column of the history is a list")
 local kept = 0
 for _ in ipairs(w.history.distance) do kept = kept + 1 end
 is(kept, 3, "to ipairs too")
@@ -94,5 +94,5 @@ is(kept, 3, "to ipairs too")
 
 is(tostring(hertz{}.cylinder), "material: E 200000 MPa, nu 0.3, E_star 219780 MPa", "objects as ever")
 is(tostring(w.history.distance), "{ 0, 2.2, 4.4 }", "print shows lists of ours as the prompt does")
-holds(tostring(w.depth), { "{ cylinder = ", "plate = " }, "and tables by name")
+holds(tostring(w.depth), { "{ cylinder = ", "plate = " }, "print of a table with bodies")
 holds(tostring(w:profile("plate")), { "worn_x = { ", " items)" }, "long ones shortened")

@@ -48,14 +48,14 @@ is(joined({ loading = { block, block } }, { loading = block }).loading[1], nil, 
 local reached = joined({ loading = { block, block } }, { ["loading.2.cycles"] = 7 }).loading
 is(reached[2].cycles .. " " .. reached[1].cycles .. " " .. reached[2].load, "7 10 100",
   "a name with points reaches into a list")
-is(block.cycles, 10, "and leaves the user's table alone")
+is(block.cycles, 10, "the user's table is unchanged")
 local mixed = joined({ model = model{ radius = 8 } }, { model = { mesh = { size = 0.03 } } }).model
 is(mixed.radius .. " " .. mixed.mesh.size, "8.0 0.03", "fields of a model are joined")
 
 -- --- definitions -------------------------------------------------------------------------------
 fails(function() study{ bas = {} } end, { "'bas'", "did you mean 'base'" }, "a misspelt field")
 fails(function() study{ vary = { alpha = 3 } } end, { "vary.alpha", "list" }, "vary needs lists")
-fails(function() study{ vary = { alpha = {} } } end, "empty", "and not empty ones")
+fails(function() study{ vary = { alpha = {} } } end, "empty", "an empty list in vary")
 fails(function() study{ vary = { alpha = { 1 } }, cases = { {} } } end, "got both", "vary or cases")
 fails(function() study{ base = { alfa = 3 } } end,
   { "study.lua:", "study: unknown field 'alfa' (did you mean 'alpha'?)" },
@@ -63,7 +63,7 @@ fails(function() study{ base = { alfa = 3 } } end,
 fails(function() study{ vary = { k = { 1e-9, 2e-9 }, foo = { 1 } } } end, "unknown field 'foo' (",
   "one that is varied too")
 fails(function() study{ cases = { { alpha = 1 }, { ["model.mesh.sise"] = 1 } } } end,
-  "unknown field 'model.mesh.sise' (did you mean 'size'?)", "and one inside the model")
+  "unknown field 'model.mesh.sise' (did you mean 'size'?)", "a misspelt field inside the model")
 fails(function() study.paper{ model = { plate = { G = 1 } } } end,
   { "study.paper: ", "'model.plate.G' (known: E, k, name, nu)" }, "or a material")
 fails(function() study{ base = { loading = { { x = { 0, 1, 0 }, lode = 1 } } } } end,
@@ -73,7 +73,7 @@ fails(function() study{ base = { radius = 8 } } end, "'radius': it is a field of
 fails(function() study{ base = { alpha = 3 } }:run{ file = path "never" } end,
   { "study.lua:", "study:run: case 1: ", "'alpha'" },
   "a value out of range stops the study before it starts")
-is(io.open(path "never"), nil, "and leaves no file")
+is(io.open(path "never"), nil, "a refused study writes no file")
 is(#study.paper():cases(), 20, "the paper's 20 cases")
 is(study.paper():cases()[6].jump, 40, "with Table 1's cycles per update")
 holds(tostring(study.paper()), { "paper", "20 cases", "alpha, stroke" }, "print(study)")
@@ -128,17 +128,17 @@ run:run{ distance = 330 }
 direct:run{ distance = 330 }
 is(run.p_center, direct.p_center, "a stored case goes on to the same bits")
 is(wear.open(path "one", 4).distance, 220, "wear.open of a case")
-fails(function() wear.open(path "one") end, "has 4 cases", "which needs its number")
+fails(function() wear.open(path "one") end, "has 4 cases", "a study opened as a run")
 
 -- --- resuming ----------------------------------------------------------------------------------
 local seconds = one:cases()[1].seconds
 one = new_study():run{ workers = 2, file = path "one", progress = false }
-is(one:cases()[1].seconds, seconds, "what is done is not computed again")
+is(one:cases()[1].seconds, seconds, "finished cases are not computed again")
 fails(function() small{ vary = { alpha = { 0.25 } } }:run{ file = path "one" } end,
   { "another study", "4 cases" }, "a file of another study is refused")
 fails(function()
   small{ vary = { alpha = { 0.25, 0.5 }, stroke = { 0.11, 0.3 } } }:run{ file = path "one" }
-end, { "another study", "case 2", "stroke" }, "and the first difference is named")
+end, { "another study", "case 2", "stroke" }, "the first difference is reported")
 do
   local letter = assert(io.open(path "letter", "w"))
   letter:write(("Dear Sir, "):rep(20))
@@ -147,9 +147,9 @@ do
     "a foreign file is refused")
   local refused = fails(function() study.open(path "letter") end, "not a run file", "also by study.open")
   holds(refused.position, "study.lua:", "with the user's own line")
-  refused = fails(function() study.open(path "none") end, "No such file", "and one that is not there")
-  is(refused.where, "study.open", "as the call that was made")
-  is(#assert(io.open(path "letter")):read("a"), 200, "and stays as it was")
+  refused = fails(function() study.open(path "none") end, "No such file", "a missing file")
+  is(refused.where, "study.open", "the error names the call of the user")
+  is(#assert(io.open(path "letter")):read("a"), 200, "a refused file is unchanged")
 end
 
 -- A failed case does not affect other cases and is tried again.
@@ -161,7 +161,7 @@ bad:run{ workers = 2, file = path "bad", progress = false }
 io.stderr = quiet
 is(#bad.failed, 1, "one case failed")
 holds(bad.failed[1].message, { "alpha", "2" }, "with its message")
-holds(table.concat(errors), { "case 2", "alpha 2" }, "which is also reported")
+holds(table.concat(errors), { "case 2", "alpha 2" }, "the failed case is reported")
 local cases = bad:cases()
 is(cases[1].status .. cases[2].status .. cases[3].status, "donefaileddone", "the others are done")
 is(cases[2].message:find "wear: field 'alpha'", 1, "the message is stored, without a place in our scripts")
@@ -180,15 +180,15 @@ small{ vary = { jump = { 50, 530, 540, 550, 560 } } }:run{ file = path "more", p
 io.stderr = quiet
 holds(told, { "case 2", "warning: jump = 530 cycles is past the stability limit" },
   "a jump past the stability limit is told of")
-is(told:find("case 1", 1, true), nil, "and no other")
+is(told:find("case 1", 1, true), nil, "only the cases with warnings are reported")
 holds(table.concat(errors), "4 cases (2, 3, 4, 5) have warnings", "many are told of in one line")
-is(#errors, 1, "and no more")
+is(#errors, 1, "one line for many warnings")
 ripples = study.open(path "ripples"):cases()
 is(ripples[1].warning, nil, "a quiet case has no warning")
 holds(ripples[2].warning, "ripples will grow", "the run file keeps the others'")
 holds(tostring(ripples[2]), "ripples will grow", "print(case) tells of it")
 holds(study.open(path "ripples"):table(), "done, warned: jump = 530 cycles is past", "the table too")
-holds(study.open(path "ripples"):table(), "half_w", "which keeps its columns")
+holds(study.open(path "ripples"):table(), "half_w", "the table keeps its columns")
 
 -- Loadings and series are stored like other settings.
 local blocks = study{ looks = 0, base = { geometry = "frozen", jump = 50, model = coarse.model,
@@ -212,11 +212,11 @@ local merged = study.merge(path "share1", path "share2", path "share3", { file =
 is(content(merged), content(one), "shares merge to the same bits")
 fails(function() study.merge(path "share1", path "share3", { file = path "gap" }) end,
   { "1 cases", "not finished in any of the files", "2" }, "a missing case is named")
-is(io.open(path "gap"), nil, "and no file is made")
+is(io.open(path "gap"), nil, "an incomplete merge writes no file")
 merged = study.merge(path "share1", path "merged", path "share1", { file = path "twice" })
 is(content(merged), content(one), "a case that is in two of them is there once")
 fails(function() study.merge(path "share1", path "bad", { file = path "gap" }) end,
-  "different studies", "as is another study")
+  "different studies", "shares of another study")
 
 -- --- a file whose program was killed during its start -------------------------------------------
 local function begun()
@@ -225,14 +225,14 @@ local function begun()
   return path "begun"
 end
 local empty = study.open(begun())
-is(#empty:cases(), 0, "it is a study without cases")
-holds(empty, "0 cases", "and says so")
-fails(function() empty:run() end, { "begun has no cases", "create the study again" }, "which does not run")
-fails(function() study.merge(begun(), { file = path "gap" }) end, "begun: the file has no cases", "nor is it joined alone")
+is(#empty:cases(), 0, "an empty file is a study without cases")
+holds(empty, "0 cases", "print of a study without cases")
+fails(function() empty:run() end, { "begun has no cases", "create the study again" }, "a study without cases is not run")
+fails(function() study.merge(begun(), { file = path "gap" }) end, "begun: the file has no cases", "a study without cases is not merged")
 is(content(study.merge(path "share1", begun(), path "merged", { file = path "twice" })), content(one),
   "as a share it has nothing to add")
-is(content(study.merge(path "merged", { file = begun() })), content(one), "it is replaced by a study of several")
-is(content(new_study():run{ workers = 1, file = begun(), progress = false }), content(one), "and gone on with by a study")
+is(content(study.merge(path "merged", { file = begun() })), content(one), "an empty file is replaced by a merged study")
+is(content(new_study():run{ workers = 1, file = begun(), progress = false }), content(one), "an empty file is continued by a study")
 
 -- --- tables ------------------------------------------------------------------------------------
 holds(one:table(), { "alpha", "stroke", "p_center", "[MPa]", "done" }, "table")
@@ -242,12 +242,12 @@ holds(csv, "," .. require "archard.files".number(case.p_center) .. ",", "CSV has
 is(tonumber(require "archard.files".number(case.p_center)), case.p_center, "that count")
 holds(one:table{ format = "markdown" }, "| --: |", "Markdown")
 is(export.csv(one, path "exported"), path "exported.csv", "export.csv of a study says its file")
-is(io.open(path "exported.csv"):read "a", csv .. "\n", "and writes its table")
+is(io.open(path "exported.csv"):read "a", csv .. "\n", "export.csv writes the table")
 local said, usual = {}, io.stderr
 io.stderr = { write = function(_, ...) said[#said + 1] = table.concat{ ... } end }
 is(one:table{ file = path "table.md" }, path "table.md", "with a file, the table is there and its name comes back")
 io.stderr = usual
-is(table.concat(said), "archard: study:table: wrote " .. path "table.md" .. "\n", "and is said")
+is(table.concat(said), "archard: study:table: wrote " .. path "table.md" .. "\n", "the written table is reported")
 holds(assert(io.open(path "table.md")):read("a"), "| --: |", "the ending tells the form")
 fails(function() one:table{ format = "html" } end, '"markdown"', "no other form")
 
@@ -259,7 +259,7 @@ local nine = small{ vary = { alpha = { 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0
 drawn = nine:figures{ dir = path "figures" }
 for _, each in ipairs(drawn) do
   holds(each.caption, "8 of 9 cases", "one that leaves out a case says so, " .. each.name)
-  holds(assert(io.open(each.files[1])):read("a"), "8 of 9 cases", "in the picture as well")
+  holds(assert(io.open(each.files[1])):read("a"), "8 of 9 cases", "the picture shows the share of cases")
 end
 
 -- --- one run in a file -------------------------------------------------------------------------
@@ -270,7 +270,7 @@ local opened = wear.open(path "wear")
 is(opened.update, 5, "wear.open")
 w:run()
 opened:run()
-is(opened.p_center, w.p_center, "and it goes on to the same bits")
+is(opened.p_center, w.p_center, "an opened run continues with identical bits")
 opened:save(path "wear")
 is(wear.open(path "wear").distance, 220, "a saved run may be replaced")
 local function falling(state) return 1e-8 / (1 + state.distance / 500) end
@@ -281,7 +281,7 @@ fails(function() wear.open(path "function") end, { "'k'", "a function, as when t
   "a function must be given again")
 fails(function() wear.open(path "function", { k = falling, alpha = falling }) end, "'alpha'",
   "and no other")
-fails(function() wear.open(path "function", { kay = falling }) end, "'kay'", "nor an unknown one")
+fails(function() wear.open(path "function", { kay = falling }) end, "'kay'", "an unknown function given to wear.open")
 local g = wear.open(path "function", { k = falling })
 f:run()
 g:run()
@@ -291,7 +291,7 @@ fails(function() wear.open(path "wear", { k = falling }) end, "no value",
 fails(function() small{ vary = { k = { falling } } }:run{ file = path "x" } end, { "k", "function" },
   "a study takes none")
 fails(function() w:save(path "one") end, "not replaced", "a study may not")
-fails(function() w:save(path "letter") end, "not a run file", "nor anything else")
+fails(function() w:save(path "letter") end, "not a run file", "another file is not replaced")
 fails(function() w:save "/no/such/folder/w" end, { "/no/such/folder/w", "No such file" }, "a folder that is not there")
 fails(function() wear.open(path "absent") end, "absent", "a file that is not there")
 fails(function() study.open(path "wear") end, "kind study", "a run is no study")

@@ -102,6 +102,6 @@ for _, name in ipairs{ "find", "option", "matches", "fields", "members", "defini
   end
 end
 fails(function() wear{ ["lo\0ad"] = 1 } end, [[unknown field 'lo\0ad']], "a name with a zero byte is told whole")
-fails(function() wear{ ["load\0"] = 1 } end, [[unknown field 'load\0']], "and is none that ends there")
+fails(function() wear{ ["load\0"] = 1 } end, [[unknown field 'load\0']], "a field name with a zero byte")
 
 os.remove(path)

@@ -33,14 +33,14 @@ is(wear{ stroke = 20 }.procedure, "NSP", "2R: the plate stays flat")
 local record = w:step()
 is(w.update, 1, "a step is one update")
 is(w.cycle, 100, "of jump cycles")
-near(w.distance, 22, 1e-12, "and their distance")
+near(w.distance, 22, 1e-12, "distance of the steps")
 near(w.volume.total, 1e-8 * 100 * 22, 1e-9, "volume = k L d")
 near(w.volume.cylinder, w.volume.plate, 1e-9, "alpha = 0.5 shares it evenly")
 is(record.p_center, w.p_center, "the record is the state")
 is(record.depth_cylinder, w.depth.cylinder, "depths too")
 local line = tostring(record)
 holds(line, { "cycle", "22.0 mm", "MPa", "um", "mm3" }, "a record prints")
-ok(not line:find("\n") and #line <= 80, "as one line within 80 columns")
+ok(not line:find("\n") and #line <= 80, "an error of one line with 80 columns")
 is(#line, #tostring(w:step()), "lines align")
 local _, lines = tostring(w:step(10)):gsub("\n", "\n")
 is(lines, 11, "ten steps print a table")
@@ -97,7 +97,7 @@ do
     largest = math.max(largest, contact{ model = run.model, worn = run, x = 0.11 * (i / 4 - 0.5) }.p_max)
   end
   near(run.p_peak, largest, 1e-9, "p_peak: the largest on the way")
-  ok(run.p_peak > 1.1 * run.p_max, "which is above that at x = 0")
+  ok(run.p_peak > 1.1 * run.p_max, "the peak pressure exceeds that at x = 0")
   local alone = wear{ increments = 8, jump = 50 }
   alone:step(19)
   local copy = alone:clone()
@@ -111,7 +111,7 @@ do
     most = math.max(most, contact{ model = loaded.model, worn = loaded, x = x, load = cycle.load[i] }.p_max)
   end
   near(loaded.p_peak, most, 1e-9, "p_peak under a loading: what the cycle has")
-  ok(loaded.p_peak < 0.9 * loaded.p_max, "and not the largest load at x = 0, which it never has")
+  ok(loaded.p_peak < 0.9 * loaded.p_max, "the peak pressure under a varying load")
   local implicit = wear{ scheme = "implicit", jump = 200, increments = 8, order = 1 }
   implicit:step(4)
   local after = contact{ model = implicit.model, worn = implicit, x = -0.055 }.p_max
@@ -136,17 +136,17 @@ near(combined.h[(#combined.h + 1) // 2], w.depth.cylinder + w.depth.plate, 1e-9,
 local partition = w:local_partition()
 near(partition.value[(#partition.x + 1) // 2], w.depth_partition, 1e-6, "Eq. (30) at the centre")
 is(#partition.x, #partition.value, "Eq. (30): as many values as x")
-ok(#partition.x < #combined.x, "and only where something has worn")
+ok(#partition.x < #combined.x, "partition only where something is worn")
 ok(w:roughness("cylinder") < 1e-2, "smooth at jump = 100")
 local stability = w:stability()
 near(stability.jump_limit, 2 / stability.eigenvalue, 1e-12, "stability limit")
-ok(stability.jump_limit > 100, "which jump = 100 respects")
+ok(stability.jump_limit > 100, "jump = 100 is below the stability limit")
 
 -- running
 local bits = w:clone()
 is(bits.p_center, w.p_center, "a clone is the same state")
 bits:step()
-is(w.update, 12, "and independent")
+is(w.update, 12, "a clone is independent")
 is(w:run(), w, "run returns the object")
 bits:run()
 is(bits.p_center, w.p_center, "both go on to the same bits")
@@ -159,7 +159,7 @@ near(w.p_center, 188.0, 1e-2, "reference case: centre pressure")
 is(w:step().update, w.update, "a step at the end does nothing")
 is(w.update, 60, "nothing at all")
 near(w:run{ distance = 1340 }.distance, 1340, 1e-12, "further than defined")
-near(w.total_distance, 1340, 1e-12, "which is the new definition")
+near(w.total_distance, 1340, 1e-12, "a new total distance")
 fails(function() w:run{ distance = 10 } end, { "wear:run", "already at 1340 mm" }, "backwards")
 near(wear{}:run{ cycles = 250 }.cycle, 250, 1e-12, "run by cycles, a shorter last step")
 fails(function() w:run{ cycles = 1, distance = 1 } end, "got both", "run by both")
@@ -171,7 +171,7 @@ local seen = {}
 local p = wear{ increments = 10 }
 p:run{ progress = function(run) seen[#seen + 1] = run.update return run.update == 3 end }
 is(#seen, 3, "progress is called after each step until it returns true")
-is(p.update, 3, "and the run stands there")
+is(p.update, 3, "the run after a failed function")
 local err = fails(function() p:run{ progress = function(run) error("no " .. run.update) end } end,
   { "wear:run: progress failed", "no 4" }, "an error in progress")
 is(err.code, "CALLBACK", "its code")
@@ -209,7 +209,7 @@ end
 -- schemes, steps, laws and series reach the engine
 local implicit = wear{ scheme = "implicit", tolerance = 1e-3 }
 is(implicit.tolerance, 1e-3, "tolerance can be read back")
-holds(tostring(implicit), { "implicit", "tolerance 0.001" }, "and is in the summary")
+holds(tostring(implicit), { "implicit", "tolerance 0.001" }, "print of an implicit run")
 implicit:run()
 near(implicit.depth.cylinder, w.depth.cylinder, 2e-2, "implicit: the depth of the explicit run, nearly")
 ok(implicit.update < w.update, "implicit: in fewer steps")
@@ -257,5 +257,5 @@ do
   run:set{ distance = 4.4 }
   warnings.take()
   is(run:step(3).update, 2, "fewer steps than asked for are made")
-  ok(not (warnings.take() or ""):find "nothing to do", "and are no news")
+  ok(not (warnings.take() or ""):find "nothing to do", "steps of a finished run warn once")
 end
