@@ -114,7 +114,7 @@ end
 local level = { upper = body.profile{ width = 4, height = 2, y = function() return 0 end }, lower = body.block{} }
 ok(pcall(model, level), "a level profile is meshed")
 local _, why = pcall(contact, { model = level })
-ok(tostring(why):find("the bodies are too small for it", 1, true), "and touches as far as it goes, which is said")
+ok(tostring(why):find("the bodies are too small for it", 1, true), "a contact wider than the bodies is reported")
 
 -- --- balls --------------------------------------------------------------------------------------
 

@@ -17,7 +17,7 @@ for i, count in ipairs(cycles) do
   fretting:run{ cycles = count, progress = false }
   within(1e3 * fretting.depth.plate, half_plane[i], 0.005, ("McColl, %d cycles: depth of the flat [um]"):format(count))
 end
-ok(fretting.gross == 1 and fretting.stick_width == 0, "in gross slip")
+ok(fretting.gross == 1 and fretting.stick_width == 0, "the case is in gross slip")
 note(("%d updates, %d contact solutions, %.1f s"):format(fretting.update, fretting.solutions, os.clock() - start))
 
 -- --- the energy law -----------------------------------------------------------------------------

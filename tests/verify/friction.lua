@@ -110,9 +110,9 @@ do
   end
   within(first, (1 + energy_off(models[0.01], 30, load)) * cycle_energy(0.5), 1e-3,
     "energy of a cycle, as where the bodies were pressed without friction and went in 1 increment [N mm]")
-  within(2 * half, first, 1e-3, "as the second cycle's, in 100 increments")
-  within(2 * area, first, 0.85 / n_of(30, 0.01) ^ 2, "as the area of the loop, but for the nodes")
-  ok(later.x > start, "which is run through the right way")
+  within(2 * half, first, 1e-3, "energy of the second cycle, in 100 increments")
+  within(2 * area, first, 0.85 / n_of(30, 0.01) ^ 2, "energy against the area of the loop")
+  ok(later.x > start, "direction of the loop")
 end
 
 -- Over contacts whose edges move across two elements, for any element height. At 20 um under 12 N the slip annulus is
@@ -194,7 +194,7 @@ do
   for i = 1, 100 do c = c:move{ tangential = (-1) ^ i * (40 - 0.3 * i) } end -- more reversals than are stored
   within(c:move{ tangential = -10 }.energy - c.energy, way_energy(20), 0.005, "after 100 turns, each inside the one before: a way")
   c = c:move{ tangential = -20 }
-  within(c:move{ tangential = 10 }.energy - c.energy, way_energy(30), 0.002, "and one past many of them")
+  within(c:move{ tangential = 10 }.energy - c.energy, way_energy(30), 0.002, "energy of a displacement beyond many reversals")
 end
 
 -- The stick zone after a reversal: a displacement D leaves half its width, a sqrt(1 - D / (2 mu L)).
@@ -317,7 +317,7 @@ do
     local wide = stuck_share(beta, friction) * h.half_width
     about((c.stick[1].right - c.stick[1].left) / 2, wide, 0.01,
       ("dissimilar bodies, friction %g: half the zone that sticks [mm], an element"):format(friction))
-    about(c.tangential, 0, 1e-6, "and no force along x [N]")
+    about(c.tangential, 0, 1e-6, "no force along x [N]")
   end
 end
 
@@ -326,7 +326,7 @@ end
 do
   local c = contact{ model = models[0.01], friction = mu }:move{ x = 0.05, increments = 20 }
   about(c.tangential, mu * load, 1e-9, "sliding: force [N]")
-  figures.ok(#c.stick == 0, "and nothing sticks")
+  figures.ok(#c.stick == 0, "no stick zone")
   local field, surface = c:stress().plate, c.model.mesh.plate:surface()
   local worst, largest = 0, 0
   for _, node in ipairs(surface) do

@@ -17,7 +17,7 @@ end
 local reference = run{}
 local frozen = run{ geometry = "frozen" }
 compare(frozen, reference, 1e-3, "frozen against moving geometry")
-figures.ok(frozen.p_center ~= reference.p_center, "and they are not the same")
+figures.ok(frozen.p_center ~= reference.p_center, "frozen and moving geometry differ")
 
 compare(run{ refresh = 0 }, reference, 1e-4, "stiffness renewed at every update")
 

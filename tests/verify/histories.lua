@@ -167,7 +167,7 @@ local long = wear{ stroke = 12, jump = "auto", geometry = "frozen" }:run()
 -- in the middle each node passes below the whole profile once in a stroke: depth = k_p L d / stroke
 local scar = long:profile("plate").h
 within(scar[#scar // 2 + 1], 0.5e-8 * 100 * 1320 / 12, 2e-3, "a stroke of 12 mm: depth of the plate [mm]")
-within(long.depth.plate, 0.5e-8 * 100 * 1320 / 12, 5e-3, "and nowhere deeper [mm]")
+within(long.depth.plate, 0.5e-8 * 100 * 1320 / 12, 5e-3, "largest depth of the plate [mm]")
 
 -- blocks -----------------------------------------------------------------------------------------------
 

@@ -60,4 +60,4 @@ figures.below(short, 60, "a stroke of one element: updates")
 
 figures.below(worst, 1e-3, ("depths of %d runs at four distances, off by at most"):format(runs))
 figures.below(most, 100, "their most updates")
-figures.below(refused, 0.1 * runs, "those refused, as the scar is wider than the bodies")
+figures.below(refused, 0.1 * runs, "runs refused, as the scar is wider than the bodies")

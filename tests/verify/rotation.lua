@@ -70,13 +70,13 @@ end
 local aside = run(journal, 12, 1, 1)
 below(deviation(aside, math.rad(12)), 0.045, "the same under a load from 12 degrees")
 local other = run(journal, -12, 1, 1)
-within(other.depth.bush, aside.depth.bush, 1e-9, "and from -12 degrees [mm]")
+within(other.depth.bush, aside.depth.bush, 1e-9, "depth under a load from -12 degrees [mm]")
 
 -- --- both bodies wear, and the bush rotates -------------------------------------------------------
 
 local both = run(journal, 0, 0.5, 0.5)
 within(both.volume.bush, k / 2 * both.load_distance, 1e-12, "both wear: V of the bush [mm3]")
-within(both.volume.pin, k / 2 * both.load_distance, 1e-12, "and of the pin [mm3]")
+within(both.volume.pin, k / 2 * both.load_distance, 1e-12, "volume of the pin [mm3]")
 figures.ok(both.depth.pin < both.depth.bush, "the pin, whose wear the swing spreads, is worn less deep")
 
 -- A load that follows the swinging bush wears it like a load fixed in the resting bush.

@@ -108,7 +108,7 @@ for i, row in ipairs(compared) do
     near(tonumber(got), tonumber(known), 0.003, "paper, archard, independent: " .. row[1])
   end
 end
-ok(numbers >= 3, "which compares depths")
+ok(numbers >= 3, "the page compares depths")
 ok(#findings.finals{ { title = "here", cases = cases } } == 31, "final values, three a case")
 local table_1 = findings.table_1(cases)
 ok(#table_1 == 21, "Table 1 as it was run")
@@ -150,7 +150,7 @@ for _, each in ipairs{ { s, 8 }, { trials, 3 }, { meshes, 1 } } do
   for _, figure in ipairs(drawn) do
     local size, text = size_of(figure.files[1])
     ok(size > 8000 and text:find("</svg>", 1, true), figure.title)
-    ok((figure.shows .. figure.caption):find "%d" and not (figure.shows .. figure.caption):find "nan", "what it shows")
+    ok((figure.shows .. figure.caption):find "%d" and not (figure.shows .. figure.caption):find "nan", "the caption contains numbers")
   end
 end
 local page = part("page").html{ title = "A & B", lead = "<i>",

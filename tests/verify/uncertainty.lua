@@ -45,7 +45,7 @@ local function values_of(distribution, n)
 end
 local k = values_of(lognormal{ mean = 1e-8, variation = 0.4 }, 4096)
 near(statistics.mean(k), 1e-8, 1e-3, "lognormal: the mean is that of the number")
-near(statistics.deviation(k), 4e-9, 5e-3, "and so is the deviation")
+near(statistics.deviation(k), 4e-9, 5e-3, "standard deviation of the samples")
 near(statistics.deviation(values_of(normal{ 100, 5 }, 4096)), 5, 2e-3, "normal by order of numbers")
 near(statistics.deviation(values_of(uniform{ 0.3, 0.7 }, 4096)), 0.4 / math.sqrt(12), 1e-3, "uniform")
 local cut = sampled.sorted(values_of(normal{ 100, 5, low = 98, high = 103 }, 512))
@@ -153,12 +153,12 @@ local twins = with{ n = 1024, sample = joined{ { "k", "alpha", -0.5 } } }
 local ks, alphas = {}, {}
 for i, case in ipairs(twins:cases()) do ks[i], alphas[i] = case.k, case.alpha end
 near(sampled.rank_correlation(ks, alphas), 6 / math.pi * math.asin(-0.25), 0.02, "correlated as asked")
-near(statistics.mean(ks), 1e-8, 0.01, "and each as distributed")
+near(statistics.mean(ks), 1e-8, 0.01, "mean of correlated samples")
 
 -- --- checks before the start ---------------------------------------------------------------------
 fails(function() with{ n = 4, sample = { alpha = normal{ 0.5, 0.4 } } }:run{ file = path("out"), progress = false }
 end, { "sample.alpha", "low=" }, "values out of range are told before anything runs")
-is(io.open(path("out")), nil, "and leave no file")
+is(io.open(path("out")), nil, "a refused study writes no file")
 fails(function() with{ n = 4, sample = { law_pressure = uniform{ 50, 150 } } }:run{ file = path("out"),
   progress = false } end, { "sample.law_pressure", "has no effect" }, "a field that does nothing")
 fails(function() with{ n = 4 }:uncertainty() end, "the study has no results yet", "no results yet")
@@ -197,7 +197,7 @@ local f = one:failure{ of = "volume_cylinder", above = 0.5 * limit * 100 * 110, 
 near(f.probability, truth, 2 / 256 / truth, "the probability of a failure")
 ok(f.low < truth and truth < f.high, "its range holds the truth")
 holds(tostring(f), { "above", "before 110 mm", "of 256 samples" }, "it prints")
-is(one:failure{ of = "p_center", below = 0 }.probability, 0, "what never happens")
+is(one:failure{ of = "p_center", below = 0 }.probability, 0, "probability of an impossible event")
 fails(function() one:failure{ of = "p_center" } end, { "'above'", "neither" }, "no limit")
 fails(function() one:failure{ above = 1 } end, { "'of'" }, "no result")
 fails(function() one:failure{ of = "p_center", above = 1, before = 999 } end, { "'before'", "220" }, "too far")
@@ -231,10 +231,10 @@ local thin = wear{ k = 1e-12, distance = 44, jump = 100 }
 thin:run{ progress = false }
 local t = thin:sensitivity{ of = { "depth_cylinder", "volume_plate" }, to = { "k", "load", "alpha" } }
 near(t.depth_cylinder.k.elasticity[1], 1, 1e-8, "the depth of the first update is linear in k")
-near(t.depth_cylinder.k.elasticity[2], 1, 1e-5, "and thin wear nearly")
+near(t.depth_cylinder.k.elasticity[2], 1, 1e-5, "elasticity of little wear")
 near(t.volume_plate.k.elasticity[2], 1, 1e-10, "the volume exactly")
 near(t.volume_plate.k.derivative[2], 0.5 * 100 * 44, 1e-10, "alpha L d")
-near(t.volume_plate.load.elasticity[2], 1, 1e-10, "and in the load")
+near(t.volume_plate.load.elasticity[2], 1, 1e-10, "elasticity by the load")
 near(t.volume_plate.alpha.elasticity[2], -1, 1e-10, "the plate loses what the cylinder gains")
 
 -- With all stresses scaled (load and E increased, k decreased) the depth is constant and the pressure proportional:
@@ -260,7 +260,7 @@ end
 local function difference(h) return (depth(100 + h) - depth(100 - h)) / (2 * h) end
 near(g.depth_cylinder.load.derivative[#g.distance], (4 * difference(5e-4) - difference(1e-3)) / 3, 1e-4,
   "and extrapolated differences")
-holds(tostring(g), { "sensitivities at 330 mm", "percent by percent" }, "they print")
+holds(tostring(g), { "sensitivities at 330 mm", "percent by percent" }, "print of sensitivities")
 for _, given in ipairs{ { scheme = "implicit", tolerance = 1e-3 }, { jump = "auto" } } do
   given.distance, given.model = 220, w.model
   local run = wear(given)
@@ -289,7 +289,7 @@ for what, given in pairs{ implicit = { scheme = "implicit", tolerance = 1e-3 }, 
     local truth, doubt = 2 * narrow[name].value - wide[name].value, math.abs(narrow[name].value - wide[name].value)
     tap.note(("%s, %s by k: %.5f +- %.5f, smaller steps %.5f"):format(what, name, one.value, one.error, truth))
     ok(math.abs(one.value - truth) < one.error + doubt, what .. ": the error of " .. name .. " is honest")
-    near(one.value, truth, name == "p_center" and 5e-3 or 3e-4, "and small")
+    near(one.value, truth, name == "p_center" and 5e-3 or 3e-4, "the derivative agrees with smaller steps")
   end
 end
 -- The contact's edge moves from node to node: the reported derivative is the slope over many nodes, which agrees with
@@ -303,7 +303,7 @@ for name, truth in pairs{ half_width = 0.285, p_center = -0.336 } do -- derivati
   ok(math.abs(one.elasticity[n] - truth) < one.elasticity_error[n] + 0.01, name .. ": the slope over many nodes")
   ok(one.over[n] == 0.24, "told with its range")
 end
-ok(jumping.volume_plate.k.over[1] == 0, "what does not jump has its derivative")
+ok(jumping.volume_plate.k.over[1] == 0, "a smooth result has a local derivative")
 local pair = { k = uniform{ 1e-8, 2e-8 }, alpha = uniform{ 0.3, 0.7 } }
 pair.correlated = { { "k", "alpha", 0.9 }, { "alpha", "k", -0.9 } }
 fails(function() study{ sample = pair } end, { "'sample.correlated[2]'", "given twice, first as 0.9" }, "a correlation given twice")
@@ -313,7 +313,7 @@ fails(function() study{ sample = { increments = uniform{ 10, 100 } } } end, { "'
   "what is no number of a range")
 fails(function() lognormal{ 1e-8, 0.4 } end, { "'deviation'", "variation=" }, "a variation in the deviation's place")
 fails(function() w:sensitivity{ over = 0.6 } end, { "'over'", "0.6" }, "too wide a range")
-fails(function() w:sensitivity{ to = "distance" } end, { "'to'", "distance", "w.history" }, "where the run ends")
+fails(function() w:sensitivity{ to = "distance" } end, { "'to'", "distance", "w.history" }, "sensitivity to the end of the run")
 local plate_only = wear{ distance = 44, alpha = 0 }
 plate_only:run{ progress = false }
 fails(function() plate_only:sensitivity{ to = "alpha" } end, { "'to'", "alpha is 0" }, "alpha of 0")
