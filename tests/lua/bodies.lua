@@ -23,13 +23,13 @@ is(hard.alpha, 0.0, "a body of k = 0 does not wear")
 is(wear{ model = { cylinder = { k = 1e-8 }, mesh = coarse } }.alpha, 1.0, "a body without a coefficient does not wear")
 
 w:set{ k_plate = 0 }
-near(w.k, 1e-8, 1e-15, "w:set of one leaves the other")
+near(w.k, 1e-8, 1e-15, "w:set of one coefficient keeps the other")
 is(w.alpha, 1.0, "only the cylinder wears then")
 w:set{ k = function() return 2e-8 end }
 w:set{ k_cylinder = 1e-8, k_plate = 1e-8 }
-near(w.k, 2e-8, 1e-15, "numbers take the place of a function")
+near(w.k, 2e-8, 1e-15, "numbers replace a function")
 
-fails(function() wear{ k = 1e-8, k_cylinder = 1e-8, k_plate = 0 } end, "fields 'k' and 'k_cylinder'", "one way or the other")
+fails(function() wear{ k = 1e-8, k_cylinder = 1e-8, k_plate = 0 } end, "fields 'k' and 'k_cylinder'", "k together with k_cylinder")
 fails(function() wear{ alpha = 0.5, k_plate = 1e-8, k_cylinder = 0 } end, "fields 'alpha' and 'k_cylinder'", "alpha too")
 fails(function() wear{ k_plate = 1e-8 } end, { "field 'k_cylinder'", "mm2/N", "together with 'k_plate'" }, "one alone")
 fails(function() wear{ k_plate = -1, k_cylinder = 0 } end, { "field 'k_plate'", ">= 0 mm2/N", "got -1" }, "below zero")
@@ -45,11 +45,11 @@ fails(function() model{ radius = 1e14 } end, { "field 'mesh.size': expected at l
   "elements too many to be counted")
 is(model{ mesh = { size = "auto", fineness = 2 } }.mesh.size, 0.01, "fineness halves the paper's size")
 ok(contact{ model = { radius = 0.5 } }.p_center > 0, "a small radius")
-is(model{ radius = 0.5 }.mesh.far, 0.05, "far goes with the radius")
+is(model{ radius = 0.5 }.mesh.far, 0.05, "far is proportional to the radius")
 local copy = study{ base = { model = model{ mesh = { fineness = 0.5 } }, distance = 22 } }
 local file = os.tmpname()
 os.remove(file)
 copy:run{ file = file, workers = 1, progress = false }
-is(copy:cases()[1].status, "done", "a study takes a model whose size was found")
+is(copy:cases()[1].status, "done", "a study of a model with an automatic mesh size")
 copy:close()
 os.remove(file)

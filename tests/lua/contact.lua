@@ -31,7 +31,7 @@ holds(tostring(c), { "load 100 N", "MPa", "half" }, "print(contact)")
 
 -- stress
 local s = c:stress()
-is(s.contact, c, "a stress knows its contact")
+is(s.contact, c, "the contact of a stress")
 for body, field in pairs(s) do
   local nodes = c.model.mesh[body].nodes
   for _, name in ipairs{ "x", "y", "ux", "uy", "sxx", "syy", "szz", "sxy", "mises", "shear" } do

@@ -24,7 +24,7 @@ ok(#steps == 3 or math.abs(steps[#steps - 2].error) > 0.02 or steps[#steps - 2].
 -- With three elements across the contact the error is below 1 % by chance here.
 local lucky = { load = 40, model = { radius = 6, cylinder = material{ E = 410e3, nu = 0.14 } } }
 steps, good = search.mesh(lucky, 0.01)
-ok(good and good.elements >= 8, "luck on a coarse mesh is not taken")
+ok(good and good.elements >= 8, "a chance agreement on a coarse mesh is rejected")
 
 -- --- jump and increments -------------------------------------------------------------------------
 local c = study.converge{ base = { alpha = 1, model = coarse }, mesh = false }
@@ -51,7 +51,7 @@ holds(tostring(c), { "jump", "roughness", "stable to", "was allowed" }, "print")
 
 -- A k that depends on the state gives the same result as the equivalent table.
 local simple = study.converge{ base = { stroke = 0.15, rule = "simple", model = coarse }, mesh = false }
-ok(tostring(simple):find("profiles are asymmetric"), "Eq. (5): it is the rule that is to blame, and it says so")
+ok(tostring(simple):find("profiles are asymmetric"), "Eq. (5): the note blames the rule")
 
 local stepped = study.converge{ base = { alpha = 1, model = coarse,
   k = function(state) return state.distance < 300 and 2e-8 or 1e-8 end }, mesh = false }.cases[1].found
@@ -83,7 +83,7 @@ for i, row in ipairs(c.cases) do
   is(row.status, "done", "case " .. i)
   ok(row.found.jump > 0 and row.found.increments >= 4 and row.found.increments <= 200,
     ("jump %g, increments %d"):format(row.found.jump, row.found.increments))
-  ok(row.found.change <= search.limits.profile, "whose profiles are those of many increments")
+  ok(row.found.change <= search.limits.profile, "profiles agree with those of many increments")
 end
 is(c:table_1(), nil, "no Table 1 of other cases")
 os.remove(file)
@@ -111,7 +111,7 @@ near(one.alpha, 0.75, 1e-12, "alpha from volumes")
 near(one.k_cylinder + one.k_plate, one.k, 1e-12, "parts of k")
 is(one.spread.k, nil, "one measurement has no spread")
 local many = calibrate{ volume = { cylinder = { 1, 2, 3 }, plate = { 2, 2, 2 } }, load = 1, distance = 1 }
-near(many.alpha, 0.5, 1e-12, "alpha of means")
+near(many.alpha, 0.5, 1e-12, "alpha from the mean volumes")
 near(many.spread.k_cylinder, 1, 1e-12, "standard deviation of k_cylinder")
 near(many.spread.k, 1, 1e-12, "of k")
 near(many.spread.alpha, 2 / 16, 1e-12, "of alpha, to first order")
@@ -166,7 +166,7 @@ for i, d in ipairs(course.band.k.distance) do
   worst_off = math.max(worst_off, math.abs(course.band.k.value[i] / (1e-8 + 1.9e-8 * math.exp(-d / 80)) - 1))
 end
 ok(worst_off < 0.06, ("k is that of the tests (within %.3f)"):format(worst_off))
-is(course.k.value[#course.k.value], course.band.k.value[#at], "the last stretch's mean is what goes on")
+is(course.k.value[#course.k.value], course.band.k.value[#at], "k of the last interval applies afterwards")
 near(taken.cylinder, on_way.cylinder[2][#at], 1e-9, "the cylinder's table alone gives its volume")
 near(taken.plate, on_way.plate[2][#at], 1e-9, "the plate's its own")
 is(#course.band.k.low, #at, "a band for each stretch")
@@ -216,7 +216,7 @@ truth:run()
 local back = calibrate(with{ depth = { cylinder = truth.depth.cylinder, plate = truth.depth.plate },
   accuracy = 1e-6, jump = 20 })
 fields.jump = 20
-near(back.alpha, 0.3, 1e-4, "the alpha of a simulation comes back from its depths")
+near(back.alpha, 0.3, 1e-4, "the alpha of a simulation is recovered from its depths")
 near(back.k, 2.5e-8, 1e-4, "the k of a simulation is recovered from its depths")
 near(back.k_cylinder + back.k_plate, back.k, 1e-12, "parts of k")
 near(back.simulated_depth, back.measured_depth, 1e-5, "simulated depths equal the measured ones")
@@ -234,7 +234,7 @@ is(flat.alpha, 1, "a plate that did not wear")
 is(flat.k_plate, 0, "has no k")
 local spread = calibrate(with{ depth = { cylinder = { 1.0e-3, 1.1e-3 }, plate = { 1.1e-3, 1.0e-3 } } })
 ok(spread.spread.alpha > 0.01 and spread.spread.alpha < 0.2, "spread of alpha by depths")
-ok(spread.spread.k < 0.05 * spread.k, "k is surer: what one body lost more the other lost less")
+ok(spread.spread.k < 0.05 * spread.k, "correlated losses: the error of k is smaller")
 fails(function() calibrate(with{ depth = { cylinder = { 1e-3, 0 }, plate = { 1e-3, 0 } } }) end, "at least one body",
   "a test without wear")
 

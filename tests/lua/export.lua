@@ -66,7 +66,7 @@ is(select(3, read_csv "pressure.txt"), "x [mm],p [N/mm2]", "unless another is gi
 export.csv(w.history, at "columns")
 holds(select(3, read_csv "columns"), { "distance [mm],", "p_center [MPa]" }, "a history as a table; no ending")
 export.csv({ x = { 1 } }, at "plain.csv")
-is(read "plain.csv", "x\n1\n", "a table of the user's has those that are given")
+is(read "plain.csv", "x\n1\n", "a table with the given columns only")
 for _, ending in ipairs{ "json", "vtu", "png", "pvd" } do
   fails(function() export.csv(w, at("w." .. ending)) end, { "field 'path': expected a file name with the extension .csv", "w." .. ending },
     "not as ." .. ending)
@@ -74,7 +74,7 @@ for _, ending in ipairs{ "json", "vtu", "png", "pvd" } do
 end
 fails(function() export.csv({ x = { 1 } }, at "a.csv", { y = "mm" }) end, { "the unit of a column", "'y' = \"mm\"" },
   "a unit of nothing")
-fails(function() export.csv({ x = { 1 } }, at "a.csv", "mm") end, "expected units by name", "units of what")
+fails(function() export.csv({ x = { 1 } }, at "a.csv", "mm") end, "expected units by name", "a unit without a name")
 fails(function() export.csv({}, at "a.csv") end, "export.csv: the table is empty", "empty table")
 fails(function() export.csv({ 1, 2 }, at "a.csv") end, { "arrays by name", "found [1]" }, "a list")
 fails(function() export.csv({ x = { 1 }, y = { 1, 2 } }, at "a.csv") end,
@@ -150,7 +150,7 @@ fails(function() export.inp(hertz{}, at "h.inp") end, "export.inp: expected a ru
 fails(function() export.inp(c, at "c.dat") end, "ends in .inp", "another ending")
 
 -- series (tests/cli/test_vtk reads them)
-ok(not pcall(export.pvd, w, at "se\233ries.pvd"), "no name that XML cannot hold")
+ok(not pcall(export.pvd, w, at "se\233ries.pvd"), "a file name that XML cannot contain")
 local add = export.pvd(w, at "series.pvd")
 add()
 local _, states = read "series.pvd":gsub("<DataSet", "")

@@ -20,13 +20,13 @@ local data = { profile_of("cylinder", 0.004, 1e-4), profile_of("plate", -0.003, 
   { of = "volume_plate", distance = 220, value = truth.volume.plate, relative = 0.03 } }
 local unknown = { k = { start = 1e-8 }, alpha = { start = 0.5 } }
 local f = fit{ base = base, unknown = unknown, data = data }
-near(f.value.k, 1.4e-8, 1e-5, "k comes back from exact data")
+near(f.value.k, 1.4e-8, 1e-5, "k from exact data")
 near(f.value.alpha, 0.3, 1e-5, "alpha from exact data")
 near(f.data[1].place.shift.value, 0.004, 1e-4, "the shift of a profile")
 near(f.data[1].place.level.value, 1e-4, 1e-4, "the level of a profile")
 ok(f.low.k < 1.4e-8 and f.high.k > 1.4e-8 and f.error.k > 0, "a range")
 is(f.freedom, #data[1].profile.x + #data[2].profile.x + 1 - 8, "degrees of freedom")
-is(f.wear.distance, 220.0, "the run stands at the last measurement")
+is(f.wear.distance, 220.0, "the run is at the last measurement")
 near(f.wear.k, f.value.k, 1e-15, "with the values found")
 f.wear:run{ distance = 300 }
 is(f.wear.distance, 300.0, "the run of a fit continues")
@@ -53,7 +53,7 @@ local volumes = { of = "volume", distance = { 55, 110, 165, 220 }, relative = 0.
 local g = fit{ base = base, unknown = { k = 2e-8 }, data = { volumes } }
 near(g.value.k, 1e-8, 1e-6, "k of exact volumes")
 near(g.error.k, 0.03 / 2 * 1e-8, 1e-4, "its standard error is that of the mean of four")
-near(g.times, 1.96, 1e-3, "ranges are those of known errors")
+near(g.times, 1.96, 1e-3, "ranges use the normal distribution for known errors")
 
 -- Errors from residuals: a weighted mean has a closed form for equal weights too.
 local plain = { of = "volume", distance = { 55, 110, 165, 220 }, value = { 56e-6, 109e-6, 166e-6, 219e-6 } }
@@ -133,7 +133,7 @@ for i = 1, 11 do
 end
 local h = fit{ base = base, unknown = { alpha = { start = 0.5, knots = knots } }, data = { shares } }
 for i, value in ipairs(values) do near(h.value.alpha[i], value, 1e-3, "alpha at knot " .. i) end
-is(#h.curve.alpha.distance, 17, "the curve as wear{} takes it")
+is(#h.curve.alpha.distance, 17, "the curve as a table for wear{}")
 ok(h.band.alpha.low[9] < 0.45 and h.band.alpha.high[9] > 0.45, "with its band")
 local smooth = fit{ base = base, data = { shares },
   unknown = { alpha = { start = 0.5, knots = { 0, 50, 130, 220 }, smooth = "auto" } } }
@@ -175,7 +175,7 @@ refused({ unknown = unknown, data = { bare } }, { "fit.lua:", "too few data: 2 v
 refused({ unknown = { k = { start = 1e-8, low = 2e-8, high = 1e-9 } }, data = { one } },
   { "'unknown.k.low'", "low < high", "2e-08 and 1e-09" }, "bounds in the wrong order")
 refused({ unknown = { alpha = { start = 0.5, high = 1.5 } }, data = { one } },
-  { "'unknown.alpha.high'", "from 0 to 1, got 1.5" }, "a bound beyond what can be")
+  { "'unknown.alpha.high'", "from 0 to 1, got 1.5" }, "a bound outside the range of the setting")
 refused({ base = { k = 3e-9 }, unknown = { k = 1e-8 }, data = { one } }, { "'base.k'", "unknown.k" }, "k twice")
 refused({ unknown = { k = 1e-8 }, data = { { of = "volume", distance = { -5, 600 }, value = { 1, 2 } } } },
   { "'data[1].distance[1]'", "a number > 0, got -5" }, "a distance below 0")
@@ -203,11 +203,11 @@ local d = fit.design{ base = base, unknown = unknown, measure = {
   { profile = "cylinder", distance = { 110, 220 }, error = 5e-5 }, { of = "volume", distance = 220, relative = 0.03 },
   { of = "volume_plate", distance = 220, relative = 0.03 } } }
 is(#d.alone, 4, "every measurement at every distance")
-ok(d.alone[2].error.alpha < d.alone[1].error.alpha, "a deeper scar tells more")
-near(d.alone[3].error.k, 1e-8 / math.sqrt(1 + 1 / 0.03 ^ 2), 1e-4, "the volume of both tells k as well as it is measured")
+ok(d.alone[2].error.alpha < d.alone[1].error.alpha, "a deeper scar gives a smaller error")
+near(d.alone[3].error.k, 1e-8 / math.sqrt(1 + 1 / 0.03 ^ 2), 1e-4, "the volume determines k with its own accuracy")
 near(d.alone[3].error.alpha, 1 / math.sqrt(12), 1e-4, "the volume does not determine alpha")
 is(#d.best, 3, "an order to measure in")
-ok(d.all.k <= d.best[3].error.k, "all together tell most")
+ok(d.all.k <= d.best[3].error.k, "all measurements together have the smallest error")
 holds(tostring(d), { "undetermined", "best", "together" }, "print(d)")
 holds(d:table(), { "measurement,distance [mm],error of alpha", "volume_plate,220" }, "its table")
 fails(function() fit.design{ unknown = unknown, measure = { { of = "volume", distance = 1 } } } end,
@@ -235,8 +235,8 @@ local width = fit{ base = base, unknown = { k = 1e-8 }, data = { { of = "width",
 plot.fit(width, { file = file .. ".gp" })
 local script = io.open(file .. ".gp")
 local commands = script:read "a"
-holds(commands, '"width / mm"', "a picture of what is no column of the history")
-holds(commands, "filledcurves closed", "its band is an area of its own, not one down to zero")
+holds(commands, '"width / mm"', "a picture of a quantity outside the history")
+holds(commands, "filledcurves closed", "the band is a closed area")
 script:close()
 os.remove(file .. ".gp")
 fails(function() plot.fit({}) end, "expected a result of fit{}", "plot.fit of something else")

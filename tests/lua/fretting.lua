@@ -20,7 +20,7 @@ is(gross.stick_width, 0, "nothing sticks")
 near(gross.largest_shear, 60, 0.02, "mu L drives it")
 local loop = gross:loop()
 is(#loop.x, 25, "a loop of all increments")
-is(loop.energy, gross.cycle_energy, "of the cycle that the records tell of")
+is(loop.energy, gross.cycle_energy, "energy of the loop equals that of the record")
 near(loop.x[1], loop.x[25], 1e-12, "closed")
 local area = 0
 for i = 2, #loop.x do
@@ -28,7 +28,7 @@ for i = 2, #loop.x do
 end
 near(area, loop.energy, 0.05, "its area is the energy, but for the increments' length")
 local ideal = 1e-7 * 100 * gross.distance
-ok(gross.volume.total < ideal and gross.volume.total > 0.9 * ideal, "wear of the slip, which is less than the way")
+ok(gross.volume.total < ideal and gross.volume.total > 0.9 * ideal, "wear by the slip, which is smaller than the stroke")
 near(gross.volume.total, 1e-7 * gross.energy / 0.6, 1e-9, "k p ds and mu p ds go together")
 near(gross.volume.cylinder, gross.volume.plate, 1e-9, "on both bodies alike")
 
@@ -137,7 +137,7 @@ local phase = run{ stroke = nil, cycles = 20, loading = {
   load = function(t) return 100 + 40 * math.sin(2 * math.pi * t + 1) end } }
 phase:run{ progress = false }
 ok(phase.gross == 1 and phase.energy > 0, "a load that changes meanwhile")
-ok(#block.loading[1].tangential == 25 and #phase.loading[1].x == 101, "loadings tell what drives the plate")
+ok(#block.loading[1].tangential == 25 and #phase.loading[1].x == 101, "loadings contain the driving motion or force")
 
 -- a contact pressed and moved in the same way has the loop's steady cycle, whatever shear was caused by pressing
 local function steady_energy(of, force, press)
@@ -177,7 +177,7 @@ local back = out:move{ x = -1e-3, increments = 20 }
 local again = back:move{ x = 0, increments = 10 }:move{ x = 1e-3, increments = 10 }
 local pulled = still:move{ tangential = out.tangential, increments = 10 }
 near(pulled.x, 1e-3, 1e-6, "the force found leads to the motion given")
-near(out.energy, pulled.energy, 1e-4, "energy of the first way, 2 % more where partners change")
+near(out.energy, pulled.energy, 1e-4, "energy of the first displacement, 2 % more if partners change")
 near(again.energy - back.energy, back.energy - out.energy, 1e-4, "to and fro alike")
 pulled = pulled:move{ tangential = back.tangential, increments = 20 }
 near(back.energy, pulled.energy, 1e-4, "energy of the second half of the cycle")
@@ -196,7 +196,7 @@ near(cycle_of[2], cycle_of[1], 1e-4, "nothing jumps where bodies are nearly alik
 -- vanishing friction: the wear of the plain run with rigid sliding
 local plain, slight = run{ friction = 0, stroke = 0.2, jump = 10 }, run{ friction = 1e-6, stroke = 0.2, jump = 10 }
 plain:run{ progress = false } slight:run{ progress = false }
-near(slight.volume.total, plain.volume.total, 1e-3, "without shear slip is nearly the way")
+near(slight.volume.total, plain.volume.total, 1e-3, "without shear the slip is almost the stroke")
 near(slight.depth.plate, plain.depth.plate, 5e-3, "small friction: depths as without friction")
 is(plain.energy, 0, "no energy is dissipated without friction")
 fails(function() plain:loop() end, { "field 'friction'", "without friction" }, "no loop without friction")
@@ -251,13 +251,13 @@ end
 local a, under_force = hertz{}.half_width, automatic{ tangential = 42 }
 local rim, size = a * (1 - math.sqrt(1 - 0.7)), under_force.model.mesh.size
 ok(rim / size >= 5 and rim / size < 6, "five elements in a rim")
-near((a - rim) / size % 1, 0.5, 0.01, "halfway between nodes what sticks ends")
+near((a - rim) / size % 1, 0.5, 0.01, "the stick zone ends halfway between two nodes")
 under_force:run{ progress = false }
 is((heard.take() or ""):find "the surfaces slip over", nil, "no warning with elements sized by the slip annulus")
 near(under_force.stick_width, 2 * (a - rim), 1e-3, "the stick width agrees with Cattaneo and Mindlin")
 local x = under_force:loop().x
 local under_stroke = automatic{ stroke = math.max(table.unpack(x)) - math.min(table.unpack(x)) }
-near(under_stroke.model.mesh.size, size, 0.1, "a stroke that takes the same force has the same elements")
+near(under_stroke.model.mesh.size, size, 0.1, "a stroke with the same force gives the same elements")
 near(automatic({ tangential = 42 }, { size = 0.02 }).model.mesh.size, 0.02, 1e-12, "a size that is given stays")
 near(automatic{ stroke = 0.1 }.model.mesh.size, 0.02, 1e-3, "in gross slip the mesh is the default one")
 local unresolved = automatic({ tangential = 6, jump = "auto", cycles = 2000 }, { size = 0.01 }):run{ progress = false }
@@ -278,8 +278,8 @@ end
 local text = picture(function(file) plot.loop(gross, partial:loop(), { file = file, titles = { "one", "two" } }) end)
 tap.holds(text, { "tangential force / N", "fretting loops", "one, ", "two, ", "N mm per loop" }, "plot.loop")
 text = picture(function(file) plot.loop(gross, partial, { file = file }) end)
-tap.holds(text, { "s = 0.1 mm, ", "30 N tangential, " }, "runs are called by what they differ in")
-ok(not text:find "s = 0 mm" and not text:find "[^3]0 N tangential", "by what drives their plates alone")
+tap.holds(text, { "s = 0.1 mm, ", "30 N tangential, " }, "titles of runs show the settings that differ")
+ok(not text:find "s = 0 mm" and not text:find "[^3]0 N tangential", "titles show only the motion or force that drives the plate")
 fails(function() plot.loop(plain) end, "without friction", "no loop to draw")
 fails(function() plot.loop() end, "expected wear runs with friction", "nothing to draw")
 fails(function() plot.loop(m) end, "expected wear runs with friction", "a model has no loop")
@@ -348,7 +348,7 @@ refused({ friction = { distance = { 0, 1 }, value = { 0.6, 0.5 } },
   loading = { tangential = { 0, 5, 0 }, load = { 100, 0, 100 } } }, { "loading[1].tangential[2]", "0 N", "5 N" }, "a force on nothing")
 refused({ friction = 0, loading = { tangential = { 0, 5, 0 } } }, "loading[1].tangential", "a block's force without friction")
 refused({ loading = { x = { 0, 0.1 } } }, "ends where it begins", "a cycle that does not close")
-refused({ stroke = 0.1, press = "hard" }, { "field 'press'", "\"frictionless\"", "hard" }, "another way to press")
+refused({ stroke = 0.1, press = "hard" }, { "field 'press'", "\"frictionless\"", "hard" }, "an unknown value of press")
 refused({ stroke = 0.1, update = "increment" }, "field 'update'", "updates within a cycle")
 refused({ stroke = 0.1, slide = "z" }, "field 'slide'", "slip out of the plane")
 refused({ stroke = 0.1, slip = "total" }, "field 'slip'", "total slip")

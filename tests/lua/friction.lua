@@ -7,7 +7,7 @@ local m = model{ mesh = { size = 0.04, height = 0.05, far = 2, zone = { plate = 
 
 -- without friction a motion gives a new independent solution
 local smooth = contact{ model = m }
-is(smooth.friction, 0, "no friction unless asked for")
+is(smooth.friction, 0, "no friction by default")
 is(#smooth.stick, 0, "nothing sticks")
 local there, direct = smooth:move{ x = 0.1, load = 80 }, contact{ model = m, x = 0.1, load = 80 }
 is(there.approach, direct.approach, "a motion without friction is the contact there, to the same bits")
@@ -16,7 +16,7 @@ for i, p in ipairs(direct:pressure("plate").p) do
 end
 for _, q in ipairs(smooth:shear().q) do if q ~= 0 then ok(false, "no shear without friction") end end
 fails(function() smooth:slip() end, "expected a contact with friction", "no slip without friction")
-fails(function() smooth:move{ tangential = 1 } end, { "field 'tangential'", "no friction" }, "nothing to hold a force")
+fails(function() smooth:move{ tangential = 1 } end, { "field 'tangential'", "no friction" }, "a force without friction")
 
 -- pressed
 local c = contact{ model = m, friction = 0.6, load = 100 }
@@ -45,7 +45,7 @@ for _, q in ipairs(loose:shear().q) do if q ~= 0 then ok(false, "and no shear") 
 -- moved
 local d = c:move{ tangential = 45 }
 near(d.tangential, 45, 1e-9, "the force")
-ok(d.x > 1e-3 and d.x < 3e-3, "the way the plate goes under it")
+ok(d.x > 1e-3 and d.x < 3e-3, "displacement of the plate")
 near(c.tangential, 0, 1e-6, "the contact it starts from stays")
 is(#d.stick, 1, "partial slip")
 ok(d.stick[1].right < d.edges.right - 0.01, "slip at the edges")
@@ -77,12 +77,12 @@ local stress = d:stress()
 ok(#stress.plate.principal == m.mesh.plate.nodes, "principal stress at every node")
 holds(tostring(d), { "friction  0.6", "tangential force 45 N" }, "print(contact)")
 is(d:move{}.tangential, d:move{}.tangential, "the same motion gives the same bits")
-near(d:move{}.tangential, 45, 1e-9, "a motion that goes nowhere changes nothing")
+near(d:move{}.tangential, 45, 1e-9, "an empty motion changes nothing")
 
 -- refused
 local err = fails(function() c:move{ tangential = 60 } end, { "field 'tangential'", "less than", "60 N" }, "more than mu L")
 is(err.code, "ARGUMENT", "its code")
-is(err.where, "contact:move", "its place")
+is(err.where, "contact:move", "the function in the error")
 fails(function() c:move{ x = 0, tangential = 1 } end, "fields 'x' and 'tangential'", "both at once")
 fails(function() c:move{ load = 0 } end, "field 'load': expected a number > 0", "no load")
 fails(function() c:move{ increments = 0 } end, "field 'increments'", "no increments")
@@ -90,19 +90,19 @@ fails(function() c:move{ y = 1 } end, "unknown field 'y'", "another field")
 fails(function() c:move{ x = 0 / 0 } end, "field 'x'", "NaN")
 fails(function() c:move(1) end, "expected a table", "a number for a table")
 fails(function() contact{ friction = -0.1 } end, "field 'friction': expected a number >= 0, got -0.1", "negative friction")
-fails(function() contact{ press = "hard" } end, "field 'press'", "another way to press")
+fails(function() contact{ press = "hard" } end, "field 'press'", "an unknown value of press")
 fails(function() c:move{ x = 5 } end, "zone", "too far")
 for _, x in ipairs{ 15, -1e300 } do
   fails(function() c:move{ x = x } end, { "field 'x'", "less than 8 mm to either side", "of the plate", "got" }, "off the plate")
 end
 fails(function() contact{ model = m, x = 15 } end, { "field 'x'", "got 15 mm" }, "pressed off the plate")
 fails(function() d:slip("plate") end, { "expected no argument", "cylinder's nodes", '"plate"' }, "slip of a body")
-is(c.load, 100, "all of which leaves the contact as it is")
+is(c.load, 100, "refused calls leave the contact unchanged")
 
 -- a contact, which no file stores, is reproduced with identical bits
 do
   local again = contact{ model = m, friction = 0.6, load = 100 }:move{ tangential = 45 }
-  is(again.x, d.x, "the same motions lead to the same place")
+  is(again.x, d.x, "the same motions give the same position")
   for _, name in ipairs{ "shear", "pressure", "slip" } do
     local one, other = d[name](d), again[name](again)
     for field, values in pairs(one) do

@@ -11,7 +11,7 @@ local function at(name) return folder .. "/" .. name end
 
 -- The paper's pair, written and read, gives the same results.
 local own = model()
-is(export.msh(own, at("pair")), at("pair.msh"), "export.msh adds the ending and tells the file")
+is(export.msh(own, at("pair")), at("pair.msh"), "export.msh adds the ending and returns the file name")
 local read = model{ mesh = at("pair.msh"), radius = 10 }
 is(read.mesh.plate.rows, 0, "no wear box")
 is(read.mesh.cylinder.nodes, own.mesh.cylinder.nodes, "all nodes of the cylinder")
@@ -38,7 +38,7 @@ half:save(at("w.wear"))
 local again = wear.open(at("w.wear"))
 half:run()
 again:run()
-ok(again.p_center == half.p_center and again.depth_plate == half.depth_plate, "a stored run goes on to the same bits")
+ok(again.p_center == half.p_center and again.depth_plate == half.depth_plate, "a stored run continues with identical bits")
 is(again.model.mesh.plate.rows, 0, "on its mesh")
 is(contact{ worn = w }.model.mesh.plate.nodes, own.mesh.plate.nodes, "contact{ worn = } stays on its mesh")
 fails(function() export.inp(read, at("p.inp")) end, "no wear box", "no deck")
@@ -70,7 +70,7 @@ local function coated(upper, lower)
   return model{ mesh = at("coated.msh"), radius = 10, upper = upper, lower = lower or body.gmsh{ k = 1e-8 } }
 end
 local m = coated(body.gmsh{ name = "roller", E = 210e3, k = 2e-8, materials = { layer1 = coat } })
-is(m.upper.materials.layer1.E, 400e3, "the body tells its materials")
+is(m.upper.materials.layer1.E, 400e3, "materials of a body")
 is(m.bodies.upper, "roller", "bodies have the names of the mesh")
 local function wear_through(pair)
   return wear{ model = pair, geometry = "frozen", stroke = 0.1, cycles = 1600, jump = 100 }:run()
@@ -119,7 +119,7 @@ fails(function() model{ mesh = here .. "/../../examples/gmsh_pair.msh", geometry
 -- A model table as the field of another object, and a mesh as text.
 local text = io.open(at("pair.msh")):read("a")
 is(contact{ model = { mesh = at("pair.msh"), radius = 10 }, load = 100 }.p_center, c.p_center, "a file in contact{ model = }")
-is(contact{ model = { mesh = text, radius = 10 }, load = 100 }.p_center, c.p_center, "its text in place of its name")
+is(contact{ model = { mesh = text, radius = 10 }, load = 100 }.p_center, c.p_center, "the text of a mesh instead of its file name")
 fails(function() wear{ model = { mesh = text:sub(1, 300) } } end, "model.mesh, line", "half a text")
 
 -- Studies, sessions and settings contain the mesh itself instead of the name of its file.

@@ -34,8 +34,8 @@ ok(off(w.volume.total, 3e-8 * 100 * 1320) < 1e-9, "the volume is exact")
 ok(off(w.depth.cylinder, held.depth.cylinder) < 1e-3, "the depth is that on the large mesh")
 ok(off(w.p_center, held.p_center) < 0.002, "the pressure equals that on the large mesh")
 local elements = w.history.elements
-ok(elements[1] < elements[#elements] and held.history.elements[1] == held.elements, "the history tells of it")
-is(before.mesh.zone.cylinder, 0.8, "the model that was given is what it was")
+ok(elements[1] < elements[#elements] and held.history.elements[1] == held.elements, "the history contains the number of elements")
+is(before.mesh.zone.cylinder, 0.8, "the given model is unchanged")
 
 -- The wear box.
 local flat = run_on(mesh(2, 2.2, 1), { k = 2e-7, distance = 800, jump = 4 })
@@ -44,7 +44,7 @@ flat:run()
 deep:run()
 ok(flat.model.mesh.rows > 1, "the wear box was outgrown")
 local rows = flat.history.box_rows
-is(rows[1] .. " " .. rows[#rows], "1.0 " .. flat.model.mesh.rows .. ".0", "the history tells of its rows")
+is(rows[1] .. " " .. rows[#rows], "1.0 " .. flat.model.mesh.rows .. ".0", "the history contains the number of rows")
 ok(off(flat.volume.total, deep.volume.total) < 1e-9, "volume")
 ok(off(flat.p_center, deep.p_center) < 0.002, "pressure")
 
@@ -82,9 +82,9 @@ local light = wear{ jump = "auto" }
 light:step()
 volume = light.volume.total
 light:set{ load = 2 }
-is(light.model.mesh.size, 0.02, "a lighter load leaves the mesh")
+is(light.model.mesh.size, 0.02, "a lighter load keeps the mesh")
 light:set{ mesh = { fineness = 2 }, load = 50 }
-ok(off(light.model.mesh.size, 0.01 / math.sqrt(2)) < 1e-9, "finer elements where they are asked for")
+ok(off(light.model.mesh.size, 0.01 / math.sqrt(2)) < 1e-9, "finer elements for fineness")
 ok((warnings.take() or ""):find("the meshes are those asked for", 1, true), "a given mesh is reported")
 ok(light.model.mesh.rows * light.model.mesh.height >= 0.075, "the wear box is as deep as before")
 is(light.volume.total, volume, "the record stays")
@@ -110,7 +110,7 @@ is(tostring(light), stays, "a refused change leaves the run unchanged")
 local soft = { radius = 7.3, cylinder = { E = 1e6, nu = 0.1 }, plate = { E = 5, nu = 0.49 } }
 ok(pcall(model, soft), "rows that just fit are no fewer for a rounding")
 local _, why = pcall(contact, { model = soft })
-ok(tostring(why):find("the bodies are too small for it: their zones end at 11.68 and 11.68 mm", 1, true), "too wide a contact: why is said")
+ok(tostring(why):find("the bodies are too small for it: their zones end at 11.68 and 11.68 mm", 1, true), "a contact that is too wide: reason")
 
 -- A model sized for another load.
 warnings.take()
@@ -126,7 +126,7 @@ tap.holds(message, { "of its wear box of 4 rows of 0.0625 mm, the most that fit;
   "zones end at 1.6 and 1.6 mm, wear boxes at 0.25 mm" }, "no room: the limits are named, no deeper box is advised")
 ok(not fine, "without a larger mesh the run ends")
 ok(not pcall(full.step, full), "again")
-ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is what it was")
+ok(full.distance == at and full.p_center == pressure and full:contact().p_center == pressure, "the run is unchanged")
 
 -- As many layers as element rows, much thinner than the rows: each wears by its own k, and finally the contact rests on
 -- the base.
@@ -151,7 +151,7 @@ local function ball(zone)
     slide = "z", alpha = 1, k = 1e-7, distance = 100, jump = "auto" }
 end
 local pin = pin_in_hole():run()
-ok(pin.done and pin.update < 50, "a pin in a hole goes on past the edge of its zone")
+ok(pin.done and pin.update < 50, "a pin in a hole continues beyond the edge of its zone")
 ok(off(pin.volume.cylinder, 1e-7 * pin.load_distance) < 1e-12, "its volume is exact")
 local narrow, wide = ball{ cylinder = 0.5, plate = 0.5 }:run(), ball{ cylinder = 1.2, plate = 1.2 }:run()
 ok(narrow.model.mesh.zone.cylinder > 0.5 and narrow.update < 60, "a ball does")
@@ -168,7 +168,7 @@ os.remove(path)
 local endless = wear{ jump = function() return 1e-14 end, distance = 2000 }
 local ended, because = pcall(endless.run, endless)
 ok(not ended and endless.update < 50, "steps without end are refused")
-tap.holds(because, { "field 'jump'", "the last 30 steps", "are left: this would not end", "take longer ones" }, "by what they went")
+tap.holds(because, { "field 'jump'", "the last 30 steps", "are left: this would not end", "take longer ones" }, "the error shows the last steps")
 
 -- Uniform wear over the whole plate changes the contact only where layers become thinner; automatic steps take this
 -- into account.

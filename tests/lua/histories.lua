@@ -30,7 +30,7 @@ local function half(_) return 0.5 end
 local plain = run_of{}:run()
 local called = run_of{ k = function() return 1e-8 end, alpha = half, jump = function() return 100 end }:run()
 is(called.p_center, plain.p_center, "constant functions: the bits of numbers")
-is(table.concat(called.functions, " "), "k alpha jump", "a run tells which fields are functions")
+is(table.concat(called.functions, " "), "k alpha jump", "the run lists the fields that are functions")
 is(#plain.functions, 0, "none for numbers")
 is(called.alpha, half, "a function can be read back")
 is(plain.local_factor, false, "no local factor reads false")
@@ -46,7 +46,7 @@ end }
 watch:step()
 asked = {}
 watch:step()
-ok(math.min(table.unpack(asked)) > 22 and math.max(table.unpack(asked)) < 44, "k is asked within the update")
+ok(math.min(table.unpack(asked)) > 22 and math.max(table.unpack(asked)) < 44, "k is called within the update")
 ok(#asked >= 9 and math.min(table.unpack(asked)) < 22.001 and math.max(table.unpack(asked)) > 43.999,
   "from its start to its end")
 near(seen.distance, 44, 1e-6, "last at its end: distance")
@@ -200,7 +200,7 @@ is(#cosine.functions, 0, "sampled functions are data")
 is(#cosine.loading[1].x, 21, "sampled functions can be read back")
 is(cosine.loading[1].x[6], position(0.25), "to the bit")
 is(plain.loading, false, "no loading reads false")
-holds(tostring(cosine), "loading of 1 block", "print tells of it")
+holds(tostring(cosine), "loading of 1 block", "print shows the loading")
 near(cosine.total_distance, 1320, 1e-12, "without cycles: to the usual distance")
 near(run_of{ cycles = 30, loading = { x = position } }.total_distance, 30 * 0.22, 1e-12, "cycles of a single block")
 near(run_of{ loading = { x = position, cycles = 30 } }.total_distance, 30 * 0.22, 1e-12, "its own cycles")
@@ -211,7 +211,7 @@ is(run_of{ loading = { x = position, load = { 50, 80, 50 }, increments = 4 } }.l
 is(run_of{ load = 60, loading = { x = position, load = { 50, 80, 50 } } }.load, 60, "unless it is given")
 is(run_of{ load = 60, loading = { x = position } }.loading[1].load[3], 60, "the run's load is the default")
 local even = run_of{ loading = { t = { 10, 15, 20 }, x = { -0.05, 0.05, -0.05 }, load = function(t) return 100 + t end } }
-is(#even.loading[1].x, 3, "lists are taken point by point")
+is(#even.loading[1].x, 3, "lists give one point for each increment")
 is(even.loading[1].load[2], 100.5, "times are scaled to 0 ... 1")
 local finer = run_of{ loading = { t = { 0, 1, 4 }, x = { -0.05, 0.05, -0.05 }, increments = 4 } }
 near(finer.loading[1].x[3], 0.05 - 0.1 / 3, 1e-12, "increments: interpolated at even times")
@@ -227,7 +227,7 @@ near(lifted.volume.total, 1e-8 * lifted.load_distance, 1e-12, "a load that lifts
 ok(lifted.solutions < 5000, ("in few increments: %d solutions"):format(lifted.solutions))
 near(nearly.volume.total, lifted.volume.total, 1e-9, "a load that almost lifts off gives the same volume")
 local out = run_of{ slide = "z", geometry = "frozen", k = 1e-11, jump = 1, distance = 2000, loading = { x = { 0, 1000, 0 }, load = { 100, 50, 100 } } }:run()
-near(out.volume.total, 1e-11 * 75 * 2000, 1e-12, "a long way out of the plane")
+near(out.volume.total, 1e-11 * 75 * 2000, 1e-12, "a long motion out of the plane")
 ok(out.solutions < 1000, ("has only its load to follow: %d solutions"):format(out.solutions))
 
 local function bad(loading, parts, what) fails(function() run_of{ loading = loading } end, parts, what) end
@@ -267,13 +267,13 @@ local w = run_of{}
 w:step(2)
 is(w:set{ alpha = 1, load = 200 }, w, "set returns the run")
 holds(tostring(w), { "stroke 0.11 mm, load 100 N until now, 200 N from here on\n  wears by  k 1e-08 mm2/N "
-  .. "= 1e-05 mm3/(N m), alpha 0.5 until now, 1 from here on" }, "print says what the last record was made with")
+  .. "= 1e-05 mm3/(N m), alpha 0.5 until now, 1 from here on" }, "print shows the settings of the last record")
 is(w.alpha, 1, "a changed setting")
 is(w.k, 1e-8, "other settings are unchanged")
 is(w.update, 2, "the history is unchanged")
 is(w.procedure, "NSP", "the procedure follows")
 w:step()
-near(w.volume.total, 1e-8 * (100 * 44 + 200 * 22), 1e-9, "the wear goes on under the new load")
+near(w.volume.total, 1e-8 * (100 * 44 + 200 * 22), 1e-9, "the run continues under the new load")
 holds(tostring(w), { "load 200 N\n  wears by  k 1e-08 mm2/N = 1e-05 mm3/(N m), alpha 1\n" }, "print shows the new load")
 w:set{ k = function() return 3e-8 end }
 is(w.functions[1], "k", "a number becomes a function")
@@ -289,7 +289,7 @@ near(w.total_distance, 88 + 300 * 0.22, 1e-12, "cycles count from the start of t
 w:set{ loading = { { x = { 0, 0.1, 0 }, load = 30, cycles = 50 }, { x = { 0, 0.2, 0 }, cycles = 40 } } }
 near(w.total_distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "a new loading begins at its start")
 is(w.load, 200, "the nominal load stays")
-near(w.stroke, 0.1, 1e-15, "the stroke is the way of the loading")
+near(w.stroke, 0.1, 1e-15, "the stroke is the range of the loading")
 holds(tostring(w), "loading of 2 blocks, now over 0.1 mm", "print shows the loading")
 w:step()
 is(w.travel .. " " .. w.history.load[#w.history.load], "0.1 30.0", "load and travel of the last update")
@@ -305,10 +305,10 @@ is(w.history.load[1] .. " " .. w.history.travel[1], "100.0 0.11", "load and trav
 local volume = w.volume.total
 w:set{ k = 2e-8 }
 w:run()
-near(w.distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "other changes leave the place in the loading")
+near(w.distance, 88 + 50 * 0.2 + 40 * 0.4, 1e-12, "other changes keep the position in the loading")
 near(w.volume.total - volume, 2e-8 * 200 * 9, 1e-9, "loads continue after another change")
 w:set{ stroke = 0.2, distance = 200, jump = "auto" }
-is(w.loading, false, "stroke goes back to the plain stroke")
+is(w.loading, false, "stroke restores the plain stroke")
 near(w:run().distance, 200, 1e-12, "the run continues with the plain stroke")
 w:set{ scheme = "implicit", tolerance = 1e-3 }:set{ scheme = "explicit" }
 is(w.tolerance, 0, "the other scheme's fields go with it")
@@ -318,7 +318,7 @@ fails(function() w:set{ alpha = 2 } end, "wear:set: field 'alpha': expected a nu
 fails(function() w:set{ alhpa = 0.2 } end, "did you mean 'alpha'", "misspelt")
 fails(function() w:set{ distance = 3 } end, "the run is already at 200 mm", "backwards")
 fails(function() w:set{ procedure = "NSP" } end, "NSP needs a plate that stays flat", "settings that exclude each other")
-fails(function() w:set{ loading = { x = { -8, 8, -8 } } } end, "zone", "a way that no model has room for")
+fails(function() w:set{ loading = { x = { -8, 8, -8 } } } end, "zone", "a loading longer than the body")
 fails(function() w:set{ local_factor = function() error("no factor") end } end, "no factor", "a function that fails")
 is(tostring(w), before, "after a refusal all is as it was")
 w:set{ k = { distance = { 0, 1000 }, value = { 1e-8, 1e-8 } } }
@@ -345,7 +345,7 @@ is(select(2, w:run{ stop_when = function(r) return r.update >= 62 and "enough" e
 is(w.update, 62, "ends the run after the step")
 is(select(2, w:run{ depth = { plate = 1 } }), "distance", "else the distance does")
 near(w.distance, 1320, 1e-12, "exactly")
-is(select("#", w:run()), 1, "nothing to choose, nothing more to say")
+is(select("#", w:run()), 1, "without stop_when there is no second result")
 fails(function() w:run{ depth = { plate = 1e-6 } } end, "field 'depth.plate': the run is already at", "behind")
 fails(function() w:run{ depth = 3 } end, "field 'depth': expected a table { cylinder=, plate= }, got 3", "of no body")
 fails(function() w:run{ depth = { total = 3 } } end, "unknown field 'depth.total'", "depths do not add up")
@@ -354,4 +354,4 @@ fails(function() w:run{ stop_when = true } end, "field 'stop_when': expected a f
 w:set{ distance = 1400 }
 err = fails(function() w:run{ stop_when = function() error("no end") end } end,
   { "wear:run: stop_when failed", "no end" }, "an error in stop_when")
-near(w.distance, 1342, 1e-12, "leaves the run after the step")
+near(w.distance, 1342, 1e-12, "an error in stop_when: the run is after the step")

@@ -399,7 +399,7 @@ end
 tap.ok(last - first < 1000 or refused > (last - first) / 4,
   ("calls %d to %d of seed %d, %d of them refused"):format(first, last, seed, refused))
 none(wrong.kind, "raised values are texts or error objects")
-none(wrong.words, "no message tells of a line of ours")
+none(wrong.words, "no message contains a position in a script of archard")
 none(wrong.state, "runs are at the end of an update")
 tap.is(different, 0, "a run on the same model gives the same bits")
 os.execute("rm -rf " .. folder)

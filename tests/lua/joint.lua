@@ -42,7 +42,7 @@ local w = wear{ model = liner, loading = gait "iso", k = 1e-9, alpha = 0, cycles
 w:run()
 near(1000 * w.depth.cup, 101.75, 5e-3, "1e6 cycles of walking: depth of the cup [um]")
 near(w.volume.cup, 31.483, 2e-3, "wear volume of the cup [mm3]")
-is(w.volume.head, 0, "alpha = 0 leaves the head")
+is(w.volume.head, 0, "alpha = 0: no wear of the head")
 near(w.p_peak, 7.965, 0.02, "largest pressure of the last cycle")
 ok(#w.history.cycles > 5 and #w.history.cycles < 20, "a row a step, whose errors are held: " .. #w.history.cycles)
 is(w.history.cycles[#w.history.cycles], 1e6, "up to all cycles")
@@ -81,7 +81,7 @@ end, "enough", "a progress function ends a run")
 is(#ended.history.cycles, seen + 1, "after its last whole step")
 ok(ended:run{ progress = false }.cycles == 1e6, "a run ended by progress continues")
 local twenty = wear{ model = liner, k = 1e-9, alpha = 0, updates = 20 }:run{ progress = false }
-is(#twenty.history.cycles, 21, "a row an update, of updates asked for")
+is(#twenty.history.cycles, 21, "a row for each of the given updates")
 near(twenty.depth.cup, w.depth.cup, 3e-4, "depth with fewer updates")
 fails(function() wear{ model = springs, updates = 5, tolerance = 0.1 } end, "got both", "updates and a tolerance")
 

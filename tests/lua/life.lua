@@ -32,7 +32,7 @@ local run = wear{ model = m }
 m:close()
 fails(function() wear{ model = m } end, "this model object has been closed", "closed model as an argument")
 run:step()
-is(run.update, 1, "a run goes on without its model's object")
+is(run.update, 1, "a run keeps its model")
 local reused = wear{}
 do
   local scoped <close> = reused
@@ -145,7 +145,7 @@ for _ = 1, 200 do
   if #history.distance < 2 or #profile.x ~= #profile.h then refused = -math.huge end
 end
 collectgarbage "incremental"
-ok(refused > 0 and stepped.distance % 11 == 0, "a finalizer that steps finds a run in use, or at rest")
+ok(refused > 0 and stepped.distance % 11 == 0, "a finalizer can step a run only between its calls")
 tap.note(("%d refused, at %g mm"):format(refused, stepped.distance))
 
 -- metatables of other classes
@@ -175,7 +175,7 @@ fails(function() run_of{ slide = "x", loading = { x = { 0, 1e300, 0 } } } end, "
 for _, value in ipairs{ stepped.history, stepped.depth, contact{ model = small }:stress(), _G, math } do
   local metatable = debug.getmetatable(value)
   pcall(metatable.__index, 5, "radius")
-  ok(not pcall(metatable.__newindex or error, 5, 5, 5), "metamethods of our tables, asked of a number")
+  ok(not pcall(metatable.__newindex or error, 5, 5, 5), "metamethods of archard called with a number")
 end
 local co = coroutine.create(function()
   return profile{ x = { 0, 1, 2, 3, 4, 5, 6, 7 }, z = { 0, 1, 0, 1, 0, 1, 0, 1 } }.roughness(5)

@@ -226,12 +226,12 @@ local t = map.read(rough, { step = 0.01, unit = "um", outliers = 20, fill = true
 is(t.outliers, 1, "one outlier")
 near(t:at(0.19, 0.29), 0.02, 0.1, "is replaced by the median of its neighbours")
 is(t.missing, 49, "a hole")
-near(t:at(0.09, 0.09), 0.011, 0.1, "is filled by what is around")
+near(t:at(0.09, 0.09), 0.011, 0.1, "a hole is filled from its neighbours")
 holds(tostring(t), { "49 points without a value were filled", "1 outliers were replaced" }, "print")
 local plane = write("plane.txt", matrix(30, function(i, j) return abs(i - 15) < 4 and abs(j - 12) < 4 and "---" or 3 * i - j end))
 near(map.read(plane, { step = 0.01, unit = "um", fill = true }):at(0.14, 0.11), 0.033, 1e-6, "a hole in a plane is filled by the plane")
 t = map.read(plane, { step = 0.01, unit = "um", fill = true, level = "plane" })
-is(t.form, "plane", "levelled as it is read")
+is(t.form, "plane", "levelled by map.read")
 ok(max(t:volume().above, t:volume().below) < 1e-9, "to nothing")
 
 -- --- files written ----------------------------------------------------------------------------------------------

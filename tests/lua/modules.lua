@@ -40,15 +40,15 @@ do
     fails(function() pool:wait(seconds) end, "expected 0 to 1e6 seconds", seconds .. " seconds")
     fails(function() process.pause(seconds) end, "expected 0 to 1e6 seconds", "a pause of " .. seconds)
   end
-  is(#pool:wait(0), 0, "nothing comes from workers that were sent nothing")
+  is(#pool:wait(0), 0, "no lines from workers without requests")
 end
 
 local lines, event = worker("print(io.read()) os.exit()", "word")
-is(lines[1], "word", "a line goes there and back")
+is(lines[1], "word", "a line sent to a worker and back")
 is(event.ended, "exit status 0", "a worker that ended normally")
 _, event = worker("io.stderr:write(('a'):rep(300), ('b'):rep(700), '!') os.exit(3)")
 is(event.ended, "exit status 3", "its exit status")
-is(event.words, ("b"):rep(399) .. "!", "the last 400 letters of what it said")
+is(event.words, ("b"):rep(399) .. "!", "the last 400 characters of the worker's output")
 _, event = worker("os.execute 'kill -9 $PPID'")
 ok(event.ended:find("^signal 9 %("), "a signal: " .. event.ended)
 lines = worker("print(('x'):rep(5000)) print 'after' os.exit()")

@@ -30,7 +30,7 @@ for _, case in ipairs{
   end
 end
 is(varied{ vary = { ["upper.E"] = { 1e5, 2e5 } } }, "model.cylinder.E", "the usual pair has its own names")
-is(varied{ cases = { {}, { model = { plate = { E = 1e5 } }, E = 2e5 } } }, "model.cylinder.E, model.plate.E", "one behind another takes its place")
+is(varied{ cases = { {}, { model = { plate = { E = 1e5 } }, E = 2e5 } } }, "model.cylinder.E, model.plate.E", "E changes both bodies")
 fails(function() study{ sample = { E = uniform{ 1e5, 2e5 } } } end, { "'sample.E'", "model.cylinder.E or model.plate.E" },
   "a sampled number is one")
 fails(function() study{ sample = { ["plate.E"] = uniform{ 1, 2 }, ["lower.E"] = uniform{ 1, 2 } } } end,
@@ -60,7 +60,7 @@ for name, found in pairs{ ["model.lower.E"] = { 2e5, 1.5e5, pair(1.5e5) }, ["low
 end
 local d = fit.design{ base = with(pair()), unknown = { E = 2e5, ["upper.radius"] = 10, ["lower.layers.1.material.nu"] = 0.3 },
   measure = { { of = "depth_plate", distance = 100, relative = 0.001 } } }
-ok(d.all["upper.radius"] < d.prior_error["upper.radius"], "a design takes them")
+ok(d.all["upper.radius"] < d.prior_error["upper.radius"], "a design of a named number")
 fails(function() fit{ model = pair(), unknown = { ["lower.E"] = 1e5, ["plate.E"] = 1e5 }, data = {} } end,
   { "'unknown.lower.E'", "'unknown.plate.E'", "model.lower.E" }, "an unknown is one number")
 fails(function() fit{ model = pair(), unknown = { ["upper.kind"] = 1 }, data = {} } end, { "unknown.upper.kind", "number" }, "a word")
@@ -89,7 +89,7 @@ fails(function() w:sensitivity{ of = "depth_pen" } end, { "'of'", "depth_pen" },
 w:close()
 w = worn{ k_cylinder = 1e-8, k_plate = 2e-8 }
 s = w:sensitivity{ of = "volume_plate", to = { "k_cylinder", "k_plate", "k" } }.volume_plate
-near(s.k_cylinder.elasticity[1], 0, 1e-10, "k_cylinder leaves the plate alone")
+near(s.k_cylinder.elasticity[1], 0, 1e-10, "k_cylinder does not affect the plate")
 near(s.k_plate.elasticity[1], 1, 1e-10, "k_plate does not")
 near(s.k.derivative[1], 2 / 3 * s.k_plate.derivative[1], 1e-10, "k changes both")
 -- A refused name is not suggested.

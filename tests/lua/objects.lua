@@ -18,7 +18,7 @@ near(h.half_width, 0.107641, 1e-5, "Hertz half width of the reference case")
 near(h.p_max, 591.431, 1e-5, "Hertz pressure of the reference case")
 near(h.E_star, 109890.1, 1e-6, "contact modulus")
 is(h.load, 100, "hertz.load")
-near(hertz{ load = 400 }.half_width, 2 * h.half_width, 1e-12, "half width goes with the root of load")
+near(hertz{ load = 400 }.half_width, 2 * h.half_width, 1e-12, "half width is proportional to the root of the load")
 near(hertz{ thickness = 4, load = 400 }.p_max, h.p_max, 1e-12, "load counts per thickness")
 local soft = hertz{ cylinder = { E = 1000, nu = 0.4 }, plate = steel }
 is(soft.cylinder.E, 1000, "material as a table")

@@ -37,14 +37,14 @@ local keys = {}
 for key in pairs(run_of.depth) do keys[#keys + 1] = key end
 table.sort(keys)
 is(table.concat(keys, " "), "bush pin", "a loop over results meets names alone")
-is(run_of:profile("bush").x[1], run_of:profile("lower").x[1], "a method takes all of them")
+is(run_of:profile("bush").x[1], run_of:profile("lower").x[1], "methods accept all names of a body")
 is(run_of.history.depth_pin[#run_of.history.p_max], run_of.depth.pin, "histories do")
 is(run_of.history.volume_lower[2], run_of.history.volume_plate[2], "by all words")
 fails(function() return run_of.history.depth_bash end, "no field 'depth_bash'", "an unknown column")
 local zones = model{ upper = called.upper, lower = called.lower, mesh = { size = 0.1, height = 0.1, zone = { pin = 4, lower = 5 } } }.mesh.zone
 ok(zones.cylinder == 4 and zones.plate == 5, "zones of a mesh do, too")
 is(called.mesh.pin.body, "pin", "meshes know their name")
-is(called.bodies.ring, "bush", "model.bodies tells it")
+is(called.bodies.ring, "bush", "model.bodies contains the names")
 is(called.upper.name, "pin", "name of the upper body")
 ok(tostring(run_of):find("pin (disc of radius ", 1, true) and tostring(run_of):find("bush 0.0000e+00 mm3", 1, true),
   "print(run) uses names")
@@ -91,7 +91,7 @@ os.remove(file)
 -- A study that varies a body of an existing model.
 local varied = study{ base = { model = layered, load = 1000, distance = 1 }, vary = { ["model.lower.E"] = { 1e5, 2e5 } } }
 local of_both = varied:run{ file = file, workers = 1, progress = false }:cases()
-ok(of_both[1].last.p_center < of_both[2].last.p_center, "a study varies what a body is of")
+ok(of_both[1].last.p_center < of_both[2].last.p_center, "a study varies E of a body")
 varied:close()
 os.remove(file)
 
@@ -101,7 +101,7 @@ local function swinging(distance)
     rotation = function(t) return 2 * math.sin(2 * math.pi * t) end, load_angle = function(t) return 1 + t - t * t end } }
 end
 whole = swinging(400)
-near(whole.stroke, 4 * math.rad(10), 1e-3, "a rotation is a way along the hole")
+near(whole.stroke, 4 * math.rad(10), 1e-3, "a rotation is a sliding distance along the hole")
 near(whole.loading[1].rotation[26], 2, 1e-12, "rotation in degrees")
 near(whole.loading[1].load_angle[51], 1.25, 1e-12, "angle of the load")
 whole:run()
@@ -268,7 +268,7 @@ fails(function() return case.depth.plug end, "plug", "unknown body in the depths
 local picture = file .. ".txt"
 plot.history(case, "depth_pin", "depth_bush", { file = picture, term = "dumb" })
 local drawn = io.open(picture):read("a")
-ok(drawn:find(" pin ", 1, true) and drawn:find(" bush", 1, true), "plot.history knows columns by the bodies' names, and its key")
+ok(drawn:find(" pin ", 1, true) and drawn:find(" bush", 1, true), "plot.history and its key use the bodies' names")
 fails(function() plot.history(case, "depth_plug") end, "no column 'depth_plug'", "another column")
 os.remove(picture)
 hips:close()

@@ -72,7 +72,7 @@ do
   for left in script:gmatch("set lmargin at screen ([%d.]+)\nset rm") do
     margins[#margins + 1] = tonumber(left)
   end
-  ok(#margins == 2 and margins[1] == margins[2], "frames stand in line")
+  ok(#margins == 2 and margins[1] == margins[2], "aligned frames")
   ok(margins[1] and margins[1] * 900 / 8 > 9 + 3.2, "with room for the longest number and the label")
   local narrow = { x = { -0.1, 0, 0.1 }, y = { 0, 1, 0 }, xrange = { -0.1, 0.1 } }
   plot { panels = { narrow, narrow }, layout = { 1, 2 }, file = folder .. "/x.gp" }
@@ -100,7 +100,7 @@ do
   curves.vlabel = "\\alpha"
   script = script_of(function(file) curves.file = file plot(curves) end)
   has(script, "linecolor palette cb 7", "or a scale of colours")
-  has(script, 'set cblabel "α"', "that says of what")
+  has(script, 'set cblabel "α"', "label of the colours")
   curves.file, curves.size = folder .. "/s.txt", { 100, 40 }
   plot(curves)
   local named = select(2, (read("s.txt") or ""):gsub("curve %d", ""))
@@ -160,7 +160,7 @@ refusals {
 
 do
   local _, problem = pcall(plot, { line, tilte = "x" })
-  ok(problem.code == "ARGUMENT" and problem.where == "plot", "an error has a code and a place")
+  ok(problem.code == "ARGUMENT" and problem.where == "plot", "an error has a code and a function")
   local chunk = load("\nplot{ tilte = 1 }", "=mine")
   _, problem = pcall(chunk)
   has(tostring(problem), "mine:2: plot: unknown field", "an error names the user's line")
@@ -168,7 +168,7 @@ do
   refused(function() plot.default.term = "dump" end, "plot.default: field 'term'", "a wrong default")
   plot.default.term = "dumb"
   plot.default.term = "dump"
-  refused(function() plot { line } end, "plot.default: field 'term'", "also in the place of another")
+  refused(function() plot { line } end, "plot.default: field 'term'", "a wrong default is reported by any plot")
   plot.default.term = nil
   refused(function() plot.default.sise = { 60, 12 } end, "plot.default: unknown field 'sise' (did you mean 'size'?)",
     "an unknown one")

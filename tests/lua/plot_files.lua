@@ -17,7 +17,7 @@ do
     plot { { x = { 1, 2 }, y = { 1, 2 }, title = evil }, title = evil, xlabel = evil,
       ylabel = evil, size = { 300, 24 }, file = file }
   end)
-  has(text, "`touch " .. ran .. "`", "a title is shown as it stands")
+  has(text, "`touch " .. ran .. "`", "a title is shown unchanged")
   ok(not text:find("\27"), "no escape code gets through")
   pcall(plot, { line, file = folder .. "/`touch ran`.png" })
   pcall(plot, { line, file = "|touch " .. ran .. ".png" })
@@ -74,13 +74,13 @@ do
   ok(png_size("c.png") == 2008, "a later option of the style applies to later files")
   plot { line, file = folder .. "/c.png", size = { 1000, 500 } }
   width, height = png_size("c.png")
-  ok(width == 1000 and height == 500, "pixels that are asked for are given")
+  ok(width == 1000 and height == 500, "the given size in pixels")
   plot.style { "paper", font = "Serif" }
   plot { line, file = folder .. "/c.pdf" }
   local box_x, box_y = (read("c.pdf") or ""):match("/MediaBox %[ 0 0 (%d+) (%d+) ?%]")
   ok(box_x == "240" and box_y == "173", "a pdf is as large on paper: 240 by 173 pt, whole ones")
   local held = plot.style()
-  ok(held.name == "paper" and held.points == 8 and held.font == "Serif", "plot.style() tells")
+  ok(held.name == "paper" and held.points == 8 and held.font == "Serif", "plot.style() returns the style")
   plot.style "slides"
   plot { line, file = folder .. "/c.png" }
   ok(png_size("c.png") == 1500, "slides: 254 mm at 150 dpi")
@@ -108,7 +108,7 @@ do
   gnuplot.use("no-such-gnuplot")
   refused(function() plot { line } end, "apt-get install gnuplot-nox", "gnuplot is missing")
   local _, problem = pcall(plot, { line })
-  ok(problem.code == "MISSING", "with a code of its own")
+  ok(problem.code == "MISSING", "the error code MISSING")
   fake("dying", "exit 3")
   refused(function() plot { line } end, "exit status 3", "gnuplot dies at its start")
   fake("slow", "sleep 0.5; exec gnuplot \"$@\"")
@@ -116,7 +116,7 @@ do
   gnuplot.use("gnuplot")
   has(picture_of(function(file) plot { line, file = file } end), "squares", "drawing works again after a failure")
   local version, terminals = gnuplot.about()
-  ok(version >= 5.2 and terminals:find(" dumb "), "about() tells version and terminals")
+  ok(version >= 5.2 and terminals:find(" dumb "), "about() returns version and terminals")
 end
 
 pictures.remove()

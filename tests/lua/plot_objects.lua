@@ -21,8 +21,8 @@ do
   end }
   plot.pressure(setmetatable(coarse, {}), { file = folder .. "/z.gp" })
   local low, high = (read("z.gp") or ""):match("set xrange %[([%d.-]+):([%d.-]+)%]")
-  ok(low and tonumber(low) <= -3 and tonumber(high) >= 3, "the curve comes down to zero in sight")
-  has(text, "α = 0.25", "several objects are told apart by what differs")
+  ok(low and tonumber(low) <= -3 and tonumber(high) >= 3, "the range shows the curve's zeros")
+  has(text, "α = 0.25", "titles of several objects show the differing setting")
   ok(text:find("α = 0.75") and not text:find("0.11"), "titles show only the settings that differ")
   text = picture_of(function(file) plot.pressure(one, "plate", { scaled = true, file = file }) end)
   has(text, "p / p_H", "scaled as the paper does")
@@ -55,7 +55,7 @@ end
 
 do
   local text = picture_of(function(file) plot.history(one, { file = file }) end)
-  has(text, "pressure / MPa", "plot.history draws the centre pressure unless told otherwise")
+  has(text, "pressure / MPa", "plot.history draws the centre pressure by default")
   has(text, "distance / mm", "against the distance")
   text = picture_of(function(file)
     plot.history(one, two, "p_center", "depth_plate", "depth_cylinder", "depth_partition",
@@ -64,7 +64,7 @@ do
   has(text, "pressure / MPa", "a panel for each quantity: pressure")
   has(text, "wear depth / µm", "depth")
   has(text, "wear depth partition", "partition")
-  has(text, "plate, α = 0.75", "columns and objects are told apart")
+  has(text, "plate, α = 0.75", "titles of columns and objects")
   has(text, "cycles", "against cycles")
   local k = function() return 1e-8 end
   local first = stand_in { k = k, jump = "auto", scheme = "explicit" }
@@ -105,7 +105,7 @@ do
   local changed = stand_in { alpha = 0.5, stroke = 0.11, load = 150 }
   changed.history.load = { 0, 100, 150 }
   local text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
-  has(text, "load 100 to 150 N", "a load that has changed is told as a range")
+  has(text, "load 100 to 150 N", "a changed load is shown as a range")
   changed.alpha, changed.load, changed.stroke = 0.9, 10, 0.3
   changed.history.alpha, changed.history.travel = { 0.5, 0.5, 0.5 }, { 0.11, 0.11, 0.11 }
   text = picture_of(function(file) plot.pressure(changed, { file = file }) end)
@@ -130,7 +130,7 @@ for _, name in ipairs{ "pressure", "profile", "history", "stress", "mesh" } do
   end
 end
 refused(function() plot.profile(one, { titles = setmetatable({}, { __len = function() return 2^61 end }) }) end,
-  "field 'titles': expected a table, got a table with a __len metamethod", "a list that says its own length")
+  "field 'titles': expected a table, got a table with a __len metamethod", "a list with a __len metamethod")
 
 -- --- meshes and fields --------------------------------------------------------------------------
 
@@ -172,7 +172,7 @@ end
 
 do
   local text = picture_of(function(file) plot.stress(contact_, { file = file }) end)
-  has(text, "von Mises stress / MPa", "plot.stress draws von Mises' stress unless told otherwise")
+  has(text, "von Mises stress / MPa", "plot.stress draws von Mises' stress by default")
   has(text, "2.67 to 3", "its levels")
   text = picture_of(function(file) plot.stress(contact_, { component = "sxy", file = file }) end)
   has(text, "1.56 to 2", "values of both signs: zero in the middle")
@@ -180,11 +180,11 @@ do
   plot.stress(contact_, { file = folder .. "/stress.png" })
   ok(read("stress.png"), "a stress plot in colour")
   text = picture_of(function(file) plot.stress(contact_.stress(), { file = file }) end)
-  has(text, "von Mises stress / MPa", "plot.stress takes the field itself")
+  has(text, "von Mises stress / MPa", "plot.stress of a stress table")
   text = picture_of(function(file) plot.stress(wear { model = { mesh = { size = 0.04 } } }, { file = file }) end)
   has(text, "von Mises stress / MPa", "stress of a run, from its present contact")
   refused(function() plot.stress({}) end, "expected a contact, its stress() or a run", "stress of another table")
-  refused(function() plot.stress(material {}) end, "got a material", "a contact is asked for")
+  refused(function() plot.stress(material {}) end, "got a material", "a material instead of a contact")
   refused(function() plot(material {}) end, "got a material", "objects are named by their kind")
   refused(function() plot.stress(contact_, { component = "misses" }) end, "field 'component'",
     "no such component")

@@ -33,7 +33,7 @@ do
   lacks(history { title = false }, "history", "title=false")
   plot.history(run, "p_center", "depth_plate", { file = folder .. "/h.png" })
   local width, height = png_size "h.png"
-  ok(width == 4016 and height < 0.5 * width, "two panels stand side by side on the page's 170 mm")
+  ok(width == 4016 and height < 0.5 * width, "two panels side by side on 170 mm")
   plot.style { width = "single" }
   plot.history(run, "p_center", "depth_plate", { file = folder .. "/h.png" })
   width, height = png_size "h.png"
@@ -156,7 +156,7 @@ do
     end)
   end
   has(history "alpha", "\n20 0.5\n20 0.1", "a setting that changes is a step")
-  lacks(history "jump", "\n30 7\n", "the last update, which the end of the run cuts, has no say in the choice of steps")
+  lacks(history "jump", "\n30 7\n", "the last update, shortened by the end of the run, is omitted")
   has(history("depth_plate", true), 'title "mine"', "a title that is given is in the key")
   has(script_of(function(file) plot.pressure(run, { file = file, logy = true }) end), "set logscale y", "pressures take logy")
   local panels = script_of(function(file)
@@ -222,7 +222,7 @@ do
     for y in block:gmatch "%S+ (%S+)\n" do low, high = math.min(low, tonumber(y)), math.max(high, tonumber(y)) end
     heights[#heights + 1] = { low, high }
   end
-  ok(#heights == 2 and heights[2][2] < heights[1][1], "bars of a name stand beside each other")
+  ok(#heights == 2 and heights[2][2] < heights[1][1], "bars of one input are side by side")
 end
 
 pictures.remove()

@@ -28,7 +28,7 @@ ok(pcall(model, ball{ upper = body.profile{ y = function(x) return -x * x / 20 e
   "a profile that is the same on both sides")
 
 local m = model(ball())
-is(m.geometry, "axisymmetric", "a model knows its geometry")
+is(m.geometry, "axisymmetric", "geometry of a model")
 is(m.axis, 0, "position of the axis")
 is(m.mesh.plate.element, "CAX4", "its elements")
 ok(tostring(m):find("model: radius 10 mm, axisymmetric, elements", 1, true), "it says so: " .. tostring(m))
@@ -63,7 +63,7 @@ fails(function() pin{ slip = "total" } end, "field 'slip'", "elastic slip around
 local w = pin{ alpha = 0.5 }:run()
 tap.near(w.distance, 2 * 2 * math.pi * 20, 1e-9, "a cycle is a revolution")
 tap.near(w.stroke, math.pi * 20, 1e-9, "of two halves")
-ok(tostring(w):find("(mean over its track)", 1, true), "the disc's depth is a mean, and says so")
+ok(tostring(w):find("(mean over its track)", 1, true), "print states that the disc's depth is a mean")
 ok(tostring(w):find("slide z, track 20 mm", 1, true), "print of the track")
 local name = os.tmpname()
 w:save(name .. ".wear")

@@ -88,7 +88,7 @@ function compute() return 1 end
 local scar = { scar = { 2, 3 } }
 before = { pulled = tostring(pulled), on_worn = tostring(on_worn), found = tostring(found), trace = tostring(trace),
   area = trace:volume(scar).error, map = tostring(results[1]), w = tostring(w), volume = driven.volume.total, pair = runs.pair[1].depth.plate }
-holds(leave.question(), "not saved: driven, on_function, on_worn, ... 10 in all\n", "runs, results and contacts are asked about, each once")
+holds(leave.question(), "not saved: driven, on_function, on_worn, ... 10 in all\n", "the question names each unsaved object once")
 
 local said = session.save(path "s.archard")
 holds(said, { "saved in " .. path "s.archard", "4 runs, 2 models, 2 studies, 3 contacts, 3 results", "not kept: compute (function), on_function (contact on surfaces given by functions)",
@@ -105,10 +105,10 @@ local kept = table.move({ path, tap, expected }, 1, 3, 1, {})
 forget()
 is(rawget(_G, "w"), nil, "an empty session")
 fails(function() session.open(path "s.archard") end, { "session.open: driven: field 'k': expected a function, as when",
-  "session.open(path, { driven = { k = f } })" }, "functions are asked for, and how to give them")
+  "session.open(path, { driven = { k = f } })" }, "the error explains how to give the functions")
 is(#own.list(), 0, "nothing is opened without the functions")
 holds(session.open(path "s.archard", { driven = { k = function() return 2e-8 end } }), "4 runs, 2 models, 2 studies, 3 contacts, 3 results", "a session opens with its functions")
-is(leave.question(), nil, "nothing to ask about what has just been opened")
+is(leave.question(), nil, "no question after opening")
 is(tostring(pulled), before.pulled, "a contact with its motions")
 is(tostring(on_worn), before.on_worn, "one on worn surfaces")
 is(tostring(found), before.found, "a calibration")
@@ -121,7 +121,7 @@ is(driven.volume.total, before.volume, "one with a function too")
 is(driven.k(), 2e-8, "the function is restored")
 is(runs.pair[1].depth.plate, before.pair, "a run in a table is restored")
 ok(rawequal(runs[1], w), "one object under two names is one again")
-is(runs[7], "text", "values stand at their numbers")
+is(runs[7], "text", "keys of a list are restored")
 is(w.model, m, "the model is that of the run")
 is(on_fitted.model, fitted, "also where its size followed from the load")
 is(fitted.mesh.fineness, 1, "a fitted mesh keeps its fineness")
@@ -130,7 +130,7 @@ is(math.type(whole) .. " " .. whole .. " " .. share .. " " .. tostring(yes) .. "
 is(huge, math.maxinteger, "the largest whole number")
 is(#numbers .. " " .. 1 / numbers[3], "3 -inf", "lists, with the sign of zero")
 is(#long .. " " .. math.type(long[9]) .. " " .. long[200000], "200000 integer 200000", "long ones")
-is(wide[2] - 1, 2^53 | 0, "whole numbers that doubles do not hold")
+is(wide[2] - 1, 2^53 | 0, "integers beyond the range of doubles")
 ok(told.depth_partition[1] ~= told.depth_partition[1] and told.distance[2] == w.history.distance[2], "a history, NaN in it")
 is(odd[1] .. " " .. tostring(odd[2] ~= odd[2]) .. " " .. odd[3] .. " " .. odd.nested[1], "1 true inf -inf", "infinite numbers")
 ok(odd.nothing ~= odd.nothing, "NaN alone")
@@ -159,14 +159,14 @@ fails(function() session.open(path "none") end, { "session.open", "none" }, "a m
 fails(function() session.open(3) end, "expected the name of a file, got 3", "a number for a name")
 os.remove(path "computed.archard")
 local opened = session.open(path "s.archard", { driven = { k = function() return 2e-8 end } })
-holds(opened, { "left out: computed: ", "computed.archard is not there" }, "a study whose file is gone is told of")
+holds(opened, { "left out: computed: ", "computed.archard is not there" }, "a study without its file is reported")
 
 -- --- the question --------------------------------------------------------------------------------
 
 w:step()
-is(leave.answer "no", true, "no leaves")
+is(leave.answer "no", true, "the answer no leaves the program")
 is(leave.answer "s", false, "stay stays")
-is(leave.answer "what", nil, "anything else is asked again")
+is(leave.answer "what", nil, "another answer repeats the question")
 is(file_module.suggested(), path "s.archard", "the suggested file is that of the session")
 holds(printed(leave.answer, "yes"), "saved in " .. path "s.archard", "yes saves")
 is(w.saved, true, "indeed")
@@ -235,7 +235,7 @@ holds(list, { "a\\x1b[2J\\xc2\\x9btitle", '"a\\27[2J\\xc2\\x9btitle"' }, "by the
 holds(session.save(path "odd"), "not kept: od\\x1bd (number)", "such names are in no file")
 rawset(_G, "od\27d", nil)
 local told, a, b = printed(time, function(...) return ..., 5 end, 4)
-holds(told, { "time: ", " ms, processors " }, "time tells how long")
+holds(told, { "time: ", " ms, processors " }, "time() prints the times")
 is(a + b, 9, "time() returns the results")
 fails(function() time(3) end, { "time", "expected a function", "got 3" }, "of a function")
 holds(printed(examples), { "01_contact", "05_running_in", "examples.run" }, "examples are listed")

@@ -44,9 +44,9 @@ local function run(changes)
   return wear(all)
 end
 local w = run()
-is(w.scheme, "implicit", "implicit unless told otherwise")
+is(w.scheme, "implicit", "the default scheme is implicit")
 is(w.tolerance, 1e-3, "with a tolerance")
-is(run{ tolerance = 1e-2 }.tolerance, 1e-2, "or one of its own")
+is(run{ tolerance = 1e-2 }.tolerance, 1e-2, "a given tolerance")
 w:run{ distance = 100 }
 local file = os.tmpname()
 os.remove(file)
@@ -65,10 +65,10 @@ local function same(a, b)
   end
   return true
 end
-ok(same(w, opened), "a run that was saved goes on to the same bits")
+ok(same(w, opened), "a saved run continues with identical bits")
 ok(same(w, copy), "a copy, too")
 near(w.volume.ball, 0.3 * 1e-8 * 10 * 200, 1e-9, "the ball's volume is alpha k L d")
-near(w.volume.block, 0.7 * 1e-8 * 10 * 200, 1e-9, "the flat's the rest")
+near(w.volume.block, 0.7 * 1e-8 * 10 * 200, 1e-9, "volume of the flat")
 is(w.depth.cylinder, w.depth.ball, "bodies answer to their usual words")
 ok(w.history.area[#w.history.area] > w.history.area[1], "the history has areas")
 is(#w.history.half_width_z, #w.history.distance, "half widths along z in the history")
@@ -88,7 +88,7 @@ ok(same(shared, alone), "three workers: the same bits")
 
 local staged = run{ jump = "auto" }
 staged:run()
-is(staged.scheme, "explicit", "a jump asks for the explicit scheme")
+is(staged.scheme, "explicit", "a jump selects the explicit scheme")
 near(staged.depth.block, w.depth.block, 3e-3, "explicit updates come to the same")
 
 local sampled = wear{ model = m, alpha = 0.3, distance = 50, load = 10,
@@ -116,7 +116,7 @@ ok(same(grown, rest), "to the same bits from a file")
 near(grown.volume.total, 1e-8 * 10 * 300, 1e-9, "no wear is lost when the window grows")
 local longer = wear{ worn = w, load = 10, stroke = 0.5, distance = 10 }
 longer:run()
-near(longer.volume.total, 1e-6, 1e-9, "a worn pair goes on under a longer stroke")
+near(longer.volume.total, 1e-6, 1e-9, "a worn pair continues with a longer stroke")
 
 local groove = wear{ model = m, load = 10, stroke = 1, alpha = 0.5, distance = 100, procedure = "NSP" }
 groove:run()
@@ -195,8 +195,8 @@ local surface = c:stress{ y = 0, body = "ball" }
 near(surface.syy:at(0, 0), -c.p_center, 1e-2, "at the surface the pressure")
 near(surface.sxx:at(0, 0), -0.8 * c.p_center, 2e-2, "stress along x at the centre")
 near(c:stress{ x = 0 }.szz:at(0, 0), surface.szz:at(0, 0), 1e-9, "sections and planes agree")
-fails(function() c:stress() end, "expected a table", "stresses without a place")
-fails(function() c:stress{} end, "got none", "no place")
+fails(function() c:stress() end, "expected a table", "stress without arguments")
+fails(function() c:stress{} end, "got none", "stress without a position")
 fails(function() c:stress{ x = 0, y = -1 } end, "got x and y", "two places")
 fails(function() c:stress{ y = 1 } end, "'y'", "above the surface")
 fails(function() c:stress{ z = 9 } end, "'z': expected a number from", "beside the window")
@@ -213,7 +213,7 @@ local from_maps, from_run = run{ worn = maps, distance = 20 }, run{ worn = opene
 near(from_maps.depth.block, from_run.depth.block, 1e-6, "depths from maps")
 from_maps:run()
 from_run:run()
-near(from_maps.depth.block, from_run.depth.block, 1e-4, "wear on as those of the run that made them")
+near(from_maps.depth.block, from_run.depth.block, 1e-4, "start from maps equals start from the run")
 local groove_depth = function(x, z) return math.abs(x) < 0.5 and math.max(0, 1e-4 - z * z / 20) or 0 end
 local pressed = contact{ model = m, load = 10, worn = { block = groove_depth } }
 ok(pressed.half_width_z > 1.02 * pressed.half_width, "a groove by a function")

@@ -26,7 +26,7 @@ is(c.tangential, 0, "the contact it starts from stays")
 local e = d:move{ tangential = -3, increments = 2 }
 near(2 * (e.energy - d.energy), 1.2829e-4, 5e-3, "the energy of a loop")
 near(e:move{ x = d.x, increments = 2 }.tangential, 3, 2e-3, "moved back as far, the force is the same")
-is(d:move{}.x, d.x, "a motion that goes nowhere changes nothing")
+is(d:move{}.x, d.x, "an empty motion changes nothing")
 holds(tostring(d), { "friction  0.5", "tangential force 3 N" }, "print(contact)")
 
 -- motion along z, and changes of direction
@@ -77,7 +77,7 @@ holds(picture(function(file) plot.slip(d, { axis = "x", file = file }) end), "sl
 
 -- refused
 local err = fails(function() c:move{ tangential = 5 } end, { "field 'tangential'", "less than", "5 N" }, "more than mu P")
-is(err.where, "contact:move", "its place")
+is(err.where, "contact:move", "the function in the error")
 fails(function() c:move{ tangential = 4, tangential_z = 4 } end, "less than", "both together")
 fails(function() c:move{ z = 0, tangential_z = 1 } end, "fields 'z' and 'tangential_z'", "both at once")
 fails(function() c:shear("y") end, '"x", "z"', "an axis there is not")
@@ -87,4 +87,4 @@ fails(function() contact{ friction = 0.5 }:move{ tangential_z = 1 } end, "field 
 fails(function()
   contact{ model = ball_on(body.block{ height = 1 }), load = 10, friction = 0.1 }
 end, { "field 'friction'", "rigid base" }, "no shear of layers")
-fails(function() c:stress{ y = 0.05 } end, "friction in 3-D", "no stresses below without those of shear")
+fails(function() c:stress{ y = 0.05 } end, "friction in 3-D", "no stresses below the surface with friction")

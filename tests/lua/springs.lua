@@ -24,7 +24,7 @@ ok(tostring(m):find("springs 1 mm thick", 1, true), "print(model): " .. tostring
 -- --- wear ------------------------------------------------------------------------------------------
 w:run()
 near(w.volume.cylinder, 0.3 * 1e-8 * 100 * 1000, 1e-9, "the ball's volume is alpha k L d")
-near(w.volume.plate, 0.7 * 1e-8 * 100 * 1000, 1e-9, "the flat's the rest")
+near(w.volume.plate, 0.7 * 1e-8 * 100 * 1000, 1e-9, "volume of the flat")
 near(w.depth_partition, 0.3, 1e-9, "local partition of the depths")
 -- Archard's law and one approach: h'' = 0 far from the start, a cap of V = pi R h^2 of both together
 local cap = math.sqrt(1e-8 * 100 * 1000 / (math.pi * 10))
@@ -67,7 +67,7 @@ local again = wear.open(path)
 half:run{ distance = 1000 }
 again:run{ distance = 1000 }
 local a, b = half:profile("plate"), again:profile("plate")
-is(table.concat(a.h, " "), table.concat(b.h, " "), "a stored run goes on to the same bits")
+is(table.concat(a.h, " "), table.concat(b.h, " "), "a stored run continues with identical bits")
 is(again.p_center, half.p_center, "pressure of a restored run")
 is(half:clone().p_center, half.p_center, "pressure of a copy")
 os.remove(path)

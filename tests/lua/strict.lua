@@ -11,7 +11,7 @@ fails(function() return wear{ stroke = strok } end, { "strict.lua:10: ", "no glo
   "a misspelt global is no silent nil")
 fails(function() return quite_another_thing end, "no global 'quite_another_thing'", "nothing near, no guess")
 fails(function() plott{} end, "did you mean 'plot'?", "a call of an unknown global")
-is(rawget(_G, "strok"), nil, "rawget asks without an error")
+is(rawget(_G, "strok"), nil, "rawget of an unknown global")
 nothing = nil
 is(nothing, nil, "a global that was assigned nil is nil")
 stroke = nil

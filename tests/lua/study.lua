@@ -32,7 +32,7 @@ fails(function() settings.flatten("test", { k = function() end }) end, { "'k'", 
   "a function is refused by name")
 fails(function() settings.flatten("test", { k = 0 / 0 }) end, { "'k'", "finite" }, "NaN is refused")
 local grid = settings.grid("test", { stroke = { 1, 2 }, alpha = { 0, 1 }, model = { radius = { 8 } } })
-is(#grid, 4, "a grid holds all combinations")
+is(#grid, 4, "a grid has all combinations")
 is(grid[2].alpha .. " " .. grid[2].stroke .. " " .. grid[2]["model.radius"], "0 2 8",
   "the last name changes fastest")
 
@@ -95,7 +95,7 @@ local one = new_study():run{ workers = 1, file = path "one",
   progress = function(event) events[#events + 1] = event end }
 is(#one.failed, 0, "no case failed")
 is(#events, 4, "one event a case")
-is(events[4].done, 4, "the last says that all are done")
+is(events[4].done, 4, "the last event has the number of cases")
 local three = new_study():run{ workers = 3, file = path "three", progress = false }
 is(content(three), content(one), "three workers store the same bits as one")
 
@@ -111,7 +111,7 @@ is(case.p_center, direct.p_center, "a case's result is that of the run itself")
 is(case.depth.plate, direct.depth.plate, "depths by body")
 near(case.volume.total, 1e-8 * 100 * 220, 1e-9, "volume")
 is(#case.history.distance, #direct.history.distance, "history")
-is(#case:distances(), 3, "two looks on the way and the end")
+is(#case:distances(), 3, "two stored distances before the end")
 is(case:distances()[1], 0, "the first look is at the unworn surfaces")
 is(case:profile("plate").h[30], direct:profile("plate").h[30], "profile")
 is(case:pressure("plate").p[30], direct:pressure("plate").p[30], "pressure")
@@ -126,7 +126,7 @@ fails(function() case:profile("table") end, '"cylinder" or "plate"', "no third b
 local run = case:wear()
 run:run{ distance = 330 }
 direct:run{ distance = 330 }
-is(run.p_center, direct.p_center, "a stored case goes on to the same bits")
+is(run.p_center, direct.p_center, "a stored case continues with identical bits")
 is(wear.open(path "one", 4).distance, 220, "wear.open of a case")
 fails(function() wear.open(path "one") end, "has 4 cases", "a study opened as a run")
 
@@ -164,8 +164,8 @@ holds(bad.failed[1].message, { "alpha", "2" }, "with its message")
 holds(table.concat(errors), { "case 2", "alpha 2" }, "the failed case is reported")
 local cases = bad:cases()
 is(cases[1].status .. cases[2].status .. cases[3].status, "donefaileddone", "the others are done")
-is(cases[2].message:find "wear: field 'alpha'", 1, "the message is stored, without a place in our scripts")
-holds(bad:table(), { "done", "failed: wear: field 'alpha'" }, "the table tells of it")
+is(cases[2].message:find "wear: field 'alpha'", 1, "the message is stored without a position in a script of archard")
+holds(bad:table(), { "done", "failed: wear: field 'alpha'" }, "the table shows the message")
 is(study.open(path "bad"):cases()[2].status, "failed", "study.open")
 
 holds(bad:table{ format = "csv" }, '\n2,2,,,,,,,,,,,"failed: ', "empty cells in CSV")
@@ -181,12 +181,12 @@ io.stderr = quiet
 holds(told, { "case 2", "warning: jump = 530 cycles is past the stability limit" },
   "a jump past the stability limit is told of")
 is(told:find("case 1", 1, true), nil, "only the cases with warnings are reported")
-holds(table.concat(errors), "4 cases (2, 3, 4, 5) have warnings", "many are told of in one line")
+holds(table.concat(errors), "4 cases (2, 3, 4, 5) have warnings", "many warnings are printed in one line")
 is(#errors, 1, "one line for many warnings")
 ripples = study.open(path "ripples"):cases()
 is(ripples[1].warning, nil, "a quiet case has no warning")
 holds(ripples[2].warning, "ripples will grow", "the run file keeps the others'")
-holds(tostring(ripples[2]), "ripples will grow", "print(case) tells of it")
+holds(tostring(ripples[2]), "ripples will grow", "print(case) shows the warning")
 holds(study.open(path "ripples"):table(), "done, warned: jump = 530 cycles is past", "the table too")
 holds(study.open(path "ripples"):table(), "half_w", "the table keeps its columns")
 
@@ -206,7 +206,7 @@ for i = 1, 3 do
   new_study():run{ workers = 1, file = path("share" .. i), shard = i .. "/3", progress = false }
 end
 local share = study.open(path "share2")
-is(share:cases()[2].status .. share:cases()[1].status, "donewaiting", "a share holds its cases")
+is(share:cases()[2].status .. share:cases()[1].status, "donewaiting", "a share computes only its cases")
 fails(function() new_study():run{ shard = "4/3", file = path "x" } end, "shard", "share 4 of 3")
 local merged = study.merge(path "share1", path "share2", path "share3", { file = path "merged" })
 is(content(merged), content(one), "shares merge to the same bits")
@@ -241,19 +241,19 @@ is(select(2, csv:gsub("\n", "\n")), 4, "CSV: a line a case and the head")
 holds(csv, "," .. require "archard.files".number(case.p_center) .. ",", "CSV has all digits")
 is(tonumber(require "archard.files".number(case.p_center)), case.p_center, "that count")
 holds(one:table{ format = "markdown" }, "| --: |", "Markdown")
-is(export.csv(one, path "exported"), path "exported.csv", "export.csv of a study says its file")
+is(export.csv(one, path "exported"), path "exported.csv", "export.csv of a study returns its file")
 is(io.open(path "exported.csv"):read "a", csv .. "\n", "export.csv writes the table")
 local said, usual = {}, io.stderr
 io.stderr = { write = function(_, ...) said[#said + 1] = table.concat{ ... } end }
-is(one:table{ file = path "table.md" }, path "table.md", "with a file, the table is there and its name comes back")
+is(one:table{ file = path "table.md" }, path "table.md", "table{ file = } returns the file name")
 io.stderr = usual
 is(table.concat(said), "archard: study:table: wrote " .. path "table.md" .. "\n", "the written table is reported")
-holds(assert(io.open(path "table.md")):read("a"), "| --: |", "the ending tells the form")
+holds(assert(io.open(path "table.md")):read("a"), "| --: |", "the ending selects the format")
 fails(function() one:table{ format = "html" } end, '"markdown"', "no other form")
 
 -- --- figures -----------------------------------------------------------------------------------
 local drawn = one:figures{ dir = path "figures" }
-is(drawn[1].caption:find "cases", nil, "a picture of all cases says no more")
+is(drawn[1].caption:find "cases", nil, "no note on a picture of all cases")
 local nine = small{ vary = { alpha = { 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9 } }, looks = 0 }
   :run{ file = path "nine", progress = false }
 drawn = nine:figures{ dir = path "figures" }
@@ -285,7 +285,7 @@ fails(function() wear.open(path "function", { kay = falling }) end, "'kay'", "an
 local g = wear.open(path "function", { k = falling })
 f:run()
 g:run()
-is(g.depth.plate, f.depth.plate, "then it goes on to the same bits")
+is(g.depth.plate, f.depth.plate, "a run with its function continues with identical bits")
 fails(function() wear.open(path "wear", { k = falling }) end, "no value",
   "a run without functions takes none")
 fails(function() small{ vary = { k = { falling } } }:run{ file = path "x" } end, { "k", "function" },

@@ -38,7 +38,7 @@ for _, text in ipairs{ tostring(s), s:table(), s:table{ format = "csv" }, s:tabl
   s.labels[2] } do
   ok(not text:find "\27", "no escape in " .. text:match "^[%w |]+")
 end
-holds(s:table(), "\\x1b[2J", "a text is told as it can be shown")
+holds(s:table(), "\\x1b[2J", "texts are shown without control characters")
 
 for what, name in pairs{ ["an empty name"] = "", ["a name of a point"] = ".", ["a name that ends with one"] = "alpha.",
   ["an empty part"] = "model..radius", ["codes"] = "alpha\27]0;x\7", ["an end of line"] = "alpha\nk",
@@ -52,7 +52,7 @@ damaged({ cases = {} }, { "it has no case" }, "no case at all")
 damaged({ cases = two, info = { looks = "-1" } }, { "-1 looks" }, "looks that are none")
 damaged({ cases = two, info = { task = "dance" } }, { "'dance'" }, "a task that is none")
 fails(function() study{ base = { [""] = 1 } } end, { 'study: unknown field ""', "ASCII" }, "no study is made with such a name")
-fails(function() study{ vary = { ["alp\0ha"] = { 1, 2 } } } end, [[unknown field "alp\0ha"]], "with a zero byte it is told whole")
+fails(function() study{ vary = { ["alp\0ha"] = { 1, 2 } } } end, [[unknown field "alp\0ha"]], "a varied name with a zero byte is shown completely")
 
 -- --- samples -------------------------------------------------------------------------------------
 
@@ -101,7 +101,7 @@ for _, name in ipairs{ "find", "option", "matches", "fields", "members", "defini
     ok(pcall(help[name], "wear", value), ("help.%s('wear', %s)"):format(name, type(value)))
   end
 end
-fails(function() wear{ ["lo\0ad"] = 1 } end, [[unknown field 'lo\0ad']], "a name with a zero byte is told whole")
+fails(function() wear{ ["lo\0ad"] = 1 } end, [[unknown field 'lo\0ad']], "a name with a zero byte is shown completely")
 fails(function() wear{ ["load\0"] = 1 } end, [[unknown field 'load\0']], "a field name with a zero byte")
 
 os.remove(path)

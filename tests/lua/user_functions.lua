@@ -69,7 +69,7 @@ local w = wear{ model = m, distance = 440, jump = 100, local_factor = function(_
   asked = asked + 1
   error "boom"
 end }
-holds(select(2, pcall(w.run, w)), { "local_factor(\"cylinder\", x = ", "boom" }, "local_factor: it is told for which point")
+holds(select(2, pcall(w.run, w)), { "local_factor(\"cylinder\", x = ", "boom" }, "an error in local_factor contains the point")
 is(asked .. " " .. w.update, "1 5", "local_factor: at once, at a whole step")
 
 -- The function may fail at any call, also at one made only for an estimate.
@@ -85,6 +85,6 @@ for nth = 2, 12 do
 end
 
 fails(function() wear{ model = m, loading = { x = function(t) error("boom " .. t) end, load = 100, cycles = 10 } } end,
-  { "loading.x(0) failed", "boom 0" }, "a loading is asked when it is given")
+  { "loading.x(0) failed", "boom 0" }, "a loading is called when it is defined")
 fails(function() contact{ model = m, worn = { plate = function(x) if x > 0 then error "boom" end return 0 end } } end,
   { "worn.plate(", "failed", "boom" }, "a worn shape likewise")

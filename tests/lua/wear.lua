@@ -25,7 +25,7 @@ for name, value in pairs{ k = 2e-8, alpha = 1, load = 50, stroke = 0.2, total_di
   refresh = 0.1 } do
   is(other[name], value, "as defined: " .. name)
 end
-near(wear{ cycles = 500 }.total_distance, 110, 1e-12, "cycles in place of distance")
+near(wear{ cycles = 500 }.total_distance, 110, 1e-12, "cycles instead of distance")
 near(wear{ cycles = 10, stroke = 20 }.total_distance, 200, 1e-12, "one stroke a cycle at 2R")
 is(wear{ stroke = 20 }.procedure, "NSP", "2R: the plate stays flat")
 
@@ -96,7 +96,7 @@ do
   for i = 0, 4 do
     largest = math.max(largest, contact{ model = run.model, worn = run, x = 0.11 * (i / 4 - 0.5) }.p_max)
   end
-  near(run.p_peak, largest, 1e-9, "p_peak: the largest on the way")
+  near(run.p_peak, largest, 1e-9, "p_peak: the largest pressure of the cycle")
   ok(run.p_peak > 1.1 * run.p_max, "the peak pressure exceeds that at x = 0")
   local alone = wear{ increments = 8, jump = 50 }
   alone:step(19)
@@ -110,7 +110,7 @@ do
   for i, x in ipairs(cycle.x) do
     most = math.max(most, contact{ model = loaded.model, worn = loaded, x = x, load = cycle.load[i] }.p_max)
   end
-  near(loaded.p_peak, most, 1e-9, "p_peak under a loading: what the cycle has")
+  near(loaded.p_peak, most, 1e-9, "p_peak under a loading")
   ok(loaded.p_peak < 0.9 * loaded.p_max, "the peak pressure under a varying load")
   local implicit = wear{ scheme = "implicit", jump = 200, increments = 8, order = 1 }
   implicit:step(4)
@@ -217,11 +217,11 @@ local auto = wear{ jump = "auto" }
 is(auto.jump, "auto", [[jump = "auto" can be read back]])
 auto:run()
 near(auto.volume.total, 1.32e-3, 1e-9, "auto: the volume")
-ok(auto.history.jump[2] > 0 and auto.history.jump[2] ~= auto.history.jump[10], "auto: jumps of its own")
+ok(auto.history.jump[2] > 0 and auto.history.jump[2] ~= auto.history.jump[10], "auto: the jumps vary")
 local ramp = wear{ k = { distance = { 0, 1320 }, value = { 0, 2e-8 } }, alpha = { distance = { 0 }, value = { 1 } } }
 is(ramp.k.value[2], 2e-8, "a series can be read back")
 ramp:run()
-near(ramp.volume.total, 1.32e-3, 1e-9, "a ramp of k wears what its mean does")
+near(ramp.volume.total, 1.32e-3, 1e-9, "a ramp of k gives the wear of its mean")
 is(ramp.volume.plate, 0, "alpha = 1 by a series: no wear of the plate")
 local law = wear{ law = "threshold", law_pressure = 1e4, distance = 22 }:run()
 is(law.volume.total, 0, "no wear under the threshold pressure")
@@ -242,7 +242,7 @@ ok(wear{ worn = { plate = function(x) return math.max(0, 1e-3 - x * x / 20) end 
   < start.p_center * 1.5, "worn: from a function")
 local wider = wear{ worn = start, stroke = 0.9 }
 ok(wider.model.mesh.zone.plate > start.model.mesh.zone.plate, "worn: a wider zone where it is needed")
-near(wider.p_center, start.p_center, 5e-3, "worn: and the shape goes along")
+near(wider.p_center, start.p_center, 5e-3, "a worn start on another mesh")
 near(wear{ model = model{}, stroke = 3 }.model.mesh.zone.plate, wear{ stroke = 3 }.model.mesh.zone.plate, 1e-12, "a model object gets wider zones")
 
 -- a step of a finished run warns that it has no effect
@@ -253,9 +253,9 @@ do
   warnings.keep()
   warnings.take()
   is(run:step(3).update, 1, "a step at the end of the distance")
-  holds(warnings.take(), { "wear:step: nothing to do", "its distance of 2.2 mm", "w:set{ distance" }, "says so")
+  holds(warnings.take(), { "wear:step: nothing to do", "its distance of 2.2 mm", "w:set{ distance" }, "a step of a finished run gives a warning")
   run:set{ distance = 4.4 }
   warnings.take()
-  is(run:step(3).update, 2, "fewer steps than asked for are made")
+  is(run:step(3).update, 2, "fewer steps than requested at the end")
   ok(not (warnings.take() or ""):find "nothing to do", "steps of a finished run warn once")
 end

@@ -16,7 +16,7 @@ end
 local early, late = worn_by(100), worn_by(4000)
 within(early.volume_plate, 1e-8 * 100 * 100, 1e-9, "coat: volume by its own k while it lasts [mm3]")
 figures.ok(early.depth_plate < 2e-3, "coat: not through yet")
-figures.ok(late.depth_plate > 2e-3 and late.volume_plate > 1e-8 * 100 * 4000 * 1.2, "coat: through, and wear goes faster")
+figures.ok(late.depth_plate > 2e-3 and late.volume_plate > 1e-8 * 100 * 4000 * 1.2, "coat: after it is worn through, wear is faster")
 
 -- Uniform wear of the plate includes its layers: under a stroke over the whole plate, and on the track of a pin.
 local slow = material{ E = 200e3, nu = 0.3, k = 1e-9 }

@@ -17,7 +17,7 @@ local function largest_step(list)
   return step / largest
 end
 
-figures.about(largest_step{ 1, 2, 3, 4.5, 5.5, 6.5 }, 0.5 / 6.5, 1e-12, "a step is told from a slope")
+figures.about(largest_step{ 1, 2, 3, 4.5, 5.5, 6.5 }, 0.5 / 6.5, 1e-12, "a step is distinguished from a slope")
 
 local function sweep(name, from, to, results, solve)
   local found = {}

@@ -192,7 +192,7 @@ do
   end
   below(worst, 0.003, "5 um, 45, -45, 10, -20 N and up again, past the turn at 10 N too: energy, largest error")
   for i = 1, 100 do c = c:move{ tangential = (-1) ^ i * (40 - 0.3 * i) } end -- more reversals than are stored
-  within(c:move{ tangential = -10 }.energy - c.energy, way_energy(20), 0.005, "after 100 turns, each inside the one before: a way")
+  within(c:move{ tangential = -10 }.energy - c.energy, way_energy(20), 0.005, "after 100 nested reversals: energy of a displacement")
   c = c:move{ tangential = -20 }
   within(c:move{ tangential = 10 }.energy - c.energy, way_energy(30), 0.002, "energy of a displacement beyond many reversals")
 end

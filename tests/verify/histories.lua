@@ -154,7 +154,7 @@ local lifted = wear{ alpha = 1, jump = 5, distance = 2640,
 for _, row in ipairs(rows) do
   -- Eq. (4) uses the mean over the increment in which the load vanishes, half of it: 49.5 of 100
   lifted:run{ distance = row[1] / 1e-8 / 0.495 }
-  check(lifted, row, "lifted off on the way back")
+  check(lifted, row, "lifted off during one direction")
 end
 
 -- Increments are adapted to the contact: two points define a stroke, and a long stroke wears uniformly.

@@ -70,4 +70,4 @@ for _, body in ipairs{ "cylinder", "plate" } do
   local p, q = w:pressure(body).p, restored:pressure(body).p
   for i = 1, #p do same = same and p[i] == q[i] end
 end
-figures.ok(same and w.depth.cylinder == restored.depth.cylinder, "a restored run goes on to the same bits")
+figures.ok(same and w.depth.cylinder == restored.depth.cylinder, "a restored run continues with identical bits")

@@ -114,4 +114,4 @@ local at_nodes = { x = nodes.x, h = {} }
 for i, x in ipairs(nodes.x) do at_nodes.h[i] = scar(x) end
 local put, off = wear{ model = { mesh = mesh(0.02) }, worn = { plate = at_nodes } }:profile("plate"), 0
 for i, h in ipairs(put.h) do off = math.max(off, math.abs(h - at_nodes.h[i])) end
-below(off / depth, 1e-15, "points at the nodes stay what they are, off by a share of the depth of")
+below(off / depth, 1e-15, "points at the nodes are unchanged: relative error of the depth")

@@ -73,17 +73,17 @@ local function through_gmsh(m, fields)
   return given
 end
 local given = through_gmsh(revolved, {})
-within(contact{ model = given, load = 50 }.p_center, c.p_center, 1e-9, "ball by way of Gmsh: centre pressure [MPa]")
+within(contact{ model = given, load = 50 }.p_center, c.p_center, 1e-9, "ball from Gmsh: centre pressure [MPa]")
 local narrow = model{ geometry = "axisymmetric", axis = 40, mesh = { size = 0.03, height = 0.03, zone = { cylinder = 1.5, plate = 1.5 } } }
 within(contact{ model = through_gmsh(narrow, { axis = 40 }), load = 25000 }.p_center, contact{ model = narrow, load = 25000 }.p_center,
-  1e-9, "ring by way of Gmsh: centre pressure [MPa]")
+  1e-9, "ring from Gmsh: centre pressure [MPa]")
 local function worn(m)
   return wear{ model = m, load = 50, slide = "z", alpha = 1, track = 20, k = 1e-8, cycles = 20, jump = "auto", geometry = "frozen" }:run()
 end
 local ours, theirs = worn(revolved), worn(given)
-within(theirs.p_center, ours.p_center, 1e-3, "pin on disc by way of Gmsh: centre pressure, worn [MPa]")
-within(theirs.depth_cylinder, ours.depth_cylinder, 1e-4, "pin on disc by way of Gmsh: depth [mm]")
-within(theirs.volume_cylinder, 1e-8 * theirs.load_distance, 1e-12, "pin on disc by way of Gmsh: V = k integral normal force ds [mm3]")
+within(theirs.p_center, ours.p_center, 1e-3, "pin on disc from Gmsh: centre pressure, worn [MPa]")
+within(theirs.depth_cylinder, ours.depth_cylinder, 1e-4, "pin on disc from Gmsh: depth [mm]")
+within(theirs.volume_cylinder, 1e-8 * theirs.load_distance, 1e-12, "pin on disc from Gmsh: V = k integral normal force ds [mm3]")
 
 -- --- a pin on a disc ----------------------------------------------------------------------------
 
@@ -159,4 +159,4 @@ thrust.spin = 40
 local turning = wear(thrust):run()
 within(even.volume_plate, 0.5e-7 * thrust.load * 400, 1e-12, "thrust ring: V = k L d [mm3]")
 within(turning.volume_plate, 0.5e-7 * turning.load_distance, 1e-12, "thrust ring that spins: V = k integral p r dA dphi [mm3]")
-within(turning.volume_plate, even.volume_plate, 0.01, "thrust ring: the spin is told at its mean radius")
+within(turning.volume_plate, even.volume_plate, 0.01, "thrust ring: the stroke is that at its mean radius")

@@ -43,7 +43,7 @@ local s0, x0, y0 = largest(straight.bush)
 local s1, x1, y1 = largest(turned.bush)
 local c, s = math.cos(math.rad(20)), math.sin(math.rad(20))
 within(s1, s0, 1e-3, "a bush that has turned with its load: the same largest stress [MPa]")
-below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0 + c * (y0 - R)))), 1e-9, "at the place that turned along [mm]")
+below(math.max(math.abs(x1 - (c * x0 - s * (y0 - R))), math.abs(y1 - (R + s * x0 + c * (y0 - R)))), 1e-9, "position of the stresses after rotation [mm]")
 
 -- --- the cosine law -------------------------------------------------------------------------------
 

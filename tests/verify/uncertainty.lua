@@ -58,7 +58,7 @@ fails(function() normal{ mean = 1, sigma = 2 } end, { "normal", "'sigma'", "know
 fails(function() normal{ 100 } end, { "'deviation'", "neither" }, "one number is not enough")
 fails(function() normal{ 100, 5, variation = 0.1 } end, "both", "both forms of the spread")
 fails(function() normal{ 100, -5 } end, { "'deviation'", "> 0" }, "a negative deviation")
-fails(function() uniform{ 0.7, 0.3 } end, { "low < high", "0.7 and 0.3" }, "ends the wrong way round")
+fails(function() uniform{ 0.7, 0.3 } end, { "low < high", "0.7 and 0.3" }, "low above high")
 fails(function() lognormal{ -1, 1 } end, { "'mean'", "> 0" }, "a lognormal number is above 0")
 fails(function() normal{ 100, 5, low = 200 } end, "is almost 0", "nothing is left")
 fails(function() uniform(3) end, { "uniform", "table" }, "no table")
@@ -107,14 +107,14 @@ for seed = 1, trials do
 end
 tap.note(("the ranges hold the truth in %d of %d"):format(held, 6 * trials))
 ok(held / (6 * trials) > 0.88 and held / (6 * trials) < 0.99, "errors of the indices are honest")
-is(indices.of({ 1, 1 }, { 1, 1 }, { 1, 1 }), nil, "no indices of what does not vary")
+is(indices.of({ 1, 1 }, { 1, 1 }, { 1, 1 }), nil, "no indices of a constant result")
 
 -- --- estimates -----------------------------------------------------------------------------------
 is(sampled.quantile({ 1, 2, 3, 4, 5 }, 0.5), 3, "the middle of five")
 near(sampled.quantile({ 1, 2, 3, 4, 5 }, 0.9), 4.6, 1e-12, "a quantile between two")
 local low, high = sampled.share_range(0, 100, 0.95)
 is(low, 0, "nothing seen: from 0")
-near(high, 1 - 0.025 ^ (1 / 100), 1e-9, "to what could have been missed")
+near(high, 1 - 0.025 ^ (1 / 100), 1e-9, "upper bound of a probability")
 near(sampled.rank_correlation({ 1, 2, 3, 4 }, { 1, 8, 27, 64 }), 1, 1e-12, "ranks see through a cube")
 is(sampled.rank_correlation({ 1, 2, 3 }, { 5, 5, 5 }), nil, "no correlation with a constant")
 
@@ -152,12 +152,12 @@ fails(function() with{ sample = many } end, { "41", "40" }, "more fields than th
 local twins = with{ n = 1024, sample = joined{ { "k", "alpha", -0.5 } } }
 local ks, alphas = {}, {}
 for i, case in ipairs(twins:cases()) do ks[i], alphas[i] = case.k, case.alpha end
-near(sampled.rank_correlation(ks, alphas), 6 / math.pi * math.asin(-0.25), 0.02, "correlated as asked")
+near(sampled.rank_correlation(ks, alphas), 6 / math.pi * math.asin(-0.25), 0.02, "rank correlation of the samples")
 near(statistics.mean(ks), 1e-8, 0.01, "mean of correlated samples")
 
 -- --- checks before the start ---------------------------------------------------------------------
 fails(function() with{ n = 4, sample = { alpha = normal{ 0.5, 0.4 } } }:run{ file = path("out"), progress = false }
-end, { "sample.alpha", "low=" }, "values out of range are told before anything runs")
+end, { "sample.alpha", "low=" }, "values out of range are reported before the start")
 is(io.open(path("out")), nil, "a refused study writes no file")
 fails(function() with{ n = 4, sample = { law_pressure = uniform{ 50, 150 } } }:run{ file = path("out"),
   progress = false } end, { "sample.law_pressure", "has no effect" }, "a field that does nothing")
@@ -195,7 +195,7 @@ local width = math.sqrt(math.log(1.16))
 local truth = 1 - random.normal_share((math.log(limit / 1e-8) + width * width / 2) / width)
 local f = one:failure{ of = "volume_cylinder", above = 0.5 * limit * 100 * 110, before = 110 }
 near(f.probability, truth, 2 / 256 / truth, "the probability of a failure")
-ok(f.low < truth and truth < f.high, "its range holds the truth")
+ok(f.low < truth and truth < f.high, "the range contains the truth")
 holds(tostring(f), { "above", "before 110 mm", "of 256 samples" }, "it prints")
 is(one:failure{ of = "p_center", below = 0 }.probability, 0, "probability of an impossible event")
 fails(function() one:failure{ of = "p_center" } end, { "'above'", "neither" }, "no limit")
@@ -235,7 +235,7 @@ near(t.depth_cylinder.k.elasticity[2], 1, 1e-5, "elasticity of little wear")
 near(t.volume_plate.k.elasticity[2], 1, 1e-10, "the volume exactly")
 near(t.volume_plate.k.derivative[2], 0.5 * 100 * 44, 1e-10, "alpha L d")
 near(t.volume_plate.load.elasticity[2], 1, 1e-10, "elasticity by the load")
-near(t.volume_plate.alpha.elasticity[2], -1, 1e-10, "the plate loses what the cylinder gains")
+near(t.volume_plate.alpha.elasticity[2], -1, 1e-10, "elasticity of the plate's volume by alpha")
 
 -- With all stresses scaled (load and E increased, k decreased) the depth is constant and the pressure proportional:
 -- exact at every distance for any mesh.
@@ -301,7 +301,7 @@ for name, truth in pairs{ half_width = 0.285, p_center = -0.336 } do -- derivati
   local one, n = jumping[name].k, #jumping.distance
   tap.note(("%s by k: %.3f +- %.3f over %g"):format(name, one.elasticity[n], one.elasticity_error[n], one.over[n]))
   ok(math.abs(one.elasticity[n] - truth) < one.elasticity_error[n] + 0.01, name .. ": the slope over many nodes")
-  ok(one.over[n] == 0.24, "told with its range")
+  ok(one.over[n] == 0.24, "the derivative has the range of its slope")
 end
 ok(jumping.volume_plate.k.over[1] == 0, "a smooth result has a local derivative")
 local pair = { k = uniform{ 1e-8, 2e-8 }, alpha = uniform{ 0.3, 0.7 } }
@@ -311,7 +311,7 @@ pair.correlated = { { "k", "alpha", 2 } }
 fails(function() study{ sample = pair } end, { "'sample.correlated[1][3]'", "a number in (-1, 1), got 2" }, "a correlation of 2")
 fails(function() study{ sample = { increments = uniform{ 10, 100 } } } end, { "'sample.increments'", "an even number" },
   "what is no number of a range")
-fails(function() lognormal{ 1e-8, 0.4 } end, { "'deviation'", "variation=" }, "a variation in the deviation's place")
+fails(function() lognormal{ 1e-8, 0.4 } end, { "'deviation'", "variation=" }, "a variation given as deviation")
 fails(function() w:sensitivity{ over = 0.6 } end, { "'over'", "0.6" }, "too wide a range")
 fails(function() w:sensitivity{ to = "distance" } end, { "'to'", "distance", "w.history" }, "sensitivity to the end of the run")
 local plate_only = wear{ distance = 44, alpha = 0 }
@@ -327,7 +327,7 @@ local changed = wear{ distance = 110 }
 changed:step()
 changed:set{ load = 120 }
 changed:run{ progress = false }
-fails(function() changed:sensitivity() end, "cannot be repeated", "a run that was changed on its way")
+fails(function() changed:sensitivity() end, "cannot be repeated", "a run that was changed")
 local two = wear{ distance = 110, model = { plate = { E = 1e5 } } }
 two:run{ progress = false }
 fails(function() two:sensitivity{ to = "E" } end, { "cylinder.E", "plate.E" }, "two different moduli")
@@ -349,7 +349,7 @@ holds(text_of("tornado.txt"), { "α", "load", "at 110 mm", "share of the varianc
 holds(text_of("ranks.txt"), { "correlation of ranks" }, "or ranks")
 holds(text_of("elastic.txt"), { "percent by percent", "p center" }, "or elasticities")
 fails(function() plot.bands(w) end, { "plot.bands", "wear" }, "bands of a run")
-fails(function() plot.bands(u, { of = "p_max" }) end, { "'of'", "p_max" }, "bands of what was not asked for")
+fails(function() plot.bands(u, { of = "p_max" }) end, { "'of'", "p_max" }, "bands of a missing column")
 fails(function() plot.tornado{} end, "plot.tornado", "a tornado of nothing")
 
 os.execute("rm -r " .. folder)
