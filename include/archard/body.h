@@ -1,7 +1,7 @@
-/* archard/body.h - shapes of bodies: outline, layers, what is held.
+/* archard/body.h - shapes of bodies: outline, layers, supports.
  *
  * A body is the upper or the lower one of a pair. Its surface passes through the first point of
- * contact, the origin; it is symmetric about x = 0, but for measured profiles.
+ * contact, the origin; it is symmetric about x = 0, except for measured profiles.
  */
 #ifndef ARCHARD_BODY_H
 #define ARCHARD_BODY_H
@@ -13,8 +13,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Roles. The upper body carries the load by what is held of it, the lower one moves. In the pair
- * of the paper they are the cylinder and the plate. */
+/* Roles. The upper body carries the load by its support, the lower one moves. In the paper they are
+ * the cylinder and the plate. */
 typedef enum arc_body {
   ARC_CYLINDER = 0,
   ARC_PLATE = 1,
@@ -55,43 +55,43 @@ extern const char *const arc_rim_names[];
 typedef enum arc_hold { ARC_HOLD_LIST(ARC_CHOICE_ENUM) } arc_hold;
 extern const char *const arc_hold_names[];
 
-/* A layer on a body's surface, with a material of its own: as thick everywhere, or, in a mesh from
- * outside, what the mesh has under that name. */
+/* A layer on the surface of a body, with its own material: of uniform thickness, or the part of an
+ * imported mesh with this name. */
 #define ARC_LAYER_SETTINGS(NUMBER, TEXT)                                                           \
-  TEXT(name, "a name in the mesh from outside", ARC_OPTIONAL,                                      \
-       "What a mesh from outside calls it, in place of its thickness.")                            \
+  TEXT(name, "a name of a material in the imported mesh", ARC_OPTIONAL,                            \
+       "Name of the material in the imported mesh, in place of a thickness.")                      \
   NUMBER(thickness, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Thickness of the layer.")
 
 typedef struct arc_layer {
-  ARC_LAYER_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_TEXT) /* one of both, or there is no layer */
+  ARC_LAYER_SETTINGS(ARC_MEMBER_NUMBER,
+                     ARC_MEMBER_TEXT) /* exactly one is set, else there is no layer */
   arc_material material;
 } arc_layer;
 enum { ARC_MOST_LAYERS = 4 };
 
-extern const arc_setting arc_layer_settings[]; /* and the material, a group */
+extern const arc_setting arc_layer_settings[]; /* with the material as a group */
 
-/* What a body's name is. */
+/* What the name of a body must be, for messages. */
 #define ARC_BODY_NAME "a word of letters, digits and _ that begins with a letter, up to 31 long"
 
 #define ARC_BODY_SETTINGS(NUMBER, CHOICE, TEXT)                                                    \
   TEXT(name, ARC_BODY_NAME, ARC_OPTIONAL,                                                          \
-       "What it is called by results, pictures and files. Left out: by its kind or role.")         \
+       "Name in results, pictures and files. Default: its kind or role.")                          \
   CHOICE(kind, solid, ARC_SOLID_USUAL, 0,                                                          \
-         "Its shape; the usual one is a cylinder above, and a block below; \"gmsh\" stands for "   \
-         "that in the Gmsh file of its model.")                                                    \
+         "Its shape. \"usual\": a cylinder above, a block below; \"gmsh\": the shape in the Gmsh " \
+         "file of the model.")                                                                     \
   NUMBER(radius, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
-         "Radius of a cylinder or disc, or of a punch's rounded edges. Left out: the model's. Of " \
-         "a map: that of the ball which its heights are added to; left out: none.")                \
+         "Radius of a cylinder or disc, or of the rounded edges of a punch; default: the "         \
+         "model's. For a map: radius of the ball that its heights are added to; default: none.")   \
   NUMBER(radius_z, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                \
-         "Radius of a ball across the motion: a crowned roller, an ellipsoid. Left out: radius.")  \
+         "Radius of a ball across the motion: a crowned roller, an ellipsoid. Default: radius.")   \
   NUMBER(width, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                   \
-         "Width of a block or profile. Left out: twice the model's radius.")                       \
+         "Width of a block or profile. Default: twice the model's radius.")                        \
   NUMBER(height, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                  \
-         "Height of a block, profile or punch. Left out: the model's radius; of a punch at least " \
-         "twice "                                                                                  \
-         "its radius.")                                                                            \
+         "Height of a block, profile or punch. Default: the model's radius; for a punch at least " \
+         "twice its own radius.")                                                                  \
   NUMBER(flat, "mm", 0, ABOVE(0), ARC_OPTIONAL,                                                    \
-         "Full width of a punch's flat; its rounded edges, a radius wide, come on both sides.")    \
+         "Full width of the flat of a punch, between its rounded edges, each a radius wide.")      \
   NUMBER(inner, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Inner radius of a ring.")                        \
   NUMBER(outer, "mm", 0, ABOVE(0), ARC_OPTIONAL, "Outer radius of a ring.")                        \
   CHOICE(fixed, rim, ARC_RIM_OUTER, 0,                                                             \
@@ -105,71 +105,69 @@ extern const arc_setting arc_layer_settings[]; /* and the material, a group */
 
 typedef struct arc_body_def {
   ARC_BODY_SETTINGS(ARC_MEMBER_NUMBER, ARC_MEMBER_CHOICE, ARC_MEMBER_TEXT)
-  double y;            /* stands for the series: 0 */
-  arc_series y_series; /* heights of a profile [mm] over x [mm], out of the body; linear between
-                          points, level beyond them; of a map over the number of the point, z
-                          fastest. Owned by whoever made the definition; a model keeps a copy */
-  double x, z;         /* stand for the series: 0 */
-  arc_series x_series, z_series;    /* of a map: where its points are, x over their number [mm] */
+  double y;            /* unused (0): the series has the values */
+  arc_series y_series; /* heights [mm], positive out of the body: of a profile over x [mm], linear
+                          between points, constant beyond them; of a map over the index of the
+                          point, z fastest. Owned by the caller; a model keeps a copy */
+  double x, z;         /* unused (0) */
+  arc_series x_series, z_series;    /* of a map: positions of its points over their index [mm] */
   arc_layer layer[ARC_MOST_LAYERS]; /* from the surface inwards */
 } arc_body_def;
 
 extern const arc_setting arc_body_settings[];
 
-/* The body in numbers: what it leaves out by a model's radius [mm] and its role. */
+/* Returns the body with all dimensions set, defaults by the model's radius [mm] and the role. */
 arc_body_def arc_body_resolve(const arc_body_def *def, arc_body role, double radius);
 
-/* ARC_ARGUMENT where a resolved body cannot be one: names field, expectation, value;
- * `path` is "upper." or "lower.". */
+/* Checks a resolved body. ARC_ARGUMENT: the message has the field after `path` ("upper." or
+ * "lower."), the expected and the given value. */
 arc_status arc_body_check(const arc_body_def *def, const char *path, arc_error *error);
 
-/* The settings that bodies of a kind have of their own, NULL ends them. */
+/* Names of the settings of a kind, ended by NULL. */
 const char *const *arc_body_fields(arc_solid kind);
 
-/* Whether its surface is the hollow side of an arc; whether it is an arc at all, or a
- * line. */
+/* True if the surface is the hollow side of an arc; an arc at all; a line. */
 int arc_body_is_hollow(const arc_body_def *def);
 int arc_body_is_round(const arc_body_def *def);
 int arc_body_is_flat(const arc_body_def *def);
 
-/* Radius of its surface [mm], negative where it is hollow, INFINITY where it is flat. */
+/* Radius of the surface [mm]; negative if hollow, INFINITY if flat. */
 double arc_body_radius(const arc_body_def *def);
 
-/* Whether it has a radius across the motion too, as half-spaces in 3-D need. */
+/* True if it has a radius across the motion, for 3-D. */
 int arc_body_is_spatial(const arc_body_def *def);
 
-/* Half of its length along the surface [mm]; its depth below the surface [mm]. */
+/* Half the length along the surface [mm]; the depth below the surface [mm]. */
 double arc_body_half_length(const arc_body_def *def);
 double arc_body_depth(const arc_body_def *def);
 
-/* The least of its dimensions that limit meshes [mm]: the radius of a cylinder and disc,
- * half the width or the height of a block, the wall of a ring. */
+/* The smallest dimension that limits the mesh [mm]: radius of a cylinder or disc, half width or
+ * height of a block, wall of a ring. */
 double arc_body_measure(const arc_body_def *def);
 
-/* The widest zone that leaves room beside it [mm]. */
+/* The widest possible contact zone [mm]. */
 double arc_body_widest_zone(const arc_body_def *def);
 
 /* Height of a profile's outermost point [mm]; 0 for others. */
 double arc_body_crest(const arc_body_def *def);
-/* How far the surface lies inside the body at x [mm], below its outermost point, the
- * crest; 0 for arcs. */
+/* Distance [mm] of the surface at x [mm] below the crest, its outermost point; 0 for arcs. */
 double arc_body_inset(const arc_body_def *def, double crest, double x);
 
-/* Whether its surface is a map, with points over x and z. */
+/* True if the surface is a map over x and z. */
 int arc_body_is_map(const arc_body_def *def);
-/* Height of a map at (x, z) [mm], out of the body: cubic between its points, level beyond
- * them. Its reach from x = z = 0 to the nearest ends [mm], and the longest of its steps.
- * Curvatures of the parabola that fits it best [1/mm], positive where it is a ball's. */
+/* Height of a map at (x, z) [mm], out of the body: cubic between points, constant beyond them;
+ * distances from x = z = 0 to the nearest ends and the longest step [mm]; curvatures of the best
+ * parabola [1/mm], positive for a ball. */
 double arc_body_map_height(const arc_body_def *def, double x, double z);
 void arc_body_map_extent(const arc_body_def *def, double *half_x, double *half_z, double *step);
 void arc_body_map_curvature(const arc_body_def *def, double *along_x, double *along_z);
 
-/* Copies of a body's series in one block, which is to be freed: *block, NULL where there
- * are none. ARC_MEMORY: it has no series then. */
+/* Replaces the series of a body by copies in one block, *block (NULL without series), released by
+ * free(). ARC_MEMORY: the body has no series then. */
 arc_status arc_body_keep_series(arc_body_def *def, double **block);
 
-/* Layers; the lower end of one [mm] that goes by its thickness, 0 of layer -1; the
- * material of one, of `layers` and beyond the body's own. */
+/* Number of layers; depth of the lower side of a layer given by thickness [mm], 0 for layer -1;
+ * material of a layer, `own` from the number of layers on. */
 int arc_body_layers(const arc_body_def *def);
 double arc_body_interface(const arc_body_def *def, int layer);
 arc_material arc_body_layer_material(const arc_body_def *def, int layer, arc_material own);

@@ -1,8 +1,8 @@
 /* archard/joint.h - a ball in a socket, as in artificial hips: contact and wear of both.
  *
  * Frame of the cup: x medial-lateral, the axis of flexion; y anterior; z along the nominal load
- * into the cup. n(theta, phi) = (cos theta, sin theta sin phi, sin theta cos phi). R(t) takes the
- * head's coordinates to the cup's. Contact is frictionless, displacements are small:
+ * into the cup. n(theta, phi) = (cos theta, sin theta sin phi, sin theta cos phi). R(t) maps
+ * coordinates of the head to those of the cup. Contact is frictionless, displacements are small:
  *
  *   g(n) = clearance + h_cup(n) + creep(n) + h_head(R' n) - u . n + (C p)(n) >= 0,  p >= 0,
  *   p g = 0,
@@ -36,56 +36,58 @@ typedef enum arc_foundation { ARC_FOUNDATION_LIST(ARC_CHOICE_ENUM) } arc_foundat
 extern const char *const arc_foundation_names[];
 
 typedef struct arc_joint_def {
-  double radius;                   /* [mm] of the head */
-  double clearance;                /* [mm] radial */
-  double inclination, cover;       /* [degree] of the cup's axis from the load; from the axis to
-                                      the rim: 90, half a sphere */
-  arc_material core;               /* of the head, below its layers */
+  double radius;             /* [mm] of the head */
+  double clearance;          /* [mm] radial */
+  double inclination, cover; /* [degree] angle of the cup's axis from the load; angle of the rim
+                                from the axis (90: half a sphere) */
+  arc_material core;         /* of the head, below its layers */
   arc_layer head[ARC_MOST_LAYERS]; /* from the surface inwards; thickness 0 ends them */
   arc_layer cup[ARC_MOST_LAYERS];  /* from the inside outwards, at least one; fixed outside */
   arc_foundation foundation;
-  double size;      /* [degree] of a cell; 180 over an even number at the most */
-  int second_order; /* gaps to second order in displacement over radius */
+  double size;      /* [degree] of a cell; rounded down to 180 over an even number */
+  int second_order; /* 1: gaps to second order in displacement / radius */
 } arc_joint_def;
 
 /* Metal on metal: 28 mm across, clearance 0.06 mm, CoCr on CoCr, 6 mm of polyethylene, 2 mm of
  * titanium, cells of 2 degrees. */
 arc_joint_def arc_joint_default(void);
 
-/* ARC_ARGUMENT: names field, expectation, value. */
+/* Checks a definition. ARC_ARGUMENT: the message has the field, the expected and the given value.
+ */
 arc_status arc_joint_check(const arc_joint_def *def, arc_error *error);
 
-/* Radial displacement [mm/MPa] under a unit pressure of one degree of spherical harmonics. The
- * head's degree 1 moves it as a whole: 0. NaN where the layers have none. */
+/* Radial displacement [mm/MPa] under a unit pressure of one degree of spherical harmonics; 0 for
+ * degree 1 of the head, a rigid motion. NaN if the layers give no solution. */
 double arc_joint_compliance(const arc_joint_def *def, arc_body body, int degree);
 
 /* --- gaits --------------------------------------------------------------------------------------
  */
 
-/* One of n equal intervals of a cycle. */
+/* One of n equal time intervals of a cycle. */
 typedef struct arc_gait_instant {
   double rotation[9]; /* R in its middle, row by row */
   double omega[3];    /* rotation vector from its start to its end [rad] */
   double load[3];     /* on the cup, in its frame [N] */
 } arc_gait_instant;
 
-/* Rotations at the instants 0, 1/2n, 2/2n, ... 1, [2n + 1][9], loads in the middle of each
- * interval, [n][3] -> instants [n]. ARC_ARGUMENT where the gait does not close, by how many
- * degrees. */
+/* Computes instants [n] from rotations at the times 0, 1/2n, 2/2n, ... 1, [2n + 1][9], and loads in
+ * the middle of each interval, [n][3]. ARC_ARGUMENT if the gait is not periodic; the message has
+ * the difference in degrees. */
 arc_status arc_gait_from_rotations(int n, const double *rotation, const double *load,
                                    arc_gait_instant *instant, arc_error *error);
-/* The same of angles [2n + 1][3]: flexion, adduction, internal rotation [degree], applied in an
+/* The same from angles [2n + 1][3]: flexion, adduction, internal rotation [degree], applied in an
  * order given by three letters of x, y, z; "xyz": R = Rx(flexion) Ry(adduction) Rz(rotation). */
 arc_status arc_gait_from_angles(int n, const double *degrees, const double *load, const char *order,
                                 arc_gait_instant *instant, arc_error *error);
 
-/* Gaits that are built in: "iso", like the standard's walk (its ranges; the shapes between are
- * approximate), "prosim", "flexion" and "rocking". `angle` [degree] and `load` [N] are those of the
+/* Built-in gaits: "iso", walking with the ranges of the standard (curves between them are
+ * approximate), "prosim", "flexion" and "rocking". `angle` [degree] and `load` [N] apply to the
  * last two. */
 arc_status arc_gait_named(const char *name, int n, double angle, double load,
                           arc_gait_instant *instant, arc_error *error);
 
-/* Track of the force over the head [mm] and work per coefficient of friction [N mm] of a cycle. */
+/* Length of the force's track over the head [mm], and friction work / coefficient of friction [N
+ * mm], of a cycle. */
 double arc_gait_track(int n, const arc_gait_instant *instant, double radius);
 double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 
@@ -95,27 +97,28 @@ double arc_gait_work(int n, const arc_gait_instant *instant, double radius);
 /* A joint with the worn maps of both bodies. Opaque; not for two threads at once. */
 typedef struct arc_joint arc_joint;
 
-/* ARC_ARGUMENT, ARC_NUMERIC (layers without a compliance), ARC_MEMORY; *made is NULL then. */
+/* Creates an unworn joint. ARC_ARGUMENT, ARC_NUMERIC (layers without a compliance), ARC_MEMORY;
+ * *made is NULL then. */
 arc_status arc_joint_create(const arc_joint_def *def, arc_joint **made, arc_error *error);
 void arc_joint_destroy(arc_joint **joint);
 const arc_joint_def *arc_joint_definition(const arc_joint *joint);
-int arc_joint_rows(const arc_joint *joint); /* of the lattice */
-/* Depths of wear [mm] in the body's own frame, [rows][2 rows]; to be read only. */
+int arc_joint_rows(const arc_joint *joint); /* rows of the lattice */
+/* Wear depths [mm] in the body's own frame, [rows][2 rows] (borrowed). */
 const double *arc_joint_depth(const arc_joint *joint, arc_body body);
-/* Sets a body's map, a shape to start from; ARC_ARGUMENT where a depth is not finite. */
+/* Sets the wear depths of a body, as initial shape. ARC_ARGUMENT: a depth is not finite. */
 arc_status arc_joint_set_depth(arc_joint *joint, arc_body body, const double *depth,
                                arc_error *error);
-/* Creep [mm] of the cup; 0 without. */
+/* Creep [mm] of the cup, by cell; 0 without creep. */
 const double *arc_joint_creep(const arc_joint *joint);
 /* Pressures [MPa] of the last contact, in the cup's frame; 0 before the first. */
 const double *arc_joint_pressure(const arc_joint *joint);
-/* Of each of the cup's cells over the last cycle: the smaller share of work across the principal
- * direction of sliding, 0 .. 0.5, 0 where none slides; into share [rows][2 rows]. */
+/* Writes share [rows][2 rows]: for each cell of the cup, the share of friction work across the
+ * principal direction of sliding in the last cycle, 0 to 0.5; 0 without sliding. */
 void arc_joint_cross_shear(const arc_joint *joint, double *share);
 double arc_joint_cell_area(const arc_joint *joint, int site); /* [mm2] */
 
 typedef struct arc_joint_contact {
-  double p_max, p_center;  /* [MPa] largest; where the load points */
+  double p_max, p_center;  /* [MPa] largest; in the direction of the load */
   double area, half_angle; /* [mm2]; [degree] of a cap of that area */
   double normal_force;     /* [N] integral of p: more than the load */
   double approach[3];      /* [mm] the head's displacement u */
@@ -123,20 +126,20 @@ typedef struct arc_joint_contact {
   int iterations;          /* of conjugate gradients */
 } arc_joint_contact;
 
-/* One contact with the head at rotation R (row by row; NULL: none) under a load [N] in the cup's
- * frame. ARC_ARGUMENT (the load points out of the cup), ARC_ZONE (the contact goes round the head),
- * ARC_NOT_CONVERGED, ARC_MEMORY, ARC_STOPPED. */
+/* Solves one contact with the head at rotation R (row by row; NULL: none) under a load [N] in the
+ * frame of the cup. ARC_ARGUMENT (the load points out of the cup), ARC_ZONE (the contact extends
+ * around the head), ARC_NOT_CONVERGED, ARC_MEMORY, ARC_STOPPED. */
 arc_status arc_joint_press(arc_joint *joint, const double rotation[9], const double load[3],
                            const arc_callbacks *callbacks, arc_joint_contact *contact,
                            arc_error *error);
 
-/* Wear coefficient [mm2/N] of a cup's cell in the middle of an update, after so many cycles; p_mean
- * [MPa] is the mean of a cycle. */
+/* Wear coefficient [mm2/N] of a cell of the cup at the middle of an update, at `cycles`; p_mean
+ * [MPa] is the mean pressure of a cycle. */
 typedef double (*arc_joint_k_fn)(void *context, double cross_shear, double p_mean, double cycles);
-/* The head's share of wear in the middle of an update. */
+/* The head's share of wear at the middle of an update. */
 typedef double (*arc_joint_alpha_fn)(void *context, double cycles);
-/* Creep [mm] of a cell of the cup after so many cycles, whose mean pressure since the first is
- * p_mean [MPa] above 0. It opens the gap and removes no volume. */
+/* Creep [mm] of a cell of the cup at `cycles`; p_mean [MPa] > 0 is the mean pressure since the
+ * first cycle. Creep opens the gap and is not wear volume. */
 typedef double (*arc_joint_creep_fn)(void *context, double p_mean, double cycles);
 
 typedef struct arc_joint_wear_def {
@@ -147,11 +150,11 @@ typedef struct arc_joint_wear_def {
   arc_joint_alpha_fn alpha_function; /* in place of alpha; NULL: none */
   arc_joint_creep_fn creep;          /* NULL: none */
   void *context;
-  int explicit_scheme; /* all instants on one geometry; else the wear of each instant inside its
-                          contact */
+  int explicit_scheme; /* 1: all instants on one geometry; 0: the wear of each instant is implicit
+                          in its contact */
 } arc_joint_wear_def;
 
-/* What an update came to, added to by each. */
+/* Sums over all updates. */
 typedef struct arc_joint_record {
   double cycles;
   int updates, solutions, iterations;
@@ -163,28 +166,29 @@ typedef struct arc_joint_record {
   double loss;               /* [mm3] sum over updates of cycles k p |s| dA: both volumes */
 } arc_joint_record;
 
-/* One update of `cycles` cycles: explicit or sweeping over the instants, backwards in every second
- * update. On failure the joint is as it was, and the record too. */
+/* Makes one update of `cycles` cycles, explicit or by a sweep over the instants, backwards in every
+ * second update. On failure joint and record are unchanged. */
 arc_status arc_joint_update(arc_joint *joint, const arc_joint_wear_def *def, double cycles,
                             const arc_callbacks *callbacks, arc_joint_record *record,
                             arc_error *error);
-/* A step whose error is held, of `most` cycles at the most: two updates of half its length against
- * one of the whole, whose depths differ by `tolerance`, at the most, of what all cycles so far
- * would take at this step's pace. *step [cycles]: what to try, then what to try next.
- * ARC_NOT_CONVERGED where no length does. On failure all is as it was. */
+/* Makes a step of at most `most` cycles with error control: the depths of two updates of half the
+ * length differ from those of one update by at most `tolerance` of the wear of all cycles so far at
+ * the rate of this step. *step [cycles]: length to try, then length of the next step.
+ * ARC_NOT_CONVERGED if no length meets the tolerance. On failure nothing changes. */
 arc_status arc_joint_advance(arc_joint *joint, const arc_joint_wear_def *def, double tolerance,
                              double most, double *step, const arc_callbacks *callbacks,
                              arc_joint_record *record, arc_error *error);
 
-/* All that a joint of the same definition needs to go on to the same bits: [count] numbers; and
- * back from what may be anybody's: ARC_FORMAT, ARC_MEMORY (pressures to start from may be lost). */
+/* The state of a joint, [count] numbers, from which a joint of the same definition continues with
+ * the same bits. arc_joint_set_state checks them: ARC_FORMAT, ARC_MEMORY (initial pressures may be
+ * lost). */
 size_t arc_joint_state_count(const arc_joint *joint);
 void arc_joint_state(const arc_joint *joint, double *state);
 arc_status arc_joint_set_state(arc_joint *joint, const double *state, size_t count,
                                arc_error *error);
-size_t arc_joint_bytes(const arc_joint *joint); /* about what it takes of memory */
+size_t arc_joint_bytes(const arc_joint *joint); /* memory, approximately [bytes] */
 
-/* Cycles that an explicit update may have at the most. */
+/* Largest number of cycles of a stable explicit update. */
 double arc_joint_explicit_limit(const arc_joint *joint, const arc_joint_wear_def *def);
 
 #pragma GCC visibility pop

@@ -12,10 +12,9 @@ extern "C" {
 #define ARC_MATERIAL_SETTINGS(NUMBER, TEXT)                                                        \
   NUMBER(E, "MPa", 200e3, ABOVE(0), 0, "Young's modulus.")                                         \
   NUMBER(nu, "", 0.3, BETWEEN(-1, 0.5), 0, "Poisson's ratio.")                                     \
-  NUMBER(                                                                                          \
-      k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                        \
-      "Wear coefficient of the body, for wear{} without k and alpha. A body without one beside "   \
-      "one that has it does not wear.")                                                            \
+  NUMBER(k, "mm2/N", 0, FROM(0), ARC_OPTIONAL,                                                     \
+         "Wear coefficient of the body, for wear{} without k and alpha. If only one of the "       \
+         "bodies has one, the other does not wear.")                                               \
   TEXT(name, "a text of up to 31 characters", ARC_OPTIONAL, "Name of the material in print.")
 
 typedef struct arc_material {
@@ -24,8 +23,7 @@ typedef struct arc_material {
 
 extern const arc_setting arc_material_settings[];
 
-/* A material as a setting of another definition: a row of its list by the name `name_`, for its
- * member at `offset_`. */
+/* Row for a material in the list of another definition: setting `name_`, member at `offset_`. */
 #define ARC_MATERIAL_TABLE "{ E=, nu=, k=, name= }"
 #define ARC_MATERIAL_SETTING(offset_, name_, text_)                                                \
   {                                                                                                \
@@ -40,7 +38,7 @@ arc_material arc_material_default(void);
 /* Plane-strain modulus E / (1 - nu^2) [MPa]. */
 double arc_material_E_star(arc_material material);
 
-/* Checks ranges; ARC_ARGUMENT names field, expectation and value. */
+/* Checks ranges. ARC_ARGUMENT: the message has the field, the expected and the given value. */
 arc_status arc_material_check(arc_material material, arc_error *error);
 
 #pragma GCC visibility pop

@@ -1,6 +1,5 @@
-/* archard/measure.h - what profiles and depths tell: functions on plain arrays, for runs as they
- * stand and for columns that come from files. Nothing here fails or allocates.
- */
+/* archard/measure.h - measures of profiles and depths, for arrays of runs or files. The functions
+ * do not fail or allocate. */
 #ifndef ARCHARD_MEASURE_H
 #define ARCHARD_MEASURE_H
 
@@ -16,7 +15,7 @@ double arc_measure_interpolate(const double *x, const double *y, size_t n, doubl
                                double outside);
 
 /* Sawtooth part of y [n]: fourth differences over 16 (a pure sawtooth of amplitude 1 gives 1), root
- * mean square over the points with from <= x <= to, in the units of y; 0 where there are none. */
+ * mean square over the points with from <= x <= to, in the units of y; 0 without points. */
 double arc_measure_sawtooth(const double *x, const double *y, size_t n, double from, double to);
 
 /* Wear depth partition factor alpha-tilde (Eq. 29) [-], the cylinder's share of both depths; NaN
@@ -30,12 +29,12 @@ typedef struct arc_depths {
   const double *h; /* [count] [mm] */
 } arc_depths;
 
-/* The sum of both depths (Eq. 31) at the plate's points, with the plate at x = 0 so that the maxima
- * meet, into sum [plate.count] [mm]; the cylinder is unworn beyond its points. */
+/* Writes the sum of both depths (Eq. 31) at the points of the plate, with the plate at x = 0, to
+ * sum [plate.count] [mm]; the cylinder is unworn beyond its points. */
 void arc_measure_combined(arc_depths cylinder, arc_depths plate, double *sum);
 
-/* The cylinder's share of that sum (Eq. 30), at those of the plate's points where there is any
- * wear: x and share [plate.count], of which as many are written as it returns. */
+/* Writes the cylinder's share of that sum (Eq. 30) at the worn points of the plate to x and share
+ * [plate.count]. Returns their number. */
 size_t arc_measure_local_partition(arc_depths cylinder, arc_depths plate, double *x, double *share);
 
 #pragma GCC visibility pop

@@ -1,9 +1,8 @@
-/* archard/place.h - files that appear whole or not at all.
+/* archard/place.h - atomic writing of files.
  *
- * What is written stands in a file of its own, in the folder of the file it is meant for, until it
- * is complete; then it takes that file's name. A reader sees the old file or the new one, whatever
- * is killed when, and however many write at once (the last one stays).
- */
+ * The new content is written to a temporary file in the same folder and renamed when complete. A
+ * reader sees the old or the new file, also if a program is killed or several programs write (the
+ * last one wins). */
 #ifndef ARCHARD_PLACE_H
 #define ARCHARD_PLACE_H
 
@@ -16,33 +15,32 @@ extern "C" {
 
 typedef struct arc_place arc_place;
 
-/* Takes a place for the file `path`. Symbolic links are followed to what they name; a file that is
- * there gives its permissions and must be one that may be written; a device or a pipe will be
- * written to, never replaced. What killed programs left in the folder is taken away.
- * ARC_ARGUMENT: a control character in the name; ARC_IO with the reason, arc_file_allowed's too;
- * ARC_MEMORY. */
+/* Creates a temporary file for `path`. Symbolic links are followed; an existing file must be
+ * writable and passes on its permissions; a device or pipe is written to, not replaced. Removes
+ * temporary files of killed programs from the folder. ARC_ARGUMENT: a control character in the
+ * name; ARC_IO (the reason, also of arc_file_allowed); ARC_MEMORY. */
 arc_status arc_place_take(const char *path, arc_place **place, arc_error *error);
 
-/* A place in a folder for a file that nobody will see, to be dropped. Same errors. */
+/* Creates a temporary file in a folder, to be dropped. Same errors. */
 arc_status arc_place_scratch(const char *folder, arc_place **place, arc_error *error);
 
-/* Where to write: the absolute path of an empty file. */
+/* The absolute path of the temporary file. */
 const char *arc_place_path(const arc_place *place);
 
-/* The name of the file it is for, as it was given. */
+/* The name of the final file, as given. */
 const char *arc_place_asked(const arc_place *place);
 
-/* Brings what was written to the disk and gives it its name. Frees the place in any case and sets
- * it to NULL. ARC_IO with the reason: then the old file is as it was. */
+/* Flushes the temporary file to the disk and renames it. Always frees the place and sets it to
+ * NULL. ARC_IO (the reason): the old file is unchanged. */
 arc_status arc_place_publish(arc_place **place, arc_error *error);
 
-/* The same, but a file that has got the name in the meantime keeps it: no error. */
+/* The same, but a file of this name created meanwhile is kept, without an error. */
 arc_status arc_place_publish_first(arc_place **place, arc_error *error);
 
-/* Forgets what was written. NULL and a pointer to NULL are allowed. */
+/* Removes the temporary file and frees the place. NULL and a pointer to NULL are allowed. */
 void arc_place_drop(arc_place **place);
 
-/* Takes away what killed programs left in a folder. */
+/* Removes temporary files of killed programs from a folder. */
 void arc_place_sweep(const char *folder);
 
 #pragma GCC visibility pop

@@ -1,21 +1,19 @@
-/* archard/store.h - the run file: an SQLite database of cases, each with its settings and, once it
- * has run, its definition, history, profiles and the state to go on from.
+/* archard/store.h - the run file, an SQLite database of cases, each with its settings and, after it
+ * has run, its definition, history, profiles and state.
  *
- * A file is either whole or refused: it carries an application id and the number of its format, and
- * a newer, foreign or damaged file is left as it is. One of an older format is brought to this one
- * when it is opened for writing; a reader leaves it as it is and works on a temporary copy.
- * Everything that belongs together is written in one transaction, synchronously: a killed program
- * loses what it was computing, never what it stored. Several processes may have one file open; they
- * take turns.
+ * A file has an application id and a format number; a newer, foreign or damaged file is refused and
+ * not changed. A file of an older format is converted when it is opened for writing; a reader
+ * converts a temporary copy. Each change is one synchronous transaction: a killed program loses
+ * only what it had not stored. Several processes may use one file; they wait for each other.
  *
- * A file may be a stranger's: whatever is read is checked, by the lists of settings and columns
- * that write it, before anything is made of it. A case that is finished or holds a run has a
- * checksum. Views and triggers of a file are not run, and a file that takes more work to read than
- * its size explains is given up. All this is ARC_FORMAT, "PATH: the file is damaged: " and what is.
- * Labels and messages come as arc_show_text shows them.
+ * Files are not trusted: all data is checked against the lists of settings and columns before use.
+ * A finished case, or one with a run, has a checksum. Views and triggers are not executed, and
+ * reading stops if it needs more work than the size of the file explains. All these errors are
+ * ARC_FORMAT, "PATH: the file is damaged: " with the reason. Labels and messages are filtered by
+ * arc_show_text.
  *
- * The tables are described in archard-file(5). All doubles come back to the same bits (a NaN as a
- * NaN).
+ * The tables are described in archard-file(5). All doubles are restored to the same bits (a NaN as
+ * a NaN).
  */
 #ifndef ARCHARD_STORE_H
 #define ARCHARD_STORE_H
@@ -27,50 +25,50 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* The file's user_version. One more whenever a table changes; see src/store/schema.c. */
+/* user_version of the file, increased with every change of a table; see src/store/schema.c. */
 #define ARC_STORE_FORMAT 6
 
 typedef struct arc_store arc_store;
 
 typedef enum arc_store_mode {
-  ARC_STORE_READ,  /* the file must be there */
-  ARC_STORE_WRITE, /* it must be there, and be writable */
-  ARC_STORE_CREATE /* made, with no cases, where there is none */
+  ARC_STORE_READ,  /* the file must exist */
+  ARC_STORE_WRITE, /* the file must exist and be writable */
+  ARC_STORE_CREATE /* a missing file is created, without cases */
 } arc_store_mode;
 
-/* Opens a run file. Errors: ARC_IO (cannot be opened, made or written), ARC_FORMAT (foreign, newer,
- * damaged; the message says which). On failure *store is NULL and the file is as it was. */
+/* Opens a run file. Errors: ARC_IO (cannot be opened, created or written), ARC_FORMAT (foreign,
+ * newer or damaged). On failure *store is NULL and the file is unchanged. */
 arc_status arc_store_open(const char *path, arc_store_mode mode, arc_store **store,
                           arc_error *error);
 
-/* A new file in place of `path`, which may be absent or a run file of the same kind (info "kind");
- * anything else there is refused and stays. The file appears under its name, whole, with
- * arc_store_publish; until then, closing the store forgets it. Publishing one that replaces nothing
- * is ARC_ARGUMENT, and leaves it open; after anything else *store is NULL. */
+/* Creates a new file that arc_store_publish puts in place of `path`, a missing file or a run file
+ * of the same kind (info "kind"); other files are refused. Closing the store before discards the
+ * new file. Publishing a store not made by arc_store_replace is ARC_ARGUMENT, and it stays open;
+ * otherwise *store becomes NULL. */
 arc_status arc_store_replace(const char *path, const char *kind, arc_store **store,
                              arc_error *error);
 arc_status arc_store_publish(arc_store **store, arc_error *error);
 
-/* Closes and nulls; NULL inside is fine. */
+/* Closes the store and sets it to NULL; *store may be NULL. */
 void arc_store_close(arc_store **store);
 
 const char *arc_store_path(const arc_store *store);
 
-/* Reads every page and compares it with what the file's structure promises. ARC_FORMAT: damaged. */
+/* Checks the structure of every page. ARC_FORMAT: damaged. */
 arc_status arc_store_check(arc_store *store, arc_error *error);
 
-/* Groups what follows into one transaction, until commit; rollback (after any failure) takes it all
- * back. Without them every call is a transaction of its own. */
+/* Groups the following calls into one transaction until commit; rollback (after any failure) undoes
+ * them. Otherwise every call is one transaction. */
 arc_status arc_store_begin(arc_store *store, arc_error *error);
 arc_status arc_store_commit(arc_store *store, arc_error *error);
 void arc_store_rollback(arc_store *store);
 
-/* --- notes on the file as a whole ------------------------------------------------------------- */
+/* --- notes on the whole file ------------------------------------------------------------------ */
 
-/* text NULL: forgets the note. */
+/* Sets a note; text NULL removes it. */
 arc_status arc_store_set_info(arc_store *store, const char *name, const char *text,
                               arc_error *error);
-/* *text is to be freed with free(); NULL where there is no such note. */
+/* Reads a note; *text is released by free(), or NULL without such a note. */
 arc_status arc_store_info(arc_store *store, const char *name, char **text, arc_error *error);
 
 /* --- cases ------------------------------------------------------------------------------------ */
@@ -85,11 +83,11 @@ typedef struct arc_value {
   size_t count;
 } arc_value;
 
-/* What a case's values are for. */
+/* Use of the values of a case. */
 typedef enum arc_value_use {
-  ARC_SETTINGS,   /* as the user gave them */
-  ARC_DEFINITION, /* all of a run's, as the engine had them; written by arc_store_save */
-  ARC_RESULTS     /* what a task found */
+  ARC_SETTINGS,   /* given by the user */
+  ARC_DEFINITION, /* all settings of a run; written by arc_store_save */
+  ARC_RESULTS     /* of a task */
 } arc_value_use;
 
 #define ARC_CASE_STATUS_LIST(X)                                                                    \
@@ -111,84 +109,82 @@ typedef struct arc_case {
   arc_case_status status;
   char label[200];
   char message[512]; /* of a failed case */
-  double seconds;    /* [s] a finished one took; NaN before */
+  double seconds;    /* [s] of a finished case; NaN before */
 } arc_case;
 
-/* Adds a waiting case. ARC_ARGUMENT: there is one of this id already. */
+/* Adds a waiting case. ARC_ARGUMENT: the id exists already. */
 arc_status arc_store_add(arc_store *store, int id, const char *label, arc_error *error);
 
-/* All cases by id; *cases [*count] is to be freed with free(). */
+/* All cases by id; *cases [*count] is released by free(). */
 arc_status arc_store_cases(arc_store *store, arc_case **cases, size_t *count, arc_error *error);
 
-/* `message` and `seconds` as in arc_case; message NULL: none. A case that is done neither runs nor
- * fails any more, as another program may have done it meanwhile: its mark stays. Of a case that is
- * not there: ARC_ARGUMENT. */
+/* Sets the status of a case; `message` (NULL: none) and `seconds` as in arc_case. A case that is
+ * done stays done, as another program may have finished it. ARC_ARGUMENT: no such case. */
 arc_status arc_store_mark(arc_store *store, int id, arc_case_status status, const char *message,
                           double seconds, arc_error *error);
 
-/* Cases that a killed program left as running wait again. */
+/* Sets running cases of killed programs to waiting. */
 arc_status arc_store_release(arc_store *store, arc_error *error);
 
 /* Replaces the values of a case. */
 arc_status arc_store_set_values(arc_store *store, int id, arc_value_use use,
                                 const arc_value *values, size_t count, arc_error *error);
 
-/* Sees the values of a case, by name; they live during the call. Non-zero from `see` ends it. */
+/* Calls `see` for each value of a case, by name; values are valid during the call. A non-zero
+ * result of `see` ends the loop. */
 typedef int (*arc_value_fn)(void *context, const arc_value *value);
 arc_status arc_store_values(arc_store *store, int id, arc_value_use use, arc_value_fn see,
                             void *context, arc_error *error);
 
 /* --- runs ------------------------------------------------------------------------------------- */
 
-/* Stores a run under a case that is there, in place of what was stored of it: definition, history,
- * state, and the `count` arrays of surfaces (arc_wear_check_surfaces), the present ones
- * (arc_wear_surfaces) among them; of two of one body and update the later counts. What could not be
- * read back is refused: ARC_ARGUMENT. Meshes from outside are stored as the text of a Gmsh file.
- * One transaction (its own, or the one begun). Of a field that is a function only that is stored:
- * it must be given again to go on. */
+/* Stores a run under an existing case and replaces its old data: definition, history, state, and
+ * `count` arrays of surfaces (arc_wear_check_surfaces) with the present ones (arc_wear_surfaces);
+ * the last array of a body and update is used. ARC_ARGUMENT: data that could not be read back.
+ * Imported meshes are stored as Gmsh text. One transaction (its own, or the one begun). A setting
+ * that is a function is only marked: it must be given again to continue. */
 arc_status arc_store_save(arc_store *store, int id, const arc_wear *wear, const arc_array *surfaces,
                           size_t count, arc_error *error);
 
 /* The definition of a stored run. */
 typedef struct arc_stored_run {
   arc_model_def model;
-  arc_wear_def def;            /* its functions are NULL */
-  arc_mesh *given[ARC_BODIES]; /* its meshes where they came from outside, else NULL: for
-                                  arc_model_build_given, which takes them over */
-  char functions[ARC_WEAR_SETTINGS_COUNT]; /* whether the setting in this place was a function */
-  void *memory;                            /* the arrays `def` points to */
+  arc_wear_def def; /* with functions NULL */
+  arc_mesh
+      *given[ARC_BODIES]; /* imported meshes, else NULL; arc_model_build_given takes ownership */
+  char functions[ARC_WEAR_SETTINGS_COUNT]; /* 1 if this setting was a function */
+  void *memory;                            /* owner of the arrays of `def` */
 } arc_stored_run;
 
-/* Reads and checks it, functions aside. ARC_ARGUMENT: nothing of this case is stored. ARC_FORMAT: a
- * field or value that this program does not know or the engine does not take. On failure there is
- * nothing to free. */
+/* Reads and checks a definition without its functions. ARC_ARGUMENT: no run is stored for this
+ * case. ARC_FORMAT: an unknown field or an invalid value. On failure nothing needs to be freed. */
 arc_status arc_store_definition(arc_store *store, int id, arc_stored_run *run, arc_error *error);
 void arc_stored_run_free(arc_stored_run *run);
-/* Builds its model, of its meshes where it has some, which are taken over. Errors of
- * arc_model_build. */
+/* Builds the model, from the imported meshes if there are any (ownership passes to the model).
+ * Errors of arc_model_build. */
 arc_status arc_stored_run_model(arc_stored_run *run, const arc_callbacks *callbacks,
                                 arc_model **model, arc_error *error);
 
-/* The run itself, on a model of the stored definition and meshes, with `def` the stored one and its
- * functions set: goes on to the same bits as the run that was stored. Errors: ARC_FORMAT (the state
- * is not complete) and those of arc_wear_resume. */
+/* Restores the run on a model of the stored definition and meshes; `def` is the stored one with its
+ * functions set. It continues with the same bits. Errors: ARC_FORMAT (incomplete state) and those
+ * of arc_wear_resume. */
 arc_status arc_store_restore(arc_store *store, int id, arc_model *model, const arc_wear_def *def,
                              arc_wear **wear, arc_error *error);
 
-/* The stored history; *history [*count] is to be freed with free(). Count 0: nothing stored. */
+/* Reads the stored history; *history [*count] is released by free(). Count 0: nothing stored. */
 arc_status arc_store_history(arc_store *store, int id, arc_wear_record **history, size_t *count,
                              arc_error *error);
 
-/* The arrays of the stored surfaces in the order of updates, cylinder before plate, by name;
- * *surfaces [*count], one block, is to be freed with free(). */
+/* Reads the arrays of the stored surfaces by update, body (cylinder first) and name; *surfaces
+ * [*count] is one block, released by free(). */
 arc_status arc_store_surfaces(arc_store *store, int id, arc_array **surfaces, size_t *count,
                               arc_error *error);
 
 /* --- shards ----------------------------------------------------------------------------------- */
 
-/* Copies into `store` the finished cases of the file `from`. Both must hold the same cases with the
- * same settings. A case that is finished in both stays as it is in `store`; ARC_ARGUMENT: it has
- * other results there, or another study. */
+/* Copies the finished cases of the file `from` to `store`. Both must have the same cases with the
+ * same settings. A case finished in both is kept. ARC_ARGUMENT: different results, or different
+ * studies. */
 arc_status arc_store_merge(arc_store *store, const char *from, arc_error *error);
 
 #pragma GCC visibility pop
