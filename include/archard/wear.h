@@ -331,8 +331,7 @@ typedef enum arc_column_rule {
   X(depth_plate, "mm", FROM(0), ALWAYS, "largest wear depth of the plate")                         \
   X(volume_cylinder, "mm3", FROM(0), ALWAYS, "wear volume of the cylinder")                        \
   X(volume_plate, "mm3", FROM(0), ALWAYS, "wear volume of the plate")                              \
-  X(load_distance, "N mm", FROM(0), LATER,                                                         \
-    "integral of the load (in holes: normal force) over sliding")                                  \
+  X(load_distance, "N mm", FROM(0), LATER, "load (in holes: normal force) times sliding")          \
   X(depth_partition, "", FROM(0), LATER,                                                           \
     "depth partition factor alpha-tilde; NaN before any wear")                                     \
   X(error, "", FROM(0), LATER, "estimated error of an adaptive step, over its tolerance")          \
