@@ -293,6 +293,32 @@ static void test_together(void **state) {
   assert_int_equal(parts("."), 0);
 }
 
+/* Takes and releases a lock many times. Returns the errno of the first failure other than EEXIST,
+ * or 0. */
+static int compete(int times) {
+  int wrong = 0;
+  for (int i = 0; i < times && wrong == 0; i++) {
+    if (arc_lock_take("shared.lock", 0) == 0)
+      arc_lock_leave("shared.lock");
+    else if (errno != EEXIST)
+      wrong = errno;
+  }
+  return wrong;
+}
+
+/* A lock that is released while another program looks at its owner is a lock in use, not a missing
+ * file. */
+static void test_locks_compete(void **state) {
+  enum { TIMES = 20000 };
+  int ended = 0;
+  (void)state;
+  const pid_t child = fork();
+  if (child == 0) _exit(compete(TIMES));
+  assert_int_equal(compete(TIMES), 0);
+  assert_int_equal(waitpid(child, &ended, 0), child);
+  assert_true(WIFEXITED(ended) && WEXITSTATUS(ended) == 0);
+}
+
 static void test_scratch(void **state) {
   (void)state;
   arc_place *place;
@@ -312,7 +338,7 @@ int main(void) {
       cmocka_unit_test(test_refused),          cmocka_unit_test(test_devices_are_written_to),
       cmocka_unit_test(test_no_room),          cmocka_unit_test(test_strays),
       cmocka_unit_test(test_locks_by_name),    cmocka_unit_test(test_together),
-      cmocka_unit_test(test_scratch),
+      cmocka_unit_test(test_scratch),          cmocka_unit_test(test_locks_compete),
   };
   return cmocka_run_group_tests_name("place", tests, set_up, tear_down);
 }

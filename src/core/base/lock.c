@@ -112,9 +112,13 @@ static void remove_left(const char *lock) {
 int arc_lock_take(const char *lock, mode_t ignored) {
   (void)ignored;
   if (make(lock) == 0) return 0;
-  if (errno != EEXIST || !is_left(lock)) return -1;
-  remove_left(lock);
-  return make(lock);
+  if (errno != EEXIST) return -1;
+  if (is_left(lock)) {
+    remove_left(lock);
+    return make(lock);
+  }
+  errno = EEXIST; /* also if the owner has released it meanwhile, when readlink gives ENOENT */
+  return -1;
 }
 
 int arc_lock_leave(const char *lock) {
