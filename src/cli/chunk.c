@@ -1,5 +1,4 @@
-/* Runs chunks under protection: messages, tracebacks and interrupts are handled here and nowhere
- * else. Leans on lua/interrupt.h, on lua/error.h. */
+/* Protected calls of chunks, with messages, tracebacks and interrupts. */
 #include "cli/chunk.h"
 
 #include "lua/base/error.h"
@@ -9,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Replaces the error value, whatever it is, by its text. */
+/* Replaces an error value of any type by its text. */
 static int to_text(lua_State *L) {
   if (lua_type(L, 1) != LUA_TSTRING && luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL)
     lua_pushfstring(L, "(error value is a %s)", luaL_typename(L, 1));
@@ -18,8 +17,8 @@ static int to_text(lua_State *L) {
   return 1;
 }
 
-/* Is any function but the chunk itself on the stack from `level` on? If not, a traceback says
- * nothing new. */
+/* True if the stack from `level` on has a function other than the chunk, so that a traceback is
+ * useful. */
 static int has_callers(lua_State *L, int level) {
   lua_Debug frame;
   for (; lua_getstack(L, level, &frame); level++) {
@@ -29,9 +28,8 @@ static int has_callers(lua_State *L, int level) {
   return 0;
 }
 
-/* Runs where the error happened: adds the traceback. An interrupt needs none, and the hook is still
- * armed, so nothing may be called for it here. An error object is about what the user called: the
- * way from there on, through the program's own scripts, is of no interest. */
+/* Message handler: adds the traceback. For an interrupt it adds none and calls nothing, as the hook
+ * is still active. For error objects the frames inside the program's own scripts are omitted. */
 static int describe(lua_State *L) {
   if (interrupt_pending(NULL)) return 1;
   const int level = lua_istable(L, 1) ? error_user_level(L) : 1;
@@ -46,7 +44,7 @@ static size_t without(const char *text, size_t length, const char *foot) {
   return length >= tail && strncmp(text + length - tail, foot, tail) == 0 ? length - tail : length;
 }
 
-/* What stands at the foot of every traceback is ours and of no interest. */
+/* Removes the last lines of a traceback, which are the program's own. */
 static size_t without_foot(const char *text) {
   size_t length = without(text, strlen(text), "\n\t[C]: in ?");
   return without(text, length, "\n\t(...tail calls...)");

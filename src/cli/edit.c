@@ -1,6 +1,6 @@
-/* The line editor: the one file that includes readline. It uses the callback interface, because
- * signals can then be handled between keys, in a safe place, and no jump out of readline is needed.
- * The history file is the business of history_file.c. */
+/* The line editor: the one file that includes readline. It uses the callback interface, as signals
+ * can then be handled between keys, without a jump out of readline. history_file.c reads and writes
+ * the history file. */
 #include "cli/edit.h"
 
 #include "cli/history_file.h"
@@ -23,10 +23,10 @@ static struct {
   edit_complete_fn complete;
   void *context;
   edit_proposal proposal;
-  char *path;         /* of the history file; NULL when there is no place for one */
-  char *line;         /* what on_line received */
-  int done;           /* on_line was called */
-  sigset_t kept_back; /* the signals that are let in only while waiting for a key */
+  char *path;         /* path of the history file, or NULL */
+  char *line;         /* argument of on_line */
+  int done;           /* 1 after on_line was called */
+  sigset_t kept_back; /* signals that are unblocked only while waiting for a key */
 } editor;
 
 static volatile sig_atomic_t continued;
@@ -44,7 +44,7 @@ static void forget_proposal(void) {
   memset(&editor.proposal, 0, sizeof editor.proposal);
 }
 
-/* Gives readline the next word that begins with `text`; readline frees it. */
+/* Returns the next word that begins with `text`; readline frees it. */
 static char *next_word(const char *text, int state) {
   static size_t next;
   if (state == 0) next = 0;
@@ -71,7 +71,7 @@ static char **attempt_completion(const char *text, int start, int end) {
 
 /* --- history --------------------------------------------------------------------------------- */
 
-/* Drops earlier copies of an entry, so that going back never meets the same text twice. */
+/* Removes earlier copies of an entry from the history. */
 static void forget_copies(const char *entry) {
   for (int i = history_length - 1; i >= 0; i--) {
     const HIST_ENTRY *old = history_get(history_base + i);
@@ -101,7 +101,8 @@ static void choose_signals(void) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
   action.sa_handler = on_continue;
-  action.sa_flags = SA_RESTART; /* whoever waits for gnuplot, say, need not know of a fg */
+  action.sa_flags =
+      SA_RESTART; /* a process that waits for gnuplot, for example, need not handle SIGCONT */
   sigaction(SIGCONT, &action, NULL);
 }
 
@@ -114,7 +115,7 @@ void edit_start(edit_complete_fn complete, void *context) {
   rl_attempted_completion_function = attempt_completion;
   rl_completer_word_break_characters = " \t\n\"\\'`@$><=;|&{}()[]+-*/%^~#,:.?!";
   rl_completer_quote_characters = "\"'";
-  /* Set before the inputrc is read, which may say otherwise. */
+  /* Set before the inputrc is read, which may change it. */
   rl_variable_bind("show-all-if-ambiguous", "on");
   if (!isatty(STDOUT_FILENO)) rl_outstream = stderr;
   choose_signals();
@@ -137,7 +138,7 @@ static void on_line(char *line) {
   editor.line = line;
   editor.done = 1;
   rl_callback_handler_remove();
-  if (line == NULL) fputs("\n", rl_outstream); /* Ctrl-D: leave the prompt's line */
+  if (line == NULL) fputs("\n", rl_outstream); /* Ctrl-D: end the line of the prompt */
 }
 
 static void abandon_line(void) {
@@ -148,8 +149,8 @@ static void abandon_line(void) {
   rl_callback_handler_remove();
 }
 
-/* Lets readline treat what its handlers noted: it puts the terminal right, then passes the signal
- * on to the handler or default action of before. */
+/* Lets readline process a caught signal: it restores the terminal, then calls the previous handler
+ * or default action. */
 static void treat_signals(const sigset_t *normal) {
   do {
     sigprocmask(SIG_SETMASK, normal, NULL);
@@ -160,8 +161,8 @@ static void treat_signals(const sigset_t *normal) {
   continued = 0;
 }
 
-/* Waits for a key; the signals come in here and nowhere else. Returns zero if one did. A key may
- * be there already when a signal comes (Ctrl-C, then more): the signal goes first. */
+/* Waits for a key with signals unblocked. Returns zero after a signal, which is handled before a
+ * key that is already there. */
 static int wait_for_key(const sigset_t *normal) {
   fd_set input;
   FD_ZERO(&input);
@@ -172,8 +173,8 @@ static int wait_for_key(const sigset_t *normal) {
   return ready && rl_pending_signal() == 0;
 }
 
-/* Keys that came while a chunk asked the terminal something. A line that they end leaves the rest
- * for the next prompt. */
+/* Processes keys received during a query of the terminal; keys after the end of a line are kept for
+ * the next prompt. */
 static void replay_typed(void) {
   for (int key; !editor.done && (key = term_ask_typed()) >= 0;) {
     rl_stuff_char(key);

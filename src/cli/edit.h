@@ -8,29 +8,29 @@
 
 typedef enum edit_result { EDIT_LINE, EDIT_INTERRUPTED, EDIT_END } edit_result;
 
-/* What may follow the text before the cursor. */
+/* Completions of the text before the cursor. */
 typedef struct edit_proposal {
   char **words; /* `count` strings, each from malloc, as is the array; the editor frees them */
   size_t count;
   int files;   /* non-zero: names of files instead of words */
-  char append; /* follows a word that is the only one; '\0' for nothing */
+  char append; /* appended to a single completion; '\0' for none */
 } edit_proposal;
 
 /* Fills `proposal` (all zero before) for the text before the cursor. The words complete the
  * identifier, or the string, that this text ends in. */
 typedef void (*edit_complete_fn)(void *context, const char *before, edit_proposal *proposal);
 
-/* Sets the editor up and reads the history file. */
+/* Initialises the editor and reads the history file. */
 void edit_start(edit_complete_fn complete, void *context);
 
-/* Leaves the history file tidy: every entry once, the latest last. */
+/* Removes copies from the history file: every entry once, the latest last. */
 void edit_finish(void);
 
-/* Reads one line, without its newline; pasted text may hold newlines within. With EDIT_LINE,
- * *line is from malloc and the caller's. */
+/* Reads one line, without its newline; pasted text may hold newlines within. With EDIT_LINE, the
+ * caller frees *line. */
 edit_result edit_read(const char *prompt, char **line);
 
-/* Puts a complete entry (it may have several lines) into the history, and at once into the file. */
+/* Adds an entry of one or several lines to the history and its file. */
 void edit_remember(const char *entry);
 
 #endif

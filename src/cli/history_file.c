@@ -22,7 +22,7 @@
 /* An entry: its header line "#TIME" and its text, both within the text of the file. */
 typedef struct entry {
   char *header, *text;
-  int position, copy; /* copy: the same text comes again later */
+  int position, copy; /* copy: the same text follows later */
 } entry;
 
 typedef struct history {
@@ -68,7 +68,7 @@ char *history_file_open(void) {
   return path;
 }
 
-/* Returns the descriptor that holds the lock; closing it gives the lock back. */
+/* Returns the descriptor of the lock; closing it releases the lock. */
 static int lock_folder(const char *path) {
   char *folder = strdup(path);
   if (folder == NULL) return -1;
@@ -90,7 +90,7 @@ static int is_header(const char *line) {
   return digits > 0 && (line[1 + digits] == '\n' || line[1 + digits] == '\0');
 }
 
-/* Whether it is a header behind backslashes, maybe none. */
+/* True for a header after any number of backslashes. */
 static int looks_like_header(const char *line) {
   return is_header(line + strspn(line, "\\"));
 }
@@ -118,7 +118,7 @@ static void put_entry(FILE *file, const char *header, const char *text) {
   }
 }
 
-/* Ends a last line that was written by half. */
+/* Ends an incomplete last line. */
 static void mend_end(FILE *file) {
   struct stat facts;
   char last;
@@ -127,7 +127,7 @@ static void mend_end(FILE *file) {
     fputc('\n', file);
 }
 
-/* A history that cannot be written is no reason to disturb the session: errors are let pass. */
+/* Errors of writing the history are ignored. */
 void history_file_append(const char *path, const char *text) {
   int lock = lock_folder(path);
   FILE *file = open_private(path);
@@ -141,7 +141,7 @@ void history_file_append(const char *path, const char *text) {
   unlock_folder(lock);
 }
 
-/* Returns zero where not all of it could be written. */
+/* Returns zero if not all of it could be written. */
 static int put_entries(const char *path, const history *self, int first) {
   FILE *file = fopen(path, "w");
   if (file == NULL) return 0;
@@ -160,7 +160,7 @@ static void rewrite(const char *path, const history *self, int first) {
 
 /* --- reading --------------------------------------------------------------------------------- */
 
-/* All but the zeros, which would end it for us. */
+/* Copies all bytes except zeros, which would end the string. */
 static char *read_text(const char *path) {
   char *text;
   size_t size, kept = 0;
@@ -177,7 +177,7 @@ static int count_headers(char *text) {
   return count;
 }
 
-/* Takes the backslashes away that put_entry adds. */
+/* Removes the backslashes of put_entry. */
 static void restore_lines(char *text) {
   char *to = text;
   for (char *line = text, *after; line; line = after) {
@@ -190,7 +190,7 @@ static void restore_lines(char *text) {
   *to = '\0';
 }
 
-/* Ends the text before `line`, whose newline it was. */
+/* Replaces the newline before `line` by a zero. */
 static void cut_before(char *line) {
   line[-1] = '\0';
 }
@@ -220,7 +220,7 @@ static int by_text(const void *left, const void *right) {
   return order ? order : a->position - b->position;
 }
 
-/* Marks every entry that comes again later; returns how many are not copies, -1 without memory. */
+/* Marks entries that are repeated later. Returns the number of others, or -1 without memory. */
 static int mark_copies(history *self) {
   entry **sorted = malloc((size_t)self->count * sizeof *sorted);
   if (sorted == NULL) return -1;
@@ -235,7 +235,7 @@ static int mark_copies(history *self) {
   return kept;
 }
 
-/* The first entry of the last `limit` ones that are no copies. */
+/* Index of the first of the last `limit` entries that are not copies. */
 static int first_kept(const history *self, int limit) {
   int i = self->count;
   while (i > 0 && limit > 0) limit -= !self->entries[--i].copy;

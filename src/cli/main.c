@@ -1,6 +1,5 @@
-/* The command: reads its options, opens Lua and the module `archard`, runs what was asked for, and
- * turns the outcome into the exit status. Leans on run (every chunk), repl (the prompt and piped
- * input) and signals. */
+/* The command: reads options, opens Lua and the module `archard`, runs scripts or the prompt, and
+ * returns the exit status. */
 #include "archard/base.h"
 #include "cli/repl.h"
 #include "cli/chunk.h"
@@ -23,7 +22,7 @@
 
 enum { EXIT_DONE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
-/* What the options ask for. `steps` are the -e and -l in their order. */
+/* The options. `steps` are -e and -l in their order. */
 typedef struct command {
   struct step {
     int kind;         /* 'e' or 'l' */
@@ -32,7 +31,7 @@ typedef struct command {
   int step_count;
   int interactive, lax, version, help, wrong;
   sandbox sandbox;
-  int script; /* index of the script in argv; argc when there is none */
+  int script; /* index of the script in argv, or argc */
   int argc;
   char **argv;
 } command;
@@ -109,7 +108,7 @@ static void read_options(command *self) {
   if (self->sandbox.wanted ? idle || self->interactive : limits) self->wrong = 1;
 }
 
-/* arg[0] is the script, what stands before it has negative indices, as in the stock interpreter. */
+/* arg[0] is the script; arguments before it have negative indices, as in the stock interpreter. */
 static void set_arg_table(lua_State *L, const command *self) {
   int zero = self->script < self->argc ? self->script : 0;
   lua_createtable(L, self->argc - zero, zero + 1);
@@ -153,7 +152,7 @@ static run_status run_script(lua_State *L, const command *self) {
   return run_call(L, count, 0);
 }
 
-/* Standard input: the prompt where a terminal is there to show it on. */
+/* Standard input: the prompt if it is a terminal. */
 static run_status run_input(lua_State *L) {
   if (!isatty(STDIN_FILENO)) return repl_run_pipe(L);
   signals_install(1);
@@ -167,7 +166,7 @@ static run_status run_command(lua_State *L, const command *self) {
   run_status status = run_steps(L, self);
   if (status == RUN_OK && has_script) status = run_script(L, self);
   int idle = !has_script && self->step_count == 0 && !self->version;
-  /* After a failure -i still gives the prompt: that is what it is for. */
+  /* -i opens the prompt also after a failure. */
   if (self->interactive || (idle && status == RUN_OK)) {
     run_status session = run_input(L);
     if (status == RUN_OK || isatty(STDIN_FILENO)) status = session;
@@ -175,7 +174,7 @@ static run_status run_command(lua_State *L, const command *self) {
   return status;
 }
 
-/* warn() of Lua and of the binding, on standard error; "@..." are controls of Lua's own. */
+/* warn() of Lua and of the binding, on standard error; "@..." are control messages of Lua. */
 static void print_warning(void *ignored, const char *message, int to_be_continued) {
   static int continued = 0, silent = 0;
   (void)ignored;
@@ -190,13 +189,13 @@ static void print_warning(void *ignored, const char *message, int to_be_continue
   continued = to_be_continued;
 }
 
-/* The path of the script; NULL where it is none, or standard input. */
+/* Path of the script; NULL without one or for standard input. */
 static const char *script_path(const command *self) {
   const char *name = self->script < self->argc ? self->argv[self->script] : NULL;
   return name && strcmp(name, "-") != 0 ? name : NULL;
 }
 
-/* Everything that may raise an error of Lua's happens in here. */
+/* All code that may raise a Lua error. */
 static int session(lua_State *L) {
   const command *self = lua_touserdata(L, 1);
   luaL_checkversion(L);
@@ -222,7 +221,7 @@ static int exit_status(run_status status) {
   return status == RUN_OK ? EXIT_DONE : EXIT_ERROR;
 }
 
-/* The last finalizers run after the script, and may reach a limit too. */
+/* Finalizers run after the script, within the same limits. */
 static int finalizers_status(int status) {
   if (status != EXIT_DONE || !interrupt_exceeded()) return status;
   fprintf(stderr, "archard: %s\n", interrupt_exceeded());
@@ -246,15 +245,15 @@ static int run_state(command *self) {
   return finalizers_status(status);
 }
 
-/* Output that could not be written (a full disk, say) must not look like success. */
+/* Output that could not be written (a full disk) is a failure. */
 static int close_output(int status) {
   if (fflush(stdout) == 0 && !ferror(stdout)) return status;
   perror("archard: standard output");
   return status == EXIT_DONE ? EXIT_ERROR : status;
 }
 
-/* What was stopped may go on for a moment on a thread of its own, which does not survive that the
- * libraries it computes with take their leave. */
+/* _exit, as a stopped computation may still run on its thread and would crash when exit() closes
+ * its libraries. */
 static void leave_at_once(int status, void *unused) {
   (void)unused;
   if (!interrupt_ever()) return;

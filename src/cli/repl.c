@@ -1,6 +1,6 @@
-/* Reads chunks, runs them, shows their values. What is a complete chunk and how a value looks is
- * decided by scripts/lib/prompt.lua, what may be completed by scripts/session/complete.lua; lines
- * come from the line editor or from standard input. */
+/* Reads chunks from the line editor or standard input, runs them and prints their values.
+ * scripts/lib/prompt.lua decides when a chunk is complete and formats values;
+ * scripts/session/complete.lua completes words. */
 #include "cli/repl.h"
 
 #include "archard/base.h"
@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The lines of a chunk so far. */
+/* Lines of an incomplete chunk. */
 typedef struct pending {
   char *text; /* NULL when empty */
   size_t length;
@@ -82,13 +82,13 @@ static run_status evaluate(lua_State *L) {
 
 /* --- completion ------------------------------------------------------------------------------- */
 
-/* What the completion callback needs. */
+/* Context of the completion callback. */
 typedef struct prompt {
   lua_State *L;
   pending chunk;
 } prompt;
 
-/* (prompt, before) -> a list of words or "files", what follows a word that is the only one */
+/* (prompt, before) -> a list of words or "files", and the character after a single word */
 static int find_words(lua_State *L) {
   prompt *self = lua_touserdata(L, 1);
   push_module_function(L, "archard.session.complete", "words");
@@ -115,7 +115,7 @@ static void complete(void *context, const char *before, edit_proposal *proposal)
   lua_pushcfunction(L, find_words);
   lua_pushlightuserdata(L, self);
   lua_pushstring(L, before);
-  /* An error in here is not the user's: without an answer there are no words. */
+  /* An error here is an internal one: then there are no completions. */
   if (lua_pcall(L, 2, 2, 0) == LUA_OK) {
     const char *append = lua_tostring(L, -1);
     proposal->append = append ? *append : '\0';
@@ -128,7 +128,7 @@ static void complete(void *context, const char *before, edit_proposal *proposal)
 
 /* --- the prompt ------------------------------------------------------------------------------- */
 
-/* Asks scripts/lib/prompt.lua for a text ("first", "more", "banner"), in colours where allowed. */
+/* Returns a text of scripts/lib/prompt.lua ("first", "more", "banner"), in colours if allowed. */
 static void push_text(lua_State *L, const char *which) {
   push_module_function(L, "archard.lib.prompt", "text");
   lua_pushstring(L, which);
@@ -137,8 +137,8 @@ static void push_text(lua_State *L, const char *which) {
 
 /* --- leaving ---------------------------------------------------------------------------------- */
 
-/* Calls a function of scripts/session/leave.lua with the text on top of the stack; its answer takes
- * that place, nil where it fails. */
+/* Calls a function of scripts/session/leave.lua with the text on top of the stack and replaces it
+ * by the result, nil on failure. */
 static run_status ask(lua_State *L, const char *name) {
   push_module_function(L, "archard.session.leave", name);
   lua_insert(L, -2);
@@ -147,7 +147,7 @@ static run_status ask(lua_State *L, const char *name) {
   return status;
 }
 
-/* What a line answers to the question: 1 leave, 0 stay, -1 it says neither. What fails keeps here.
+/* Evaluates the answer to the question: 1 leave, 0 stay, -1 neither. On error, stay at the prompt.
  */
 static int understand(lua_State *L, const char *line) {
   lua_pushstring(L, line);
@@ -157,7 +157,7 @@ static int understand(lua_State *L, const char *line) {
   return answer;
 }
 
-/* Asks before runs that are in no file are lost. Ctrl-D is the second one then, and leaves. */
+/* Asks before unsaved runs are lost. A second Ctrl-D leaves. */
 static int may_leave(lua_State *L) {
   lua_pushnil(L);
   int answer = ask(L, "question") == RUN_OK && lua_isstring(L, -1) ? -1 : 1;
@@ -214,7 +214,7 @@ static void take_line(prompt *self, const char *line) {
   interrupt_clear();
 }
 
-/* Reads a line and does what it says; returns whether the user wants to leave. */
+/* Reads a line and executes it. Returns 1 if the user leaves. */
 static int next_line(prompt *self) {
   char *line = NULL;
   const edit_result result = read_line(self, &line);
@@ -244,7 +244,7 @@ void repl_run(lua_State *L) {
 
 /* --- piped input ------------------------------------------------------------------------------ */
 
-/* A chunk that began at line `first` is complete, wrong, or in want of more lines. */
+/* Returns if the chunk that began at line `first` is complete, wrong or incomplete. */
 static run_status take_piped(lua_State *L, pending *chunk, int first, int last_line) {
   int state = compile(L, chunk, "=stdin", first);
   if (state == CHUNK_OPEN && !last_line) return RUN_OK;
@@ -256,7 +256,7 @@ static run_status take_piped(lua_State *L, pending *chunk, int first, int last_l
   return state == CHUNK_READY ? evaluate(L) : run_refused(L);
 }
 
-/* The length of a line without its end. Zero bytes within it are for Lua to refuse. */
+/* Length of a line without its newline. Lua refuses zero bytes. */
 static size_t line_length(const char *line, size_t length) {
   if (length > 0 && line[length - 1] == '\n') length--;
   if (length > 0 && line[length - 1] == '\r') length--;

@@ -1,4 +1,4 @@
-/* cli/repl.h - reads chunks, runs them, shows their values. */
+/* cli/repl.h - the prompt: reads chunks, runs them, prints their values. */
 #ifndef CLI_REPL_H
 #define CLI_REPL_H
 
@@ -6,11 +6,11 @@
 
 #include <lua.h>
 
-/* The prompt, until the user leaves it. Errors are shown and forgotten. */
+/* Runs the prompt until the user leaves. Errors are printed and do not end it. */
 void repl_run(lua_State *L);
 
-/* Standard input as if it had been typed, without banner, prompt or colour. The first error ends
- * it; messages count the lines of the input. */
+/* Runs standard input like typed lines, without banner, prompt or colour, up to the first error;
+ * messages have the line number of the input. */
 run_status repl_run_pipe(lua_State *L);
 
 #endif

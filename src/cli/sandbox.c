@@ -37,7 +37,7 @@ int sandbox_set(sandbox *self, const char *name, const char *text) {
 
 /* --- memory ----------------------------------------------------------------------------------- */
 
-/* As lua_Alloc wants it: for new blocks `old` is a kind, no size. */
+/* lua_Alloc: for a new block `old` is the type of the object, not a size. */
 static void *allocate(void *context, void *block, size_t old, size_t size) {
   sandbox *self = context;
   const size_t held = block ? old : 0;
@@ -58,14 +58,14 @@ lua_State *sandbox_new_state(sandbox *self) {
 
 /* --- entering --------------------------------------------------------------------------------- */
 
-/* The folder of a path, "." where it names none. */
+/* Folder of a path, "." without one. */
 static void folder_of(const char *path, char folder[PATH_MAX]) {
   const char *slash = path ? strrchr(path, '/') : NULL;
   const size_t length = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
   snprintf(folder, PATH_MAX, "%.*s", (int)length, slash ? path : ".");
 }
 
-/* Where the system finds a program; the name itself where there is none. */
+/* Path of a program in PATH; its name if it is not found. */
 static const char *find(const char *name, char path[PATH_MAX]) {
   const char *folders = getenv("PATH");
   while (folders && *folders && !strchr(name, '/')) {
@@ -87,7 +87,7 @@ static void tell_missing(int missing) {
       fprintf(stderr, "archard: --sandbox: this system does not ensure %s\n", what[i]);
 }
 
-/* The mark of a program that has closed the jail around itself and begun anew. */
+/* Marks a program that was restarted inside the jail. */
 static const char mark[] = "ARCHARD_CONFINED";
 
 static int is_confined(void) {
@@ -97,7 +97,7 @@ static int is_confined(void) {
   return confined;
 }
 
-/* What is not given a name is made in the working folder; the next program knows that it is one. */
+/* Temporary files are created in the working folder, by a variable for child programs. */
 static void set_environment(const char *folder) {
   char number[24];
   snprintf(number, sizeof number, "%ld", (long)getpid());
@@ -119,7 +119,7 @@ int sandbox_confine(const sandbox *self, const char *script, char **argv) {
                          self->memory * mebi};
   set_environment(here);
   int missing = arc_jail_enter(&jail);
-  if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* the pool of workers is small as it is */
+  if (!self->strict) missing &= ~ARC_JAIL_PROCESSES; /* the pool of workers is small */
   tell_missing(missing);
   if (missing && self->strict) return 0;
   fprintf(stderr, "archard: it cannot begin anew: %s\n", strerror(arc_child_again(argv)));

@@ -11,28 +11,28 @@
 #include <lua.h>
 
 typedef struct sandbox {
-  int wanted, strict;  /* strict: not where the system cannot ensure all */
+  int wanted, strict;  /* strict: refuse to run if the system cannot enforce everything */
   double memory;       /* [MiB] */
   double seconds;      /* 0: no limit */
-  double instructions; /* of Lua; 0: no limit */
-  size_t used;         /* bytes of Lua's */
+  double instructions; /* limit of Lua's memory; 0: none */
+  size_t used;         /* bytes used by Lua */
 } sandbox;
 
-/* Limits as they are unless options say otherwise. */
+/* The default limits. */
 sandbox sandbox_usual(void);
 
-/* Sets the limit of the name to the number in `text`; zero where that is none above 0. */
+/* Sets the limit `name` to the number in `text`. Returns zero unless it is > 0. */
 int sandbox_set(sandbox *self, const char *name, const char *text);
 
-/* A state whose memory is limited; NULL without memory. `self` must outlive it. */
+/* Creates a state with limited memory; NULL without memory. `self` must outlive it. */
 lua_State *sandbox_new_state(sandbox *self);
 
-/* Has the system confine this program and begins it anew, inside. Returns non-zero there; zero
- * where that failed, or is refused, with the reason on standard error. */
+/* Confines this program and restarts it. Returns non-zero inside; zero on failure, with the reason
+ * on standard error. */
 int sandbox_confine(const sandbox *self, const char *script, char **argv);
 
-/* Closes the sandbox around all that follows: what the script may use, the files that it has, the
- * limits. `script` is its path, NULL where it is no file. May raise an error of Lua's. */
+/* Enters the sandbox: restricts libraries, files and resources. `script` is the path of the script,
+ * or NULL. May raise a Lua error. */
 void sandbox_enter(lua_State *L, const sandbox *self, const char *script);
 
 #endif

@@ -1,5 +1,4 @@
-/* The signal handler: it asks for a stop through lua/interrupt.h and does nothing else that could
- * disturb what it interrupts. */
+/* The signal handler: requests a stop by lua/interrupt.h. */
 #include "cli/signals.h"
 
 #include "lua/base/interrupt.h"
@@ -25,13 +24,13 @@ static void on_interrupt_stay(int signal_number) {
   errno = saved;
 }
 
-/* SA_RESETHAND has put the default action back: the next one kills. */
+/* SA_RESETHAND has restored the default action: the next signal kills. */
 static void on_interrupt_once(int signal_number) {
   (void)signal_number;
   interrupt_request();
 }
 
-/* No SA_RESTART: a read that waits must return, for the hook to be seen. */
+/* No SA_RESTART: a waiting read must return, so that the hook runs. */
 static void install(int signal_number, void (*handler)(int), int flags) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
@@ -42,7 +41,7 @@ static void install(int signal_number, void (*handler)(int), int flags) {
 }
 
 void signals_install(int stay) {
-  install(SIGXFSZ, SIG_IGN, 0); /* a file that grows too large is an error of the write */
+  install(SIGXFSZ, SIG_IGN, 0); /* a file beyond its size limit is an error of write() */
   install(SIGINT, stay ? on_interrupt_stay : on_interrupt_once, stay ? 0 : (int)SA_RESETHAND);
 }
 
@@ -50,7 +49,7 @@ void signals_install(int stay) {
 
 enum { GRACE = 100000, STATUS_ERROR = 1, STATUS_INTERRUPTED = 130 }; /* [us] */
 
-/* A clock set to zero never rings, one set to more than it holds neither. */
+/* A timer set to zero, or to more than its range, never expires. */
 static void set_alarm(int clock, double seconds) {
   static const double shortest = 1e-6, longest = 1e9;
   seconds = fmin(fmax(seconds, shortest), longest);
